@@ -1,0 +1,25 @@
+/// Broad phase: which pairs of bodies are near enough to look at closely.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "common/body.h"
+
+namespace pushback {
+
+/// The smallest box along the world axes that holds a body's shape; infinite in every direction for a half-space.
+struct Bounds {
+  Vec3 low, high;  ///< m
+  bool overlaps(const Bounds& other) const {
+    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
+};
+Bounds bounds_of(const Body& body);
+
+using BodyPair = std::pair<int, int>;  ///< indices, first < second
+
+/// Every pair whose bounds overlap and of which at least one body can move, in ascending order of (first, second).
+std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies);
+
+}  // namespace pushback

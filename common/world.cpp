@@ -1,0 +1,105 @@
+#include "common/world.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cassert>
+
+#include "common/broad_phase.h"
+#include "common/collide.h"
+#include "common/input.h"
+
+namespace pushback {
+
+int World::add(const Body& body) {
+  Body checked = body;
+  check(checked);
+  checked.index = static_cast<int>(bodies.size());
+  bodies.push_back(checked);
+  contacts.clear();  // their pointers may point to where the bodies were
+  return checked.index;
+}
+
+void World::check_step(Real dt, int sweeps) {
+  require_positive("dt", dt);
+  if (sweeps < 0) throw InvalidInput(fmt::format("sweeps is {}: a whole number, 0 or more, is needed", sweeps));
+  require_finite("gravity", gravity);
+  for (Body& body : bodies) {
+    require_finite("position", body.position);
+    require_finite("velocity", body.velocity);
+    require_finite("angular velocity", body.angular_velocity);
+    require_finite("orientation's vector part", Vec3(body.orientation.vec()));
+    require_finite("orientation's scalar part", body.orientation.w());
+  }
+}
+
+void World::apply_forces(Real dt) {
+  for (Body& body : bodies) {
+    body.velocity_before = body.velocity;
+    body.angular_velocity_before = body.angular_velocity;
+  }
+  for (const auto& apply : forces) apply(*this);
+  for (Body& body : bodies) {
+    if (body.movable()) {
+      body.velocity += dt * (gravity + body.inverse_mass * body.force);
+      body.angular_velocity += dt * body.inverse_inertia * body.torque;
+    }
+    body.force.setZero();
+    body.torque.setZero();
+  }
+}
+
+void World::find_contacts() {
+  contacts.clear();
+  for (const auto& [first, second] : near_pairs(bodies)) {
+    collide(bodies[static_cast<std::size_t>(first)], bodies[static_cast<std::size_t>(second)], contacts);
+  }
+  // Pairs arrive in ascending order, and so do the points of a pair: nothing is left to sort.
+  assert(
+      std::is_sorted(contacts.begin(), contacts.end(), [](const Contact& p, const Contact& q) { return p.id < q.id; }));
+}
+
+void World::move(Real dt) {
+  for (Body& body : bodies) {
+    body.position += dt * body.velocity;
+    if (body.angular_velocity != Vec3::Zero()) spin_freely(body, dt);
+  }
+}
+
+// The implicit midpoint rule for Euler's equation, in body axes, with the momentum p = I w:
+//
+//   p' - p = h (p_m x w_m),     p_m = (p + p') / 2,   w_m = I^-1 p_m
+//
+// keeps |p|^2 and the energy p . I^-1 p / 2 exactly, because both are quadratic. Turning the body by that same w_m,
+// q' = normalise(q + h/2 q (0, w_m)), is a Cayley transform, under which L = R p stays where it is in the world:
+// R' p' = R p. So the code keeps L, and takes the new w from it: even where Newton's method had not arrived, the energy
+// could not exceed L^2 / (2 I_min).   Hairer, Lubich, Wanner, Geometric Numerical Integration, IV.1 and VII.5.
+void spin_freely(Body& body, Real dt) {
+  Quat& q = body.orientation;
+  const Vec3& inverse = body.principal_inverse_inertia;
+  Vec3 midpoint = q.conjugate() * body.angular_velocity;  // w_m, body axes; where the inertia is isotropic, w itself
+  const bool gyroscopic = inverse.minCoeff() > 0 && (inverse.x() != inverse.y() || inverse.y() != inverse.z());
+  Vec3 momentum = Vec3::Zero();  // L, world axes
+  if (gyroscopic) {
+    const Vec3 inertia = inverse.cwiseInverse();
+    const Vec3 p = inertia.cwiseProduct(midpoint);
+    momentum = q * p;
+    Vec3 p_m = p;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 w_m = inverse.cwiseProduct(p_m);
+      const Vec3 error = p_m - p - dt / 2 * p_m.cross(w_m);
+      const Mat3 slope = Mat3::Identity() - dt / 2 * (skew(p_m) * inverse.asDiagonal() - skew(w_m));
+      const Vec3 correction = slope.inverse() * error;
+      if (!correction.allFinite()) break;
+      p_m -= correction;
+      if (correction.norm() <= std::numeric_limits<Real>::epsilon() * p.norm()) break;
+    }
+    midpoint = inverse.cwiseProduct(p_m);
+  }
+  const Vec3 half = dt / 2 * midpoint;
+  q = q * Quat(1, half.x(), half.y(), half.z());
+  q.normalize();
+  body.refresh_inertia();
+  if (gyroscopic) body.angular_velocity = body.inverse_inertia * momentum;
+}
+
+}  // namespace pushback
