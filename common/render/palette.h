@@ -1,0 +1,76 @@
+/// The colours of everything: as Ink for legends and text, as linear Colour for the painter.
+///
+/// Chosen by simulating the three kinds of colour blindness: any two contact states, and any state and any body, stay
+/// clearly apart (CIE76 distance of 19 or more for each), as do the two kinds of arrow. The bodies are muted, so that
+/// what the solver did stands out against them.
+#pragma once
+
+#include <array>
+
+#include "common/contact.h"
+#include "common/render/canvas.h"
+#include "common/render/light.h"
+#include "common/render/picture.h"
+
+namespace pushback {
+
+inline Colour linear(Ink ink) {
+  return {linear_of(ink.red), linear_of(ink.green), linear_of(ink.blue)};
+}
+
+/// Blue, teal, mustard, orange, brick, olive; any index will do, since they come round again.
+inline Ink body_ink(int index) {
+  constexpr std::array<Ink, 6> inks = {
+      {{31, 80, 137}, {18, 138, 120}, {214, 176, 74}, {207, 106, 38}, {156, 47, 42}, {127, 154, 85}}};
+  constexpr int count = static_cast<int>(inks.size());
+  return inks[static_cast<std::size_t>((index % count + count) % count)];
+}
+inline Ink near_black_ink() {
+  return {28, 32, 42};
+}
+/// For bodies that nothing moves.
+inline Ink fixed_ink() {
+  return {188, 192, 198};
+}
+
+inline Ink contact_ink(ContactState state) {
+  switch (state) {
+    case ContactState::fresh:
+      return {255, 255, 255};
+    case ContactState::warm:
+      return {255, 230, 0};
+    case ContactState::sliding:
+      return {255, 47, 208};
+    case ContactState::sticking:
+      return {21, 24, 43};
+  }
+  return near_black_ink();
+}
+
+inline Ink normal_arrow_ink() {
+  return {0, 168, 245};
+}
+inline Ink friction_arrow_ink() {
+  return {122, 46, 230};
+}
+
+inline Colour body_colour(int index) {
+  return linear(body_ink(index));
+}
+inline Colour near_black_colour() {
+  return linear(near_black_ink());
+}
+inline Colour fixed_colour() {
+  return linear(fixed_ink());
+}
+inline Colour contact_colour(ContactState state) {
+  return linear(contact_ink(state));
+}
+inline Colour normal_arrow_colour() {
+  return linear(normal_arrow_ink());
+}
+inline Colour friction_arrow_colour() {
+  return linear(friction_arrow_ink());
+}
+
+}  // namespace pushback
