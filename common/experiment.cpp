@@ -1,0 +1,237 @@
+#include "common/experiment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <system_error>
+
+#include "common/experiment_parts.h"
+#include "common/input.h"
+
+namespace pushback {
+
+namespace fs = std::filesystem;
+
+// ---- saying what there is --------------------------------------------------------------------------------------------
+
+std::vector<Sample> Run::last(Real seconds) const {
+  const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(seconds / dt)), 1, samples.size());
+  return {samples.end() - static_cast<std::ptrdiff_t>(count), samples.end()};
+}
+
+Variant& Variant::with_sweeps(int count) {
+  sweeps = count;
+  return *this;
+}
+
+Variant& Variant::with_exactly(int count) {
+  sweeps = count;
+  exactly = true;
+  return *this;
+}
+
+Variant& Variant::expect(const std::string& number, Real value) {
+  expected[number] = value;
+  return *this;
+}
+
+Variant& Variant::reference(const std::string& label, std::function<Real(Real)> of_time) {
+  references.push_back({label, std::move(of_time)});
+  return *this;
+}
+
+Experiment::Experiment(std::string name, std::string question)
+    : name_(std::move(name)), question_(std::move(question)), app_(question_, name_) {
+  const auto common = [this](const std::string& flag, auto& value, const std::string& help) {
+    return app_.add_option(flag, value, help)->capture_default_str()->group("Every experiment");
+  };
+  common("--out", out_, "Folder in which the folder of this experiment is made");
+  common("--size", size_, "Pixels of a frame, WIDTHxHEIGHT");
+  app_.add_option("--seconds", seconds_, "Simulated time of every variant; each scene's own unless given")
+      ->group("Every experiment");
+  common("--frames", frames_, "Pictures of each variant, evenly spread over its time");
+  common("--sweeps", sweeps_, "Sweeps over the rows in each step, also where a variant has a number of its own");
+  common("--dt", dt_, "Time step, s");
+  app_.add_option("--variants", only_, "Only these variants, by the names that --list prints, separated by commas")
+      ->delimiter(',')
+      ->group("Every experiment");
+  app_.add_flag("--no-images", no_images_, "Only the numbers: metrics.csv and numbers.md")->group("Every experiment");
+  app_.add_flag("--list", list_, "List the scenes and variants, and do nothing")->group("Every experiment");
+}
+
+namespace {
+
+CLI::Validator number_that(const std::string& what, bool (*is_allowed)(double)) {
+  return {[=](const std::string& word) -> std::string {
+            double value = 0;
+            const bool is_number = CLI::detail::lexical_cast(word, value);
+            if (is_number && std::isfinite(value) && is_allowed(value)) return {};
+            return fmt::format("'{}' is not allowed: {} is needed", word, what);
+          },
+          "NUMBER"};
+}
+
+}  // namespace
+
+CLI::Validator not_negative() {
+  return number_that("a finite number, 0 or more,", [](double value) { return value >= 0; });
+}
+
+CLI::Validator positive() {
+  return number_that("a finite number above 0", [](double value) { return value > 0; });
+}
+
+void Experiment::scene(Scene scene) {
+  acts_.push_back({std::move(scene), {}, {}});
+}
+
+void Experiment::series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of) {
+  acts_.back().series.push_back({name, unit, std::move(of)});
+}
+
+void Experiment::number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of) {
+  acts_.back().numbers.push_back({name, unit, std::move(of)});
+}
+
+void Experiment::study(std::function<void()> work) {
+  studies_.push_back(std::move(work));
+}
+
+void Experiment::panel(Panel panel) {
+  own_panels_.push_back(std::move(panel));
+}
+
+void Experiment::remark(std::string sentence) {
+  remarks_.push_back(std::move(sentence));
+}
+
+// ---- doing it ----------------------------------------------------------------------------------------------------------
+
+int Experiment::sweeps_of(const Variant& variant) const {
+  const bool told = app_.count("--sweeps") > 0;
+  return variant.sweeps > 0 && (variant.exactly || !told) ? variant.sweeps : sweeps_;
+}
+
+/// Two of one name would share a folder.
+void Experiment::refuse_twins() const {
+  for (auto one = variants_.begin(); one != variants_.end(); ++one) {
+    for (auto other = variants_.begin(); other != one; ++other) {
+      if (one->scene == other->scene && slug(one->name) == slug(other->name)) {
+        throw InvalidInput(
+            fmt::format("two variants are called '{}': each needs a name, and so a value, of its own", one->name));
+      }
+    }
+  }
+}
+
+void Experiment::choose_variants() {
+  if (only_.empty()) return;
+  const auto is_meant = [this](const Variant& variant, const std::string& word) {
+    return slug(word) == slug(variant.name) || word == slug(acts_[variant.scene].scene.name) + "_" + slug(variant.name);
+  };
+  for (const std::string& word : only_) {
+    if (std::none_of(variants_.begin(), variants_.end(), [&](const Variant& v) { return is_meant(v, word); })) {
+      std::string known;
+      for (const Variant& v : variants_) known += (known.empty() ? "" : ", ") + slug(v.name);
+      throw InvalidInput(fmt::format("--variants names '{}': one or more of {} are needed", word, known));
+    }
+  }
+  std::erase_if(variants_, [&](const Variant& v) {
+    return std::none_of(only_.begin(), only_.end(), [&](const std::string& word) { return is_meant(v, word); });
+  });
+}
+
+/// One step of each variant, so that a value that cannot be used is found before anything is written.
+void Experiment::rehearse() const {
+  for (const Variant& variant : variants_) {
+    World world;
+    acts_[variant.scene].scene.fill(world);
+    auto step = variant.step;
+    Sample sample;
+    step(world, dt_, sweeps_of(variant), sample);
+  }
+}
+
+void Experiment::list() const {
+  for (std::size_t a = 0; a < acts_.size(); ++a) {
+    fmt::print("{} ({:.3g} s)\n", acts_[a].scene.name, acts_[a].scene.seconds);
+    for (const Variant& variant : variants_) {
+      if (variant.scene == a) fmt::print("  {:<32} {}\n", slug(variant.name), variant.name);
+    }
+  }
+}
+
+namespace {
+
+void make_writable_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  const fs::path probe = folder / ".probe";
+  const bool writable = !error && std::ofstream(probe).put(' ').flush().good();
+  fs::remove(probe, error);
+  if (!writable)
+    throw InvalidInput(fmt::format(
+        "--out: folder '{}' cannot be written to: a folder that can be made or written to is needed", folder.string()));
+}
+
+}  // namespace
+
+void Experiment::play() {
+  const fs::path folder = fs::path(out_) / name_;
+  make_writable_folder(folder);
+  Output output(folder, !no_images_, width_, height_, variants_.size());
+  std::vector<Result> results;
+  for (std::size_t i = 0; i < variants_.size(); ++i) results.push_back(play(variants_[i], i, output));
+  output.done();
+  for (const auto& work : studies_) work();
+  report(results, folder);
+}
+
+int Experiment::run(int argc, const char* const* argv, const std::function<void()>& define) {
+  try {
+    app_.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app_.exit(help);
+  } catch (const CLI::ParseError& problem) {
+    fmt::print(stderr, "{}: {}\n", name_, problem.what());
+    return 2;
+  }
+  try {
+    char separator = 0;
+    char rest = 0;
+    if (std::sscanf(size_.c_str(), "%d%c%d%c", &width_, &separator, &height_, &rest) != 3 || separator != 'x' ||
+        width_ < 16 || height_ < 16 || width_ > 8192 || height_ > 8192) {
+      throw InvalidInput(fmt::format("--size is '{}': WIDTHxHEIGHT is needed, each from 16 to 8192", size_));
+    }
+    if (app_.count("--seconds") > 0) require_positive("--seconds", seconds_);
+    require_between("--dt", dt_, Real(1e-6), 1);
+    if (seconds_ / dt_ > 1e7)
+      throw InvalidInput(fmt::format("--seconds is {}: at most {:.4g}, ten million steps of {} s, is needed", seconds_,
+                                     1e7 * dt_, dt_));
+    if (sweeps_ < 1 || sweeps_ > 1000000)
+      throw InvalidInput(fmt::format("--sweeps is {}: a whole number from 1 to 1000000 is needed", sweeps_));
+    if (frames_ < 0 || frames_ > 100000)
+      throw InvalidInput(fmt::format("--frames is {}: a whole number from 0 to 100000 is needed", frames_));
+    define();
+    refuse_twins();
+    if (list_) {
+      list();
+      return 0;
+    }
+    choose_variants();
+    rehearse();
+    play();
+    return 0;
+  } catch (const InvalidInput& problem) {
+    fmt::print(stderr, "{}: {}\n", name_, problem.what());
+    return 2;
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "{}: {}\n", name_, problem.what());
+    return 1;
+  }
+}
+
+}  // namespace pushback

@@ -1,0 +1,70 @@
+#include "common/picture_of.h"
+
+#include <algorithm>
+
+#include "common/render/palette.h"
+
+namespace pushback {
+
+namespace {
+
+struct Size {
+  Real operator()(const Sphere& s) const { return 2 * s.radius; }
+  Real operator()(const Box& b) const { return 2 * std::cbrt(b.half_extents.prod()); }
+  Real operator()(const Capsule& c) const { return 2 * c.radius + c.half_length; }
+  Real operator()(const HalfSpace&) const { return 0; }
+};
+
+/// A typical diameter of the bodies that move, m.
+Real typical_size(const World& world) {
+  Real sum = 0;
+  int count = 0;
+  for (const Body& body : world.bodies) {
+    if (!body.movable()) continue;
+    sum += std::visit(Size{}, body.shape);
+    ++count;
+  }
+  return count == 0 ? 1 : sum / static_cast<Real>(count);
+}
+
+}  // namespace
+
+Real fitting_arrow(const World& world, Real dt) {
+  Real mass = 0;
+  int count = 0;
+  for (const Body& body : world.bodies) {
+    if (!body.movable()) continue;
+    mass += 1 / body.inverse_mass;
+    ++count;
+  }
+  if (count == 0) return 1;
+  const Real speed = world.gravity.norm() > 0 ? world.gravity.norm() * dt : 1;
+  return typical_size(world) / (mass / static_cast<Real>(count) * speed);
+}
+
+Picture picture_of(const World& world, const Camera& camera, Real arrow) {
+  Picture picture;
+  picture.camera = camera;
+  for (const Body& body : world.bodies) {
+    const bool neutral = !body.movable() && body.colour < 0;
+    picture.solids.push_back({body.shape, body.position, body.orientation,
+                              neutral ? fixed_colour() : body_colour(body.colour >= 0 ? body.colour : body.index)});
+  }
+  const Real size = typical_size(world);
+  for (const Contact& contact : world.contacts) {
+    picture.dots.push_back({contact.point, Real(0.06) * size, contact_colour(contact.state)});
+    const Real along = contact.impulse.dot(contact.normal);
+    const Vec3 across = contact.impulse - along * contact.normal;
+    const auto add = [&](const Vec3& impulse, Colour colour) {
+      const Real length = std::min(arrow * impulse.norm(), Real(1.5) * size);
+      if (length < Real(0.05) * size) return;
+      picture.arrows.push_back(
+          {contact.point, contact.point + length * impulse.normalized(), Real(0.045) * size, colour});
+    };
+    add(along * contact.normal, normal_arrow_colour());
+    add(across, friction_arrow_colour());
+  }
+  return picture;
+}
+
+}  // namespace pushback
