@@ -1,0 +1,73 @@
+#include "chapters/00_naive_impulses/naive.h"
+#include "common/experiment.h"
+
+using namespace pushback;
+
+namespace {
+
+/// Root mean square of the speed, m/s, over the bodies that move and the last second.
+Real jitter(const Run& run) {
+  Real sum = 0;
+  const std::vector<Sample> last = run.last(1);
+  for (const Sample& sample : last) sum += 2 * sample.kinetic_energy;
+  Real mass = 0;
+  for (const Body& body : run.world.bodies) mass += body.movable() ? 1 / body.inverse_mass : 0;
+  return std::sqrt(sum / mass / static_cast<Real>(last.size()));
+}
+
+/// Height of the topmost centre of mass, m.
+Real top(const World& world) {
+  Real highest = 0;
+  for (const Body& body : world.bodies) highest = std::max(highest, body.position.y());
+  return highest;
+}
+
+void sparse_hit(World& world) {
+  world.gravity.setZero();
+  world.add(box({Real(0.9), Real(0.3), Real(0.3)}, 100).at({0, 1, 0}).bouncy(1));
+  world.add(sphere(Real(0.35), 60).at({Real(-2.6), Real(1.2), 0}).moving({4, 0, 0}).bouncy(1));
+}
+
+void two_takes(Experiment& e) {
+  e.variant("take 1: once", NaiveOnce{});
+  e.variant("take 2: again, averaged", NaiveAveraged{});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment e("00_naive_impulses", "What if every contact simply gets its impulse?");
+  return e.run(argc, argv, [&] {
+    e.scene({.name = "one hit in empty space",
+             .fill = sparse_hit,
+             .camera = {{Real(0.4), 2, Real(6.2)}, {Real(0.4), Real(1.05), 0}},
+             .seconds = Real(1.2)});
+    two_takes(e);
+    e.series("speed of the ball", "m/s", [](const World& world) { return world.bodies[1].velocity.x(); });
+    e.number("energy kept", "%", [](const Run& run) {
+      return 100 * run.samples.back().kinetic_energy / run.samples.front().kinetic_energy;
+    });
+    e.number("momentum gained", "N s",
+             [](const Run& run) { return (run.samples.back().momentum - run.samples.front().momentum).norm(); });
+
+    const Camera near_ground{{Real(2.2), Real(1.5), Real(3.4)}, {0, Real(0.6), 0}};
+    e.scene({.name = "a box put on the ground",
+             .fill = [](World& world) { stack(world, 1); },
+             .camera = near_ground,
+             .seconds = 3});
+    two_takes(e);
+    e.series("height of the box", "m", top);
+    e.number("jitter", "m/s", jitter);
+
+    e.scene({.name = "a stack of five",
+             .fill = [](World& world) { stack(world, 5); },
+             .camera = {{8, 5, 15}, {0, Real(3.2), 0}},
+             .seconds = 6,
+             .instants = {0, 1, 3, 6}});
+    two_takes(e);
+    e.series("height of the topmost box", "m", top);
+    e.number("jitter", "m/s", jitter);
+    e.number("height kept", "%",
+             [](const Run& run) { return 100 * run.series.at("height of the topmost box").back() / Real(4.5); });
+  });
+}

@@ -1,0 +1,72 @@
+/// One scalar constraint between two bodies, and the impulse that satisfies it.
+///
+///   J = [ -n  -(r_A x n)  n  (r_B x n) ]    V = (v_A, w_A, v_B, w_B)    want: J V + b = 0
+///   lambda = -(J V + b) / K                 K = J M^-1 J^T             then: V += M^-1 J^T lambda
+///
+/// The same type serves contacts, friction and joints: they differ in n, in b, and in the interval [lo, hi] in which
+/// the sum of all impulses of a step has to stay.   Catto, "Modeling and Solving Constraints", GDC 2009.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "common/contact.h"
+
+namespace pushback {
+
+struct Row {
+  Body *a, *b;
+  Vec3 n;                                            // J: unit, world axes; the normal, from A to B, or a tangent
+  Vec3 ra_n, rb_n;                                   // J: r x n, m
+  Vec3 dva, dwa, dvb, dwb;                           // M^-1 J^T: what an impulse of 1 N s adds to each velocity
+  Real effective_mass;                               // 1 / K, kg
+  Real separation = 0;                               // C, m: the position error that b may feed back
+  Real bias = 0;                                     // b, m/s: minus the wanted separating speed
+  Real lo = -std::numeric_limits<Real>::infinity();  // limits of the accumulated impulse, N s
+  Real hi = std::numeric_limits<Real>::infinity();
+  Real impulse = 0;  // lambda, accumulated over the sweeps, N s
+  int contact;       // index of the contact that it belongs to
+
+  Row(const Contact& at, const Vec3& direction, int contact_index)
+      : a(at.a), b(at.b), n(direction), contact(contact_index) {
+    ra_n = (at.point - a->position).cross(n);
+    rb_n = (at.point - b->position).cross(n);
+    dva = -a->inverse_mass * n;
+    dwa = -a->inverse_inertia * ra_n;
+    dvb = b->inverse_mass * n;
+    dwb = b->inverse_inertia * rb_n;
+    effective_mass = 1 / (a->inverse_mass + b->inverse_mass + rb_n.dot(dwb) - ra_n.dot(dwa));
+  }
+  /// J V, m/s.
+  Real speed() const {
+    return n.dot(b->velocity - a->velocity) + (rb_n.dot(b->angular_velocity) - ra_n.dot(a->angular_velocity));
+  }
+  /// V += M^-1 J^T lambda.
+  void apply(Real lambda) {
+    Body &first = *a, &second = *b;
+    first.velocity += lambda * dva;
+    first.angular_velocity += lambda * dwa;
+    second.velocity += lambda * dvb;
+    second.angular_velocity += lambda * dwb;
+  }
+  /// Brings the sum to `total`, or as near as the limits let it. A branch, since the limits are rarely met: a processor
+  /// that guesses so goes on without waiting. std::clamp makes the sweep a quarter slower.
+  void reach(Real total) {
+    if (total < lo || total > hi) [[unlikely]]
+      total = total < lo ? lo : hi;
+    const Real change = total - impulse;
+    impulse = total;
+    apply(change);
+  }
+  /// What the sum would have to be for J V + b = 0 if no other row existed.
+  Real wanted() const { return impulse - effective_mass * (speed() + bias); }
+  void solve() { reach(wanted()); }
+  /// How far the row is from being solved, m/s: the change of J V that another `solve` would make.
+  Real error() const { return std::abs(std::clamp(wanted(), lo, hi) - impulse) / effective_mass; }
+};
+
+using Rows = std::vector<Row>;
+
+}  // namespace pushback

@@ -1,0 +1,70 @@
+/// Sequential Impulses: one row after the other, over and over, each satisfied as if it were alone.
+///
+/// What else a solver does is said by the types it is made of: Solver<> solves J V = 0 and nothing more;
+/// Solver<Clamping, Baumgarte, Friction> pays for just these three.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include "chapters/01_velocity_constraint/row.h"
+
+namespace pushback {
+
+/// The moments of a step at which an effect may act, in their order. An effect is a type that derives from this one and
+/// hides the moments that it needs. The first contacts.size() rows are the normals: rows[i] belongs to contacts[i].
+/// An effect that appends rows of its own solves them in `sweep`.
+struct Effect {
+  /// What counts as overlap.
+  void touch(const Contacts&, Rows&) {}
+  /// Limits, biases, more rows. No impulse of this step has changed a velocity yet.
+  void build(const Contacts&, Rows&, Real /*dt*/) {}
+  /// The first impulses.
+  void start(Rows&) {}
+  /// After the normals, in every sweep.
+  void sweep(Rows&) {}
+  /// After the last sweep.
+  void finish(Rows&) {}
+  /// The contacts know their impulses now: remember, or mark them.
+  void report(Contacts&, const Rows&) {}
+};
+
+/// A misspelt moment would never be called: insist that at least one is hidden.
+template <class E>
+concept AnEffect = std::derived_from<E, Effect> && (!std::same_as<decltype(&E::touch), decltype(&Effect::touch)> ||
+                                                    !std::same_as<decltype(&E::build), decltype(&Effect::build)> ||
+                                                    !std::same_as<decltype(&E::start), decltype(&Effect::start)> ||
+                                                    !std::same_as<decltype(&E::sweep), decltype(&Effect::sweep)> ||
+                                                    !std::same_as<decltype(&E::finish), decltype(&Effect::finish)> ||
+                                                    !std::same_as<decltype(&E::report), decltype(&Effect::report)>);
+
+template <AnEffect... Effects>
+class Solver : public Effects... {
+ public:
+  /// Changes the velocities of the touching bodies so that they satisfy their contacts; fills Contact::impulse.
+  void solve(Contacts& contacts, [[maybe_unused]] Real dt, int sweeps) {
+    rows_.clear();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      rows_.emplace_back(contacts[i], contacts[i].normal, static_cast<int>(i));
+      rows_.back().separation = -contacts[i].depth;
+    }
+    (Effects::touch(contacts, rows_), ...);
+    (Effects::build(contacts, rows_, dt), ...);
+    (Effects::start(rows_), ...);
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      for (std::size_t i = 0; i < contacts.size(); ++i) rows_[i].solve();
+      (Effects::sweep(rows_), ...);
+    }
+    (Effects::finish(rows_), ...);
+    for (const Row& row : rows_) contacts[static_cast<std::size_t>(row.contact)].impulse += row.impulse * row.n;
+    (Effects::report(contacts, rows_), ...);
+  }
+
+  /// The rows of the latest step.
+  const Rows& rows() const { return rows_; }
+
+ private:
+  Rows rows_;
+};
+
+}  // namespace pushback

@@ -1,0 +1,104 @@
+#include "chapters/02_clamping/clamping.h"
+#include "common/experiment.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real fall = Real(0.5);  // m
+
+/// A column that lands flat: four points at once, close together for its height, so that an impulse at one of them is
+/// felt by the others.
+void landing(World& world) {
+  world.add(ground());
+  world.add(box({Real(0.25), Real(0.8), Real(0.25)}, 100).at({0, Real(0.8) + fall, 0}));
+}
+
+void three_columns(World& world) {
+  world.add(ground());
+  for (int i = 0; i < 3; ++i)
+    world.add(box({Real(0.3), Real(0.6), Real(0.3)}, 100)
+                  .at({0, Real(0.6) + static_cast<Real>(i) * Real(1.25) + Real(0.1), 0}));
+}
+
+/// Fastest way up of any body after the first touch, m/s.
+Real rebound(const Run& run) {
+  const auto& speeds = run.series.at("speed upwards");
+  return std::max(Real(0), *std::max_element(speeds.begin(), speeds.end()));
+}
+
+/// How far the middles of the columns have moved sideways, at most, mm.
+Real out_of_line(const World& world) {
+  Real largest = 0;
+  for (const Body& body : world.bodies) largest = std::max(largest, std::hypot(body.position.x(), body.position.z()));
+  return 1000 * largest;
+}
+
+Real upwards(const World& world) {
+  return world.bodies.back().velocity.y();
+}
+
+/// How far the velocities are from the exact ones after 1, 2, ... sweeps of the step in which the column lands.
+template <class ContactSolver>
+Curve error_after_sweeps(const std::string& label, ContactSolver solver, std::size_t colour) {
+  Curve curve{label, {}, {}, line_colour(colour), Curve::Style::line_and_points};
+  const Real dt = Real(1) / 60;
+  World world;
+  landing(world);
+  ContactSolver untouched = solver;
+  while (deepest_overlap(world) == 0) {
+    world.apply_forces(dt);
+    world.find_contacts();
+    if (world.contacts.empty()) world.move(dt);
+  }
+  // The exact outcome of a flat, inelastic landing: everything at rest.
+  const std::vector<Body> before = world.bodies;
+  for (int sweeps = 1; sweeps <= 40; ++sweeps) {
+    world.bodies = before;
+    solver = untouched;
+    solver.solve(world.contacts, dt, sweeps);
+    const Body& column = world.bodies[1];
+    curve.x.push_back(static_cast<Real>(sweeps));
+    curve.y.push_back(std::max(std::hypot(column.velocity.norm(), column.angular_velocity.norm()), Real(1e-17)));
+  }
+  return curve;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment e("02_clamping", "A contact must not pull: but what is it that is clamped?");
+  return e.run(argc, argv, [&] {
+    const auto three_ways = [&](int sweeps) {
+      e.variant("no limits", Solver<>{}).with_sweeps(sweeps);
+      e.variant("each correction ≥ 0", Solver<ClampingEachCorrection>{}).with_sweeps(sweeps);
+      e.variant("their sum ≥ 0", Solver<Clamping>{}).with_sweeps(sweeps);
+    };
+    e.scene({.name = "a column lands flat",
+             .fill = landing,
+             .camera = {{2, Real(1.7), Real(4.4)}, {0, Real(1.0), 0}},
+             .seconds = Real(1.2),
+             .instants = {0, Real(0.35), Real(0.6), Real(1.2)}});
+    three_ways(e.sweeps());
+    e.series("speed upwards", "m/s", upwards);
+    e.number("rebound speed", "m/s", rebound);
+
+    e.scene({.name = "three columns on each other, dropped",
+             .fill = three_columns,
+             .camera = {{4, 3, 8}, {0, Real(1.8), 0}},
+             .seconds = 2});
+    three_ways(50);
+    e.series("out of line", "mm", out_of_line);
+    e.number("out of line after 2 s", "mm", [](const Run& run) { return out_of_line(run.world); });
+
+    e.study([&e] {
+      e.panel({.title = "the landing step: distance from the exact velocities",
+               .x_label = "sweeps",
+               .y_label = "|v| + |ω| left, m/s and rad/s",
+               .log_y = true,
+               .curves = {error_after_sweeps("no limits", Solver<>{}, 0),
+                          error_after_sweeps("each correction ≥ 0", Solver<ClampingEachCorrection>{}, 1),
+                          error_after_sweeps("their sum ≥ 0", Solver<Clamping>{}, 2)}});
+    });
+  });
+}

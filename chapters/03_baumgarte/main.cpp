@@ -1,0 +1,105 @@
+#include "chapters/03_baumgarte/tuning.h"
+#include "common/experiment.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real d0 = Real(0.06);  // m, overlap at the start
+
+void sunken_box(World& world) {
+  slab(world);
+  world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5) - d0, 0}).coloured(0));
+}
+
+void sunken_box_without_gravity(World& world) {
+  world.gravity.setZero();
+  sunken_box(world);
+}
+
+/// Millimetres that the box is in the ground; negative in the air.
+Real depth(const World& world) {
+  return 1000 * (Real(0.5) - world.bodies.back().position.y());
+}
+Real speed_upwards(const Run& run) {
+  return run.world.bodies.back().velocity.y();
+}
+
+/// Largest distance, mm, between the depths of a run and d0 (1 - beta)^k, with the beta that its first step shows.
+Real away_from_geometric(const Run& run) {
+  const auto& depths = run.series.at("overlap");
+  const Real beta = 1 - depths[0] / (1000 * d0);
+  Real largest = 0;
+  for (std::size_t k = 0; k < depths.size(); ++k) {
+    const Real closed_form = 1000 * d0 * std::pow(1 - beta, static_cast<Real>(k + 1));
+    largest = std::max(largest, std::abs(depths[k] - closed_form));
+  }
+  return largest;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment e("03_baumgarte", "Does the overlap go away?");
+  std::vector<Real> betas{0, Real(0.1), Real(0.2), Real(0.5), 1, Real(1.5)};
+  Real unstable = Real(0.2);
+  e.option("--beta", betas, "Baumgarte factors to put side by side", not_negative());
+  e.option("--unstable", unstable, "Jitter of a stack of three, m/s, above which the tuning rule calls it unstable",
+           positive());
+  return e.run(argc, argv, [&] {
+    const Camera camera{{Real(0.7), Real(1.1), Real(4.3)}, {0, Real(0.95), 0}};
+    const Real h = e.dt();
+
+    e.scene({.name = "60 mm too deep, under gravity",
+             .fill = sunken_box,
+             .camera = camera,
+             .seconds = Real(0.8),
+             .instants = {0, Real(0.05), Real(0.15), Real(0.25)}});
+    for (const Real beta : betas) {
+      e.variant(fmt::format("β = {}", beta), with_beta<Solver<Clamping, Baumgarte>>(beta));
+    }
+    e.series("overlap", "mm", depth);
+    e.number("highest jump", "mm", [](const Run& run) {
+      return std::max(Real(0), -*std::min_element(run.series.at("overlap").begin(), run.series.at("overlap").end()));
+    });
+    e.number("overlap left", "mm", [](const Run& run) { return std::max(Real(0), run.series.at("overlap").back()); });
+    e.number("away from d₀ (1−β)ᵏ", "mm", away_from_geometric);
+
+    e.scene({.name = "without gravity, a contact leaves at β d₀ / h",
+             .fill = sunken_box_without_gravity,
+             .camera = camera,
+             .seconds = Real(0.4),
+             .pictures = false});
+    for (const Real beta : {Real(0.1), Real(0.2), Real(0.5)}) {
+      e.variant(fmt::format("contact, β = {}", beta), with_beta<Solver<Clamping, Baumgarte>>(beta))
+          .expect("exit speed", beta * d0 / h)
+          .reference("d₀ (1 − kβ)", [=](Real t) { return 1000 * d0 * (1 - beta * t / h); });
+    }
+    e.series("overlap", "mm", depth);
+    e.number("exit speed", "m/s", speed_upwards);
+
+    e.scene({.name = "an equality row follows d₀ (1−β)ᵏ",
+             .fill = sunken_box_without_gravity,
+             .camera = camera,
+             .seconds = Real(0.4),
+             .pictures = false});
+    for (const Real beta : {Real(0.1), Real(0.2), Real(0.5)}) {
+      e.variant(fmt::format("equality, β = {}", beta), with_beta<Solver<Baumgarte>>(beta))
+          .reference("", [=](Real t) { return 1000 * d0 * std::exp(-beta * t / h); })
+          .expect("away from d₀ (1−β)ᵏ", 0);
+    }
+    e.series("overlap", "mm", depth);
+    e.number("away from d₀ (1−β)ᵏ", "mm", away_from_geometric);
+
+    e.study([&e, unstable, h] {
+      const Tuning tuning = tune_beta(unstable, h);
+      e.panel(tuning.panel);
+      if (tuning.unstable_from > 0) {
+        e.remark(fmt::format("the tuning rule: a stack of three is unstable from β = {:.3g} on, so use β = {:.3g}",
+                             tuning.unstable_from, tuning.unstable_from / 2));
+      } else {
+        e.remark("the tuning rule: no β up to 2 made a stack of three unstable");
+      }
+    });
+  });
+}

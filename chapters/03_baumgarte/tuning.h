@@ -1,0 +1,66 @@
+/// The rule of the sources, run automatically: raise beta until the motion becomes unstable, then use half of that value.
+#pragma once
+
+#include "chapters/03_baumgarte/baumgarte.h"
+#include "common/measure.h"
+#include "common/plot.h"
+#include "common/scene.h"
+
+namespace pushback {
+
+template <class ContactSolver>
+ContactSolver with_beta(Real beta) {
+  ContactSolver solver;
+  solver.beta = beta;
+  return solver;
+}
+
+/// Jitter of a stack of three, m/s: the root mean square of the speed in the last of five seconds, with sweeps enough that
+/// it is beta alone which is to blame.
+inline Real jitter_of_stack(Real beta, Real dt) {
+  World world;
+  stack(world, 3);
+  auto solver = with_beta<Solver<Clamping, Baumgarte>>(beta);
+  Real sum = 0;
+  const int steps = static_cast<int>(std::lround(5 / dt));
+  const int last = std::max(1, static_cast<int>(std::lround(1 / dt)));
+  for (int step = 0; step < steps; ++step) {
+    world.step(solver, dt, 30);
+    if (step >= steps - last) sum += 2 * kinetic_energy(world) / (3 * 100);
+  }
+  return std::sqrt(sum / static_cast<Real>(last));
+}
+
+struct Tuning {
+  Panel panel;             ///< jitter against beta
+  Real unstable_from = 0;  ///< the least beta that was unstable; 0: none up to 2 was
+};
+
+/// `unstable`: the jitter, m/s, from which on a motion is called so.
+inline Tuning tune_beta(Real unstable, Real dt) {
+  Tuning tuning{.panel = {.title = "raise β until a stack of three is unstable, use half",
+                          .x_label = "β",
+                          .y_label = "jitter, m/s",
+                          .log_y = true}};
+  Curve jitter{"", {}, {}, line_colour(0), Curve::Style::line_and_points};
+  for (int i = 1; i <= 40; ++i) {
+    const Real beta = static_cast<Real>(i) * Real(0.05);
+    jitter.x.push_back(beta);
+    jitter.y.push_back(std::max(jitter_of_stack(beta, dt), Real(1e-9)));
+    if (tuning.unstable_from == 0 && jitter.y.back() > unstable) tuning.unstable_from = beta;
+  }
+  tuning.panel.curves.push_back(std::move(jitter));
+  if (tuning.unstable_from > 0) {
+    const auto line = [](Real beta, const char* colour, const char* words, Real height) {
+      return fmt::format(
+          "set arrow from {0}, graph 0 to {0}, graph 1 nohead lw 2 lc rgb '{1}'\n"
+          "set label '{2} {0:.3g}' at {0}, graph {3} offset 0.7,0\n",
+          beta, colour, words, height);
+    };
+    tuning.panel.extra = line(tuning.unstable_from, "#d55e00", "unstable from β =", Real(0.08)) +
+                         line(tuning.unstable_from / 2, "#009e73", "use β =", Real(0.92));
+  }
+  return tuning;
+}
+
+}  // namespace pushback

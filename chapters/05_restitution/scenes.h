@@ -1,0 +1,59 @@
+/// What bounces: balls of different e, boxes that hardly move, five balls in a row.
+#pragma once
+
+#include "common/experiment.h"
+
+namespace pushback {
+
+inline constexpr Real radius = Real(0.3), drop = 2;  // m
+inline const std::vector<Real> bounciness{0, Real(0.5), Real(0.8), 1};
+
+inline void four_balls(World& world) {
+  world.add(ground().bouncy(0));
+  for (std::size_t i = 0; i < bounciness.size(); ++i) {
+    const Real x = (static_cast<Real>(i) - Real(1.5)) * Real(1.1);
+    world.add(sphere(radius, 10).at({x, radius + drop, 0}).bouncy(bounciness[i]));
+    // A shelf behind each, as high as the ball should come.
+    const Real apex = bounciness[i] * bounciness[i] * drop;
+    if (apex > 0) world.add(box({Real(0.5), Real(0.02), Real(0.1)}, 1).fixed().at({x, apex - Real(0.02), Real(-0.42)}));
+  }
+}
+
+/// Of the ball with that e, m above where it lies on the ground. (Before it stand the ground, and two bodies for each ball but
+/// the first, which has no shelf.)
+inline Real height_of(const World& world, std::size_t ball) {
+  return world.bodies[ball == 0 ? 1 : 2 * ball].position.y() - radius;
+}
+
+/// Highest point after the first bounce of the ball with index `ball`, m above the ground it rests on.
+inline std::function<Real(const Run&)> apex(std::size_t ball) {
+  return [ball](const Run& run) {
+    const auto& heights = run.series.at(fmt::format("height, e = {}", bounciness[ball]));
+    std::size_t i = 1;
+    while (i + 1 < heights.size() && heights[i] <= heights[i - 1]) ++i;  // down to the ground
+    Real highest = heights[i];
+    while (i + 1 < heights.size() && heights[i + 1] >= heights[i]) highest = heights[++i];
+    return highest;
+  };
+}
+
+inline void at_rest(World& world) {
+  world.add(ground());
+  for (int i = 0; i < 3; ++i)
+    world.add(box({Real(0.4), Real(0.4), Real(0.4)}, 100)
+                  .at({(static_cast<Real>(i) - 1) * Real(1.2), Real(0.42), 0})
+                  .bouncy(Real(0.8)));
+}
+
+/// The first of five equal balls runs into the other four, which rest `gap` m from each other.
+inline std::function<void(World&)> five_in_a_row(Real gap) {
+  return [gap](World& world) {
+    world.gravity.setZero();
+    for (int i = 0; i < 5; ++i) {
+      const Real x = i == 0 ? Real(-2.4) : static_cast<Real>(i - 1) * (2 * radius + gap);
+      world.add(sphere(radius, 10).at({x, radius, 0}).moving({i == 0 ? Real(4) : 0, 0, 0}).bouncy(1));
+    }
+  };
+}
+
+}  // namespace pushback

@@ -1,0 +1,81 @@
+/// What rubs: three boxes on a slope, boxes sent out under several headings, a thrown ball; and what each should do.
+#pragma once
+
+#include <array>
+
+#include "common/scene.h"
+
+namespace pushback {
+
+inline constexpr Real g = Real(9.81), theta = Real(0.7), v0 = 5, mu = Real(0.5);
+/// m from the origin: far enough for boxes under different headings not to touch.
+inline constexpr Real start = Real(1.2);
+
+/// What the pair needs for the geometric mean to be `wanted`, against a ground with mu = 1.
+inline Real own_friction(Real wanted) {
+  return wanted * wanted;
+}
+
+/// Three boxes on one slope, mu below, just above, and far above tan(theta).
+inline const std::array<Real, 3> grip{Real(0.8), Real(1.05), Real(1.5)};
+inline void slope(World& world) {
+  incline(world, theta, 1);
+  const Vec3 up{-std::sin(theta), std::cos(theta), 0};
+  const Vec3 along{std::cos(theta), std::sin(theta), 0};
+  for (std::size_t i = 0; i < grip.size(); ++i) {
+    const Vec3 begin = Real(4.2) * along + Real(0.29999) * up + Vec3(0, 0, (static_cast<Real>(i) - 1) * Real(1.2));
+    world.add(box({Real(0.4), Real(0.3), Real(0.4)}, 50)
+                  .turned(theta, Vec3::UnitZ())
+                  .at(begin)
+                  .rough(own_friction(grip[i] * std::tan(theta))));
+  }
+}
+inline Real slid(const World& world, std::size_t body) {
+  const Vec3 along{std::cos(theta), std::sin(theta), 0};
+  return Real(4.2) - world.bodies[body].position.dot(along);
+}
+/// Way of a body that starts at rest and gains a h in each of n steps.
+inline Real way_of(Real a, Real h, Real n) {
+  return a * h * h * n * (n + 1) / 2;
+}
+
+/// The last v0 - k mu g h > 0 summed up: the discrete v0^2 / (2 mu g).
+inline Real stopping_distance(Real h) {
+  Real way = 0;
+  for (Real v = v0 - mu * g * h; v > 0; v -= mu * g * h) way += h * v;
+  return way;
+}
+
+inline void slide(World& world, const std::vector<Real>& headings) {
+  world.add(ground().rough(1));
+  for (const Real heading : headings) {
+    const Vec3 way{std::cos(heading), 0, -std::sin(heading)};
+    world.add(box({Real(0.2), Real(0.1), Real(0.2)}, 20)
+                  .turned(heading, Vec3::UnitY())
+                  .at(way * start + Vec3(0, Real(0.09999), 0))
+                  .moving(v0 * way)
+                  .rough(own_friction(mu)));
+  }
+}
+/// The same with a post just beyond where each box should stop.
+inline void slide_to_posts(World& world, const std::vector<Real>& headings, Real h) {
+  slide(world, headings);
+  for (const Real heading : headings) {
+    const Vec3 way{std::cos(heading), 0, -std::sin(heading)};
+    world.add(box({Real(0.05), Real(0.25), Real(0.25)}, 1)
+                  .fixed()
+                  .turned(heading, Vec3::UnitY())
+                  .at(way * (start + stopping_distance(h) + Real(0.26)) + Vec3(0, Real(0.25), 0)));
+  }
+}
+inline const std::vector<Real> three_headings{0, pi / 8, pi / 4};
+inline Vec3 start_of(Real heading) {
+  return start * Vec3(std::cos(heading), 0, -std::sin(heading));
+}
+
+inline void thrown_ball(World& world) {
+  world.add(ground().rough(1));
+  world.add(sphere(Real(0.3), 10).at({-3, Real(0.299999), 0}).moving({v0, 0, 0}).rough(own_friction(mu)));
+}
+
+}  // namespace pushback

@@ -1,0 +1,61 @@
+/// A stack of ten at rest: how well it is solved, and how deep it has sunk, with so many sweeps.
+#pragma once
+
+#include "chapters/07_warm_start/full_solver.h"
+#include "common/measure.h"
+#include "common/plot.h"
+#include "common/scene.h"
+
+namespace pushback {
+
+struct Rest {
+  Real residual = 0;  ///< m/s, mean of the last second of five
+  Real depth = 0;     ///< m, likewise
+};
+
+/// How well a stack of ten rests with so many sweeps.
+template <class ContactSolver>
+Rest rest_of_stack(Real dt, int sweeps) {
+  World world;
+  stack(world, 10);
+  ContactSolver solver;
+  Rest rest;
+  const int steps = static_cast<int>(std::lround(5 / dt));
+  const int last = std::max(1, static_cast<int>(std::lround(1 / dt)));
+  for (int step = 0; step < steps; ++step) {
+    world.step(solver, dt, sweeps);
+    if (step < steps - last) continue;
+    Real largest = 0;
+    for (const Row& row : solver.rows()) largest = std::max(largest, row.error());
+    rest.residual += largest / static_cast<Real>(last);
+    rest.depth += deepest_overlap(world) / static_cast<Real>(last);
+  }
+  return rest;
+}
+
+struct Study {
+  Curve residual, depth;  ///< m/s and mm, against sweeps
+  std::string verdict;    ///< how many sweeps it takes for a residual of 1e-3 m/s
+};
+
+template <class ContactSolver>
+Study study(const std::string& name, const std::vector<int>& sweep_counts, Real dt, std::size_t colour) {
+  Study s{{name, {}, {}, line_colour(colour), Curve::Style::line_and_points},
+          {name, {}, {}, line_colour(colour), Curve::Style::line_and_points},
+          name + ": no number of sweeps tried leaves a residual below 1e-3 m/s"};
+  bool found = false;
+  for (const int sweeps : sweep_counts) {
+    const Rest rest = rest_of_stack<ContactSolver>(dt, sweeps);
+    s.residual.x.push_back(static_cast<Real>(sweeps));
+    s.residual.y.push_back(std::max(rest.residual, Real(1e-12)));
+    if (!found && rest.residual < Real(1e-3)) {
+      s.verdict = fmt::format("{}: a residual below 1e-3 m/s takes {} sweeps", name, sweeps);
+      found = true;
+    }
+    s.depth.x.push_back(static_cast<Real>(sweeps));
+    s.depth.y.push_back(1000 * rest.depth);
+  }
+  return s;
+}
+
+}  // namespace pushback
