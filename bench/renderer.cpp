@@ -1,0 +1,37 @@
+/// Frames per second of the renderer, with everything on.
+#include <benchmark/benchmark.h>
+
+#include "chapters/07_warm_start/full_solver.h"
+#include "common/picture_of.h"
+#include "common/render/painter.h"
+#include "common/scene.h"
+
+using namespace pushback;
+
+namespace {
+
+/// A pyramid of 210 boxes with its contact points and impulses.
+Picture busy_picture() {
+  World world;
+  pyramid(world, 20);
+  FullSolver solver;
+  for (int step = 0; step < 30; ++step) world.step(solver, Real(1) / 60, 10);
+  return picture_of(world, {{8, 10, 26}, {0, 8, 0}}, fitting_arrow(world, Real(1) / 60));
+}
+
+void frame(benchmark::State& state) {
+  const Picture picture = busy_picture();
+  Painter painter(640, 360);
+  for (auto _ : state) benchmark::DoNotOptimize(painter.draw(picture).pixels.data());
+  state.counters["frames per second"] = benchmark::Counter(1, benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(frame)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void still_of_sixteen_passes(benchmark::State& state) {
+  const Picture picture = busy_picture();
+  Painter painter(640, 360);
+  for (auto _ : state) benchmark::DoNotOptimize(painter.draw_still(picture, 16).pixels.data());
+}
+BENCHMARK(still_of_sixteen_passes)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(3);
+
+}  // namespace

@@ -1,0 +1,168 @@
+/// What a solver costs: nanoseconds per row and sweep, microseconds per step, bytes per contact.
+///
+/// The composed solver and the one written by hand are timed in turn within one run: their ratio is what counts, since
+/// absolute times differ from machine to machine and from minute to minute.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "chapters/07_warm_start/flat.h"
+#include "chapters/07_warm_start/full_solver.h"
+#include "common/scene.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real dt = Real(1) / 60;
+
+/// A pyramid that has come to rest, its contacts found: `base` 20 has 210 boxes and about 1,600 points.
+World resting_pyramid(int base) {
+  World world;
+  pyramid(world, base);
+  FullSolver solver;
+  for (int step = 0; step < 60; ++step) world.step(solver, dt, 10);
+  world.apply_forces(dt);
+  world.find_contacts();
+  return world;
+}
+
+/// Contacts point to the bodies of the world that found them: a copy has to find its own.
+World copy_of(const World& world) {
+  World copy = world;
+  copy.find_contacts();
+  return copy;
+}
+
+double seconds(std::chrono::steady_clock::time_point since) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+}
+
+template <class ContactSolver>
+void solve(benchmark::State& state, int rows_per_contact) {
+  const World world = resting_pyramid(static_cast<int>(state.range(0)));
+  const int sweeps = static_cast<int>(state.range(1));
+  World work = copy_of(world);
+  ContactSolver solver;
+  for (auto _ : state) {
+    solver.solve(work.contacts, dt, sweeps);
+    benchmark::DoNotOptimize(work.bodies.data());
+  }
+  const double rows = static_cast<double>(work.contacts.size()) * rows_per_contact;
+  state.counters["contacts"] = static_cast<double>(work.contacts.size());
+  state.counters["per row and sweep"] =
+      benchmark::Counter(rows * sweeps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+using NormalsOnly = Solver<Clamping, Baumgarte, Slop>;
+
+void composed(benchmark::State& state) {
+  solve<FullSolver>(state, 3);
+}
+void by_hand(benchmark::State& state) {
+  solve<FlatSolver>(state, 3);
+}
+void normals_only(benchmark::State& state) {
+  solve<NormalsOnly>(state, 1);
+}
+
+// Cost against contacts (a pyramid of base n) and against sweeps: both should grow linearly.
+BENCHMARK(composed)
+    ->ArgNames({"base", "sweeps"})
+    ->Args({5, 10})
+    ->Args({5, 50})
+    ->Args({10, 10})
+    ->Args({20, 10})
+    ->Args({40, 10})
+    ->Args({20, 20})
+    ->Args({20, 50})
+    ->Args({20, 100})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(by_hand)
+    ->ArgNames({"base", "sweeps"})
+    ->Args({5, 10})
+    ->Args({5, 50})
+    ->Args({20, 10})
+    ->Args({20, 50})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(normals_only)->ArgNames({"base", "sweeps"})->Args({20, 10})->Args({20, 50})->Unit(benchmark::kMicrosecond);
+
+/// Both solvers on the same contacts, in turn, and the median of the ratios.
+void composed_against_by_hand(benchmark::State& state) {
+  const World world = resting_pyramid(20);
+  World first = copy_of(world);
+  World second = copy_of(world);
+  FullSolver composed_solver;
+  FlatSolver flat_solver;
+  std::vector<double> ratios;
+  for (auto _ : state) {
+    const auto begin = std::chrono::steady_clock::now();
+    composed_solver.solve(first.contacts, dt, 10);
+    const double a = seconds(begin);
+    const auto middle = std::chrono::steady_clock::now();
+    flat_solver.solve(second.contacts, dt, 10);
+    ratios.push_back(a / seconds(middle));
+  }
+  std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
+  state.counters["median ratio"] = ratios[ratios.size() / 2];
+}
+BENCHMARK(composed_against_by_hand)->Iterations(400)->Unit(benchmark::kMicrosecond);
+
+template <class Fill>
+void whole_step(benchmark::State& state, Fill fill, int settle) {
+  World world;
+  fill(world);
+  FullSolver solver;
+  for (int step = 0; step < settle; ++step) world.step(solver, dt, 10);
+  for (auto _ : state) world.step(solver, dt, 10);
+  state.counters["bodies"] = static_cast<double>(world.bodies.size() - 1);
+  state.counters["contacts"] = static_cast<double>(world.contacts.size());
+}
+
+void step_of_pyramid(benchmark::State& state) {
+  whole_step(state, [](World& world) { pyramid(world, 20); }, 60);
+}
+BENCHMARK(step_of_pyramid)->Unit(benchmark::kMicrosecond);
+
+/// A thousand boxes that fell into a heap: 10 x 10 columns, each box turned a little.
+void heap(World& world) {
+  world.add(ground());
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 place{static_cast<Real>(i % 10) - Real(4.5), Real(0.6) + static_cast<Real>(i / 100) * Real(1.1),
+                     static_cast<Real>(i / 10 % 10) - Real(4.5)};
+    world.add(box({Real(0.4), Real(0.3), Real(0.45)}, 100)
+                  .turned(static_cast<Real>(i % 7) * Real(0.2), Vec3(1, 2, 3))
+                  .at(place));
+  }
+}
+void step_of_heap(benchmark::State& state) {
+  whole_step(state, heap, 240);
+}
+BENCHMARK(step_of_heap)->Unit(benchmark::kMicrosecond);
+
+void find_contacts_of_heap(benchmark::State& state) {
+  World world;
+  heap(world);
+  FullSolver solver;
+  for (int step = 0; step < 240; ++step) world.step(solver, dt, 10);
+  for (auto _ : state) world.find_contacts();
+  state.counters["contacts"] = static_cast<double>(world.contacts.size());
+}
+BENCHMARK(find_contacts_of_heap)->Unit(benchmark::kMicrosecond);
+
+/// Not a time: what a contact takes in memory, in each form.
+void memory_per_contact(benchmark::State& state) {
+  for (auto _ : state) benchmark::ClobberMemory();
+  state.counters["contact, B"] = sizeof(Contact);
+  state.counters["row, B"] = sizeof(Row);
+  state.counters["three rows, B"] = 3 * sizeof(Row);
+  struct Remembered {
+    ContactId id;
+    Vec3 impulse;
+  };
+  state.counters["warm start, B"] = sizeof(Remembered) + sizeof(Vec3);
+}
+BENCHMARK(memory_per_contact)->Iterations(1);
+
+}  // namespace
