@@ -39,7 +39,7 @@ expect_not() { [[ $output != *"$1"* ]] || { echo "line ${BASH_LINENO[0]}: should
 # Help names every command of the table, and everything that stands in it has its function.
 course --help
 expect 0 "render [CHAPTER...]"
-mapfile -t names < <(sed -n 's/^  "\([a-z-]*\)|.*/\1/p' "$root/course")
+mapfile -t names <<<"$(sed -n 's/^  "\([a-z-]*\)|.*/\1/p' "$root/course")"
 for name in "${names[@]}"; do
   expect 0 "  $name "
   grep -q "^command_${name//-/_}()" "$root/course" || { echo "no function for $name"; failures=$((failures + 1)); }
