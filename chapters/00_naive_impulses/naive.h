@@ -3,7 +3,8 @@
 ///   f = -(1 + e) [ n . (v_B - v_A) + w_B . (r_B x n) - w_A . (r_A x n) ] / K
 ///   K = 1/m_A + 1/m_B + (r_A x n) . I_A^-1 (r_A x n) + (r_B x n) . I_B^-1 (r_B x n)
 ///
-/// The lecture prints this with (1 + e) on the first product alone; a spinning body then gains or loses energy.
+/// The lecture prints this with -(1 + e) on the first product alone, and the spins with the other sign: a spinning body
+/// then gains or loses energy.
 /// Palubicki, "CGP 9", Naive Take and Naive Take 2.
 #pragma once
 
