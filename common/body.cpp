@@ -1,5 +1,6 @@
 #include "common/body.h"
 
+#include "common/hull.h"
 #include "common/input.h"
 
 namespace pushback {
@@ -98,6 +99,16 @@ Body capsule(Real radius, Real half_length, Real mass) {
   return movable(Capsule{radius, half_length}, mass, {across, along, across});
 }
 
+Body hull(const std::vector<Vec3>& points, Real mass) {
+  const PlacedSolid made = solid_of(points);
+  Body body = movable(Hull{made.solid}, mass, made.inertia_per_kilogram);
+  body.position = made.centre;
+  body.orientation = Quat(made.axes);
+  body.orientation.normalize();
+  body.refresh_inertia();
+  return body;
+}
+
 Body half_space(const Vec3& normal) {
   require_finite("normal of a half-space", normal);
   require_positive("length of the normal of a half-space", normal.norm());
@@ -124,6 +135,9 @@ struct CheckShape {
   void operator()(const HalfSpace& h) const {
     require_finite("normal of a half-space", h.normal);
     require_positive("length of the normal of a half-space", h.normal.norm());
+  }
+  void operator()(const Hull& h) const {
+    if (!h.solid) throw InvalidInput("hull has no solid: one that hull() has made of points is needed");
   }
 };
 

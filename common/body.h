@@ -1,6 +1,8 @@
 /// A rigid body: its state, its mass, its shape, and how rough and bouncy it is.
 #pragma once
 
+#include <vector>
+
 #include "common/shape.h"
 #include "common/types.h"
 
@@ -52,6 +54,12 @@ struct alignas(64) Body {
 Body sphere(Real radius, Real mass);
 Body box(const Vec3& half_extents, Real mass);
 Body capsule(Real radius, Real half_length, Real mass);
+/// The convex hull of the points (m), uniform: 4 to 32 of them that enclose a volume, or InvalidInput is thrown.
+///
+/// As it comes, every point is where it was given: the body's position is the centre of mass, and where the axes of the
+/// points are not principal axes, the body's orientation is that of axes which are. at() therefore moves the centre of
+/// mass, wherever the points had it, and turned() turns the solid as it stands, about its centre of mass.
+Body hull(const std::vector<Vec3>& points, Real mass);
 /// Immovable, solid below the plane through the body's position, free on the side that `normal` points to.
 Body half_space(const Vec3& normal);
 /// The half-space below y = 0.

@@ -8,22 +8,34 @@ namespace pushback {
 
 namespace {
 
-/// Half the size of a body's bounds along each world axis.
+/// The bounds of a shape along the world axes, about the body's position.
 struct Reach {
   const Mat3& axes;
-  Vec3 operator()(const Sphere& s) const { return Vec3::Constant(s.radius); }
-  Vec3 operator()(const Box& b) const { return axes.cwiseAbs() * b.half_extents; }
-  Vec3 operator()(const Capsule& c) const { return c.half_length * axes.col(1).cwiseAbs() + Vec3::Constant(c.radius); }
-  Vec3 operator()(const HalfSpace&) const { return Vec3::Constant(std::numeric_limits<Real>::infinity()); }
+  Bounds operator()(const Sphere& s) const { return both_ways(Vec3::Constant(s.radius)); }
+  Bounds operator()(const Box& b) const { return both_ways(axes.cwiseAbs() * b.half_extents); }
+  Bounds operator()(const Capsule& c) const {
+    return both_ways(c.half_length * axes.col(1).cwiseAbs() + Vec3::Constant(c.radius));
+  }
+  Bounds operator()(const HalfSpace&) const { return both_ways(Vec3::Constant(std::numeric_limits<Real>::infinity())); }
+  Bounds operator()(const Hull& h) const {
+    Bounds bounds = both_ways(Vec3::Zero());  // the centre of mass is inside
+    for (const Vec3& corner : h.solid->corners) {
+      const Vec3 at = axes * corner;
+      bounds = {bounds.low.cwiseMin(at), bounds.high.cwiseMax(at)};
+    }
+    return bounds;
+  }
+  static Bounds both_ways(const Vec3& reach) { return {-reach, reach}; }
 };
 
 }  // namespace
 
 Bounds bounds_of(const Body& body) {
-  const Vec3 reach = std::visit(Reach{body.orientation.toRotationMatrix()}, body.shape);
+  const Bounds reach = std::visit(Reach{body.orientation.toRotationMatrix()}, body.shape);
   // Rounded outwards: what touches exactly must not be lost here.
-  const Vec3 rounding = 16 * std::numeric_limits<Real>::epsilon() * (body.position.cwiseAbs() + reach);
-  return {body.position - reach - rounding, body.position + reach + rounding};
+  const Vec3 farthest = body.position.cwiseAbs() + reach.high.cwiseMax(-reach.low);
+  const Vec3 rounding = 16 * std::numeric_limits<Real>::epsilon() * farthest;
+  return {body.position + reach.low - rounding, body.position + reach.high + rounding};
 }
 
 namespace {

@@ -59,6 +59,9 @@ const Placed<Box>& as_touched(const Placed<Box>& b) {
 const Placed<HalfSpace>& as_touched(const Placed<HalfSpace>& h) {
   return h;
 }
+const Placed<Hull>& as_touched(const Placed<Hull>& h) {
+  return h;
+}
 
 void append(Body& a, Body& b, const Manifold& found, bool swapped, Contacts& contacts) {
   const Vec3& origin = swapped ? b.position : a.position;

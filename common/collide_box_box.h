@@ -1,23 +1,13 @@
 /// What the two halves of box against box share: collide_box_box.cpp and collide_box_faces.cpp.
 #pragma once
 
+#include "common/collide_outline.h"
 #include "common/collide_shapes.h"
 
 namespace pushback {
 
 // A corner of a box is a number from 0 to 7: bit i is set on the positive side of axis i. An edge along axis i is 8 i
-// plus either of its corners with bit i cleared. A point of a manifold is named after a corner of A (on a face of B), a
-// corner of B (on a face of A), or an edge of A and one of B that cross: no name says which box has the reference face,
-// so the names outlive a change of mind about it.
-constexpr std::uint32_t corner_of_a(int corner) {
-  return 0x10000u | std::uint32_t(corner);
-}
-constexpr std::uint32_t corner_of_b(int corner) {
-  return 0x20000u | std::uint32_t(corner);
-}
-constexpr std::uint32_t crossing(int edge_a, int edge_b) {
-  return 0x30000u | std::uint32_t(edge_a) << 8 | std::uint32_t(edge_b);
-}
+// plus either of its corners with bit i cleared.
 constexpr int edge_at(int axis, int corner) {
   return 8 * axis + (corner & ~(1 << axis));
 }

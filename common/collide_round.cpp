@@ -1,33 +1,10 @@
 // Spheres and capsules among themselves: how near do two segments come?
 #include <cmath>
 
+#include "common/collide_segments.h"
 #include "common/collide_shapes.h"
 
 namespace pushback {
-
-namespace {
-
-Real into_core(Real s) {
-  return std::clamp(s, Real(-1), Real(1));
-}
-
-/// A point of each core: a.centre + s a.half and b.centre + t b.half. `apart` leads from the first to the second.
-struct Nearest {
-  Real s, t;
-  Vec3 apart;
-};
-
-/// The products that every question about the two segments needs.
-struct Segments {
-  const Vec3 &half_a, &half_b;
-  Vec3 between;  // of the centres
-  Real aa = half_a.squaredNorm(), bb = half_b.squaredNorm(), ab = half_a.dot(half_b);
-  Real a_between = half_a.dot(between), b_between = half_b.dot(between);
-
-  Real nearest_to_b(Real t) const { return aa > 0 ? into_core((a_between + t * ab) / aa) : 0; }  // gives s
-  Real nearest_to_a(Real s) const { return bb > 0 ? into_core((s * ab - b_between) / bb) : 0; }  // gives t
-  Nearest at(Real s, Real t) const { return {s, t, between + t * half_b - s * half_a}; }
-};
 
 // The least distance is either between two inner points, where the connection is perpendicular to both, or at one of
 // the four ends.
@@ -55,6 +32,8 @@ Nearest nearest(const Segments& segments) {
   }
   return best;
 }
+
+namespace {
 
 /// A direction out of two cores that cross: perpendicular to both, as that is the shortest way.
 Vec3 way_out(const Round& a, const Round& b) {

@@ -70,5 +70,9 @@ void touch(const Placed<Box>& a, const Round& b, Manifold& found);
 void touch(const Placed<Box>& a, const Placed<Box>& b, Manifold& found);
 void touch(const Placed<HalfSpace>& a, const Round& b, Manifold& found);
 void touch(const Placed<HalfSpace>& a, const Placed<Box>& b, Manifold& found);
+void touch(const Placed<HalfSpace>& a, const Placed<Hull>& b, Manifold& found);
+void touch(const Placed<Hull>& a, const Round& b, Manifold& found);
+void touch(const Placed<Hull>& a, const Placed<Box>& b, Manifold& found);
+void touch(const Placed<Hull>& a, const Placed<Hull>& b, Manifold& found);
 
 }  // namespace pushback

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <system_error>
 
 #include "common/experiment_parts.h"
+#include "common/files.h"
 #include "common/input.h"
 
 namespace pushback {
@@ -24,6 +24,11 @@ std::vector<Sample> Run::last(Real seconds) const {
 
 Variant& Variant::with_sweeps(int count) {
   sweeps = count;
+  return *this;
+}
+
+Variant& Variant::in_small_steps(int count) {
+  small_steps = count;
   return *this;
 }
 
@@ -88,8 +93,9 @@ void Experiment::scene(Scene scene) {
   acts_.push_back({std::move(scene), {}, {}});
 }
 
-void Experiment::series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of) {
-  acts_.back().series.push_back({name, unit, std::move(of)});
+void Experiment::series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of,
+                        bool log_y) {
+  acts_.back().series.push_back({name, unit, std::move(of), log_y});
 }
 
 void Experiment::number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of) {
@@ -151,7 +157,7 @@ void Experiment::rehearse() const {
     acts_[variant.scene].scene.fill(world);
     auto step = variant.step;
     Sample sample;
-    step(world, dt_, sweeps_of(variant), sample);
+    step(world, dt_ / static_cast<Real>(variant.small_steps), sweeps_of(variant), sample);
   }
 }
 
@@ -163,21 +169,6 @@ void Experiment::list() const {
     }
   }
 }
-
-namespace {
-
-void make_writable_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  const fs::path probe = folder / ".probe";
-  const bool writable = !error && std::ofstream(probe).put(' ').flush().good();
-  fs::remove(probe, error);
-  if (!writable)
-    throw InvalidInput(fmt::format(
-        "--out: folder '{}' cannot be written to: a folder that can be made or written to is needed", folder.string()));
-}
-
-}  // namespace
 
 void Experiment::play() {
   const fs::path folder = fs::path(out_) / name_;
@@ -200,10 +191,11 @@ int Experiment::run(int argc, const char* const* argv, const std::function<void(
     return 2;
   }
   try {
-    char separator = 0;
-    char rest = 0;
-    if (std::sscanf(size_.c_str(), "%d%c%d%c", &width_, &separator, &height_, &rest) != 3 || separator != 'x' ||
-        width_ < 16 || height_ < 16 || width_ > 8192 || height_ > 8192) {
+    const char* const end = size_.data() + size_.size();
+    const auto [cross, bad_width] = std::from_chars(size_.data(), end, width_);
+    const auto [rest, bad_height] = std::from_chars(cross == end ? end : cross + 1, end, height_);
+    if (bad_width != std::errc() || bad_height != std::errc() || *cross != 'x' || rest != end || width_ < 16 ||
+        height_ < 16 || width_ > 8192 || height_ > 8192) {
       throw InvalidInput(fmt::format("--size is '{}': WIDTHxHEIGHT is needed, each from 16 to 8192", size_));
     }
     if (app_.count("--seconds") > 0) require_positive("--seconds", seconds_);

@@ -70,11 +70,14 @@ struct Variant {
   std::size_t scene = 0;
   /// Moves a world on by one step; fills the sample's rows, residual and solver_seconds.
   std::function<void(World&, Real dt, int sweeps, Sample&)> step;
+  int small_steps = 1;                   ///< into how many each step of --dt is cut
   int sweeps = 0;                        ///< 0: what --sweeps says
   bool exactly = false;                  ///< whether --sweeps has no say
   std::map<std::string, Real> expected;  ///< by the name of a number
   std::vector<Reference> references;
 
+  /// Each step of --dt as so many steps of the `count`th part; numbers of points found and lost are then of the last one.
+  Variant& in_small_steps(int count);
   /// Instead of the ten that all have; --sweeps overrides it.
   Variant& with_sweeps(int count);
   /// The number of sweeps is what this variant is about: --sweeps leaves it alone.
@@ -110,8 +113,9 @@ class Experiment {
   template <class ContactSolver>
   Variant& variant(const std::string& name, ContactSolver solver);
   /// A quantity to record after every step and to plot against time, for the latest scene. The first is the one that
-  /// references are drawn with. Without any, the deepest overlap is plotted.
-  void series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of);
+  /// references are drawn with. Without any, the deepest overlap is plotted. `log_y`: as Panel has it.
+  void series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of,
+              bool log_y = false);
   /// A number to show beside each variant of the latest scene.
   void number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of);
   /// What the experiment works out itself, once all variants have been watched: `work` calls `panel` and `remark`.
@@ -134,6 +138,7 @@ class Experiment {
   struct Quantity {
     std::string name, unit;
     std::function<Real(const World&)> of;
+    bool log_y;
   };
   struct Number {
     std::string name, unit;
@@ -178,25 +183,41 @@ class Experiment {
   bool no_images_ = false, list_ = false;
 };
 
+/// Stands where the solver would, so that the clock runs for it alone.
+template <class ContactSolver>
+struct Watched {
+  ContactSolver& solver;
+  Sample& sample;
+
+  void solve(Contacts& contacts, Real dt, int sweeps) {
+    timed([&] { solver.solve(contacts, dt, sweeps); });
+    if constexpr (requires { solver.rows(); }) {
+      sample.rows = static_cast<int>(solver.rows().size());
+      sample.residual = 0;
+      for (const auto& row : solver.rows()) sample.residual = std::max(sample.residual, row.error());
+    }
+  }
+  void relax(Contacts& contacts)
+    requires requires(ContactSolver& s) { s.relax(contacts); }
+  {
+    timed([&] { solver.relax(contacts); });
+  }
+
+  template <class Work>
+  void timed(const Work& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    sample.solver_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+};
+
 template <class ContactSolver>
 Variant& Experiment::variant(const std::string& name, ContactSolver solver) {
   Variant added;
   added.name = name;
   added.scene = acts_.size() - 1;
   added.step = [solver](World& world, Real dt, int sweeps, Sample& sample) mutable {
-    struct Watched {  // stands where the solver would, so that the clock runs for it alone
-      ContactSolver& solver;
-      Sample& sample;
-      void solve(Contacts& contacts, Real h, int n) {
-        const auto begin = std::chrono::steady_clock::now();
-        solver.solve(contacts, h, n);
-        sample.solver_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        if constexpr (requires { solver.rows(); }) {
-          sample.rows = static_cast<int>(solver.rows().size());
-          for (const auto& row : solver.rows()) sample.residual = std::max(sample.residual, row.error());
-        }
-      }
-    } watched{solver, sample};
+    Watched<ContactSolver> watched{solver, sample};
     world.step(watched, dt, sweeps);
   };
   variants_.push_back(std::move(added));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 
 #include "common/experiment_parts.h"
 #include "common/input.h"
@@ -70,7 +71,9 @@ Experiment::Result Experiment::play(const Variant& variant, std::size_t index, O
 
   World world;
   scene.fill(world);
-  const Real arrow = scene.arrow > 0 ? scene.arrow : fitting_arrow(world, dt_);
+  // The impulses that a picture shows are those of the latest small step.
+  const Real arrow =
+      static_cast<Real>(variant.small_steps) * (scene.arrow > 0 ? scene.arrow : fitting_arrow(world, dt_));
 
   std::vector<Real> instants = scene.instants;
   if (instants.empty() || seconds_ > 0) instants = {0, seconds / 3, 2 * seconds / 3, seconds};
@@ -119,7 +122,9 @@ Experiment::Result Experiment::play(const Variant& variant, std::size_t index, O
   for (std::size_t step = 1; step <= steps; ++step) {
     Sample sample;
     try {
-      step_once(world, dt_, sweeps_of(variant), sample);
+      for (int i = 0; i < variant.small_steps; ++i) {
+        step_once(world, dt_ / static_cast<Real>(variant.small_steps), sweeps_of(variant), sample);
+      }
     } catch (const InvalidInput& problem) {
       result.mishap =
           fmt::format("ended at {:.3g} s: {}", static_cast<double>(step) * static_cast<double>(dt_), problem.what());
@@ -146,7 +151,7 @@ Experiment::Result Experiment::play(const Variant& variant, std::size_t index, O
   }
   const Run run{world, dt_, result.samples, result.series};
   for (const Number& number : act.numbers)
-    result.numbers.push_back(result.mishap.empty() ? number.of(run) : std::nan(""));
+    result.numbers.push_back(result.mishap.empty() ? number.of(run) : std::numeric_limits<Real>::quiet_NaN());
   return result;
 }
 

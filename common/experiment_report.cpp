@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 
 #include "common/experiment_parts.h"
-#include "common/input.h"
+#include "common/files.h"
 #include "common/render/palette.h"
 #include "common/sheet.h"
 
@@ -77,6 +76,7 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
       panel.y_label = act.series.empty() ? "deepest overlap, mm"
                                          : fmt::format("{}{}{}", act.series[q].name,
                                                        act.series[q].unit.empty() ? "" : ", ", act.series[q].unit);
+      panel.log_y = !act.series.empty() && act.series[q].log_y;
       for (std::size_t r = 0; r < results.size(); ++r) {
         const Result& result = results[r];
         if (result.variant->scene != a) continue;
@@ -153,17 +153,6 @@ std::vector<SheetLegend> legend(const std::set<ContactState>& seen) {
   if (!seen.empty()) entries.push_back({normal_arrow_ink(), "arrow: normal impulse"});
   if (friction) entries.push_back({friction_arrow_ink(), "arrow: friction impulse"});
   return entries;
-}
-
-void write_text_file(const fs::path& file, const std::string& text) {
-  fs::path unfinished = file;
-  unfinished += ".part";
-  {
-    std::ofstream out(unfinished, std::ios::binary);
-    out << text;
-    if (!out.flush()) throw InvalidInput(fmt::format("file '{}' cannot be written", file.string()));
-  }
-  fs::rename(unfinished, file);
 }
 
 std::string sample_line(const Sample& s) {

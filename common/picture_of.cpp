@@ -13,6 +13,7 @@ struct Size {
   Real operator()(const Box& b) const { return 2 * std::cbrt(b.half_extents.prod()); }
   Real operator()(const Capsule& c) const { return 2 * c.radius + c.half_length; }
   Real operator()(const HalfSpace&) const { return 0; }
+  Real operator()(const Hull& h) const { return std::cbrt(h.solid->volume); }
 };
 
 /// A typical diameter of the bodies that move, m.

@@ -59,7 +59,9 @@ std::string script_of(const Panel& panel, std::size_t index) {
   script += fmt::format("{}set logscale y\n", panel.log_y ? "" : "un");
   script += fmt::format("set format x '{}'\nset format y '{}'\n", panel.log_x ? "10^{%L}" : "%g",
                         panel.log_y ? "10^{%L}" : "%g");
-  script += "set autoscale\n" + panel.extra + "\nplot ";
+  script +=
+      "set autoscale\nset size noratio\nset xtics autofreq\nset ytics autofreq\n";  // nothing left of the last one
+  script += panel.extra + "\nplot ";
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
     const Curve& curve = panel.curves[c];
     const std::string title = curve.label.empty() ? "notitle" : "title " + quoted(curve.label);

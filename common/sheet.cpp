@@ -9,22 +9,9 @@ namespace {
 constexpr int margin = 36, gap = 10, label_width = 480, title_height = 112, group_height = 62, legend_height = 66;
 constexpr Ink dark{28, 32, 40}, grey{104, 112, 124}, pale{222, 226, 232};
 
-/// The part of `text` that fits into `width` pixels, broken at a space; the rest is left in `text`.
-std::string take_line(std::string& text, float size, int width, bool bold) {
-  std::size_t end = text.size();
-  while (end > 0 && text_width(text.substr(0, end), size, bold) > width) {
-    const std::size_t space = text.rfind(' ', end - 1);
-    if (space == std::string::npos || space == 0) break;
-    end = space;
-  }
-  const std::string line = text.substr(0, end);
-  text.erase(0, std::min(text.size(), end + 1));
-  return line;
-}
-
-int write_wrapped(Image& sheet, std::string text, int x, int y, float size, Ink ink, int width, bool bold) {
-  while (!text.empty()) {
-    write_text(sheet, take_line(text, size, width, bold), x, y, size, ink, Align::left, bold);
+int write_wrapped(Image& sheet, const std::string& text, int x, int y, float size, Ink ink, int width, bool bold) {
+  for (const std::string& line : wrapped(text, size, width, bold)) {
+    write_text(sheet, line, x, y, size, ink, Align::left, bold);
     y += static_cast<int>(size * 1.22F);
   }
   return y;
@@ -50,6 +37,21 @@ int height_of(const SheetGroup& group) {
 }
 
 }  // namespace
+
+std::vector<std::string> wrapped(std::string text, float size, int width, bool bold) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    std::size_t end = text.size();
+    while (end > 0 && text_width(text.substr(0, end), size, bold) > width) {
+      const std::size_t space = text.rfind(' ', end - 1);
+      if (space == std::string::npos || space == 0) break;
+      end = space;
+    }
+    lines.push_back(text.substr(0, end));
+    text.erase(0, std::min(text.size(), end + 1));
+  }
+  return lines;
+}
 
 Image make_thumbnail(const SheetGroup& group) {
   constexpr int between = 4;

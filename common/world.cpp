@@ -71,17 +71,22 @@ void World::move(Real dt) {
 //
 // keeps |p|^2 and the energy p . I^-1 p / 2 exactly, because both are quadratic. Turning the body by that same w_m,
 // q' = normalise(q + h/2 q (0, w_m)), is a Cayley transform, under which L = R p stays where it is in the world:
-// R' p' = R p. So the code keeps L, and takes the new w from it: even where Newton's method had not arrived, the energy
-// could not exceed L^2 / (2 I_min).   Hairer, Lubich, Wanner, Geometric Numerical Integration, IV.1 and VII.5.
+// R' p' = R p. So the code keeps L, and takes the new w from it.
+// Hairer, Lubich, Wanner, Geometric Numerical Integration, IV.1 and VII.5.
+//
+// A body that turns by several radians in a step is more than Newton's method can follow. It is turned about L instead, as
+// if it were symmetric: that leaves p as it is, and with it the energy.
 void spin_freely(Body& body, Real dt) {
   Quat& q = body.orientation;
   const Vec3& inverse = body.principal_inverse_inertia;
   Vec3 midpoint = q.conjugate() * body.angular_velocity;  // w_m, body axes; where the inertia is isotropic, w itself
   const bool gyroscopic = inverse.minCoeff() > 0 && (inverse.x() != inverse.y() || inverse.y() != inverse.z());
+  const Quat q_before = q;
   Vec3 momentum = Vec3::Zero();  // L, world axes
+  Vec3 p = Vec3::Zero();         // L, body axes
   if (gyroscopic) {
     const Vec3 inertia = inverse.cwiseInverse();
-    const Vec3 p = inertia.cwiseProduct(midpoint);
+    p = inertia.cwiseProduct(midpoint);
     momentum = q * p;
     Vec3 p_m = p;
     for (int i = 0; i < 8; ++i) {
@@ -98,8 +103,18 @@ void spin_freely(Body& body, Real dt) {
   const Vec3 half = dt / 2 * midpoint;
   q = q * Quat(1, half.x(), half.y(), half.z());
   q.normalize();
+  if (gyroscopic) {
+    const auto twice_energy = [&inverse](const Vec3& its_p) { return its_p.dot(inverse.cwiseProduct(its_p)); };
+    constexpr Real rounding = Real(1e4) * std::numeric_limits<Real>::epsilon();
+    const Real before = twice_energy(p), after = twice_energy(q.conjugate() * momentum);
+    if (!(std::abs(after - before) <= rounding * before)) {
+      const Real size = momentum.norm();
+      q = Quat(Eigen::AngleAxis<Real>(dt * before / size, momentum / size)) * q_before;
+      q.normalize();
+    }
+  }
   body.refresh_inertia();
-  if (gyroscopic) body.angular_velocity = body.inverse_inertia * momentum;
+  if (gyroscopic) body.angular_velocity = q * Vec3(inverse.cwiseProduct(q.conjugate() * momentum));
 }
 
 }  // namespace pushback

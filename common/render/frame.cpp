@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/input.h"
+#include "common/render/mesh.h"
 
 namespace pushback {
 namespace {
@@ -100,6 +101,16 @@ void Frame::add(const Solid& solid, const Vec3& eye) {
     boxes.push_back(instance);
   } else if (const auto* space = std::get_if<HalfSpace>(&solid.shape)) {
     add_plane((solid.orientation * space->normal).normalized(), solid.position - eye);
+  } else if (const auto* hull = std::get_if<Hull>(&solid.shape)) {
+    const Polyhedron* which = hull->solid.get();
+    const auto known =
+        std::find_if(hulls.begin(), hulls.end(), [which](const HullInstances& one) { return one.solid == which; });
+    Real thinnest = which->half_width;
+    for (const Polyhedron::Face& face : which->faces) thinnest = std::min(thinnest, face.half_width);
+    instance.radius = std::min(0.15f * static_cast<float>(thinnest), 0.01f * scale);  // the bevel
+    instance.half_extents = half_extents_of(*which);
+    if (known != hulls.end()) known->instances.push_back(instance);
+    else hulls.push_back({which, instance.radius, {instance}});
   }
 }
 
@@ -165,14 +176,16 @@ void Frame::add_plane(const Vec3& normal, const Vec3& point) {
 
 void Frame::choose_depths() {
   float nearest = scale, farthest = scale;
-  for (const auto* solids : {&boxes, &balls, &heads, &dots}) {
-    for (const Instance& instance : *solids) {
+  const auto include = [&](const std::vector<Instance>& solids) {
+    for (const Instance& instance : solids) {
       const float depth = forward.dot(instance.position), reach = reach_of(instance);
       if (depth + reach < 0) continue;  // behind the eye
       nearest = std::min(nearest, depth - reach);
       farthest = std::max(farthest, depth + reach);
     }
-  }
+  };
+  for (const auto* solids : {&boxes, &balls, &heads, &dots}) include(*solids);
+  for (const HullInstances& hull : hulls) include(hull.instances);
   for (const Plane& plane : planes) farthest = std::max(farthest, 3 * plane.fade);
   near = std::clamp(0.9f * nearest, 0.01f * scale, 0.5f * scale);
   far = std::min(1.1f * farthest, 1e5f * near);
@@ -219,6 +232,9 @@ ShadowView::ShadowView(const Frame& frame, const Vector3f& direction, int resolu
   };
   for (const auto* solids : {&frame.boxes, &frame.balls}) {
     for (const Instance& instance : *solids) include(instance);
+  }
+  for (const HullInstances& hull : frame.hulls) {
+    for (const Instance& instance : hull.instances) include(instance);
   }
   if (low.x() > high.x()) {
     low = centre.array() - 0.1f * frame.scale;

@@ -18,6 +18,13 @@ struct Instance {
   Eigen::Vector3f colour;
 };
 
+/// One hull, and everywhere it is.
+struct HullInstances {
+  const Polyhedron* solid;  ///< belongs to the picture, which has to live as long
+  float bevel;              ///< m
+  std::vector<Instance> instances;
+};
+
 /// A rectangle with the checker on it.
 struct Plane {
   Eigen::Vector3f centre, across, along;  ///< two unit vectors; across x along points away from the viewer
@@ -31,6 +38,7 @@ struct Frame {
   explicit Frame(const Picture& picture);
 
   std::vector<Instance> boxes, balls;         // what casts shadows
+  std::vector<HullInstances> hulls;           // likewise
   std::vector<Instance> shafts, heads, dots;  // what doesn't
   std::vector<Plane> planes;
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/types.h"
+#include "common/shape.h"
 
 namespace pushback {
 
@@ -26,5 +26,13 @@ Mesh rounded_box(int steps);
 Mesh shaft(int sides);
 /// Around y, its base at -1, its tip at 1; shaded as one whose height is `slimness` times the radius of its base.
 Mesh cone(int sides, float slimness);
+
+/// A polyhedron with a bevel of this radius (m) at its edges, for instances that have this radius, and for half-extents
+/// those of half_extents_of.
+Mesh bevelled(const Polyhedron& solid, float radius);
+/// How far the polyhedron reaches along each of its axes, either way, m.
+Eigen::Vector3f half_extents_of(const Polyhedron& solid);
+/// The same for shadows: cut back to about the middle of the bevels, it casts the shadow of the other, and none on it.
+Mesh cut_back(Mesh mesh);
 
 }  // namespace pushback

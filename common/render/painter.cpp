@@ -145,6 +145,7 @@ void Painter::State::draw_shadows(const Frame& frame, const Lighting& lighting, 
     depth.set("clip_from_eye", Eigen::Matrix4f(clip_from_map * views[i].map_from_eye));
     geometry.draw(Geometry::sharp_box, 0, frame.boxes.size());
     geometry.draw(Geometry::coarse_ball, frame.boxes.size(), frame.balls.size());
+    geometry.draw_hulls(true);
   }
 }
 
@@ -270,6 +271,7 @@ void Painter::State::render(const Frame& frame, const Target& target, const Ligh
   set_lights(lighting.solid, frame, lights, lighting, views);
   geometry.draw(Geometry::bevelled_box, 0, frame.boxes.size());
   geometry.draw(Geometry::ball, frame.boxes.size(), frame.balls.size());
+  geometry.draw_hulls(false);
   begin(lighting.plane);
   set_lights(lighting.plane, frame, lights, lighting, views);
   glDisable(GL_CULL_FACE);

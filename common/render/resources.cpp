@@ -4,8 +4,6 @@
 
 #include <stdexcept>
 
-#include "common/render/mesh.h"
-
 namespace pushback {
 namespace {
 
@@ -73,26 +71,34 @@ void ShadowMap::begin_layer(int layer) const {
   glClear(GL_DEPTH_BUFFER_BIT);
 }
 
-Geometry::Geometry() : vertices_(made(glGenBuffers)), indices_(made(glGenBuffers)), instances_(made(glGenBuffers)) {
+Geometry::Part Geometry::append(const Mesh& mesh) {
+  const Part part{static_cast<GLint>(vertices_.size()), indices_.size(), static_cast<GLsizei>(mesh.indices.size())};
+  vertices_.insert(vertices_.end(), mesh.vertices.begin(), mesh.vertices.end());
+  indices_.insert(indices_.end(), mesh.indices.begin(), mesh.indices.end());
+  return part;
+}
+
+void Geometry::upload(GLenum usage) const {
+  glBindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(), usage);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices_.size() * sizeof(std::uint16_t)),
+               indices_.data(), usage);
+}
+
+Geometry::Geometry()
+    : vertex_buffer_(made(glGenBuffers)), index_buffer_(made(glGenBuffers)), instances_(made(glGenBuffers)) {
   glBindVertexArray(made(glGenVertexArrays));
-  std::vector<Vertex> vertices;
-  std::vector<std::uint16_t> indices;
   const std::array<Mesh, count> meshes = {
       rounded_box(0), rounded_box(1),          rounded_box(2), rounded_box(7),
       shaft(10),      cone(16, head_slimness), shaft(4),       cone(6, head_slimness)};
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    parts_[i] = {static_cast<GLint>(vertices.size()), indices.size(), static_cast<GLsizei>(meshes[i].indices.size())};
-    vertices.insert(vertices.end(), meshes[i].vertices.begin(), meshes[i].vertices.end());
-    indices.insert(indices.end(), meshes[i].indices.begin(), meshes[i].indices.end());
-  }
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(),
-               GL_STATIC_DRAW);
+  for (std::size_t i = 0; i < meshes.size(); ++i) parts_[i] = append(meshes[i]);
+  fixed_vertices_ = vertices_.size();
+  fixed_indices_ = indices_.size();
+  upload(GL_STATIC_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
   attribute<Vertex>(0, 3, offsetof(Vertex, corner), 0);
   attribute<Vertex>(1, 3, offsetof(Vertex, normal), 0);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)), indices.data(),
-               GL_STATIC_DRAW);
 }
 
 void Geometry::load(const Frame& frame) {
@@ -100,19 +106,34 @@ void Geometry::load(const Frame& frame) {
   for (const auto* list : {&frame.boxes, &frame.balls, &frame.shafts, &frame.heads, &frame.dots}) {
     all_.insert(all_.end(), list->begin(), list->end());
   }
+  vertices_.resize(fixed_vertices_);
+  indices_.resize(fixed_indices_);
+  hulls_.clear();
+  for (const HullInstances& hull : frame.hulls) {
+    const Mesh mesh = bevelled(*hull.solid, hull.bevel);
+    hulls_.push_back({append(mesh), append(cut_back(mesh)), all_.size(), hull.instances.size()});
+    all_.insert(all_.end(), hull.instances.begin(), hull.instances.end());
+  }
+  if (!hulls_.empty()) upload(GL_STREAM_DRAW);
   glBindBuffer(GL_ARRAY_BUFFER, instances_);
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(all_.size() * sizeof(Instance)), all_.data(), GL_STREAM_DRAW);
 }
 
 void Geometry::draw(Which which, std::size_t first, std::size_t many) const {
-  if (many == 0) return;
+  if (many > 0) draw(parts_[which], first, many);
+}
+
+void Geometry::draw_hulls(bool for_shadows) const {
+  for (const HullPart& hull : hulls_) draw(for_shadows ? hull.casts : hull.looks, hull.first, hull.many);
+}
+
+void Geometry::draw(const Part& part, std::size_t first, std::size_t many) const {
   const std::size_t base = first * sizeof(Instance);
   glBindBuffer(GL_ARRAY_BUFFER, instances_);
   attribute<Instance>(2, 4, base + offsetof(Instance, position), 1);
   attribute<Instance>(3, 4, base + offsetof(Instance, turn), 1);
   attribute<Instance>(4, 3, base + offsetof(Instance, half_extents), 1);
   attribute<Instance>(5, 3, base + offsetof(Instance, colour), 1);
-  const Part& part = parts_[which];
   glDrawElementsInstancedBaseVertex(GL_TRIANGLES, part.size, GL_UNSIGNED_SHORT,
                                     reinterpret_cast<const void*>(part.first_index * sizeof(std::uint16_t)),
                                     static_cast<GLsizei>(many), part.first_vertex);

@@ -8,6 +8,7 @@
 
 #include "common/render/frame.h"
 #include "common/render/gl.h"
+#include "common/render/mesh.h"
 
 namespace pushback {
 
@@ -31,16 +32,18 @@ struct ShadowMap {
   GLuint texture, framebuffer;
 };
 
-/// All meshes in one buffer, all instances of a frame in another.
+/// All meshes in one buffer, those of a frame's hulls last; all instances of a frame in another.
 class Geometry {
  public:
   enum Which { sharp_box, bevelled_box, coarse_ball, ball, arrow_shaft, arrow_head, thin_shaft, thin_head, count };
 
   Geometry();
-  /// Takes over a frame's boxes, balls, shafts, heads and dots, in this order.
+  /// Takes over a frame's boxes, balls, shafts, heads and dots, in this order, and its hulls.
   void load(const Frame& frame);
   /// Draws `many` instances from the `first` of those loaded.
   void draw(Which which, std::size_t first, std::size_t many) const;
+  /// Draws all hulls, as they look or as they cast shadows.
+  void draw_hulls(bool for_shadows) const;
 
  private:
   struct Part {
@@ -49,8 +52,21 @@ class Geometry {
     GLsizei size;
   };
 
-  GLuint vertices_, indices_, instances_;
+  struct HullPart {
+    Part looks, casts;
+    std::size_t first, many;  // instances
+  };
+
+  Part append(const Mesh& mesh);
+  void upload(GLenum usage) const;
+  void draw(const Part& part, std::size_t first, std::size_t many) const;
+
+  GLuint vertex_buffer_, index_buffer_, instances_;
+  std::vector<Vertex> vertices_;
+  std::vector<std::uint16_t> indices_;
+  std::size_t fixed_vertices_ = 0, fixed_indices_ = 0;  // how many belong to the meshes that all frames share
   std::array<Part, count> parts_{};
+  std::vector<HullPart> hulls_;
   std::vector<Instance> all_;
 };
 

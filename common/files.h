@@ -1,0 +1,14 @@
+/// Text files, whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace pushback {
+
+/// The folder that --out leads to, with all above it. Throws InvalidInput where it cannot be made or written to.
+void make_writable_folder(const std::filesystem::path& folder);
+/// Written beside its place and moved there when whole. Throws InvalidInput, naming the file, where that fails.
+void write_text_file(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace pushback
