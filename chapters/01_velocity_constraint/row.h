@@ -5,6 +5,7 @@
 ///
 /// The same type serves contacts, friction and joints: they differ in n, in b, and in the interval [lo, hi] in which
 /// the sum of all impulses of a step has to stay.   Catto, "Modeling and Solving Constraints", GDC 2009.
+/// A row that is a spring gives way: it wants J V + b + gamma lambda = 0, and gamma joins K. For all others gamma is 0.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +22,10 @@ struct Row {
   Vec3 n;                                            // J: unit, world axes; the normal, from A to B, or a tangent
   Vec3 ra_n, rb_n;                                   // J: r x n, m
   Vec3 dva, dwa, dvb, dwb;                           // M^-1 J^T: what an impulse of 1 N s adds to each velocity
-  Real effective_mass;                               // 1 / K, kg
+  Real effective_mass;                               // 1 / (K + gamma), kg
   Real separation = 0;                               // C, m: the position error that b may feed back
   Real bias = 0;                                     // b, m/s: minus the wanted separating speed
+  Real softness = 0;                                 // gamma, 1/kg: how far it gives way to its own impulse
   Real lo = -std::numeric_limits<Real>::infinity();  // limits of the accumulated impulse, N s
   Real hi = std::numeric_limits<Real>::infinity();
   Real impulse = 0;  // lambda, accumulated over the sweeps, N s
@@ -31,8 +33,12 @@ struct Row {
 
   Row(const Contact& at, const Vec3& direction, int contact_index)
       : a(at.a), b(at.b), n(direction), contact(contact_index) {
-    ra_n = (at.point - a->position).cross(n);
-    rb_n = (at.point - b->position).cross(n);
+    act_at(at.point);
+  }
+  /// J and M^-1 J^T, for bodies where they are now. `point`: m, world axes.
+  void act_at(const Vec3& point) {
+    ra_n = (point - a->position).cross(n);
+    rb_n = (point - b->position).cross(n);
     dva = -a->inverse_mass * n;
     dwa = -a->inverse_inertia * ra_n;
     dvb = b->inverse_mass * n;
@@ -60,8 +66,8 @@ struct Row {
     impulse = total;
     apply(change);
   }
-  /// What the sum would have to be for J V + b = 0 if no other row existed.
-  Real wanted() const { return impulse - effective_mass * (speed() + bias); }
+  /// What the sum would have to be for J V + b + gamma lambda = 0 if no other row existed.
+  Real wanted() const { return impulse - effective_mass * (speed() + bias + softness * impulse); }
   void solve() { reach(wanted()); }
   /// How far the row is from being solved, m/s: the change of J V that another `solve` would make.
   Real error() const { return std::abs(std::clamp(wanted(), lo, hi) - impulse) / effective_mass; }

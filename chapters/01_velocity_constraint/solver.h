@@ -27,16 +27,25 @@ struct Effect {
   void finish(Rows&) {}
   /// The contacts know their impulses now: remember, or mark them.
   void report(Contacts&, const Rows&) {}
+  /// The bodies have moved. A solver with an effect that hides this moment sweeps once more after it, and reports again.
+  void relax(Rows&) {}
+  /// The rows have been placed anew, where an effect that relaxes has done so: what was made of them is to be made again.
+  void moved(Rows&) {}
 };
+
+template <class E>
+concept RelaxingEffect = !std::same_as<decltype(&E::relax), decltype(&Effect::relax)>;
 
 /// A misspelt moment would never be called: insist that at least one is hidden.
 template <class E>
-concept AnEffect = std::derived_from<E, Effect> && (!std::same_as<decltype(&E::touch), decltype(&Effect::touch)> ||
-                                                    !std::same_as<decltype(&E::build), decltype(&Effect::build)> ||
-                                                    !std::same_as<decltype(&E::start), decltype(&Effect::start)> ||
-                                                    !std::same_as<decltype(&E::sweep), decltype(&Effect::sweep)> ||
-                                                    !std::same_as<decltype(&E::finish), decltype(&Effect::finish)> ||
-                                                    !std::same_as<decltype(&E::report), decltype(&Effect::report)>);
+concept AnEffect =
+    std::derived_from<E, Effect> && (!std::same_as<decltype(&E::touch), decltype(&Effect::touch)> ||
+                                     !std::same_as<decltype(&E::build), decltype(&Effect::build)> ||
+                                     !std::same_as<decltype(&E::start), decltype(&Effect::start)> ||
+                                     !std::same_as<decltype(&E::sweep), decltype(&Effect::sweep)> ||
+                                     !std::same_as<decltype(&E::finish), decltype(&Effect::finish)> ||
+                                     !std::same_as<decltype(&E::report), decltype(&Effect::report)> ||
+                                     !std::same_as<decltype(&E::moved), decltype(&Effect::moved)> || RelaxingEffect<E>);
 
 template <AnEffect... Effects>
 class Solver : public Effects... {
@@ -51,19 +60,35 @@ class Solver : public Effects... {
     (Effects::touch(contacts, rows_), ...);
     (Effects::build(contacts, rows_, dt), ...);
     (Effects::start(rows_), ...);
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      for (std::size_t i = 0; i < contacts.size(); ++i) rows_[i].solve();
-      (Effects::sweep(rows_), ...);
-    }
+    for (int i = 0; i < sweeps; ++i) sweep(contacts.size());
     (Effects::finish(rows_), ...);
-    for (const Row& row : rows_) contacts[static_cast<std::size_t>(row.contact)].impulse += row.impulse * row.n;
-    (Effects::report(contacts, rows_), ...);
+    report(contacts);
+  }
+
+  /// To be called once the bodies have moved: World::step does, where a solver has it.
+  void relax(Contacts& contacts)
+    requires(RelaxingEffect<Effects> || ...)
+  {
+    (Effects::relax(rows_), ...);
+    (Effects::moved(rows_), ...);
+    sweep(contacts.size());
+    report(contacts);
   }
 
   /// The rows of the latest step.
   const Rows& rows() const { return rows_; }
 
  private:
+  void sweep(std::size_t normals) {
+    for (std::size_t i = 0; i < normals; ++i) rows_[i].solve();
+    (Effects::sweep(rows_), ...);
+  }
+  void report(Contacts& contacts) {
+    for (Contact& contact : contacts) contact.impulse.setZero();
+    for (const Row& row : rows_) contacts[static_cast<std::size_t>(row.contact)].impulse += row.impulse * row.n;
+    (Effects::report(contacts, rows_), ...);
+  }
+
   Rows rows_;
 };
 

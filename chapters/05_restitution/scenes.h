@@ -25,15 +25,24 @@ inline Real height_of(const World& world, std::size_t ball) {
   return world.bodies[ball == 0 ? 1 : 2 * ball].position.y() - radius;
 }
 
-/// Highest point after the first bounce of the ball with index `ball`, m above the ground it rests on.
-inline std::function<Real(const Run&)> apex(std::size_t ball) {
-  return [ball](const Run& run) {
+/// Highest point after the bounce number `bounce`, from 0, of the ball with index `ball`, m above the ground it rests on.
+inline std::function<Real(const Run&)> apex(std::size_t ball, std::size_t bounce = 0) {
+  return [ball, bounce](const Run& run) {
     const auto& heights = run.series.at(fmt::format("height, e = {}", bounciness[ball]));
     std::size_t i = 1;
-    while (i + 1 < heights.size() && heights[i] <= heights[i - 1]) ++i;  // down to the ground
-    Real highest = heights[i];
-    while (i + 1 < heights.size() && heights[i + 1] >= heights[i]) highest = heights[++i];
-    return highest;
+    const auto down = [&] {
+      while (i + 1 < heights.size() && heights[i] <= heights[i - 1]) ++i;
+    };
+    const auto up = [&] {
+      while (i + 1 < heights.size() && heights[i] >= heights[i - 1]) ++i;
+    };
+    down();
+    for (std::size_t k = 0; k < bounce; ++k) {
+      up();
+      down();
+    }
+    up();
+    return heights[i - 1];
   };
 }
 

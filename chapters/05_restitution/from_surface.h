@@ -1,0 +1,41 @@
+/// A bounce found late is a bounce found deep: reckon from the surface.
+#pragma once
+
+#include "chapters/05_restitution/restitution.h"
+
+namespace pushback {
+
+/// Instead of Restitution. A step finds the bodies already at a depth d, faster than they touched, and what rises from
+/// there loses speed before it is out again. With e < 1 the two errors do not cancel. What falls and rises by steps of
+///
+///   v += h a,  x += h v        keeps  S = u^2 / 2 - a d + h a u / 2        u: the speed of approach, a: how forces press
+///
+/// and 2 S is the square of the speed at the surface, where d = 0. The bounce is to leave e^2 of it:
+///
+///   v = -h a / 2 + sqrt((h a / 2)^2 + 2 (e^2 S + a d))          which is e u where nothing presses, and u where e = 1
+///
+/// What bounces leaves by itself: it gets no push-out.
+struct RestitutionFromSurface : Effect {
+  Real threshold = Real(0.1);  ///< m/s; what arrives slower stays
+
+  /// Returns the fastest bounce, m/s; 0 where nothing bounces.
+  Real build(const Contacts& contacts, Rows& rows, Real dt) {
+    require_not_negative("threshold", threshold);
+    Real fastest = 0;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const Real approach = approach_speed(contacts[i]);
+      if (approach >= -threshold || contacts[i].restitution == 0) continue;
+      const Real depth = contacts[i].depth, e = contacts[i].restitution;
+      const Real gained = std::max(Real(0), approach - rows[i].speed());  // h a: what this step's forces have added
+      const Real a = gained / dt;
+      const Real s = approach * approach / 2 - a * depth - gained * approach / 2;
+      if (s <= 0) continue;  // it would not have touched at this speed: pressed in, not fallen in
+      const Real bounce = std::sqrt(gained * gained / 4 + 2 * (e * e * s + a * depth)) - gained / 2;
+      rows[i].bias = -bounce;
+      fastest = std::max(fastest, bounce);
+    }
+    return fastest;
+  }
+};
+
+}  // namespace pushback

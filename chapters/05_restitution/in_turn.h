@@ -1,0 +1,50 @@
+/// Impacts one after the other: what hits passes its speed on before the next pair is looked at.
+#pragma once
+
+#include "chapters/05_restitution/restitution.h"
+
+namespace pushback {
+
+/// Instead of Restitution, and like it before WarmStart. Every pair that approaches bounces as if nothing else touched it,
+/// again and again until none approaches:   lambda = -(v_n + e v_n) / K,   v_n: at its turn, without this step's forces.
+///
+/// All at once and one after the other are both right by the rules of impact, and differ: a ball that hits a row of equal
+/// ones sends off the last ball, or all of them. Steel balls do what is closer to the former.
+struct ImpactsInTurn : Effect {
+  Real threshold = Real(0.1);  ///< m/s; what arrives slower stays
+  int most_rounds = 1000;      ///< then the sweeps have to do with what is left
+
+  void build(const Contacts& contacts, Rows& rows, Real) {
+    require_not_negative("threshold", threshold);
+    bouncing_.clear();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (contacts[i].restitution == 0) continue;
+      bouncing_.push_back({i, contacts[i].restitution, rows[i].speed() - approach_speed(contacts[i])});
+    }
+  }
+  /// From here on the row may add to its impact but not take it back: lo = impulse.
+  void start(Rows& rows) {
+    bool again = true;
+    for (int round = 0; again && round < most_rounds; ++round) {
+      again = false;
+      for (const Bouncing& at : bouncing_) {
+        Row& row = rows[at.row];
+        const Real approach = row.speed() - at.by_forces;
+        if (approach >= -threshold) continue;
+        row.reach(row.impulse - row.effective_mass * (1 + at.restitution) * approach);
+        row.lo = row.impulse;
+        again = true;
+      }
+    }
+  }
+
+ private:
+  struct Bouncing {
+    std::size_t row;
+    Real restitution;
+    Real by_forces;  // what this step's forces have added to v_n, m/s
+  };
+  std::vector<Bouncing> bouncing_;
+};
+
+}  // namespace pushback

@@ -1,0 +1,34 @@
+/// Last step's answer, as much of it as helps.
+#pragma once
+
+#include "chapters/07_warm_start/warm_start.h"
+
+namespace pushback {
+
+/// Instead of WarmStart. A blow is over in one step: to start the next one from its impulses would strike again. What the
+/// rows are to make small, and what no sweep over the normals raises, is
+///
+///   f(lambda) = lambda . (A + Gamma) lambda / 2 + lambda . (J V + b),   A = J M^-1 J^T
+///
+/// Along s lambda its slope is lambda . (J V + b) at s = 0, and at s = 1 the same with the velocities that the guess leaves;
+/// f is their mean. Where the guess is worse than none, f > 0, only the best part of it is applied: s where the slope is 0.
+struct ScaledWarmStart : WarmStart {
+  void start(Rows& rows) {
+    error_.clear();
+    for (const Row& row : rows) error_.push_back(row.speed() + row.bias);
+    WarmStart::start(rows);
+    Real slope_before = 0, slope_after = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      slope_before += rows[i].impulse * error_[i];
+      slope_after += rows[i].impulse * (rows[i].speed() + rows[i].bias + rows[i].softness * rows[i].impulse);
+    }
+    if (slope_before + slope_after <= 0) return;
+    const Real scale = slope_before < 0 ? slope_before / (slope_before - slope_after) : 0;
+    for (Row& row : rows) row.reach(scale * row.impulse);
+  }
+
+ private:
+  std::vector<Real> error_;  // J V + b before the guess, m/s
+};
+
+}  // namespace pushback

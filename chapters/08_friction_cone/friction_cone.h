@@ -1,0 +1,74 @@
+/// Friction that does not know its tangents: the two impulses together stay within a disc.
+#pragma once
+
+#include "chapters/07_warm_start/warm_start.h"
+
+namespace pushback {
+
+/// What an impulse along one tangent does to the speed along each: the tangents' 2 x 2 block of J M^-1 J^T, 1/kg.
+/// Symmetric, and positive definite where at least one of the bodies moves.
+struct TangentBlock {
+  Real k11, k12, k22;
+
+  TangentBlock(const Row& one, const Row& two)
+      : k11(1 / one.effective_mass),
+        k12(two.n.dot(one.dvb - one.dva) + two.rb_n.dot(one.dwb) - two.ra_n.dot(one.dwa)),
+        k22(1 / two.effective_mass) {}
+  Real larger_eigenvalue() const { return (k11 + k22) / 2 + std::hypot((k11 - k22) / 2, k12); }
+};
+
+/// Instead of Friction.   |(sum(lambda_1), sum(lambda_2))| <= mu sum(lambda_n)
+///
+/// Both rows take one step of the same size, and what leaves the disc is drawn back to its edge, towards the centre:
+///
+///   (lambda_1, lambda_2) <- P_disc( (lambda_1, lambda_2) - (J_1 V, J_2 V) / k ),   k: the block's larger eigenvalue
+///
+/// Where that changes nothing any more, what slides is rubbed exactly against its motion. With a step for each row, or one
+/// that solves the block, the point where nothing changes is another one (scaled_back.h).
+struct FrictionCone : Friction {
+  void build(const Contacts& contacts, Rows& rows, Real dt) {
+    Friction::build(contacts, rows, dt);
+    moved(rows);
+  }
+  /// A step of more than 1 / k can overshoot, and feed energy in: k is that of the rows as they are now.
+  void moved(Rows& rows) {
+    step_.clear();
+    for (std::size_t i = 0; i < mu_.size(); ++i)
+      step_.push_back(1 / TangentBlock(rows[first_ + 2 * i], rows[first_ + 2 * i + 1]).larger_eigenvalue());
+  }
+  void sweep(Rows& rows) {
+    for (std::size_t i = 0; i < mu_.size(); ++i) {
+      Row &one = rows[first_ + 2 * i], &two = rows[first_ + 2 * i + 1];
+      const Real total1 = one.impulse - step_[i] * one.speed();  // both read before either acts
+      const Real total2 = two.impulse - step_[i] * two.speed();
+      reach_in_disc(one, two, total1, total2, mu_[i] * rows[i].impulse);
+    }
+  }
+  void report(Contacts& contacts, const Rows& rows) {
+    for (std::size_t i = 0; i < mu_.size(); ++i) {
+      const Real length = std::hypot(rows[first_ + 2 * i].impulse, rows[first_ + 2 * i + 1].impulse);
+      constexpr Real rounding = 16 * std::numeric_limits<Real>::epsilon();  // of what was drawn back to the edge
+      const bool held = length < (1 - rounding) * mu_[i] * rows[i].impulse;
+      contacts[i].state = held ? ContactState::sticking : ContactState::sliding;
+    }
+  }
+
+ protected:
+  /// The sums become (total1, total2), or the point of the disc that is nearest. The root is taken only outside: in a pile
+  /// at rest that is rare, and std::hypot in every contact makes ten sweeps a quarter slower.
+  static void reach_in_disc(Row& one, Row& two, Real total1, Real total2, Real radius) {
+    const Real squared = total1 * total1 + total2 * total2;
+    if (squared > radius * radius) [[unlikely]] {
+      const Real kept = radius / std::sqrt(squared);
+      total1 *= kept;
+      total2 *= kept;
+    }
+    one.reach(total1);
+    two.reach(total2);
+  }
+
+ private:
+  std::vector<Real> step_;  // 1 / k, kg
+};
+
+}  // namespace pushback

@@ -1,0 +1,156 @@
+#include "chapters/07_warm_start/full_solver.h"
+#include "chapters/08_friction_cone/scaled_back.h"
+#include "chapters/08_friction_cone/scenes.h"
+#include "common/experiment.h"
+
+using namespace pushback;
+
+namespace {
+
+template <class AnyFriction>
+using With = Solver<Clamping, Baumgarte, Slop, Restitution, AnyFriction, WarmStart>;
+using ScaledBack = With<FrictionScaledBack>;
+using Cone = With<FrictionCone>;  // this chapter
+
+/// Planks sent off from one place, one every five degrees: where they stop, and how far they came.
+struct Wheel {
+  Curve from_above, distance;
+};
+template <class ContactSolver>
+Wheel turn_wheel(const std::string& name, std::size_t colour, Real half_length, Real h, int sweeps) {
+  const Curve empty{name, {}, {}, line_colour(colour), Curve::Style::line_and_points};
+  Wheel wheel{empty, empty};
+  for (int degrees = 0; degrees <= 360; degrees += 5) {
+    World world;
+    world.add(ground().rough(1));
+    world.add(plank(half_length, Vec3::Zero(), static_cast<Real>(degrees) * pi / 180));
+    ContactSolver solver;
+    for (int step = 0; step < static_cast<int>(Real(1.5) / h); ++step) world.step(solver, h, sweeps);
+    const Vec3& stop = world.bodies[1].position;
+    wheel.from_above.x.push_back(stop.x());
+    wheel.from_above.y.push_back(-stop.z());
+    wheel.distance.x.push_back(static_cast<Real>(degrees));
+    wheel.distance.y.push_back(std::hypot(stop.x(), stop.z()));
+  }
+  return wheel;
+}
+/// What should have become of them.
+Wheel closed_form(Real h) {
+  const Real r = stopping_distance(h);
+  Wheel wheel;
+  wheel.from_above = {"where they should", {}, {}, "#222222", Curve::Style::dashed};
+  wheel.distance = {"v₀²/(2μg) − v₀h/2", {0, 360}, {r, r}, "#222222", Curve::Style::dashed};
+  for (int degrees = 0; degrees <= 360; degrees += 3) {
+    wheel.from_above.x.push_back(r * std::cos(static_cast<Real>(degrees) * pi / 180));
+    wheel.from_above.y.push_back(r * std::sin(static_cast<Real>(degrees) * pi / 180));
+  }
+  return wheel;
+}
+
+/// One contact, solved until nothing changes: degrees by which friction is off, against the direction of the slip.
+template <class ContactSolver>
+Curve directions(const std::string& name, std::size_t colour) {
+  std::vector<std::pair<Real, Real>> found;
+  for (int degrees = 0; degrees < 360; ++degrees) {
+    Stick stick(static_cast<Real>(degrees) * pi / 180);
+    ContactSolver solver;
+    solver.solve(stick.contacts, Real(1) / 60, 200);
+    const Vec3 slip = stick.slip();
+    found.emplace_back(std::atan2(-slip.z(), slip.x()) * 180 / pi, direction_error(slip, stick.friction()));
+  }
+  std::sort(found.begin(), found.end());  // friction has turned the slip, each by another angle
+  Curve curve{name, {}, {}, line_colour(colour), Curve::Style::line};
+  for (const auto& [slip, off] : found) {
+    curve.x.push_back(slip);
+    curve.y.push_back(off);
+  }
+  return curve;
+}
+/// The angle between u and K_t^-1 u.
+Curve scaled_back_closed_form() {
+  Curve curve{"between u and Kₜ⁻¹u", {}, {}, "#222222", Curve::Style::dashed};
+  const Stick stick(0);
+  const Row along(stick.contacts[0], Vec3::UnitX(), 0), across(stick.contacts[0], -Vec3::UnitZ(), 0);
+  for (int degrees = -180; degrees <= 180; ++degrees) {
+    const Real u1 = std::cos(static_cast<Real>(degrees) * pi / 180),
+               u2 = std::sin(static_cast<Real>(degrees) * pi / 180);
+    const Vec3 u(u1, u2, 0), solved(along.effective_mass * u1, across.effective_mass * u2, 0);  // K_t is diagonal here
+    curve.x.push_back(static_cast<Real>(degrees));
+    curve.y.push_back(direction_error(u, -solved));
+  }
+  return curve;
+}
+
+/// The worst of what `error` says of each plank.
+template <class Error>
+Real worst(const World& world, Error error) {
+  Real largest = 0;
+  for (int i = 0; i < headings; ++i) largest = std::max(largest, std::abs(error(way_of(world, i))));
+  return largest;
+}
+
+/// Mean over the steps up to `until`, s.
+Real mean(const Run& run, const std::string& series, Real until) {
+  const std::vector<Real>& values = run.series.at(series);
+  const auto count = std::min(values.size(), static_cast<std::size_t>(until / run.dt));
+  Real sum = 0;
+  for (std::size_t i = 0; i < count; ++i) sum += values[i];
+  return count > 0 ? sum / static_cast<Real>(count) : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment e("08_friction_cone", "Does friction know north from east?");
+  Real half_length = longest_half;
+  e.option("--half-length", half_length, "m, half a plank's length; its half width is 0.1",
+           CLI::Range(Real(0.05), longest_half));
+  return e.run(argc, argv, [&] {
+    const Real h = e.dt();
+    const std::string off = "friction off its direction by";
+    e.scene({.name = "twelve planks, and where they should stop",
+             .fill = [half_length, h](World& world) { wheel(world, half_length, h); },
+             .camera = {{0, 12, 17}, {0, 0, Real(0.45)}, Real(0.295)},
+             .seconds = Real(1.2),
+             .instants = {0, Real(0.3), Real(0.6), Real(1.2)}});
+    const auto should = [](Variant& variant) {
+      variant.expect("distance off by up to", 0).expect("carried aside by up to", 0).expect("direction off by", 0);
+    };
+    should(e.variant("pyramid", FullSolver{}));
+    should(e.variant("2×2 solved, then scaled back", ScaledBack{}));
+    should(e.variant("cone", Cone{}));
+    e.series(off, "degrees", [h](const World& world) { return largest_direction_error(world, h); });
+    e.number("distance off by up to", "%", [h](const Run& run) {
+      const Real s = stopping_distance(h);
+      return 100 * worst(run.world, [s](const Way& way) { return std::hypot(way.ahead, way.aside) / s - 1; });
+    });
+    e.number("carried aside by up to", "mm",
+             [](const Run& run) { return 1000 * worst(run.world, [](const Way& way) { return way.aside; }); });
+    e.number("direction off by", "°", [off](const Run& run) { return mean(run, off, Real(0.6)); });
+
+    e.study([&e, half_length, h] {
+      Panel above{.title = "where planks stop, seen from above",
+                  .x_label = "along t₁, m",
+                  .y_label = "along t₂, m",
+                  .extra = "set size ratio -1\nset xrange [-3:3]\nset yrange [-3:3]"};
+      Panel distance{.title = "how far planks come",
+                     .x_label = "heading, degrees",
+                     .y_label = "distance, m",
+                     .extra = "set xrange [0:360]\nset xtics 45\nset yrange [1.6:3]"};
+      for (Wheel& w : std::vector<Wheel>{turn_wheel<FullSolver>("pyramid", 0, half_length, h, e.sweeps()),
+                                         turn_wheel<ScaledBack>("scaled back", 1, half_length, h, e.sweeps()),
+                                         turn_wheel<Cone>("cone", 2, half_length, h, e.sweeps()), closed_form(h)}) {
+        above.curves.push_back(std::move(w.from_above));
+        distance.curves.push_back(std::move(w.distance));
+      }
+      e.panel(above);
+      e.panel(distance);
+      e.panel({.title = "one contact: a stick on its foot",
+               .x_label = "direction of the slip, degrees; 0: where the stick leans",
+               .y_label = "friction off its direction by, degrees",
+               .curves = {directions<FullSolver>("pyramid", 0), directions<ScaledBack>("scaled back", 1),
+                          directions<Cone>("cone", 2), scaled_back_closed_form()},
+               .extra = "set xrange [0:180]\nset xtics 45\nset yrange [-1:50]"});
+    });
+  });
+}

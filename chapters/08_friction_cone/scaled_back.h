@@ -1,0 +1,34 @@
+/// The near miss: solve both tangents at once, then scale back. To be compared.
+#pragma once
+
+#include "chapters/08_friction_cone/friction_cone.h"
+
+namespace pushback {
+
+/// Looks better than one step of 1/k: both speeds would be exactly 0 if it were not for the disc.
+///
+///   (lambda_1, lambda_2) <- P_disc( (lambda_1, lambda_2) - K_t^-1 (J_1 V, J_2 V) ),   K_t: the tangents' 2 x 2 block
+///
+/// Where it slides and nothing changes any more, friction is opposite to K_t^-1 u, not to the slip u.
+struct FrictionScaledBack : FrictionCone {
+  void build(const Contacts& contacts, Rows& rows, Real dt) {
+    Friction::build(contacts, rows, dt);
+    blocks_.clear();
+    for (std::size_t i = 0; i < mu_.size(); ++i) blocks_.emplace_back(rows[first_ + 2 * i], rows[first_ + 2 * i + 1]);
+  }
+  void sweep(Rows& rows) {
+    for (std::size_t i = 0; i < mu_.size(); ++i) {
+      Row &one = rows[first_ + 2 * i], &two = rows[first_ + 2 * i + 1];
+      const TangentBlock& k = blocks_[i];
+      const Real u1 = one.speed(), u2 = two.speed(), determinant = k.k11 * k.k22 - k.k12 * k.k12;
+      const Real total1 = one.impulse - (k.k22 * u1 - k.k12 * u2) / determinant;
+      const Real total2 = two.impulse - (k.k11 * u2 - k.k12 * u1) / determinant;
+      reach_in_disc(one, two, total1, total2, mu_[i] * rows[i].impulse);
+    }
+  }
+
+ private:
+  std::vector<TangentBlock> blocks_;
+};
+
+}  // namespace pushback

@@ -1,0 +1,99 @@
+/// Planks pushed off in all directions, and where they should stop; how far off the direction of friction is.
+#pragma once
+
+#include "chapters/06_friction/scenes.h"
+
+namespace pushback {
+
+inline constexpr int headings = 12;
+inline constexpr Real rim = Real(1.6);            ///< m from the origin: far enough for the planks not to touch
+inline constexpr Real plank_height = Real(0.1);   ///< m, half of it, and half its width
+inline constexpr Real longest_half = Real(0.35);  ///< m
+
+/// 15, 45, 75 degrees and on: along the pyramid's diagonals, and where it leads aside the most.
+inline Real heading_of(int plank) {
+  return pi / 6 * (static_cast<Real>(plank) + Real(0.5));
+}
+inline Vec3 way_of_heading(Real heading) {
+  return {std::cos(heading), 0, -std::sin(heading)};
+}
+/// All planks lie along x, wherever they are sent: at its corners, one is far harder to push along than across.
+inline Body plank(Real half_length, const Vec3& from, Real heading) {
+  return box({half_length, plank_height, plank_height}, 20)
+      .at(from + Vec3(0, plank_height - Real(1e-5), 0))
+      .moving(v0 * way_of_heading(heading))
+      .rough(own_friction(mu));
+}
+/// A frame above the place where the plank should stop.
+inline void frame(World& world, Real half_length, const Vec3& at) {
+  const Real x = half_length + Real(0.05), z = plank_height + Real(0.05), thin = Real(0.03);
+  const Vec3 above = at + Vec3(0, 2 * plank_height + Real(0.03), 0);
+  for (const Real side : {Real(-1), Real(1)}) {
+    world.add(box({x + thin, thin / 2, thin}, 1).fixed().at(above + Vec3(0, 0, side * z)).coloured(6));
+    world.add(box({thin, thin / 2, z - thin}, 1).fixed().at(above + Vec3(side * x, 0, 0)).coloured(6));
+  }
+}
+/// First the planks, then the frames.
+inline void wheel(World& world, Real half_length, Real h) {
+  world.add(ground().rough(1));
+  for (int i = 0; i < headings; ++i)
+    world.add(plank(half_length, rim * way_of_heading(heading_of(i)), heading_of(i)).coloured(i % 2));
+  for (int i = 0; i < headings; ++i)
+    frame(world, half_length, (rim + stopping_distance(h)) * way_of_heading(heading_of(i)));
+}
+
+/// Where a plank of the wheel has come from its start, m: along its heading, and to the left of it.
+struct Way {
+  Real ahead, aside;
+};
+inline Way way_of(const World& world, int plank) {
+  const Vec3 way = way_of_heading(heading_of(plank));
+  const Vec3 moved = world.bodies[static_cast<std::size_t>(plank) + 1].position - rim * way;
+  return {moved.dot(way), moved.dot(Vec3::UnitY().cross(way))};
+}
+
+/// Degrees between friction on B and what is opposite to the slip of B.
+inline Real direction_error(const Vec3& slip, const Vec3& friction) {
+  return std::atan2(slip.cross(friction).norm(), -slip.dot(friction)) * 180 / pi;
+}
+/// The largest of all contacts that slip by more than 0.2 m/s. `h`: the step that has just been made; it tells where the bodies were when the contacts were solved.
+inline Real largest_direction_error(const World& world, Real h) {
+  Real largest = 0;
+  for (const Contact& contact : world.contacts) {
+    const auto velocity_of = [&](const Body& body) {
+      return Vec3(body.velocity + body.angular_velocity.cross(contact.point - (body.position - h * body.velocity)));
+    };
+    const auto in_plane = [&](const Vec3& v) { return Vec3(v - v.dot(contact.normal) * contact.normal); };
+    const Vec3 slip = in_plane(velocity_of(*contact.b) - velocity_of(*contact.a)), friction = in_plane(contact.impulse);
+    if (slip.norm() < Real(0.2) || friction.isZero()) continue;
+    largest = std::max(largest, direction_error(slip, friction));
+  }
+  return largest;
+}
+
+/// A stick of 2 m and 5 kg that leans by 69 degrees to +x and touches the ground with its foot, a point; its foot slips in
+/// the direction of `slip`. One contact, which is all there is: the solver is called by hand.
+struct Stick {
+  World world;
+  Contacts contacts;
+
+  explicit Stick(Real slip) {
+    constexpr Real lean = Real(1.2);
+    world.add(ground());
+    world.add(capsule(Real(0.02), 1, 5).turned(-lean, Vec3::UnitZ()).moving(v0 * way_of_heading(slip) - Vec3(0, 1, 0)));
+    Contact contact;
+    contact.a = &world.bodies[0];
+    contact.b = &world.bodies[1];
+    contact.point = -Vec3(std::sin(lean), std::cos(lean), 0);
+    contact.normal = Vec3::UnitY();
+    contact.friction = mu;
+    contacts.push_back(contact);
+  }
+  Vec3 slip() const {
+    const Vec3 v = world.bodies[1].velocity_at(contacts[0].point);
+    return {v.x(), 0, v.z()};
+  }
+  Vec3 friction() const { return {contacts[0].impulse.x(), 0, contacts[0].impulse.z()}; }
+};
+
+}  // namespace pushback

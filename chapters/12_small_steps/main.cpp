@@ -1,0 +1,150 @@
+#include "chapters/12_small_steps/steady_solver.h"
+#include "chapters/12_small_steps/study.h"
+#include "common/experiment.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real g = Real(9.81);
+constexpr int tall = 20;                      // boxes in the stack
+constexpr Real heavy = 1000;                  // times the mass of the box below
+constexpr Real sunken = Real(0.05);           // m
+const Vec3 cube = Vec3::Constant(Real(0.5));  // half of 1 m
+
+/// The spring without the relaxing pass: the solver finds no `relax` to call.
+struct SoftWithoutRelaxing : SoftContacts {
+  using Effect::relax;
+};
+using Unrelaxed = Solver<Clamping, SoftWithoutRelaxing, Restitution, Friction, WarmStart>;
+
+/// Two posts behind it, to see by how much it leans.
+void stack_of_twenty(World& world) {
+  for (const int side : {-1, 1})
+    world.add(box({Real(0.04), tall, Real(0.04)}, 1).fixed().at({static_cast<Real>(side) * Real(0.66), 0, -2}));
+  stack(world, tall);
+}
+
+void heavy_on_light(World& world) {
+  world.add(ground());
+  world.add(box(cube, 100).at({0, Real(0.5), 0}));
+  world.add(box(cube, 100 * heavy).at({0, Real(1.5), 0}));
+}
+
+void sunken_ball(World& world) {
+  world.gravity.setZero();
+  world.add(ground());
+  world.add(sphere(Real(0.5), 100).at({0, Real(0.5) - sunken, 0}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment e("12_small_steps", "Many sweeps, or many small steps?");
+  int count = 32;
+  SoftContacts spring;
+  e.option("--small-steps", count, "Small steps in each step", positive());
+  e.option("--hertz", spring.hertz, "Of the soft contacts' springs; an eighth of the small steps' frequency at most",
+           positive());
+  e.option("--damping-ratio", spring.damping_ratio, "Of the soft contacts' dampers, 1: critical", not_negative());
+  return e.run(argc, argv, [&] {
+    const Real h = e.dt() / static_cast<Real>(count), w = spring.angular_frequency(h);
+    const auto with_spring = [&](auto solver) {
+      solver.hertz = spring.hertz;
+      solver.damping_ratio = spring.damping_ratio;
+      return solver;
+    };
+    const auto sweeping = [&](int sweeps) -> Variant& {
+      return e.variant(fmt::format("one step, {} sweeps", sweeps), FullSolver{}).with_exactly(sweeps);
+    };
+    const auto small = [&](const std::string& what, auto solver) -> Variant& {
+      return e.variant(fmt::format("{} small steps{}", count, what), solver).in_small_steps(count).with_exactly(1);
+    };
+
+    e.scene({.name = "a stack of twenty",
+             .fill = stack_of_twenty,
+             .camera = {{0, Real(16.5), 12}, {0, Real(17.2), 0}},
+             .seconds = 10,
+             .instants = {0, 2, Real(3.5), 6}});
+    sweeping(10);
+    sweeping(count);
+    small("", FullSolver{});
+    small(", soft", with_spring(SoftSolver{})).expect("overlap at the end", 1000 * 2 * (tall - 1) * g / (w * w));
+    e.series("drift of the top", "mm", [](const World& world) { return 1000 * drift_of_top(world); }, true);
+    e.series("largest speed", "mm/s", [](const World& world) { return 1000 * largest_speed(world); }, true);
+    e.number("drift of the top", "mm", [](const Run& run) { return 1000 * drift_of_top(run.world); });
+    e.number("speed in the last second", "mm/s", [](const Run& run) {
+      const auto& speeds = run.series.at("largest speed");
+      const auto second = std::min<std::ptrdiff_t>(std::ssize(speeds), std::lround(1 / run.dt));
+      return *std::max_element(speeds.end() - second, speeds.end());
+    });
+    const auto overlap = [](const Run& run) { return 1000 * run.samples.back().overlap; };
+    e.number("overlap at the end", "mm", overlap);
+
+    e.scene({.name = "a thousand times heavier than what it lies on",
+             .fill = heavy_on_light,
+             .camera = {{2, Real(1.8), 5}, {0, Real(0.95), 0}},
+             .seconds = 5,
+             .instants = {0, Real(0.25), Real(0.5), 5}});
+    small("", FullSolver{});
+    small(", soft, not relaxed", with_spring(Unrelaxed{}));
+    small(", soft", with_spring(SoftSolver{})).expect("overlap at the end", 1000 * (1 + heavy) * g / (w * w));
+    e.series("deepest overlap", "mm", [](const World& world) { return 1000 * deepest_overlap(world); }, true);
+    e.number("height of the heavy one", "m", [](const Run& run) { return run.world.bodies[2].position.y(); });
+    e.number("deepest of all", "mm", [](const Run& run) {
+      Real deepest = 0;
+      for (const Sample& sample : run.samples) deepest = std::max(deepest, sample.overlap);
+      return 1000 * deepest;
+    });
+    e.number("overlap at the end", "mm", overlap);
+
+    e.scene({.name = "a stack of forty",
+             .fill = [](World& world) { stack(world, 40); },
+             .camera = {},
+             .seconds = 10,
+             .pictures = false});
+    small(", soft", with_spring(SoftSolver{}));
+    small(", all together", with_spring(SteadySolver{})).expect("overlap at the end", 1000 * 2 * 39 * g / (w * w));
+    e.series("drift of the top", "mm", [](const World& world) { return 1000 * drift_of_top(world); }, true);
+    e.number("drift of the top", "mm", [](const Run& run) { return 1000 * drift_of_top(run.world); });
+    e.number("overlap at the end", "mm", overlap);
+
+    const FullSolver hard;
+    e.scene({.name = "50 mm too deep, without gravity",
+             .fill = sunken_ball,
+             .camera = {{Real(0.7), Real(1.4), Real(5.5)}, {0, Real(1.1), 0}},
+             .seconds = Real(0.6),
+             .instants = {0, Real(0.05), Real(0.2), Real(0.6)}});
+    small("", FullSolver{}).expect("exit speed", hard.beta * (sunken - hard.slop) / h);
+    small(", soft, not relaxed", with_spring(Unrelaxed{})).expect("exit speed", spring.fastest_push_out);
+    small(", soft", with_spring(SoftSolver{})).expect("exit speed", 0);
+    e.series("height over the ground", "mm",
+             [](const World& world) { return 1000 * (world.bodies[1].position.y() - Real(0.5)); });
+    e.number("exit speed", "m/s", [](const Run& run) { return run.world.bodies[1].velocity.y(); });
+
+    e.study([&e] {
+      const auto steps = [](const Budget& budget) { return budget.small_steps; };
+      const auto all_sweeps = [](const Budget& budget) { return budget.small_steps * budget.sweeps; };
+      const auto and_relaxing = [](const Budget& budget) { return budget.small_steps * (budget.sweeps + 1); };
+      const std::vector<Budget> same{{1, 32}, {2, 16}, {4, 8}, {8, 4}, {16, 2}, {32, 1}};
+      const Stood hard_same = study<FullSolver>("hard", 0, e.dt(), same, steps),
+                  soft_same = study<SoftSolver>("soft", 1, e.dt(), same, steps);
+      const Stood sweeps = study<FullSolver>("sweeps in one step", 2, e.dt(), {{1, 16}, {1, 32}, {1, 64}}, all_sweeps),
+                  hard_steps = study<FullSolver>("small steps", 0, e.dt(), {{16, 1}, {32, 1}, {64, 1}}, all_sweeps),
+                  soft_steps = study<SoftSolver>("small steps, soft", 1, e.dt(), {{8, 1}, {16, 1}, {32, 1}, {64, 1}},
+                                                 and_relaxing);
+      const auto panel = [&](const std::string& title, const std::string& x, const std::string& y,
+                             const std::vector<Curve>& curves) {
+        e.panel({.title = title, .x_label = x, .y_label = y, .log_x = true, .log_y = true, .curves = curves});
+      };
+      const std::string twenty = "a stack of twenty, 32 sweeps in 1/60 s";
+      panel(twenty, "small steps", "drift of the top, mm", {hard_same.drift, soft_same.drift});
+      panel(twenty, "small steps", "deepest overlap, mm", {hard_same.overlap, soft_same.overlap});
+      const std::string cost = "what a sweep is worth";
+      panel(cost, "sweeps in 1/60 s, relaxing counted", "drift of the top, mm",
+            {sweeps.drift, hard_steps.drift, soft_steps.drift});
+      panel(cost, "sweeps in 1/60 s, relaxing counted", "speed in the last second, mm/s",
+            {sweeps.speed, hard_steps.speed, soft_steps.speed});
+    });
+  });
+}

@@ -1,0 +1,20 @@
+/// Many small steps instead of many sweeps.
+#pragma once
+
+#include "chapters/07_warm_start/full_solver.h"
+#include "chapters/12_small_steps/soft_contacts.h"
+#include "common/world.h"
+
+namespace pushback {
+
+/// A step of dt as `count` steps of dt / count, one sweep each. Contacts are found anew in every one of them.
+/// Macklin et al., "Small Steps in Physics Simulation", SCA 2019.
+template <class ContactSolver>
+void small_steps(World& world, ContactSolver& solver, Real dt, int count, int sweeps = 1) {
+  for (int i = 0; i < count; ++i) world.step(solver, dt / static_cast<Real>(count), sweeps);
+}
+
+/// FullSolver with soft contacts in the place of Baumgarte and Slop.
+using SoftSolver = Solver<Clamping, SoftContacts, Restitution, Friction, WarmStart>;
+
+}  // namespace pushback

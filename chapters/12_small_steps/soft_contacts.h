@@ -1,0 +1,72 @@
+/// An overlap as a spring with a damper, and a relaxing pass that takes the push-out's speed back.
+#pragma once
+
+#include "chapters/07_warm_start/warm_start.h"
+
+namespace pushback {
+
+/// Instead of Baumgarte and Slop. In the list before Restitution, which then adds the bounce, and before WarmStart.
+///
+///   k = w^2 / K,  c = 2 zeta w / K,  w = 2 pi hertz          a spring and a damper made for the mass that the row feels, 1/K
+///   J V + b + gamma lambda = 0                               the two of them, taken at the end of the step: implicitly
+///   gamma = 1 / (h (c + h k)),  b = k / (c + h k) C          stable, however stiff
+///
+/// A contact that carries the force F rests where k d = F. So it needs no slop: what carries, overlaps.
+/// Catto, "Soft Constraints", GDC 2011; relaxing as in Catto, "Solver2D", 2024.
+struct SoftContacts : Effect {
+  Real hertz = 240;           ///< of the spring; see angular_frequency
+  Real damping_ratio = 5;     ///< zeta; 1: critical
+  Real fastest_push_out = 3;  ///< m/s; what is deep inside is not to be shot out
+
+  /// w in steps of dt, rad/s. A spring needs some steps for an oscillation: at most one in eight of them is used.
+  Real angular_frequency(Real dt) const { return 2 * pi * std::min(hertz, 1 / (8 * dt)); }
+
+  void build(const Contacts& contacts, Rows& rows, Real dt) {
+    require_positive("hertz", hertz);
+    require_not_negative("damping ratio", damping_ratio);
+    require_not_negative("fastest push-out", fastest_push_out);
+    const Real w = angular_frequency(dt);
+    push_out_rate_ = w / (2 * damping_ratio + dt * w);          // k / (c + h k): the row's mass cancels
+    gamma_by_K_ = 1 / (dt * w * (2 * damping_ratio + dt * w));  // gamma / K: here as well
+    rigid_mass_.resize(contacts.size());
+    from_middle_.resize(contacts.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      rigid_mass_[i] = rows[i].effective_mass;
+      from_middle_[i] = contacts[i].point - middle_of(rows[i]);
+    }
+  }
+  /// What bounces leaves by itself; all else is pushed out.
+  void start(Rows& rows) {
+    bounce_.resize(rigid_mass_.size());
+    for (std::size_t i = 0; i < rigid_mass_.size(); ++i) {
+      bounce_[i] = rows[i].bias;
+      if (bounce_[i] < 0 || rows[i].separation == 0) continue;
+      const Real push_out = push_out_rate_ * rows[i].separation;
+      rows[i].bias = std::max(push_out, -fastest_push_out);
+      if (push_out < -fastest_push_out) continue;  // rigid: a spring that may not push harder would sink for ever
+      rows[i].softness = gamma_by_K_ / rigid_mass_[i];
+      rows[i].effective_mass = rigid_mass_[i] / (1 + gamma_by_K_);  // 1 / (K + gamma)
+    }
+  }
+  /// What was pushed has moved. What is left of that speed would be energy fed in: b = 0, or the bounce, and gamma = 0.
+  ///
+  /// To leave angular momentum alone, impulses have to act on both bodies at one point, by the inertias that they have now.
+  void relax(Rows& rows) {
+    for (Row& row : rows) row.act_at(middle_of(row) + from_middle_[static_cast<std::size_t>(row.contact)]);
+    for (std::size_t i = 0; i < rigid_mass_.size(); ++i) {
+      rows[i].bias = bounce_[i];
+      rows[i].softness = 0;
+    }
+  }
+
+ private:
+  static Vec3 middle_of(const Row& row) { return (row.a->position + row.b->position) / 2; }
+
+  Real push_out_rate_ = 0;  // 1/s
+  Real gamma_by_K_ = 0;
+  std::vector<Real> rigid_mass_;   // 1 / K, kg
+  std::vector<Real> bounce_;       // b without the push-out, m/s
+  std::vector<Vec3> from_middle_;  // of the two centres of mass to the contact point, m, world axes
+};
+
+}  // namespace pushback

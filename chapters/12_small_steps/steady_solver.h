@@ -1,0 +1,15 @@
+/// What the chapters up to this one come to, in one word.
+#pragma once
+
+#include "chapters/05_restitution/at_once.h"
+#include "chapters/07_warm_start/scaled.h"
+#include "chapters/08_friction_cone/friction_cone.h"
+#include "chapters/12_small_steps/small_steps.h"
+
+namespace pushback {
+
+/// For 32 small steps of one sweep in 1/60 s. A pair of heavy on light, a blow, a tall stack, a slide at any heading:
+/// what it holds, and the four hard cases that it does not, is in docs/hard_cases.md under "all together".
+using SteadySolver = Solver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, ScaledWarmStart>;
+
+}  // namespace pushback
