@@ -9,6 +9,8 @@
 
 #include "chapters/07_warm_start/flat.h"
 #include "chapters/07_warm_start/full_solver.h"
+#include "chapters/08_friction_cone/scaled_back.h"
+#include "chapters/12_small_steps/steady_solver.h"
 #include "common/scene.h"
 
 using namespace pushback;
@@ -109,6 +111,45 @@ void composed_against_by_hand(benchmark::State& state) {
 }
 BENCHMARK(composed_against_by_hand)->Iterations(400)->Unit(benchmark::kMicrosecond);
 
+/// What one of chapter 08's ways to rub costs beside chapter 06's, on the same contacts, in turn.
+template <class AnyFriction>
+void friction_against_pyramid(benchmark::State& state) {
+  const int sweeps = static_cast<int>(state.range(0));
+  const World world = resting_pyramid(20);
+  World first = copy_of(world);
+  World second = copy_of(world);
+  Solver<Clamping, Baumgarte, Slop, Restitution, AnyFriction, WarmStart> solver;
+  FullSolver pyramid_solver;
+  std::vector<double> times, ratios;
+  for (auto _ : state) {
+    const auto begin = std::chrono::steady_clock::now();
+    solver.solve(first.contacts, dt, sweeps);
+    times.push_back(seconds(begin));
+    const auto middle = std::chrono::steady_clock::now();
+    pyramid_solver.solve(second.contacts, dt, sweeps);
+    ratios.push_back(times.back() / seconds(middle));
+  }
+  const auto median = [](std::vector<double>& values) {
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+    return values[values.size() / 2];
+  };
+  state.counters["median ratio"] = median(ratios);
+  state.counters["ns per contact and sweep"] =
+      1e9 * median(times) / (static_cast<double>(world.contacts.size()) * sweeps);
+}
+void pyramid_of_friction(benchmark::State& state) {
+  friction_against_pyramid<Friction>(state);
+}
+void scaled_back(benchmark::State& state) {
+  friction_against_pyramid<FrictionScaledBack>(state);
+}
+void friction_cone(benchmark::State& state) {
+  friction_against_pyramid<FrictionCone>(state);
+}
+BENCHMARK(pyramid_of_friction)->ArgName("sweeps")->Arg(10)->Arg(100)->Iterations(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK(scaled_back)->ArgName("sweeps")->Arg(10)->Arg(100)->Iterations(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK(friction_cone)->ArgName("sweeps")->Arg(10)->Arg(100)->Iterations(200)->Unit(benchmark::kMicrosecond);
+
 template <class Fill>
 void whole_step(benchmark::State& state, Fill fill, int settle) {
   World world;
@@ -124,6 +165,33 @@ void step_of_pyramid(benchmark::State& state) {
   whole_step(state, [](World& world) { pyramid(world, 20); }, 60);
 }
 BENCHMARK(step_of_pyramid)->Unit(benchmark::kMicrosecond);
+
+/// A whole step of 1/60 s, cut into small ones: contacts, rows and sweeps in each. The table of chapter 12.
+template <class ContactSolver>
+void small_steps_of(benchmark::State& state) {
+  const int count = static_cast<int>(state.range(0)), sweeps = static_cast<int>(state.range(1));
+  const int tall = static_cast<int>(state.range(2));
+  World world;
+  if (tall > 0) stack(world, tall);
+  else pyramid(world, 20);
+  ContactSolver solver;
+  for (int step = 0; step < 60; ++step) small_steps(world, solver, dt, count, sweeps);
+  for (auto _ : state) small_steps(world, solver, dt, count, sweeps);
+  state.counters["contacts"] = static_cast<double>(world.contacts.size());
+}
+void many_sweeps(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"steps", "sweeps", "stack"})->Unit(benchmark::kMillisecond);
+  for (const int tall : {20, 40, 0}) {  // 0: a pyramid of base 20
+    for (const int sweeps : {10, 32}) bench->Args({1, sweeps, tall});
+  }
+}
+void many_steps(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"steps", "sweeps", "stack"})->Unit(benchmark::kMillisecond);
+  for (const int tall : {20, 40, 0}) bench->Args({32, 1, tall});
+}
+BENCHMARK(small_steps_of<FullSolver>)->Apply(many_sweeps)->Apply(many_steps);
+BENCHMARK(small_steps_of<SoftSolver>)->Apply(many_steps);
+BENCHMARK(small_steps_of<SteadySolver>)->Apply(many_steps);
 
 /// A thousand boxes that fell into a heap: 10 x 10 columns, each box turned a little.
 void heap(World& world) {

@@ -11,6 +11,7 @@
 #include "common/measure.h"
 #include "common/world.h"
 #include "tests/catch.h"
+#include "tests/complaint.h"
 
 using namespace pushback;
 
@@ -24,16 +25,6 @@ constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 struct NoSolver {
   void solve(Contacts&, Real, int) {}
 };
-
-/// What `act` throws, or "" if it throws nothing.
-std::string complaint(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return "";
-}
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

@@ -4,7 +4,7 @@
 #include "common/measure.h"
 #include "common/scene.h"
 #include "tests/catch.h"
-#include "tests/random.h"
+#include "tests/touching.h"
 
 using namespace pushback;
 
@@ -50,22 +50,10 @@ Real largest_error(const ContactSolver& solver) {
 namespace {
 
 /// Two spinning bodies, each within reach of one point, that approach there.
-struct Collision {
-  World world;
-  Contact contact;
-
-  Collision(Random& random, Real e) {
-    for (int i = 0; i < 2; ++i) {
-      const Real mass = random.over_decades(Real(0.1), 1000);
-      world.add(random.moving_body(mass));
-    }
-    contact.a = &world.bodies[0];
-    contact.b = &world.bodies[1];
-    contact.point = random.vector(2);
-    contact.normal = random.direction();
+struct Collision : RandomPair {
+  Collision(Random& random, Real e) : RandomPair(random) {
     if (contact.separating_speed() > 0) contact.normal = -contact.normal;
     contact.restitution = e;
-    contact.depth = random.between(0, Real(0.1));
   }
   Real K() const { return 1 / Row(contact, contact.normal, 0).effective_mass; }
   /// The parts of the separating speed that come from the velocities and from the spins.

@@ -9,6 +9,7 @@
 #include "common/collide.h"
 #include "common/world.h"
 #include "tests/catch.h"
+#include "tests/contacts_of.h"
 
 using namespace pushback;
 
@@ -54,20 +55,6 @@ Body shape_of(Kind kind, Random& random) {
 }
 const std::vector<Kind> convex = {a_sphere, a_box, a_capsule};
 
-Contacts contacts_of(Body& a, Body& b) {
-  a.index = 3;
-  b.index = 8;
-  Contacts contacts;
-  collide(a, b, contacts);
-  return contacts;
-}
-
-Real deepest(const Contacts& contacts) {
-  Real depth = -1;
-  for (const Contact& c : contacts) depth = std::max(depth, c.depth);
-  return depth;
-}
-
 /// How far the shape reaches along n from the body's centre; infinity for a half-space that n does not leave squarely.
 Real reach(const Body& body, const Vec3& n) {
   const Vec3 local = body.orientation.conjugate() * n;
@@ -79,6 +66,7 @@ Real reach(const Body& body, const Vec3& n) {
     Real operator()(const HalfSpace& h) const {
       return n.dot(h.normal) > 1 - tight ? Real(0) : std::numeric_limits<Real>::infinity();
     }
+    Real operator()(const Hull&) const { return std::numeric_limits<Real>::infinity(); }  // in hulls.cpp
   };
   return std::visit(Reach{local}, body.shape);
 }
@@ -126,6 +114,7 @@ Real outside(const Body& body, const Vec3& point) {
       return (p - Vec3(0, std::clamp(p.y(), -c.half_length, c.half_length), 0)).norm() - c.radius;
     }
     Real operator()(const HalfSpace& h) const { return p.dot(h.normal); }
+    Real operator()(const Hull&) const { return std::numeric_limits<Real>::infinity(); }  // in hulls.cpp
   };
   return std::visit(Outside{p}, body.shape);
 }

@@ -1,91 +1,18 @@
 /// The chapters' programs as a student calls them: options, messages, exit statuses, and what they leave behind.
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
-#include "tests/catch.h"
+#include "tests/call.h"
 
 /// Where the chapters' executables are, from the working directory of the tests.
 #ifndef CHAPTER_DIR
 #define CHAPTER_DIR "build/release/chapters"
 #endif
 
-namespace fs = std::filesystem;
-
 namespace {
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// A folder that is gone when the test is over.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "pushback_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder in " + name);
-    folder_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  fs::path operator/(const std::string& name) const { return folder_ / name; }
-
- private:
-  fs::path folder_;
-};
-
-struct Outcome {
-  int status = -1;  ///< as the shell would show it; -1 if something killed the program
-  std::string out, err;
-};
-
-/// Runs a chapter. `arguments` are a line of shell, so quote what needs it. Nothing here takes 20 seconds.
-Outcome call(const std::string& chapter, const std::string& arguments) {
-  const fs::path program = fs::path(CHAPTER_DIR) / chapter;
-  if (!fs::exists(program)) FAIL("there is no program " << program.string() << ": build the chapters first");
-  const Scratch scratch;
-  const std::string command = "timeout 20 '" + program.string() + "' " + arguments + " >'" +
-                              (scratch / "out").string() + "' 2>'" + (scratch / "err").string() + "' </dev/null";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(scratch / "out"), text_of(scratch / "err")};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-/// The fields of a line of CSV; names may be quoted, and hold commas then.
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    else if (c == ',' && !quoted) fields.emplace_back();
-    else fields.back() += c;
-  }
-  return fields;
+Ended call(const std::string& chapter, const std::string& arguments) {
+  return call_program(fs::path(CHAPTER_DIR) / chapter, arguments);
 }
 
 /// A run without pictures, and what it wrote.
@@ -102,7 +29,7 @@ struct Numbers {
 
 Numbers numbers_of(const std::string& chapter, const std::string& arguments) {
   const Scratch scratch;
-  const Outcome outcome = call(chapter, "--no-images --out '" + (scratch / "out").string() + "' " + arguments);
+  const Ended outcome = call(chapter, "--no-images --out '" + (scratch / "out").string() + "' " + arguments);
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   const fs::path folder = scratch / "out" / chapter;
@@ -122,19 +49,20 @@ Numbers numbers_of(const std::string& chapter, const std::string& arguments) {
 }
 
 const std::vector<std::string> chapters{"00_naive_impulses", "01_velocity_constraint", "02_clamping", "03_baumgarte",
-                                        "04_slop",           "05_restitution",         "06_friction", "07_warm_start"};
+                                        "04_slop",           "05_restitution",         "06_friction", "07_warm_start",
+                                        "08_friction_cone",  "12_small_steps"};
 
 /// Options beside those that every chapter has.
-const std::map<std::string, std::vector<std::string>> own_options{{"03_baumgarte", {"--beta", "--unstable"}},
-                                                                  {"04_slop", {"--slop"}},
-                                                                  {"05_restitution", {"--threshold"}},
-                                                                  {"07_warm_start", {"--sweep-counts"}}};
+const std::map<std::string, std::vector<std::string>> own_options{
+    {"03_baumgarte", {"--beta", "--unstable"}}, {"04_slop", {"--slop"}},
+    {"05_restitution", {"--threshold"}},        {"07_warm_start", {"--sweep-counts"}},
+    {"08_friction_cone", {"--half-length"}},    {"12_small_steps", {"--small-steps", "--hertz", "--damping-ratio"}}};
 
 }  // namespace
 
 TEST_CASE("option --help names every option and ends with status 0") {
   for (const std::string& chapter : chapters) {
-    const Outcome outcome = call(chapter, "--help");
+    const Ended outcome = call(chapter, "--help");
     INFO(chapter);
     CHECK(outcome.status == 0);
     CHECK(outcome.err.empty());
@@ -152,7 +80,7 @@ TEST_CASE("option --help names every option and ends with status 0") {
 TEST_CASE("option --list names scenes and variants, writes nothing, and --variants understands each of its names") {
   for (const std::string& chapter : chapters) {
     const Scratch scratch;
-    const Outcome outcome = call(chapter, "--list --out '" + (scratch / "out").string() + "'");
+    const Ended outcome = call(chapter, "--list --out '" + (scratch / "out").string() + "'");
     INFO(chapter << "\n" << outcome.out);
     CHECK(outcome.status == 0);
     CHECK_FALSE(fs::exists(scratch / "out"));
@@ -177,6 +105,7 @@ TEST_CASE("a value that cannot be used: status 2, a message that names it, and n
            {"03_baumgarte", "--size 0x0", {"--size", "0x0"}},
            {"03_baumgarte", "--size banana", {"--size", "banana"}},
            {"03_baumgarte", "--size 640x360x2", {"--size", "640x360x2"}},
+           {"03_baumgarte", "--size 4294967936x360", {"--size", "4294967936x360"}},  // 640 in 32 bits
            {"03_baumgarte", "--size -640x360", {"--size", "-640x360"}},
            {"03_baumgarte", "--size 99999x99999", {"--size", "99999x99999"}},
            {"03_baumgarte", "--dt 0", {"--dt", "0"}},
@@ -200,6 +129,12 @@ TEST_CASE("a value that cannot be used: status 2, a message that names it, and n
            {"04_slop", "--slop nan", {"slop", "nan"}},
            {"05_restitution", "--threshold -1", {"threshold", "-1"}},
            {"07_warm_start", "--sweep-counts 0", {"--sweep-counts", "0"}},
+           {"08_friction_cone", "--half-length 2", {"--half-length", "2"}},
+           {"12_small_steps", "--small-steps 0", {"--small-steps", "0"}},
+           {"12_small_steps", "--small-steps 1.5", {"--small-steps", "1.5"}},
+           {"12_small_steps", "--hertz 0", {"--hertz", "0"}},
+           {"12_small_steps", "--hertz nan", {"--hertz", "nan"}},
+           {"12_small_steps", "--damping-ratio -1", {"--damping-ratio", "-1"}},
            {"03_baumgarte", "--banana", {"--banana"}},
            {"03_baumgarte", "banana", {"banana"}},
            // More steps than anyone could wait for.
@@ -207,7 +142,7 @@ TEST_CASE("a value that cannot be used: status 2, a message that names it, and n
            {"03_baumgarte", "--dt 1e-30", {"--dt", "1e-30"}},
        }) {
     const Scratch scratch;
-    const Outcome outcome =
+    const Ended outcome =
         call(wrong.chapter, "--no-images --out '" + (scratch / "out").string() + "' " + wrong.arguments);
     INFO(wrong.chapter << " " << wrong.arguments << ": " << outcome.err);
     CHECK(outcome.status == 2);
@@ -223,7 +158,7 @@ TEST_CASE("an output folder that cannot be made: status 2 and a message that nam
   std::ofstream(scratch / "file") << "a regular file";
   for (const std::string& folder :
        {std::string("/dev/null/x"), (scratch / "file").string(), (scratch / "file" / "x").string()}) {
-    const Outcome outcome = call("03_baumgarte", "--no-images --out '" + folder + "'");
+    const Ended outcome = call("03_baumgarte", "--no-images --out '" + folder + "'");
     INFO(folder << ": " << outcome.err);
     CHECK(outcome.status == 2);
     CHECK(contains(outcome.err, folder));
@@ -332,9 +267,8 @@ TEST_CASE("options: --variants picks, --sweeps and --dt act") {
 
 TEST_CASE("with pictures: as many frames of each variant as asked for, of the size asked for, a sheet and a plot") {
   const Scratch scratch;
-  const Outcome outcome =
-      call("04_slop", "--seconds 0.2 --frames 3 --size 64x48 --variants slop-0-mm,slop-5-mm --out '" +
-                          (scratch / "out").string() + "'");
+  const Ended outcome = call("04_slop", "--seconds 0.2 --frames 3 --size 64x48 --variants slop-0-mm,slop-5-mm --out '" +
+                                            (scratch / "out").string() + "'");
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   const fs::path folder = scratch / "out" / "04_slop";

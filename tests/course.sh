@@ -7,7 +7,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failures=0
 
-mkdir -p "$scratch"/{bin,sub,home/build/release/chapters,home/chapters/{03_three,04_four,10_ten}}
+mkdir -p "$scratch"/{bin,sub,home/build/release/chapters,home/build/release/tests/hard_cases,home/chapters/{03_three,04_four,10_ten}}
 cp "$root/course" "$root/CMakePresets.json" "$scratch/home"
 touch "$scratch/home/build/release/build.ninja"
 for name in 03_three 04_four 10_ten; do
@@ -20,7 +20,8 @@ for tool in bash cat dirname env find fold grep mkdir nproc readlink rm sed sort
   ln -s "$(type -P $tool)" "$scratch/bin/$tool"
 done
 stand_in() { printf '#!/bin/sh\n%s\n' "$2" >"$scratch/bin/$1" && chmod +x "$scratch/bin/$1"; }
-chmod +x "$scratch"/home/build/release/chapters/*
+printf '#!/bin/sh\necho "table: $*"\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_table"
+chmod +x "$scratch"/home/build/release/{chapters,tests/hard_cases}/*
 stand_in cmake 'echo "cmake $*"'
 stand_in ctest 'echo "ctest $*"'
 stand_in git 'echo "git $*"'
@@ -71,6 +72,14 @@ expect_not 04_four
 printf '#!/bin/sh\nexit 3\n' >"$scratch/home/build/release/chapters/04_four"
 course render && expect 1 "04_four failed with exit status 3"
 
+# The hard cases: names and options go on to the program, and its exit status comes back.
+course hard-cases && expect 0 "cmake --build --preset release" "--target hard_cases_table" "table: " "took "
+course hard-cases stack-20 arch --quick -- --jobs 1 && expect 0 "table: --quick stack-20 arch --jobs 1"
+course hard-case && expect 2 "did you mean 'hard-cases'?"
+course hard-cases --quik && expect 2 "unknown option '--quik'; did you mean '--quick'?"
+printf '#!/bin/sh\nexit 2\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_table"
+course hard-cases stak && expect 2 && expect_not "took"
+
 # Tests: without the long ones unless asked for, by name, with more options for ctest.
 course test && expect 0 "ctest --preset release -j" "-LE ^long\$"
 course test --long && expect 0 "ctest --preset release" && expect_not "-LE"
@@ -105,6 +114,13 @@ stand_in apt-cache '[ "$2" = libosmesa6-dev ] || echo "Package: $2"'
 stand_in apt-get 'echo "apt-get $*"'
 stand_in dpkg-query 'shift 3; for p; do case $p in *mesa*|*gl*) ;; *) printf " installed:%s " "$p";; esac; done'
 course render 03 && expect 0 "  libegl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri" && expect_not libosmesa6-dev
+
+# Random scenes.
+mkdir -p "$scratch/home/build/release/tests/hard_cases"
+printf '#!/bin/sh\necho "fuzz: $*"\nexit 1\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_fuzz"
+chmod +x "$scratch/home/build/release/tests/hard_cases/hard_cases_fuzz"
+course fuzz -- --seed 7 --stage "07 warm start" && expect 1 "--target hard_cases_fuzz" "fuzz: --seed 7 --stage 07 warm start"
+course fuzz 7 && expect 2 "'fuzz' takes no words"
 
 course clean && expect 0 "git clean"
 [[ ! -e $scratch/home/build ]] || { echo "clean left build/"; failures=$((failures + 1)); }

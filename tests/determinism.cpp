@@ -1,6 +1,8 @@
 /// The same program on the same machine does the same thing twice, to the last bit.
 #include "chapters/00_naive_impulses/naive.h"
 #include "chapters/07_warm_start/full_solver.h"
+#include "chapters/12_small_steps/small_steps.h"
+#include "common/experiment.h"
 #include "common/measure.h"
 #include "common/scene.h"
 #include "tests/catch.h"
@@ -111,6 +113,33 @@ TEST_CASE("a copy of world and solver goes on as the original does") {
   World copy = world;
   FullSolver copied = solver;
   CHECK(history(copy, copied) == history(world, solver));
+}
+
+TEST_CASE("a variant in four small steps does what steps of a quarter do") {
+  const std::filesystem::path out = std::filesystem::temp_directory_path() / "pushback_small_steps";
+  std::vector<std::uint64_t> hashes;
+  Experiment e("small_steps", "");
+  const std::vector<std::string> words{"small_steps", "--no-images", "--out", out.string()};
+  std::vector<const char*> arguments;
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  REQUIRE(e.run(static_cast<int>(arguments.size()), arguments.data(), [&] {
+    e.scene({.name = "pyramid", .fill = pyramid_under_fire, .seconds = 1});
+    e.variant("small steps", FullSolver{}).in_small_steps(4).with_exactly(3);
+    e.variant("small steps, soft", SoftSolver{}).in_small_steps(4).with_exactly(3);
+    e.number("hash", "", [&](const Run& run) {
+      hashes.push_back(hash_of(run.world));
+      return Real(0);
+    });
+  }) == 0);
+  std::filesystem::remove_all(out);
+
+  const auto quarter_steps = [](auto solver) {
+    World world;
+    pyramid_under_fire(world);
+    for (int step = 0; step < 60 * 4; ++step) world.step(solver, h / 4, 3);
+    return hash_of(world);
+  };
+  CHECK(hashes == std::vector<std::uint64_t>{quarter_steps(FullSolver{}), quarter_steps(SoftSolver{})});
 }
 
 TEST_CASE("the naive solvers repeat themselves as well") {

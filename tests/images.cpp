@@ -89,6 +89,12 @@ TEST_CASE("the sheet of 06 looks as it did") {
 TEST_CASE("the sheet of 07 looks as it did") {
   compare("07_warm_start");
 }
+TEST_CASE("the sheet of 08 looks as it did") {
+  compare("08_friction_cone");
+}
+TEST_CASE("the sheet of 12 looks as it did") {
+  compare("12_small_steps");
+}
 
 TEST_CASE("an image that is not the same is told apart") {
   Image white(20, 10, 255);

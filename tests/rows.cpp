@@ -5,7 +5,7 @@
 
 #include "common/measure.h"
 #include "tests/catch.h"
-#include "tests/random.h"
+#include "tests/touching.h"
 
 using namespace pushback;
 
@@ -18,24 +18,8 @@ using RowOf12 = Eigen::Matrix<Real, 1, 12>;
 using Vec12 = Eigen::Matrix<Real, 12, 1>;
 using Mat12 = Eigen::Matrix<Real, 12, 12>;
 
-/// Two bodies in a world, with masses over four decades, that touch somewhere.
-struct Pair {
-  World world;
-  Contact contact;
-
-  explicit Pair(Random& random) {
-    for (int i = 0; i < 2; ++i) {
-      const Real mass = random.over_decades(Real(0.1), 1000);
-      world.add(random.moving_body(mass));
-    }
-    contact.a = &world.bodies[0];
-    contact.b = &world.bodies[1];
-    contact.point = random.vector(2);
-    contact.normal = random.direction();
-    contact.depth = random.between(0, Real(0.1));
-  }
-  Body& a() { return world.bodies[0]; }
-  Body& b() { return world.bodies[1]; }
+struct Pair : RandomPair {
+  using RandomPair::RandomPair;
   /// n, t1 and t2: every direction in which there is a row.
   std::array<Vec3, 3> directions() const {
     const auto [tangent1, tangent2] = tangents_of(contact.normal);

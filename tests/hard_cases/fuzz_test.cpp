@@ -1,0 +1,44 @@
+/// The books are kept beside the solver, not in it.
+#include "tests/hard_cases/fuzz.h"
+
+#include <set>
+
+#include "common/measure.h"
+#include "tests/catch.h"
+#include "tests/hard_cases/stages.h"
+
+using namespace pushback;
+
+TEST_CASE("fuzz: the solvers that keep books end in the same bits as the stages that they stand for") {
+  for (const std::string& name : fuzzed_stages()) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      const RandomScene scene = random_scene(seed);
+      const Finding finding = fuzz(scene, name);
+      INFO(name << ", scene " << seed << " " << finding.broken);
+      REQUIRE(finding.broken.empty());
+      World world = scene.world;
+      const Stepper step = stage_named(name).begin();
+      for (int i = 0; i < finding.step; ++i) step(world, scene.dt);
+      CHECK(finding.step == 60);
+      CHECK(hash_of(world) == finding.hash);
+    }
+  }
+}
+
+TEST_CASE("fuzz: random scenes have every shape, and hulls of 4 to 12 corners among them") {
+  std::set<std::size_t> shapes, corners;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    for (const Body& body : random_scene(seed).world.bodies) {
+      shapes.insert(body.shape.index());
+      if (const Hull* hull = std::get_if<Hull>(&body.shape)) corners.insert(hull->solid->corners.size());
+    }
+  }
+  CHECK(shapes.size() == std::variant_size_v<Shape>);
+  CHECK(*corners.begin() == 4);
+  CHECK(*corners.rbegin() > 9);
+  CHECK(*corners.rbegin() <= 12);
+}
+
+TEST_CASE("fuzz: a stage that nobody keeps books for is refused") {
+  CHECK_THROWS_AS(fuzz(random_scene(1), "06 friction"), InvalidInput);
+}

@@ -1,0 +1,165 @@
+/// ./course hard-cases: every case under every stage, as files and as a picture.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <numeric>
+#include <thread>
+
+#include "common/files.h"
+#include "common/input.h"
+#include "tests/hard_cases/table.h"
+#include "tests/hard_cases/table_picture.h"
+
+using namespace pushback;
+
+namespace {
+
+// ---- what is asked for -------------------------------------------------------------------------------------------------
+
+/// How many letters to change, add or drop to make one word of the other.
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t(0));
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, change});
+    }
+  }
+  return row[b.size()];
+}
+
+/// Those that the words ask for, in their own order: by the whole name, or else by a part of it. All, without words.
+template <class Named>
+std::vector<Named> chosen(const std::string& kind, const std::vector<Named>& all,
+                          const std::vector<std::string>& words) {
+  std::vector<bool> wanted(all.size(), words.empty());
+  for (const std::string& word : words) {
+    const auto mark = [&](auto&& fits) {
+      bool any = false;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        if (fits(all[i].name)) wanted[i] = any = true;
+      }
+      return any;
+    };
+    if (mark([&](const std::string& name) { return name == word; })) continue;
+    if (!word.empty() && mark([&](const std::string& name) { return name.find(word) != std::string::npos; })) continue;
+    std::string names, nearest;
+    std::size_t least = word.size() / 2 + 1;
+    for (const Named& one : all) {
+      names += (names.empty() ? "" : ", ") + one.name;
+      const std::size_t d = distance(word, one.name);
+      if (d < least) {
+        least = d;
+        nearest = one.name;
+      }
+    }
+    throw InvalidInput(fmt::format("unknown {} '{}'{}\nthe {}s are: {}", kind, word,
+                                   nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), kind, names));
+  }
+  std::vector<Named> list;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (wanted[i]) list.push_back(all[i]);
+  }
+  return list;
+}
+
+// ---- doing it ----------------------------------------------------------------------------------------------------------
+
+/// Marks, and the last stage's worst number; with `all`, every number of every stage.
+void print_row(const Table& table, std::size_t row, bool all) {
+  const HardCase& hard_case = table.cases[row];
+  std::string marks;
+  for (std::size_t column = 0; column < table.stages.size(); ++column) marks += table.passed(row, column) ? "✓" : "✗";
+  const std::size_t last = table.stages.size() - 1;
+  const auto rescued = rescuer(table, row);
+  fmt::print("{:<24}{}  {}: {}, {:.3f} ms a step{}\n", hard_case.name, marks, table.stages[last].name,
+             worst_number(table, row, last), table.at(row, last).ms_per_step,
+             rescued ? fmt::format("; rescued by {}", table.stages[*rescued].name) : "");
+  for (std::size_t column = 0; all && column < table.stages.size(); ++column) {
+    const Outcome& outcome = table.at(row, column);
+    fmt::print("  {} {:<18}", table.passed(row, column) ? "✓" : "✗", table.stages[column].name);
+    for (std::size_t i = 0; i < outcome.numbers.size(); ++i) {
+      const Criterion& c = hard_case.criteria[i];
+      fmt::print("{} {} (≤ {:g}{}{}); ", c.what, in_short(outcome.numbers[i], c.limit, c.unit), c.limit,
+                 c.unit.empty() ? "" : " ", c.unit);
+    }
+    fmt::print("{:.3f} ms{}{}\n", outcome.ms_per_step, outcome.broken.empty() ? "" : "; ", outcome.broken);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> names, stage_names;
+  std::string out = "renders";
+  int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  bool quick = false, no_images = false, list = false;
+  CLI::App app("Every hard case under every stage of the solver: which feature keeps which case stable?",
+               "hard_cases_table");
+  app.add_option("NAME", names, "Only these cases, by their names or a part of them");
+  app.add_option("--stages", stage_names, "Only these stages, by their names or a part of them, separated by commas")
+      ->delimiter(',');
+  app.add_flag("--quick", quick, "Only the chapters' stages, without the small steps that came after");
+  app.add_option("--out", out,
+                 "Folder in which the folder hard_cases is made; what is not the whole table goes to hard_cases/part")
+      ->capture_default_str();
+  app.add_option("--jobs", jobs, "So many threads; the results do not depend on it")->capture_default_str();
+  app.add_flag("--no-images", no_images, "Only table.csv, table.md and times.csv");
+  app.add_flag("--list", list, "List the cases and the stages, and do nothing");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& problem) {
+    fmt::print(stderr, "hard_cases_table: {}\n", problem.what());
+    return 2;
+  }
+  try {
+    if (jobs < 1 || jobs > 256)
+      throw InvalidInput(fmt::format("--jobs is {}: a whole number from 1 to 256 is needed", jobs));
+    std::vector<HardCase> cases = chosen("case", hard_cases(), names);
+    std::vector<Stage> all = stages();
+    if (quick) all.resize(chapter_stages);
+    std::vector<Stage> columns = chosen("stage", all, stage_names);
+    if (list) {
+      for (const HardCase& c : cases) fmt::print("{:<24}{}: {}\n", c.name, c.title, c.stresses);
+      fmt::print("\n");
+      for (const Stage& stage : columns) fmt::print("{:<24}{}\n", stage.name, stage.what);
+      return 0;
+    }
+    const bool whole = cases.size() == hard_cases().size() && columns.size() == stages().size();
+    const std::filesystem::path folder = std::filesystem::path(out) / "hard_cases" / (whole ? "" : "part");
+    make_writable_folder(folder);
+    std::vector<World> ends;
+    std::size_t printed = 0;
+    const bool terminal = isatty(fileno(stdout)) == 1;
+    const auto progress = [&](const Table& so_far, std::size_t rows, std::size_t done) {
+      if (terminal) fmt::print("\r\033[K");
+      for (; printed < rows; ++printed) print_row(so_far, printed, !whole);
+      if (terminal && done < so_far.outcomes.size()) fmt::print("{} of {}", done, so_far.outcomes.size());
+      std::fflush(stdout);
+    };
+    const Table table = play(std::move(cases), std::move(columns), jobs, progress, no_images ? nullptr : &ends);
+    write_text_file(folder / "table.csv", table_csv(table));
+    write_text_file(folder / "table.md", table_md(table));
+    write_text_file(folder / "times.csv", times_csv(table));
+    if (!no_images) {
+      write_png(folder / "table.png", draw_table(table, portraits(table, ends)));
+      write_png(folder / "overview.png", draw_overview(table));
+    }
+    fmt::print("\n{}\n", (folder / (no_images ? "table.md" : "table.png")).string());
+    return 0;
+  } catch (const InvalidInput& problem) {
+    fmt::print(stderr, "hard_cases_table: {}\n", problem.what());
+    return 2;
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "hard_cases_table: {}\n", problem.what());
+    return 1;
+  }
+}

@@ -1,0 +1,105 @@
+#include "tests/hard_cases/stages.h"
+
+#include "chapters/00_naive_impulses/naive.h"
+#include "chapters/05_restitution/in_turn.h"
+#include "chapters/12_small_steps/steady_solver.h"
+#include "common/input.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr int default_sweeps = 10;
+
+/// Hands every contact to the solver twice, each under an id of its own.
+template <class ContactSolver>
+class Doubled {
+ public:
+  void solve(Contacts& contacts, Real dt, int sweeps) {
+    twice_.clear();
+    for (const Contact& contact : contacts) {
+      for (const std::uint32_t copy : {0U, 1U}) {  // side by side: the list still ascends
+        twice_.push_back(contact);
+        twice_.back().id.feature = 2 * contact.id.feature + copy;
+      }
+    }
+    solver_.solve(twice_, dt, sweeps);
+    report(contacts);
+  }
+  void relax(Contacts& contacts)
+    requires requires(ContactSolver& solver, Contacts& twice) { solver.relax(twice); }
+  {
+    solver_.relax(twice_);
+    report(contacts);
+  }
+
+ private:
+  void report(Contacts& contacts) const {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      contacts[i].impulse = twice_[2 * i].impulse + twice_[2 * i + 1].impulse;
+      contacts[i].state = twice_[2 * i].state;
+    }
+  }
+  ContactSolver solver_;
+  Contacts twice_;
+};
+
+template <class ContactSolver>
+Stepper steps_of(int count, int sweeps) {
+  return [count, sweeps, solver = ContactSolver{}](World& world, Real dt) mutable {
+    small_steps(world, solver, dt, count, sweeps);
+  };
+}
+
+template <class ContactSolver>
+Stage stage_of(const char* name, const char* what, int count, int sweeps) {
+  return {name, what, [=] { return steps_of<ContactSolver>(count, sweeps); },
+          [=] { return steps_of<Doubled<ContactSolver>>(count, sweeps); }, count};
+}
+
+template <class ContactSolver>
+Stage sweeping(const char* name, const char* what) {
+  return stage_of<ContactSolver>(name, what, 1, default_sweeps);
+}
+
+template <class ContactSolver>
+Stage stepping(const char* name, const char* what, int count) {
+  return stage_of<ContactSolver>(name, what, count, 1);
+}
+
+}  // namespace
+
+const std::vector<Stage>& stages() {
+  static const std::vector<Stage> all{
+      sweeping<NaiveAveraged>("00 naive", "one impulse a pair, no sums"),
+      sweeping<Solver<>>("01 velocity", "J V = 0, 10 sweeps"),
+      sweeping<Solver<Clamping>>("02 clamping", "+ the sum never pulls"),
+      sweeping<Solver<Clamping, Baumgarte>>("03 Baumgarte", "+ overlap fed back"),
+      sweeping<Solver<Clamping, Baumgarte, Slop>>("04 slop", "+ 5 mm left alone"),
+      sweeping<Solver<Clamping, Baumgarte, Slop, Restitution>>("05 restitution", "+ bounce"),
+      sweeping<Solver<Clamping, Baumgarte, Slop, Restitution, Friction>>("06 friction", "+ friction"),
+      sweeping<FullSolver>("07 warm start", "+ last step's impulses: the full solver"),
+      sweeping<Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface, Friction, WarmStart>>(
+          "05 from surface", "the full solver, bounces reckoned from the surface"),
+      sweeping<Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>(
+          "08 friction cone", "the full solver with a cone of friction"),
+      stepping<FullSolver>("12 small steps", "the full solver, 32 small steps of one sweep", 32),
+      stepping<Solver<Clamping, Baumgarte, Slop, ImpactsInTurn, Friction, ScaledWarmStart>>(
+          "05 in turn", "12 small steps with impacts in turn and a scaled guess", 32),
+      stepping<SoftSolver>("12 soft contacts", "soft contacts and a relaxing pass, 32 small steps of one sweep", 32),
+      stepping<SteadySolver>("all together",
+                             "soft contacts, a cone, impacts at once, a scaled guess; 32 small steps of one sweep", 32),
+  };
+  return all;
+}
+
+const Stage& stage_named(const std::string& name) {
+  std::string names;
+  for (const Stage& stage : stages()) {
+    if (stage.name == name) return stage;
+    names += (names.empty() ? "" : ", ") + stage.name;
+  }
+  throw InvalidInput(fmt::format("stage is '{}': one of these is needed: {}", name, names));
+}
+
+}  // namespace pushback

@@ -1,0 +1,31 @@
+/// The solvers that are tried on the hard cases: one a chapter, and what came after.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/world.h"
+
+namespace pushback {
+
+/// Moves a world on by dt. Holds a solver with its memory: one for each world.
+using Stepper = std::function<void(World&, Real dt)>;
+
+struct Stage {
+  std::string name;  ///< short, for the head of a column: "07 warm start"
+  std::string what;  ///< what it is, in a line: the solver's type, sweeps, small steps
+  std::function<Stepper()> begin;
+  std::function<Stepper()> begin_doubled;  ///< the same, with every contact given to the solver twice
+  int small_steps = 1;                     ///< into how many it divides a step
+};
+
+/// In the order of the chapters, one each; behind them what came after.
+const std::vector<Stage>& stages();
+/// How many of them, the first ones, are chapters.
+inline constexpr std::size_t chapter_stages = 8;
+
+/// Throws InvalidInput, naming those that there are.
+const Stage& stage_named(const std::string& name);
+
+}  // namespace pushback

@@ -1,0 +1,54 @@
+#include "tests/hard_cases/standing.h"
+
+#include <cmath>
+
+#include "common/measure.h"
+
+namespace pushback {
+
+Stood stand(Play& play, Real seconds, Real dt) {
+  const std::vector<Body> start = play.world.bodies;
+  Stood stood;
+  play.run(seconds - 1, dt);
+  play.run(1, dt, [&](const World& world) {
+    stood.jitter = std::max(stood.jitter, largest_speed(world));
+    stood.kinetic = std::max(stood.kinetic, kinetic_energy(world));
+  });
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const Vec3 moved = play.world.bodies[i].position - start[i].position;
+    stood.drift = std::max(stood.drift, std::hypot(moved.x(), moved.z()));
+    stood.moved = std::max(stood.moved, moved.norm());
+  }
+  stood.beyond = std::max(Real(0), play.watcher().deepest() - slop);
+  return stood;
+}
+
+Bounds standing(const World& world) {
+  Real weight = 0;
+  for (const Body& body : world.bodies) weight += body.movable() ? world.gravity.norm() / body.inverse_mass : 0;
+  return {.energy = weight * Real(0.001)};
+}
+
+HardCase must_stand(const Standing& what) {
+  HardCase c;
+  c.name = what.name;
+  c.title = what.title;
+  c.stresses = what.stresses;
+  c.criteria = {{"drift after 10 s", "mm", what.drift_limit},
+                {"deeper than the slop", "mm", what.beyond_limit},
+                {"speed in the last second", "mm/s", 1}};
+  c.scene = {.name = what.title, .fill = what.fill, .camera = what.camera, .seconds = 10};
+  c.run = [fill = what.fill](Trial& trial) -> std::vector<Real> {
+    Play play = trial.play(fill, standing);
+    const Stood s = stand(play, 10);
+    return {1000 * s.drift, 1000 * s.beyond, 1000 * s.jitter};
+  };
+  return c;
+}
+
+Camera view(const Vec3& centre, Real size) {
+  const Real far = size * Real(1.15) / (2 * std::tan(Camera{}.field_of_view / 2));
+  return {centre + far * Vec3(Real(0.4), Real(0.25), 1).normalized(), centre};
+}
+
+}  // namespace pushback

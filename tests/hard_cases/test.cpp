@@ -1,0 +1,110 @@
+/// Which cases fail, under the full solver as shipped and under the best there is. The numbers of all stages are in
+/// renders/hard_cases/table.md.
+#include <algorithm>
+#include <set>
+
+#include "tests/catch.h"
+#include "tests/hard_cases/cases.h"
+
+using namespace pushback;
+
+namespace {
+
+const std::string shipped = "07 warm start", best = "all together";
+
+/// None of these may be rescued or joined without being noticed.
+const std::set<std::pair<std::string, std::string>> fails{
+    {"stack-10", "07 warm start"},    {"stack-20", "07 warm start"},
+    {"stack-40", "07 warm start"},    {"pyramid-20", "07 warm start"},
+    {"heavy-10", "07 warm start"},    {"heavy-100", "07 warm start"},
+    {"heavy-1000", "07 warm start"},  {"densities-1-1-100", "07 warm start"},
+    {"jenga-30", "07 warm start"},    {"brick-wall", "07 warm start"},
+    {"plank-tower", "07 warm start"}, {"arch", "07 warm start"},
+    {"slopes", "all together"},       {"headings", "07 warm start"},
+    {"bounces", "07 warm start"},     {"elastic-49", "07 warm start"},
+    {"row-in-turn", "07 warm start"}, {"row-in-turn", "all together"},
+    {"row-at-once", "07 warm start"}, {"born-deep", "07 warm start"},
+    {"slop", "all together"},         {"tiny-50mm", "07 warm start"},
+    {"tiny-5mm", "07 warm start"},    {"dt-10", "07 warm start"},
+    {"dt-30", "07 warm start"},       {"dt-60", "07 warm start"},
+    {"dt-changing", "07 warm start"}, {"dt-changing", "all together"},
+    {"any-order", "07 warm start"},
+};
+
+/// What takes `best` longer than the rest: with sanitizers on, it is labelled long.
+const std::vector<std::string> slow{"stack-40", "plank-tower", "rubble", "any-order"};
+/// And what takes it longest: always labelled long.
+const std::vector<std::string> slowest{"pyramid-20", "jenga-30", "brick-wall"};
+
+[[maybe_unused]] void hold_to_the_list(const HardCase& hard_case, const std::string& stage) {
+  const Outcome outcome = outcome_of(hard_case, stage_named(stage));
+  REQUIRE(outcome.numbers.size() == hard_case.criteria.size());
+  INFO(hard_case.name << " under " << stage << (outcome.broken.empty() ? "" : ": " + outcome.broken));
+  for (std::size_t i = 0; i < outcome.numbers.size(); ++i) {
+    UNSCOPED_INFO(hard_case.criteria[i].what << " " << outcome.numbers[i] << " " << hard_case.criteria[i].unit
+                                             << ", limit " << hard_case.criteria[i].limit);
+  }
+  CHECK(outcome.passed(hard_case) != fails.contains({hard_case.name, stage}));
+}
+
+[[maybe_unused]] void hold_to_the_list(const std::vector<HardCase>& group) {
+  for (const HardCase& hard_case : group) {
+    hold_to_the_list(hard_case, shipped);
+    const auto is_this = [&](const std::string& name) { return name == hard_case.name; };
+    if (std::any_of(slow.begin(), slow.end(), is_this) || std::any_of(slowest.begin(), slowest.end(), is_this))
+      continue;
+    hold_to_the_list(hard_case, best);
+  }
+}
+
+}  // namespace
+
+#ifndef PUSHBACK_FLOAT  // the list is that of the shipped build
+TEST_CASE("hard cases: stacks") {
+  hold_to_the_list(stack_cases());
+}
+TEST_CASE("hard cases: piles") {
+  hold_to_the_list(pile_cases());
+}
+TEST_CASE("hard cases: stones") {
+  hold_to_the_list(stone_cases());
+}
+TEST_CASE("hard cases: friction") {
+  hold_to_the_list(friction_cases());
+}
+TEST_CASE("hard cases: bounces") {
+  hold_to_the_list(bounce_cases());
+}
+TEST_CASE("hard cases: impacts") {
+  hold_to_the_list(impact_cases());
+}
+TEST_CASE("hard cases: scales") {
+  hold_to_the_list(scale_cases());
+}
+TEST_CASE("hard cases: steps") {
+  hold_to_the_list(step_cases());
+}
+TEST_CASE("hard cases: the slow ones under the best solver", "[slow]") {
+  for (const std::string& name : slow) hold_to_the_list(hard_case_named(name), best);
+}
+TEST_CASE("hard cases: the slowest ones under the best solver", "[long]") {
+  for (const std::string& name : slowest) hold_to_the_list(hard_case_named(name), best);
+}
+#endif
+
+TEST_CASE("hard cases: every case and stage is found by its name, and each name is used once") {
+  std::set<std::string> names;
+  for (const HardCase& hard_case : hard_cases()) {
+    INFO(hard_case.name);
+    CHECK(names.insert(hard_case.name).second);
+    CHECK(&hard_case_named(hard_case.name) == &hard_case);
+    CHECK(!hard_case.criteria.empty());
+    World world;
+    hard_case.scene.fill(world);
+    CHECK(world.bodies.size() > 0);
+  }
+  for (const auto& pair : fails) {
+    hard_case_named(pair.first);
+    stage_named(pair.second);
+  }
+}

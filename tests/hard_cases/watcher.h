@@ -1,0 +1,64 @@
+/// What must hold after every step, whatever the scene and the solver.
+#pragma once
+
+#include <string>
+
+#include "common/world.h"
+
+namespace pushback {
+
+/// What a scene allows.
+struct Bounds {
+  Real energy = 0;           ///< J above the start: what push-outs may feed in
+  Real overlap = Real(0.1);  ///< m
+  bool isolated = false;     ///< no gravity, and nothing immovable is touched: momentum and angular momentum are kept
+};
+
+/// Looks at a world after every step and keeps the first thing that was not as it must be, and to the end the most energy
+/// gained and the deepest overlap:
+/// - every number finite;
+/// - energy not above the start. Kinetic and potential energy together, with the term by which a body in free fall differs
+///   from them when it moves by v += h g, x += h v: that sum free flight keeps exactly. Where h changes, each step is held
+///   to the sum with its own h;
+/// - momentum and angular momentum of an isolated system kept to rounding;
+/// - no contact pulls, and none rubs by more than mu times what it presses, along each of its two tangents;
+/// - no overlap deeper than allowed.
+class Watcher {
+ public:
+  Watcher(const World& start, const Bounds& bounds);
+
+  /// After a step of dt, which was `small_steps` of dt / small_steps.
+  void look(const World& world, Real dt, int small_steps = 1);
+
+  /// Within a step, after a pass that another will take back: its numbers were this large, and were rounded so.
+  void feel(const World& world);
+
+  /// What broke first, in a few words with its number and the time; empty while all is well.
+  const std::string& broken() const { return broken_; }
+  /// The number of steps after which it broke.
+  int broken_at() const { return broken_at_; }
+  Real energy_gained() const { return energy_gained_; }  ///< J, the most seen above the start
+  Real deepest() const { return deepest_; }              ///< m, the deepest overlap seen
+
+ private:
+  void breaks(const std::string& how);
+
+  /// What rounding can do to the sums is the most that these have been times a small number: errors once made stay.
+  struct Sizes {
+    Real energy = 0, momentum = 0, angular_momentum = 0;
+    Real turning = 0;  // N m s, summed over the steps: uneven inertias round off anew, and to the same side, in each
+  };
+
+  Bounds bounds_;
+  Sizes sizes_;
+  Vec3 momentum_, angular_momentum_;
+  Real energy_, along_gravity_;  // as of the last look: T + U, J, and g . P, W
+  Real gained_ = 0;              // J, above the start, as of the last look
+  Real time_ = 0;
+  int steps_ = 0;
+  std::string broken_;
+  int broken_at_ = 0;
+  Real energy_gained_ = 0, deepest_ = 0;
+};
+
+}  // namespace pushback

@@ -1,0 +1,108 @@
+/// A pyramid for 100,000 steps: half an hour of its time. It stands, and asks for no more memory than after its first 1000.
+/// With sanitizers it is given SOAK_STEPS, which are fewer.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <new>
+
+#include "common/measure.h"
+#include "common/scene.h"
+#include "tests/catch.h"
+#include "tests/hard_cases/stages.h"
+
+using namespace pushback;
+
+// ---- every byte in use, counted: blocks know their size ---------------------------------------------------------------
+
+namespace {
+
+long long bytes_in_use = 0;
+
+void* counted(std::size_t size, std::size_t alignment) {
+  const std::size_t head = std::max(alignment, alignof(std::max_align_t));
+  void* block = std::aligned_alloc(head, (size + 2 * head - 1) / head * head);
+  if (block == nullptr) throw std::bad_alloc();
+  *static_cast<std::size_t*>(block) = size;
+  bytes_in_use += static_cast<long long>(size);
+  return static_cast<char*>(block) + head;
+}
+
+void returned(void* place, std::size_t alignment) noexcept {
+  if (place == nullptr) return;
+  void* block = static_cast<char*>(place) - std::max(alignment, alignof(std::max_align_t));
+  bytes_in_use -= static_cast<long long>(*static_cast<std::size_t*>(block));
+  std::free(block);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  return counted(size, 1);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return counted(size, std::size_t(alignment));
+}
+void operator delete(void* place) noexcept {
+  returned(place, 1);
+}
+void operator delete(void* place, std::size_t) noexcept {
+  returned(place, 1);
+}
+void operator delete(void* place, std::align_val_t alignment) noexcept {
+  returned(place, std::size_t(alignment));
+}
+void operator delete(void* place, std::size_t, std::align_val_t alignment) noexcept {
+  returned(place, std::size_t(alignment));
+}
+
+namespace {
+
+/// m, sideways, of the body that has moved most.
+Real drift(const World& world, const std::vector<Body>& start) {
+  Real most = 0;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const Vec3 moved = world.bodies[i].position - start[i].position;
+    most = std::max(most, std::hypot(moved.x(), moved.z()));
+  }
+  return most;
+}
+
+void soak(const char* stage, int base) {
+  World world;
+  pyramid(world, base);
+  const std::vector<Body> start = world.bodies;
+  const Stepper step = stage_named(stage).begin();
+  long long early = 0;
+  Real drifted = 0;
+  for (int i = 1; i <= SOAK_STEPS; ++i) {
+    step(world, Real(1) / 60);
+    if (i == 1000) {
+      early = bytes_in_use;
+      drifted = drift(world, start);
+    }
+  }
+  const Real top_fell = start.back().position.y() - world.bodies.back().position.y();
+  fmt::print(
+      "{}, base {}, {} steps: drift {:.4g} mm after the first 1000, {:.4g} mm at the end; top {:.4g} mm lower; "
+      "{:.3g} m/s; {:.4g} mm deep; {} bytes in use after the first 1000, {} at the end\n",
+      stage, base, SOAK_STEPS, 1000 * drifted, 1000 * drift(world, start), 1000 * top_fell, largest_speed(world),
+      1000 * deepest_overlap(world), early, bytes_in_use);
+  CHECK(bytes_in_use == early);
+  CHECK(drift(world, start) < Real(0.01));
+  CHECK(std::abs(top_fell) < Real(0.01) * base);  // slop, and no more, in each layer
+}
+
+}  // namespace
+
+TEST_CASE("a pyramid stands under the full solver, and its memory does not grow", "[soak]") {
+  soak("07 warm start", 10);
+}
+
+TEST_CASE("a pyramid stands under soft contacts, and its memory does not grow", "[soak]") {
+  soak("12 soft contacts", 5);
+}
+
+TEST_CASE("a pyramid stands under all together, and its memory does not grow", "[soak]") {
+  soak("all together", 5);
+}
