@@ -60,13 +60,13 @@ const std::vector<std::string> slowest{"pyramid-20", "jenga-30", "brick-wall"};
 }  // namespace
 
 #ifndef PUSHBACK_FLOAT  // the list is that of the shipped build
-TEST_CASE("hard cases: stacks") {
+TEST_CASE("hard cases: stacks", "[slow]") {
   hold_to_the_list(stack_cases());
 }
 TEST_CASE("hard cases: piles") {
   hold_to_the_list(pile_cases());
 }
-TEST_CASE("hard cases: stones") {
+TEST_CASE("hard cases: stones", "[slow]") {
   hold_to_the_list(stone_cases());
 }
 TEST_CASE("hard cases: friction") {
@@ -78,10 +78,10 @@ TEST_CASE("hard cases: bounces") {
 TEST_CASE("hard cases: impacts") {
   hold_to_the_list(impact_cases());
 }
-TEST_CASE("hard cases: scales") {
+TEST_CASE("hard cases: scales", "[slow]") {
   hold_to_the_list(scale_cases());
 }
-TEST_CASE("hard cases: steps") {
+TEST_CASE("hard cases: steps", "[slow]") {
   hold_to_the_list(step_cases());
 }
 TEST_CASE("hard cases: the slow ones under the best solver", "[slow]") {
