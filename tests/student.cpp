@@ -1,17 +1,10 @@
 /// The program that the README offers as a beginning: it is the one that is compiled here, it runs, and its bodies
 /// fall, slide and stack.
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
 
 #include "chapters/07_warm_start/full_solver.h"
 #include "common/scene.h"
-#include "tests/catch.h"
+#include "tests/call.h"
 
 /// The program, and the root of the sources, both as seen from the working directory of the tests.
 #ifndef STUDENT_PROGRAM
@@ -21,41 +14,25 @@
 #define SOURCE_DIR "."
 #endif
 
-namespace fs = std::filesystem;
 using namespace pushback;
 
-namespace {
-
-std::vector<std::string> lines_of(const fs::path& file) {
-  std::ifstream in(file);
-  if (!in) FAIL("there is no " << file.string());
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-}  // namespace
-
 TEST_CASE("README.md shows the program that is tested here, line by line") {
-  const std::vector<std::string> program = lines_of(fs::path(SOURCE_DIR) / "tests/student_program.cpp");
+  const std::vector<std::string> program = lines_of(text_of(fs::path(SOURCE_DIR) / "tests/student_program.cpp"));
   const auto begin = std::find(program.begin(), program.end(), "// README begins");
   const auto end = std::find(program.begin(), program.end(), "// README ends");
   REQUIRE(begin < end);
   std::vector<std::string> shown{"```cpp"};
   shown.insert(shown.end(), begin + 1, end);
   shown.push_back("```");
-  const std::vector<std::string> readme = lines_of(fs::path(SOURCE_DIR) / "README.md");
+  const std::vector<std::string> readme = lines_of(text_of(fs::path(SOURCE_DIR) / "README.md"));
   CHECK(std::search(readme.begin(), readme.end(), shown.begin(), shown.end()) != readme.end());
 }
 
 TEST_CASE("the README's program runs and leaves its numbers behind") {
-  std::string scratch = (fs::temp_directory_path() / "pushback_XXXXXX").string();
-  REQUIRE(mkdtemp(scratch.data()) != nullptr);
-  const std::string command = std::string("'") + STUDENT_PROGRAM + "' --no-images --out '" + scratch + "' >/dev/null";
-  CHECK(std::system(command.c_str()) == 0);
+  const Scratch scratch;
+  CHECK(call_program(STUDENT_PROGRAM, "--no-images --out '" + (scratch / "").string() + "'").status == 0);
   // Two variants of 2 s, 120 steps each, and the header.
-  CHECK(lines_of(fs::path(scratch) / "my_experiment" / "metrics.csv").size() == 1 + 2 * 120);
-  fs::remove_all(scratch);
+  CHECK(lines_of(text_of(scratch / "my_experiment/metrics.csv")).size() == 1 + 2 * 120);
 }
 
 TEST_CASE("its bodies do what the README says: the boxes stand, the brick stops, the ball bounces") {

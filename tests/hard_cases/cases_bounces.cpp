@@ -80,16 +80,16 @@ void crowd_between_walls(World& world) {
 }
 
 /// What may be gained where nothing may: a thousandth, for bounces that ten sweeps leave not quite solved.
-Bounds elastic(const World& world) {
+Allowance elastic(const World& world) {
   return {.energy = kinetic_energy(world) / 1000, .overlap = Real(0.3), .isolated = true};
 }
 
 std::vector<Real> crowds(Trial& trial) {
   const auto change = [&](const std::function<void(World&)>& fill, bool isolated) {
     Play play = trial.play(fill, [&](const World& world) {
-      Bounds bounds = elastic(world);
-      bounds.isolated = isolated;
-      return bounds;
+      Allowance allowance = elastic(world);
+      allowance.isolated = isolated;
+      return allowance;
     });
     const Real before = kinetic_energy(play.world);
     Real most = 0;

@@ -60,11 +60,12 @@ std::vector<Real> born_deep(Trial& trial) {
   Real fastest = 0, left = 0;
   const auto let_out = [&](const std::function<void(World&)>& fill, bool isolated) {
     Play play = trial.play(fill, [&](const World& world) {
-      Bounds bounds{.overlap = 1, .isolated = isolated};  // every body may leave as fast as the limit says
+      Allowance allowance{.overlap = 1, .isolated = isolated};  // every body may leave as fast as the limit says
       for (const Body& body : world.bodies)
-        bounds.energy += body.movable() ? fastest_exit * fastest_exit / (2 * body.inverse_mass) : 0;
-      if (!isolated) bounds.energy += standing(world).energy + Real(0.5) * 100 * world.gravity.norm();  // and is lifted
-      return bounds;
+        allowance.energy += body.movable() ? fastest_exit * fastest_exit / (2 * body.inverse_mass) : 0;
+      if (!isolated)
+        allowance.energy += standing(world).energy + Real(0.5) * 100 * world.gravity.norm();  // and is lifted
+      return allowance;
     });
     play.run(5, frame, [&](const World& world) {
       for (std::size_t i = 0; i + 1 < world.bodies.size(); i += 2) {
@@ -90,9 +91,9 @@ void around_the_slop(World& world) {
 std::vector<Real> left_alone(Trial& trial) {
   // Allowed is what lifts both to the surface, and by a millimetre more.
   Play play = trial.play(around_the_slop, [](const World& world) {
-    Bounds bounds = standing(world);
-    bounds.energy += Real(2.8) * slop * 100 * world.gravity.norm();
-    return bounds;
+    Allowance allowance = standing(world);
+    allowance.energy += Real(2.8) * slop * 100 * world.gravity.norm();
+    return allowance;
   });
   const Real shallow = play.world.bodies[1].position.y();
   play.run(2);
@@ -137,7 +138,7 @@ HardCase shot(const std::string& name, const std::string& title, const std::stri
   c.run = [=](Trial& trial) -> std::vector<Real> {
     // Found as deep as it flies in a step. Nothing may be gained; a thousandth is for bounces not quite solved.
     Play play = trial.play(fill, [&](const World& world) {
-      return Bounds{.energy = kinetic_energy(world) / 1000, .overlap = 1, .isolated = isolated};
+      return Allowance{.energy = kinetic_energy(world) / 1000, .overlap = 1, .isolated = isolated};
     });
     const Real start = kinetic_energy(play.world);
     Real fastest = 0;

@@ -57,9 +57,9 @@ void needle_and_plate(World& world) {
 std::vector<Real> rest_of_the_thin(Trial& trial) {
   // A plate 1 cm thick is through the ground with an edge before a step finds it: 5 m/s for 1/60 s.
   Play play = trial.play(needle_and_plate, [](const World& world) {
-    Bounds bounds = standing(world);
-    bounds.overlap = Real(0.2);
-    return bounds;
+    Allowance allowance = standing(world);
+    allowance.overlap = Real(0.2);
+    return allowance;
   });
   Real rim = 0;
   play.run(9);
@@ -122,7 +122,7 @@ void middle_axis(World& world) {
 std::vector<Real> spin(Trial& trial) {
   // The turning keeps the energy to rounding; what is allowed is what the criterion says.
   Play play = trial.play(middle_axis, [](const World& world) {
-    return Bounds{.energy = kinetic_energy(world) / 10000, .isolated = true};
+    return Allowance{.energy = kinetic_energy(world) / 10000, .isolated = true};
   });
   const Body& body = play.world.bodies[0];
   const Real energy = kinetic_energy(play.world), momentum = spin_momentum(body).norm();
@@ -176,9 +176,9 @@ std::vector<HardCase> scale_cases() {
   landing.run = [fill = landing.scene.fill](Trial& trial) -> std::vector<Real> {
     // Corners come down with up to 12 m/s: 0.2 m in a step.
     Play play = trial.play(fill, [](const World& world) {
-      Bounds bounds = standing(world);
-      bounds.overlap = Real(0.3);
-      return bounds;
+      Allowance allowance = standing(world);
+      allowance.overlap = Real(0.3);
+      return allowance;
     });
     const Stood s = stand(play, 10);
     return {1000 * s.jitter, 1000 * deepest_overlap(play.world)};

@@ -88,9 +88,9 @@ HardCase rubble_case() {
   c.run = [](Trial& trial) -> std::vector<Real> {
     // From 3.5 m they come down with 8 m/s: 0.14 m in a step.
     Play play = trial.play(rubble, [](const World& world) {
-      Bounds bounds = standing(world);
-      bounds.overlap = Real(0.2);
-      return bounds;
+      Allowance allowance = standing(world);
+      allowance.overlap = Real(0.2);
+      return allowance;
     });
     const Stood s = stand(play, 10);
     return {1000 * s.jitter, 1000 * deepest_overlap(play.world)};

@@ -46,12 +46,12 @@ class Watched {
   Watched(const RandomScene& scene, int count, int sweeps, bool log)
       : scene_(scene), world_(scene_.world), count_(count), sweeps_(sweeps), log_(log), solver_(ledger_) {
     constexpr Real any = std::numeric_limits<Real>::infinity();  // energy is the ledger's; overlaps are what they are
-    bounds_ = {.energy = any, .overlap = any, .isolated = scene_.isolated};
+    allowance_ = {.energy = any, .overlap = any, .isolated = scene_.isolated};
   }
 
   Finding run() {
     if (log_) print_scene(scene_);
-    Watcher watcher(world_, bounds_);
+    Watcher watcher(world_, allowance_);
     Finding finding;
     for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
       for (int i = 0; i < count_ && finding.broken.empty(); ++i) {
@@ -106,7 +106,7 @@ class Watched {
   World& world_;
   int count_, sweeps_;
   bool log_;
-  Bounds bounds_;
+  Allowance allowance_;
   Ledger ledger_;
   ContactSolver solver_;
 };

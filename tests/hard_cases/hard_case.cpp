@@ -9,11 +9,11 @@
 
 namespace pushback {
 
-Play::Play(Trial& trial, World start, const Bounds& bounds, bool doubled)
+Play::Play(Trial& trial, World start, const Allowance& allowance, bool doubled)
     : world(std::move(start)),
       trial_(&trial),
       stepper_(doubled ? trial.stage_->begin_doubled() : trial.stage_->begin()),
-      watcher_(world, bounds) {}
+      watcher_(world, allowance) {}
 
 void Play::step(Real dt) {
   if (!sound_) return;
@@ -40,23 +40,23 @@ void Play::run(Real seconds, Real dt, const std::function<void(World&)>& after_e
   }
 }
 
-Play Trial::play(const std::function<void(World&)>& fill, const std::function<Bounds(const World&)>& bounds_of) {
+Play Trial::play(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of) {
   World start;
   fill(start);
-  const Bounds bounds = bounds_of(start);
-  return {*this, std::move(start), bounds, false};
+  const Allowance allowance = allowance_of(start);
+  return {*this, std::move(start), allowance, false};
 }
 
-Play Trial::play(const std::function<void(World&)>& fill, const Bounds& bounds) {
-  return play(fill, [&bounds](const World&) { return bounds; });
+Play Trial::play(const std::function<void(World&)>& fill, const Allowance& allowance) {
+  return play(fill, [&allowance](const World&) { return allowance; });
 }
 
 Play Trial::play_doubled(const std::function<void(World&)>& fill,
-                         const std::function<Bounds(const World&)>& bounds_of) {
+                         const std::function<Allowance(const World&)>& allowance_of) {
   World start;
   fill(start);
-  const Bounds bounds = bounds_of(start);
-  return {*this, std::move(start), bounds, true};
+  const Allowance allowance = allowance_of(start);
+  return {*this, std::move(start), allowance, true};
 }
 
 bool Outcome::passed(const HardCase& of) const {

@@ -28,7 +28,7 @@ class Play {
 
  private:
   friend class Trial;
-  Play(Trial& trial, World start, const Bounds& bounds, bool doubled);
+  Play(Trial& trial, World start, const Allowance& allowance, bool doubled);
 
   Trial* trial_;
   Stepper stepper_;
@@ -42,12 +42,13 @@ class Trial {
   explicit Trial(const Stage& stage) : stage_(&stage) {}
 
   /// A world of its own, filled, with a solver of its own.
-  Play play(const std::function<void(World&)>& fill, const Bounds& bounds = {});
+  Play play(const std::function<void(World&)>& fill, const Allowance& allowance = {});
   /// Where what is allowed depends on what the world was filled with.
-  Play play(const std::function<void(World&)>& fill, const std::function<Bounds(const World&)>& bounds_of);
+  Play play(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of);
 
   /// The same with every contact given to the solver twice.
-  Play play_doubled(const std::function<void(World&)>& fill, const std::function<Bounds(const World&)>& bounds_of);
+  Play play_doubled(const std::function<void(World&)>& fill,
+                    const std::function<Allowance(const World&)>& allowance_of);
 
   /// The step by which the stage moves bodies: dt, or what it divides dt into.
   Real small_step(Real dt = Real(1) / 60) const { return dt / static_cast<Real>(stage_->small_steps); }

@@ -23,7 +23,7 @@ Stood stand(Play& play, Real seconds, Real dt) {
   return stood;
 }
 
-Bounds standing(const World& world) {
+Allowance standing(const World& world) {
   Real weight = 0;
   for (const Body& body : world.bodies) weight += body.movable() ? world.gravity.norm() / body.inverse_mass : 0;
   return {.energy = weight * Real(0.001)};

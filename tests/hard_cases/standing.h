@@ -21,7 +21,7 @@ struct Stood {
 Stood stand(Play& play, Real seconds, Real dt = frame);
 
 /// What may be gained where bodies stand: the work of lifting all of them by a millimetre.
-Bounds standing(const World& world);
+Allowance standing(const World& world);
 
 /// A case in which everything stands for ten seconds: drift in mm, deeper than the slop in mm, speed in mm/s.
 struct Standing {

@@ -62,8 +62,8 @@ void Watcher::feel(const World& world) {
   sizes_.angular_momentum = std::max(sizes_.angular_momentum, sizes.angular_momentum);
 }
 
-Watcher::Watcher(const World& start, const Bounds& bounds)
-    : bounds_(bounds),
+Watcher::Watcher(const World& start, const Allowance& allowance)
+    : allowance_(allowance),
       momentum_(momentum(start)),
       angular_momentum_(angular_momentum(start)),
       energy_(kinetic_energy(start) + potential_energy(start)),
@@ -88,10 +88,10 @@ void Watcher::look(const World& world, Real dt, int small_steps) {
   energy_ = energy;
   along_gravity_ = along_gravity;
   energy_gained_ = std::max(energy_gained_, gained_);
-  if (energy_gained_ > bounds_.energy + rounding * sizes_.energy) {
+  if (energy_gained_ > allowance_.energy + rounding * sizes_.energy) {
     breaks(fmt::format("{:.3g} J gained", energy_gained_));
   }
-  if (bounds_.isolated) {
+  if (allowance_.isolated) {
     const Real change = (momentum(world) - momentum_).norm();
     if (change > rounding * sizes_.momentum) breaks(fmt::format("momentum changed by {:.3g} N s", change));
     const Real turn = (angular_momentum(world) - angular_momentum_).norm();
@@ -110,7 +110,7 @@ void Watcher::look(const World& world, Real dt, int small_steps) {
       breaks(fmt::format("friction is {:.3g} of what presses", rubbed / pressed));
     }
   }
-  if (deepest_ > bounds_.overlap) breaks(fmt::format("{:.3g} m of overlap", deepest_));
+  if (deepest_ > allowance_.overlap) breaks(fmt::format("{:.3g} m of overlap", deepest_));
 }
 
 }  // namespace pushback

@@ -8,7 +8,7 @@
 namespace pushback {
 
 /// What a scene allows.
-struct Bounds {
+struct Allowance {
   Real energy = 0;           ///< J above the start: what push-outs may feed in
   Real overlap = Real(0.1);  ///< m
   bool isolated = false;     ///< no gravity, and nothing immovable is touched: momentum and angular momentum are kept
@@ -25,7 +25,7 @@ struct Bounds {
 /// - no overlap deeper than allowed.
 class Watcher {
  public:
-  Watcher(const World& start, const Bounds& bounds);
+  Watcher(const World& start, const Allowance& allowance);
 
   /// After a step of dt, which was `small_steps` of dt / small_steps.
   void look(const World& world, Real dt, int small_steps = 1);
@@ -49,7 +49,7 @@ class Watcher {
     Real turning = 0;  // N m s, summed over the steps: uneven inertias round off anew, and to the same side, in each
   };
 
-  Bounds bounds_;
+  Allowance allowance_;
   Sizes sizes_;
   Vec3 momentum_, angular_momentum_;
   Real energy_, along_gravity_;  // as of the last look: T + U, J, and g . P, W

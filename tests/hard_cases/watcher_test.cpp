@@ -31,11 +31,11 @@ void two_in_free_space(World& world) {
 }
 
 /// What the watcher says once something is done to a world of which it had nothing to say for 30 steps.
-std::string said_of(const std::function<void(World&)>& fill, const Bounds& bounds,
+std::string said_of(const std::function<void(World&)>& fill, const Allowance& allowance,
                     const std::function<void(World&)>& plant) {
   World world;
   fill(world);
-  Watcher watcher(world, bounds);
+  Watcher watcher(world, allowance);
   FullSolver solver;
   for (int step = 0; step < 30; ++step) {
     world.step(solver, h);
@@ -55,7 +55,7 @@ bool speaks_of(const std::string& said, const std::string& what) {
   return said.find(what) != std::string::npos;
 }
 
-const Bounds any{.energy = 1000, .overlap = 1};
+const Allowance any{.energy = 1000, .overlap = 1};
 
 }  // namespace
 
@@ -125,7 +125,7 @@ TEST_CASE("watcher: friction above mu times what presses, along each tangent") {
 }
 
 TEST_CASE("watcher: momentum and angular momentum lost where nothing is there to take them") {
-  const Bounds isolated{.energy = 1000, .overlap = 1, .isolated = true};
+  const Allowance isolated{.energy = 1000, .overlap = 1, .isolated = true};
   CHECK(said_of(two_in_free_space, isolated, [](World&) {}) == "");
   // Towards the origin: angular momentum does not notice.
   speaks_of(
@@ -141,10 +141,10 @@ TEST_CASE("watcher: momentum and angular momentum lost where nothing is there to
 }
 
 TEST_CASE("watcher: an overlap deeper than allowed") {
-  const Bounds bounds{.energy = 1000, .overlap = Real(0.05)};
+  const Allowance allowance{.energy = 1000, .overlap = Real(0.05)};
   const auto sink = [](Real depth) { return [depth](World& world) { world.contacts.at(0).depth = depth; }; };
-  CHECK(said_of(ball_on_ground, bounds, sink(Real(0.05))) == "");
-  speaks_of(said_of(ball_on_ground, bounds, sink(Real(0.05) + small)), "of overlap");
+  CHECK(said_of(ball_on_ground, allowance, sink(Real(0.05))) == "");
+  speaks_of(said_of(ball_on_ground, allowance, sink(Real(0.05) + small)), "of overlap");
 }
 
 TEST_CASE("stages: a ball at rest is held by the same sum, though its contact is given twice") {
