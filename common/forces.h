@@ -7,22 +7,24 @@
 namespace pushback {
 
 /// F = -k (x - anchor), on the centre of mass. `stiffness` k in N/m, 0 or more.
-inline auto spring(int body, const Vec3& anchor, Real stiffness) {
+inline Force spring(int body, const Vec3& anchor, Real stiffness) {
   require_finite("anchor of a spring", anchor);
   require_not_negative("stiffness of a spring", stiffness);
-  return [=](World& world) {
+  const auto pull = [=](World& world) {
     Body& b = world.bodies.at(static_cast<std::size_t>(body));
     b.force -= stiffness * (b.position - anchor);
   };
+  return {pull, "a spring", {body}};
 }
 
 /// F = -c v. `coefficient` c in N s/m, 0 or more.
-inline auto drag(int body, Real coefficient) {
+inline Force drag(int body, Real coefficient) {
   require_not_negative("drag", coefficient);
-  return [=](World& world) {
+  const auto brake = [=](World& world) {
     Body& b = world.bodies.at(static_cast<std::size_t>(body));
     b.force -= coefficient * b.velocity;
   };
+  return {brake, "drag", {body}};
 }
 
 }  // namespace pushback

@@ -19,33 +19,48 @@ int World::add(const Body& body) {
   return checked.index;
 }
 
-void World::check_step(Real dt, int sweeps) {
+void check_step(Real dt, int sweeps, const Vec3& gravity) {
   require_positive("dt", dt);
   if (sweeps < 0) throw InvalidInput(fmt::format("sweeps is {}: a whole number, 0 or more, is needed", sweeps));
   require_finite("gravity", gravity);
-  for (Body& body : bodies) {
-    require_finite("position", body.position);
-    require_finite("velocity", body.velocity);
-    require_finite("angular velocity", body.angular_velocity);
-    require_finite("orientation's vector part", Vec3(body.orientation.vec()));
-    require_finite("orientation's scalar part", body.orientation.w());
+}
+
+void check_state(const Body& body) {
+  require_finite("position", body.position);
+  require_finite("velocity", body.velocity);
+  require_finite("angular velocity", body.angular_velocity);
+  require_finite("orientation's vector part", Vec3(body.orientation.vec()));
+  require_finite("orientation's scalar part", body.orientation.w());
+}
+
+void begin_step(Body& body) {
+  body.velocity_before = body.velocity;
+  body.angular_velocity_before = body.angular_velocity;
+}
+
+void push(Body& body, const Vec3& gravity, Real dt) {
+  if (body.movable()) {
+    body.velocity += dt * (gravity + body.inverse_mass * body.force);
+    body.angular_velocity += dt * body.inverse_inertia * body.torque;
   }
+  body.force.setZero();
+  body.torque.setZero();
+}
+
+void move(Body& body, Real dt) {
+  body.position += dt * body.velocity;
+  if (body.angular_velocity != Vec3::Zero()) spin_freely(body, dt);
+}
+
+void World::check_step(Real dt, int sweeps) {
+  pushback::check_step(dt, sweeps, gravity);
+  for (const Body& body : bodies) check_state(body);
 }
 
 void World::apply_forces(Real dt) {
-  for (Body& body : bodies) {
-    body.velocity_before = body.velocity;
-    body.angular_velocity_before = body.angular_velocity;
-  }
-  for (const auto& apply : forces) apply(*this);
-  for (Body& body : bodies) {
-    if (body.movable()) {
-      body.velocity += dt * (gravity + body.inverse_mass * body.force);
-      body.angular_velocity += dt * body.inverse_inertia * body.torque;
-    }
-    body.force.setZero();
-    body.torque.setZero();
-  }
+  for (Body& body : bodies) begin_step(body);
+  for (const Force& force : forces) force.apply(*this);
+  for (Body& body : bodies) push(body, gravity, dt);
 }
 
 void World::find_contacts() {
@@ -59,10 +74,27 @@ void World::find_contacts() {
 }
 
 void World::move(Real dt) {
-  for (Body& body : bodies) {
-    body.position += dt * body.velocity;
-    if (body.angular_velocity != Vec3::Zero()) spin_freely(body, dt);
-  }
+  for (Body& body : bodies) pushback::move(body, dt);
+}
+
+bool tumbles(const Body& body) {
+  const Vec3& inverse = body.principal_inverse_inertia;
+  return inverse.minCoeff() > 0 && (inverse.x() != inverse.y() || inverse.y() != inverse.z());
+}
+
+namespace {
+
+/// q' = normalise(q + h/2 q (0, w)).   `spin`: w, body axes.
+Quat turned(const Quat& q, const Vec3& spin, Real dt) {
+  const Vec3 half = dt / 2 * spin;
+  return (q * Quat(1, half.x(), half.y(), half.z())).normalized();
+}
+
+}  // namespace
+
+void spin_evenly(Body& body, Real dt) {
+  body.orientation = turned(body.orientation, body.orientation.conjugate() * body.angular_velocity, dt);
+  body.refresh_inertia();
 }
 
 // The implicit midpoint rule for Euler's equation, in body axes, with the momentum p = I w:
@@ -77,44 +109,34 @@ void World::move(Real dt) {
 // A body that turns by several radians in a step is more than Newton's method can follow. It is turned about L instead, as
 // if it were symmetric: that leaves p as it is, and with it the energy.
 void spin_freely(Body& body, Real dt) {
+  if (!tumbles(body)) return spin_evenly(body, dt);
   Quat& q = body.orientation;
-  const Vec3& inverse = body.principal_inverse_inertia;
-  Vec3 midpoint = q.conjugate() * body.angular_velocity;  // w_m, body axes; where the inertia is isotropic, w itself
-  const bool gyroscopic = inverse.minCoeff() > 0 && (inverse.x() != inverse.y() || inverse.y() != inverse.z());
   const Quat q_before = q;
-  Vec3 momentum = Vec3::Zero();  // L, world axes
-  Vec3 p = Vec3::Zero();         // L, body axes
-  if (gyroscopic) {
-    const Vec3 inertia = inverse.cwiseInverse();
-    p = inertia.cwiseProduct(midpoint);
-    momentum = q * p;
-    Vec3 p_m = p;
-    for (int i = 0; i < 8; ++i) {
-      const Vec3 w_m = inverse.cwiseProduct(p_m);
-      const Vec3 error = p_m - p - dt / 2 * p_m.cross(w_m);
-      const Mat3 slope = Mat3::Identity() - dt / 2 * (skew(p_m) * inverse.asDiagonal() - skew(w_m));
-      const Vec3 correction = slope.inverse() * error;
-      if (!correction.allFinite()) break;
-      p_m -= correction;
-      if (correction.norm() <= std::numeric_limits<Real>::epsilon() * p.norm()) break;
-    }
-    midpoint = inverse.cwiseProduct(p_m);
+  const Vec3& inverse = body.principal_inverse_inertia;
+  const Vec3 inertia = inverse.cwiseInverse();
+  const Vec3 p = inertia.cwiseProduct(q.conjugate() * body.angular_velocity);  // L, body axes
+  const Vec3 momentum = q * p;                                                 // L, world axes
+  Vec3 p_m = p;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 w_m = inverse.cwiseProduct(p_m);
+    const Vec3 error = p_m - p - dt / 2 * p_m.cross(w_m);
+    const Mat3 slope = Mat3::Identity() - dt / 2 * (skew(p_m) * inverse.asDiagonal() - skew(w_m));
+    const Vec3 correction = slope.inverse() * error;
+    if (!correction.allFinite()) break;
+    p_m -= correction;
+    if (correction.norm() <= std::numeric_limits<Real>::epsilon() * p.norm()) break;
   }
-  const Vec3 half = dt / 2 * midpoint;
-  q = q * Quat(1, half.x(), half.y(), half.z());
-  q.normalize();
-  if (gyroscopic) {
-    const auto twice_energy = [&inverse](const Vec3& its_p) { return its_p.dot(inverse.cwiseProduct(its_p)); };
-    constexpr Real rounding = Real(1e4) * std::numeric_limits<Real>::epsilon();
-    const Real before = twice_energy(p), after = twice_energy(q.conjugate() * momentum);
-    if (!(std::abs(after - before) <= rounding * before)) {
-      const Real size = momentum.norm();
-      q = Quat(Eigen::AngleAxis<Real>(dt * before / size, momentum / size)) * q_before;
-      q.normalize();
-    }
+  q = turned(q, inverse.cwiseProduct(p_m), dt);
+  const auto twice_energy = [&inverse](const Vec3& its_p) { return its_p.dot(inverse.cwiseProduct(its_p)); };
+  constexpr Real rounding = Real(1e4) * std::numeric_limits<Real>::epsilon();
+  const Real before = twice_energy(p), after = twice_energy(q.conjugate() * momentum);
+  if (!(std::abs(after - before) <= rounding * before)) {
+    const Real size = momentum.norm();
+    q = Quat(Eigen::AngleAxis<Real>(dt * before / size, momentum / size)) * q_before;
+    q.normalize();
   }
   body.refresh_inertia();
-  if (gyroscopic) body.angular_velocity = q * Vec3(inverse.cwiseProduct(q.conjugate() * momentum));
+  body.angular_velocity = q * Vec3(inverse.cwiseProduct(q.conjugate() * momentum));
 }
 
 }  // namespace pushback

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "common/body.h"
@@ -9,12 +10,21 @@
 
 namespace pushback {
 
+class World;
+
+/// Something that pushes or pulls: called as a step begins, it adds to the `force` and `torque` of bodies.
+struct Force {
+  std::function<void(World&)> apply;
+  std::string name = "a force";
+  std::vector<int> bodies =
+      {};  ///< indices of those that it acts on, and that feel each other through it; empty: of all
+};
+
 class World {
  public:
   std::vector<Body> bodies;
   Vec3 gravity{0, Real(-9.81), 0};  ///< m/s^2
-  /// Each is called as a step begins and adds to the bodies' `force` and `torque`. See common/forces.h.
-  std::vector<std::function<void(World&)>> forces;
+  std::vector<Force> forces;        ///< see common/forces.h
   /// What touched in the latest step, in ascending order of id, with what the solver did there.
   Contacts contacts;
 
@@ -43,8 +53,25 @@ class World {
   void check_step(Real dt, int sweeps);
 };
 
+// ---- what a step does to one body by itself; World does it to all of them -------------------------------------------
+
+/// Throws InvalidInput unless dt > 0, sweeps >= 0 and the gravity is finite.
+void check_step(Real dt, int sweeps, const Vec3& gravity);
+/// Throws InvalidInput unless every number of the body's state is finite.
+void check_state(const Body& body);
+/// velocity_before and angular_velocity_before.
+void begin_step(Body& body);
+/// v += h (g + F/m),  w += h I^-1 tau,  and F = tau = 0.
+void push(Body& body, const Vec3& gravity, Real dt);
+/// x += h v, and the turn.
+void move(Body& body, Real dt);
+
+/// Whether a body's inertia differs from axis to axis, so that a free spin does not keep its axis.
+bool tumbles(const Body& body);
 /// Turns a body by dt seconds of its own spin. Nothing acts on it, so its angular momentum L stays as it is, and
-/// where its inertia differs from axis to axis the angular velocity has to follow (the gyroscopic term, w x I w).
+/// where it tumbles the angular velocity has to follow (the gyroscopic term, w x I w).
 void spin_freely(Body& body, Real dt);
+/// The same for one that does not tumble: its angular velocity stays.   q' = normalise(q + h/2 (0, w) q)
+void spin_evenly(Body& body, Real dt);
 
 }  // namespace pushback

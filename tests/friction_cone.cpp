@@ -81,9 +81,10 @@ struct DiscSpy : Effect {
     for (const Contact& contact : contacts) mu.push_back(contact.friction);
   }
   void sweep(Rows& rows) {
-    for (std::size_t i = 0; i < mu.size(); ++i) {
-      const Real radius = mu[i] * rows[i].impulse;
-      const Real length = std::hypot(rows[mu.size() + 2 * i].impulse, rows[mu.size() + 2 * i + 1].impulse);
+    for (std::size_t tangent = mu.size(); tangent < rows.size(); tangent += 2) {
+      const int contact = rows[tangent].contact;
+      const Real radius = mu[contact] * rows[contact].impulse;
+      const Real length = std::hypot(rows[tangent].impulse, rows[tangent + 1].impulse);
       if (length > radius) worst = std::max(worst, radius > 0 ? length / radius - 1 : std::numeric_limits<Real>::max());
       if (radius > 0 && length > (1 - 4 * eps) * radius) ++at_edge;
     }

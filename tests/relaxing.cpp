@@ -89,7 +89,7 @@ TEST_CASE("what a great load presses deep into the ground comes up no faster tha
   for (const Real load : {Real(1e3), Real(1e4), Real(1e5), Real(1e6), Real(1e9)}) {  // kg, on a ball of 10 kg
     World world;
     Body& ball = ball_on_ground(world, Real(0.05));
-    world.forces.push_back([load](World& pressed) { pressed.bodies[1].force.y() -= load * g; });
+    world.forces.push_back({[load](World& pressed) { pressed.bodies[1].force.y() -= load * g; }});
     SoftSolver solver;
     const Real w = solver.angular_frequency(dt), stiff = dt * w * (2 * solver.damping_ratio + dt * w);  // K / gamma
     const Real capped_from = solver.fastest_push_out * (2 * solver.damping_ratio + dt * w) / w;

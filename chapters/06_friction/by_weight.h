@@ -20,7 +20,7 @@ struct FrictionByWeight : Friction {
   }
   void sweep(Rows& rows) {
     for (std::size_t i = first_; i < rows.size(); ++i) {
-      rows[i].hi = bound[(i - first_) / 2];
+      rows[i].hi = bound[rows[i].contact];
       rows[i].lo = -rows[i].hi;
       rows[i].solve();
     }

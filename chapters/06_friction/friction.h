@@ -13,6 +13,7 @@ struct Friction : Effect {
     first_ = rows.size();
     mu_.clear();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (contacts[i].friction == 0) continue;  // no rows where none can act
       const auto [tangent1, tangent2] = tangents_of(contacts[i].normal);
       rows.emplace_back(contacts[i], tangent1, static_cast<int>(i));
       rows.emplace_back(contacts[i], tangent2, static_cast<int>(i));
@@ -23,7 +24,7 @@ struct Friction : Effect {
   void sweep(Rows& rows) {
     Row* tangent = rows.data() + first_;
     for (std::size_t i = 0; i < mu_.size(); ++i) {
-      const Real bound = mu_[i] * rows[i].impulse;
+      const Real bound = mu_[i] * rows[tangent->contact].impulse;
       for (int axis = 0; axis < 2; ++axis, ++tangent) {
         tangent->lo = -bound;
         tangent->hi = bound;
@@ -36,13 +37,13 @@ struct Friction : Effect {
       const Row& first = rows[first_ + 2 * i];
       const Row& second = rows[first_ + 2 * i + 1];
       const bool held = std::abs(first.impulse) < first.hi && std::abs(second.impulse) < second.hi;
-      contacts[i].state = held ? ContactState::sticking : ContactState::sliding;
+      contacts[first.contact].state = held ? ContactState::sticking : ContactState::sliding;
     }
   }
 
  protected:
-  std::size_t first_ = 0;  // of the tangent rows, two to a contact
-  std::vector<Real> mu_;
+  std::size_t first_ = 0;  // of the tangent rows: two for each contact that can rub
+  std::vector<Real> mu_;   // of those contacts; the first rows are the normals, so rows[tangent.contact] is its normal
 };
 
 }  // namespace pushback

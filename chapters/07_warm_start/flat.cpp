@@ -82,6 +82,7 @@ void FlatSolver::solve(Contacts& contacts, Real dt, int sweeps) {
   }
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Point& p = points_[i];
+    if (p.friction == 0) continue;
     reach(p, p.tangent1, first_guess[i].dot(p.tangent1.n), -inf, inf);
     reach(p, p.tangent2, first_guess[i].dot(p.tangent2.n), -inf, inf);
   }
@@ -94,6 +95,7 @@ void FlatSolver::solve(Contacts& contacts, Real dt, int sweeps) {
     }
     // 06: what a tangent has rubbed so far is bounded by it.   |sum(lambda_t)| <= mu sum(lambda_n)
     for (Point& p : points_) {
+      if (p.friction == 0) continue;
       const Real bound = p.friction * p.normal.impulse;
       for (Direction* t : {&p.tangent1, &p.tangent2}) {
         reach(p, *t, t->impulse - t->effective_mass * (speed(p, *t) + 0), -bound, bound);
@@ -108,11 +110,14 @@ void FlatSolver::solve(Contacts& contacts, Real dt, int sweeps) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Contact& c = contacts[i];
     const Point& p = points_[i];
-    c.impulse += p.tangent1.impulse * p.tangent1.n;
-    c.impulse += p.tangent2.impulse * p.tangent2.n;
-    const Real bound = p.friction * p.normal.impulse;
-    const bool held = std::abs(p.tangent1.impulse) < bound && std::abs(p.tangent2.impulse) < bound;
-    c.state = held ? ContactState::sticking : ContactState::sliding;
+    c.state = ContactState::warm;
+    if (p.friction > 0) {
+      c.impulse += p.tangent1.impulse * p.tangent1.n;
+      c.impulse += p.tangent2.impulse * p.tangent2.n;
+      const Real bound = p.friction * p.normal.impulse;
+      const bool held = std::abs(p.tangent1.impulse) < bound && std::abs(p.tangent2.impulse) < bound;
+      c.state = held ? ContactState::sticking : ContactState::sliding;
+    }
     if (!known[i]) c.state = ContactState::fresh;
     memory_.push_back({c.id, c.impulse});
   }

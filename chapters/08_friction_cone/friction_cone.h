@@ -41,15 +41,16 @@ struct FrictionCone : Friction {
       Row &one = rows[first_ + 2 * i], &two = rows[first_ + 2 * i + 1];
       const Real total1 = one.impulse - step_[i] * one.speed();  // both read before either acts
       const Real total2 = two.impulse - step_[i] * two.speed();
-      reach_in_disc(one, two, total1, total2, mu_[i] * rows[i].impulse);
+      reach_in_disc(one, two, total1, total2, mu_[i] * rows[one.contact].impulse);
     }
   }
   void report(Contacts& contacts, const Rows& rows) {
     for (std::size_t i = 0; i < mu_.size(); ++i) {
-      const Real length = std::hypot(rows[first_ + 2 * i].impulse, rows[first_ + 2 * i + 1].impulse);
+      const Row &one = rows[first_ + 2 * i], &two = rows[first_ + 2 * i + 1];
+      const Real length = std::hypot(one.impulse, two.impulse);
       constexpr Real rounding = 16 * std::numeric_limits<Real>::epsilon();  // of what was drawn back to the edge
-      const bool held = length < (1 - rounding) * mu_[i] * rows[i].impulse;
-      contacts[i].state = held ? ContactState::sticking : ContactState::sliding;
+      const bool held = length < (1 - rounding) * mu_[i] * rows[one.contact].impulse;
+      contacts[one.contact].state = held ? ContactState::sticking : ContactState::sliding;
     }
   }
 

@@ -23,7 +23,7 @@ struct FrictionScaledBack : FrictionCone {
       const Real u1 = one.speed(), u2 = two.speed(), determinant = k.k11 * k.k22 - k.k12 * k.k12;
       const Real total1 = one.impulse - (k.k22 * u1 - k.k12 * u2) / determinant;
       const Real total2 = two.impulse - (k.k11 * u2 - k.k12 * u1) / determinant;
-      reach_in_disc(one, two, total1, total2, mu_[i] * rows[i].impulse);
+      reach_in_disc(one, two, total1, total2, mu_[i] * rows[one.contact].impulse);
     }
   }
 

@@ -107,25 +107,25 @@ void Ledger::reopened(const Rows& rows) {
 }
 
 void Ledger::normals_swept(const Rows& rows) {
-  balance("normals", rows, 0, friction.size());
+  balance("normals", rows, 0, normals);
 }
 
 void Ledger::impacts_swept(const Rows& rows) {
-  balance("normals, repeated,", rows, 0, friction.size(), true);
+  balance("normals, repeated,", rows, 0, normals, true);
 }
 
 bool Ledger::bounds_shrunk(const Rows& rows) const {
   for (std::size_t i = 0; i < friction.size(); ++i) {
-    const Real bound = friction[i] * rows[i].impulse;
-    const Real one = std::abs(impulses_[friction.size() + 2 * i]),
-               two = std::abs(impulses_[friction.size() + 2 * i + 1]);
+    const std::size_t tangent = normals + 2 * i;
+    const Real bound = friction[i] * rows[rows[tangent].contact].impulse;
+    const Real one = std::abs(impulses_[tangent]), two = std::abs(impulses_[tangent + 1]);
     if ((cone ? std::hypot(one, two) : std::max(one, two)) > bound) return true;
   }
   return false;
 }
 
 void Ledger::tangents_swept(const Rows& rows) {
-  if (!bounds_shrunk(rows)) return balance("tangents", rows, friction.size(), rows.size());
+  if (!bounds_shrunk(rows)) return balance("tangents", rows, normals, rows.size());
   const Real before = now_;
   now_ = energy();
   returned_ += std::max(Real(0), now_ - before);
@@ -159,7 +159,7 @@ void Ledger::balance(const char* what, const Rows& rows, std::size_t begin, std:
 
 void Ledger::finished(const Rows& rows) {
   Real fed = 0;
-  for (std::size_t i = 0; i < friction.size(); ++i) {
+  for (std::size_t i = 0; i < normals; ++i) {
     fed += -rows[i].bias * rows[i].impulse - rows[i].softness * rows[i].impulse * rows[i].impulse / 2;
   }
   for (const Row& row : rows) fed -= row.impulse * speed_of_immovable(row);

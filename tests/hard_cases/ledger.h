@@ -68,7 +68,8 @@ class Ledger {
   void impacts_swept(const Rows& rows);   ///< each normal any number of times
   void tangents_swept(const Rows& rows);  ///< a sweep is over
   void finished(const Rows& rows);
-  std::vector<Real> friction;  ///< mu of each contact
+  std::size_t normals = 0;     ///< so many rows, the first ones
+  std::vector<Real> friction;  ///< mu of each contact that has tangents
   std::vector<Real> guess;     ///< of each row, N s, before it is scaled: impulses as large as these were rounded off
 
  private:
@@ -93,6 +94,7 @@ struct Booked : OneFriction {
   Ledger* ledger = nullptr;
   void build(const Contacts& contacts, Rows& rows, Real dt) {
     OneFriction::build(contacts, rows, dt);
+    ledger->normals = contacts.size();
     ledger->friction = this->mu_;
     ledger->cone = std::derived_from<OneFriction, FrictionCone>;
   }
