@@ -1,7 +1,9 @@
 #include "common/broad_phase.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace pushback {
@@ -74,26 +76,26 @@ std::vector<BodyPair> in_order(const std::vector<BodyPair>& pairs, std::size_t b
   return ordered;
 }
 
-}  // namespace
-
+/// The near pairs of these, each known by its place among them.
 // Sort and sweep: in the order of their low ends along one axis, each body can only meet those that begin before it
 // ends.
 //   D. Baraff, Dynamic simulation of non-penetrating rigid bodies, PhD thesis, Cornell, 1992.
-std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies) {
+std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies) {
   std::vector<Entry> entries;
   entries.reserve(bodies.size());
   std::vector<int> half_spaces;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (std::holds_alternative<HalfSpace>(bodies[i].shape)) {
+    const Body& body = *bodies[i];
+    if (std::holds_alternative<HalfSpace>(body.shape)) {
       half_spaces.push_back(int(i));
     } else {
-      entries.push_back({bounds_of(bodies[i]), int(i), bodies[i].movable()});
+      entries.push_back({bounds_of(body), int(i), body.movable()});
     }
   }
 
   std::vector<BodyPair> pairs;
   for (const int half_space : half_spaces) {  // not swept: every body begins before a half-space ends
-    const Body& plane = bodies[std::size_t(half_space)];
+    const Body& plane = *bodies[std::size_t(half_space)];
     const Vec3 normal = plane.orientation * std::get<HalfSpace>(plane.shape).normal;
     for (const Entry& entry : entries) {
       if (entry.movable && reaches_into(entry.bounds, normal, plane.position)) {
@@ -122,6 +124,25 @@ std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies) {
     }
   }
   return in_order(pairs, bodies.size());
+}
+
+}  // namespace
+
+std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies) {
+  std::vector<const Body*> all;
+  all.reserve(bodies.size());
+  for (const Body& body : bodies) all.push_back(&body);
+  return near_places(all);
+}
+
+std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<const int> which) {
+  assert(std::adjacent_find(which.begin(), which.end(), std::greater_equal<>()) == which.end());
+  std::vector<const Body*> these;
+  these.reserve(which.size());
+  for (const int index : which) these.push_back(&bodies[std::size_t(index)]);
+  std::vector<BodyPair> pairs = near_places(these);
+  for (BodyPair& pair : pairs) pair = {which[std::size_t(pair.first)], which[std::size_t(pair.second)]};
+  return pairs;  // in order still: indices ascend as places do
 }
 
 }  // namespace pushback

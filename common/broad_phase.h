@@ -1,6 +1,7 @@
 /// Broad phase: which pairs of bodies are near enough to look at closely.
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -21,5 +22,7 @@ using BodyPair = std::pair<int, int>;  ///< indices, first < second
 
 /// Every pair whose bounds overlap and of which at least one body can move, in ascending order of (first, second).
 std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies);
+/// Those among the bodies with the indices `which`: ascending, none twice. How many others there are costs no time.
+std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<const int> which);
 
 }  // namespace pushback
