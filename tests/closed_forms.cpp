@@ -153,7 +153,7 @@ TEST_CASE("01: it also pulls: a ball that leaves is held back") {
 
 namespace {
 
-/// The column of chapters/02_clamping/main.cpp: fastest way up after its flat landing.
+/// The column of chapters/02_clamping/scenes.h: fastest way up after its flat landing.
 template <class ContactSolver>
 Real rebound_of_column(int sweeps) {
   World world;

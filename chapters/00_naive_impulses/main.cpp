@@ -1,4 +1,5 @@
 #include "chapters/00_naive_impulses/naive.h"
+#include "chapters/00_naive_impulses/scenes.h"
 #include "common/experiment.h"
 
 using namespace pushback;
@@ -20,12 +21,6 @@ Real top(const World& world) {
   Real highest = 0;
   for (const Body& body : world.bodies) highest = std::max(highest, body.position.y());
   return highest;
-}
-
-void sparse_hit(World& world) {
-  world.gravity.setZero();
-  world.add(box({Real(0.9), Real(0.3), Real(0.3)}, 100).at({0, 1, 0}).bouncy(1));
-  world.add(sphere(Real(0.35), 60).at({Real(-2.6), Real(1.2), 0}).moving({4, 0, 0}).bouncy(1));
 }
 
 void two_takes(Experiment& e) {

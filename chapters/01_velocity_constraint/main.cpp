@@ -1,4 +1,5 @@
 #include "chapters/00_naive_impulses/naive.h"
+#include "chapters/01_velocity_constraint/scenes.h"
 #include "chapters/01_velocity_constraint/solver.h"
 #include "common/experiment.h"
 
@@ -30,8 +31,6 @@ struct RightNormals : Effect {
   }
 };
 
-constexpr Real slope = Real(0.35);  // rad
-
 /// Of a body thrown upwards from `height`, its speed falling by g h in every step.
 Real highest_point(Real height, Real speed, Real h) {
   for (speed -= Real(9.81) * h; speed > 0; speed -= Real(9.81) * h) height += h * speed;
@@ -47,7 +46,7 @@ Real height(const World& world) {
   return world.bodies.back().position.y();
 }
 Real way_up(const World& world) {
-  return world.bodies.back().position.dot(Vec3(std::cos(slope), std::sin(slope), 0));
+  return world.bodies.back().position.dot(Vec3(std::cos(cube_slope), std::sin(cube_slope), 0));
 }
 Real largest_error(const Run& run) {
   Real largest = 0;
@@ -61,12 +60,8 @@ int main(int argc, char** argv) {
   Experiment e("01_velocity_constraint", "What does J V = 0 do, all by itself?");
   return e.run(argc, argv, [&] {
     const Camera camera{{Real(0.9), Real(1.3), Real(5)}, {0, Real(0.95), 0}};
-    const auto dropped = [](World& world) {
-      slab(world);
-      world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(1.54), 0}).coloured(0));
-    };
     e.scene({.name = "It stops the fall, and keeps the overlap",
-             .fill = dropped,
+             .fill = dropped_box,
              .camera = camera,
              .seconds = 1,
              .instants = {0, Real(0.3), Real(0.5), 1}});
@@ -76,11 +71,7 @@ int main(int argc, char** argv) {
     e.number("overlap at the end", "mm", [](const Run& run) { return 1000 * run.samples.back().overlap; });
     e.number("J V after the solve", "m/s", largest_error);
 
-    const auto leaving = [](World& world) {
-      slab(world);
-      world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.49), 0}).moving({0, 5, 0}).coloured(0));
-    };
-    e.scene({.name = "It pulls: a box thrown upwards", .fill = leaving, .camera = camera, .seconds = Real(0.8)});
+    e.scene({.name = "It pulls: a box thrown upwards", .fill = leaving_box, .camera = camera, .seconds = Real(0.8)});
     e.variant("no constraint", NoSolver{}).expect("highest point", highest_point(Real(0.49), 5, e.dt()));
     e.variant("J V = 0", Solver<>{});
     e.series("height of the box", "m", height);
@@ -89,19 +80,14 @@ int main(int argc, char** argv) {
       return *std::max_element(heights.begin(), heights.end());
     });
 
-    const auto on_a_slope = [](World& world) {
-      incline(world, slope);
-      const Vec3 up{-std::sin(slope), std::cos(slope), 0};
-      world.add(box(Vec3::Constant(Real(0.5)), 100).turned(slope, Vec3::UnitZ()).at(Real(0.499) * up));
-    };
     e.scene({.name = "A reader's cube slides up the slope",
-             .fill = on_a_slope,
+             .fill = cube_on_slope,
              .camera = {{0, 2, 11}, {0, Real(0.15), 0}},
              .seconds = Real(1.4)});
     e.variant("n as it is", Solver<RightNormals>{})
         .expect("way up the slope",
-                -Real(9.81) * std::sin(slope) * way_of_one(std::round(Real(1.4) / e.dt())) * e.dt() * e.dt())
-        .reference("-g sin θ t²/2", [](Real t) { return -Real(9.81) * std::sin(slope) * t * t / 2; });
+                -Real(9.81) * std::sin(cube_slope) * way_of_one(std::round(Real(1.4) / e.dt())) * e.dt() * e.dt())
+        .reference("-g sin θ t²/2", [](Real t) { return -Real(9.81) * std::sin(cube_slope) * t * t / 2; });
     e.variant("n with x mirrored", Solver<MirroredNormals>{});
     e.series("way up the slope", "m", way_up);
     e.number("way up the slope", "m", [](const Run& run) { return run.series.at("way up the slope").back(); });

@@ -1,25 +1,10 @@
 #include "chapters/02_clamping/clamping.h"
+#include "chapters/02_clamping/scenes.h"
 #include "common/experiment.h"
 
 using namespace pushback;
 
 namespace {
-
-constexpr Real fall = Real(0.5);  // m
-
-/// A column that lands flat: four points at once, close together for its height, so that an impulse at one of them is
-/// felt by the others.
-void landing(World& world) {
-  world.add(ground());
-  world.add(box({Real(0.25), Real(0.8), Real(0.25)}, 100).at({0, Real(0.8) + fall, 0}));
-}
-
-void three_columns(World& world) {
-  world.add(ground());
-  for (int i = 0; i < 3; ++i)
-    world.add(box({Real(0.3), Real(0.6), Real(0.3)}, 100)
-                  .at({0, Real(0.6) + static_cast<Real>(i) * Real(1.25) + Real(0.1), 0}));
-}
 
 /// Fastest way up of any body after the first touch, m/s.
 Real rebound(const Run& run) {
@@ -44,7 +29,7 @@ Curve error_after_sweeps(const std::string& label, ContactSolver solver, std::si
   Curve curve{label, {}, {}, line_colour(colour), Curve::Style::line_and_points};
   const Real dt = Real(1) / 60;
   World world;
-  landing(world);
+  landing_column(world);
   ContactSolver untouched = solver;
   while (deepest_overlap(world) == 0) {
     world.apply_forces(dt);
@@ -75,7 +60,7 @@ int main(int argc, char** argv) {
       e.variant("their sum ≥ 0", Solver<Clamping>{}).with_sweeps(sweeps);
     };
     e.scene({.name = "a column lands flat",
-             .fill = landing,
+             .fill = landing_column,
              .camera = {{2, Real(1.7), Real(4.4)}, {0, Real(1.0), 0}},
              .seconds = Real(1.2),
              .instants = {0, Real(0.35), Real(0.6), Real(1.2)}});

@@ -1,21 +1,10 @@
+#include "chapters/03_baumgarte/scenes.h"
 #include "chapters/03_baumgarte/tuning.h"
 #include "common/experiment.h"
 
 using namespace pushback;
 
 namespace {
-
-constexpr Real d0 = Real(0.06);  // m, overlap at the start
-
-void sunken_box(World& world) {
-  slab(world);
-  world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5) - d0, 0}).coloured(0));
-}
-
-void sunken_box_without_gravity(World& world) {
-  world.gravity.setZero();
-  sunken_box(world);
-}
 
 /// Millimetres that the box is in the ground; negative in the air.
 Real depth(const World& world) {

@@ -1,18 +1,20 @@
 /// What bounces: balls of different e, boxes that hardly move, five balls in a row.
 #pragma once
 
+#include <fmt/format.h>
+
 #include "common/experiment.h"
 
 namespace pushback {
 
-inline constexpr Real radius = Real(0.3), drop = 2;  // m
+inline constexpr Real ball_radius = Real(0.3), drop = 2;  // m
 inline const std::vector<Real> bounciness{0, Real(0.5), Real(0.8), 1};
 
 inline void four_balls(World& world) {
   world.add(ground().bouncy(0));
   for (std::size_t i = 0; i < bounciness.size(); ++i) {
     const Real x = (static_cast<Real>(i) - Real(1.5)) * Real(1.1);
-    world.add(sphere(radius, 10).at({x, radius + drop, 0}).bouncy(bounciness[i]));
+    world.add(sphere(ball_radius, 10).at({x, ball_radius + drop, 0}).bouncy(bounciness[i]));
     // A shelf behind each, as high as the ball should come.
     const Real apex = bounciness[i] * bounciness[i] * drop;
     if (apex > 0) world.add(box({Real(0.5), Real(0.02), Real(0.1)}, 1).fixed().at({x, apex - Real(0.02), Real(-0.42)}));
@@ -22,7 +24,7 @@ inline void four_balls(World& world) {
 /// Of the ball with that e, m above where it lies on the ground. (Before it stand the ground, and two bodies for each ball but
 /// the first, which has no shelf.)
 inline Real height_of(const World& world, std::size_t ball) {
-  return world.bodies[ball == 0 ? 1 : 2 * ball].position.y() - radius;
+  return world.bodies[ball == 0 ? 1 : 2 * ball].position.y() - ball_radius;
 }
 
 /// Highest point after the bounce number `bounce`, from 0, of the ball with index `ball`, m above the ground it rests on.
@@ -59,8 +61,8 @@ inline std::function<void(World&)> five_in_a_row(Real gap) {
   return [gap](World& world) {
     world.gravity.setZero();
     for (int i = 0; i < 5; ++i) {
-      const Real x = i == 0 ? Real(-2.4) : static_cast<Real>(i - 1) * (2 * radius + gap);
-      world.add(sphere(radius, 10).at({x, radius, 0}).moving({i == 0 ? Real(4) : 0, 0, 0}).bouncy(1));
+      const Real x = i == 0 ? Real(-2.4) : static_cast<Real>(i - 1) * (2 * ball_radius + gap);
+      world.add(sphere(ball_radius, 10).at({x, ball_radius, 0}).moving({i == 0 ? Real(4) : 0, 0, 0}).bouncy(1));
     }
   };
 }

@@ -1,3 +1,4 @@
+#include "chapters/12_small_steps/scenes.h"
 #include "chapters/12_small_steps/steady_solver.h"
 #include "chapters/12_small_steps/study.h"
 #include "common/experiment.h"
@@ -7,35 +8,12 @@ using namespace pushback;
 namespace {
 
 constexpr Real g = Real(9.81);
-constexpr int tall = 20;                      // boxes in the stack
-constexpr Real heavy = 1000;                  // times the mass of the box below
-constexpr Real sunken = Real(0.05);           // m
-const Vec3 cube = Vec3::Constant(Real(0.5));  // half of 1 m
 
 /// The spring without the relaxing pass: the solver finds no `relax` to call.
 struct SoftWithoutRelaxing : SoftContacts {
   using Effect::relax;
 };
 using Unrelaxed = Solver<Clamping, SoftWithoutRelaxing, Restitution, Friction, WarmStart>;
-
-/// Two posts behind it, to see by how much it leans.
-void stack_of_twenty(World& world) {
-  for (const int side : {-1, 1})
-    world.add(box({Real(0.04), tall, Real(0.04)}, 1).fixed().at({static_cast<Real>(side) * Real(0.66), 0, -2}));
-  stack(world, tall);
-}
-
-void heavy_on_light(World& world) {
-  world.add(ground());
-  world.add(box(cube, 100).at({0, Real(0.5), 0}));
-  world.add(box(cube, 100 * heavy).at({0, Real(1.5), 0}));
-}
-
-void sunken_ball(World& world) {
-  world.gravity.setZero();
-  world.add(ground());
-  world.add(sphere(Real(0.5), 100).at({0, Real(0.5) - sunken, 0}));
-}
 
 }  // namespace
 
