@@ -31,6 +31,7 @@ struct alignas(64) Body {
   Real friction = Real(0.5);  ///< mu; a pair rubs with the geometric mean of its two
   Real restitution = 0;       ///< e; a pair bounces with the larger of its two
   int index = -1;             ///< place in World::bodies, set by World::add
+  bool asleep = false;        ///< rests, and is left out of the simulation for now
   int colour = -1;            ///< which colour of the palette draws it; -1: by its index
 
   bool movable() const { return inverse_mass > 0; }

@@ -38,6 +38,11 @@ struct WarmStart : Effect {
   }
   /// After a teleport, or in another world.
   void forget() { memory_.clear(); }
+  /// As if these had been contacts of the latest step, beside its own.
+  void remember(const Contacts& contacts) {
+    for (const Contact& contact : contacts) memory_.push_back({contact.id, contact.impulse});
+    std::sort(memory_.begin(), memory_.end(), [](const Memory& p, const Memory& q) { return p.id < q.id; });
+  }
 
  protected:
   struct Memory {

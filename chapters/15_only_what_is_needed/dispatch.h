@@ -1,0 +1,131 @@
+/// For a scene that is not known when the program is compiled: the solver and the step that fit, chosen once.
+#pragma once
+
+#include <memory>
+
+#include "chapters/15_only_what_is_needed/sleep.h"
+
+namespace pushback {
+
+/// Calls `use(CalledFor<...>{})` with those of the questions to which the scene answers yes. Every combination is compiled.
+template <class Use, class... Yes>
+void with_answers(const World&, const Use& use, CalledFor<>, CalledFor<Yes...> called) {
+  use(called);
+}
+template <class Use, class Question, class... Rest, class... Yes>
+void with_answers(const World& world, const Use& use, CalledFor<Question, Rest...>, CalledFor<Yes...>) {
+  if (Question::in(world).yes) with_answers(world, use, CalledFor<Rest...>{}, CalledFor<Yes..., Question>{});
+  else with_answers(world, use, CalledFor<Rest...>{}, CalledFor<Yes...>{});
+}
+
+/// Of a solver what a scene calls for. To call it is an indirect call a step; its sweeps are compiled as ever.
+class FittingSolver {
+ public:
+  template <class Full>
+  FittingSolver(const World& world, const Full& full) : holder_(holder_for(world, full)) {}
+  FittingSolver(const FittingSolver& other) : holder_(other.holder_->copy()) {}
+  FittingSolver(FittingSolver&&) noexcept = default;
+  FittingSolver& operator=(FittingSolver other) noexcept {
+    holder_.swap(other.holder_);
+    return *this;
+  }
+  ~FittingSolver() = default;
+
+  /// The scene is another one now. Settings stay, and so does the memory of what is still called for.
+  void fit(const World& world) { holder_ = holder_->fitting(world); }
+
+  void solve(Contacts& contacts, Real dt, int sweeps) { holder_->solve(contacts, dt, sweeps); }
+  void relax(Contacts& contacts) { holder_->relax(contacts); }
+  void remember(const Contacts& contacts) { holder_->remember(contacts); }
+  const Rows& rows() const { return holder_->rows(); }
+
+ private:
+  struct AnyHolder {
+    virtual ~AnyHolder() = default;
+    virtual std::unique_ptr<AnyHolder> copy() const = 0;
+    virtual std::unique_ptr<AnyHolder> fitting(const World& world) const = 0;
+    virtual void solve(Contacts& contacts, Real dt, int sweeps) = 0;
+    virtual void relax(Contacts& contacts) = 0;
+    virtual void remember(const Contacts& contacts) = 0;
+    virtual const Rows& rows() const = 0;
+  };
+  template <class Full, class ContactSolver>
+  struct Holder final : AnyHolder {
+    Holder(const Full& its_full, ContactSolver its_solver) : full(its_full), solver(std::move(its_solver)) {}
+    std::unique_ptr<AnyHolder> copy() const override { return std::make_unique<Holder>(*this); }
+    std::unique_ptr<AnyHolder> fitting(const World& world) const override {
+      Full whole = full;
+      put_back(solver, whole);
+      return holder_for(world, whole);
+    }
+    void solve(Contacts& contacts, Real dt, int sweeps) override { solver.solve(contacts, dt, sweeps); }
+    void relax(Contacts& contacts) override {
+      if constexpr (requires { solver.relax(contacts); }) solver.relax(contacts);
+    }
+    void remember(const Contacts& contacts) override {
+      if constexpr (requires { solver.remember(contacts); }) solver.remember(contacts);
+    }
+    const Rows& rows() const override {
+      static const Rows none;
+      if constexpr (requires { solver.rows(); }) return solver.rows();
+      else return none;
+    }
+    Full full;  // for the settings of what is left out
+    ContactSolver solver;
+  };
+
+  template <class Full>
+  static std::unique_ptr<AnyHolder> holder_for(const World& world, const Full& full) {
+    std::unique_ptr<AnyHolder> chosen;
+    const auto choose = [&](auto called) {
+      using Fitting = Only<Full, decltype(called)>;
+      chosen = std::make_unique<Holder<Full, Fitting>>(full, only<decltype(called)>(full));
+    };
+    with_answers(world, choose, CalledFor<Touching, Bouncing, Rubbing>{}, CalledFor<>{});
+    return chosen;
+  }
+
+  std::unique_ptr<AnyHolder> holder_;
+};
+
+/// World::step with what the scene calls for; with a Sleep, for those awake. It reads the scene again when bodies or forces
+/// have been added or taken away. Whoever makes a body that is there already rough, bouncy or uneven, or puts a force on it
+/// by hand, has to call `fit`.
+class OnlyWhatIsNeeded {
+ public:
+  std::optional<Sleep> sleep;
+
+  template <class Full>
+  OnlyWhatIsNeeded(const World& world, const Full& full, std::optional<Sleep> with_sleep = {})
+      : sleep(std::move(with_sleep)), solver_(world, full) {
+    choose_step(world);
+  }
+  void fit(const World& world) {
+    solver_.fit(world);
+    choose_step(world);
+  }
+  void step(World& world, Real dt, int sweeps = 10) {
+    if (world.bodies.size() != bodies_ || world.forces.size() != forces_) fit(world);
+    if (sleep) step_awake_(world, solver_, *sleep, dt, sweeps);
+    else step_all_(world, solver_, dt, sweeps);
+  }
+  const Rows& rows() const { return solver_.rows(); }
+
+ private:
+  void choose_step(const World& world) {
+    bodies_ = world.bodies.size();
+    forces_ = world.forces.size();
+    const auto choose = [this](auto called) {
+      step_all_ = step_only<decltype(called), FittingSolver>;
+      step_awake_ = step_awake<decltype(called), FittingSolver>;
+    };
+    with_answers(world, choose, EveryQuestion{}, CalledFor<>{});
+  }
+
+  FittingSolver solver_;
+  std::size_t bodies_ = 0, forces_ = 0;
+  void (*step_all_)(World&, FittingSolver&, Real, int) = nullptr;
+  void (*step_awake_)(World&, FittingSolver&, Sleep&, Real, int) = nullptr;
+};
+
+}  // namespace pushback

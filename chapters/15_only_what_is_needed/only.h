@@ -1,0 +1,119 @@
+/// The solver and the step with those effects that a scene calls for, and nothing else in the program.
+#pragma once
+
+#include "chapters/05_restitution/from_surface.h"
+#include "chapters/05_restitution/in_turn.h"
+#include "chapters/06_friction/friction.h"
+#include "chapters/15_only_what_is_needed/questions.h"
+
+namespace pushback {
+
+// ---- without a yes to its question, an effect would do nothing ---------------------------------------------------------
+
+template <class E>
+struct DependsOn {
+  using question = Touching;
+};
+template <std::derived_from<Friction> E>
+struct DependsOn<E> {
+  using question = Rubbing;
+};
+template <class E>
+  requires std::derived_from<E, Restitution> || std::derived_from<E, RestitutionFromSurface> ||
+           std::derived_from<E, ImpactsInTurn>
+struct DependsOn<E> {
+  using question = Bouncing;
+};
+
+// ---- Only<FullSolver, CalledFor<Touching, Bouncing>> is FullSolver without Friction ----------------------------------------
+
+template <class Called, class Kept, class... Rest>
+struct Keep {
+  using type = Kept;
+};
+template <class Called, class... Kept, class E, class... Rest>
+struct Keep<Called, Solver<Kept...>, E, Rest...> {
+  static constexpr bool needed = Called::template has<typename DependsOn<E>::question>;
+  using with = std::conditional_t<needed, Solver<Kept..., E>, Solver<Kept...>>;
+  using type = typename Keep<Called, with, Rest...>::type;
+};
+
+template <class Full, class Called>
+struct OnlyOf {  // not composed of effects: there is nothing to leave out
+  using type = Full;
+};
+template <class... Effects, class Called>
+struct OnlyOf<Solver<Effects...>, Called> {
+  using type = typename Keep<Called, Solver<>, Effects...>::type;
+};
+template <class Full, class Called>
+using Only = typename OnlyOf<Full, Called>::type;
+
+/// What is left of `full`, with the same settings and the same memory.
+template <class Called, class Full>
+Only<Full, Called> only(const Full& full) {
+  if constexpr (std::same_as<Only<Full, Called>, Full>) {
+    return full;
+  } else {
+    Only<Full, Called> left;
+    [&]<class... Left>(Solver<Left...>& its) {
+      ((static_cast<Left&>(its) = static_cast<const Left&>(full)), ...);
+    }(left);
+    return left;
+  }
+}
+/// And back into the whole.
+template <class Full, class Left>
+void put_back(const Left& left, Full& full) {
+  if constexpr (std::same_as<Left, Full>) {
+    full = left;
+  } else {
+    [&]<class... Kept>(const Solver<Kept...>& its) {
+      ((static_cast<Kept&>(full) = static_cast<const Kept&>(its)), ...);
+    }(left);
+  }
+}
+
+// ---- the order of a step, as World has it ---------------------------------------------------------------------------------
+
+/// What each body does by itself: World's `push` and `move`, less what nobody calls for.
+template <class Called>
+struct Motion {
+  static void begin(Body& body) {
+    if constexpr (Called::template has<Bouncing>) begin_step(body);
+  }
+  static void push(Body& body, const Vec3& gravity, Real dt) {
+    if constexpr (Called::template has<Pulling>) pushback::push(body, gravity, dt);
+    else if (body.movable()) body.velocity += dt * gravity;
+  }
+  static void move(Body& body, Real dt) {
+    if constexpr (Called::template has<Tumbling>) {
+      pushback::move(body, dt);
+    } else {
+      body.position += dt * body.velocity;
+      if (body.angular_velocity != Vec3::Zero()) spin_evenly(body, dt);
+    }
+  }
+};
+
+/// World::step of what is called for. `ContactSolver`: see World::step.
+template <class Called, class ContactSolver>
+void step_only(World& world, ContactSolver& solver, Real dt, int sweeps = 10) {
+  check_step(dt, sweeps, world.gravity);
+  for (const Body& body : world.bodies) check_state(body);
+  for (Body& body : world.bodies) Motion<Called>::begin(body);
+  if constexpr (Called::template has<Pulling>) {
+    for (const Force& force : world.forces) force.apply(world);
+  }
+  for (Body& body : world.bodies) Motion<Called>::push(body, world.gravity, dt);
+  if constexpr (Called::template has<Touching>) {
+    world.find_contacts();
+    solver.solve(world.contacts, dt, sweeps);
+  }
+  for (Body& body : world.bodies) Motion<Called>::move(body, dt);
+  if constexpr (Called::template has<Touching> && requires { solver.relax(world.contacts); }) {
+    solver.relax(world.contacts);
+  }
+}
+
+}  // namespace pushback

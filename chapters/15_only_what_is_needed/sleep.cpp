@@ -1,0 +1,231 @@
+#include "chapters/15_only_what_is_needed/sleep.h"
+
+#include <algorithm>
+#include <map>
+
+#include "common/collide.h"
+#include "common/input.h"
+
+namespace pushback {
+
+namespace {
+
+void insert_ascending(std::vector<int>& into, const std::vector<int>& bodies) {
+  const auto middle = into.insert(into.end(), bodies.begin(), bodies.end());
+  std::inplace_merge(into.begin(), middle, into.end());
+}
+
+bool moves(const Body& body) {
+  return !body.velocity.isZero(0) || !body.angular_velocity.isZero(0);
+}
+
+/// m, from the centre of mass: no point of the shape is farther away.
+Real reach_of(Body body) {
+  body.orientation.setIdentity();
+  const Bounds bounds = bounds_of(body);
+  return (bounds.high - body.position).cwiseMax(body.position - bounds.low).norm();
+}
+
+bool acts_on_all(const Force& force) {
+  return force.bodies.empty();
+}
+
+}  // namespace
+
+// ---- who is awake ------------------------------------------------------------------------------------------------------
+
+void Sleep::look(World& world) {
+  require_not_negative("time to fall asleep", seconds);
+  require_not_negative("place of a sleeper", place);
+  if (world.bodies.size() < rest_.size()) throw InvalidInput("a world with sleepers has lost a body: make a new Sleep");
+  for (std::size_t i = rest_.size(); i < world.bodies.size(); ++i) {
+    const Body& body = world.bodies[i];
+    const bool plane = std::holds_alternative<HalfSpace>(body.shape);
+    (body.movable() ? awake_ : plane ? planes_ : fixed_).push_back(int(i));
+    rest_.emplace_back().reach = plane ? 0 : reach_of(body);
+    arranged_ = arranged_ && (body.movable() || plane);
+  }
+  const auto driven = [&world](int i) { return moves(world.bodies[std::size_t(i)]); };
+  const bool plane_moves = std::any_of(planes_.begin(), planes_.end(), driven);
+  nobody_may_sleep_ = plane_moves || std::any_of(world.forces.begin(), world.forces.end(), acts_on_all);
+  if (nobody_may_sleep_ || world.gravity != gravity_ || world.forces.size() != forces_) wake_all(world);
+  gravity_ = world.gravity;
+  forces_ = world.forces.size();
+
+  driven_before_.swap(driven_);
+  driven_.clear();
+  std::copy_if(fixed_.begin(), fixed_.end(), std::back_inserter(driven_), driven);
+  if (driven_ != driven_before_) arranged_ = false;
+  for (const int i : awake_) check_state(world.bodies[std::size_t(i)]);
+  for (const int i : driven_) check_state(world.bodies[std::size_t(i)]);
+}
+
+void Sleep::feel_forces(World& world) {
+  for (const Force& force : world.forces) {
+    for (const int i : force.bodies) {
+      Body& body = world.bodies[std::size_t(i)];
+      if (!body.asleep) continue;
+      Rest& its = rest(i);
+      const std::pair pull(body.force, body.torque);
+      if (!its.pull) its.pull = pull;
+      if (*its.pull == pull) body.force.setZero(), body.torque.setZero();
+      else wake_island(world, its.island);
+    }
+  }
+}
+
+void Sleep::find_contacts(World& world) {
+  feel_forces(world);
+  while (someone_touched(world)) continue;  // who wakes may touch others
+}
+
+/// Finds the contacts. Returns whether somebody had to be woken: then they are not all there yet.
+bool Sleep::someone_touched(World& world) {
+  if (!arranged_) arrange(world);
+  simulated_ = awake_;
+  insert_ascending(simulated_, driven_);
+  std::vector<int> swept = simulated_;
+  insert_ascending(swept, planes_);
+  std::vector<BodyPair> pairs = near_pairs(world.bodies, swept);
+  std::vector<int> near;
+  for (const int i : simulated_) {
+    near.clear();
+    still_.near(bounds_of(world.bodies[std::size_t(i)]), near);
+    for (const int j : near) pairs.push_back(std::minmax(i, j));
+  }
+  std::sort(pairs.begin(), pairs.end());
+  world.contacts.clear();
+  for (const auto& [first, second] : pairs) {
+    collide(world.bodies[std::size_t(first)], world.bodies[std::size_t(second)], world.contacts);
+  }
+  for (const int i : planes_) {  // moved like the driven ones; whom they touch is awake already
+    if (moves(world.bodies[std::size_t(i)])) insert_ascending(simulated_, {i});
+  }
+  bool somebody = false;
+  for (const Contact& contact : world.contacts) {
+    for (const Body* body : {contact.a, contact.b}) {
+      if (!body->asleep) continue;
+      wake_island(world, rest(body->index).island);
+      somebody = true;
+    }
+  }
+  return somebody;
+}
+
+/// What does not move is arranged anew only after somebody has fallen asleep or woken.
+void Sleep::arrange(const World& world) {
+  std::vector<int> still;
+  for (const Island& island : islands_) still.insert(still.end(), island.bodies.begin(), island.bodies.end());
+  std::set_difference(fixed_.begin(), fixed_.end(), driven_.begin(), driven_.end(), std::back_inserter(still));
+  still_ = StillBodies(world.bodies, still);
+  arranged_ = true;
+}
+
+// ---- waking ------------------------------------------------------------------------------------------------------------
+
+void Sleep::wake_island(World& world, int island) {
+  Island& woken = islands_[std::size_t(island)];
+  for (const int i : woken.bodies) {
+    Body& body = world.bodies[std::size_t(i)];
+    check_state(body);
+    body.asleep = false;
+    rest(i) = {.reach = rest(i).reach};
+  }
+  insert_ascending(awake_, woken.bodies);
+  woken_.insert(woken_.end(), woken.contacts.begin(), woken.contacts.end());
+  woken = {};
+  arranged_ = false;
+}
+
+void Sleep::wake(World& world, int body) {
+  if (body < 0 || std::size_t(body) >= world.bodies.size()) {
+    throw InvalidInput(
+        fmt::format("body to wake is {}: a whole number from 0 to {} is needed", body, world.bodies.size() - 1));
+  }
+  if (std::size_t(body) >= rest_.size()) return;  // new since the latest step: awake
+  const auto id = static_cast<std::uint32_t>(body);
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    const Island& island = islands_[i];
+    const bool touched = std::any_of(island.contacts.begin(), island.contacts.end(), [id](const Contact& contact) {
+      return contact.id.body_a == id || contact.id.body_b == id;
+    });
+    if (touched || std::binary_search(island.bodies.begin(), island.bodies.end(), body)) wake_island(world, int(i));
+  }
+  rest(body).seconds = 0;
+}
+
+void Sleep::wake_all(World& world) {
+  for (std::size_t i = 0; i < islands_.size(); ++i) wake_island(world, int(i));
+}
+
+// ---- falling asleep ----------------------------------------------------------------------------------------------------
+
+void Sleep::settle(World& world, Real dt) {
+  woken_.clear();
+  // Over a time in which nothing gets farther than `place`.   |x - x_0| + reach |angle between q_0 and q| <= place
+  for (const int i : awake_) {
+    const Body& body = world.bodies[std::size_t(i)];
+    Rest& its = rest(i);
+    const Real turned = 2 * (its.orientation.conjugate() * body.orientation).vec().norm();
+    const bool kept = (body.position - its.position).norm() + its.reach * turned <= place;
+    if (!kept) its.position = body.position, its.orientation = body.orientation;
+    its.seconds = kept ? its.seconds + dt : 0;
+  }
+  if (nobody_may_sleep_) return;
+
+  touching_.separate(awake_, world.bodies.size());
+  touching_.join(world.contacts);
+  for (const Force& force : world.forces) {
+    for (const int i : force.bodies) {
+      if (world.bodies[std::size_t(i)].movable()) touching_.join(force.bodies.front(), i);
+    }
+  }
+  for (const Contact& contact : world.contacts) {  // what carries it may carry it away
+    if (!contact.a->movable() && moves(*contact.a)) rest(contact.b->index).seconds = 0;
+    if (!contact.b->movable() && moves(*contact.b)) rest(contact.a->index).seconds = 0;
+  }
+  std::map<int, std::vector<int>> islands;
+  std::vector<int> restless;
+  for (const int i : awake_) {
+    const int island = touching_.island_of(i);
+    islands[island].push_back(i);
+    if (rest(i).seconds < seconds) restless.push_back(island);
+  }
+  for (const int island : restless) islands.erase(island);
+  for (const auto& [island, bodies] : islands) put_to_sleep(world, bodies);
+}
+
+void Sleep::put_to_sleep(World& world, const std::vector<int>& bodies) {
+  const auto empty = std::find_if(islands_.begin(), islands_.end(), [](const Island& i) { return i.bodies.empty(); });
+  const int island = int(empty - islands_.begin());
+  if (empty == islands_.end()) islands_.emplace_back();
+  for (const int i : bodies) {
+    Body& body = world.bodies[std::size_t(i)];
+    body.velocity.setZero();
+    body.angular_velocity.setZero();
+    body.asleep = true;
+    rest(i).island = island;
+  }
+  Island& sleeping = islands_[std::size_t(island)];
+  sleeping.bodies = bodies;
+  for (const Contact& contact : world.contacts) {
+    if (contact.a->asleep || contact.b->asleep) {
+      const Body& sleeper = contact.a->asleep ? *contact.a : *contact.b;
+      if (rest(sleeper.index).island == island) sleeping.contacts.push_back(contact);
+    }
+  }
+  std::vector<int> still_awake;
+  std::set_difference(awake_.begin(), awake_.end(), bodies.begin(), bodies.end(), std::back_inserter(still_awake));
+  awake_ = std::move(still_awake);
+  arranged_ = false;
+}
+
+std::vector<std::vector<int>> Sleep::asleep() const {
+  std::vector<std::vector<int>> all;
+  for (const Island& island : islands_) {
+    if (!island.bodies.empty()) all.push_back(island.bodies);
+  }
+  return all;
+}
+
+}  // namespace pushback

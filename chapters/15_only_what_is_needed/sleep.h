@@ -1,0 +1,104 @@
+/// Bodies that rest are not simulated.
+#pragma once
+
+#include <optional>
+
+#include "chapters/15_only_what_is_needed/islands.h"
+#include "chapters/15_only_what_is_needed/only.h"
+#include "common/still_bodies.h"
+
+namespace pushback {
+
+/// Who is awake. An island in which no body has left its place for a while falls asleep: its velocities become 0, and its
+/// contacts are kept for the day on which it wakes. It wakes as a whole when
+///
+///   - a body that is awake, or an immovable one that has a velocity, comes to touch it;
+///   - a spring or another Force pulls at it otherwise than when it fell asleep;
+///   - gravity changes, or forces are added or taken away: then all wake;
+///   - it is told to: whoever changes a sleeping body, or what it lies on, by hand has to call `wake`.
+///
+/// Where a Force acts on all bodies alike, none sleeps: nobody knows what it will do next.
+class Sleep {
+ public:
+  Real seconds = Real(0.5);    ///< for how long a body has to keep its place
+  Real place = Real(0.25e-3);  ///< m: so far may its surface get from where it was; slower than place / seconds is rest
+
+  /// As a step begins: what is new in the world since the latest one. Throws as World::step does; nothing has moved then.
+  void look(World& world);
+  /// With the applied forces on the bodies: wakes whom they or others touch, and finds the contacts of those awake.
+  void find_contacts(World& world);
+  /// Once the bodies have moved: who rests falls asleep.
+  void settle(World& world, Real dt);
+
+  /// Ascending indices of the bodies to be simulated in this step: movable, or moving all the same.
+  const std::vector<int>& simulated() const { return simulated_; }
+  /// The contacts that islands woken since the latest step had when they fell asleep.
+  const Contacts& woken() const { return woken_; }
+
+  /// The island of this body, with all others that touch the body if it is immovable.
+  void wake(World& world, int body);
+  void wake_all(World& world);
+  /// Each sleeping island's bodies, ascending.
+  std::vector<std::vector<int>> asleep() const;
+
+ private:
+  struct Island {
+    std::vector<int> bodies;
+    Contacts contacts;  // for their ids and impulses: the pointers in them may be stale
+  };
+  struct Rest {
+    Vec3 position = Vec3::Constant(std::numeric_limits<Real>::quiet_NaN());  // far from everywhere
+    Quat orientation = Quat::Identity();
+    Real reach = 0;                                  // m, from the centre of mass to the farthest point of the shape
+    Real seconds = 0;                                // since the body is there
+    int island = -1;                                 // in islands_, of a body that sleeps
+    std::optional<std::pair<Vec3, Vec3>> pull = {};  // force and torque in its first step asleep
+  };
+
+  void feel_forces(World& world);
+  bool someone_touched(World& world);
+  void wake_island(World& world, int island);
+  void put_to_sleep(World& world, const std::vector<int>& bodies);
+  void arrange(const World& world);
+  Rest& rest(int body) { return rest_[std::size_t(body)]; }
+
+  std::vector<int> awake_, planes_, fixed_;  // movable; half-spaces; immovable otherwise
+  std::vector<int> driven_, driven_before_;  // immovable, and moving all the same
+  std::vector<int> simulated_;               // awake or driven
+  std::vector<Rest> rest_;                   // of all bodies
+  std::vector<Island> islands_;              // a woken one leaves an empty place
+  Islands touching_;
+  StillBodies still_;
+  bool arranged_ = false;
+  bool nobody_may_sleep_ = false;
+  Contacts woken_;
+  Vec3 gravity_ = Vec3::Zero();
+  std::size_t forces_ = 0;
+};
+
+/// step_only for those awake.
+template <class Called, class ContactSolver>
+void step_awake(World& world, ContactSolver& solver, Sleep& sleep, Real dt, int sweeps = 10) {
+  check_step(dt, sweeps, world.gravity);
+  sleep.look(world);
+  if constexpr (Called::template has<Pulling>) {
+    for (const Force& force : world.forces) force.apply(world);
+  }
+  sleep.find_contacts(world);
+  if constexpr (requires { solver.remember(sleep.woken()); }) {
+    if (!sleep.woken().empty()) solver.remember(sleep.woken());
+  }
+  const auto each = [&](const auto& act) {
+    for (const int i : sleep.simulated()) act(world.bodies[std::size_t(i)]);
+  };
+  each(Motion<Called>::begin);
+  each([&](Body& body) { Motion<Called>::push(body, world.gravity, dt); });
+  if constexpr (Called::template has<Touching>) solver.solve(world.contacts, dt, sweeps);
+  each([&](Body& body) { Motion<Called>::move(body, dt); });
+  if constexpr (Called::template has<Touching> && requires { solver.relax(world.contacts); }) {
+    solver.relax(world.contacts);
+  }
+  sleep.settle(world, dt);
+}
+
+}  // namespace pushback
