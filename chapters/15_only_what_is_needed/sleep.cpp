@@ -152,6 +152,7 @@ void Sleep::wake(World& world, int body) {
     if (touched || std::binary_search(island.bodies.begin(), island.bodies.end(), body)) wake_island(world, int(i));
   }
   rest(body).seconds = 0;
+  arranged_ = false;  // it may lie somewhere else now
 }
 
 void Sleep::wake_all(World& world) {
