@@ -44,7 +44,9 @@ struct Sample {
   int lost = 0;               ///< points that the step before had and this one has not
   int rows = 0;               ///< constraint rows in the solver
   Real residual = 0;          ///< m/s, the largest error() of a row after the last sweep
-  double solver_seconds = 0;  ///< wall time of the solver; the only entry that differs from run to run
+  double solver_seconds =
+      0;                    ///< wall time of the solver; it and the next differ from run to run, and nothing else does
+  double step_seconds = 0;  ///< wall time of the whole step
 };
 
 /// What one variant did, for the numbers.
@@ -109,7 +111,8 @@ class Experiment {
 
   /// What follows, up to the next scene, belongs to this one.
   void scene(Scene scene);
-  /// A solver to watch on the latest scene: anything with solve(Contacts&, Real dt, int sweeps).
+  /// A solver to watch on the latest scene: anything with solve(Contacts&, Real dt, int sweeps), for World::step; or with
+  /// step(World&, Real dt, int sweeps), which moves the world on in a way of its own: its solver_seconds stay 0.
   template <class ContactSolver>
   Variant& variant(const std::string& name, ContactSolver solver);
   /// A quantity to record after every step and to plot against time, for the latest scene. The first is the one that
@@ -118,6 +121,8 @@ class Experiment {
               bool log_y = false);
   /// A number to show beside each variant of the latest scene.
   void number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of);
+  /// The same for a number that comes from a clock: it stands on the sheet only, since it differs from run to run.
+  void clock(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of);
   /// What the experiment works out itself, once all variants have been watched: `work` calls `panel` and `remark`.
   void study(std::function<void()> work);
   /// A further diagram that the experiment works out itself, after the scenes' own.
@@ -143,6 +148,7 @@ class Experiment {
   struct Number {
     std::string name, unit;
     std::function<Real(const Run&)> of;
+    bool timed;
   };
   struct Act {
     Scene scene;
@@ -217,8 +223,13 @@ Variant& Experiment::variant(const std::string& name, ContactSolver solver) {
   added.name = name;
   added.scene = acts_.size() - 1;
   added.step = [solver](World& world, Real dt, int sweeps, Sample& sample) mutable {
-    Watched<ContactSolver> watched{solver, sample};
-    world.step(watched, dt, sweeps);
+    if constexpr (requires { solver.step(world, dt, sweeps); }) {
+      solver.step(world, dt, sweeps);
+      sample.rows = static_cast<int>(solver.rows().size());
+    } else {
+      Watched<ContactSolver> watched{solver, sample};
+      world.step(watched, dt, sweeps);
+    }
   };
   variants_.push_back(std::move(added));
   return variants_.back();

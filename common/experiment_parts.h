@@ -19,6 +19,7 @@ struct Experiment::Result {
   std::vector<Image> cells;
   std::vector<std::string> cell_notes;
   std::set<ContactState> states;  ///< of the contact points in the cells
+  bool sleepers = false;          ///< whether a body in the cells is asleep
   std::string mishap;             ///< why it was not watched to the end; empty where it was
 };
 

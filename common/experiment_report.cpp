@@ -112,6 +112,7 @@ std::string Experiment::numbers_table(const std::vector<Result>& results) const 
     std::string header = fmt::format("| {} |", act.scene.name);
     std::string rule = "| --- |";
     for (const Number& number : act.numbers) {
+      if (number.timed) continue;
       header += fmt::format(" {} |", number.name);
       rule += " --- |";
     }
@@ -120,6 +121,7 @@ std::string Experiment::numbers_table(const std::vector<Result>& results) const 
       if (result.variant->scene != a) continue;
       body += fmt::format("| {} |", shown_name(*result.variant));
       for (std::size_t i = 0; i < act.numbers.size(); ++i) {
+        if (act.numbers[i].timed) continue;
         body += fmt::format(" {}", in_words(result.numbers[i], act.numbers[i].unit));
         const auto should = result.variant->expected.find(act.numbers[i].name);
         if (should != result.variant->expected.end())
@@ -138,8 +140,8 @@ std::string Experiment::numbers_table(const std::vector<Result>& results) const 
 
 namespace {
 
-/// What the dots and arrows mean, as far as the pictures have them.
-std::vector<SheetLegend> legend(const std::set<ContactState>& seen) {
+/// What the dots, arrows and colours mean, as far as the pictures have them.
+std::vector<SheetLegend> legend(const std::set<ContactState>& seen, bool sleepers) {
   const bool friction = seen.count(ContactState::sticking) + seen.count(ContactState::sliding) > 0;
   const bool memory = seen.count(ContactState::warm) > 0 || (friction && seen.count(ContactState::fresh) > 0);
   std::vector<SheetLegend> entries;
@@ -152,6 +154,7 @@ std::vector<SheetLegend> legend(const std::set<ContactState>& seen) {
   add(ContactState::sliding, "contact point: sliding");
   if (!seen.empty()) entries.push_back({normal_arrow_ink(), "arrow: normal impulse"});
   if (friction) entries.push_back({friction_arrow_ink(), "arrow: friction impulse"});
+  if (sleepers) entries.push_back({asleep_ink(), "body: asleep"});
   return entries;
 }
 
@@ -205,7 +208,11 @@ void Experiment::report(std::vector<Result>& results, const fs::path& folder) co
 
 void Experiment::draw_sheet(std::vector<Result>& results, const fs::path& folder) const {
   std::set<ContactState> states;
-  for (const Result& result : results) states.insert(result.states.begin(), result.states.end());
+  bool sleepers = false;
+  for (const Result& result : results) {
+    states.insert(result.states.begin(), result.states.end());
+    sleepers = sleepers || result.sleepers;
+  }
   std::vector<SheetGroup> groups;
   for (std::size_t a = 0; a < acts_.size(); ++a) {
     SheetGroup group{acts_.size() > 1 ? acts_[a].scene.name : "", {}};
@@ -230,7 +237,7 @@ void Experiment::draw_sheet(std::vector<Result>& results, const fs::path& folder
   }
   write_png(folder / "sheet.png",
             make_sheet(fmt::format("{}  ·  step {:.4g} s, {} sweeps unless said", name_, dt_, sweeps_), question_,
-                       groups, legend(states)));
+                       groups, legend(states, sleepers)));
   if (!groups.empty()) write_png(folder / "thumbnail.png", make_thumbnail(groups.front()));
 }
 

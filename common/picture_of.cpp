@@ -49,7 +49,9 @@ Picture picture_of(const World& world, const Camera& camera, Real arrow) {
   for (const Body& body : world.bodies) {
     const bool neutral = !body.movable() && body.colour < 0;
     picture.solids.push_back({body.shape, body.position, body.orientation,
-                              neutral ? fixed_colour() : body_colour(body.colour >= 0 ? body.colour : body.index)});
+                              body.asleep ? asleep_colour()
+                              : neutral   ? fixed_colour()
+                                          : body_colour(body.colour >= 0 ? body.colour : body.index)});
   }
   const Real size = typical_size(world);
   for (const Contact& contact : world.contacts) {

@@ -122,6 +122,11 @@ chmod +x "$scratch/home/build/release/tests/hard_cases/hard_cases_fuzz"
 course fuzz -- --seed 7 --stage "07 warm start" && expect 1 "--target hard_cases_fuzz" "fuzz: --seed 7 --stage 07 warm start"
 course fuzz 7 && expect 2 "'fuzz' takes no words"
 
+# What scenes call for.
+printf '#!/bin/sh\necho "effects: $*"\nexit 2\n' >"$scratch/home/build/release/chapters/effects"
+chmod +x "$scratch/home/build/release/chapters/effects"
+course effects 06-slope all && expect 2 "--target effects" "effects: 06-slope all"
+
 course clean && expect 0 "git clean"
 [[ ! -e $scratch/home/build ]] || { echo "clean left build/"; failures=$((failures + 1)); }
 

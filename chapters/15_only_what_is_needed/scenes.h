@@ -13,6 +13,51 @@
 
 namespace pushback {
 
+// ---- what this chapter looks at ----------------------------------------------------------------------------------------
+
+/// Five piles of six boxes, well apart. A ball rolls in from the front and hits the one in the middle, after about 1.4 s.
+inline void five_piles(World& world) {
+  world.add(ground());
+  for (int pile = 0; pile < 5; ++pile) {
+    int colour = pile;  // no two piles begin with the same
+    for (int row = 0; row < 3; ++row) {
+      for (int i = 0; i < 3 - row; ++i, ++colour) {
+        const Real x =
+            Real(3.7) * static_cast<Real>(pile - 2) + Real(1.05) * (static_cast<Real>(i) - Real(2 - row) / 2);
+        world.add(box(Vec3::Constant(Real(0.5)), 100).at({x, Real(0.5) + static_cast<Real>(row), 0}).coloured(colour));
+      }
+    }
+  }
+  constexpr Real radius = Real(0.7), speed = 8;
+  const Vec3 way = Vec3(-Real(0.3), 0, -1).normalized();
+  world.add(sphere(radius, 500)
+                .at(Vec3(0, radius, 0) - Real(12.5) * way)
+                .moving(speed * way)
+                .spinning(speed / radius * Vec3::UnitY().cross(way))
+                .coloured(5));
+}
+
+/// Cubes that slide on ice, in a tray: nothing is rough, nothing bounces, and no inertia differs from axis to axis.
+inline void cubes_on_ice(World& world) {
+  constexpr Real half = Real(0.5), side = 6;
+  world.add(ground().rough(0));
+  for (const Vec3& inwards : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+    const Vec3 along = inwards.cwiseAbs(), reach = Real(0.2) * along + side * (Vec3(1, 0, 1) - along);
+    world.add(box(reach + Vec3(0, Real(0.4), 0), 1).fixed().rough(0).at(Vec3(0, Real(0.4), 0) - side * inwards));
+  }
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      const Vec3 where(Real(1.7) * (static_cast<Real>(i) - Real(2.5)), half,
+                       Real(1.7) * (static_cast<Real>(j) - Real(2.5)));
+      const Vec3 how =
+          4 * Vec3(static_cast<Real>((3 * i + 5 * j) % 7 - 3), 0, static_cast<Real>((5 * i + 2 * j) % 7 - 3)) / 3;
+      world.add(box(Vec3::Constant(half), 100).rough(0).at(where).moving(how));
+    }
+  }
+}
+
+// ---- all of them -------------------------------------------------------------------------------------------------------
+
 struct NamedScene {
   std::string name;                  ///< the chapter's number, a hyphen, a word or two: as typed on a command line
   std::function<void(World&)> fill;  ///< puts the bodies into an empty world
@@ -50,6 +95,8 @@ inline std::vector<NamedScene> all_scenes() {
       {"12-heavy", heavy_on_light},
       {"12-forty-boxes", boxes(40)},
       {"12-sunken-ball", sunken_ball},
+      {"15-piles", five_piles},
+      {"15-ice", cubes_on_ice},
   };
 }
 

@@ -28,6 +28,10 @@ inline Ink body_ink(int index) {
 inline Ink near_black_ink() {
   return {28, 32, 42};
 }
+/// For bodies that sleep: their own colours are gone.
+inline Ink asleep_ink() {
+  return {84, 88, 100};
+}
 /// For bodies that nothing moves.
 inline Ink fixed_ink() {
   return {188, 192, 198};
@@ -59,6 +63,9 @@ inline Colour body_colour(int index) {
 }
 inline Colour near_black_colour() {
   return linear(near_black_ink());
+}
+inline Colour asleep_colour() {
+  return linear(asleep_ink());
 }
 inline Colour fixed_colour() {
   return linear(fixed_ink());

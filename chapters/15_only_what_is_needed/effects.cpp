@@ -1,0 +1,72 @@
+/// ./course effects: what each scene calls for, and why.
+#include <CLI/CLI.hpp>
+
+#include "chapters/15_only_what_is_needed/questions.h"
+#include "chapters/15_only_what_is_needed/scenes.h"
+
+using namespace pushback;
+
+namespace {
+
+void print(const NamedScene& scene) {
+  World world;
+  scene.fill(world);
+  fmt::print("{}\n", scene.name);
+  for (const NamedAnswer& effect : effects_of(world))
+    fmt::print("  {:<4} {:<16} {}\n", effect.answer.yes ? "yes" : "-", effect.name, effect.answer.because);
+}
+
+/// One line a scene.
+void print_table(const std::vector<NamedScene>& scenes) {
+  fmt::print("{:<18}", "scene");
+  for (const NamedAnswer& effect : effects_of(World{})) fmt::print("  {}", effect.name);
+  for (const NamedScene& scene : scenes) {
+    World world;
+    scene.fill(world);
+    fmt::print("\n{:<18}", scene.name);
+    for (const NamedAnswer& effect : effects_of(world))
+      fmt::print("  {:<{}}", effect.answer.yes ? "yes" : "-", effect.name.size());
+  }
+  fmt::print("\n");
+}
+
+std::string names_of(const std::vector<NamedScene>& scenes) {
+  std::string names;
+  for (const NamedScene& scene : scenes) names += (names.empty() ? "" : ", ") + scene.name;
+  return names;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<NamedScene> scenes = all_scenes();
+  CLI::App app{"What a scene calls for, and why."};
+  std::vector<std::string> wanted{"all"};
+  app.add_option("scene", wanted, "Scenes by name, or all")->capture_default_str();
+  app.footer("The scenes: " + names_of(scenes));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& problem) {
+    return app.exit(problem) == 0 ? 0 : 2;
+  }
+  std::vector<NamedScene> chosen;
+  bool all = false;
+  for (const std::string& name : wanted) {
+    const auto found = std::find_if(scenes.begin(), scenes.end(), [&](const NamedScene& s) { return s.name == name; });
+    if (name == "all") {
+      all = true;
+    } else if (found == scenes.end()) {
+      fmt::print(stderr, "scene is '{}': all, or one of these is needed: {}\n", name, names_of(scenes));
+      return 2;
+    } else {
+      chosen.push_back(*found);
+    }
+  }
+  if (all) chosen = scenes;
+  for (const NamedScene& scene : chosen) print(scene);
+  if (chosen.size() > 1) {
+    fmt::print("\n");
+    print_table(chosen);
+  }
+  return 0;
+}

@@ -1,0 +1,105 @@
+#include "chapters/07_warm_start/full_solver.h"
+#include "chapters/15_only_what_is_needed/dispatch.h"
+#include "chapters/15_only_what_is_needed/everything.h"
+#include "chapters/15_only_what_is_needed/scenes.h"
+#include "common/experiment.h"
+
+using namespace pushback;
+
+namespace {
+
+/// Reads the scene in its first step.
+struct Needed {
+  std::optional<Sleep> sleep = {};
+  std::optional<OnlyWhatIsNeeded> chosen = {};
+
+  void step(World& world, Real dt, int sweeps) {
+    if (!chosen) chosen.emplace(world, FullSolver{}, sleep);
+    chosen->step(world, dt, sweeps);
+  }
+  const Rows& rows() const { return chosen->rows(); }
+};
+
+/// An island's bodies in the colour that its first one had.
+struct ColouredByIsland {
+  FullSolver solver = {};
+  Islands islands = {};
+  std::vector<int> colours = {};
+
+  void step(World& world, Real dt, int sweeps) {
+    world.step(solver, dt, sweeps);
+    if (colours.empty()) {
+      for (const Body& body : world.bodies) colours.push_back(body.colour);
+    }
+    std::vector<int> movable;
+    for (const Body& body : world.bodies) {
+      if (body.movable()) movable.push_back(body.index);
+    }
+    islands.separate(movable, world.bodies.size());
+    islands.join(world.contacts);
+    for (const int i : movable) world.bodies[std::size_t(i)].colour = colours[std::size_t(islands.island_of(i))];
+  }
+  const Rows& rows() const { return solver.rows(); }
+};
+
+/// m: how far any body is from where the solver with everything has put it.
+std::function<Real(const Run&)> apart_from_everything(const std::function<void(World&)>& fill, int sweeps) {
+  return [fill, sweeps](const Run& run) {
+    World world;
+    fill(world);
+    Everything everything;
+    for (std::size_t step = 0; step < run.samples.size(); ++step) world.step(everything, run.dt, sweeps);
+    Real apart = 0;
+    for (std::size_t i = 0; i < world.bodies.size(); ++i)
+      apart = std::max(apart, (world.bodies[i].position - run.world.bodies[i].position).norm());
+    return 1000 * apart;
+  };
+}
+
+template <class Value>
+Real mean(const Run& run, Value Sample::* what) {
+  Real sum = 0;
+  for (const Sample& sample : run.samples) sum += static_cast<Real>(sample.*what);
+  return sum / static_cast<Real>(run.samples.size());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment e("15_only_what_is_needed", "What may a scene leave out?");
+  Sleep sleep;
+  e.option("--still-for", sleep.seconds, "Seconds for which a body keeps its place before it may sleep", positive());
+  e.option("--place", sleep.place, "Metres by which its surface may stray in that time", positive());
+  return e.run(argc, argv, [&] {
+    const auto three_ways = [&] {
+      e.variant("everything", Everything{});
+      e.variant("what is called for", Needed{});
+      e.variant("called for, and asleep where it rests", Needed{.sleep = sleep});
+    };
+    const auto measured = [&](const std::function<void(World&)>& fill) {
+      e.number("rows, mean of all steps", "", [](const Run& run) { return mean(run, &Sample::rows); });
+      e.number("apart from everything at the end", "mm", apart_from_everything(fill, e.sweeps()));
+      e.clock("a step took", "ms", [](const Run& run) { return 1000 * mean(run, &Sample::step_seconds); });
+    };
+    e.scene({.name = "five piles, and a ball for one of them",
+             .fill = five_piles,
+             .camera = {{0, 6, 17}, {0, Real(1.2), 0}},
+             .seconds = 6,
+             .instants = {0, Real(1.2), Real(1.6), Real(2.5), 6}});
+    three_ways();
+    e.variant("everything, coloured by island", ColouredByIsland{});
+    measured(five_piles);
+    e.series("bodies asleep", "", [](const World& world) {
+      return static_cast<Real>(
+          std::count_if(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.asleep; }));
+    });
+    e.scene({.name = "cubes on ice: no friction, no bounce, no wobble",
+             .fill = cubes_on_ice,
+             .camera = {{0, 13, 13}, {0, 0, Real(0.5)}},
+             .seconds = 4,
+             .instants = {0, 1, 2, 3, 4}});
+    three_ways();
+    measured(cubes_on_ice);
+    e.series("kinetic energy", "kJ", [](const World& world) { return kinetic_energy(world) / 1000; });
+  });
+}
