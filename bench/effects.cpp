@@ -4,10 +4,9 @@
 /// round is the same step: velocities are put back, and the same solver has run just before, so that its rows are at hand.
 #include <benchmark/benchmark.h>
 
-#include "bench/in_turn.h"
-#include "chapters/07_warm_start/full_solver.h"
+#include "bench/frozen.h"
 #include "chapters/15_only_what_is_needed/dispatch.h"
-#include "common/scene.h"
+#include "chapters/15_only_what_is_needed/everything.h"
 
 using namespace pushback;
 
@@ -15,35 +14,6 @@ namespace {
 
 constexpr Real dt = Real(1) / 60;
 constexpr int sweeps = 10;
-
-/// A pyramid of 210 boxes that has come to rest, its contacts found; then everything in it is given this mu.
-class FrozenPyramid {
- public:
-  World world;
-
-  explicit FrozenPyramid(Real mu) {
-    pyramid(world, 20);
-    FullSolver solver;
-    for (int step = 0; step < 60; ++step) world.step(solver, dt, sweeps);
-    for (Body& body : world.bodies) body.rough(mu);
-    world.apply_forces(dt);
-    world.find_contacts();
-    before_ = world.bodies;
-  }
-  template <class ContactSolver>
-  double seconds(ContactSolver& solver) {
-    const auto solve = [&] { solver.solve(world.contacts, dt, sweeps); };
-    put_back();
-    solve();
-    put_back();
-    return seconds_of(solve);
-  }
-  double contacts() const { return static_cast<double>(world.contacts.size()); }
-
- private:
-  void put_back() { std::copy(before_.begin(), before_.end(), world.bodies.begin()); }
-  std::vector<Body> before_;
-};
 
 // ---- the price of each effect of the solver ----------------------------------------------------------------------------
 
@@ -61,7 +31,7 @@ constexpr double own_bytes<WarmStart> = Remembered::bytes;
 /// `Added` to a solver that has the others already.
 template <class Added, class... Others>
 void price_of(benchmark::State& state) {
-  FrozenPyramid frozen(Real(0.5));
+  FrozenPyramid frozen(20);
   Solver<Others...> without;
   Solver<Others..., Added> with;
   InTurn turns;
@@ -154,22 +124,9 @@ BENCHMARK(indirect_calls)->Iterations(400);
 
 // ---- a scene without friction ----------------------------------------------------------------------------------------------
 
-/// Friction makes no rows where mu = 0. This one makes them everywhere, as a solver does that does not look.
-struct FrictionEverywhere : Friction {
-  void build(const Contacts& contacts, Rows& rows, Real) {
-    first_ = rows.size();
-    mu_.clear();
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const auto [tangent1, tangent2] = tangents_of(contacts[i].normal);
-      rows.emplace_back(contacts[i], tangent1, static_cast<int>(i));
-      rows.emplace_back(contacts[i], tangent2, static_cast<int>(i));
-      mu_.push_back(contacts[i].friction);
-    }
-  }
-};
-
 void frictionless_solving(benchmark::State& state) {
-  FrozenPyramid frozen(0), rough(Real(0.5));
+  FrozenPyramid frozen(20), rough(20);
+  frozen.rubbing(0);
   FittingSolver needed(frozen.world, FullSolver{});
   Solver<Clamping, Baumgarte, Slop, WarmStart> never_heard;
   Solver<Clamping, Baumgarte, Slop, FrictionEverywhere, WarmStart> with_tangents;
@@ -215,7 +172,7 @@ BENCHMARK(frictionless_step)->Iterations(600)->Unit(benchmark::kMicrosecond);
 // ---- warm starting's cache, where there is none -----------------------------------------------------------------------------
 
 void without_warm_start(benchmark::State& state) {
-  FrozenPyramid frozen(Real(0.5));
+  FrozenPyramid frozen(20);
   using NeverHad = Solver<Clamping, Baumgarte, Slop, Restitution, Friction>;
   for (Body& body : frozen.world.bodies) body.bouncy(Real(0.1));  // so that the choice leaves nothing else out
   FittingSolver needed(frozen.world, NeverHad{});

@@ -4,11 +4,8 @@
 /// absolute times differ from machine to machine and from minute to minute.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <chrono>
-
+#include "bench/frozen.h"
 #include "chapters/07_warm_start/flat.h"
-#include "chapters/07_warm_start/full_solver.h"
 #include "chapters/08_friction_cone/scaled_back.h"
 #include "chapters/12_small_steps/steady_solver.h"
 #include "common/scene.h"
@@ -19,42 +16,16 @@ namespace {
 
 constexpr Real dt = Real(1) / 60;
 
-/// A pyramid that has come to rest, its contacts found: `base` 20 has 210 boxes and about 1,600 points.
-World resting_pyramid(int base) {
-  World world;
-  pyramid(world, base);
-  FullSolver solver;
-  for (int step = 0; step < 60; ++step) world.step(solver, dt, 10);
-  world.apply_forces(dt);
-  world.find_contacts();
-  return world;
-}
-
-/// Contacts point to the bodies of the world that found them: a copy has to find its own.
-World copy_of(const World& world) {
-  World copy = world;
-  copy.find_contacts();
-  return copy;
-}
-
-double seconds(std::chrono::steady_clock::time_point since) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
-}
-
 template <class ContactSolver>
 void solve(benchmark::State& state, int rows_per_contact) {
-  const World world = resting_pyramid(static_cast<int>(state.range(0)));
+  FrozenPyramid frozen(static_cast<int>(state.range(0)));
   const int sweeps = static_cast<int>(state.range(1));
-  World work = copy_of(world);
   ContactSolver solver;
-  for (auto _ : state) {
-    solver.solve(work.contacts, dt, sweeps);
-    benchmark::DoNotOptimize(work.bodies.data());
-  }
-  const double rows = static_cast<double>(work.contacts.size()) * rows_per_contact;
-  state.counters["contacts"] = static_cast<double>(work.contacts.size());
+  for (auto _ : state) state.SetIterationTime(frozen.seconds(solver, sweeps));
+  state.counters["contacts"] = frozen.contacts();
   state.counters["per row and sweep"] =
-      benchmark::Counter(rows * sweeps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      benchmark::Counter(frozen.contacts() * rows_per_contact * sweeps,
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 using NormalsOnly = Solver<Clamping, Baumgarte, Slop>;
@@ -80,6 +51,7 @@ BENCHMARK(composed)
     ->Args({20, 20})
     ->Args({20, 50})
     ->Args({20, 100})
+    ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK(by_hand)
     ->ArgNames({"base", "sweeps"})
@@ -87,27 +59,24 @@ BENCHMARK(by_hand)
     ->Args({5, 50})
     ->Args({20, 10})
     ->Args({20, 50})
+    ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK(normals_only)->ArgNames({"base", "sweeps"})->Args({20, 10})->Args({20, 50})->Unit(benchmark::kMicrosecond);
+BENCHMARK(normals_only)
+    ->ArgNames({"base", "sweeps"})
+    ->Args({20, 10})
+    ->Args({20, 50})
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
 
 /// Both solvers on the same contacts, in turn, and the median of the ratios.
 void composed_against_by_hand(benchmark::State& state) {
-  const World world = resting_pyramid(20);
-  World first = copy_of(world);
-  World second = copy_of(world);
+  FrozenPyramid frozen(20);
   FullSolver composed_solver;
   FlatSolver flat_solver;
-  std::vector<double> ratios;
-  for (auto _ : state) {
-    const auto begin = std::chrono::steady_clock::now();
-    composed_solver.solve(first.contacts, dt, 10);
-    const double a = seconds(begin);
-    const auto middle = std::chrono::steady_clock::now();
-    flat_solver.solve(second.contacts, dt, 10);
-    ratios.push_back(a / seconds(middle));
-  }
-  std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
-  state.counters["median ratio"] = ratios[ratios.size() / 2];
+  InTurn turns;
+  for (auto _ : state)
+    turns.round({[&] { return frozen.seconds(composed_solver); }, [&] { return frozen.seconds(flat_solver); }});
+  state.counters["median ratio"] = turns.ratio(0, 1);
 }
 BENCHMARK(composed_against_by_hand)->Iterations(400)->Unit(benchmark::kMicrosecond);
 
@@ -115,27 +84,15 @@ BENCHMARK(composed_against_by_hand)->Iterations(400)->Unit(benchmark::kMicroseco
 template <class AnyFriction>
 void friction_against_pyramid(benchmark::State& state) {
   const int sweeps = static_cast<int>(state.range(0));
-  const World world = resting_pyramid(20);
-  World first = copy_of(world);
-  World second = copy_of(world);
+  FrozenPyramid frozen(20);
   Solver<Clamping, Baumgarte, Slop, Restitution, AnyFriction, WarmStart> solver;
   FullSolver pyramid_solver;
-  std::vector<double> times, ratios;
-  for (auto _ : state) {
-    const auto begin = std::chrono::steady_clock::now();
-    solver.solve(first.contacts, dt, sweeps);
-    times.push_back(seconds(begin));
-    const auto middle = std::chrono::steady_clock::now();
-    pyramid_solver.solve(second.contacts, dt, sweeps);
-    ratios.push_back(times.back() / seconds(middle));
-  }
-  const auto median = [](std::vector<double>& values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
-  };
-  state.counters["median ratio"] = median(ratios);
-  state.counters["ns per contact and sweep"] =
-      1e9 * median(times) / (static_cast<double>(world.contacts.size()) * sweeps);
+  InTurn turns;
+  for (auto _ : state)
+    turns.round(
+        {[&] { return frozen.seconds(solver, sweeps); }, [&] { return frozen.seconds(pyramid_solver, sweeps); }});
+  state.counters["median ratio"] = turns.ratio(0, 1);
+  state.counters["ns per contact and sweep"] = 1e9 * turns.time(0) / (frozen.contacts() * sweeps);
 }
 void pyramid_of_friction(benchmark::State& state) {
   friction_against_pyramid<Friction>(state);

@@ -67,7 +67,7 @@ struct Row {
     apply(change);
   }
   /// What the sum would have to be for J V + b + gamma lambda = 0 if no other row existed.
-  Real wanted() const { return impulse - effective_mass * (speed() + bias + softness * impulse); }
+  Real wanted() const { return impulse - effective_mass * (speed() + (bias + softness * impulse)); }
   void solve() { reach(wanted()); }
   /// How far the row is from being solved, m/s: the change of J V that another `solve` would make.
   Real error() const { return std::abs(std::clamp(wanted(), lo, hi) - impulse) / effective_mass; }
