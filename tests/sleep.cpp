@@ -163,8 +163,10 @@ TEST_CASE("nobody sleeps on what is moving, be it ever so slowly") {
   world.add(box({1, 1, 1}, 1).fixed().at({0, -1, 0}).moving({Real(1e-4), 0, 0}));
   world.add(cube().at({0, Real(0.499), 0}));
   Dormitory platform(world);
-  platform.step(300);
-  CHECK(platform.asleep().empty());
+  for (int i = 0; i < 300; ++i) {
+    platform.step();
+    REQUIRE(platform.asleep().empty());
+  }
   CHECK(platform.world.bodies[1].position.x() == Approx(5 * Real(1e-4)).epsilon(Real(0.05)));
   platform.world.bodies[0].velocity.setZero();  // it has arrived
   platform.step(120);
@@ -229,6 +231,31 @@ TEST_CASE("who is woken by a touch wakes whom it touches, in the same step") {
   piles.world.add(sphere(Real(0.1), 1).at({0, Real(0.5), Real(0.599)}));  // at the lowest box of the first pile
   piles.step();
   CHECK(piles.asleep().empty());
+}
+
+TEST_CASE("a touch goes from sleeper to sleeper, however many there are, in one step") {
+  World world;
+  world.gravity.setZero();
+  for (int i = 0; i < 10; ++i) world.add(sphere(1, 1).at({3 * static_cast<Real>(i), 0, 0}));
+  Dormitory balls(world);
+  balls.step_until_asleep({0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  // By hand, behind the back of Sleep: so close that they touch; but for the last two.
+  for (int i = 0; i < 8; ++i) balls.world.bodies[std::size_t(i)].position.x() = Real(1.9) * static_cast<Real>(i);
+  balls.sleep().wake(balls.world, 0);
+  balls.step();
+  CHECK(balls.asleep() == Bodies{8, 9});
+}
+
+TEST_CASE("what nobody lies on may be moved by hand, if it is said") {
+  Dormitory piles = two_sleeping_piles();
+  piles.world.add(box({1, 1, 1}, 1).fixed().at({20, 1, 0}));
+  piles.world.add(cube().at({10, Real(2.499), 0}).moving({0, 1, 0}));
+  piles.step();
+  piles.world.bodies[7].position.x() = 10;
+  piles.sleep().wake(piles.world, 7);
+  CHECK(piles.asleep() == both);
+  piles.step_until_asleep({1, 2, 3, 4, 5, 6, 8});
+  CHECK(piles.world.bodies[8].position.y() == Approx(Real(2.495)).margin(Real(0.006)));
 }
 
 TEST_CASE("an immovable body that comes to touch wakes; while it is still, it does not") {
@@ -501,6 +528,10 @@ TEST_CASE("a body may come while others sleep, and falls asleep like them") {
   CHECK(piles.asleep() == both);
   piles.world.add(box({1, 1, 1}, 1).fixed().at({8, 1, 0}));  // immovable ones too
   piles.world.add(cube().at({8, Real(2.499), 0}));
+  for (int i = 0; i < 20; ++i) {
+    piles.step();
+    REQUIRE(piles.world.bodies[9].position.y() > Real(2.495));  // it is there from its first step on
+  }
   piles.step_until_asleep({1, 2, 3, 4, 5, 6, 7, 9});
   CHECK(piles.sleep().asleep().size() == 4);
 }
