@@ -244,19 +244,19 @@ TEST_CASE("the pair that is named is the one with the largest e or mu of all tha
       if (random.below(2) == 0) body.fixed();
       world.add(body);
     }
-    Real e = 0, mu = 0;
+    Real bounciest = 0, roughest = 0;
     for (const Body& a : world.bodies) {
       for (const Body& b : world.bodies) {
         if (a.index >= b.index || !(a.movable() || b.movable())) continue;
-        e = std::max({e, a.restitution, b.restitution});
-        mu = std::max(mu, std::sqrt(a.friction * b.friction));
+        bounciest = std::max({bounciest, a.restitution, b.restitution});
+        roughest = std::max(roughest, std::sqrt(a.friction * b.friction));
       }
     }
     const Answer bouncing = Bouncing::in(world), rubbing = Rubbing::in(world);
-    REQUIRE(bouncing.yes == (e > 0));
-    REQUIRE(rubbing.yes == (mu > 0));
-    if (bouncing.yes) REQUIRE(bouncing.because.starts_with(fmt::format("e = {:.3g} between ", e)));
-    if (rubbing.yes) REQUIRE(rubbing.because.starts_with(fmt::format("μ = {:.3g} between ", mu)));
+    REQUIRE(bouncing.yes == (bounciest > 0));
+    REQUIRE(rubbing.yes == (roughest > 0));
+    if (bouncing.yes) REQUIRE(bouncing.because.starts_with(fmt::format("e = {:.3g} between ", bounciest)));
+    if (rubbing.yes) REQUIRE(rubbing.because.starts_with(fmt::format("μ = {:.3g} between ", roughest)));
     yes += bouncing.yes + rubbing.yes;
     no += !bouncing.yes + !rubbing.yes;
   }
