@@ -133,6 +133,22 @@ TEST_CASE("some cases and stages: files of their own, the same bytes whatever th
   CHECK(contains(text_of(folder / "times.csv"), "stack-20,07 warm start,"));
 }
 
+TEST_CASE("by what each world calls for: the same table, in a folder of its own") {
+  const Scratch scratch;
+  const std::string what = "contacts-twice bounces --quick --no-images --out '" + (scratch / "out").string() + "'";
+  const Ended direct = call_program(TABLE_PROGRAM, what, 100);
+  const Ended needed = call_program(TABLE_PROGRAM, what + " --only-what-is-needed", 100);
+  INFO(direct.err << needed.err);
+  REQUIRE(direct.status == 0);
+  REQUIRE(needed.status == 0);
+  const fs::path folder = scratch / "out" / "hard_cases";
+  for (const std::string file : {"table.csv", "table.md"}) {
+    INFO(file);
+    CHECK(text_of(folder / "part" / file).size() > 100);
+    CHECK(text_of(folder / "part" / file) == text_of(folder / "only_what_is_needed" / file));
+  }
+}
+
 TEST_CASE("without pictures there are none, and --list writes nothing") {
   const Scratch scratch;
   const Ended ended =

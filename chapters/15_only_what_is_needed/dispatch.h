@@ -37,6 +37,7 @@ class FittingSolver {
   void solve(Contacts& contacts, Real dt, int sweeps) { holder_->solve(contacts, dt, sweeps); }
   void relax(Contacts& contacts) { holder_->relax(contacts); }
   void remember(const Contacts& contacts) { holder_->remember(contacts); }
+  void forget() { holder_->forget(); }
   const Rows& rows() const { return holder_->rows(); }
 
  private:
@@ -47,6 +48,7 @@ class FittingSolver {
     virtual void solve(Contacts& contacts, Real dt, int sweeps) = 0;
     virtual void relax(Contacts& contacts) = 0;
     virtual void remember(const Contacts& contacts) = 0;
+    virtual void forget() = 0;
     virtual const Rows& rows() const = 0;
   };
   template <class Full, class ContactSolver>
@@ -64,6 +66,10 @@ class FittingSolver {
     }
     void remember(const Contacts& contacts) override {
       if constexpr (requires { solver.remember(contacts); }) solver.remember(contacts);
+    }
+    void forget() override {
+      if constexpr (requires { solver.forget(); }) solver.forget();
+      if constexpr (requires { full.forget(); }) full.forget();
     }
     const Rows& rows() const override {
       static const Rows none;

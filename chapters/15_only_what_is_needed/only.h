@@ -83,8 +83,12 @@ struct Motion {
     if constexpr (Called::template has<Bouncing>) begin_step(body);
   }
   static void push(Body& body, const Vec3& gravity, Real dt) {
-    if constexpr (Called::template has<Pulling>) pushback::push(body, gravity, dt);
-    else if (body.movable()) body.velocity += dt * gravity;
+    if constexpr (Called::template has<Pulling>) {
+      pushback::push(body, gravity, dt);
+    } else if (body.movable()) {  // a force of 0 makes 0 of -0, and so does this
+      body.velocity += dt * (gravity + Vec3::Zero());
+      body.angular_velocity += Vec3::Zero();
+    }
   }
   static void move(Body& body, Real dt) {
     if constexpr (Called::template has<Tumbling>) {
@@ -96,6 +100,17 @@ struct Motion {
   }
 };
 
+/// What touches is solved. Where nothing can, nothing is left of what touched before: no contacts, and no memory of them.
+template <class Called, class ContactSolver>
+void solve_only(World& world, ContactSolver& solver, Real dt, int sweeps) {
+  if constexpr (Called::template has<Touching>) {
+    solver.solve(world.contacts, dt, sweeps);
+  } else {
+    world.contacts.clear();
+    if constexpr (requires { solver.forget(); }) solver.forget();
+  }
+}
+
 /// World::step of what is called for. `ContactSolver`: see World::step.
 template <class Called, class ContactSolver>
 void step_only(World& world, ContactSolver& solver, Real dt, int sweeps = 10) {
@@ -106,10 +121,8 @@ void step_only(World& world, ContactSolver& solver, Real dt, int sweeps = 10) {
     for (const Force& force : world.forces) force.apply(world);
   }
   for (Body& body : world.bodies) Motion<Called>::push(body, world.gravity, dt);
-  if constexpr (Called::template has<Touching>) {
-    world.find_contacts();
-    solver.solve(world.contacts, dt, sweeps);
-  }
+  if constexpr (Called::template has<Touching>) world.find_contacts();
+  solve_only<Called>(world, solver, dt, sweeps);
   for (Body& body : world.bodies) Motion<Called>::move(body, dt);
   if constexpr (Called::template has<Touching> && requires { solver.relax(world.contacts); }) {
     solver.relax(world.contacts);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/input.h"
+
 namespace pushback {
 
 namespace {
@@ -65,11 +67,20 @@ Answer Tumbling::in(const World& world) {
   return {true, fmt::format("the inertia of {} differs from axis to axis", name_of(*body))};
 }
 
+void check_bodies_of(const Force& force, const World& world) {
+  for (const int i : force.bodies) {
+    if (i >= 0 && std::size_t(i) < world.bodies.size()) continue;
+    throw InvalidInput(
+        fmt::format("{} acts on body {}: of {} bodies, the first is 0", force.name, i, world.bodies.size()));
+  }
+}
+
 Answer Pulling::in(const World& world) {
+  for (const Force& force : world.forces) check_bodies_of(force, world);
   if (!world.forces.empty()) {
     const Force& force = world.forces.front();
     if (force.bodies.empty()) return {true, force.name};
-    return {true, fmt::format("{} on {}", force.name, name_of(world.bodies.at(std::size_t(force.bodies.front()))))};
+    return {true, fmt::format("{} on {}", force.name, name_of(world.bodies[std::size_t(force.bodies.front())]))};
   }
   const auto pulled = [](const Body& body) { return !body.force.isZero(0) || !body.torque.isZero(0); };
   const auto body = std::find_if(world.bodies.begin(), world.bodies.end(), pulled);

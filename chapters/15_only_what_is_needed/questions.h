@@ -36,11 +36,14 @@ struct Tumbling {
   static constexpr const char* name = "gyroscopic term";
   static Answer in(const World& world);
 };
-/// Does anything but gravity pull: a spring, drag, a force that somebody has put on a body?
+/// Does anything but gravity pull: a spring, drag, a force that somebody has put on a body? Throws as check_bodies_of.
 struct Pulling {
   static constexpr const char* name = "applied forces";
   static Answer in(const World& world);
 };
+
+/// Throws InvalidInput if a force acts on a body that is not there.
+void check_bodies_of(const Force& force, const World& world);
 
 /// Those to which the answer is yes.
 template <class... Questions>

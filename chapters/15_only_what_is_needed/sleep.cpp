@@ -46,30 +46,31 @@ void Sleep::look(World& world) {
     arranged_ = arranged_ && (body.movable() || plane);
   }
   const auto driven = [&world](int i) { return moves(world.bodies[std::size_t(i)]); };
+  driven_before_.swap(driven_);
+  driven_.clear();
+  std::copy_if(fixed_.begin(), fixed_.end(), std::back_inserter(driven_), driven);
+  if (driven_ != driven_before_) arranged_ = false;
+  for (const auto& which : {awake_, driven_, planes_}) {
+    for (const int i : which) check_state(world.bodies[std::size_t(i)]);
+  }
+  for (const Force& force : world.forces) check_bodies_of(force, world);
+
   const bool plane_moves = std::any_of(planes_.begin(), planes_.end(), driven);
   nobody_may_sleep_ = plane_moves || std::any_of(world.forces.begin(), world.forces.end(), acts_on_all);
   if (nobody_may_sleep_ || world.gravity != gravity_ || world.forces.size() != forces_) wake_all(world);
   gravity_ = world.gravity;
   forces_ = world.forces.size();
-
-  driven_before_.swap(driven_);
-  driven_.clear();
-  std::copy_if(fixed_.begin(), fixed_.end(), std::back_inserter(driven_), driven);
-  if (driven_ != driven_before_) arranged_ = false;
-  for (const int i : awake_) check_state(world.bodies[std::size_t(i)]);
-  for (const int i : driven_) check_state(world.bodies[std::size_t(i)]);
 }
 
 void Sleep::feel_forces(World& world) {
   for (const Force& force : world.forces) {
     for (const int i : force.bodies) {
-      Body& body = world.bodies[std::size_t(i)];
+      const Body& body = world.bodies[std::size_t(i)];
       if (!body.asleep) continue;
       Rest& its = rest(i);
       const std::pair pull(body.force, body.torque);
       if (!its.pull) its.pull = pull;
-      if (*its.pull == pull) body.force.setZero(), body.torque.setZero();
-      else wake_island(world, its.island);
+      if (*its.pull != pull) wake_island(world, its.island);
     }
   }
 }
@@ -77,6 +78,12 @@ void Sleep::feel_forces(World& world) {
 void Sleep::find_contacts(World& world) {
   feel_forces(world);
   while (someone_touched(world)) continue;  // who wakes may touch others
+  for (const Force& force : world.forces) {
+    for (const int i : force.bodies) {
+      Body& body = world.bodies[std::size_t(i)];
+      if (body.asleep) body.force.setZero(), body.torque.setZero();  // it held the body, and will do so again
+    }
+  }
 }
 
 /// Finds the contacts. Returns whether somebody had to be woken: then they are not all there yet.
@@ -125,10 +132,9 @@ void Sleep::arrange(const World& world) {
 
 void Sleep::wake_island(World& world, int island) {
   Island& woken = islands_[std::size_t(island)];
+  for (const int i : woken.bodies) check_state(world.bodies[std::size_t(i)]);
   for (const int i : woken.bodies) {
-    Body& body = world.bodies[std::size_t(i)];
-    check_state(body);
-    body.asleep = false;
+    world.bodies[std::size_t(i)].asleep = false;
     rest(i) = {.reach = rest(i).reach};
   }
   insert_ascending(awake_, woken.bodies);
@@ -177,8 +183,11 @@ void Sleep::settle(World& world, Real dt) {
   touching_.separate(awake_, world.bodies.size());
   touching_.join(world.contacts);
   for (const Force& force : world.forces) {
+    int other = -1;
     for (const int i : force.bodies) {
-      if (world.bodies[std::size_t(i)].movable()) touching_.join(force.bodies.front(), i);
+      if (!world.bodies[std::size_t(i)].movable()) continue;
+      if (other >= 0) touching_.join(other, i);
+      other = i;
     }
   }
   for (const Contact& contact : world.contacts) {  // what carries it may carry it away

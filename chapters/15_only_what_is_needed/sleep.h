@@ -93,7 +93,7 @@ void step_awake(World& world, ContactSolver& solver, Sleep& sleep, Real dt, int 
   };
   each(Motion<Called>::begin);
   each([&](Body& body) { Motion<Called>::push(body, world.gravity, dt); });
-  if constexpr (Called::template has<Touching>) solver.solve(world.contacts, dt, sweeps);
+  solve_only<Called>(world, solver, dt, sweeps);
   each([&](Body& body) { Motion<Called>::move(body, dt); });
   if constexpr (Called::template has<Touching> && requires { solver.relax(world.contacts); }) {
     solver.relax(world.contacts);

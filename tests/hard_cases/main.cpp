@@ -99,13 +99,16 @@ int main(int argc, char** argv) {
   std::vector<std::string> names, stage_names;
   std::string out = "renders";
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  bool quick = false, no_images = false, list = false;
+  bool quick = false, only_needed = false, no_images = false, list = false;
   CLI::App app("Every hard case under every stage of the solver: which feature keeps which case stable?",
                "hard_cases_table");
   app.add_option("NAME", names, "Only these cases, by their names or a part of them");
   app.add_option("--stages", stage_names, "Only these stages, by their names or a part of them, separated by commas")
       ->delimiter(',');
   app.add_flag("--quick", quick, "Only the chapters' stages, without the small steps that came after");
+  app.add_flag("--only-what-is-needed", only_needed,
+               "Through the dispatch of chapter 15: each world by what it calls for. The same numbers, in the folder "
+               "hard_cases/only_what_is_needed");
   app.add_option("--out", out,
                  "Folder in which the folder hard_cases is made; what is not the whole table goes to hard_cases/part")
       ->capture_default_str();
@@ -127,6 +130,7 @@ int main(int argc, char** argv) {
     std::vector<Stage> all = stages();
     if (quick) all.resize(chapter_stages);
     std::vector<Stage> columns = chosen("stage", all, stage_names);
+    if (only_needed) std::transform(columns.begin(), columns.end(), columns.begin(), only_what_is_needed);
     if (list) {
       for (const HardCase& c : cases) fmt::print("{:<24}{}: {}\n", c.name, c.title, c.stresses);
       fmt::print("\n");
@@ -134,7 +138,10 @@ int main(int argc, char** argv) {
       return 0;
     }
     const bool whole = cases.size() == hard_cases().size() && columns.size() == stages().size();
-    const std::filesystem::path folder = std::filesystem::path(out) / "hard_cases" / (whole ? "" : "part");
+    const std::filesystem::path folder = std::filesystem::path(out) / "hard_cases" /
+                                         (only_needed ? "only_what_is_needed"
+                                          : whole     ? ""
+                                                      : "part");
     make_writable_folder(folder);
     std::vector<World> ends;
     std::size_t printed = 0;

@@ -3,6 +3,7 @@
 #include "chapters/00_naive_impulses/naive.h"
 #include "chapters/05_restitution/in_turn.h"
 #include "chapters/12_small_steps/steady_solver.h"
+#include "chapters/15_only_what_is_needed/dispatch.h"
 #include "common/input.h"
 
 namespace pushback {
@@ -52,9 +53,22 @@ Stepper steps_of(int count, int sweeps) {
 }
 
 template <class ContactSolver>
+Stepper needed_steps_of(int count, int sweeps) {
+  return [count, sweeps, solver = std::optional<OnlyWhatIsNeeded>{}](World& world, Real dt) mutable {
+    if (!solver) solver.emplace(world, ContactSolver{});
+    for (int i = 0; i < count; ++i) solver->step(world, dt / static_cast<Real>(count), sweeps);
+  };
+}
+
+template <class ContactSolver>
 Stage stage_of(const char* name, const char* what, int count, int sweeps) {
-  return {name, what, [=] { return steps_of<ContactSolver>(count, sweeps); },
-          [=] { return steps_of<Doubled<ContactSolver>>(count, sweeps); }, count};
+  return {name,
+          what,
+          [=] { return steps_of<ContactSolver>(count, sweeps); },
+          [=] { return steps_of<Doubled<ContactSolver>>(count, sweeps); },
+          count,
+          [=] { return needed_steps_of<ContactSolver>(count, sweeps); },
+          [=] { return needed_steps_of<Doubled<ContactSolver>>(count, sweeps); }};
 }
 
 template <class ContactSolver>
@@ -91,6 +105,12 @@ const std::vector<Stage>& stages() {
                              "soft contacts, a cone, impacts at once, a scaled guess; 32 small steps of one sweep", 32),
   };
   return all;
+}
+
+Stage only_what_is_needed(Stage stage) {
+  stage.begin = stage.begin_only_needed;
+  stage.begin_doubled = stage.begin_doubled_only_needed;
+  return stage;
 }
 
 const Stage& stage_named(const std::string& name) {

@@ -1,0 +1,45 @@
+/// The hard cases once more, each world by what it calls for: the same outcomes, to the bit.
+#include <cmath>
+
+#include "tests/catch.h"
+#include "tests/hard_cases/hard_case.h"
+
+using namespace pushback;
+
+namespace {
+
+/// All stages together play these in a few seconds.
+const std::vector<std::string> quick{"heavy-1",          "heavy-1000",    "stopping-distance", "headings",
+                                     "bounces",          "row-in-turn",   "row-at-once",       "there-and-back",
+                                     "hit-500-free",     "hit-500-stack", "born-deep",         "slop",
+                                     "spinning-landing", "dt-10",         "contacts-twice"};
+
+bool same(Real p, Real q) {
+  return (p == q && std::signbit(p) == std::signbit(q)) || (std::isnan(p) && std::isnan(q));
+}
+
+void hold_to_direct(const HardCase& hard_case, const Stage& stage) {
+  const Outcome direct = outcome_of(hard_case, stage);
+  const Outcome needed = outcome_of(hard_case, only_what_is_needed(stage));
+  INFO(hard_case.name << " under " << stage.name);
+  REQUIRE(direct.numbers.size() == needed.numbers.size());
+  for (std::size_t i = 0; i < direct.numbers.size(); ++i) {
+    INFO(hard_case.criteria[i].what << ": " << direct.numbers[i] << ", " << needed.numbers[i]);
+    CHECK(same(direct.numbers[i], needed.numbers[i]));
+  }
+  CHECK(direct.broken == needed.broken);
+}
+
+}  // namespace
+
+TEST_CASE("hard cases by what they call for: some under all stages", "[slow]") {
+  for (const std::string& name : quick) {
+    for (const Stage& stage : stages()) hold_to_direct(hard_case_named(name), stage);
+  }
+}
+TEST_CASE("hard cases by what they call for: all under the full solver", "[slow]") {
+  for (const HardCase& hard_case : hard_cases()) hold_to_direct(hard_case, stage_named("07 warm start"));
+}
+TEST_CASE("hard cases by what they call for: all under the best", "[long]") {
+  for (const HardCase& hard_case : hard_cases()) hold_to_direct(hard_case, stage_named("all together"));
+}
