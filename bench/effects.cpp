@@ -132,17 +132,19 @@ void frictionless_solving(benchmark::State& state) {
   Solver<Clamping, Baumgarte, Slop, FrictionEverywhere, WarmStart> with_tangents;
   Solver<Clamping, Baumgarte, Slop, Friction, WarmStart> rubbing;
   FullSolver full;
+  Everything everything;
   InTurn turns;
   for (auto _ : state) {
     turns.round({[&] { return frozen.seconds(needed); }, [&] { return frozen.seconds(never_heard); },
                  [&] { return frozen.seconds(with_tangents); }, [&] { return rough.seconds(rubbing); },
-                 [&] { return frozen.seconds(full); }});
+                 [&] { return frozen.seconds(full); }, [&] { return frozen.seconds(everything); }});
   }
   state.counters["1 needed, us"] = 1e6 * turns.time(0);
   state.counters["2 needed / never heard"] = turns.ratio(0, 1);
   state.counters["3 tangent rows, mu = 0 / needed"] = turns.ratio(2, 0);
   state.counters["4 tangent rows, mu = 0.5 / needed"] = turns.ratio(3, 0);
   state.counters["5 full / needed"] = turns.ratio(4, 0);
+  state.counters["6 everything, mu = 0 / needed"] = turns.ratio(5, 0);
 }
 BENCHMARK(frictionless_solving)->Iterations(400)->Unit(benchmark::kMicrosecond);
 

@@ -95,6 +95,9 @@ TEST_CASE("the sheet of 08 looks as it did") {
 TEST_CASE("the sheet of 12 looks as it did") {
   compare("12_small_steps");
 }
+TEST_CASE("the sheet of 15 looks as it did") {
+  compare("15_only_what_is_needed");
+}
 
 TEST_CASE("an image that is not the same is told apart") {
   Image white(20, 10, 255);
