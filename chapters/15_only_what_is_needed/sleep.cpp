@@ -50,8 +50,8 @@ void Sleep::look(World& world) {
   driven_.clear();
   std::copy_if(fixed_.begin(), fixed_.end(), std::back_inserter(driven_), driven);
   if (driven_ != driven_before_) arranged_ = false;
-  for (const auto& which : {awake_, driven_, planes_}) {
-    for (const int i : which) check_state(world.bodies[std::size_t(i)]);
+  for (const auto* which : {&awake_, &driven_, &planes_}) {
+    for (const int i : *which) check_state(world.bodies[std::size_t(i)]);
   }
   for (const Force& force : world.forces) check_bodies_of(force, world);
 
