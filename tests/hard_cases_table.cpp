@@ -82,7 +82,7 @@ TEST_CASE("what is no number fails, and so does a case whose invariant broke") {
   CHECK(contains(table_md(table), "| ✗ – | ✗ 0.5 mm (energy) |"));
 }
 
-TEST_CASE("some cases and stages: files of their own, the same bytes whatever the number of threads") {
+TEST_CASE("some cases and stages: files of their own, the same bytes whatever the number of threads", "[slow]") {
   const Scratch scratch;
   // The last stage takes so long that with two threads the pairs are finished in another order.
   const std::string what = "stack-10 stack-20 --stages 01,07,soft --out '";

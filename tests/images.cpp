@@ -86,13 +86,13 @@ TEST_CASE("the sheet of 05 looks as it did") {
 TEST_CASE("the sheet of 06 looks as it did") {
   compare("06_friction");
 }
-TEST_CASE("the sheet of 07 looks as it did") {
+TEST_CASE("the sheet of 07 looks as it did", "[slow]") {
   compare("07_warm_start");
 }
 TEST_CASE("the sheet of 08 looks as it did") {
   compare("08_friction_cone");
 }
-TEST_CASE("the sheet of 12 looks as it did") {
+TEST_CASE("the sheet of 12 looks as it did", "[slow]") {
   compare("12_small_steps");
 }
 TEST_CASE("the sheet of 15 looks as it did") {
