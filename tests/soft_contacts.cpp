@@ -3,19 +3,28 @@
 
 using namespace pushback;
 
+namespace {
+
+/// A row somewhere between two bodies that overlap, in any direction.
+Row any_row(World& world, Random& random) {
+  overlapping_pair(world, random);
+  Contact contact;
+  contact.a = &world.bodies[0];
+  contact.b = &world.bodies[1];
+  contact.point = random.vector(1);
+  contact.normal = random.direction();
+  return {contact, contact.normal, 0};
+}
+
+}  // namespace
+
 // ---- the row ---------------------------------------------------------------------------------------------------------
 
 TEST_CASE("a soft row ends at J V + b + gamma lambda = 0, wherever it starts") {
   Random random(1);
   for (int i = 0; i < 500; ++i) {
     World world;
-    overlapping_pair(world, random);
-    Contact contact;
-    contact.a = &world.bodies[0];
-    contact.b = &world.bodies[1];
-    contact.point = random.vector(1);
-    contact.normal = random.direction();
-    Row row(contact, contact.normal, 0);
+    Row row = any_row(world, random);
     const Real K = 1 / row.effective_mass;
     row.bias = random.between(-3, 3);
     row.softness = K * random.over_decades(Real(0.01), 100);
@@ -32,13 +41,7 @@ TEST_CASE("a row without softness wants, to the bit, what it wanted before there
   Random random(2);
   for (int i = 0; i < 500; ++i) {
     World world;
-    overlapping_pair(world, random);
-    Contact contact;
-    contact.a = &world.bodies[0];
-    contact.b = &world.bodies[1];
-    contact.point = random.vector(1);
-    contact.normal = random.direction();
-    Row row(contact, contact.normal, 0);
+    Row row = any_row(world, random);
     row.bias = random.between(-3, 3);
     row.reach(random.between(-10, 10));
     REQUIRE(row.wanted() == row.impulse - row.effective_mass * (row.speed() + row.bias));

@@ -50,8 +50,6 @@ template <class... Questions>
 struct CalledFor {
   template <class Question>
   static constexpr bool has = (std::is_same_v<Question, Questions> || ...);
-  template <class Question>
-  using with = CalledFor<Questions..., Question>;
 };
 
 using EveryQuestion = CalledFor<Touching, Bouncing, Rubbing, Tumbling, Pulling>;
