@@ -202,6 +202,15 @@ struct Watched {
       sample.residual = 0;
       for (const auto& row : solver.rows()) sample.residual = std::max(sample.residual, row.error());
     }
+    if constexpr (requires { solver.joint_rows(); }) {
+      sample.rows += static_cast<int>(solver.joint_rows().size());
+      for (const auto& row : solver.joint_rows()) sample.residual = std::max(sample.residual, row.error());
+    }
+  }
+  void hold(World& world, Real dt)
+    requires JointSolver<ContactSolver>
+  {
+    timed([&] { solver.hold(world, dt); });
   }
   void relax(Contacts& contacts)
     requires requires(ContactSolver& s) { s.relax(contacts); }

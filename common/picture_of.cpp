@@ -43,6 +43,24 @@ Real fitting_arrow(const World& world, Real dt) {
   return typical_size(world) / (mass / static_cast<Real>(count) * speed);
 }
 
+namespace {
+
+/// A thin rod from corner to corner, about three pixels thick wherever the camera stands.
+void add_line(Picture& picture, const std::vector<Vec3>& corners) {
+  const Real radius = Real(0.0022) * (picture.camera.eye - picture.camera.target).norm();
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const Vec3 way = corners[i] - corners[i - 1];
+    if (way.isZero(0)) continue;
+    const Tangents across = tangents_of(way.normalized());
+    Mat3 axes;
+    axes << across.tangent2, way.normalized(), across.tangent1;  // a capsule lies along its y axis
+    picture.solids.push_back(
+        {Capsule{radius, way.norm() / 2}, (corners[i] + corners[i - 1]) / 2, Quat(axes), near_black_colour()});
+  }
+}
+
+}  // namespace
+
 Picture picture_of(const World& world, const Camera& camera, Real arrow) {
   Picture picture;
   picture.camera = camera;
@@ -52,6 +70,9 @@ Picture picture_of(const World& world, const Camera& camera, Real arrow) {
                               body.asleep ? asleep_colour()
                               : neutral   ? fixed_colour()
                                           : body_colour(body.colour >= 0 ? body.colour : body.index)});
+  }
+  for (const Joint& joint : world.joints) {
+    if (joint.line) add_line(picture, joint.line(body_of(world, joint.a), body_of(world, joint.b)));
   }
   const Real size = typical_size(world);
   for (const Contact& contact : world.contacts) {

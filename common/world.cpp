@@ -65,7 +65,9 @@ void World::apply_forces(Real dt) {
 
 void World::find_contacts() {
   contacts.clear();
+  const JoinedPairs joined(joints);
   for (const auto& [first, second] : near_pairs(bodies)) {
+    if (joined.contain(first, second)) continue;
     collide(bodies[static_cast<std::size_t>(first)], bodies[static_cast<std::size_t>(second)], contacts);
   }
   // Pairs arrive in ascending order, and so do the points of a pair: nothing is left to sort.
@@ -75,6 +77,7 @@ void World::find_contacts() {
 
 void World::move(Real dt) {
   for (Body& body : bodies) pushback::move(body, dt);
+  time += dt;
 }
 
 bool tumbles(const Body& body) {

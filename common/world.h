@@ -7,6 +7,7 @@
 
 #include "common/body.h"
 #include "common/contact.h"
+#include "common/joint.h"
 
 namespace pushback {
 
@@ -20,11 +21,17 @@ struct Force {
       {};  ///< indices of those that it acts on, and that feel each other through it; empty: of all
 };
 
+/// A solver that also solves what joints ask for. The others refuse a world with joints.
+template <class ContactSolver>
+concept JointSolver = requires(ContactSolver& solver, World& world, Real dt) { solver.hold(world, dt); };
+
 class World {
  public:
   std::vector<Body> bodies;
   Vec3 gravity{0, Real(-9.81), 0};  ///< m/s^2
   std::vector<Force> forces;        ///< see common/forces.h
+  std::vector<Joint> joints;
+  Real time = 0;  ///< s, simulated so far
   /// What touched in the latest step, in ascending order of id, with what the solver did there.
   Contacts contacts;
 
@@ -32,12 +39,15 @@ class World {
   int add(const Body& body);
 
   /// Moves everything on by dt seconds. `solver` is whatever has `solve(Contacts&, Real dt, int sweeps)`.
-  /// Throws InvalidInput unless dt > 0, sweeps >= 0 and every body's state is finite; then nothing has moved.
+  /// Throws InvalidInput unless dt > 0, sweeps >= 0 and every body's state is finite, or where there are joints and the
+  /// solver holds none; then nothing has moved.
   template <class ContactSolver>
   void step(ContactSolver& solver, Real dt, int sweeps = 10) {
     check_step(dt, sweeps);
-    apply_forces(dt);                    // 1.  v += h (g + F/m),  w += h I^-1 tau
-    find_contacts();                     // 2.  points, normals, depths, ids
+    if constexpr (!JointSolver<ContactSolver>) check_no_joints(joints);
+    apply_forces(dt);  // 1.  v += h (g + F/m),  w += h I^-1 tau
+    find_contacts();   // 2.  points, normals, depths, ids
+    if constexpr (JointSolver<ContactSolver>) solver.hold(*this, dt);
     solver.solve(contacts, dt, sweeps);  // 3.  start from the last step's impulses
                                          // 4.  sweep over the rows
                                          // 5.  keep the impulses

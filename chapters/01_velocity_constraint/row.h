@@ -14,36 +14,52 @@
 #include <vector>
 
 #include "common/contact.h"
+#include "common/joint.h"
 
 namespace pushback {
 
 struct Row {
   Body *a, *b;
-  Vec3 n;                                            // J: unit, world axes; the normal, from A to B, or a tangent
-  Vec3 ra_n, rb_n;                                   // J: r x n, m
-  Vec3 dva, dwa, dvb, dwb;                           // M^-1 J^T: what an impulse of 1 N s adds to each velocity
-  Real effective_mass;                               // 1 / (K + gamma), kg
-  Real separation = 0;                               // C, m: the position error that b may feed back
-  Real bias = 0;                                     // b, m/s: minus the wanted separating speed
-  Real softness = 0;                                 // gamma, 1/kg: how far it gives way to its own impulse
+  Vec3 n;                   // J: unit, world axes; the normal, from A to B, or a tangent; 0 in a row between turns
+  Vec3 ra_n, rb_n;          // J: r x n, m
+  Vec3 dva, dwa, dvb, dwb;  // M^-1 J^T: what an impulse of 1 N s adds to each velocity
+  Real effective_mass;      // 1 / (K + gamma), kg
+  Real separation = 0;      // C, m: the position error that b may feed back
+  Real bias = 0;            // b, m/s: minus the wanted separating speed
+  Real softness = 0;        // gamma, 1/kg: how far it gives way to its own impulse
   Real lo = -std::numeric_limits<Real>::infinity();  // limits of the accumulated impulse, N s
   Real hi = std::numeric_limits<Real>::infinity();
   Real impulse = 0;  // lambda, accumulated over the sweeps, N s
-  int contact;       // index of the contact that it belongs to
+  int contact;       // index of the contact, or of the joint, that it belongs to
 
   Row(const Contact& at, const Vec3& direction, int contact_index)
       : a(at.a), b(at.b), n(direction), contact(contact_index) {
     act_at(at.point);
   }
+  Row(Body& first, Body& second, const Equation& of_joint, int joint_index)
+      : a(&first), b(&second), contact(joint_index) {
+    act_as(of_joint);
+  }
+
   /// J and M^-1 J^T, for bodies where they are now. `point`: m, world axes.
   void act_at(const Vec3& point) {
     ra_n = (point - a->position).cross(n);
     rb_n = (point - b->position).cross(n);
+    weigh(a->inverse_mass + b->inverse_mass);
+  }
+  void act_as(const Equation& equation) {
+    n = equation.n;
+    ra_n = equation.ra_n;
+    rb_n = equation.rb_n;
+    weigh(n.isZero(0) ? 0 : a->inverse_mass + b->inverse_mass);
+  }
+  /// `linear_part` of K: n is a unit vector, or 0 in a row between turns.
+  void weigh(Real linear_part) {
     dva = -a->inverse_mass * n;
     dwa = -a->inverse_inertia * ra_n;
     dvb = b->inverse_mass * n;
     dwb = b->inverse_inertia * rb_n;
-    effective_mass = 1 / (a->inverse_mass + b->inverse_mass + rb_n.dot(dwb) - ra_n.dot(dwa));
+    effective_mass = 1 / (linear_part + rb_n.dot(dwb) - ra_n.dot(dwa));
   }
   /// J V, m/s.
   Real speed() const {

@@ -1,0 +1,38 @@
+/// A rod without mass: two points keep their distance.
+#pragma once
+
+#include "common/input.h"
+#include "common/joint.h"
+#include "common/world.h"
+
+namespace pushback {
+
+/// From P_A to P_B, given in world axes as the bodies stand now.
+///
+///   C = |P_B - P_A| - L,   C' = n . (v_B + w_B x r_B - v_A - w_A x r_A),   n = (P_B - P_A) / |P_B - P_A|
+///
+/// The row of a contact, but that it also pulls. `length` L, m; 0: as far as they are apart now.
+inline Joint distance(const World& world, int a, const Vec3& point_a, int b, const Vec3& point_b, Real length = 0) {
+  check_joined(world, "a distance", a, b);
+  require_finite("anchor of a distance", point_a);
+  require_finite("anchor of a distance", point_b);
+  if (length == 0) length = (point_b - point_a).norm();
+  require_positive("length of a distance", length);
+  const Vec3 on_a = point_on(body_of(world, a), point_a), on_b = point_on(body_of(world, b), point_b);
+
+  const auto ask = [=](const Body& first, const Body& second, const Moment&, Equations& equations) {
+    const Vec3 p_a = point_of(first, on_a), p_b = point_of(second, on_b);
+    const Real apart = (p_b - p_a).norm();
+    const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // on each other: any way out will do
+    equations.push_back({.n = n,
+                         .ra_n = (p_a - first.position).cross(n),
+                         .rb_n = (p_b - second.position).cross(n),
+                         .error = apart - length});
+  };
+  const auto line = [=](const Body& first, const Body& second) {
+    return std::vector<Vec3>{point_of(first, on_a), point_of(second, on_b)};
+  };
+  return {"a distance", a, b, ask, line};
+}
+
+}  // namespace pushback

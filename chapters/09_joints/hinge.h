@@ -1,0 +1,41 @@
+/// A point and an axis in common: five rows, and one way to turn is left.
+#pragma once
+
+#include "chapters/09_joints/ball_and_socket.h"
+
+namespace pushback {
+
+/// A direction s that A carries and a direction u that B carries stay perpendicular.
+///
+///   C = s . u,   C' = (w_A x s) . u + s . (w_B x u) = (w_B - w_A) . (u x s)
+///
+/// `s`, `u`: unit, world axes. C is the sine of the angle that is missing, which is that angle where it is small.
+inline Equation perpendicular(const Vec3& s, const Vec3& u) {
+  const Vec3 across = u.cross(s);
+  const Vec3 axis = across.isZero(0) ? tangents_of(s).tangent1 : across;  // broken by 90 degrees: any way back will do
+  return {.ra_n = axis, .rb_n = axis, .error = s.dot(u)};
+}
+
+/// A ball and socket whose ball turns about one axis only. `anchor`: m; `axis`: any length but 0; both in world axes, as the
+/// bodies stand now.
+inline Joint hinge(const World& world, int a, int b, const Vec3& anchor, const Vec3& axis) {
+  check_joined(world, "a hinge", a, b);
+  require_finite("anchor of a hinge", anchor);
+  require_finite("axis of a hinge", axis);
+  require_positive("length of the axis of a hinge", axis.norm());
+  const Anchor there(world, a, b, anchor);
+  const Vec3 along = axis.normalized();
+  const Tangents across = tangents_of(along);
+  const Quat to_a = body_of(world, a).orientation.conjugate(), to_b = body_of(world, b).orientation.conjugate();
+  const Vec3 s1 = to_a * across.tangent1, s2 = to_a * across.tangent2, u = to_b * along;
+
+  const auto ask = [=](const Body& first, const Body& second, const Moment&, Equations& equations) {
+    there.ask(first, second, equations);
+    const Vec3 turned = second.orientation * u;
+    equations.push_back(perpendicular(first.orientation * s1, turned));
+    equations.push_back(perpendicular(first.orientation * s2, turned));
+  };
+  return {"a hinge", a, b, ask};
+}
+
+}  // namespace pushback

@@ -1,0 +1,54 @@
+/// Joints that start from where the last step ended, as contacts do in chapter 07.
+#pragma once
+
+#include "chapters/07_warm_start/full_solver.h"
+#include "chapters/09_joints/joints.h"
+
+namespace pushback {
+
+/// In the place of Joints. A joint asks for as many equations in every step: the n-th is known by its place.
+struct WarmJoints : Joints {
+  void build(const Contacts&, Rows&, Real dt) {
+    scale_ = last_dt_ > 0 ? dt / last_dt_ : 0;
+    last_dt_ = dt;
+  }
+  void start(Rows&) {
+    each_row([this](Row& row, std::size_t n) {
+      if (n < impulses_of(row).size()) row.reach(scale_ * impulses_of(row)[n]);
+    });
+  }
+  void report(Contacts&, const Rows&) {
+    each_row([this](const Row& row, std::size_t n) {
+      if (n == 0) impulses_of(row).clear();
+      impulses_of(row).push_back(row.impulse);
+    });
+  }
+  /// After a teleport, or when joints were exchanged.
+  void forget_joints() { memory_.clear(); }
+
+ private:
+  /// `use(row, n)`: the n-th of its joint, from 0.
+  template <class Use>
+  void each_row(const Use& use) {
+    int joint = -1;
+    std::size_t n = 0;
+    for (Row& row : joint_rows_) {
+      n = row.contact == joint ? n + 1 : 0;
+      joint = row.contact;
+      use(row, n);
+    }
+  }
+  std::vector<Real>& impulses_of(const Row& row) {
+    const auto joint = static_cast<std::size_t>(row.contact);
+    if (joint >= memory_.size()) memory_.resize(joint + 1);
+    return memory_[joint];
+  }
+
+  std::vector<std::vector<Real>> memory_;  // by joint, N s
+  Real scale_ = 0, last_dt_ = 0;
+};
+
+/// FullSolver, and joints.
+using JointedSolver = Solver<WarmJoints, Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart>;
+
+}  // namespace pushback

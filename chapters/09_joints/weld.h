@@ -1,0 +1,26 @@
+/// Two bodies as one: six rows, and nothing is left.
+#pragma once
+
+#include "chapters/09_joints/hinge.h"
+
+namespace pushback {
+
+/// A point in common, and no turn: of three perpendicular axes that both carry, each of A's stays perpendicular to B's next.
+/// `anchor`: m, world axes, as the bodies stand now.
+inline Joint weld(const World& world, int a, int b, const Vec3& anchor) {
+  check_joined(world, "a weld", a, b);
+  require_finite("anchor of a weld", anchor);
+  const Anchor there(world, a, b, anchor);
+  const Quat a_to_b = body_of(world, b).orientation.conjugate() * body_of(world, a).orientation;
+
+  const auto ask = [=](const Body& first, const Body& second, const Moment&, Equations& equations) {
+    there.ask(first, second, equations);
+    const Quat axes_b = second.orientation * a_to_b;
+    for (int i = 0; i < 3; ++i) {
+      equations.push_back(perpendicular(first.orientation * Vec3::Unit(i), axes_b * Vec3::Unit((i + 1) % 3)));
+    }
+  };
+  return {"a weld", a, b, ask};
+}
+
+}  // namespace pushback
