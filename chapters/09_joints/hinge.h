@@ -5,15 +5,17 @@
 
 namespace pushback {
 
-/// A direction s that A carries and a direction u that B carries stay perpendicular.
+/// A direction s that A carries and a direction u that B carries stay perpendicular. What is missing of a right angle turns
+/// about k, which is perpendicular to both:
 ///
-///   C = s . u,   C' = (w_A x s) . u + s . (w_B x u) = (w_B - w_A) . (u x s)
+///   tan C = s . u / |u x s|,   C' = (w_B - w_A) . k,   k = u x s / |u x s|
 ///
-/// `s`, `u`: unit, world axes. C is the sine of the angle that is missing, which is that angle where it is small.
+/// `s`, `u`: unit, world axes. C: rad.
 inline Equation perpendicular(const Vec3& s, const Vec3& u) {
   const Vec3 across = u.cross(s);
-  const Vec3 axis = across.isZero(0) ? tangents_of(s).tangent1 : across;  // broken by 90 degrees: any way back will do
-  return {.ra_n = axis, .rb_n = axis, .error = s.dot(u)};
+  const Real sine = across.norm();
+  const Vec3 k = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // parallel: any way out will do
+  return {.ra_n = k, .rb_n = k, .error = std::atan2(s.dot(u), sine)};
 }
 
 /// A ball and socket whose ball turns about one axis only. `anchor`: m; `axis`: any length but 0; both in world axes, as the
