@@ -101,6 +101,24 @@ TEST_CASE("every Jacobian is the derivative of its C, where the joint holds and 
   }
 }
 
+TEST_CASE("a row of a joint, solved once, leaves no speed along itself, be it along a line or about an axis") {
+  Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    World world;
+    world.add(random.moving_body(2));
+    world.add(random.moving_body(3));
+    for (const Joint& joint : each_joint(world, 0, 1, random)) {
+      for (const Equation& equation : asked_by(joint, world.bodies[0], world.bodies[1])) {
+        World apart = world;
+        Row row(apart.bodies[0], apart.bodies[1], equation, 0);
+        row.solve();
+        REQUIRE(std::abs(row.speed()) < Real(1e-12));
+        REQUIRE(row.wanted() == Approx(row.impulse));
+      }
+    }
+  }
+}
+
 TEST_CASE("a bead's row is the derivative of its distance from the wire, on the wire") {
   Random random(2);
   for (int i = 0; i < 200; ++i) {
