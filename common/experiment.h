@@ -217,6 +217,11 @@ struct Watched {
   {
     timed([&] { solver.relax(contacts); });
   }
+  void correct()
+    requires requires(ContactSolver& s) { s.correct(); }
+  {
+    timed([&] { solver.correct(); });
+  }
 
   template <class Work>
   void timed(const Work& work) {

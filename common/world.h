@@ -53,6 +53,7 @@ class World {
                                          // 5.  keep the impulses
     move(dt);                            // 6.  x += h v,  q += h/2 (0, w) q,  refresh I^-1
     if constexpr (requires { solver.relax(contacts); }) solver.relax(contacts);  // 7. only where a solver has this
+    if constexpr (requires { solver.correct(); }) solver.correct();              // 8. likewise
   }
 
   void apply_forces(Real dt);

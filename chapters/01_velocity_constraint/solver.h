@@ -31,21 +31,26 @@ struct Effect {
   void relax(Rows&) {}
   /// The rows have been placed anew, where an effect that relaxes has done so: what was made of them is to be made again.
   void moved(Rows&) {}
+  /// The bodies have moved, and all velocities are what the step ends with. Here places may be changed, and nothing else.
+  void correct(Rows&) {}
 };
 
 template <class E>
 concept RelaxingEffect = !std::same_as<decltype(&E::relax), decltype(&Effect::relax)>;
 
+template <class E>
+concept CorrectingEffect = !std::same_as<decltype(&E::correct), decltype(&Effect::correct)>;
+
 /// A misspelt moment would never be called: insist that at least one is hidden.
 template <class E>
-concept AnEffect =
-    std::derived_from<E, Effect> && (!std::same_as<decltype(&E::touch), decltype(&Effect::touch)> ||
-                                     !std::same_as<decltype(&E::build), decltype(&Effect::build)> ||
-                                     !std::same_as<decltype(&E::start), decltype(&Effect::start)> ||
-                                     !std::same_as<decltype(&E::sweep), decltype(&Effect::sweep)> ||
-                                     !std::same_as<decltype(&E::finish), decltype(&Effect::finish)> ||
-                                     !std::same_as<decltype(&E::report), decltype(&Effect::report)> ||
-                                     !std::same_as<decltype(&E::moved), decltype(&Effect::moved)> || RelaxingEffect<E>);
+concept AnEffect = std::derived_from<E, Effect> && (!std::same_as<decltype(&E::touch), decltype(&Effect::touch)> ||
+                                                    !std::same_as<decltype(&E::build), decltype(&Effect::build)> ||
+                                                    !std::same_as<decltype(&E::start), decltype(&Effect::start)> ||
+                                                    !std::same_as<decltype(&E::sweep), decltype(&Effect::sweep)> ||
+                                                    !std::same_as<decltype(&E::finish), decltype(&Effect::finish)> ||
+                                                    !std::same_as<decltype(&E::report), decltype(&Effect::report)> ||
+                                                    !std::same_as<decltype(&E::moved), decltype(&Effect::moved)> ||
+                                                    RelaxingEffect<E> || CorrectingEffect<E>);
 
 template <AnEffect... Effects>
 class Solver : public Effects... {
@@ -73,6 +78,13 @@ class Solver : public Effects... {
     (Effects::moved(rows_), ...);
     sweep(contacts.size());
     report(contacts);
+  }
+
+  /// The last of a step, likewise.
+  void correct()
+    requires(CorrectingEffect<Effects> || ...)
+  {
+    (Effects::correct(rows_), ...);
   }
 
   /// The rows of the latest step.

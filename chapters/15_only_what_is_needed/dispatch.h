@@ -36,6 +36,7 @@ class FittingSolver {
 
   void solve(Contacts& contacts, Real dt, int sweeps) { holder_->solve(contacts, dt, sweeps); }
   void relax(Contacts& contacts) { holder_->relax(contacts); }
+  void correct() { holder_->correct(); }
   void remember(const Contacts& contacts) { holder_->remember(contacts); }
   void forget() { holder_->forget(); }
   const Rows& rows() const { return holder_->rows(); }
@@ -47,6 +48,7 @@ class FittingSolver {
     virtual std::unique_ptr<AnyHolder> fitting(const World& world) const = 0;
     virtual void solve(Contacts& contacts, Real dt, int sweeps) = 0;
     virtual void relax(Contacts& contacts) = 0;
+    virtual void correct() = 0;
     virtual void remember(const Contacts& contacts) = 0;
     virtual void forget() = 0;
     virtual const Rows& rows() const = 0;
@@ -63,6 +65,9 @@ class FittingSolver {
     void solve(Contacts& contacts, Real dt, int sweeps) override { solver.solve(contacts, dt, sweeps); }
     void relax(Contacts& contacts) override {
       if constexpr (requires { solver.relax(contacts); }) solver.relax(contacts);
+    }
+    void correct() override {
+      if constexpr (requires { solver.correct(); }) solver.correct();
     }
     void remember(const Contacts& contacts) override {
       if constexpr (requires { solver.remember(contacts); }) solver.remember(contacts);

@@ -127,6 +127,7 @@ void step_only(World& world, ContactSolver& solver, Real dt, int sweeps = 10) {
   if constexpr (Called::template has<Touching> && requires { solver.relax(world.contacts); }) {
     solver.relax(world.contacts);
   }
+  if constexpr (Called::template has<Touching> && requires { solver.correct(); }) solver.correct();
 }
 
 }  // namespace pushback

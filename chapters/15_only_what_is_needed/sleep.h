@@ -98,6 +98,7 @@ void step_awake(World& world, ContactSolver& solver, Sleep& sleep, Real dt, int 
   if constexpr (Called::template has<Touching> && requires { solver.relax(world.contacts); }) {
     solver.relax(world.contacts);
   }
+  if constexpr (Called::template has<Touching> && requires { solver.correct(); }) solver.correct();
   sleep.settle(world, dt);
 }
 

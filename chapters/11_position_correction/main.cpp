@@ -1,0 +1,210 @@
+#include "chapters/11_position_correction/scenes.h"
+#include "chapters/11_position_correction/study.h"
+#include "common/experiment.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real g = Real(9.81);
+
+Real height(const World& world) {
+  return world.bodies.back().position.y();
+}
+/// J: by how much the energy has grown, over all steps in which it has.
+std::function<Real(const Run&)> energy_fed_in(const std::function<void(World&)>& fill) {
+  return [fill](const Run& run) {
+    World world;
+    fill(world);
+    Real before = kinetic_energy(world) + potential_energy(world), fed_in = 0;
+    for (const Sample& sample : run.samples) {
+      const Real after = sample.kinetic_energy + sample.potential_energy;
+      fed_in += std::max(Real(0), after - before);
+      before = after;
+    }
+    return fed_in;
+  };
+}
+Real most_kinetic_energy(const Run& run) {
+  Real most = 0;
+  for (const Sample& sample : run.samples) most = std::max(most, sample.kinetic_energy);
+  return most;
+}
+/// Root mean square of the speed in the last second, mm/s.   `mass`: kg, of all bodies
+std::function<Real(const Run&)> jitter(Real mass) {
+  return [mass](const Run& run) {
+    Real sum = 0;
+    const std::vector<Sample> last = run.last(1);
+    for (const Sample& sample : last) sum += 2 * sample.kinetic_energy / mass;
+    return 1000 * std::sqrt(sum / static_cast<Real>(last.size()));
+  };
+}
+/// Highest point after the first bounce, mm above where it lies on the ground; 0 if it does not rise that high.
+Real first_apex(const Run& run) {
+  const auto& heights = run.series.at("height over the ground");
+  std::size_t i = 1;
+  while (i < heights.size() && heights[i] <= heights[i - 1]) ++i;
+  return std::max(Real(0), *std::max_element(heights.begin() + static_cast<std::ptrdiff_t>(i) - 1, heights.end()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment e("11_position_correction", "Can an overlap be undone without a velocity?");
+  With<Baumgarte> baumgarte;
+  With<SplitImpulse> split;
+  With<NonlinearGaussSeidel> ngs;
+  Real beta = baumgarte.beta, most = split.most;
+  int rounds = ngs.rounds;
+  e.option("--beta", beta, "How much of an overlap one step takes away; of the third way, one round",
+           CLI::Range(0., 1.));
+  e.option("--most", most, "m that a contact may ask for in one step; Baumgarte has no such bound", not_negative());
+  e.option("--rounds", rounds, "Rounds of the third way", CLI::Range(0, 1000));
+  return e.run(argc, argv, [&] {
+    const Real h = e.dt();
+    baumgarte.beta = split.beta = ngs.beta = beta;
+    split.most = ngs.most = most;
+    ngs.rounds = rounds;
+    const auto at_once = [](auto solver, Real at_most) {
+      solver.beta = 1;
+      if constexpr (requires { solver.most; }) solver.most = at_most;
+      return solver;
+    };
+    const auto all_three = [&] {
+      e.variant("Baumgarte", baumgarte);
+      e.variant("split impulse", split);
+      e.variant("non-linear Gauss-Seidel", ngs);
+    };
+    const auto all_three_at_once = [&](Real at_most) {
+      const std::string bound = at_most < 1 ? fmt::format(", {:.3g} mm a step", 1000 * at_most) : "";
+      if (bound.empty()) e.variant("Baumgarte", at_once(baumgarte, 0));
+      e.variant("split impulse" + bound, at_once(split, at_most));
+      e.variant("non-linear Gauss-Seidel" + bound, at_once(ngs, at_most));
+    };
+
+    const Camera before_the_box{{Real(0.7), Real(1.1), Real(4.3)}, {0, Real(0.75), 0}};
+    const auto jump = [&] {
+      e.series("height over the ground", "mm", [](const World& world) { return 1000 * (height(world) - Real(0.5)); });
+      e.number("highest jump", "mm", [](const Run& run) {
+        const auto& heights = run.series.at("height over the ground");
+        return std::max(Real(0), *std::max_element(heights.begin(), heights.end()));
+      });
+      e.number("kinetic energy, at most", "J", most_kinetic_energy);
+      e.number("energy fed in", "J", energy_fed_in(very_deep_box));
+      e.number("overlap at the end", "mm", [](const Run& run) { return 1000 * run.samples.back().overlap; });
+    };
+    e.scene({.name = "a box 250 mm in the ground",
+             .fill = very_deep_box,
+             .camera = before_the_box,
+             .seconds = 1,
+             .instants = {0, Real(0.05), Real(0.25), 1}});
+    all_three();
+    jump();
+    e.scene({.name = "the same box, β = 1", .fill = very_deep_box, .seconds = 1, .pictures = false});
+    all_three_at_once(1);
+    jump();
+
+    const auto heap = [&] {
+      e.series(
+          "kinetic energy", "J", [](const World& world) { return std::max(kinetic_energy(world), Real(1e-6)); }, true);
+      e.number("kinetic energy, at most", "J", most_kinetic_energy);
+      e.number("energy fed in", "J", energy_fed_in(boxes_in_each_other));
+      e.number("farthest from the middle", "m", [](const Run& run) {
+        Real farthest = 0;
+        for (const Body& body : run.world.bodies)
+          farthest = std::max(farthest, std::hypot(body.position.x(), body.position.z()));
+        return farthest;
+      });
+      e.number("overlap at the end", "mm", [](const Run& run) { return 1000 * run.samples.back().overlap; });
+    };
+    e.scene({.name = "twelve boxes born inside each other",
+             .fill = boxes_in_each_other,
+             .camera = {{Real(3.5), Real(3.2), 9}, {0, Real(1.8), 0}},
+             .seconds = 3,
+             .instants = {0, Real(0.1), Real(0.5), 3}});
+    all_three();
+    heap();
+    e.scene({.name = "the same twelve, β = 1", .fill = boxes_in_each_other, .seconds = 3, .pictures = false});
+    all_three_at_once(1);
+    all_three_at_once(Real(0.05));
+    heap();
+
+    e.scene({.name = "a stack of ten, ten sweeps",
+             .fill = stack_of_ten,
+             .camera = {{0, 7, 11}, {0, Real(7.3), 0}},
+             .seconds = 10,
+             .instants = {0, 4, 7, 10}});
+    all_three();
+    e.series("largest speed", "mm/s", [](const World& world) { return 1000 * largest_speed(world); }, true);
+    e.number("jitter", "mm/s", jitter(10 * 100));
+    e.number("drift of the top", "mm", [](const Run& run) {
+      const Vec3& top = run.world.bodies.back().position;
+      return 1000 * std::hypot(top.x(), top.z());
+    });
+    e.number("energy fed in", "J", energy_fed_in(stack_of_ten));
+    e.number("overlap at the end", "mm", [](const Run& run) { return 1000 * run.samples.back().overlap; });
+    e.clock("a step takes", "µs", [](const Run& run) {
+      double sum = 0;
+      for (const Sample& sample : run.samples) sum += sample.step_seconds;
+      return static_cast<Real>(1e6 * sum) / static_cast<Real>(run.samples.size());
+    });
+
+    // One contact, no slop: the closed forms.
+    const auto left = [&](int steps_and_rounds) {
+      return 1000 * deep * std::pow(1 - beta, static_cast<Real>(steps_and_rounds));
+    };
+    const auto no_slop = [](auto solver) {
+      solver.slop = 0;
+      return solver;
+    };
+    e.scene({.name = "a ball 60 mm deep, without gravity and slop",
+             .fill = weightless_ball,
+             .seconds = 10 * h,
+             .pictures = false});
+    e.variant("Baumgarte", no_slop(baumgarte))
+        .expect("exit speed", beta * deep / h)
+        .expect("energy fed in", 100 * std::pow(beta * deep / h, Real(2)) / 2);
+    e.variant("split impulse", no_slop(split))
+        .expect("exit speed", 0)
+        .expect("energy fed in", 0)
+        .expect("overlap after ten steps", left(10))
+        .reference("d₀ (1−β)ᵏ", [=](Real t) { return 1000 * deep * std::pow(1 - beta, t / h); });
+    e.variant("non-linear Gauss-Seidel", no_slop(ngs))
+        .expect("exit speed", 0)
+        .expect("energy fed in", 0)
+        .expect("overlap after ten steps", left(10 * rounds))
+        .reference("", [=](Real t) { return 1000 * deep * std::pow(1 - beta, static_cast<Real>(rounds) * t / h); });
+    e.series("overlap", "mm", [](const World& world) { return 1000 * (Real(0.5) - height(world)); });
+    e.number("exit speed", "m/s", [](const Run& run) { return run.world.bodies[1].velocity.y(); });
+    e.number("energy fed in", "J", energy_fed_in(weightless_ball));
+    e.number("overlap after ten steps", "mm",
+             [](const Run& run) { return std::max(Real(0), run.series.at("overlap").back()); });
+
+    const auto bounce = [&] {
+      e.series("height over the ground", "mm", [](const World& world) { return 1000 * (height(world) - Real(0.3)); });
+      e.number("first apex", "mm", first_apex);
+    };
+    e.scene({.name = "a ball with e = 1, dropped by 1 m",
+             .fill = dropped_ball(1),
+             .seconds = Real(1.8),
+             .pictures = false});
+    all_three();
+    bounce();
+    e.scene({.name = "a ball with e = 0, β = 1", .fill = dropped_ball(0), .seconds = Real(1.2), .pictures = false});
+    all_three_at_once(1);
+    bounce();
+
+    e.study([&, h, no_slop] {
+      for (const bool with_slop : {true, false}) {
+        const auto slop = [&](auto solver) { return with_slop ? solver : no_slop(solver); };
+        e.panel({.title = with_slop ? "a stack of ten, slop 5 mm" : "the same without slop",
+                 .x_label = "β",
+                 .y_label = "jitter, mm/s",
+                 .log_y = true,
+                 .curves = {jitter_of_stack_of_ten<Baumgarte>("Baumgarte", 0, h, slop(baumgarte)),
+                            jitter_of_stack_of_ten<SplitImpulse>("split impulse", 1, h, slop(split)),
+                            jitter_of_stack_of_ten<NonlinearGaussSeidel>("non-linear Gauss-Seidel", 2, h, slop(ngs))}});
+      }
+    });
+  });
+}

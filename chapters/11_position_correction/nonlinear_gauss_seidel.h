@@ -1,0 +1,65 @@
+/// Positions corrected as positions: the overlap as it is now, the bodies moved by a part of it, contact after contact.
+#pragma once
+
+#include "chapters/03_baumgarte/baumgarte.h"
+#include "chapters/11_position_correction/displace.h"
+
+namespace pushback {
+
+/// Instead of Baumgarte, with Slop or without. Once the bodies have moved, in some rounds over the contacts:
+///
+///   C = (P_B - P_A) . n + allowed         P_A, P_B: the two surfaces' points, each carried along by its body
+///   lambda = -beta C / K,  where C < 0    K: as the bodies lie now
+///   x += M^-1 J^T lambda,  q likewise     and v, w are what they were
+///
+/// What one contact does, the next one sees. Nothing is accumulated: a push that went too far is left to the other side.
+/// Catto, Box2D 2.4, b2ContactSolver::SolvePositionConstraints, where it is called non-linear Gauss-Seidel.
+struct NonlinearGaussSeidel : Effect {
+  Real beta = Real(0.2);   ///< of 0 ... 1: how much of the overlap one round takes away
+  Real most = Real(0.05);  ///< m; no contact asks for more in one step
+  int rounds = 3;
+
+  void build(const Contacts& contacts, Rows& rows, Real) {
+    require_between("beta", beta, 0, 1);
+    require_not_negative("most", most);
+    if (rounds < 0) throw InvalidInput(fmt::format("rounds is {}: a whole number, 0 or more, is needed", rounds));
+    touching_.clear();
+    allowed_ = 0;
+    overlap_ = false;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const Contact& at = contacts[i];
+      const Vec3 half = at.depth / 2 * at.normal;  // of B's point to A's, which is the deeper one along n
+      touching_.push_back({at.a->orientation.conjugate() * (at.point + half - at.a->position),
+                           at.b->orientation.conjugate() * (at.point - half - at.b->position)});
+      allowed_ = std::max(allowed_, at.depth + rows[i].separation);
+      overlap_ = overlap_ || rows[i].separation < 0;
+    }
+  }
+  void correct(Rows& rows) {
+    if (!overlap_) return;
+    for (int round = 0; round < rounds; ++round) {
+      for (std::size_t i = 0; i < touching_.size(); ++i) push_apart(rows[i], touching_[i]);
+    }
+  }
+
+ private:
+  struct Touching {
+    Vec3 on_a, on_b;  // P_A and P_B, m, body axes
+  };
+  void push_apart(Row& row, const Touching& at) const {
+    Body &a = *row.a, &b = *row.b;
+    const Vec3 on_a = a.position + a.orientation * at.on_a, on_b = b.position + b.orientation * at.on_b;
+    const Real separation = (on_b - on_a).dot(row.n) + allowed_;
+    if (separation >= 0) return;
+    row.act_at((on_a + on_b) / 2);
+    const Real lambda = std::min(-beta * separation, most / static_cast<Real>(rounds)) * row.effective_mass;  // kg m
+    displace(a, lambda * row.dva, lambda * row.dwa);
+    displace(b, lambda * row.dvb, lambda * row.dwb);
+  }
+
+  std::vector<Touching> touching_;
+  Real allowed_ = 0;      // m, the greatest depth that did not count as overlap: where anything did, that is the slop
+  bool overlap_ = false;  // whether anything did
+};
+
+}  // namespace pushback
