@@ -38,6 +38,11 @@ Variant& Variant::with_exactly(int count) {
   return *this;
 }
 
+Variant& Variant::coloured(int which) {
+  colour = which;
+  return *this;
+}
+
 Variant& Variant::expect(const std::string& number, Real value) {
   expected[number] = value;
   return *this;

@@ -75,6 +75,7 @@ struct Variant {
   int small_steps = 1;                   ///< into how many each step of --dt is cut
   int sweeps = 0;                        ///< 0: what --sweeps says
   bool exactly = false;                  ///< whether --sweeps has no say
+  int colour = -1;                       ///< line_colour's index; -1: its place among all variants
   std::map<std::string, Real> expected;  ///< by the name of a number
   std::vector<Reference> references;
 
@@ -84,6 +85,8 @@ struct Variant {
   Variant& with_sweeps(int count);
   /// The number of sweeps is what this variant is about: --sweeps leaves it alone.
   Variant& with_exactly(int count);
+  /// For one that several scenes have: the same colour in all of them.
+  Variant& coloured(int which);
   /// What the number of that name should be, from a closed form; shown beside it.
   Variant& expect(const std::string& number, Real value);
   /// The curve that the scene's first series should follow.
@@ -172,6 +175,7 @@ class Experiment {
   std::size_t steps_of(const Scene& scene) const;
   int sweeps_of(const Variant& variant) const;
   std::string shown_name(const Variant& variant) const;
+  static std::string colour_of(const Variant& variant, std::size_t place);
 
   std::string name_, question_;
   CLI::App app_;

@@ -64,6 +64,10 @@ std::string Experiment::shown_name(const Variant& variant) const {
   return said ? variant.name : fmt::format("{}, {} sweeps", variant.name, sweeps_of(variant));
 }
 
+std::string Experiment::colour_of(const Variant& variant, std::size_t place) {
+  return line_colour(variant.colour < 0 ? place : static_cast<std::size_t>(variant.colour));
+}
+
 std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const {
   std::vector<Panel> all;
   for (std::size_t a = 0; a < acts_.size(); ++a) {
@@ -80,7 +84,7 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
       for (std::size_t r = 0; r < results.size(); ++r) {
         const Result& result = results[r];
         if (result.variant->scene != a) continue;
-        Curve curve{shown_name(*result.variant), {}, {}, line_colour(r), Curve::Style::line};
+        Curve curve{shown_name(*result.variant), {}, {}, colour_of(*result.variant, r), Curve::Style::line};
         for (std::size_t i = 0; i < result.samples.size(); ++i) {
           curve.x.push_back(result.samples[i].time);
           curve.y.push_back(act.series.empty() ? 1000 * result.samples[i].overlap
@@ -220,7 +224,7 @@ void Experiment::draw_sheet(std::vector<Result>& results, const fs::path& folder
       Result& result = results[r];
       if (result.variant->scene != a || result.cells.empty()) continue;
       SheetRow row{shown_name(*result.variant),
-                   ink_of(line_colour(r)),
+                   ink_of(colour_of(*result.variant, r)),
                    {},
                    std::move(result.cells),
                    std::move(result.cell_notes)};
