@@ -32,10 +32,13 @@ class FrozenPyramid {
   FrozenPyramid(const FrozenPyramid&) = delete;
   FrozenPyramid& operator=(const FrozenPyramid&) = delete;
 
-  /// s, of one solve.
+  /// s, of one solve, and of the correction after it where there is one.
   template <class ContactSolver>
   [[gnu::noinline]] double seconds(ContactSolver& solver, int sweeps = 10) {
-    const auto solve = [&] { solver.solve(world.contacts, dt_, sweeps); };
+    const auto solve = [&] {
+      solver.solve(world.contacts, dt_, sweeps);
+      if constexpr (requires { solver.correct(); }) solver.correct();
+    };
     put_back();
     solve();
     put_back();

@@ -111,6 +111,21 @@ TEMPLATE_TEST_CASE("11: no contact asks for more than the cap in a step", "", BO
   }
 }
 
+// Of two grounds, one 60 mm above the other, the lower holds the ball: it has all of the impulse, and may not pull with it.
+TEMPLATE_TEST_CASE("11: a correction never pulls: what others lift off is let go", "", BOTH_WAYS) {
+  World world;
+  ball_on_ground(world, Real(0.003));
+  world.add(half_space(Vec3::UnitY()).at({0, Real(0.06), 0}));
+  Solver<Clamping, TestType, Slop> solver;
+  solver.rounds = 1;
+  Real over = Real(0.063) - solver.slop;
+  for (int k = 1; k <= 20; ++k) {
+    world.step(solver, h, 1);
+    over *= 1 - solver.beta;
+    REQUIRE(std::abs(depth_of(world.bodies[1]) + Real(0.06) - solver.slop - over) <= 200 * eps);
+  }
+}
+
 TEMPLATE_TEST_CASE("11: a box comes up with the energy that lifting takes, and none that moves it", "", BOTH_WAYS) {
   for (const Real beta : {Real(0.1), Real(0.2), Real(0.4)}) {
     World world;

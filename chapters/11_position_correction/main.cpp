@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
     e.variant("non-linear Gauss-Seidel, 50 mm a step", at_once(ngs, Real(0.05))).coloured(3);
     heap();
 
-    e.scene({.name = "a stack of ten, ten sweeps",
+    e.scene({.name = "a stack of ten",
              .fill = stack_of_ten,
              .camera = {{0, 9, 8}, {0, Real(8.7), 0}},
              .seconds = 10,
