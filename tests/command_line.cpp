@@ -48,15 +48,19 @@ Numbers numbers_of(const std::string& chapter, const std::string& arguments) {
   return numbers;
 }
 
-const std::vector<std::string> chapters{"00_naive_impulses", "01_velocity_constraint", "02_clamping", "03_baumgarte",
-                                        "04_slop",           "05_restitution",         "06_friction", "07_warm_start",
-                                        "08_friction_cone",  "12_small_steps"};
+const std::vector<std::string> chapters{"00_naive_impulses", "01_velocity_constraint", "02_clamping",   "03_baumgarte",
+                                        "04_slop",           "05_restitution",         "06_friction",   "07_warm_start",
+                                        "08_friction_cone",  "11_position_correction", "12_small_steps"};
 
 /// Options beside those that every chapter has.
 const std::map<std::string, std::vector<std::string>> own_options{
-    {"03_baumgarte", {"--beta", "--unstable"}}, {"04_slop", {"--slop"}},
-    {"05_restitution", {"--threshold"}},        {"07_warm_start", {"--sweep-counts"}},
-    {"08_friction_cone", {"--half-length"}},    {"12_small_steps", {"--small-steps", "--hertz", "--damping-ratio"}}};
+    {"03_baumgarte", {"--beta", "--unstable"}},
+    {"04_slop", {"--slop"}},
+    {"05_restitution", {"--threshold"}},
+    {"07_warm_start", {"--sweep-counts"}},
+    {"08_friction_cone", {"--half-length"}},
+    {"11_position_correction", {"--beta", "--most", "--rounds"}},
+    {"12_small_steps", {"--small-steps", "--hertz", "--damping-ratio"}}};
 
 }  // namespace
 
@@ -130,6 +134,10 @@ TEST_CASE("a value that cannot be used: status 2, a message that names it, and n
            {"05_restitution", "--threshold -1", {"threshold", "-1"}},
            {"07_warm_start", "--sweep-counts 0", {"--sweep-counts", "0"}},
            {"08_friction_cone", "--half-length 2", {"--half-length", "2"}},
+           {"11_position_correction", "--beta 1.5", {"--beta", "1.5"}},
+           {"11_position_correction", "--beta nan", {"beta", "nan"}},
+           {"11_position_correction", "--most -1", {"--most", "-1"}},
+           {"11_position_correction", "--rounds -1", {"--rounds", "-1"}},
            {"12_small_steps", "--small-steps 0", {"--small-steps", "0"}},
            {"12_small_steps", "--small-steps 1.5", {"--small-steps", "1.5"}},
            {"12_small_steps", "--hertz 0", {"--hertz", "0"}},

@@ -92,6 +92,9 @@ TEST_CASE("the sheet of 07 looks as it did", "[slow]") {
 TEST_CASE("the sheet of 08 looks as it did") {
   compare("08_friction_cone");
 }
+TEST_CASE("the sheet of 11 looks as it did", "[slow]") {
+  compare("11_position_correction");
+}
 TEST_CASE("the sheet of 12 looks as it did", "[slow]") {
   compare("12_small_steps");
 }
