@@ -15,7 +15,6 @@ namespace {
 
 constexpr Real eps = std::numeric_limits<Real>::epsilon();
 constexpr bool is_double = std::numeric_limits<Real>::digits > 24;
-constexpr Real tiny = is_double ? Real(1e-9) : Real(2e-4);
 constexpr Real g = Real(9.81);
 constexpr Real h = Real(1) / 60;
 

@@ -6,8 +6,6 @@ using namespace pushback;
 
 namespace {
 
-constexpr Real g = Real(9.81);
-
 Real height(const World& world) {
   return world.bodies.back().position.y();
 }
