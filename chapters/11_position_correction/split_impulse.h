@@ -8,8 +8,8 @@ namespace pushback {
 
 /// Instead of Baumgarte, with Slop or without. The contacts' rows once more, for pseudo-velocities V' that start from 0:
 ///
-///   J V' + b' = 0,   b' = (beta / h) (C + h J V)      C + h J V: the overlap when the step is over, to first order
-///   then  x += h v',  q += h/2 (0, w') q              and v, w are what they were
+///   J V' + b' = 0,   b' = (beta / h) min(0, C + h J V)      C + h J V: minus the overlap once moved, to first order
+///   then  x += h v',  q += h/2 (0, w') q                    and v, w are what they were
 ///
 /// The method is that of Bullet's solver, "split impulse"; a correction apart from the velocities is older:
 /// Cline and Pai, "Post-Stabilization for Rigid Body Simulation with Contact and Constraints", ICRA 2003.
