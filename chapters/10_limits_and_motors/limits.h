@@ -1,0 +1,85 @@
+/// As far, and no farther: inequalities between turns.
+#pragma once
+
+#include "chapters/10_limits_and_motors/angle.h"
+
+namespace pushback {
+
+/// C >= 0, by a force that is never negative: it pushes back, and does not suck. `row` holds J.
+///
+///   C > 0:  b = C / h      in this step it may go as far as the limit
+///   C < 0:  fed back like every error
+inline Equation at_least_zero(Equation row, Real c, Real dt) {
+  row.lo = 0;
+  if (c > 0) row.bias = c / dt;
+  else row.error = c;
+  return row;
+}
+
+/// low <= theta <= high. Both are asked for in every step, reached or not.
+inline void between(const Angle& theta, Real low, Real high, Real dt, Equations& equations) {
+  equations.push_back(at_least_zero(turning(theta.gradient), theta.value - low, dt));
+  equations.push_back(at_least_zero(turning(-theta.gradient), high - theta.value, dt));
+}
+
+/// Limits of an angle that is known up to whole turns: finite, in order, and less than a turn apart.
+inline void check_limits(const std::string& joint, Real low, Real high) {
+  require_finite("lower limit of " + joint, low);
+  require_finite("upper limit of " + joint, high);
+  if (low > high) {
+    throw InvalidInput(fmt::format("limits of {} are {} and {}: the lower one has to come first", joint, low, high));
+  }
+  if (high - low >= 2 * pi) {
+    throw InvalidInput(
+        fmt::format("limits of {} are {} and {}: they have to be less than a turn, 2 pi, apart", joint, low, high));
+  }
+}
+
+/// The same angle up to whole turns, half a turn to either side of the middle of its limits.
+inline Angle about_the_middle(Angle theta, Real low, Real high) {
+  const Real middle = (low + high) / 2;
+  theta.value = middle + std::remainder(theta.value - middle, 2 * pi);
+  return theta;
+}
+
+/// For a hinge: how far B may turn against A about `axis` (world axes), from where they stand now. rad.
+inline Joint angle_limits(const World& world, int a, int b, const Vec3& axis, Real low, Real high) {
+  const std::string name = "angle limits";
+  check_joined(world, name, a, b);
+  check_limits(name, low, high);
+  const HingeAngle angle(world, a, b, unit_axis(name, axis));
+  const auto ask = [=](const Body& first, const Body& second, const Moment& now, Equations& equations) {
+    between(about_the_middle(angle.of(first, second), low, high), low, high, now.dt, equations);
+  };
+  return {name, a, b, ask};
+}
+
+/// For a ball and socket: how far B may twist against A about `axis` (world axes), from where they stand now. rad.
+inline Joint twist_limits(const World& world, int a, int b, const Vec3& axis, Real low, Real high) {
+  const std::string name = "twist limits";
+  check_joined(world, name, a, b);
+  check_limits(name, low, high);
+  const TwistAngle twist(world, a, b, unit_axis(name, axis));
+  const auto ask = [=](const Body& first, const Body& second, const Moment& now, Equations& equations) {
+    between(about_the_middle(twist.of(first, second), low, high), low, high, now.dt, equations);
+  };
+  return {name, a, b, ask};
+}
+
+/// For a ball and socket: the direction `of_b` stays within `angle` of `of_a`, the axis of a cone. Each is carried by its
+/// body; both in world axes, as the bodies stand now. rad, above 0, up to pi.
+inline Joint cone_limit(const World& world, int a, int b, const Vec3& of_a, const Vec3& of_b, Real angle) {
+  const std::string name = "a cone limit";
+  check_joined(world, name, a, b);
+  require_positive("angle of " + name, angle);
+  require_between("angle of " + name, angle, 0, pi);
+  const Vec3 s = body_of(world, a).orientation.conjugate() * unit_axis(name, of_a);
+  const Vec3 u = body_of(world, b).orientation.conjugate() * unit_axis(name, of_b);
+  const auto ask = [=](const Body& first, const Body& second, const Moment& now, Equations& equations) {
+    const Angle off = swing(first.orientation * s, second.orientation * u);
+    equations.push_back(at_least_zero(turning(-off.gradient), angle - off.value, now.dt));
+  };
+  return {name, a, b, ask};
+}
+
+}  // namespace pushback

@@ -1,0 +1,63 @@
+/// A motor is a constraint with limited force.
+#pragma once
+
+#include "chapters/10_limits_and_motors/angle.h"
+
+namespace pushback {
+
+/// The torque of a motor, N m: a force, as all limits of equations are. The row gets h times it, an impulse:
+/// |sum(lambda)| <= h torque.
+inline Equation with_torque(Equation row, Real torque) {
+  row.lo = -torque;
+  row.hi = torque;
+  return row;
+}
+
+/// For a hinge: turns B against A so that the angle is `angle_at(t)`, rad, counted from where they stand now.
+///
+///   C = theta - f(t),   C' = theta' + b,   b = -(f(t + h) - f(t)) / h
+///
+/// b is the mean of -f' over the step, not its value at a time: a step that starts with C = 0 then ends with C = 0, whatever f
+/// is. The angle is known up to whole turns: C is the shorter way. Torque: N m. Catto, GDC 2009, with f = sin, torque = 10.
+inline Joint motor_to_angle(const World& world, int a, int b, const Vec3& axis, std::function<Real(Real)> angle_at,
+                            Real torque) {
+  const std::string name = "a motor";
+  check_joined(world, name, a, b);
+  require_not_negative("torque of " + name, torque);
+  const HingeAngle angle(world, a, b, unit_axis(name, axis));
+  const auto ask = [=](const Body& first, const Body& second, const Moment& now, Equations& equations) {
+    const Angle theta = angle.of(first, second);
+    const Real begin = angle_at(now.time), end = angle_at(now.time + now.dt);
+    require_finite("angle that a motor is to reach", end);
+    Equation row = with_torque(turning(theta.gradient), torque);
+    row.error = std::remainder(theta.value - begin, 2 * pi);
+    row.bias = -(end - begin) / now.dt;
+    equations.push_back(row);
+  };
+  Joint motor{name, a, b, ask};
+  motor.driven = true;
+  return motor;
+}
+
+/// For a hinge: turns B against A at `speed`, rad/s, and does not care for the angle.
+///
+///   C' = omega - speed:   b = -speed
+///
+/// Torque: N m. Catto, GDC 2009, with speed = 2 and torque = 5. With speed = 0 it is a brake, and friction is the like.
+inline Joint motor_at_speed(const World& world, int a, int b, const Vec3& axis, Real speed, Real torque) {
+  const std::string name = "a motor";
+  check_joined(world, name, a, b);
+  require_finite("speed of " + name, speed);
+  require_not_negative("torque of " + name, torque);
+  const Vec3 on_a = body_of(world, a).orientation.conjugate() * unit_axis(name, axis);
+  const auto ask = [=](const Body& first, const Body&, const Moment&, Equations& equations) {
+    Equation row = with_torque(turning(first.orientation * on_a), torque);
+    row.bias = -speed;
+    equations.push_back(row);
+  };
+  Joint motor{name, a, b, ask};
+  motor.driven = true;
+  return motor;
+}
+
+}  // namespace pushback

@@ -1,0 +1,101 @@
+/// A man of capsules and boxes, and stairs to fall down.
+#pragma once
+
+#include <array>
+
+#include "chapters/09_joints/hinge.h"
+#include "chapters/10_limits_and_motors/limits.h"
+
+namespace pushback {
+
+/// Indices in World::bodies and World::joints. Of two, the first is the one at -z where he looks along +x.
+struct Ragdoll {
+  int pelvis, chest, head;
+  std::array<int, 2> upper_arms, forearms, thighs, shins;
+  std::size_t first_joint, end_of_joints;
+};
+
+inline constexpr Real ragdoll_height = Real(1.76);     ///< m, from the soles to the top of the head
+inline constexpr Real ragdoll_hips_over = Real(0.96);  ///< m, from the soles to the middle of the pelvis
+
+/// Upright, looking along +x and then turned by `turn` about the middle of his pelvis, `hips` (m). 76 kg in 11 bodies.
+///
+/// Knees and elbows are hinges with limits; the rest are balls and sockets, each with a cone and with limits of the twist.
+inline Ragdoll add_ragdoll(World& world, const Vec3& hips, const Quat& turn = Quat::Identity()) {
+  require_finite("hips of a ragdoll", hips);
+  const auto degrees = [](Real angle) { return angle * pi / 180; };
+  const auto place = [&](const Vec3& where) { return Vec3(hips + turn * where); };
+  const auto add = [&](Body body, Real x, Real y, Real z, int colour) {
+    body.orientation = turn;
+    body.refresh_inertia();
+    return world.add(body.at(place({x, y, z})).coloured(colour));
+  };
+  const auto socket = [&](int a, int b, const Vec3& anchor, const Vec3& cone, const Vec3& limb, Real swing,
+                          Real twist) {
+    world.joints.push_back(ball_and_socket(world, a, b, place(anchor)));
+    world.joints.push_back(cone_limit(world, a, b, turn * cone, turn * limb, degrees(swing)));
+    world.joints.push_back(twist_limits(world, a, b, turn * limb, -degrees(twist), degrees(twist)));
+  };
+  const auto bend = [&](int a, int b, const Vec3& anchor, Real low, Real high) {
+    const Vec3 axis = turn * Vec3::UnitZ();
+    world.joints.push_back(hinge(world, a, b, place(anchor), axis));
+    world.joints.push_back(angle_limits(world, a, b, axis, degrees(low), degrees(high)));
+  };
+  const Vec3 up = Vec3::UnitY(), down = -up;
+
+  Ragdoll man{};
+  man.first_joint = world.joints.size();
+  man.pelvis = add(box({Real(0.10), Real(0.10), Real(0.16)}, 12), 0, 0, 0, 1);
+  man.chest = add(box({Real(0.11), Real(0.20), Real(0.18)}, 26), 0, Real(0.33), 0, 0);
+  man.head = add(sphere(Real(0.11), 5), 0, Real(0.69), 0, 4);
+  socket(man.pelvis, man.chest, {0, Real(0.115), 0}, up, up, 35, 30);
+  socket(man.chest, man.head, {0, Real(0.555), 0}, up, up, 40, 45);
+  for (const std::size_t i : {0U, 1U}) {
+    const Real side = i == 0 ? -1 : 1, arm = side * Real(0.25), leg = side * Real(0.09);
+    man.upper_arms[i] = add(capsule(Real(0.05), Real(0.10), Real(2.5)), 0, Real(0.33), arm, 2);
+    man.forearms[i] = add(capsule(Real(0.045), Real(0.10), 2), 0, 0, arm, 4);
+    man.thighs[i] = add(capsule(Real(0.07), Real(0.14), 8), 0, Real(-0.31), leg, 1);
+    man.shins[i] = add(capsule(Real(0.055), Real(0.15), 4), 0, Real(-0.755), leg, 3);
+    // An arm swings forwards and outwards, hardly back; a leg forwards.
+    socket(man.chest, man.upper_arms[i], {0, Real(0.47), arm}, {Real(0.4), Real(-0.5), side * Real(0.75)}, down, 95,
+           60);
+    socket(man.pelvis, man.thighs[i], {0, Real(-0.10), leg}, {Real(0.5), Real(-0.85), side * Real(0.15)}, down, 60, 30);
+    bend(man.upper_arms[i], man.forearms[i], {0, Real(0.165), arm}, 0, 140);
+    bend(man.thighs[i], man.shins[i], {0, Real(-0.535), leg}, -140, 0);
+  }
+  man.end_of_joints = world.joints.size();
+  return man;
+}
+
+/// The largest gap between two bodies of a ragdoll that should meet, as a part of his height.
+inline Real stretch(const World& world, const Ragdoll& man) {
+  Real largest = 0;
+  Equations equations;
+  for (std::size_t i = man.first_joint; i < man.end_of_joints; ++i) {
+    const Joint& joint = world.joints[i];
+    equations.clear();
+    joint.ask(body_of(world, joint.a), body_of(world, joint.b), {world.time, 1}, equations);
+    Real squared = 0;
+    for (const Equation& row : equations) squared += row.n.isZero(0) ? 0 : row.error * row.error;
+    largest = std::max(largest, std::sqrt(squared));
+  }
+  return largest / ragdoll_height;
+}
+
+/// `count` fixed steps of `rise` and `run` m, `width` m wide, that go down along +x from a landing at x <= 0 to the plane
+/// y = 0 at x = count * run. The landing, `count + 1` rises up, is 2 m long.
+inline void add_stairs(World& world, int count, Real rise = Real(0.18), Real run = Real(0.28), Real width = 2) {
+  if (count < 1) throw InvalidInput(fmt::format("stairs have {} steps: 1 or more are needed", count));
+  require_positive("rise of stairs", rise);
+  require_positive("run of stairs", run);
+  require_positive("width of stairs", width);
+  const auto block = [&](Real from, Real to, Real height) {
+    world.add(box({(to - from) / 2, height / 2, width / 2}, 1).fixed().at({(from + to) / 2, height / 2, 0}));
+  };
+  block(-2, 0, static_cast<Real>(count + 1) * rise);
+  for (int i = 0; i < count; ++i) {
+    block(static_cast<Real>(i) * run, static_cast<Real>(i + 1) * run, static_cast<Real>(count - i) * rise);
+  }
+}
+
+}  // namespace pushback

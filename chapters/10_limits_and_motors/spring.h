@@ -1,0 +1,64 @@
+/// A spring with a damper: an equation that gives way.
+#pragma once
+
+#include "chapters/09_joints/distance.h"
+#include "chapters/10_limits_and_motors/angle.h"
+
+namespace pushback {
+
+/// As stiff as to let the mass that it feels swing at `hertz`; `damping_ratio` zeta: 0 for ever, 1 not at all (critical).
+struct Spring {
+  Real hertz, damping_ratio;
+};
+inline void check(const std::string& joint, const Spring& spring) {
+  require_positive("hertz of " + joint, spring.hertz);
+  require_not_negative("damping ratio of " + joint, spring.damping_ratio);
+}
+
+/// K = J M^-1 J^T of an equation, 1/kg or 1/(kg m^2).
+inline Real k_of(const Body& a, const Body& b, const Equation& row) {
+  const Real linear = row.n.isZero(0) ? 0 : a.inverse_mass + b.inverse_mass;
+  return linear + row.ra_n.dot(a.inverse_inertia * row.ra_n) + row.rb_n.dot(b.inverse_inertia * row.rb_n);
+}
+
+/// The equation with a spring and a damper in the place of what held it rigidly; its error C is fed back by them alone.
+///
+///   m = 1/K,  w = 2 pi hertz,  k = m w^2,  c = 2 m zeta w         made for the mass that the row feels
+///   J V + b + gamma lambda = 0,  gamma = 1 / (h (c + h k)),  b = h k gamma C         -k C - c C', at the end of the step
+///
+/// Catto, "Soft Constraints", GDC 2011.
+inline Equation soft(Equation row, const Spring& spring, const Body& a, const Body& b, Real dt) {
+  const Real m = 1 / k_of(a, b, row), w = 2 * pi * spring.hertz;
+  const Real k = m * w * w, c = 2 * m * spring.damping_ratio * w;
+  row.softness = 1 / (dt * (c + dt * k));
+  row.bias = dt * k * row.softness * row.error;
+  row.error = 0;
+  return row;
+}
+
+/// The joint with this spring in each of its equations.
+inline Joint soft(Joint rigid, const Spring& spring) {
+  rigid.name += " with a spring";
+  check(rigid.name, spring);
+  rigid.ask = [ask = rigid.ask, spring](const Body& a, const Body& b, const Moment& now, Equations& equations) {
+    const std::size_t first = equations.size();
+    ask(a, b, now, equations);
+    for (std::size_t i = first; i < equations.size(); ++i) equations[i] = soft(equations[i], spring, a, b, now.dt);
+  };
+  return rigid;
+}
+
+/// Turns B back to how it stands against A now, about `axis` (world axes).
+inline Joint torsion_spring(const World& world, int a, int b, const Vec3& axis, const Spring& spring) {
+  const std::string name = "a torsion";
+  check_joined(world, name, a, b);
+  const HingeAngle angle(world, a, b, unit_axis(name, axis));
+  const auto ask = [=](const Body& first, const Body& second, const Moment&, Equations& equations) {
+    const Angle theta = angle.of(first, second);
+    equations.push_back(turning(theta.gradient));
+    equations.back().error = theta.value;
+  };
+  return soft({name, a, b, ask}, spring);
+}
+
+}  // namespace pushback

@@ -1,0 +1,88 @@
+/// A rope wound on a wheel: it pulls, and what one end gives the other gets.
+#pragma once
+
+#include "chapters/10_limits_and_motors/limits.h"
+
+namespace pushback {
+
+/// Which turn of the wheel about its axis takes the rope in.
+enum class Winding { forwards = 1, backwards = -1 };
+
+/// Where a rope that comes from a point P leaves a wheel, all in the wheel's own axes and from its centre.
+///
+///   T = R (cos alpha D^ + sigma sin alpha k x D^),   cos alpha = R / d         D = d D^: P without its part along the axis k
+///   s = sqrt(d^2 - R^2) is the free length,  chi the angle of T on the wheel
+struct WoundRope {
+  Vec3 axis, across1, across2;  ///< k, and a basis across it: unit, right-handed
+  Real radius;                  ///< R, m
+  Real sigma;                   ///< 1 or -1, see Winding
+
+  struct Tangent {
+    Vec3 point;  ///< T, m
+    Vec3 along;  ///< n, unit, from T to P
+    Real free;   ///< s, m
+    Real chi;    ///< rad, in (-pi, pi]
+  };
+  Tangent to(const Vec3& p) const {
+    const Vec3 flat = p - p.dot(axis) * axis;
+    const Real d = flat.norm();
+    const Vec3 out = d > 0 ? Vec3(flat / d) : across1;
+    const Real cosine = d > radius ? radius / d : 1;  // P wound up into the wheel: as if it stood on the rim
+    const Real sine = std::sqrt(1 - cosine * cosine);
+    const Vec3 aside = sigma * axis.cross(out);
+    const Vec3 from_centre = cosine * out + sine * aside;
+    return {radius * from_centre, sine * out - cosine * aside, d * sine,
+            std::atan2(from_centre.dot(across2), from_centre.dot(across1))};
+  }
+};
+
+/// From the rim of a wheel, `radius` m from `centre`, to `point` of the load; taut as they stand now. The rope may be as long
+/// as one likes. `centre`, `axis`, `point`: world axes. It is measured in the wheel's plane.
+///
+///   C = L + sigma R chi - s >= 0,   C' = -n . (velocity of the load's P - velocity that the wheel has there)
+///
+/// L is set so that C is 0 now. chi takes both what the wheel has turned and how far the rope has swung aside: seen from the
+/// wheel, P moves, and only its motion along n makes a rope longer. The force acts along one line, and so at P on both.
+inline Joint wound_rope(const World& world, int wheel, const Vec3& centre, const Vec3& axis, Real radius,
+                        Winding winding, int load, const Vec3& point) {
+  const std::string name = "a wound rope";
+  check_joined(world, name, wheel, load);
+  require_finite("centre of " + name, centre);
+  require_finite("point of " + name, point);
+  require_positive("radius of " + name, radius);
+  const Body& carrier = body_of(world, wheel);
+  const Quat to_wheel = carrier.orientation.conjugate();
+  const Vec3 k = to_wheel * unit_axis(name, axis);
+  const Tangents across = tangents_of(k);
+  const WoundRope rope{k, across.tangent1, across.tangent2, radius, static_cast<Real>(winding)};
+  const Vec3 middle = point_on(carrier, centre), on_load = point_on(body_of(world, load), point);
+  const WoundRope::Tangent now = rope.to(point_on(carrier, point) - middle);
+  if (!(now.free > 0)) {
+    throw InvalidInput(
+        fmt::format("{} of radius {} hangs from a point inside of the wheel: one outside is needed", name, radius));
+  }
+  const Real length = now.free - rope.sigma * radius * now.chi;
+
+  const auto ask = [=, chi = CountedAngle(now.chi)](const Body& a, const Body& b, const Moment& moment,
+                                                    Equations& equations) mutable {
+    const Vec3 p = point_of(b, on_load);
+    const WoundRope::Tangent tangent = rope.to(point_on(a, p) - middle);
+    const Vec3 n = -(a.orientation * tangent.along);
+    const Equation row{.n = n, .ra_n = (p - a.position).cross(n), .rb_n = (p - b.position).cross(n)};
+    const Real c = length + rope.sigma * radius * chi.count(tangent.chi) - tangent.free;
+    equations.push_back(at_least_zero(row, c, moment.dt));
+  };
+  const auto line = [=](const Body& a, const Body& b) {
+    const Vec3 p = point_of(b, on_load);
+    const WoundRope::Tangent tangent = rope.to(point_on(a, p) - middle);
+    std::vector<Vec3> corners{p};
+    for (int i = 0; i <= 12; ++i) {  // and a good part of a turn of what is wound on
+      const Quat on(Eigen::AngleAxis<Real>(rope.sigma * static_cast<Real>(i) * pi / 9, rope.axis));
+      corners.push_back(point_of(a, middle + on * tangent.point));
+    }
+    return corners;
+  };
+  return {name, wheel, load, ask, line};
+}
+
+}  // namespace pushback
