@@ -24,6 +24,7 @@ inline Joint motor_to_angle(const World& world, int a, int b, const Vec3& axis, 
   const std::string name = "a motor";
   check_joined(world, name, a, b);
   require_not_negative("torque of " + name, torque);
+  if (!angle_at) throw InvalidInput(name + " has no angle to reach: a function of time is needed");
   const HingeAngle angle(world, a, b, unit_axis(name, axis));
   const auto ask = [=](const Body& first, const Body& second, const Moment& now, Equations& equations) {
     const Angle theta = angle.of(first, second);

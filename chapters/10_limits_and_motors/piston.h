@@ -18,6 +18,7 @@ inline Joint piston(const World& world, int a, const Vec3& point_a, int b, const
   check_joined(world, name, a, b);
   require_finite("anchor of " + name, point_a);
   require_finite("anchor of " + name, point_b);
+  if (!length_at) throw InvalidInput(name + " has no length: a function of time is needed");
   require_positive("length of " + name, length_at(world.time));
   if (!(force >= 0)) throw InvalidInput(fmt::format("force of {} is {}: 0 or more is needed", name, force));
   const Vec3 on_a = point_on(body_of(world, a), point_a), on_b = point_on(body_of(world, b), point_b);

@@ -1,6 +1,7 @@
 /// A man of capsules and boxes, and stairs to fall down.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "chapters/09_joints/hinge.h"
@@ -82,6 +83,19 @@ inline Real stretch(const World& world, const Ragdoll& man) {
   return largest / ragdoll_height;
 }
 
+/// How far a knee or an elbow is bent the wrong way, rad: the farthest of the four.
+inline Real bent_backwards(const World& world, const Ragdoll& man) {
+  const auto bend = [&world](int upper, int lower) {  // about z of both, where it started straight
+    const Quat turn = body_of(world, upper).orientation.conjugate() * body_of(world, lower).orientation;
+    return std::remainder(2 * std::atan2(turn.z(), turn.w()), 2 * pi);
+  };
+  Real farthest = 0;
+  for (const std::size_t i : {0U, 1U}) {
+    farthest = std::max({farthest, -bend(man.upper_arms[i], man.forearms[i]), bend(man.thighs[i], man.shins[i])});
+  }
+  return farthest;
+}
+
 /// `count` fixed steps of `rise` and `run` m, `width` m wide, that go down along +x from a landing at x <= 0 to the plane
 /// y = 0 at x = count * run. The landing, `count + 1` rises up, is 2 m long.
 inline void add_stairs(World& world, int count, Real rise = Real(0.18), Real run = Real(0.28), Real width = 2) {
@@ -96,6 +110,18 @@ inline void add_stairs(World& world, int count, Real rise = Real(0.18), Real run
   for (int i = 0; i < count; ++i) {
     block(static_cast<Real>(i) * run, static_cast<Real>(i + 1) * run, static_cast<Real>(count - i) * rise);
   }
+}
+
+/// A ragdoll that walks off the landing of five steps, above the ground. Returns the man.
+inline Ragdoll down_the_stairs(World& world) {
+  constexpr int steps = 5;
+  world.add(ground());
+  add_stairs(world, steps);
+  const Vec3 hips(Real(-0.3), (steps + 1) * Real(0.18) + ragdoll_hips_over, 0);
+  const Ragdoll man = add_ragdoll(world, hips);
+  for (int body = man.pelvis; body <= man.shins[1]; ++body)
+    world.bodies[static_cast<std::size_t>(body)].moving({Real(1.5), 0, 0});
+  return man;
 }
 
 }  // namespace pushback

@@ -73,12 +73,12 @@ inline Joint wound_rope(const World& world, int wheel, const Vec3& centre, const
     equations.push_back(at_least_zero(row, c, moment.dt));
   };
   const auto line = [=](const Body& a, const Body& b) {
-    const Vec3 p = point_of(b, on_load);
-    const WoundRope::Tangent tangent = rope.to(point_on(a, p) - middle);
+    const Vec3 p = point_of(b, on_load), to_p = point_on(a, p) - middle;
+    const Vec3 beside = middle + to_p.dot(k) * k;  // drawn in the plane of the load
     std::vector<Vec3> corners{p};
     for (int i = 0; i <= 12; ++i) {  // and a good part of a turn of what is wound on
-      const Quat on(Eigen::AngleAxis<Real>(rope.sigma * static_cast<Real>(i) * pi / 9, rope.axis));
-      corners.push_back(point_of(a, middle + on * tangent.point));
+      const Quat on(Eigen::AngleAxis<Real>(rope.sigma * static_cast<Real>(i) * pi / 9, k));
+      corners.push_back(point_of(a, beside + on * rope.to(to_p).point));
     }
     return corners;
   };

@@ -1,0 +1,65 @@
+/// A cart on three driven wheels, and the slope that it is to climb.
+#pragma once
+
+#include <array>
+
+#include "chapters/09_joints/hinge.h"
+#include "chapters/10_limits_and_motors/motor.h"
+#include "common/scene.h"
+
+namespace pushback {
+
+struct Cart {
+  int chassis;
+  std::array<int, 3> wheels;  // one in front
+};
+
+inline constexpr Real cart_wheel = Real(0.25);                 // m, radius
+inline constexpr Real chassis_mass = 20, cart_wheel_mass = 2;  // kg
+inline constexpr Real slope_angle = 15 * pi / 180;             // rad
+inline constexpr Real cart_speed = 8;                          // rad/s, of its wheels
+
+/// Wheels that are balls on hinges. Three of them: of four, nobody can say how much each carries. It stands on a plane through
+/// the origin that rises by `slope` rad along +x; the middle of its axles is `along` m up the slope.
+inline Cart add_cart(World& world, Real slope, Real along) {
+  const Quat turn(Eigen::AngleAxis<Real>(slope, Vec3::UnitZ()));
+  const Vec3 middle = turn * Vec3(along, cart_wheel, 0);
+  const auto add = [&](Body body, const Vec3& at, int colour) {
+    body.orientation = turn;
+    body.refresh_inertia();
+    return world.add(body.at(middle + turn * at).coloured(colour));
+  };
+  Cart cart{};
+  cart.chassis = add(box({Real(0.5), Real(0.12), Real(0.3)}, chassis_mass), {0, Real(0.1), 0}, 1);
+  const std::array<Vec3, 3> axles{Vec3(Real(0.8), 0, 0), Vec3(Real(-0.4), 0, Real(0.6)),
+                                  Vec3(Real(-0.4), 0, Real(-0.6))};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& axle = axles[i];
+    cart.wheels[i] = add(sphere(cart_wheel, cart_wheel_mass).rough(1), axle, 4);
+    Joint axis = hinge(world, cart.chassis, cart.wheels[i], middle + turn * axle, Vec3::UnitZ());
+    axis.line = [](const Body&, const Body& wheel) {  // a diameter on its outside, to be seen turning
+      const Real side = wheel.position.z() < Real(-0.1) ? -1 : 1;
+      const Vec3 at = wheel.position + Vec3(0, 0, side * cart_wheel);
+      const Vec3 out = wheel.orientation * Vec3(Real(0.8) * cart_wheel, 0, 0);
+      return std::vector<Vec3>{at - out, at + out};
+    };
+    world.joints.push_back(axis);
+  }
+  return cart;
+}
+/// A motor of `torque` N m for each wheel. Forwards is +x: a turn about -z.
+inline void drive(World& world, const Cart& cart, Real speed, Real torque) {
+  for (const int wheel : cart.wheels) {
+    world.joints.push_back(motor_at_speed(world, cart.chassis, wheel, -Vec3::UnitZ(), speed, torque));
+  }
+}
+/// m/s^2 up the slope, as long as the wheels roll and the motors do what they can:
+///
+///   a = (3 tau / R - m g sin) / (m + 3 I / R^2),   I = 2/5 m_w R^2
+inline Real acceleration_of_cart(Real torque) {
+  const Real mass = chassis_mass + 3 * cart_wheel_mass;
+  return (3 * torque / cart_wheel - mass * Real(9.81) * std::sin(slope_angle)) /
+         (mass + 3 * Real(0.4) * cart_wheel_mass);
+}
+
+}  // namespace pushback

@@ -1,0 +1,187 @@
+#include "chapters/10_limits_and_motors/cart.h"
+#include "chapters/10_limits_and_motors/ragdoll.h"
+#include "chapters/10_limits_and_motors/scenes.h"
+#include "chapters/10_limits_and_motors/study.h"
+#include "common/experiment.h"
+
+using namespace pushback;
+
+namespace {
+
+/// Adds a joint to what the scene has.
+template <class MakeJoint>
+Rigged with(const MakeJoint& joint) {
+  return Rigged([joint](World& world) { world.joints.push_back(joint(world)); });
+}
+Real largest(const Run& run, const std::string& series) {
+  return *std::max_element(run.series.at(series).begin(), run.series.at(series).end());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment e("10_limits_and_motors", "How far may it turn, and who turns it?");
+  Real torque = follow_torque;
+  e.option("--torque", torque, "N m, of the motor that is to follow sin t", not_negative());
+  return e.run(argc, argv, [&] {
+    const Real h = e.dt();
+    const auto nothing = [](World&) {};
+
+    e.scene({.name = "a bar, let go, and a stop at 30°",
+             .fill = bar_and_stop,
+             .camera = {{Real(0.3), Real(-0.5), 6}, {0, Real(-0.68), 0}, Real(0.31)},
+             .seconds = 3,
+             .instants = {0, Real(0.7), Real(1.15)}});
+    e.variant("no limit", Rigged(nothing));
+    e.variant("limit, λ ≥ 0", with(stop_of_bar)).expect("beyond the stop", 0);
+    e.variant("the same without λ ≥ 0", with(stop_that_sucks)).expect("beyond the stop", 0);
+    e.series("angle of the bar", "degrees", angle_of_bar);
+    e.number("beyond the stop", "°",
+             [](const Run& run) { return std::max(Real(0), largest(run, "angle of the bar") - bar_stop * 180 / pi); });
+    e.number("angle at the end", "°", [](const Run& run) { return run.series.at("angle of the bar").back(); });
+
+    e.scene({.name = fmt::format("θ = sin t, with {:.3g} N m", torque),
+             .fill = [torque](World& world) { pointers(world, torque); },
+             .camera = {{Real(0.3), Real(0.2), 6}, {0, 0, 0}, Real(0.33)},
+             .seconds = 2 * pi,
+             .instants = {Real(1.6), Real(3.2), Real(4.7)}});
+    for (const Real mass : {light_pointer, heavy_pointer}) {
+      Variant& variant =
+          e.variant(fmt::format("{:.3g} kg m²: needs {:.3g} N m", inertia_of_pointer(mass), inertia_of_pointer(mass)),
+                    Rigged([mass](World& world) { weigh_pointer(world, mass); }));
+      if (mass == light_pointer) variant.expect("off by up to, after 1 s", 0);
+      variant.reference("sin t", [](Real t) { return std::sin(t); });
+    }
+    e.series("angle", "rad", angle_of_pointer);
+    e.number("off by up to, after 1 s", "mrad", [h](const Run& run) {
+      Real worst = 0;
+      const auto& angle = run.series.at("angle");
+      for (std::size_t i = 0; i < angle.size(); ++i) {
+        const Real t = static_cast<Real>(i + 1) * h;
+        if (t > 1) worst = std::max(worst, 1000 * std::abs(angle[i] - std::sin(t)));
+      }
+      return worst;
+    });
+
+    World winches, pulleys;  // for the inertias of their wheels
+    two_winches(winches);
+    two_pulleys(pulleys);
+    e.scene({.name = "two winches, each 2 rad/s with 5 N m",
+             .fill = two_winches,
+             .camera = {{Real(0.5), Real(2.2), 7}, {0, Real(1.88), 0}, Real(0.42)},
+             .seconds = Real(1.5),
+             .instants = {0, Real(0.75), Real(1.5)}});
+    const Real sinking = acceleration_of_winch(inertia_of_disc(winches.bodies[2]), heavy_load);
+    e.variant("1.5 kg (3.7 N m), 2.5 kg (6.1 N m)", JointedSolver{})
+        .reference("closed form", [sinking](Real t) { return sinking * t; })
+        .expect("speed of the light load", winch_speed * winch_radius)
+        .expect("acceleration of the heavy one", sinking);
+    e.series("speed of the heavy load", "m/s", [](const World& world) { return world.bodies[3].velocity.y(); });
+    e.number("speed of the light load", "m/s", [](const Run& run) { return run.world.bodies[1].velocity.y(); });
+    e.number("acceleration of the heavy one", "m/s²",
+             [](const Run& run) { return run.world.bodies[3].velocity.y() / run.samples.back().time; });
+
+    e.scene({.name = "two pulleys: one radius, and two radii",
+             .fill = two_pulleys,
+             .camera = {{Real(0.5), Real(2.4), 7}, {0, Real(2.13), 0}, Real(0.38)},
+             .seconds = Real(0.8),
+             .instants = {0, Real(0.4), Real(0.8)}});
+    const Real atwood = acceleration_of_atwood(inertia_of_disc(pulleys.bodies[0]));
+    e.variant("2 kg and 3 kg on each", JointedSolver{})
+        .reference("closed form", [atwood](Real t) { return atwood * t; })
+        .expect("acceleration of the 3 kg", atwood)
+        .expect("of the 2 kg at 0.4 m", acceleration_of_stepped(inertia_of_disc(pulleys.bodies[3])));
+    e.series("speed of the 3 kg", "m/s", [](const World& world) { return -world.bodies[2].velocity.y(); });
+    const auto downwards = [](std::size_t body) {
+      return [body](const Run& run) { return -run.world.bodies[body].velocity.y() / run.samples.back().time; };
+    };
+    e.number("acceleration of the 3 kg", "m/s²", downwards(2));
+    e.number("of the 2 kg at 0.4 m", "m/s²", downwards(5));
+
+    e.scene({.name = "three springs of 1 Hz: ζ = 0.1, 1, 5",
+             .fill = three_springs,
+             .camera = {{Real(0.3), 2, 7}, {0, Real(1.98), 0}, Real(0.36)},
+             .seconds = 3,
+             .instants = {0, Real(0.5), 1}});
+    e.variant("let go 0.6 m below", JointedSolver{}).reference("closed form", [](Real t) {
+      return let_go(pulled_by, 2 * pi * spring_hertz, damping_ratios[0], t);
+    });
+    e.series("below its place, ζ = 0.1", "m", [](const World& world) { return below_its_place(world, 0); });
+    for (std::size_t i = 0; i < 3; ++i) {
+      e.number(fmt::format("off the closed form, ζ = {}", damping_ratios[i]), "mm", [i](const Run& run) {
+        const Real t = run.samples.back().time, w = 2 * pi * spring_hertz;
+        return 1000 * std::abs(below_its_place(run.world, i) - let_go(pulled_by, w, damping_ratios[i], t));
+      });
+    }
+
+    e.scene({.name = "a cart on a slope of 15°",
+             .fill =
+                 [](World& world) {
+                   incline(world, slope_angle, 1);
+                   add_cart(world, slope_angle, 0);
+                 },
+             .camera = {{Real(0.3), Real(1.9), 7}, {Real(0.2), Real(0.2), 0}, Real(0.42)},
+             .seconds = Real(2.5),
+             .instants = {0, 1, 2}});
+    const Cart cart{1, {2, 3, 4}};
+    for (const Real each : {Real(4), Real(7)}) {
+      e.variant(fmt::format("three motors of {} N m", each),
+                Rigged([=](World& world) { drive(world, cart, cart_speed, each); }))
+          .reference(each == 4 ? "closed form" : "", [each](Real t) { return acceleration_of_cart(each) * t; })
+          .expect("acceleration", acceleration_of_cart(each));
+    }
+    e.series("speed up the slope", "m/s", [cart](const World& world) {
+      const Body& chassis = body_of(world, cart.chassis);
+      return chassis.velocity.dot(Vec3(std::cos(slope_angle), std::sin(slope_angle), 0));
+    });
+    e.number("acceleration", "m/s²", [](const Run& run) {
+      const auto& speeds = run.series.at("speed up the slope");
+      const std::size_t second = std::min(speeds.size(), static_cast<std::size_t>(std::lround(1 / run.dt)));
+      return speeds[second - 1] / (static_cast<Real>(second) * run.dt);
+    });
+
+    World probe;
+    const Ragdoll man = down_the_stairs(probe);
+    e.scene({.name = "down the stairs",
+             .fill = [](World& world) { down_the_stairs(world); },
+             .camera = {{Real(2.2), Real(2.1), 7}, {Real(0.75), Real(1.37), 0}, Real(0.43)},
+             .seconds = 3,
+             .instants = {0, Real(0.9), 3}});
+    e.variant("no limits", Rigged([](World& world) {
+                std::erase_if(world.joints, [](const Joint& joint) {
+                  return joint.name.ends_with("limits") || joint.name.ends_with("limit");
+                });
+              }));
+    e.variant("limits", JointedSolver{});
+    e.series("knee or elbow, the wrong way", "degrees",
+             [man](const World& world) { return bent_backwards(world, man) * 180 / pi; });
+    e.number("knee or elbow, the wrong way", "°",
+             [](const Run& run) { return largest(run, "knee or elbow, the wrong way"); });
+
+    e.study([&e, h] {
+      const WorkAndEnergy winch = work_of_winch(h);
+      const auto panel = [&](const std::string& title, const std::string& y, const std::vector<Curve>& curves) {
+        e.panel({.title = title, .x_label = "time, s", .y_label = y, .curves = curves});
+      };
+      panel("a winch lifts 1.5 kg", "energy, J", {winch.work, winch.energy});
+      panel("a wheel, 2 rad/s with 5 N m", "ω, rad/s", reaching_a_speed(h));
+      panel("springs of 1 Hz", "below its place, m", springs(h));
+      e.panel({.title = "springs of 1 Hz, after 1 s",
+               .x_label = "step, s",
+               .y_label = "off the closed form, m",
+               .log_x = true,
+               .log_y = true,
+               .curves = springs_by_step()});
+      panel("a swing, pumped and not", "degrees", swings(h, Real(0.05)));
+      e.remark(fmt::format("the winch: work of the motor {:.6g} J, energy gained {:.6g} J", winch.work.y.back(),
+                           winch.energy.y.back()));
+      for (const auto& [small_steps, sweeps] :
+           {std::pair(1, 10), std::pair(1, 30), std::pair(8, 2), std::pair(32, 1)}) {
+        e.remark(fmt::format("the ragdoll, {} in 1/{:.0f} s with {}: stretched by up to {:.2g} %",
+                             small_steps == 1 ? "one step" : fmt::format("{} small steps", small_steps), 1 / h,
+                             sweeps == 1 ? "one sweep" : fmt::format("{} sweeps", sweeps),
+                             100 * stretch_on_stairs(h, small_steps, sweeps)));
+      }
+    });
+  });
+}

@@ -1,0 +1,246 @@
+/// A bar and its stop, a bar that is to follow sin t, two winches, three springs, two pulleys, a swing.
+#pragma once
+
+#include "chapters/09_joints/hinge.h"
+#include "chapters/09_joints/warm_joints.h"
+#include "chapters/10_limits_and_motors/limits.h"
+#include "chapters/10_limits_and_motors/motor.h"
+#include "chapters/10_limits_and_motors/piston.h"
+#include "chapters/10_limits_and_motors/spring.h"
+#include "chapters/10_limits_and_motors/wound_rope.h"
+#include "common/scene.h"
+
+namespace pushback {
+
+/// JointedSolver on a world that is changed once, as the first step is solved: variants may then differ in their joints.
+struct Rigged : JointedSolver {
+  std::function<void(World&)> rig;
+
+  explicit Rigged(std::function<void(World&)> how) : rig(std::move(how)) {}
+  void hold(World& world, Real dt) {
+    if (rig) rig(world);
+    rig = nullptr;
+    JointedSolver::hold(world, dt);
+  }
+};
+
+/// A fixed ball at the end of each axle, to be seen only: nothing gets there.
+inline void axle(World& world, const Vec3& at) {
+  world.add(sphere(Real(0.05), 1).fixed().at(at + Vec3(0, 0, Real(0.14))));
+}
+
+// ---- a bar and its stop ------------------------------------------------------------------------------------------------
+
+inline constexpr Real bar_half = Real(0.75);              // m
+inline constexpr Real bar_lifted = -80 * pi / 180;        // rad from hanging down
+inline constexpr Real bar_stop = 30 * pi / 180;           // rad
+inline constexpr Real bar_range = bar_stop - bar_lifted;  // rad, from where it starts
+
+/// Body 0 hangs from a hinge, let go on one side. Behind it, where the stop is, a fixed plate.
+inline void bar_and_stop(World& world) {
+  const auto along = [](Real angle) { return Vec3(std::sin(angle), -std::cos(angle), 0); };
+  const int bar = world.add(box({Real(0.07), bar_half, Real(0.07)}, 5)
+                                .turned(bar_lifted, Vec3::UnitZ())
+                                .at(bar_half * along(bar_lifted))
+                                .coloured(3));
+  world.joints.push_back(hinge(world, the_world, bar, Vec3::Zero(), Vec3::UnitZ()));
+  const Vec3 across(std::cos(bar_stop), std::sin(bar_stop), 0);
+  world.add(box({Real(0.03), Real(0.35), Real(0.15)}, 1)
+                .fixed()
+                .turned(bar_stop, Vec3::UnitZ())
+                .at(Real(1.2) * along(bar_stop) + Real(0.1) * across + Vec3(0, 0, Real(-0.3))));
+  axle(world, Vec3::Zero());
+}
+inline Real angle_of_bar(const World& world) {  // degrees from hanging down
+  const Vec3& at = world.bodies[0].position;
+  return std::atan2(at.x(), -at.y()) * 180 / pi;
+}
+inline Joint stop_of_bar(const World& world) {
+  return angle_limits(world, the_world, 0, Vec3::UnitZ(), -pi / 2, bar_range);
+}
+/// The mistake: within a degree of the stop, the limit without lambda >= 0.
+inline Joint stop_that_sucks(const World& world) {
+  Joint stop = stop_of_bar(world);
+  stop.ask = [ask = stop.ask](const Body& a, const Body& b, const Moment& now, Equations& equations) {
+    ask(a, b, now, equations);
+    Equation& high = equations.back();
+    if (high.bias * now.dt < pi / 180) high.lo = -std::numeric_limits<Real>::infinity();
+  };
+  return stop;
+}
+
+// ---- theta = sin t, with 10 N m ----------------------------------------------------------------------------------------
+
+inline constexpr Real follow_torque = 10;                      // N m
+inline constexpr Real light_pointer = 20, heavy_pointer = 80;  // kg
+inline Real inertia_of_pointer(Real mass) {
+  return mass * (bar_half * bar_half + Real(0.07) * Real(0.07)) / 3;
+}
+/// Body 0, a bar on a hinge through its middle, and behind it a thin one that is where it should be. The first is as heavy as a
+/// variant says.
+inline void pointers(World& world, Real torque) {
+  const int pointer = world.add(box({bar_half, Real(0.07), Real(0.07)}, 1).coloured(3));
+  const int wanted = world.add(box({1, Real(0.02), Real(0.02)}, 1).at({0, 0, Real(-0.2)}).coloured(0));
+  for (const int body : {pointer, wanted}) {
+    world.joints.push_back(hinge(world, the_world, body, world.bodies[std::size_t(body)].position, Vec3::UnitZ()));
+  }
+  for (Body& body : world.bodies) body.spinning({0, 0, 1});  // the derivative of sin t in the beginning
+  const auto sine = [](Real t) { return std::sin(t); };
+  world.joints.push_back(motor_to_angle(world, the_world, wanted, Vec3::UnitZ(), sine, 1000));
+  world.joints.push_back(motor_to_angle(world, the_world, pointer, Vec3::UnitZ(), sine, torque));
+  axle(world, Vec3::Zero());
+}
+inline void weigh_pointer(World& world, Real mass) {
+  Body& pointer = world.bodies[0];
+  pointer.inverse_mass = 1 / mass;
+  pointer.principal_inverse_inertia /= mass;  // it was 1 kg
+  pointer.refresh_inertia();
+}
+inline Real angle_of_pointer(const World& world) {  // rad
+  const Vec3 along = world.bodies[0].orientation * Vec3::UnitX();
+  return std::atan2(along.y(), along.x());
+}
+
+// ---- wheels and ropes --------------------------------------------------------------------------------------------------
+
+/// A disc of 16 corners on either side, its axis along z.
+inline Body disc(Real radius, Real half_width, Real mass) {
+  std::vector<Vec3> rim;
+  for (int i = 0; i < 16; ++i) {
+    const Real angle = pi / 8 * (static_cast<Real>(i) + Real(0.5));
+    for (const Real side : {Real(-1), Real(1)})
+      rim.emplace_back(radius * std::cos(angle), radius * std::sin(angle), side * half_width);
+  }
+  return hull(rim, mass);
+}
+/// kg m^2 about z, as the body stands.
+inline Real inertia_of_disc(const Body& disc) {
+  return 1 / (disc.inverse_inertia * Vec3::UnitZ()).z();
+}
+/// The same joint with a diameter of the wheel drawn on its front, to be seen turning. `b` is the wheel.
+inline Joint with_spoke(Joint joint, Real radius, Real front) {
+  joint.line = [=](const Body&, const Body& wheel) {
+    const Vec3 at = wheel.position + Vec3(0, 0, front), out = wheel.orientation * (radius * Vec3::UnitX());
+    return std::vector<Vec3>{at - out, at + out};
+  };
+  return joint;
+}
+/// A wheel on a hinge of the world, and its index.
+inline int wheel_at(World& world, const Vec3& at, Real radius, Real mass) {
+  const int wheel = world.add(disc(radius, Real(0.08), mass).at(at).coloured(4));
+  world.joints.push_back(with_spoke(hinge(world, the_world, wheel, at, Vec3::UnitZ()), radius, Real(0.1)));
+  return wheel;
+}
+/// A cube that hangs from the wheel by a rope wound on it at `radius`, `drop` m below the axle, at +x or at -x of it,
+/// `front` m before its middle.
+inline int hang(World& world, int wheel, Real radius, int side, Real mass, Real drop, int colour, Real front = 0) {
+  const Vec3 axle_at = world.bodies[std::size_t(wheel)].position;
+  const Real half = std::cbrt(mass / 1000) * Real(1.2);
+  const Vec3 hook = axle_at + Vec3(static_cast<Real>(side) * radius, -drop, front);
+  const int load = world.add(box(Vec3::Constant(half), mass).at(hook - Vec3(0, half, 0)).coloured(colour));
+  world.joints.push_back(wound_rope(world, wheel, axle_at, Vec3::UnitZ(), radius,
+                                    side > 0 ? Winding::forwards : Winding::backwards, load, hook));
+  return load;
+}
+
+inline constexpr Real winch_radius = Real(0.25);                       // m
+inline constexpr Real winch_speed = 2;                                 // rad/s
+inline constexpr Real winch_torque = 5;                                // N m
+inline constexpr Real light_load = Real(1.5), heavy_load = Real(2.5);  // kg
+
+/// A winch with its motor, body `first`, and its load, the next.
+inline void winch(World& world, Real x, Real load) {
+  const int wheel = wheel_at(world, {x, 3, 0}, winch_radius, 10);
+  hang(world, wheel, winch_radius, 1, load, Real(1.4), load < 2 ? 0 : 3);
+  world.joints.push_back(motor_at_speed(world, the_world, wheel, Vec3::UnitZ(), winch_speed, winch_torque));
+}
+inline void two_winches(World& world) {
+  winch(world, -1, light_load);  // bodies 0 and 1
+  winch(world, 1, heavy_load);   // bodies 2 and 3
+}
+
+/// m/s^2, of a load upwards, as long as the motor does what it can:   R (torque - m g R) / (I + m R^2)
+inline Real acceleration_of_winch(Real inertia, Real load) {
+  const Real R = winch_radius;
+  return R * (winch_torque - load * Real(9.81) * R) / (inertia + load * R * R);
+}
+
+inline constexpr Real pulley_radius = Real(0.4), inner_radius = Real(0.2);  // m
+inline constexpr Real left_mass = 2, right_mass = 3;                        // kg, on Atwood's wheel
+inline constexpr Real inner_mass = 3, outer_mass = 2;                       // kg, on the stepped one
+
+/// Atwood's machine, bodies 0 to 2; and a wheel with two radii, bodies 3 to 5, where the lighter load wins.
+inline void two_pulleys(World& world) {
+  const int plain = wheel_at(world, {-1, 3, 0}, pulley_radius, 2);
+  hang(world, plain, pulley_radius, -1, left_mass, Real(1.3), 0);
+  hang(world, plain, pulley_radius, 1, right_mass, Real(1.3), 3);
+  const int stepped = wheel_at(world, {1, 3, 0}, pulley_radius, 2);
+  hang(world, stepped, inner_radius, -1, inner_mass, Real(1.3), 3, Real(0.12));
+  hang(world, stepped, pulley_radius, 1, outer_mass, Real(1.3), 0);
+}
+/// m/s^2, of the heavier load of Atwood's machine downwards:   (m1 - m2) g / (m1 + m2 + I / R^2)
+inline Real acceleration_of_atwood(Real inertia) {
+  return (right_mass - left_mass) * Real(9.81) / (right_mass + left_mass + inertia / (pulley_radius * pulley_radius));
+}
+/// m/s^2, of the load on the outer radius downwards:   R (m_o R - m_i r) g / (I + m_o R^2 + m_i r^2)
+inline Real acceleration_of_stepped(Real inertia) {
+  const Real R = pulley_radius, r = inner_radius;
+  return R * (outer_mass * R - inner_mass * r) * Real(9.81) / (inertia + outer_mass * R * R + inner_mass * r * r);
+}
+
+// ---- springs -----------------------------------------------------------------------------------------------------------
+
+inline constexpr std::array<Real, 3> damping_ratios{Real(0.1), 1, 5};
+inline constexpr Real spring_hertz = 1;
+inline constexpr Real spring_length = Real(1.2), pulled_by = Real(0.6);  // m
+
+/// Three balls, bodies 0 to 2, each pulled down on its spring, without gravity. A thin fixed bar is where they come to rest.
+inline void three_springs(World& world) {
+  world.gravity.setZero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real x = static_cast<Real>(i) - 1;
+    const Vec3 hook(x, 3, 0), at(x, 3 - spring_length - pulled_by, 0);
+    const int ball = world.add(sphere(Real(0.18), 2).at(at).coloured(static_cast<int>(i)));
+    const Spring spring{spring_hertz, damping_ratios[i]};
+    world.joints.push_back(soft(distance(world, the_world, hook, ball, at, spring_length), spring));
+  }
+  world.add(box({Real(1.5), Real(0.05), Real(0.15)}, 1).fixed().at({0, Real(3.05), 0}));
+  world.add(box({Real(1.5), Real(0.01), Real(0.01)}, 1).fixed().at({0, 3 - spring_length, Real(-0.3)}));
+}
+/// m, of the ball with the i-th damping ratio.
+inline Real below_its_place(const World& world, std::size_t i) {
+  return 3 - spring_length - world.bodies[i].position.y();
+}
+/// C(t) of a spring of angular frequency w that is let go at C = c0:   C'' + 2 zeta w C' + w^2 C = 0
+inline Real let_go(Real c0, Real w, Real zeta, Real t) {
+  if (zeta == 1) return c0 * (1 + w * t) * std::exp(-w * t);
+  if (zeta < 1) {
+    const Real swing = w * std::sqrt(1 - zeta * zeta);
+    return c0 * std::exp(-zeta * w * t) * (std::cos(swing * t) + zeta * w / swing * std::sin(swing * t));
+  }
+  const Real root = w * std::sqrt(zeta * zeta - 1), slow = root - zeta * w, fast = -root - zeta * w;
+  return c0 * (slow * std::exp(fast * t) - fast * std::exp(slow * t)) / (slow - fast);
+}
+
+// ---- a swing that is pumped --------------------------------------------------------------------------------------------
+
+inline constexpr Real swing_length = 2;                                    // m
+inline constexpr Real swing_start = Real(0.05);                            // rad
+inline const Real swing_frequency = std::sqrt(Real(9.81) / swing_length);  // rad/s
+
+/// Body 0, a ball on a rod that is shortened and lengthened by the part `pump` of it, twice in a swing:
+///
+///   L(t) = L (1 + pump sin(2 w t)):  short where it passes below, long where it turns round
+inline void pumped_swing(World& world, Real pump) {
+  const Vec3 at(swing_length * std::sin(swing_start), -swing_length * std::cos(swing_start), 0);
+  const int ball = world.add(sphere(Real(0.1), 1).at(at));
+  world.joints.push_back(piston(world, the_world, Vec3::Zero(), ball, at, [pump](Real t) {
+    return swing_length * (1 + pump * std::sin(2 * swing_frequency * t));
+  }));
+}
+inline Real angle_of_swing(const World& world) {  // rad from hanging down
+  const Vec3& at = world.bodies[0].position;
+  return std::atan2(at.x(), -at.y());
+}
+
+}  // namespace pushback

@@ -1,0 +1,142 @@
+/// What is worked out beside the sheet: a motor's work, how it reaches its speed, springs and the pumped swing.
+#pragma once
+
+#include "chapters/10_limits_and_motors/ragdoll.h"
+#include "chapters/10_limits_and_motors/scenes.h"
+#include "common/measure.h"
+#include "common/plot.h"
+
+namespace pushback {
+
+/// Calls `see(t)` after each of the steps of a world under JointedSolver.
+template <class See>
+void watch(World& world, Real seconds, Real h, const See& see) {
+  JointedSolver solver;
+  const auto steps = static_cast<int>(std::lround(seconds / h));
+  for (int i = 0; i < steps; ++i) {
+    world.step(solver, h);
+    see(world.time, solver);
+  }
+}
+
+/// The work of the last joint, a motor that turns body 0 about z, and what the world has gained.
+///
+/// Two speeds belong to an impulse, that before and that after it: its work is lambda times their mean.
+struct WorkAndEnergy {
+  Curve work{"work of the motor", {}, {}, line_colour(0), Curve::Style::line};
+  Curve energy{"energy gained", {}, {}, line_colour(1), Curve::Style::dashed};
+};
+inline WorkAndEnergy work_of_winch(Real h) {
+  World world;
+  winch(world, 0, light_load);
+  const auto energy = [&world] { return kinetic_energy(world) + potential_energy(world); };
+  const Real start = energy();
+  WorkAndEnergy found;
+  Real work = 0;
+  watch(world, 2, h, [&](Real t, const JointedSolver& solver) {
+    const Body& wheel = world.bodies[0];
+    work += solver.joint_rows().back().impulse * (wheel.angular_velocity_before.z() + wheel.angular_velocity.z()) / 2;
+    found.work.x.push_back(t);
+    found.work.y.push_back(work);
+    found.energy.x.push_back(t);
+    found.energy.y.push_back(energy() - start);
+  });
+  return found;
+}
+
+/// The source's wheel: 2 rad/s, 5 N m; and what becomes of omega.
+inline std::vector<Curve> reaching_a_speed(Real h) {
+  std::vector<Curve> curves;
+  for (const Real inertia : {Real(1), Real(5)}) {
+    World world;
+    const int wheel = world.add(sphere(1, inertia / Real(0.4)));
+    world.joints = {hinge(world, the_world, wheel, Vec3::Zero(), Vec3::UnitZ()),
+                    motor_at_speed(world, the_world, wheel, Vec3::UnitZ(), winch_speed, winch_torque)};
+    Curve omega{fmt::format("I = {} kg m²", inertia), {}, {}, line_colour(curves.size() / 2), Curve::Style::line};
+    Curve law{"min(5 t / I, 2)", {}, {}, "#222222", Curve::Style::dashed};
+    if (!curves.empty()) law.label = "";
+    watch(world, 3, h, [&](Real t, const JointedSolver&) {
+      omega.x.push_back(t);
+      omega.y.push_back(world.bodies[0].angular_velocity.z());
+      law.x.push_back(t);
+      law.y.push_back(std::min(winch_torque * t / inertia, winch_speed));
+    });
+    curves.push_back(omega);
+    curves.push_back(law);
+  }
+  return curves;
+}
+
+/// The springs that do not swing, and their closed forms: how far each ball is below its place.
+inline std::vector<Curve> springs(Real h) {
+  World world;
+  three_springs(world);
+  std::vector<Curve> curves;
+  for (const std::size_t i : {1U, 2U}) {
+    curves.push_back({fmt::format("ζ = {}", damping_ratios[i]), {}, {}, line_colour(i), Curve::Style::line});
+    curves.push_back({i == 1 ? "closed form" : "", {}, {}, "#222222", Curve::Style::dashed});
+  }
+  watch(world, 3, h, [&](Real t, const JointedSolver&) {
+    for (Curve& curve : curves) curve.x.push_back(t);
+    for (const std::size_t i : {1U, 2U}) {
+      curves[2 * i - 2].y.push_back(below_its_place(world, i));
+      curves[2 * i - 1].y.push_back(let_go(pulled_by, 2 * pi * spring_hertz, damping_ratios[i], t));
+    }
+  });
+  return curves;
+}
+/// How far each of the three is off its closed form after 1 s, by the step.
+inline std::vector<Curve> springs_by_step() {
+  std::vector<Curve> curves;
+  for (std::size_t i = 0; i < 3; ++i) {
+    curves.push_back({fmt::format("ζ = {}", damping_ratios[i]), {}, {}, line_colour(i), Curve::Style::line_and_points});
+  }
+  for (int steps = 30; steps <= 3840; steps *= 2) {
+    const Real h = 1 / static_cast<Real>(steps);
+    World world;
+    three_springs(world);
+    watch(world, 1, h, [](Real, const JointedSolver&) {});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Real exact = let_go(pulled_by, 2 * pi * spring_hertz, damping_ratios[i], 1);
+      curves[i].x.push_back(h);
+      curves[i].y.push_back(std::abs(below_its_place(world, i) - exact));
+    }
+  }
+  return curves;
+}
+
+/// The swing, and how its reach should grow:   theta_0 exp(3/4 pump w t)
+inline std::vector<Curve> swings(Real h, Real pump) {
+  std::vector<Curve> curves;
+  for (const Real part : {pump, Real(0)}) {
+    World world;
+    pumped_swing(world, part);
+    Curve curve{part > 0 ? "L(t)" : "L", {}, {}, line_colour(curves.size()), Curve::Style::line};
+    watch(world, 15, h, [&](Real t, const JointedSolver&) {
+      curve.x.push_back(t);
+      curve.y.push_back(angle_of_swing(world) * 180 / pi);
+    });
+    curves.push_back(curve);
+  }
+  Curve law{"θ₀ exp(¾ ε ω t)", curves[0].x, {}, "#222222", Curve::Style::dashed};
+  for (const Real t : law.x)
+    law.y.push_back(swing_start * std::exp(Real(0.75) * pump * swing_frequency * t) * 180 / pi);
+  curves.push_back(law);
+  return curves;
+}
+
+/// How far the joints of the ragdoll part in ten seconds from the top of the stairs: at worst, as a part of his height.
+inline Real stretch_on_stairs(Real h, int small_steps, int sweeps) {
+  World world;
+  const Ragdoll man = down_the_stairs(world);
+  JointedSolver solver;
+  const auto steps = static_cast<int>(std::lround(10 / h));
+  Real worst = 0;
+  for (int i = 0; i < steps; ++i) {
+    for (int small = 0; small < small_steps; ++small) world.step(solver, h / static_cast<Real>(small_steps), sweeps);
+    worst = std::max(worst, stretch(world, man));
+  }
+  return worst;
+}
+
+}  // namespace pushback
