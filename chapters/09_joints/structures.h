@@ -1,0 +1,181 @@
+/// What many joints make: ropes, a cloth, a bridge.
+#pragma once
+
+#include "chapters/09_joints/ball_and_socket.h"
+#include "chapters/09_joints/distance.h"
+#include "common/forces.h"
+#include "common/scene.h"
+
+namespace pushback {
+
+/// From centre to centre, as far as they are apart now.
+inline Joint rod_between(const World& world, int a, int b) {
+  return distance(world, a, body_of(world, a).position, b, body_of(world, b).position);
+}
+
+// ---- ropes -------------------------------------------------------------------------------------------------------------
+
+inline constexpr int rope_links = 24;
+inline constexpr Real rope_link = Real(0.15);            // m
+inline constexpr Real span = Real(0.7) * rope_links * rope_link;  // m, between the ends of the one that hangs
+inline constexpr Real rope_x = -Real(1.5), rope_y = Real(2.6);       // m, between its ends
+
+/// The particle of `count` at `places`, each joined to the one before. Returns the index of the first.
+inline int rope(World& world, const std::vector<Vec3>& places, Real mass, int colour) {
+  const int first = static_cast<int>(world.bodies.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const int here = world.add(sphere(Real(0.05), mass).at(places[i]).coloured(colour));
+    if (i > 0) world.joints.push_back(rod_between(world, here - 1, here));
+  }
+  return first;
+}
+
+/// One rope is hung at both ends, straight down to its middle, and swings until drag has brought it to rest. One falls over a bar.
+inline void ropes(World& world) {
+  world.add(ground());
+  const Real half = span / 2, down = std::sqrt(std::pow(rope_links * rope_link / 2, 2) - half * half);
+  std::vector<Vec3> places;
+  for (int i = 1; i < rope_links; ++i) {
+    const Real along = 2 * static_cast<Real>(i) / rope_links - 1;  // -1 ... 1
+    places.push_back({rope_x + half * along, rope_y - down * (1 - std::abs(along)), 0});
+  }
+  const int first = rope(world, places, Real(0.1), 0), last = first + rope_links - 2;
+  world.joints.push_back(distance(world, the_world, {rope_x - half, rope_y, 0}, first, places.front()));
+  world.joints.push_back(distance(world, last, places.back(), the_world, {rope_x + half, rope_y, 0}));
+  for (int i = first; i <= last; ++i) world.forces.push_back(drag(i, Real(0.2)));
+
+  world.add(capsule(Real(0.15), 1, 1).fixed().turned(pi / 2, Vec3::UnitX()).at({2, Real(1.8), 0}));
+  places.clear();
+  for (int i = 0; i <= 24; ++i) places.push_back({2 + Real(0.12) * static_cast<Real>(i - 11), Real(2.3), 0});
+  rope(world, places, Real(0.1), 3);
+}
+
+/// The horizontal pull of a rope at rest whose particles have this weight, over that weight: sum over the links of L cos = span, where each
+/// link is steeper than its neighbour by one weight. The closed form of the shape.
+struct HangingRope {
+  Real pull;  ///< H / (m g)
+  std::vector<Vec3> places;
+
+  HangingRope() {
+    Real low = 0, high = 1000;
+    for (int i = 0; i < 200; ++i) {
+      pull = (low + high) / 2;
+      (width(pull) < span ? low : high) = pull;
+    }
+    Vec3 at(rope_x - span / 2, rope_y, 0);
+    for (int i = 0; i + 1 < rope_links; ++i) {
+      const Real rise = steepness(i);
+      at += rope_link * Vec3(pull, rise, 0) / std::hypot(pull, rise);
+      places.push_back(at);
+    }
+  }
+
+ private:
+  static Real steepness(int link) { return static_cast<Real>(link) - Real(rope_links - 1) / 2; }
+  static Real width(Real pull) {
+    Real sum = 0;
+    for (int i = 0; i < rope_links; ++i) sum += rope_link * pull / std::hypot(pull, steepness(i));
+    return sum;
+  }
+};
+
+// ---- cloth -------------------------------------------------------------------------------------------------------------
+
+inline constexpr int cloth_side = 25;           // particles
+inline constexpr Real thread = Real(0.1);       // m, between them
+inline constexpr Real particle = Real(0.035);  // m, radius
+
+/// Small balls; threads along and across, drawn, and across the squares, not drawn, so that they do not collapse to lines.
+/// Particles that are not joined push each other away.
+inline void cloth_over_ball(World& world) {
+  world.add(ground());
+  world.add(sphere(Real(0.7), 1).fixed().at({0, Real(0.7), 0}).coloured(2));
+  const int first = static_cast<int>(world.bodies.size());
+  const auto index = [first](int i, int j) { return first + cloth_side * i + j; };
+  for (int i = 0; i < cloth_side; ++i) {
+    for (int j = 0; j < cloth_side; ++j) {
+      const Real middle = Real(cloth_side - 1) / 2;
+      world.add(sphere(particle, Real(0.01))
+                    .at({thread * (static_cast<Real>(i) - middle), Real(1.6), thread * (static_cast<Real>(j) - middle)})
+                    .coloured(4));
+    }
+  }
+  for (int i = 0; i < cloth_side; ++i) {
+    for (int j = 0; j < cloth_side; ++j) {
+      if (i > 0) world.joints.push_back(rod_between(world, index(i - 1, j), index(i, j)));
+      if (j > 0) world.joints.push_back(rod_between(world, index(i, j - 1), index(i, j)));
+      if (i == 0 || j == 0) continue;
+      for (const auto& [a, b] : {std::pair(index(i - 1, j - 1), index(i, j)), std::pair(index(i - 1, j), index(i, j - 1))}) {
+        world.joints.push_back(rod_between(world, a, b));
+        world.joints.back().line = {};
+      }
+    }
+  }
+}
+
+// ---- a suspension bridge -----------------------------------------------------------------------------------------------
+
+inline constexpr int planks = 16;
+inline constexpr Real plank_length = Real(0.5);  // m, along the bridge
+inline constexpr Real deck_height = 2;           // m
+inline constexpr Real middle_of_deck = planks * plank_length / 2;
+
+/// Planks with a ball and socket at each of their corners, on hangers from two cables; three boxes fall on it.
+inline void suspension_bridge(World& world) {
+  world.add(ground());
+  constexpr Real half_width = Real(0.6), tower = Real(1.7);
+  const Vec3 bank_size(1, deck_height / 2, 1);
+  int bank[2];
+  for (const int side : {0, 1}) {
+    const Real x = side == 0 ? -middle_of_deck : middle_of_deck, out = side == 0 ? -1 : 1;
+    bank[side] = world.add(box(bank_size, 1).fixed().at({x + out * bank_size.x(), bank_size.y(), 0}));
+    for (const Real edge : {-half_width - Real(0.1), half_width + Real(0.1)})
+      world.add(box({Real(0.06), tower / 2, Real(0.06)}, 1).fixed().at({x + out * Real(0.1), deck_height + tower / 2, edge}));
+  }
+  const auto x_of = [](int plank) { return plank_length * (static_cast<Real>(plank) + Real(0.5)) - middle_of_deck; };
+  const Real deck = deck_height - Real(0.05);
+  int before = bank[0], first_plank = 0;
+  for (int i = 0; i <= planks; ++i) {
+    const int here = i == planks ? bank[1]
+                                 : world.add(box({plank_length / 2 - Real(0.02), Real(0.05), half_width}, 10)
+                                                 .at({x_of(i), deck, 0})
+                                                 .coloured(2 + i % 2));
+    if (i == 0) first_plank = here;
+    for (const Real edge : {-half_width, half_width})
+      world.joints.push_back(ball_and_socket(world, before, here, {x_of(i) - plank_length / 2, deck, edge}));
+    before = here;
+  }
+  for (const Real edge : {-half_width, half_width}) {  // a parabola: what a cable takes under a load that is even along x
+    const auto cable_at = [=](Real x) {
+      return Vec3(x, deck_height + Real(0.3) + (tower - Real(0.3)) * x * x / (middle_of_deck * middle_of_deck), edge);
+    };
+    int last = the_world;
+    Vec3 from = cable_at(-middle_of_deck);
+    for (int i = 0; i < planks; ++i) {
+      const Vec3 at = cable_at(x_of(i));
+      const int knot = world.add(sphere(Real(0.05), 1).at(at).coloured(0));
+      world.joints.push_back(distance(world, last, from, knot, at));
+      world.joints.push_back(distance(world, first_plank + i, {at.x(), deck, edge}, knot, at));
+      last = knot;
+      from = at;
+    }
+    world.joints.push_back(distance(world, last, from, the_world, cable_at(middle_of_deck)));
+  }
+  const Real half = Real(0.3);
+  for (int i = 0; i < 3; ++i)
+    world.add(box(Vec3::Constant(half), 40)
+                  .at({Real(1.2) * static_cast<Real>(i) - Real(2.4), Real(3.2) + Real(0.9) * static_cast<Real>(i), Real(0.1) * static_cast<Real>(i - 1)})
+                  .turned(Real(0.3) * static_cast<Real>(i), Vec3::UnitY())
+                  .coloured(4));
+}
+/// How far its lowest plank is below where it was put, m.
+inline Real sag_of_bridge(const World& world) {
+  Real lowest = deck_height;
+  for (const Body& body : world.bodies) {
+    const Box* plank = std::get_if<Box>(&body.shape);
+    if (plank != nullptr && body.movable() && plank->half_extents.y() < Real(0.1)) lowest = std::min(lowest, body.position.y());
+  }
+  return deck_height - Real(0.05) - lowest;
+}
+
+}  // namespace pushback
