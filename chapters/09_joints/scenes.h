@@ -15,9 +15,7 @@ namespace pushback {
 ///   C = ((x - x0)^2 / a^2 + (y - y0)^2 / b^2 - 1) / 2,   grad C = ((x - x0) / a^2, (y - y0) / b^2)
 inline Wire ellipse(Real x0, Real y0, Real a, Real b) {
   Wire wire;
-  wire.c = [=](Real x, Real y) {
-    return ((x - x0) * (x - x0) / (a * a) + (y - y0) * (y - y0) / (b * b) - 1) / 2;
-  };
+  wire.c = [=](Real x, Real y) { return ((x - x0) * (x - x0) / (a * a) + (y - y0) * (y - y0) / (b * b) - 1) / 2; };
   wire.gradient = [=](Real x, Real y) { return Vec3((x - x0) / (a * a), (y - y0) / (b * b), 0); };
   for (int i = 0; i <= 48; ++i) {
     const Real angle = 2 * pi * static_cast<Real>(i) / 48;
@@ -42,7 +40,7 @@ inline Wire two_valleys(Real x0, Real y0, Real w, Real hill) {
 /// A bead near the top of a ring, one of an ellipse, one at the end of a wire with two valleys.
 inline void beads_on_wires(World& world) {
   const auto bead = [&world](const Wire& wire, const Vec3& at) {
-    const int body = world.add(sphere(Real(0.13), 1).at(at));
+    const int body = world.add(sphere(Real(0.17), 1).at(at));
     world.joints.push_back(bead_on(world, wire, body));
   };
   const Real lean = Real(0.35);  // rad from the top
@@ -54,17 +52,17 @@ inline void beads_on_wires(World& world) {
 
 // ---- pendulums ---------------------------------------------------------------------------------------------------------
 
-inline constexpr Real rod = Real(1.5);              // m
-inline constexpr Real half_plank = Real(0.75);      // m
-inline constexpr Real plank_width = Real(0.08);     // m, half of it
-inline constexpr Real released_at = Real(1.5);      // rad from hanging down
+inline constexpr Real rod = Real(1.5);             // m
+inline constexpr Real half_plank = Real(0.75);     // m
+inline constexpr Real plank_width = Real(0.08);    // m, half of it
+inline constexpr Real released_at = Real(1.5);     // rad from hanging down
 inline constexpr Real ball_at = -2, plank_at = 2;  // m, x of the points that they hang from
 
 /// A ball on a rod, and a plank on a hinge at its end, let go.
 inline void pendulums(World& world) {
   const Vec3 hook(ball_at, 0, 0), pin(plank_at, 0, 0);
   const Vec3 way(std::sin(released_at), -std::cos(released_at), 0);
-  const int ball = world.add(sphere(Real(0.15), 1).at(hook + rod * way));
+  const int ball = world.add(sphere(Real(0.2), 1).at(hook + rod * way));
   const int plank = world.add(box({plank_width, half_plank, plank_width}, 1)
                                   .turned(released_at, Vec3::UnitZ())
                                   .at(pin + half_plank * way)
@@ -101,7 +99,8 @@ inline void chain_with_weight(World& world) {
   Vec3 end = Vec3::Zero();
   int above = the_world;
   for (int i = 0; i < links; ++i) {
-    const int here = world.add(capsule(Real(0.05), link / 2 - Real(0.05), 1).at(end - Vec3(0, link / 2, 0)).coloured(i % 2));
+    const int here =
+        world.add(capsule(Real(0.07), link / 2 - Real(0.07), 1).at(end - Vec3(0, link / 2, 0)).coloured(i % 2));
     world.joints.push_back(ball_and_socket(world, above, here, end));
     end.y() -= link;
     above = here;
@@ -109,6 +108,8 @@ inline void chain_with_weight(World& world) {
   const int weight =
       world.add(box(Vec3::Constant(weight_half), weight_to_link).at(end - Vec3(0, weight_half, 0)).coloured(2));
   world.joints.push_back(ball_and_socket(world, above, weight, end));
+  for (const Real y : {Real(0), end.y() - 2 * weight_half})  // behind it: from where, and down to where it hangs
+    world.add(box({Real(1.2), Real(0.03), Real(0.03)}, 1).fixed().at({0, y, -Real(0.6)}));
 }
 /// How much longer the chain is than its links, of 1.
 inline Real stretch_of_chain(const World& world) {

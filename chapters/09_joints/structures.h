@@ -16,9 +16,9 @@ inline Joint rod_between(const World& world, int a, int b) {
 // ---- ropes -------------------------------------------------------------------------------------------------------------
 
 inline constexpr int rope_links = 24;
-inline constexpr Real rope_link = Real(0.15);            // m
+inline constexpr Real rope_link = Real(0.15);                     // m
 inline constexpr Real span = Real(0.7) * rope_links * rope_link;  // m, between the ends of the one that hangs
-inline constexpr Real rope_x = -Real(1.5), rope_y = Real(2.6);       // m, between its ends
+inline constexpr Real rope_x = -Real(1.5), rope_y = Real(2.6);    // m, between its ends
 
 /// The particle of `count` at `places`, each joined to the one before. Returns the index of the first.
 inline int rope(World& world, const std::vector<Vec3>& places, Real mass, int colour) {
@@ -43,10 +43,13 @@ inline void ropes(World& world) {
   world.joints.push_back(distance(world, the_world, {rope_x - half, rope_y, 0}, first, places.front()));
   world.joints.push_back(distance(world, last, places.back(), the_world, {rope_x + half, rope_y, 0}));
   for (int i = first; i <= last; ++i) world.forces.push_back(drag(i, Real(0.2)));
+  for (const Real side : {Real(-1), Real(1)})
+    world.add(
+        box({Real(0.05), rope_y / 2, Real(0.05)}, 1).fixed().at({rope_x + side * (half + Real(0.05)), rope_y / 2, 0}));
 
-  world.add(capsule(Real(0.15), 1, 1).fixed().turned(pi / 2, Vec3::UnitX()).at({2, Real(1.8), 0}));
+  world.add(capsule(Real(0.15), 1, 1).fixed().rough(2).turned(pi / 2, Vec3::UnitX()).at({2, Real(1.8), 0}));
   places.clear();
-  for (int i = 0; i <= 24; ++i) places.push_back({2 + Real(0.12) * static_cast<Real>(i - 11), Real(2.3), 0});
+  for (int i = 0; i <= 24; ++i) places.push_back({2 + Real(0.12) * static_cast<Real>(i - 13), Real(2.1), 0});
   rope(world, places, Real(0.1), 3);
 }
 
@@ -71,7 +74,7 @@ struct HangingRope {
   }
 
  private:
-  static Real steepness(int link) { return static_cast<Real>(link) - Real(rope_links - 1) / 2; }
+  static Real steepness(int i) { return static_cast<Real>(i) - Real(rope_links - 1) / 2; }
   static Real width(Real pull) {
     Real sum = 0;
     for (int i = 0; i < rope_links; ++i) sum += rope_link * pull / std::hypot(pull, steepness(i));
@@ -81,15 +84,15 @@ struct HangingRope {
 
 // ---- cloth -------------------------------------------------------------------------------------------------------------
 
-inline constexpr int cloth_side = 25;           // particles
-inline constexpr Real thread = Real(0.1);       // m, between them
-inline constexpr Real particle = Real(0.035);  // m, radius
+inline constexpr int cloth_side = 21;         // particles
+inline constexpr Real thread = Real(0.12);    // m, between them
+inline constexpr Real particle = Real(0.04);  // m, radius
 
 /// Small balls; threads along and across, drawn, and across the squares, not drawn, so that they do not collapse to lines.
 /// Particles that are not joined push each other away.
 inline void cloth_over_ball(World& world) {
   world.add(ground());
-  world.add(sphere(Real(0.7), 1).fixed().at({0, Real(0.7), 0}).coloured(2));
+  world.add(sphere(Real(0.7), 1).fixed().rough(4).at({0, Real(0.7), 0}).coloured(2));
   const int first = static_cast<int>(world.bodies.size());
   const auto index = [first](int i, int j) { return first + cloth_side * i + j; };
   for (int i = 0; i < cloth_side; ++i) {
@@ -97,7 +100,8 @@ inline void cloth_over_ball(World& world) {
       const Real middle = Real(cloth_side - 1) / 2;
       world.add(sphere(particle, Real(0.01))
                     .at({thread * (static_cast<Real>(i) - middle), Real(1.6), thread * (static_cast<Real>(j) - middle)})
-                    .coloured(4));
+                    .coloured((i / 3 + j / 3) % 2 == 0 ? 4 : 0));
+      world.forces.push_back(drag(index(i, j), Real(0.01)));
     }
   }
   for (int i = 0; i < cloth_side; ++i) {
@@ -105,7 +109,8 @@ inline void cloth_over_ball(World& world) {
       if (i > 0) world.joints.push_back(rod_between(world, index(i - 1, j), index(i, j)));
       if (j > 0) world.joints.push_back(rod_between(world, index(i, j - 1), index(i, j)));
       if (i == 0 || j == 0) continue;
-      for (const auto& [a, b] : {std::pair(index(i - 1, j - 1), index(i, j)), std::pair(index(i - 1, j), index(i, j - 1))}) {
+      for (const auto& [a, b] :
+           {std::pair(index(i - 1, j - 1), index(i, j)), std::pair(index(i - 1, j), index(i, j - 1))}) {
         world.joints.push_back(rod_between(world, a, b));
         world.joints.back().line = {};
       }
@@ -130,7 +135,8 @@ inline void suspension_bridge(World& world) {
     const Real x = side == 0 ? -middle_of_deck : middle_of_deck, out = side == 0 ? -1 : 1;
     bank[side] = world.add(box(bank_size, 1).fixed().at({x + out * bank_size.x(), bank_size.y(), 0}));
     for (const Real edge : {-half_width - Real(0.1), half_width + Real(0.1)})
-      world.add(box({Real(0.06), tower / 2, Real(0.06)}, 1).fixed().at({x + out * Real(0.1), deck_height + tower / 2, edge}));
+      world.add(
+          box({Real(0.06), tower / 2, Real(0.06)}, 1).fixed().at({x + out * Real(0.1), deck_height + tower / 2, edge}));
   }
   const auto x_of = [](int plank) { return plank_length * (static_cast<Real>(plank) + Real(0.5)) - middle_of_deck; };
   const Real deck = deck_height - Real(0.05);
@@ -145,7 +151,8 @@ inline void suspension_bridge(World& world) {
       world.joints.push_back(ball_and_socket(world, before, here, {x_of(i) - plank_length / 2, deck, edge}));
     before = here;
   }
-  for (const Real edge : {-half_width, half_width}) {  // a parabola: what a cable takes under a load that is even along x
+  for (const Real edge :
+       {-half_width, half_width}) {  // a parabola: what a cable takes under a load that is even along x
     const auto cable_at = [=](Real x) {
       return Vec3(x, deck_height + Real(0.3) + (tower - Real(0.3)) * x * x / (middle_of_deck * middle_of_deck), edge);
     };
@@ -164,7 +171,8 @@ inline void suspension_bridge(World& world) {
   const Real half = Real(0.3);
   for (int i = 0; i < 3; ++i)
     world.add(box(Vec3::Constant(half), 40)
-                  .at({Real(1.2) * static_cast<Real>(i) - Real(2.4), Real(3.2) + Real(0.9) * static_cast<Real>(i), Real(0.1) * static_cast<Real>(i - 1)})
+                  .at({Real(1.2) * static_cast<Real>(i) - Real(2.4), Real(3.2) + Real(0.9) * static_cast<Real>(i),
+                       Real(0.1) * static_cast<Real>(i - 1)})
                   .turned(Real(0.3) * static_cast<Real>(i), Vec3::UnitY())
                   .coloured(4));
 }
@@ -173,7 +181,8 @@ inline Real sag_of_bridge(const World& world) {
   Real lowest = deck_height;
   for (const Body& body : world.bodies) {
     const Box* plank = std::get_if<Box>(&body.shape);
-    if (plank != nullptr && body.movable() && plank->half_extents.y() < Real(0.1)) lowest = std::min(lowest, body.position.y());
+    if (plank != nullptr && body.movable() && plank->half_extents.y() < Real(0.1))
+      lowest = std::min(lowest, body.position.y());
   }
   return deck_height - Real(0.05) - lowest;
 }

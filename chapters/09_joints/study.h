@@ -1,0 +1,71 @@
+/// Against theory: the period of a pendulum, the drift off a wire; and what a chain does with so many sweeps.
+#pragma once
+
+#include "chapters/09_joints/scenes.h"
+#include "chapters/09_joints/warm_joints.h"
+#include "common/plot.h"
+
+namespace pushback {
+
+/// The part of an error that joints feed back in one step is theirs, where contacts have one of the same name, too.
+template <class JointSolver>
+JointSolver with_joint_beta(Real beta) {
+  JointSolver solver;
+  solver.Joints::beta = beta;
+  return solver;
+}
+
+/// From one fall through 0 to the next, s; `angles` a step of dt apart. 0: it did not fall twice.
+inline Real period_of(const std::vector<Real>& angles, Real dt) {
+  std::vector<Real> falls;
+  for (std::size_t i = 1; i < angles.size() && falls.size() < 2; ++i) {
+    if (angles[i - 1] > 0 && angles[i] <= 0)
+      falls.push_back((static_cast<Real>(i - 1) + angles[i - 1] / (angles[i - 1] - angles[i])) * dt);
+  }
+  return falls.size() < 2 ? 0 : falls[1] - falls[0];
+}
+
+struct Periods {
+  Real ball, plank;  ///< s
+};
+inline Periods measured_periods(Real dt, Real beta) {
+  World world;
+  pendulums(world);
+  auto solver = with_joint_beta<Solver<WarmJoints>>(beta);
+  std::vector<Real> ball, plank;
+  for (int step = 0; step < static_cast<int>(std::lround(5 / dt)); ++step) {
+    world.step(solver, dt);
+    ball.push_back(angle_of_ball(world));
+    plank.push_back(angle_of_plank(world));
+  }
+  return {period_of(ball, dt), period_of(plank, dt)};
+}
+
+/// The farthest that a bead of beads_on_wires comes off its wire in five seconds, m.
+inline Real farthest_off_the_wires(Real dt, Real beta) {
+  World world;
+  beads_on_wires(world);
+  auto solver = with_joint_beta<Solver<WarmJoints>>(beta);
+  Real farthest = 0;
+  for (int step = 0; step < static_cast<int>(std::lround(5 / dt)); ++step) {
+    world.step(solver, dt);
+    farthest = std::max(farthest, largest_joint_error(world));
+  }
+  return farthest;
+}
+
+/// By how much the chain with the weight is longer or shorter than its links at the worst, from 1 s to 4 s; of 1.
+template <class JointSolver>
+Real worst_of_chain(JointSolver solver, Real dt, int small_steps, int sweeps) {
+  World world;
+  chain_with_weight(world);
+  const Real h = dt / static_cast<Real>(small_steps);
+  Real worst = 0;
+  for (int step = 0; step < static_cast<int>(std::lround(4 / h)); ++step) {
+    world.step(solver, h, sweeps);
+    if (world.time >= 1) worst = std::max(worst, std::abs(stretch_of_chain(world)));
+  }
+  return worst;
+}
+
+}  // namespace pushback
