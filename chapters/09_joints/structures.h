@@ -8,6 +8,12 @@
 
 namespace pushback {
 
+/// A ball that does not turn. Joined at their centres, balls would roll on what they touch, and no friction would hold them.
+inline Body particle(Real radius, Real mass) {
+  Body ball = sphere(radius, mass);
+  ball.principal_inverse_inertia.setZero();
+  return ball;
+}
 /// From centre to centre, as far as they are apart now.
 inline Joint rod_between(const World& world, int a, int b) {
   return distance(world, a, body_of(world, a).position, b, body_of(world, b).position);
@@ -24,7 +30,7 @@ inline constexpr Real rope_x = -Real(1.5), rope_y = Real(2.6);    // m, between 
 inline int rope(World& world, const std::vector<Vec3>& places, Real mass, int colour) {
   const int first = static_cast<int>(world.bodies.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const int here = world.add(sphere(Real(0.05), mass).at(places[i]).coloured(colour));
+    const int here = world.add(particle(Real(0.05), mass).at(places[i]).coloured(colour));
     if (i > 0) world.joints.push_back(rod_between(world, here - 1, here));
   }
   return first;
@@ -47,7 +53,7 @@ inline void ropes(World& world) {
     world.add(
         box({Real(0.05), rope_y / 2, Real(0.05)}, 1).fixed().at({rope_x + side * (half + Real(0.05)), rope_y / 2, 0}));
 
-  world.add(capsule(Real(0.15), 1, 1).fixed().rough(2).turned(pi / 2, Vec3::UnitX()).at({2, Real(1.8), 0}));
+  world.add(capsule(Real(0.15), 1, 1).fixed().rough(1).turned(pi / 2, Vec3::UnitX()).at({2, Real(1.8), 0}));
   places.clear();
   for (int i = 0; i <= 24; ++i) places.push_back({2 + Real(0.12) * static_cast<Real>(i - 13), Real(2.1), 0});
   rope(world, places, Real(0.1), 3);
@@ -84,23 +90,23 @@ struct HangingRope {
 
 // ---- cloth -------------------------------------------------------------------------------------------------------------
 
-inline constexpr int cloth_side = 21;         // particles
-inline constexpr Real thread = Real(0.12);    // m, between them
-inline constexpr Real particle = Real(0.04);  // m, radius
+inline constexpr int cloth_side = 17;             // particles
+inline constexpr Real thread = Real(0.15);        // m, between them
+inline constexpr Real knot_radius = Real(0.045);  // m
 
 /// Small balls; threads along and across, drawn, and across the squares, not drawn, so that they do not collapse to lines.
 /// Particles that are not joined push each other away.
 inline void cloth_over_ball(World& world) {
   world.add(ground());
-  world.add(sphere(Real(0.7), 1).fixed().rough(4).at({0, Real(0.7), 0}).coloured(2));
+  world.add(sphere(Real(0.7), 1).fixed().rough(1).at({0, Real(0.7), 0}).coloured(2));
   const int first = static_cast<int>(world.bodies.size());
   const auto index = [first](int i, int j) { return first + cloth_side * i + j; };
   for (int i = 0; i < cloth_side; ++i) {
     for (int j = 0; j < cloth_side; ++j) {
       const Real middle = Real(cloth_side - 1) / 2;
-      world.add(sphere(particle, Real(0.01))
+      world.add(particle(knot_radius, Real(0.01))
                     .at({thread * (static_cast<Real>(i) - middle), Real(1.6), thread * (static_cast<Real>(j) - middle)})
-                    .coloured((i / 3 + j / 3) % 2 == 0 ? 4 : 0));
+                    .coloured((i / 2 + j / 2) % 2 == 0 ? 4 : 0));
       world.forces.push_back(drag(index(i, j), Real(0.01)));
     }
   }
