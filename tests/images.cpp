@@ -92,6 +92,9 @@ TEST_CASE("the sheet of 07 looks as it did", "[slow]") {
 TEST_CASE("the sheet of 08 looks as it did") {
   compare("08_friction_cone");
 }
+TEST_CASE("the sheet of 09 looks as it did", "[slow]") {
+  compare("09_joints");
+}
 TEST_CASE("the sheet of 10 looks as it did") {
   compare("10_limits_and_motors");
 }

@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
              .camera = {{0, -Real(0.3), Real(7.6)}, {0, -Real(0.7), 0}},
              .seconds = 6,
              .instants = {0, Real(0.4), Real(0.8)}});
-    const Real ball_period = period_of_pendulum(rod), plank_period = period_of_pendulum(length_of_plank());
+    const Real ball_period = period_of_pendulum(rod_length), plank_period = period_of_pendulum(length_of_plank());
     e.variant(in_one, with_joint_beta<Rigid>(beta))
         .expect("period of the ball", 1000 * ball_period)
         .expect("of the plank", 1000 * plank_period);

@@ -52,7 +52,7 @@ inline void beads_on_wires(World& world) {
 
 // ---- pendulums ---------------------------------------------------------------------------------------------------------
 
-inline constexpr Real rod = Real(1.5);             // m
+inline constexpr Real rod_length = Real(1.5);      // m
 inline constexpr Real half_plank = Real(0.75);     // m
 inline constexpr Real plank_width = Real(0.08);    // m, half of it
 inline constexpr Real released_at = Real(1.5);     // rad from hanging down
@@ -62,12 +62,12 @@ inline constexpr Real ball_at = -2, plank_at = 2;  // m, x of the points that th
 inline void pendulums(World& world) {
   const Vec3 hook(ball_at, 0, 0), pin(plank_at, 0, 0);
   const Vec3 way(std::sin(released_at), -std::cos(released_at), 0);
-  const int ball = world.add(sphere(Real(0.2), 1).at(hook + rod * way));
+  const int ball = world.add(sphere(Real(0.2), 1).at(hook + rod_length * way));
   const int plank = world.add(box({plank_width, half_plank, plank_width}, 1)
                                   .turned(released_at, Vec3::UnitZ())
                                   .at(pin + half_plank * way)
                                   .coloured(3));
-  world.joints = {distance(world, the_world, hook, ball, hook + rod * way),
+  world.joints = {distance(world, the_world, hook, ball, hook + rod_length * way),
                   hinge(world, the_world, plank, pin, Vec3::UnitZ())};
 }
 /// How far it has turned from hanging straight down, rad.
@@ -90,7 +90,7 @@ inline Real length_of_plank() {
 // ---- a chain and a weight ----------------------------------------------------------------------------------------------
 
 inline constexpr int links = 10;
-inline constexpr Real link = Real(0.3);         // m
+inline constexpr Real link_length = Real(0.3);  // m
 inline constexpr Real weight_to_link = 100;     // masses
 inline constexpr Real weight_half = Real(0.4);  // m
 
@@ -99,10 +99,10 @@ inline void chain_with_weight(World& world) {
   Vec3 end = Vec3::Zero();
   int above = the_world;
   for (int i = 0; i < links; ++i) {
-    const int here =
-        world.add(capsule(Real(0.07), link / 2 - Real(0.07), 1).at(end - Vec3(0, link / 2, 0)).coloured(i % 2));
+    const int here = world.add(
+        capsule(Real(0.07), link_length / 2 - Real(0.07), 1).at(end - Vec3(0, link_length / 2, 0)).coloured(i % 2));
     world.joints.push_back(ball_and_socket(world, above, here, end));
-    end.y() -= link;
+    end.y() -= link_length;
     above = here;
   }
   const int weight =
@@ -113,7 +113,7 @@ inline void chain_with_weight(World& world) {
 }
 /// How much longer the chain is than its links, of 1.
 inline Real stretch_of_chain(const World& world) {
-  return point_of(world.bodies[links], {0, weight_half, 0}).norm() / (links * link) - 1;
+  return point_of(world.bodies[links], {0, weight_half, 0}).norm() / (links * link_length) - 1;
 }
 
 // ---- hinge and weld ----------------------------------------------------------------------------------------------------

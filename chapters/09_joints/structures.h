@@ -22,9 +22,9 @@ inline Joint rod_between(const World& world, int a, int b) {
 // ---- ropes -------------------------------------------------------------------------------------------------------------
 
 inline constexpr int rope_links = 24;
-inline constexpr Real rope_link = Real(0.15);                     // m
-inline constexpr Real span = Real(0.7) * rope_links * rope_link;  // m, between the ends of the one that hangs
-inline constexpr Real rope_x = -Real(1.5), rope_y = Real(2.6);    // m, between its ends
+inline constexpr Real rope_link = Real(0.15);                          // m
+inline constexpr Real rope_span = Real(0.7) * rope_links * rope_link;  // m, between the ends of the one that hangs
+inline constexpr Real rope_x = -Real(1.5), rope_y = Real(2.6);         // m, between its ends
 
 /// The particle of `count` at `places`, each joined to the one before. Returns the index of the first.
 inline int rope(World& world, const std::vector<Vec3>& places, Real mass, int colour) {
@@ -39,7 +39,7 @@ inline int rope(World& world, const std::vector<Vec3>& places, Real mass, int co
 /// One rope is hung at both ends, straight down to its middle, and swings until drag has brought it to rest. One falls over a bar.
 inline void ropes(World& world) {
   world.add(ground());
-  const Real half = span / 2, down = std::sqrt(std::pow(rope_links * rope_link / 2, 2) - half * half);
+  const Real half = rope_span / 2, down = std::sqrt(std::pow(rope_links * rope_link / 2, 2) - half * half);
   std::vector<Vec3> places;
   for (int i = 1; i < rope_links; ++i) {
     const Real along = 2 * static_cast<Real>(i) / rope_links - 1;  // -1 ... 1
@@ -69,9 +69,9 @@ struct HangingRope {
     Real low = 0, high = 1000;
     for (int i = 0; i < 200; ++i) {
       pull = (low + high) / 2;
-      (width(pull) < span ? low : high) = pull;
+      (width(pull) < rope_span ? low : high) = pull;
     }
-    Vec3 at(rope_x - span / 2, rope_y, 0);
+    Vec3 at(rope_x - rope_span / 2, rope_y, 0);
     for (int i = 0; i + 1 < rope_links; ++i) {
       const Real rise = steepness(i);
       at += rope_link * Vec3(pull, rise, 0) / std::hypot(pull, rise);
