@@ -48,9 +48,18 @@ Numbers numbers_of(const std::string& chapter, const std::string& arguments) {
   return numbers;
 }
 
-const std::vector<std::string> chapters{"00_naive_impulses", "01_velocity_constraint", "02_clamping",   "03_baumgarte",
-                                        "04_slop",           "05_restitution",         "06_friction",   "07_warm_start",
-                                        "08_friction_cone",  "11_position_correction", "12_small_steps"};
+const std::vector<std::string> chapters{"00_naive_impulses",
+                                        "01_velocity_constraint",
+                                        "02_clamping",
+                                        "03_baumgarte",
+                                        "04_slop",
+                                        "05_restitution",
+                                        "06_friction",
+                                        "07_warm_start",
+                                        "08_friction_cone",
+                                        "09_joints",
+                                        "11_position_correction",
+                                        "12_small_steps"};
 
 /// Options beside those that every chapter has.
 const std::map<std::string, std::vector<std::string>> own_options{
@@ -59,6 +68,7 @@ const std::map<std::string, std::vector<std::string>> own_options{
     {"05_restitution", {"--threshold"}},
     {"07_warm_start", {"--sweep-counts"}},
     {"08_friction_cone", {"--half-length"}},
+    {"09_joints", {"--beta", "--sweep-counts"}},
     {"11_position_correction", {"--beta", "--most", "--rounds"}},
     {"12_small_steps", {"--small-steps", "--hertz", "--damping-ratio"}}};
 
@@ -134,6 +144,10 @@ TEST_CASE("a value that cannot be used: status 2, a message that names it, and n
            {"05_restitution", "--threshold -1", {"threshold", "-1"}},
            {"07_warm_start", "--sweep-counts 0", {"--sweep-counts", "0"}},
            {"08_friction_cone", "--half-length 2", {"--half-length", "2"}},
+           {"09_joints", "--beta 1.5", {"--beta", "1.5"}},
+           {"09_joints", "--beta -0.1", {"--beta", "-0.1"}},
+           {"09_joints", "--beta nan", {"beta", "nan"}},
+           {"09_joints", "--sweep-counts 0", {"--sweep-counts", "0"}},
            {"11_position_correction", "--beta 1.5", {"--beta", "1.5"}},
            {"11_position_correction", "--beta nan", {"beta", "nan"}},
            {"11_position_correction", "--most -1", {"--most", "-1"}},
