@@ -23,7 +23,9 @@ inline Wire ellipse(Real x0, Real y0, Real a, Real b) {
   }
   return wire;
 }
-/// Two valleys and a hill between them, from x0 - 1.5 w to x0 + 1.5 w:   C = y - f(x),   f = y0 + hill ((x - x0)^2 / w^2 - 1)^2
+/// Two valleys and a hill between them, from x0 - 1.5 w to x0 + 1.5 w.
+///
+///   C = y - f(x),   f = y0 + hill ((x - x0)^2 / w^2 - 1)^2,   grad C = (-f', 1)
 inline Wire two_valleys(Real x0, Real y0, Real w, Real hill) {
   Wire wire;
   const auto slope = [=](Real x) { return (x - x0) * (x - x0) / (w * w) - 1; };

@@ -26,7 +26,7 @@ inline constexpr Real rope_link = Real(0.15);                          // m
 inline constexpr Real rope_span = Real(0.7) * rope_links * rope_link;  // m, between the ends of the one that hangs
 inline constexpr Real rope_x = -Real(1.5), rope_y = Real(2.6);         // m, between its ends
 
-/// The particle of `count` at `places`, each joined to the one before. Returns the index of the first.
+/// A particle at each of `places`, joined to the one before. Returns the index of the first.
 inline int rope(World& world, const std::vector<Vec3>& places, Real mass, int colour) {
   const int first = static_cast<int>(world.bodies.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -36,7 +36,8 @@ inline int rope(World& world, const std::vector<Vec3>& places, Real mass, int co
   return first;
 }
 
-/// One rope is hung at both ends, straight down to its middle, and swings until drag has brought it to rest. One falls over a bar.
+/// One rope is hung at both ends, straight down to its middle, and swings until drag has brought it to rest. One falls
+/// over a bar.
 inline void ropes(World& world) {
   world.add(ground());
   const Real half = rope_span / 2, down = std::sqrt(std::pow(rope_links * rope_link / 2, 2) - half * half);
@@ -59,8 +60,8 @@ inline void ropes(World& world) {
   rope(world, places, Real(0.1), 3);
 }
 
-/// The horizontal pull of a rope at rest whose particles have this weight, over that weight: sum over the links of L cos = span, where each
-/// link is steeper than its neighbour by one weight. The closed form of the shape.
+/// The rope that hangs, at rest, in closed form: the horizontal pull H is the same all along, and each link is steeper than
+/// the one before by a particle's weight. H follows from the span, the sum of all links' L cos.
 struct HangingRope {
   Real pull;  ///< H / (m g)
   std::vector<Vec3> places;
@@ -181,16 +182,6 @@ inline void suspension_bridge(World& world) {
                        Real(0.1) * static_cast<Real>(i - 1)})
                   .turned(Real(0.3) * static_cast<Real>(i), Vec3::UnitY())
                   .coloured(4));
-}
-/// How far its lowest plank is below where it was put, m.
-inline Real sag_of_bridge(const World& world) {
-  Real lowest = deck_height;
-  for (const Body& body : world.bodies) {
-    const Box* plank = std::get_if<Box>(&body.shape);
-    if (plank != nullptr && body.movable() && plank->half_extents.y() < Real(0.1))
-      lowest = std::min(lowest, body.position.y());
-  }
-  return deck_height - Real(0.05) - lowest;
 }
 
 }  // namespace pushback
