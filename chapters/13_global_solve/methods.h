@@ -1,0 +1,19 @@
+/// The ways to solve a contact problem, by name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "chapters/13_global_solve/best.h"
+
+namespace pushback {
+
+/// pgs: sweeps, friction in a pyramid; scaled-back: both tangents solved, then scaled back; cone: the exact law;
+/// nscg: conjugate gradients over sweeps of the cone; best: what it takes, sweeps and Newton's method.
+std::vector<std::string> method_names();
+
+/// From r = 0, until relative_residual is `tolerance` at most, looked at after every tenth sweep, or `sweeps` are done. `best`
+/// counts its own sweeps and takes the tolerance only. Throws InvalidInput where there is no such method.
+Solution solve(const ContactProblem& problem, const std::string& method, int sweeps, double tolerance);
+
+}  // namespace pushback

@@ -1,0 +1,183 @@
+#include "chapters/13_global_solve/proximal_newton.h"
+
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
+
+#include "chapters/13_global_solve/sweeps.h"
+
+namespace pushback {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix2d;
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// f of one contact, and what it changes by: df = by_u du + by_r dr.
+struct Law {
+  Vector3d f;
+  Matrix3d by_u = Matrix3d::Zero(), by_r = Matrix3d::Zero();
+
+  Law(const ContactBlock& at, double mu, const Vector3d& r, const Vector3d& u) {
+    const double a = at.w(0, 0) > 0 ? 1 / at.w(0, 0) : 1, b = at.larger_eigenvalue > 0 ? 1 / at.larger_eigenvalue : 1;
+    const double normal = r[0] - a * u[0];
+    if (normal <= 0) {  // open: r = 0
+      f = r;
+      by_r.setIdentity();
+      return;
+    }
+    f[0] = a * u[0];
+    by_u(0, 0) = a;
+    const Vector2d t = r.tail<2>() - b * u.tail<2>();
+    const double radius = mu * normal, length = t.norm();
+    if (length <= radius) {  // sticks: u = 0
+      f.tail<2>() = b * u.tail<2>();
+      by_u(1, 1) = by_u(2, 2) = b;
+      return;
+    }
+    const Vector2d way = t / length;  // slides: r_t = radius way
+    const Matrix2d turn = radius / length * (Matrix2d::Identity() - way * way.transpose());
+    f.tail<2>() = r.tail<2>() - radius * way;
+    by_r.bottomRightCorner<2, 2>() = Matrix2d::Identity() - turn;
+    by_u.bottomRightCorner<2, 2>() = b * turn;
+    by_r.bottomLeftCorner<2, 1>() = -mu * way;
+    by_u.bottomLeftCorner<2, 1>() = mu * a * way;
+  }
+};
+
+/// One problem with its pull towards `from`.
+class Proximal {
+ public:
+  explicit Proximal(const ContactProblem& problem) : problem_(problem) {
+    for (const Matrix3d& block : diagonal_blocks(problem)) blocks_.emplace_back(block);
+    std::vector<Eigen::Triplet<double>> entries;  // of each 3 x 3 block all nine, so that three rows have the same columns
+    for (Index row = 0; row < problem.w.rows(); ++row) {
+      for (SparseRows::InnerIterator it(problem.w, row); it; ++it) {
+        for (Index i = 0; i < 9; ++i)
+          entries.emplace_back(int(row - row % 3 + i / 3), int(it.col() - it.col() % 3 + i % 3), 0);
+        entries.emplace_back(int(row), int(it.col()), it.value());
+      }
+    }
+    w_.resize(problem.w.rows(), problem.w.cols());
+    w_.setFromTriplets(entries.begin(), entries.end());
+    derivative_ = w_;
+  }
+  Vector from;
+  double pull = 0;  ///< p, 1/kg
+
+  Vector f(const Vector& r) const {
+    Vector all(r.size());
+    const Vector u = speeds(r);
+    for (Index c = 0; c < problem_.contacts(); ++c) all.segment<3>(3 * c) = law(c, r, u).f;
+    return all;
+  }
+  /// The change of r that f' says; not finite where f' cannot be inverted.
+  Vector step(const Vector& r, const Vector& f_of_r) {
+    const Vector u = speeds(r);
+    for (Index c = 0; c < problem_.contacts(); ++c) {
+      const Law at = law(c, r, u);
+      const Matrix3d own = at.by_r + pull * at.by_u;
+      const Index begin = derivative_.outerIndexPtr()[3 * c], count = derivative_.outerIndexPtr()[3 * c + 1] - begin;
+      using ThreeRows = Eigen::Map<Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>>;
+      using ThreeRowsOfW = Eigen::Map<const Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>>;
+      ThreeRows(derivative_.valuePtr() + begin, 3, count) = at.by_u * ThreeRowsOfW(w_.valuePtr() + begin, 3, count);
+      for (Index k = 0; k < count; ++k) {
+        const Index column = derivative_.innerIndexPtr()[begin + k] - 3 * c;
+        if (column >= 0 && column < 3)
+          for (Index i = 0; i < 3; ++i) derivative_.valuePtr()[begin + i * count + k] += own(i, column);
+      }
+    }
+    const Eigen::SparseMatrix<double> by_columns = derivative_;
+    if (!analyzed_) lu_.analyzePattern(by_columns);
+    analyzed_ = true;
+    lu_.factorize(by_columns);
+    if (lu_.info() != Eigen::Success) return Vector::Constant(r.size(), std::nan(""));
+    return lu_.solve(-f_of_r);
+  }
+  double largest_diagonal() const {
+    double largest = 0;
+    for (const ContactBlock& block : blocks_) largest = std::max(largest, block.w(0, 0));
+    return largest;
+  }
+
+ private:
+  Vector speeds(const Vector& r) const { return problem_.speeds(r) + pull * (r - from); }
+  Law law(Index c, const Vector& r, const Vector& u) const {
+    return {blocks_[static_cast<std::size_t>(c)], problem_.mu[c], r.segment<3>(3 * c), u.segment<3>(3 * c)};
+  }
+
+  const ContactProblem& problem_;
+  std::vector<ContactBlock> blocks_;
+  SparseRows w_, derivative_;  // of the same pattern
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu_;
+  bool analyzed_ = false;
+};
+
+/// A step halved until |f| falls; false where it does not.
+bool shorten(const Proximal& problem, const Vector& step, Vector& r, Vector& f) {
+  if (!step.allFinite()) return false;
+  const double before = f.norm();
+  for (double part = 1; part > 1e-4; part /= 2) {
+    const Vector tried = r + part * step, f_of_tried = problem.f(tried);
+    if (f_of_tried.norm() >= (1 - 1e-4 * part) * before) continue;
+    r = tried;
+    f = f_of_tried;
+    return true;
+  }
+  return false;
+}
+
+constexpr int most_steps = 40;
+constexpr double rounding = 3e-16;  // what is left of f where nothing more can be said
+
+/// Newton until f is a thousandth of what it was. Returns whether it came to that.
+bool solve(Proximal& problem, Vector& r, int& steps, const std::function<bool()>& out_of_time) {
+  Vector f = problem.f(r);
+  const double enough = f.norm() / 1000;
+  for (steps = 0; steps < most_steps; ++steps) {
+    if (f.norm() <= std::max(enough, rounding * r.norm())) return true;
+    if (out_of_time() || !shorten(problem, problem.step(r, f), r, f)) return false;
+  }
+  return false;
+}
+
+}  // namespace
+
+int newton(const ContactProblem& problem, Vector& r, const NewtonLimits& limits) {
+  Proximal pulled(problem);
+  const double unit = pulled.largest_diagonal();
+  if (unit <= 0) return 0;
+  Vector at = r, drift = Vector::Zero(r.size());
+  double best = relative_residual(problem, r);
+  pulled.pull = 1e-3 * unit;
+  double last = best;
+  int all_steps = 0, since_better = 0;
+  for (int round = 0; round < limits.rounds && best > limits.tolerance && since_better < 100; ++round) {
+    pulled.from = at + 2 * drift;  // along a valley the rounds take the same step over and over: look ahead
+    Vector next = pulled.from;
+    int steps = 0;
+    const bool solved = solve(pulled, next, steps, limits.out_of_time);
+    all_steps += steps;
+    const double residual = relative_residual(problem, next);
+    ++since_better;
+    if (residual < best) {
+      if (residual < 0.99 * best) since_better = 0;
+      best = residual;
+      r = next;
+    }
+    if (limits.out_of_time()) break;
+    const bool better = residual < 1.02 * last;
+    drift = solved && better ? Vector(next - pulled.from) : Vector(Vector::Zero(r.size()));
+    last = residual;
+    if (solved) at = next;
+    if (!solved) pulled.pull *= 10;
+    else if (steps <= 6) pulled.pull /= 5;
+    else if (steps > 20) pulled.pull *= 2;
+  }
+  return all_steps;
+}
+
+}  // namespace pushback
