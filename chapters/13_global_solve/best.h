@@ -14,8 +14,8 @@ struct Solution {
 
 struct Effort {
   double tolerance = 1e-13;  ///< of relative_residual: below this nothing more is done
-  double seconds = 55;       ///< after which nothing new is begun; as long as it is not reached, the result is the same bits
-  int rounds = 12;           ///< of sweeps and Newton's method, at most
+  double seconds = 55;  ///< after which nothing new is begun; as long as it is not reached, the result is the same bits
+  int rounds = 12;      ///< of sweeps and Newton's method, at most
 };
 
 /// The best point met. Where Newton fails, more sweeps go before it; after that, sweeps in other orders, since where a problem

@@ -14,14 +14,17 @@ SparseRows matrix_of(const Rows& rows);
 /// J V + b of each row, m/s: what A lambda has to make up for.
 Vector speeds_of(const Rows& rows);
 
-/// One sweep of projected Gauss-Seidel:   l_i <- clamp(l_i - (A l + b)_i / A_ii, lo_i, hi_i), i in their order.
+/// Projected Gauss-Seidel, one row:   l_i <- clamp(l_i - (A l + b)_i / A_ii, lo, hi)
 ///
-/// This is sequential impulses. There JV is kept in the bodies' velocities, here it is worked out from A: the same number.
-void sweep(const SparseRows& a, const Vector& b, const Vector& lo, const Vector& hi, Vector& impulses);
+/// Over all rows in turn this is sequential impulses: there JV is kept in the bodies' velocities, here it is added up from A.
+void project(const SparseRows& a, const Vector& b, Eigen::Index i, double lo, double hi, Vector& impulses);
 
-/// A step's contacts as a problem for any solver: each with its normal and its two tangents, whatever they touch. u is in the
-/// frame of the contact, its biases those of `rows`, q = JV + b as the bodies move now. Contacts without tangents among the
-/// rows, and all where `rows` is empty, get them here, and friction 0 or their own.
+/// The contacts of a step as a problem for any solver, q = JV as the bodies move now: after World::apply_forces and
+/// World::find_contacts, that of the step. Friction is each contact's own; r_n is along its normal, r_t along tangents_of.
 ContactProblem problem_of(const Contacts& contacts);
+
+/// The same of a solver's rows: the first contacts.size() are the normals, tangents may follow, two a contact. q = JV + b.
+/// A contact without tangents among them is without friction.
+ContactProblem problem_of(const Contacts& contacts, const Rows& rows);
 
 }  // namespace pushback

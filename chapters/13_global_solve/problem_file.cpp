@@ -35,7 +35,8 @@ class Reader {
     const bool whole = stopped == word.data() + word.size();
     if (whole && error == std::errc::result_out_of_range && tiny(word)) return 0;
     if (error != std::errc() || !whole || !(std::abs(value) <= largest))
-      throw InvalidInput(fmt::format("{} is '{}': a number of at most {:g} is needed", place(what, i, j), shown(word), largest));
+      throw InvalidInput(
+          fmt::format("{} is '{}': a number of at most {:g} is needed", place(what, i, j), shown(word), largest));
     return value;
   }
   /// A whole number from `least` to `most`.
@@ -44,15 +45,16 @@ class Reader {
     Index value = 0;
     const auto [stopped, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || stopped != word.data() + word.size() || value < least || value > most)
-      throw InvalidInput(fmt::format("{} is '{}': {} is needed", what, shown(word),
-                                     least == most ? fmt::to_string(least)
-                                                   : fmt::format("a whole number from {} to {}", least, most)));
+      throw InvalidInput(fmt::format(
+          "{} is '{}': {} is needed", what, shown(word),
+          least == most ? fmt::to_string(least) : fmt::format("a whole number from {} to {}", least, most)));
     return value;
   }
   /// Before anything of that size is allocated: every number takes a character, and one between it and the next.
   void need(Index numbers, const std::string& what) const {
     if (numbers > (end_ - next_ + 1) / 2)
-      throw InvalidInput(fmt::format("{}: {} numbers are needed, but only {} characters follow", what, numbers, end_ - next_));
+      throw InvalidInput(
+          fmt::format("{}: {} numbers are needed, but only {} characters follow", what, numbers, end_ - next_));
   }
   /// Whether nothing more stands there.
   bool ended() {
@@ -98,7 +100,8 @@ void read_dense(Reader& in, Index size, Triplets& entries) {
   for (Index column = 0; column < size; ++column)
     for (Index row = 0; row < size; ++row) {
       const double value = in.number("W", row, column);
-      if (value != 0 || row / 3 == column / 3) entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
+      if (value != 0 || row / 3 == column / 3)
+        entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
     }
 }
 
@@ -117,8 +120,10 @@ void read_blocks(Reader& in, Index contacts, Triplets& entries) {
     begin.push_back(in.count(what, c == 0 ? 0 : begin.back(), c == 0 ? 0 : blocks));
   }
   if (begin.back() != blocks)
-    throw InvalidInput(fmt::format("end of the last block row is {}: {}, the number of blocks, is needed", begin.back(), blocks));
-  for (Index i = 0; i < blocks; ++i) column.push_back(in.count(fmt::format("block column of block {}", i), 0, contacts - 1));
+    throw InvalidInput(
+        fmt::format("end of the last block row is {}: {}, the number of blocks, is needed", begin.back(), blocks));
+  for (Index i = 0; i < blocks; ++i)
+    column.push_back(in.count(fmt::format("block column of block {}", i), 0, contacts - 1));
   std::vector<Index> seen_in_row(static_cast<std::size_t>(contacts), -1);
   for (Index row = 0; row < contacts; ++row) {
     for (Index i = begin[static_cast<std::size_t>(row)]; i < begin[static_cast<std::size_t>(row) + 1]; ++i) {
@@ -165,7 +170,8 @@ ContactProblem read_problem(const std::string& text) {
   problem.w.setFromTriplets(entries.begin(), entries.end());
   for (Index i = 0; i < size; ++i)
     if (problem.w.coeff(i, i) < 0)
-      throw InvalidInput(fmt::format("W({0}, {0}) is {1}: 0 or more is needed on the diagonal", i, problem.w.coeff(i, i)));
+      throw InvalidInput(
+          fmt::format("W({0}, {0}) is {1}: 0 or more is needed on the diagonal", i, problem.w.coeff(i, i)));
   for (Index c = 0; c < contacts; ++c) require_not_negative(fmt::format("mu({})", c), static_cast<Real>(problem.mu[c]));
   return problem;
 }

@@ -53,7 +53,8 @@ class Proximal {
  public:
   explicit Proximal(const ContactProblem& problem) : problem_(problem) {
     for (const Matrix3d& block : diagonal_blocks(problem)) blocks_.emplace_back(block);
-    std::vector<Eigen::Triplet<double>> entries;  // of each 3 x 3 block all nine, so that three rows have the same columns
+    std::vector<Eigen::Triplet<double>>
+        entries;  // of each 3 x 3 block all nine, so that three rows have the same columns
     for (Index row = 0; row < problem.w.rows(); ++row) {
       for (SparseRows::InnerIterator it(problem.w, row); it; ++it) {
         for (Index i = 0; i < 9; ++i)

@@ -23,8 +23,9 @@ void print(const Asked& asked, const std::string& file, const ContactProblem& pr
   const Solution found = solve(problem, asked.method, asked.sweeps, asked.tolerance);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!std::isfinite(found.residual))
-    throw std::runtime_error(fmt::format("{}: {} has left the range of numbers after {} sweeps; another method is needed", file,
-                                         asked.method, found.sweeps));
+    throw std::runtime_error(
+        fmt::format("{}: {} has left the range of numbers after {} sweeps; another method is needed", file,
+                    asked.method, found.sweeps));
   fmt::print("{}: {} contacts, W symmetric to {:.0e}\n", file, problem.contacts(), asymmetry(problem));
   fmt::print("{}: {} sweeps, {} linear systems\n", asked.method, found.sweeps, found.systems);
   fmt::print("time {:.2f} s\nresidual {:.1e}\n", seconds, found.residual);
@@ -65,7 +66,8 @@ int main(int argc, char** argv) {
     std::vector<ContactProblem> problems;  // all read before anything is solved
     for (const std::string& file : asked.files) problems.push_back(read_problem_file(file));
     if (asked.table)
-      fmt::print("| problem | contacts | {} |\n|{}\n", fmt::join(method_names(), " | "), " --- | --- | --- | --- | --- | --- | --- |");
+      fmt::print("| problem | contacts | {} |\n|{}\n", fmt::join(method_names(), " | "),
+                 " --- | --- | --- | --- | --- | --- | --- |");
     for (std::size_t i = 0; i < problems.size(); ++i) {
       if (asked.table) print_row(asked.files[i], problems[i]);
       else print(asked, asked.files[i], problems[i]);
