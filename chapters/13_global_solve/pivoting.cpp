@@ -28,7 +28,7 @@ class Tableau {
       if (i != row && t_(i, entering) != 0) t_.row(i) -= t_(i, entering) * t_.row(row).eval();
     basis_[static_cast<std::size_t>(row)] = entering;
   }
-  /// The row whose variable is the first to reach 0 as `entering` grows; -1 where none ever does. z goes before others.
+  /// The row whose variable is the first to reach 0 as `entering` grows; -1 where none ever does.
   Index leaving(Index entering) const {
     Index best = -1;
     for (Index i = 0; i < rows_; ++i)
@@ -43,18 +43,10 @@ class Tableau {
   }
 
  private:
-  static constexpr double least_pivot = 1e-9, tie = 1e-11;
+  static constexpr double least_pivot = 1e-9;
 
   bool before(Index i, Index j, Index entering) const {
-    const double at_i = t_(i, entering), at_j = t_(j, entering);
-    const double apart = value(i) / at_i - value(j) / at_j;
-    if (std::abs(apart) > tie) return apart < 0;
-    if (basic(i) == z() || basic(j) == z()) return basic(i) == z();
-    for (Index k = 0; k < rows_; ++k) {
-      const double further = t_(i, k) / at_i - t_(j, k) / at_j;
-      if (std::abs(further) > tie) return further < 0;
-    }
-    return false;
+    return value(i) / t_(i, entering) < value(j) / t_(j, entering);
   }
 
   Index rows_;
@@ -62,14 +54,28 @@ class Tableau {
   std::vector<Index> basis_;
 };
 
-/// The rows that press made to hold exactly, by the least change of their impulses: pivots round, and this does so once.
+/// Each row loosened by another little, so that no two come to 0 together. Loosened, what had a solution has one still.
+Vector untied(const Vector& b) {
+  constexpr double golden = 0.6180339887498949;
+  Vector loosened = b;
+  for (Index i = 0; i < b.size(); ++i) {
+    const double step = static_cast<double>(i + 1) * golden;
+    loosened[i] += 1e-7 * (1 + step - std::floor(step));
+  }
+  return loosened;
+}
+
+/// The rows that press made to hold exactly, by the least change of their impulses.
 void sharpen(const Eigen::MatrixXd& a, const Vector& b, Vector& impulses) {
   std::vector<Index> pressing;
   for (Index i = 0; i < b.size(); ++i)
     if (impulses[i] > 0) pressing.push_back(i);
   if (pressing.empty()) return;
   const Vector speeds = a * impulses + b;
-  impulses(pressing) -= a(pressing, pressing).completeOrthogonalDecomposition().solve(speeds(pressing)).eval();
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(1e-10);  // of a face, three contacts say it all
+  decomposition.compute(a(pressing, pressing));
+  impulses(pressing) -= decomposition.solve(speeds(pressing)).eval();
   impulses = impulses.cwiseMax(0);
 }
 
@@ -84,7 +90,7 @@ std::optional<Pivoted> solve_by_pivoting(const SparseRows& a, const Vector& b) {
   if (of_a <= 0) return {};
   const Eigen::MatrixXd scaled_a = Eigen::MatrixXd(a) / of_a;
   const Vector scaled_b = b / of_b;
-  Tableau tableau(scaled_a, scaled_b);
+  Tableau tableau(scaled_a, untied(scaled_b));
   Index row = tableau.lowest(), entering = tableau.z();
   while (true) {
     const Index left = tableau.basic(row);

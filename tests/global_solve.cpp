@@ -1,0 +1,260 @@
+/// Chapter 13: contact problems, their files, and what solves them.
+#include <filesystem>
+#include <random>
+#include <set>
+
+#include "chapters/06_friction/friction.h"
+#include "chapters/13_global_solve/conjugate.h"
+#include "chapters/13_global_solve/global_solve.h"
+#include "chapters/13_global_solve/methods.h"
+#include "chapters/13_global_solve/pivoting.h"
+#include "chapters/13_global_solve/problem_file.h"
+#include "common/scene.h"
+#include "tests/call.h"
+#include "tests/catch.h"
+#include "tests/complaint.h"
+
+using namespace pushback;
+
+namespace {
+
+using Eigen::Index;
+
+constexpr Real h = Real(1) / 60;
+
+/// The contacts of a scene, as a step would begin.
+struct Frame {
+  World world;
+  template <class Fill>
+  explicit Frame(Fill fill) {
+    fill(world);
+    world.apply_forces(h);
+    world.find_contacts();
+  }
+};
+
+Rows normals_of(const Contacts& contacts) {
+  Rows rows;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    rows.emplace_back(contacts[i], contacts[i].normal, static_cast<int>(i));
+  return rows;
+}
+
+/// One contact with the given block, so that the answer can be said.
+ContactProblem one_contact(const Eigen::Matrix3d& block, const Eigen::Vector3d& q, double mu) {
+  ContactProblem problem;
+  problem.w = SparseRows(block.sparseView(0, 0));
+  problem.q = q;
+  problem.mu = Vector::Constant(1, mu);
+  return problem;
+}
+
+const char* const small_file = "3\n1\n0\n3\n3\n3 3\n 15 -1 -2\n -1 14 1\n -2 1 16\n -1 2 3\n 0.1\n";
+
+std::string with(std::string text, const std::string& part, const std::string& instead) {
+  const std::size_t at = text.find(part);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, part.size(), instead);
+}
+
+}  // namespace
+
+TEST_CASE("sequential impulses are projected Gauss-Seidel on the matrix of all rows, row by row") {
+  const auto fill = GENERATE(0, 1);
+  Frame frame([&](World& world) {
+    if (fill == 0) stack(world, 6);
+    else pyramid(world, 5);
+    for (Body& body : world.bodies)
+      if (body.movable()) body.velocity += Vec3(Real(0.3), 0, Real(0.1));
+  });
+  Contacts& contacts = frame.world.contacts;
+  // The rows as the solver makes them, before it moves anything.
+  Rows rows = normals_of(contacts);
+  for (Row& row : rows) row.lo = 0;
+  Friction friction;
+  friction.build(contacts, rows, h);
+  const SparseRows a = matrix_of(rows);
+  const Vector b = speeds_of(rows);
+  Vector impulses = Vector::Zero(b.size());
+  const Index normals = std::ssize(contacts);
+  for (int sweep = 0; sweep < 20; ++sweep) {
+    for (Index i = 0; i < normals; ++i) project(a, b, i, 0, 1e300, impulses);
+    for (Index i = normals; i < b.size(); ++i) {
+      const int contact = rows[static_cast<std::size_t>(i)].contact;
+      const double bound =
+          static_cast<double>(contacts[static_cast<std::size_t>(contact)].friction) * impulses[contact];
+      project(a, b, i, -bound, bound, impulses);
+    }
+  }
+  Solver<Clamping, Friction> solver;
+  solver.solve(contacts, h, 20);
+  double largest = 0, apart = 0;
+  for (std::size_t i = 0; i < solver.rows().size(); ++i) {
+    largest = std::max(largest, std::abs(impulses[static_cast<Index>(i)]));
+    apart = std::max(apart, std::abs(impulses[static_cast<Index>(i)] - static_cast<double>(solver.rows()[i].impulse)));
+  }
+  INFO("apart by " << apart << " of " << largest);
+  CHECK(largest > 1);
+  CHECK(apart <= 200 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * largest);
+}
+
+TEST_CASE("A says what an impulse does: J V after minus J V before") {
+  Frame frame([](World& world) { pyramid(world, 3); });
+  Rows rows = normals_of(frame.world.contacts);
+  const SparseRows a = matrix_of(rows);
+  const Vector before = speeds_of(rows);
+  rows[5].apply(7);
+  const Vector after = speeds_of(rows);
+  CHECK((after - before - 7 * Vector(a.col(5))).cwiseAbs().maxCoeff() <
+        1e4 * double(std::numeric_limits<Real>::epsilon()));
+  const SparseRows transposed = a.transpose();
+  CHECK(SparseRows(a - transposed).norm() < 1e2 * double(std::numeric_limits<Real>::epsilon()) * a.norm());
+}
+
+TEST_CASE("the projection to the cone is the nearest point of it") {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-2, 2);
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3d r(number(random), number(random), number(random));
+    const double mu = i % 5 == 0 ? 0 : std::abs(number(random));
+    const Eigen::Vector3d p = projected_to_cone(r, mu), away = r - p;
+    CHECK(std::hypot(p[1], p[2]) <= mu * p[0] + 1e-12);
+    CHECK(std::abs(away.dot(p)) < 1e-12);                         // what is left is at a right angle to it,
+    CHECK(away[0] + mu * std::hypot(away[1], away[2]) <= 1e-12);  // and in the polar cone
+  }
+}
+
+TEST_CASE("one contact that sticks, slides and parts, in closed form") {
+  const Eigen::Matrix3d w = Eigen::Vector3d(2, 4, 4).asDiagonal();
+  struct Case {
+    Eigen::Vector3d q, r;
+  };
+  const double mu = 0.5;
+  for (const Case& c : {Case{{-4, 1, 0}, {2, -0.25, 0}}, Case{{-4, 10, 0}, {2, -1, 0}}, Case{{3, 1, 1}, {0, 0, 0}}}) {
+    const ContactProblem problem = one_contact(w, c.q, mu);
+    CHECK(relative_residual(problem, c.r) < 1e-15);
+    for (const std::string& method : method_names()) {
+      const Solution found = solve(problem, method, 100, 1e-14);
+      INFO(method);
+      CHECK((found.r - c.r).norm() < 1e-12);
+      CHECK(found.residual < 1e-13);
+    }
+  }
+}
+
+TEST_CASE("a step that starts from its solution leaves the sweeps nothing to do") {
+  Frame frame([](World& world) { stack(world, 8); });
+  Contacts contacts = frame.world.contacts;
+  const auto first = frame.world.bodies;
+  Solver<Clamping, FrictionCone, GlobalSolve> none, some;
+  const std::size_t top = frame.world.bodies.size() - 1;
+  none.solve(frame.world.contacts, h, 0);
+  const Vec3 at_once = frame.world.bodies[top].velocity;
+  for (std::size_t i = 0; i < first.size(); ++i) frame.world.bodies[i] = first[i];
+  some.solve(frame.world.contacts, h, 50);
+  const Real small = std::is_same_v<Real, float> ? Real(1e-4) : Real(1e-7);
+  CHECK((frame.world.bodies[top].velocity - at_once).norm() < small);
+  CHECK(at_once.norm() < small);  // at rest, where gravity alone would give it 0.16 m/s
+  CHECK(none.solution().residual < 1e-10);
+}
+
+TEST_CASE("conjugate gradients come further in the same sweeps, for the same law") {
+  Frame frame([](World& world) { stack(world, 20); });
+  const ContactProblem problem = problem_of(frame.world.contacts);
+  const double plain = solve(problem, "cone", 1000, 0).residual, conjugate = solve(problem, "nscg", 1000, 0).residual;
+  INFO(plain << " against " << conjugate);
+  CHECK(3 * conjugate < plain);
+}
+
+TEST_CASE("what is solved best is solved in the same bits again") {
+  Frame frame([](World& world) { pyramid(world, 6); });
+  const ContactProblem problem = problem_of(frame.world.contacts);
+  const Solution one = solve_best(problem), two = solve_best(problem);
+  CHECK(one.residual < 1e-12);
+  CHECK(one.r == two.r);
+}
+
+TEST_CASE("a problem comes back from its file in the same bits") {
+  Frame frame([](World& world) { pyramid(world, 4); });
+  const ContactProblem problem = problem_of(frame.world.contacts), read = read_problem(problem_text(problem));
+  CHECK(Eigen::MatrixXd(problem.w) == Eigen::MatrixXd(read.w));
+  CHECK(problem.q == read.q);
+  CHECK(problem.mu == read.mu);
+}
+
+TEST_CASE("what is wrong with a file is said") {
+  const auto said = [](const std::string& text) { return complaint([&] { read_problem(text); }); };
+  CHECK(said(small_file).empty());
+  CHECK(said(std::string(small_file) + "0\n").empty());          // some have a flag
+  CHECK(said(std::string(small_file) + "1\n 1 2 3\n").empty());  // and a first guess
+  CHECK(contains(said(""), "ends where dimension"));
+  CHECK(contains(said(with(small_file, "3\n1", "2\n1")), "dimension is '2': 3 is needed"));
+  CHECK(contains(said(with(small_file, "3\n1", "3\n0")), "number of contacts is '0'"));
+  CHECK(contains(said(with(small_file, "3\n1", "3\n-1")), "number of contacts is '-1'"));
+  CHECK(contains(said(with(small_file, "3\n1", "3\n1.5")), "number of contacts is '1.5'"));
+  CHECK(contains(said(with(small_file, "3\n1", "3\n99999999999999999999")), "number of contacts"));
+  CHECK(contains(said(with(small_file, "3\n1\n0\n3\n3\n3 3", "3\n900000\n0\n2700000\n2700000\n2700000 2700000")),
+                 "W: 7290000000000 numbers are needed"));
+  CHECK(contains(said(with(small_file, "1\n0", "1\n7")), "storage is '7'"));
+  CHECK(contains(said(with(small_file, "3\n3\n3 3", "3\n6\n3 3")), "number of columns is '6'"));
+  CHECK(contains(said(with(small_file, "14", "nan")), "W(1, 1) is 'nan'"));
+  CHECK(contains(said(with(small_file, "14", "inf")), "W(1, 1) is 'inf'"));
+  CHECK(contains(said(with(small_file, "14", "1e300")), "W(1, 1) is '1e300'"));
+  CHECK(contains(said(with(small_file, "14", "-14")), "W(1, 1) is -14"));
+  CHECK(contains(said(with(small_file, "14", "1x4")), "W(1, 1) is '1x4'"));
+  CHECK(contains(said(with(small_file, "-1 2 3", "-1 2 oops")), "q(2) is 'oops'"));
+  CHECK(contains(said(with(small_file, " 0.1", " -0.1")), "mu(0) is -0.1"));
+  CHECK(contains(said(with(small_file, " 0.1", "")), "mu"));
+  CHECK(contains(said(std::string(small_file) + "0.3\n"), "what follows the last mu is '0.3'"));
+}
+
+TEST_CASE("a file cut short anywhere, or with a word spoilt, is refused or read, never worse") {
+  Frame frame([](World& world) { stack(world, 2); });
+  const std::string text = problem_text(problem_of(frame.world.contacts));
+  const std::size_t whole = text.find_last_not_of(" \n") + 1;
+  for (std::size_t length = 0; length + 3 < whole; length += 7)
+    CHECK(!complaint([&] { read_problem(text.substr(0, length)); }).empty());
+  std::mt19937 random(3);
+  for (int i = 0; i < 3000; ++i) {
+    std::string spoilt = text;
+    for (int k = 0; k < 3; ++k) spoilt[random() % spoilt.size()] = "0123456789-.e \nx"[random() % 16];
+    complaint([&] { read_problem(spoilt); });
+  }
+}
+
+TEST_CASE("problems that others wrote are solved") {
+  const char* named = std::getenv("PUSHBACK_PROBLEMS");
+  const fs::path folder = named != nullptr ? named : "../shared/data/contact_problems";
+  std::set<fs::path> files;
+  if (fs::is_directory(folder))
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.path().extension() == ".dat") files.insert(entry.path());
+  if (files.empty()) {
+    WARN("skipped: there are no contact problems in " << folder);
+    return;
+  }
+  int reached = 0, tried = 0;
+  for (const fs::path& file : files) {
+    INFO(file);
+    const ContactProblem problem = read_problem_file(file);
+    const ContactProblem again = read_problem(problem_text(problem));
+    CHECK(Eigen::MatrixXd(again.w) == Eigen::MatrixXd(problem.w));
+    ++tried;
+    if (solve(problem, "cone", 1000, 1e-4).residual <= 1e-4) ++reached;
+    if (file.stem() == "RockPile_tob1") continue;  // half a minute: the long test below
+    CHECK(solve_best(problem).residual < 1e-12);
+  }
+  WARN("the cone's sweeps reach 1e-4 within 1000 on " << reached << " of " << tried);
+  CHECK(10 * reached >= 8 * tried);
+}
+
+TEST_CASE("the pile of rocks, which takes longest, is solved", "[long]") {
+  const char* named = std::getenv("PUSHBACK_PROBLEMS");
+  const std::filesystem::path file =
+      std::filesystem::path(named != nullptr ? named : "../shared/data/contact_problems") / "RockPile_tob1.dat";
+  if (!std::filesystem::exists(file)) {
+    WARN("skipped: there is no " << file);
+    return;
+  }
+  CHECK(solve_best(read_problem_file(file)).residual < 1e-8);
+}
