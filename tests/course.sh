@@ -127,6 +127,12 @@ printf '#!/bin/sh\necho "effects: $*"\nexit 2\n' >"$scratch/home/build/release/c
 chmod +x "$scratch/home/build/release/chapters/effects"
 course effects 06-slope all && expect 2 "--target effects" "effects: 06-slope all"
 
+# Contact problems: words and options go on as they are, and files are named as seen from where one stands.
+printf '#!/bin/sh\necho "solve: $* in $PWD"\nexit 2\n' >"$scratch/home/build/release/chapters/solve"
+chmod +x "$scratch/home/build/release/chapters/solve"
+course solve a.dat --method best --sweeps 5 && expect 2 "--target solve" "solve: a.dat --method best --sweeps 5 in $scratch/sub"
+course solve --preset relase a.dat && expect 2 "unknown preset 'relase'"
+
 course clean && expect 0 "git clean"
 [[ ! -e $scratch/home/build ]] || { echo "clean left build/"; failures=$((failures + 1)); }
 

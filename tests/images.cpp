@@ -104,6 +104,9 @@ TEST_CASE("the sheet of 11 looks as it did", "[slow]") {
 TEST_CASE("the sheet of 12 looks as it did", "[slow]") {
   compare("12_small_steps");
 }
+TEST_CASE("the sheet of 13 looks as it did", "[slow]") {
+  compare("13_global_solve");
+}
 TEST_CASE("the sheet of 15 looks as it did") {
   compare("15_only_what_is_needed");
 }

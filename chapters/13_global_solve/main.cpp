@@ -1,1 +1,91 @@
-int main() {}
+#include "chapters/04_slop/slop.h"
+#include "chapters/13_global_solve/global_solve.h"
+#include "chapters/13_global_solve/scenes.h"
+#include "chapters/13_global_solve/study.h"
+#include "common/experiment.h"
+
+using namespace pushback;
+
+namespace {
+
+using Cold = Solver<Clamping, Baumgarte, Slop, FrictionCone>;
+using AtOnce = Solver<Clamping, Baumgarte, Slop, FrictionCone, GlobalSolve>;  // this chapter
+
+void heavy_on_stack(World& world) {
+  stack(world, 4);
+  world.add(box(Vec3::Constant(Real(0.5)), 100000).at({0, Real(4.5), 0}));
+}
+void twenty(World& world) {
+  stack(world, 20);
+}
+void ten(World& world) {
+  pyramid(world, 10);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment e("13_global_solve", "Sweep, or solve all at once?");
+  return e.run(argc, argv, [&] {
+    e.scene({.name = "a stack of twenty, every step from nothing",
+             .fill = stack_in_gate,
+             .camera = {{0, Real(17.5), 11}, {0, Real(17.9), 0}},
+             .seconds = 2,
+             .instants = {0, Real(0.5), 1, 2}});
+    e.variant("10 sweeps", Cold{}).with_exactly(10).expect("the top has sunk by", 0);
+    e.variant("100 sweeps", Cold{}).with_exactly(100).expect("the top has sunk by", 0);
+    e.variant("all at once", AtOnce{}).with_exactly(1).expect("the top has sunk by", 0);
+    e.series("the top has sunk by", "m", height_lost_by_top);
+    e.number("the top has sunk by", "m", [](const Run& run) { return height_lost_by_top(run.world); });
+
+    e.study([&e] {
+      const std::string upright = "set yrange [*:*] noreverse; set size noratio";  // after the patterns
+      const Real h = e.dt();
+      for (const auto& [name, fill] : {std::pair{"A of a stack of six", +[](World& world) { stack(world, 6); }},
+                                       std::pair{"A of a pyramid of five", +[](World& world) { pyramid(world, 5); }}}) {
+        const Snapshot snapshot(fill, h);
+        e.panel({.title = name,
+                 .x_label = "row",
+                 .y_label = "row",
+                 .curves = {pattern(matrix_of(snapshot.normals))},
+                 .extra = "set yrange [*:*] reverse; set size ratio -1; set pointsize 0.4"});
+      }
+      const Snapshot tall(twenty, h);
+      const ContactProblem problem = problem_of(tall.world.contacts);
+      e.panel(
+          {.title = "a stack of twenty, from nothing",
+           .x_label = "sweeps",
+           .y_label = "relative residual",
+           .log_x = true,
+           .log_y = true,
+           .curves = {convergence(problem, "pgs", "pyramid", 0), convergence(problem, "scaled-back", "scaled back", 1),
+                      convergence(problem, "cone", "cone", 2), convergence(problem, "nscg", "cone, conjugate", 3)},
+           .extra = upright});
+      const Solution best = solve_best(problem);
+      e.remark(fmt::format(
+          "a stack of twenty, all at once: a relative residual below 1e-12 {} after {} sweeps and {} linear systems",
+          best.residual < 1e-12 ? "is reached" : "is not reached", best.sweeps, best.systems));
+      for (const auto& [name, fill] : {std::pair{"a stack of twenty", &twenty}, std::pair{"a pyramid of ten", &ten},
+                                       std::pair{"a thousand times heavier on four", &heavy_on_stack}}) {
+        const Signs found = signs(Snapshot(fill, h), 30000);
+        e.panel(
+            {.title = std::string(name) + ", no friction",
+             .x_label = "sweeps",
+             .y_label = "relative to its full size",
+             .log_x = true,
+             .log_y = true,
+             .curves = {curve_of(found.correction, "corrective impulse", 0), curve_of(found.speed, "closing speed", 1),
+                        curve_of(found.error, "true error of a body's speed", 3)},
+             .extra = upright});
+        for (const auto& [sign, values] :
+             {std::pair{"corrective impulses", &found.correction}, std::pair{"closing speeds", &found.speed}}) {
+          const int at = first_below(*values, 1e-2);
+          if (at > 0)
+            e.remark(fmt::format("{}: {} fall below 1 % after {} sweeps, when a body's speed is wrong by {:.3g} %",
+                                 name, sign, at, 100 * found.error[static_cast<std::size_t>(at) - 1]));
+        }
+        e.remark(fmt::format("{}: after 10 sweeps a body's speed is wrong by {:.3g} %", name, 100 * found.error[9]));
+      }
+    });
+  });
+}

@@ -1,0 +1,29 @@
+/// A stack of twenty, whose sweeps begin from nothing.
+#pragma once
+
+#include "common/scene.h"
+
+namespace pushback {
+
+inline constexpr int boxes = 20;
+
+inline constexpr Real sunk_at_start = Real(0.001);  // m, each into the one below, so that all contacts are there
+
+/// A gate around it shows where it should stand, and how high.
+inline void stack_in_gate(World& world) {
+  const Real height = Real(boxes) + Real(0.16), thin = Real(0.05);
+  for (const int side : {-1, 1})
+    world.add(box({thin, height / 2, thin}, 1).fixed().at({static_cast<Real>(side), height / 2, 0}).coloured(6));
+  world.add(box({1 + thin, thin, thin}, 1).fixed().at({0, height + thin, 0}).coloured(6));
+  const int first = static_cast<int>(world.bodies.size()) + 1;  // after the ground
+  stack(world, boxes);
+  for (int i = 0; i < boxes; ++i)
+    world.bodies[static_cast<std::size_t>(first + i)].position.y() -= static_cast<Real>(i + 1) * sunk_at_start;
+}
+
+/// m, from where it began.
+inline Real height_lost_by_top(const World& world) {
+  return Real(boxes) * (1 - sunk_at_start) - Real(0.5) - world.bodies.back().position.y();
+}
+
+}  // namespace pushback

@@ -1,0 +1,111 @@
+/// What sweeps leave undone, and what they say of it themselves.
+#pragma once
+
+#include "chapters/13_global_solve/matrix.h"
+#include "chapters/13_global_solve/methods.h"
+#include "chapters/13_global_solve/pivoting.h"
+#include "common/plot.h"
+#include "common/scene.h"
+
+namespace pushback {
+
+/// The contacts of a scene as a step begins, and their normals as rows.
+struct Snapshot {
+  World world;
+  Rows normals;
+
+  template <class Fill>
+  Snapshot(Fill fill, Real h) {
+    fill(world);
+    world.apply_forces(h);
+    world.find_contacts();
+    for (std::size_t i = 0; i < world.contacts.size(); ++i)
+      normals.emplace_back(world.contacts[i], world.contacts[i].normal, static_cast<int>(i));
+  }
+};
+
+/// Where A is not 0.
+inline Curve pattern(const SparseRows& a) {
+  Curve curve{"", {}, {}, line_colour(0), Curve::Style::points};
+  for (Eigen::Index row = 0; row < a.rows(); ++row) {
+    for (SparseRows::InnerIterator it(a, row); it; ++it) {
+      if (it.value() == 0) continue;
+      curve.x.push_back(static_cast<Real>(it.col()));
+      curve.y.push_back(static_cast<Real>(row));
+    }
+  }
+  return curve;
+}
+
+/// The rounded 1, 1.3, 1.7, 2.2 ... up to `most`.
+inline std::vector<int> sweep_counts(int most) {
+  std::vector<int> counts;
+  for (double count = 1; count <= most; count *= 1.3)
+    if (counts.empty() || static_cast<int>(count) > counts.back()) counts.push_back(static_cast<int>(count));
+  return counts;
+}
+
+/// Residual against sweeps, from nothing.
+inline Curve convergence(const ContactProblem& problem, const std::string& method, const std::string& name,
+                         std::size_t colour) {
+  Curve curve{name, {}, {}, line_colour(colour), Curve::Style::line};
+  for (const int sweeps : sweep_counts(3000)) {
+    curve.x.push_back(static_cast<Real>(sweeps));
+    curve.y.push_back(static_cast<Real>(std::max(solve(problem, method, sweeps, 0).residual, 1e-17)));
+  }
+  return curve;
+}
+
+/// What can be asked after each sweep, and what one would like to know; each as a part of what it is at the start or the end.
+struct Signs {
+  std::vector<double> correction;  ///< largest corrective impulse of the sweep, of the largest impulse of the solution
+  std::vector<double> speed;       ///< largest speed that a contact still closes with, of the largest at the start
+  std::vector<double> error;  ///< largest speed that a body is still wrong by, of the largest it has to be changed by
+};
+
+/// Contacts without friction, solved at once by pivoting; and swept, `sweeps` times.
+inline Signs signs(const Snapshot& snapshot, int sweeps) {
+  const SparseRows a = matrix_of(snapshot.normals);
+  const Vector b = speeds_of(snapshot.normals);
+  const auto exact = solve_by_pivoting(a, b);
+  if (!exact) throw std::runtime_error("no solution was found by pivoting");
+  // What impulses change the heights of the bodies by is what is asked of them.
+  const auto change = [&](const Vector& impulses) {
+    Vector of_bodies = Vector::Zero(std::ssize(snapshot.world.bodies));
+    for (std::size_t i = 0; i < snapshot.normals.size(); ++i) {
+      const Row& row = snapshot.normals[i];
+      of_bodies[row.a->index] += impulses[static_cast<Eigen::Index>(i)] * static_cast<double>(row.dva.y());
+      of_bodies[row.b->index] += impulses[static_cast<Eigen::Index>(i)] * static_cast<double>(row.dvb.y());
+    }
+    return of_bodies;
+  };
+  const Vector wanted = change(exact->impulses);
+  Vector impulses = Vector::Zero(b.size());
+  Signs found;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    const Vector before = impulses;
+    for (Eigen::Index i = 0; i < b.size(); ++i) project(a, b, i, 0, 1e300, impulses);
+    found.correction.push_back((impulses - before).cwiseAbs().maxCoeff() / exact->impulses.maxCoeff());
+    found.speed.push_back(std::max(0.0, -(a * impulses + b).minCoeff()) / -b.minCoeff());
+    found.error.push_back((change(impulses) - wanted).cwiseAbs().maxCoeff() / wanted.cwiseAbs().maxCoeff());
+  }
+  return found;
+}
+
+/// The first sweep after which `values` is below `limit`; -1 where none is.
+inline int first_below(const std::vector<double>& values, double limit) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i] < limit) return static_cast<int>(i) + 1;
+  return -1;
+}
+
+inline Curve curve_of(const std::vector<double>& values, const std::string& name, std::size_t colour) {
+  Curve curve{name, {}, {}, line_colour(colour), Curve::Style::line};
+  for (const int sweep : sweep_counts(static_cast<int>(values.size()))) {
+    curve.x.push_back(static_cast<Real>(sweep));
+    curve.y.push_back(static_cast<Real>(std::max(values[static_cast<std::size_t>(sweep) - 1], 1e-12)));
+  }
+  return curve;
+}
+
+}  // namespace pushback
