@@ -1,8 +1,8 @@
-/// Sweeps over a contact problem, contact by contact: what chapters 06 and 08 do to rows, written for W.
+/// Sweeps over a contact problem: what chapters 06 and 08 do to rows, written for W.
 ///
-/// A sweep gives each contact in turn new impulses, as if it were alone. First the normal,
+/// A sweep gives each contact in turn new impulses, as if it were alone. First all normals,
 ///
-///   r_n <- max(0, r_n - u_n / W_nn),     then the tangents, with u_t as the normal has left it, within mu r_n
+///   r_n <- max(0, r_n - u_n / W_nn),     then all tangents, with u_t as the others have left it, within mu r_n
 ///
 /// The three differ in what they do with the tangents only.
 #pragma once
@@ -70,18 +70,19 @@ class Sweeper {
   }
   void sweep(Vector& r) const {
     for (Eigen::Index c = 0; c < problem_.contacts(); ++c) {
-      const ContactBlock& at = blocks_[static_cast<std::size_t>(c)];
-      if (at.w(0, 0) <= 0) continue;
-      const double u_n = speed(3 * c, r), total = std::max(0.0, r[3 * c] - u_n / at.w(0, 0));
-      r[3 * c] = total;
+      const double own = block(c).w(0, 0);
+      if (own > 0) r[3 * c] = std::max(0.0, r[3 * c] - speed(3 * c, r) / own);
+    }
+    for (Eigen::Index c = 0; c < problem_.contacts(); ++c) {
       const Eigen::Vector2d u(speed(3 * c + 1, r), speed(3 * c + 2, r));
       Eigen::Vector2d tangents = r.segment<2>(3 * c + 1);
-      TangentStep::step(at, problem_.mu[c] * total, u, tangents);
+      TangentStep::step(block(c), problem_.mu[c] * r[3 * c], u, tangents);
       r.segment<2>(3 * c + 1) = tangents;
     }
   }
 
  private:
+  const ContactBlock& block(Eigen::Index c) const { return blocks_[static_cast<std::size_t>(c)]; }
   /// One row of W r + q.
   double speed(Eigen::Index row, const Vector& r) const {
     double u = problem_.q[row];
