@@ -13,7 +13,8 @@ Solution swept(const ContactProblem& problem, Sweep sweep, int sweeps, double to
   solution.residual = relative_residual(problem, solution.r);
   while (solution.sweeps < sweeps && solution.residual > tolerance) {
     sweep(solution.r);
-    if (++solution.sweeps % 10 == 0 || solution.sweeps == sweeps)
+    ++solution.sweeps;
+    if (solution.sweeps % 10 == 0 || solution.sweeps == sweeps)
       solution.residual = relative_residual(problem, solution.r);
   }
   return solution;

@@ -15,10 +15,10 @@ inline void stack_in_gate(World& world) {
   for (const int side : {-1, 1})
     world.add(box({thin, height / 2, thin}, 1).fixed().at({static_cast<Real>(side), height / 2, 0}).coloured(6));
   world.add(box({1 + thin, thin, thin}, 1).fixed().at({0, height + thin, 0}).coloured(6));
-  const int first = static_cast<int>(world.bodies.size()) + 1;  // after the ground
+  const std::size_t first = world.bodies.size() + 1;  // after the ground
   stack(world, boxes);
-  for (int i = 0; i < boxes; ++i)
-    world.bodies[static_cast<std::size_t>(first + i)].position.y() -= static_cast<Real>(i + 1) * sunk_at_start;
+  for (std::size_t i = first; i < world.bodies.size(); ++i)
+    world.bodies[i].position.y() -= static_cast<Real>(i - first + 1) * sunk_at_start;
 }
 
 /// m, from where it began.
