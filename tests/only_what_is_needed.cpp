@@ -5,16 +5,15 @@
 #include <map>
 
 #include "chapters/00_naive_impulses/naive.h"
-#include "chapters/12_small_steps/steady_solver.h"
 #include "chapters/15_only_what_is_needed/dispatch.h"
 #include "chapters/15_only_what_is_needed/everything.h"
-#include "chapters/15_only_what_is_needed/scenes.h"
 #include "common/forces.h"
 #include "common/measure.h"
 #include "tests/catch.h"
 #include "tests/complaint.h"
 #include "tests/hard_cases/random_scene.h"
 #include "tests/random.h"
+#include "tests/with_joints.h"
 
 using namespace pushback;
 
@@ -28,7 +27,7 @@ bool same_bits(const Vec3& p, const Vec3& q) {
 
 /// Bodies, and what the solver says of the contacts.
 bool same_bits(const World& p, const World& q) {
-  if (hash_of(p) != hash_of(q) || p.contacts.size() != q.contacts.size()) return false;
+  if (hash_of(p) != hash_of(q) || p.time != q.time || p.contacts.size() != q.contacts.size()) return false;
   for (std::size_t i = 0; i < p.contacts.size(); ++i) {
     const Contact &a = p.contacts[i], &b = q.contacts[i];
     if (a.id != b.id || a.state != b.state || !same_bits(a.impulse, b.impulse)) return false;
@@ -64,11 +63,11 @@ int first_difference(const World& start, const Full& full, const Sweeping& how) 
 template <class... Questions>
 std::string yes_to(const World& world, CalledFor<Questions...>) {
   std::string letters;
-  ((letters += Questions::in(world).yes ? "TBRGF"[letters.size()] : '-'), ...);
+  ((letters += Questions::in(world).yes ? "TBRGFJ"[letters.size()] : '-'), ...);
   return letters;
 }
 
-/// Random scenes nearly always call for everything. By the bits of the seed: no e, no mu, even inertia, something that pulls.
+/// Random scenes nearly always call for everything. By the bits of the seed: no e, no mu, even inertia, something that pulls, a joint.
 RandomScene varied_scene(std::uint64_t seed) {
   RandomScene scene = random_scene(seed);
   for (Body& body : scene.world.bodies) {
@@ -84,6 +83,10 @@ RandomScene varied_scene(std::uint64_t seed) {
     scene.world.forces.push_back(drag(0, mass / 8));
   } else if (seed & 8) {
     scene.world.bodies.back().force = {1, 2, 3};
+  }
+  if (seed & 16 && first.movable()) {
+    const int other = scene.world.bodies.size() == 1 ? the_world : int(scene.world.bodies.size()) - 1;
+    scene.world.joints = {ball_and_socket(scene.world, 0, other, first.position + Vec3(0, 1, 0))};
   }
   return scene;
 }
@@ -101,7 +104,7 @@ std::map<std::string, int> play_seeds(std::uint64_t first, std::uint64_t last, i
   return occurred;
 }
 
-/// Those that there can be: without contacts, e and mu matter to nobody.
+/// Those that there can be, with joints or without: without contacts, e and mu matter to nobody.
 const std::vector<std::string> combinations{"T----", "T---F", "T--G-", "T--GF", "T-R--", "T-R-F", "T-RG-",
                                             "T-RGF", "TB---", "TB--F", "TB-G-", "TB-GF", "TBR--", "TBR-F",
                                             "TBRG-", "TBRGF", "-----", "----F", "---G-", "---GF"};
@@ -127,57 +130,64 @@ static_assert(std::same_as<Only<SteadySolver, CalledFor<Touching, Bouncing>>,
 static_assert(std::same_as<Only<SteadySolver, CalledFor<Touching, Rubbing>>,
                            Solver<Clamping, SoftContacts, FrictionCone, ScaledWarmStart>>);
 static_assert(std::same_as<Only<Solver<Clamping, ImpactsInTurn>, CalledFor<Touching>>, Solver<Clamping>>);
+static_assert(std::same_as<Only<JointedSolver, EveryQuestion>, JointedSolver>);
+static_assert(std::same_as<Only<JointedSolver, CalledFor<Touching, Bouncing, Rubbing>>, FullSolver>);
+static_assert(std::same_as<Only<JointedSolver, CalledFor<Holding>>, Solver<WarmJoints>>);
+static_assert(std::same_as<Only<Solver<Joints, Clamping>, CalledFor<Touching, Holding>>, Solver<Joints, Clamping>>);
+static_assert(std::same_as<Only<SteadyJointedSolver, CalledFor<Holding>>, Solver<WarmJoints, SoftContacts>>);
 static_assert(std::same_as<Only<NaiveAveraged, CalledFor<>>, NaiveAveraged>);
 
 // ---- the same bits -------------------------------------------------------------------------------------------------------
 
 TEST_CASE("every scene moves in the same bits as with the full solver") {
-  for (const NamedScene& scene : all_scenes()) {
+  for (const NamedScene& scene : all_scenes_and_joints()) {
     INFO(scene.name);
     World world;
     scene.fill(world);
-    CHECK(first_difference(world, FullSolver{}, {}) == -1);
+    CHECK(first_difference(world, JointedSolver{}, {}) == -1);
   }
 }
 
 TEST_CASE("the same bits as with tangent rows everywhere, rubbing or not") {
-  for (const NamedScene& scene : all_scenes()) {
+  for (const NamedScene& scene : all_scenes_and_joints()) {
     INFO(scene.name);
     World world;
     scene.fill(world);
-    CHECK(first_difference(world, FullSolver{}, {}, Everything{}) == -1);
+    CHECK(first_difference(world, JointedSolver{}, {}, Everything{}) == -1);
   }
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     const RandomScene scene = varied_scene(seed);
     INFO("seed " << seed);
-    CHECK(first_difference(scene.world, FullSolver{}, {scene.dt, 60, 10}, Everything{}) == -1);
+    CHECK(first_difference(scene.world, JointedSolver{}, {scene.dt, 60, 10}, Everything{}) == -1);
   }
 }
 
 TEST_CASE("every scene moves in the same bits as with the steady solver") {
-  for (const NamedScene& scene : all_scenes()) {
+  for (const NamedScene& scene : all_scenes_and_joints()) {
     INFO(scene.name);
     World world;
     scene.fill(world);
-    CHECK(first_difference(world, SteadySolver{}, {h / 32, 320, 1}) == -1);
+    CHECK(first_difference(world, SteadyJointedSolver{}, {h / 32, 320, 1}) == -1);
   }
 }
 
 TEST_CASE("random scenes move in the same bits, whatever they call for") {
-  const auto occurred = play_seeds<FullSolver>(1, 2000, 60, 1, 10);
-  CHECK(occurred.size() == combinations.size());
-  for (const std::string& combination : combinations) {
-    INFO(combination);
-    REQUIRE(occurred.contains(combination));
-    CHECK(occurred.at(combination) >= 10);
+  const auto occurred = play_seeds<JointedSolver>(1, 2000, 60, 1, 10);
+  CHECK(occurred.size() == 2 * combinations.size());
+  for (const std::string& without : combinations) {
+    for (const std::string& combination : {without + '-', without + 'J'}) {
+      INFO(combination);
+      REQUIRE(occurred.contains(combination));
+      CHECK(occurred.at(combination) >= 10);
+    }
   }
 }
 TEST_CASE("random scenes move in the same bits in small steps") {
-  play_seeds<SteadySolver>(1, 160, 64, 32, 1);
+  play_seeds<SteadyJointedSolver>(1, 160, 64, 32, 1);
 }
 TEST_CASE("more random scenes", "[long]") {
-  play_seeds<FullSolver>(2001, 20000, 120, 1, 10);
-  play_seeds<SteadySolver>(161, 3200, 320, 32, 1);
+  play_seeds<JointedSolver>(2001, 20000, 120, 1, 10);
+  play_seeds<SteadyJointedSolver>(161, 3200, 320, 32, 1);
 }
 
 TEST_CASE("a zero with a minus sign stays as it would") {
@@ -247,7 +257,7 @@ TEST_CASE("each question has its answers, and says because of whom") {
   std::string names;
   for (const NamedAnswer& line : effects_of(world))
     names += fmt::format("{}: {}; ", line.name, line.answer.yes ? "yes" : "no");
-  CHECK(names == "contacts: no; restitution: no; friction: no; gyroscopic term: no; applied forces: yes; ");
+  CHECK(names == "contacts: no; restitution: no; friction: no; gyroscopic term: no; applied forces: yes; joints: no; ");
 }
 
 TEST_CASE("the pair that is named is the one with the largest e or mu of all that can touch") {
@@ -365,7 +375,7 @@ TEST_CASE("settings and memory outlive each change of the scene, to the bit") {
     }
   };
   change_and_go_on("as it is", [](World&) {}, false);
-  CHECK(letters == "T----");
+  CHECK(letters == "T-----");
   change_and_go_on(
       "the ground becomes rough, and two boxes",
       [](World& world) { world.bodies[0].rough(1), world.bodies[1].rough(1), world.bodies[2].rough(Real(0.3)); }, true);
@@ -380,7 +390,7 @@ TEST_CASE("settings and memory outlive each change of the scene, to the bit") {
       "a plank", [](World& world) { world.add(box({2, Real(0.1), Real(0.3)}, 5).at({0, 5, 0}).spinning({1, 1, 1})); },
       false);
   change_and_go_on("a spring", [](World& world) { world.forces.push_back(spring(2, {1, 4, 0}, 20)); }, false);
-  CHECK(letters == "TBRGF");
+  CHECK(letters == "TBRGF-");
   change_and_go_on(
       "all smooth",
       [](World& world) {
@@ -394,14 +404,14 @@ TEST_CASE("settings and memory outlive each change of the scene, to the bit") {
         world.forces.clear();
       },
       true);
-  CHECK(letters == "T--G-");
+  CHECK(letters == "T--G--");
   change_and_go_on(
       "and rough again",
       [](World& world) {
         for (Body& body : world.bodies) body.rough(1);
       },
       true);
-  CHECK(letters == "T-RG-");
+  CHECK(letters == "T-RG--");
 }
 
 TEST_CASE("who comes back is not taken for who was there") {

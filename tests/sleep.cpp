@@ -3,15 +3,14 @@
 
 #include <memory>
 
-#include "chapters/12_small_steps/steady_solver.h"
 #include "chapters/15_only_what_is_needed/dispatch.h"
-#include "chapters/15_only_what_is_needed/scenes.h"
 #include "common/forces.h"
 #include "common/measure.h"
 #include "tests/catch.h"
 #include "tests/complaint.h"
 #include "tests/hard_cases/random_scene.h"
 #include "tests/random.h"
+#include "tests/with_joints.h"
 
 using namespace pushback;
 
@@ -438,11 +437,11 @@ Seen compare(const World& start, const Full& its_solver, Real seconds, Real dt, 
 
 TEST_CASE("whoever sleeps is where it would be without, within the slop; until the first sleeps, to the bit") {
   int at_rest = 0;
-  for (const NamedScene& scene : all_scenes()) {
+  for (const NamedScene& scene : all_scenes_and_joints()) {
     INFO(scene.name);
     World world;
     scene.fill(world);
-    const Seen seen = compare(world, FullSolver{}, 20, h, 10);
+    const Seen seen = compare(world, JointedSolver{}, 20, h, 10);
     CHECK(seen.farthest <= visible);
     at_rest += seen.all_sleep ? 1 : 0;
   }
@@ -450,12 +449,12 @@ TEST_CASE("whoever sleeps is where it would be without, within the slop; until t
 }
 
 TEST_CASE("the same in small steps") {
-  for (const NamedScene& scene : all_scenes()) {
+  for (const NamedScene& scene : all_scenes_and_joints()) {
     World world;
     scene.fill(world);
     if (world.bodies.size() > 7) continue;
     INFO(scene.name);
-    const Seen seen = compare(world, SteadySolver{}, 10, h / 32, 1);
+    const Seen seen = compare(world, SteadyJointedSolver{}, 10, h / 32, 1);
     CHECK(seen.farthest <= visible);
   }
 }
@@ -500,14 +499,14 @@ TEST_CASE("random heaps: a sleeper stays to the bit, knows its island, and touch
 }
 
 TEST_CASE("with a time to fall asleep that nobody reaches, every scene moves in the bits of World::step") {
-  for (const NamedScene& scene : all_scenes()) {
+  for (const NamedScene& scene : all_scenes_and_joints()) {
     INFO(scene.name);
     World world;
     scene.fill(world);
     World whole = world;
     Sleep never;
     never.seconds = 1000;
-    FullSolver full;
+    JointedSolver full;
     OnlyWhatIsNeeded solver(world, full, never);
     for (int i = 0; i < 300; ++i) {
       whole.step(full, h);

@@ -8,6 +8,10 @@ namespace pushback {
 
 /// In the place of Joints. A joint asks for as many equations in every step: the n-th is known by its place.
 struct WarmJoints : Joints {
+  void hold(World& world, Real dt) {
+    memory_.resize(world.joints.size());  // who comes back is not taken for who was there
+    Joints::hold(world, dt);
+  }
   void build(const Contacts&, Rows&, Real dt) {
     scale_ = last_dt_ > 0 ? dt / last_dt_ : 0;
     last_dt_ = dt;
@@ -23,8 +27,10 @@ struct WarmJoints : Joints {
       impulses_of(row).push_back(row.impulse);
     });
   }
-  /// After a teleport, or when joints were exchanged.
-  void forget_joints() { memory_.clear(); }
+  /// After a teleport, or when joints were exchanged for as many others.
+  void forget_joints() {
+    for (std::vector<Real>& impulses : memory_) impulses.clear();
+  }
 
  private:
   /// `use(row, n)`: the n-th of its joint, from 0.
@@ -38,11 +44,7 @@ struct WarmJoints : Joints {
       use(row, n);
     }
   }
-  std::vector<Real>& impulses_of(const Row& row) {
-    const auto joint = static_cast<std::size_t>(row.contact);
-    if (joint >= memory_.size()) memory_.resize(joint + 1);
-    return memory_[joint];
-  }
+  std::vector<Real>& impulses_of(const Row& row) { return memory_[static_cast<std::size_t>(row.contact)]; }
 
   std::vector<std::vector<Real>> memory_;  // by joint, N s
   Real scale_ = 0, last_dt_ = 0;

@@ -31,27 +31,32 @@ class FittingSolver {
   }
   ~FittingSolver() = default;
 
-  /// The scene is another one now. Settings stay, and so does the memory of what is still called for.
+  /// The scene is another one now. Settings stay, and so does the memory of what is still called for. Throws InvalidInput if
+  /// it has joints and the solver holds none; then nothing has changed.
   void fit(const World& world) { holder_ = holder_->fitting(world); }
 
+  void hold(World& world, Real dt) { holder_->hold(world, dt); }
   void solve(Contacts& contacts, Real dt, int sweeps) { holder_->solve(contacts, dt, sweeps); }
   void relax(Contacts& contacts) { holder_->relax(contacts); }
   void correct() { holder_->correct(); }
   void remember(const Contacts& contacts) { holder_->remember(contacts); }
   void forget() { holder_->forget(); }
   const Rows& rows() const { return holder_->rows(); }
+  const Rows& joint_rows() const { return holder_->joint_rows(); }
 
  private:
   struct AnyHolder {
     virtual ~AnyHolder() = default;
     virtual std::unique_ptr<AnyHolder> copy() const = 0;
     virtual std::unique_ptr<AnyHolder> fitting(const World& world) const = 0;
+    virtual void hold(World& world, Real dt) = 0;
     virtual void solve(Contacts& contacts, Real dt, int sweeps) = 0;
     virtual void relax(Contacts& contacts) = 0;
     virtual void correct() = 0;
     virtual void remember(const Contacts& contacts) = 0;
     virtual void forget() = 0;
     virtual const Rows& rows() const = 0;
+    virtual const Rows& joint_rows() const = 0;
   };
   template <class Full, class ContactSolver>
   struct Holder final : AnyHolder {
@@ -60,7 +65,14 @@ class FittingSolver {
     std::unique_ptr<AnyHolder> fitting(const World& world) const override {
       Full whole = full;
       put_back(solver, whole);
+      if constexpr (requires { whole.forget_joints(); }) {
+        if (world.joints.empty()) whole.forget_joints();
+      }
       return holder_for(world, whole);
+    }
+    void hold(World& world, Real dt) override {
+      if constexpr (JointSolver<ContactSolver>) solver.hold(world, dt);
+      else check_no_joints(world.joints);
     }
     void solve(Contacts& contacts, Real dt, int sweeps) override { solver.solve(contacts, dt, sweeps); }
     void relax(Contacts& contacts) override {
@@ -77,9 +89,16 @@ class FittingSolver {
       if constexpr (requires { full.forget(); }) full.forget();
     }
     const Rows& rows() const override {
-      static const Rows none;
       if constexpr (requires { solver.rows(); }) return solver.rows();
-      else return none;
+      else return none();
+    }
+    const Rows& joint_rows() const override {
+      if constexpr (requires { solver.joint_rows(); }) return solver.joint_rows();
+      else return none();
+    }
+    static const Rows& none() {
+      static const Rows nothing;
+      return nothing;
     }
     Full full;  // for the settings of what is left out
     ContactSolver solver;
@@ -87,20 +106,21 @@ class FittingSolver {
 
   template <class Full>
   static std::unique_ptr<AnyHolder> holder_for(const World& world, const Full& full) {
+    if constexpr (!JointSolver<Full>) check_no_joints(world.joints);
     std::unique_ptr<AnyHolder> chosen;
     const auto choose = [&](auto called) {
       using Fitting = Only<Full, decltype(called)>;
       chosen = std::make_unique<Holder<Full, Fitting>>(full, only<decltype(called)>(full));
     };
-    with_answers(world, choose, CalledFor<Touching, Bouncing, Rubbing>{}, CalledFor<>{});
+    with_answers(world, choose, CalledFor<Touching, Bouncing, Rubbing, Holding>{}, CalledFor<>{});
     return chosen;
   }
 
   std::unique_ptr<AnyHolder> holder_;
 };
 
-/// World::step with what the scene calls for; with a Sleep, for those awake. It reads the scene again when bodies or forces
-/// have been added or taken away. Whoever makes a body that is there already rough, bouncy or uneven, or puts a force on it
+/// World::step with what the scene calls for; with a Sleep, for those awake. It reads the scene again when bodies, forces
+/// or joints have been added or taken away. Whoever makes a body that is there already rough, bouncy or uneven, or puts a force on it
 /// by hand, has to call `fit`.
 class OnlyWhatIsNeeded {
  public:
@@ -116,25 +136,29 @@ class OnlyWhatIsNeeded {
     choose_step(world);
   }
   void step(World& world, Real dt, int sweeps = 10) {
-    if (world.bodies.size() != bodies_ || world.forces.size() != forces_) fit(world);
+    const bool as_it_was =
+        world.bodies.size() == bodies_ && world.forces.size() == forces_ && world.joints.size() == joints_;
+    if (!as_it_was) fit(world);
     if (sleep) step_awake_(world, solver_, *sleep, dt, sweeps);
     else step_all_(world, solver_, dt, sweeps);
   }
   const Rows& rows() const { return solver_.rows(); }
+  const Rows& joint_rows() const { return solver_.joint_rows(); }
 
  private:
   void choose_step(const World& world) {
-    bodies_ = world.bodies.size();
-    forces_ = world.forces.size();
     const auto choose = [this](auto called) {
       step_all_ = step_only<decltype(called), FittingSolver>;
       step_awake_ = step_awake<decltype(called), FittingSolver>;
     };
     with_answers(world, choose, EveryQuestion{}, CalledFor<>{});
+    bodies_ = world.bodies.size();
+    forces_ = world.forces.size();
+    joints_ = world.joints.size();
   }
 
   FittingSolver solver_;
-  std::size_t bodies_ = 0, forces_ = 0;
+  std::size_t bodies_ = 0, forces_ = 0, joints_ = 0;
   void (*step_all_)(World&, FittingSolver&, Real, int) = nullptr;
   void (*step_awake_)(World&, FittingSolver&, Sleep&, Real, int) = nullptr;
 };

@@ -1,7 +1,7 @@
 /// What a solver costs that does everything everywhere; to be compared.
 #pragma once
 
-#include "chapters/07_warm_start/warm_start.h"
+#include "chapters/09_joints/warm_joints.h"
 
 namespace pushback {
 
@@ -27,6 +27,6 @@ struct FrictionEverywhere : Friction {
   }
 };
 
-using Everything = Solver<Clamping, Baumgarte, Slop, Restitution, FrictionEverywhere, WarmStart>;
+using Everything = Solver<WarmJoints, Clamping, Baumgarte, Slop, Restitution, FrictionEverywhere, WarmStart>;
 
 }  // namespace pushback

@@ -1,4 +1,5 @@
-/// Who can feel whom: bodies that touch, and those that touch them, and so on; but not through what nothing moves.
+/// Who can feel whom: bodies that touch or are joined, and those that these touch, and so on; but not through what nothing
+/// moves.
 #pragma once
 
 #include <numeric>
@@ -25,6 +26,12 @@ class Islands {
   void join(const Contacts& contacts) {
     for (const Contact& contact : contacts) {
       if (contact.a->movable() && contact.b->movable()) join(contact.a->index, contact.b->index);
+    }
+  }
+  /// And so is what is joined.
+  void join(const std::vector<Joint>& joints, const World& world) {
+    for (const Joint& joint : joints) {
+      if (body_of(world, joint.a).movable() && body_of(world, joint.b).movable()) join(joint.a, joint.b);
     }
   }
   /// The lowest index in the island of this body.

@@ -37,6 +37,7 @@ struct ColouredByIsland {
     }
     islands.separate(movable, world.bodies.size());
     islands.join(world.contacts);
+    islands.join(world.joints, world);
     for (const int i : movable) world.bodies[std::size_t(i)].colour = colours[std::size_t(islands.island_of(i))];
   }
   const Rows& rows() const { return solver.rows(); }

@@ -4,26 +4,41 @@
 #include "chapters/05_restitution/from_surface.h"
 #include "chapters/05_restitution/in_turn.h"
 #include "chapters/06_friction/friction.h"
+#include "chapters/09_joints/joints.h"
 #include "chapters/15_only_what_is_needed/questions.h"
 
 namespace pushback {
 
 // ---- without a yes to its question, an effect would do nothing ---------------------------------------------------------
 
+/// Yes to one of these is enough.
 template <class E>
 struct DependsOn {
-  using question = Touching;
+  using questions = CalledFor<Touching>;
+};
+template <RelaxingEffect E>
+struct DependsOn<E> {
+  using questions = CalledFor<Touching, Holding>;  // joints are relaxed as well
+};
+template <std::derived_from<Joints> E>
+struct DependsOn<E> {
+  using questions = CalledFor<Holding>;
 };
 template <std::derived_from<Friction> E>
 struct DependsOn<E> {
-  using question = Rubbing;
+  using questions = CalledFor<Rubbing>;
 };
 template <class E>
   requires std::derived_from<E, Restitution> || std::derived_from<E, RestitutionFromSurface> ||
            std::derived_from<E, ImpactsInTurn>
 struct DependsOn<E> {
-  using question = Bouncing;
+  using questions = CalledFor<Bouncing>;
 };
+
+template <class Called, class... Questions>
+constexpr bool has_one_of(CalledFor<Questions...>) {
+  return (Called::template has<Questions> || ...);
+}
 
 // ---- Only<FullSolver, CalledFor<Touching, Bouncing>> is FullSolver without Friction ----------------------------------------
 
@@ -33,7 +48,7 @@ struct Keep {
 };
 template <class Called, class... Kept, class E, class... Rest>
 struct Keep<Called, Solver<Kept...>, E, Rest...> {
-  static constexpr bool needed = Called::template has<typename DependsOn<E>::question>;
+  static constexpr bool needed = has_one_of<Called>(typename DependsOn<E>::questions{});
   using with = std::conditional_t<needed, Solver<Kept..., E>, Solver<Kept...>>;
   using type = typename Keep<Called, with, Rest...>::type;
 };
@@ -100,15 +115,28 @@ struct Motion {
   }
 };
 
-/// What touches is solved. Where nothing can, nothing is left of what touched before: no contacts, and no memory of them.
+/// Is there anything to be solved?
+template <class Called>
+inline constexpr bool solving = has_one_of<Called>(CalledFor<Touching, Holding>{});
+
+/// What touches or is joined is solved. Where nothing can touch, nothing is left of what did before: no contacts, and no
+/// memory of them.
 template <class Called, class ContactSolver>
 void solve_only(World& world, ContactSolver& solver, Real dt, int sweeps) {
-  if constexpr (Called::template has<Touching>) {
-    solver.solve(world.contacts, dt, sweeps);
-  } else {
+  if constexpr (!Called::template has<Touching>) {
     world.contacts.clear();
     if constexpr (requires { solver.forget(); }) solver.forget();
   }
+  if constexpr (Called::template has<Holding> && JointSolver<ContactSolver>) solver.hold(world, dt);
+  if constexpr (solving<Called>) solver.solve(world.contacts, dt, sweeps);
+}
+
+/// Time, and where a solver has something to do after the bodies have moved, that.
+template <class Called, class ContactSolver>
+void end_step(World& world, ContactSolver& solver, Real dt) {
+  world.time += dt;
+  if constexpr (solving<Called> && requires { solver.relax(world.contacts); }) solver.relax(world.contacts);
+  if constexpr (solving<Called> && requires { solver.correct(); }) solver.correct();
 }
 
 /// World::step of what is called for. `ContactSolver`: see World::step.
@@ -116,6 +144,7 @@ template <class Called, class ContactSolver>
 void step_only(World& world, ContactSolver& solver, Real dt, int sweeps = 10) {
   check_step(dt, sweeps, world.gravity);
   for (const Body& body : world.bodies) check_state(body);
+  if constexpr (!JointSolver<ContactSolver>) check_no_joints(world.joints);
   for (Body& body : world.bodies) Motion<Called>::begin(body);
   if constexpr (Called::template has<Pulling>) {
     for (const Force& force : world.forces) force.apply(world);
@@ -124,10 +153,7 @@ void step_only(World& world, ContactSolver& solver, Real dt, int sweeps = 10) {
   if constexpr (Called::template has<Touching>) world.find_contacts();
   solve_only<Called>(world, solver, dt, sweeps);
   for (Body& body : world.bodies) Motion<Called>::move(body, dt);
-  if constexpr (Called::template has<Touching> && requires { solver.relax(world.contacts); }) {
-    solver.relax(world.contacts);
-  }
-  if constexpr (Called::template has<Touching> && requires { solver.correct(); }) solver.correct();
+  end_step<Called>(world, solver, dt);
 }
 
 }  // namespace pushback

@@ -49,6 +49,16 @@ Answer Touching::in(const World& world) {
                                           [](const Body& body) { return body.movable(); }))};
 }
 
+Answer Holding::in(const World& world) {
+  for (const Joint& joint : world.joints) check_bodies_of(joint, world);
+  if (world.joints.empty()) return {false, "nothing is joined"};
+  const Joint& first = world.joints.front();
+  const auto name = [&world](int i) { return i == the_world ? "the world" : name_of(world.bodies[std::size_t(i)]); };
+  const std::string it = fmt::format("{} between {} and {}", first.name, name(first.a), name(first.b));
+  const std::size_t more = world.joints.size() - 1;
+  return {true, more == 0 ? it : fmt::format("{}, and {} more", it, more)};
+}
+
 Answer Bouncing::in(const World& world) {
   return strongest_pair(
       world, &Body::restitution, "e", [](Real p, Real q) { return std::max(p, q); },
@@ -72,6 +82,14 @@ void check_bodies_of(const Force& force, const World& world) {
     if (i >= 0 && std::size_t(i) < world.bodies.size()) continue;
     throw InvalidInput(
         fmt::format("{} acts on body {}: of {} bodies, the first is 0", force.name, i, world.bodies.size()));
+  }
+}
+
+void check_bodies_of(const Joint& joint, const World& world) {
+  for (const int i : {joint.a, joint.b}) {
+    if (i == the_world || (i >= 0 && std::size_t(i) < world.bodies.size())) continue;
+    throw InvalidInput(
+        fmt::format("{} holds body {}: of {} bodies, the first is 0", joint.name, i, world.bodies.size()));
   }
 }
 

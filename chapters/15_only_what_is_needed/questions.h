@@ -21,6 +21,11 @@ struct Touching {
   static constexpr const char* name = "contacts";
   static Answer in(const World& world);
 };
+/// Does a joint hold something? Throws as check_bodies_of.
+struct Holding {
+  static constexpr const char* name = "joints";
+  static Answer in(const World& world);
+};
 /// Does a pair that can touch have e > 0?
 struct Bouncing {
   static constexpr const char* name = "restitution";
@@ -42,8 +47,9 @@ struct Pulling {
   static Answer in(const World& world);
 };
 
-/// Throws InvalidInput if a force acts on a body that is not there.
+/// Throws InvalidInput if a force acts on a body that is not there, or a joint holds one.
 void check_bodies_of(const Force& force, const World& world);
+void check_bodies_of(const Joint& joint, const World& world);
 
 /// Those to which the answer is yes.
 template <class... Questions>
@@ -52,7 +58,7 @@ struct CalledFor {
   static constexpr bool has = (std::is_same_v<Question, Questions> || ...);
 };
 
-using EveryQuestion = CalledFor<Touching, Bouncing, Rubbing, Tumbling, Pulling>;
+using EveryQuestion = CalledFor<Touching, Bouncing, Rubbing, Tumbling, Pulling, Holding>;
 
 /// A line of the table that ./course effects prints.
 struct NamedAnswer {

@@ -26,6 +26,12 @@ Real reach_of(Body body) {
   return (bounds.high - body.position).cwiseMax(body.position - bounds.low).norm();
 }
 
+/// Who is held by it cannot rest: it asks for a motion, or goes away with what it is fixed to.
+bool moves(const Joint& joint, const World& world) {
+  const auto carried_by = [&world](int i) { return !body_of(world, i).movable() && moves(body_of(world, i)); };
+  return joint.driven || carried_by(joint.a) || carried_by(joint.b);
+}
+
 bool acts_on_all(const Force& force) {
   return force.bodies.empty();
 }
@@ -54,12 +60,15 @@ void Sleep::look(World& world) {
     for (const int i : *which) check_state(world.bodies[std::size_t(i)]);
   }
   for (const Force& force : world.forces) check_bodies_of(force, world);
+  for (const Joint& joint : world.joints) check_bodies_of(joint, world);
 
   const bool plane_moves = std::any_of(planes_.begin(), planes_.end(), driven);
   nobody_may_sleep_ = plane_moves || std::any_of(world.forces.begin(), world.forces.end(), acts_on_all);
-  if (nobody_may_sleep_ || world.gravity != gravity_ || world.forces.size() != forces_) wake_all(world);
+  const bool other_pulls = world.gravity != gravity_ || world.forces.size() != forces_;
+  if (nobody_may_sleep_ || other_pulls || world.joints.size() != joints_) wake_all(world);
   gravity_ = world.gravity;
   forces_ = world.forces.size();
+  joints_ = world.joints.size();
 }
 
 void Sleep::feel_forces(World& world) {
@@ -75,8 +84,18 @@ void Sleep::feel_forces(World& world) {
   }
 }
 
+void Sleep::feel_joints(World& world) {
+  for (const Joint& joint : world.joints) {
+    if (!moves(joint, world)) continue;
+    for (const int i : {joint.a, joint.b}) {
+      if (body_of(world, i).asleep) wake_island(world, rest(i).island);
+    }
+  }
+}
+
 void Sleep::find_contacts(World& world) {
   feel_forces(world);
+  feel_joints(world);
   while (someone_touched(world)) continue;  // who wakes may touch others
   for (const Force& force : world.forces) {
     for (const int i : force.bodies) {
@@ -102,7 +121,9 @@ bool Sleep::someone_touched(World& world) {
   }
   std::sort(pairs.begin(), pairs.end());
   world.contacts.clear();
+  const JoinedPairs joined(world.joints);
   for (const auto& [first, second] : pairs) {
+    if (joined.contain(first, second)) continue;
     collide(world.bodies[std::size_t(first)], world.bodies[std::size_t(second)], world.contacts);
   }
   for (const int i : planes_) {  // moved like the driven ones; whom they touch is awake already
@@ -150,6 +171,12 @@ void Sleep::wake(World& world, int body) {
   }
   if (std::size_t(body) >= rest_.size()) return;  // new since the latest step: awake
   const auto id = static_cast<std::uint32_t>(body);
+  for (const Joint& joint : world.joints) {
+    check_bodies_of(joint, world);
+    for (const auto& [one, other] : {std::pair(joint.a, joint.b), std::pair(joint.b, joint.a)}) {
+      if (one == body && body_of(world, other).asleep) wake_island(world, rest(other).island);
+    }
+  }
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     const Island& island = islands_[i];
     const bool touched = std::any_of(island.contacts.begin(), island.contacts.end(), [id](const Contact& contact) {
@@ -182,6 +209,7 @@ void Sleep::settle(World& world, Real dt) {
 
   touching_.separate(awake_, world.bodies.size());
   touching_.join(world.contacts);
+  touching_.join(world.joints, world);
   for (const Force& force : world.forces) {
     int other = -1;
     for (const int i : force.bodies) {
@@ -193,6 +221,12 @@ void Sleep::settle(World& world, Real dt) {
   for (const Contact& contact : world.contacts) {  // what carries it may carry it away
     if (!contact.a->movable() && moves(*contact.a)) rest(contact.b->index).seconds = 0;
     if (!contact.b->movable() && moves(*contact.b)) rest(contact.a->index).seconds = 0;
+  }
+  for (const Joint& joint : world.joints) {
+    if (!moves(joint, world)) continue;
+    for (const int i : {joint.a, joint.b}) {
+      if (body_of(world, i).movable()) rest(i).seconds = 0;
+    }
   }
   std::map<int, std::vector<int>> islands;
   std::vector<int> restless;

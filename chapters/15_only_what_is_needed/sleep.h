@@ -14,7 +14,8 @@ namespace pushback {
 ///
 ///   - a body that is awake, or an immovable one that has a velocity, comes to touch it;
 ///   - a spring or another Force pulls at it otherwise than when it fell asleep;
-///   - gravity changes, or forces are added or taken away: then all wake;
+///   - it is joined to something that moves all the same, or by a joint that is driven;
+///   - gravity changes, or forces or joints are added or taken away: then all wake;
 ///   - it is told to: whoever changes a sleeping body, or what it lies on, by hand has to call `wake`.
 ///
 /// Where a Force acts on all bodies alike, none sleeps: nobody knows what it will do next.
@@ -25,7 +26,7 @@ class Sleep {
 
   /// As a step begins: what is new in the world since the latest one. Throws as World::step does; nothing has moved then.
   void look(World& world);
-  /// With the applied forces on the bodies: wakes whom they or others touch, and finds the contacts of those awake.
+  /// With the applied forces on the bodies: wakes whom they, joints or others touch, and finds the contacts of those awake.
   void find_contacts(World& world);
   /// Once the bodies have moved: who rests falls asleep.
   void settle(World& world, Real dt);
@@ -35,7 +36,7 @@ class Sleep {
   /// The contacts that islands woken since the latest step had when they fell asleep.
   const Contacts& woken() const { return woken_; }
 
-  /// The island of this body, with all others that touch the body if it is immovable.
+  /// The island of this body, with all others that touch the body, or are joined to it, if it is immovable.
   void wake(World& world, int body);
   void wake_all(World& world);
   /// Each sleeping island's bodies, ascending.
@@ -56,6 +57,7 @@ class Sleep {
   };
 
   void feel_forces(World& world);
+  void feel_joints(World& world);
   bool someone_touched(World& world);
   void wake_island(World& world, int island);
   void put_to_sleep(World& world, const std::vector<int>& bodies);
@@ -73,13 +75,14 @@ class Sleep {
   bool nobody_may_sleep_ = false;
   Contacts woken_;
   Vec3 gravity_ = Vec3::Zero();
-  std::size_t forces_ = 0;
+  std::size_t forces_ = 0, joints_ = 0;
 };
 
 /// step_only for those awake.
 template <class Called, class ContactSolver>
 void step_awake(World& world, ContactSolver& solver, Sleep& sleep, Real dt, int sweeps = 10) {
   check_step(dt, sweeps, world.gravity);
+  if constexpr (!JointSolver<ContactSolver>) check_no_joints(world.joints);
   sleep.look(world);
   if constexpr (Called::template has<Pulling>) {
     for (const Force& force : world.forces) force.apply(world);
@@ -95,10 +98,7 @@ void step_awake(World& world, ContactSolver& solver, Sleep& sleep, Real dt, int 
   each([&](Body& body) { Motion<Called>::push(body, world.gravity, dt); });
   solve_only<Called>(world, solver, dt, sweeps);
   each([&](Body& body) { Motion<Called>::move(body, dt); });
-  if constexpr (Called::template has<Touching> && requires { solver.relax(world.contacts); }) {
-    solver.relax(world.contacts);
-  }
-  if constexpr (Called::template has<Touching> && requires { solver.correct(); }) solver.correct();
+  end_step<Called>(world, solver, dt);
   sleep.settle(world, dt);
 }
 
