@@ -12,6 +12,7 @@ std::vector<HardCase> friction_cases();  ///< what must stick, and how far it sl
 std::vector<HardCase> bounce_cases();    ///< how high, how fast, how elastic
 std::vector<HardCase> impact_cases();    ///< dominoes, bodies born in each other, hits at 500 m/s
 std::vector<HardCase> scale_cases();     ///< far, thin, tiny, spinning
+std::vector<HardCase> joint_cases();     ///< chains and a bridge with heavy loads
 std::vector<HardCase> step_cases();      ///< other time steps, contacts given twice, bodies in another order
 
 }  // namespace pushback

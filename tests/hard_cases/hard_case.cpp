@@ -17,17 +17,19 @@ Play::Play(Trial& trial, World start, const Allowance& allowance, bool doubled)
 
 void Play::step(Real dt) {
   if (!sound_) return;
+  std::string said;
   const auto begin = std::chrono::steady_clock::now();
   try {
     stepper_(world, dt);
-  } catch (const InvalidInput&) {  // between two small steps, a number was no longer finite
+  } catch (const InvalidInput& refused) {  // joints; or between two small steps, a number was no longer finite
     sound_ = false;
+    said = refused.what();
   }
   trial_->seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   ++trial_->steps_;
   watcher_.look(world, dt, trial_->stage_->small_steps);
   if (trial_->broken_.empty()) trial_->broken_ = watcher_.broken();
-  if (trial_->broken_.empty() && !sound_) trial_->broken_ = "not finite";
+  if (trial_->broken_.empty() && !sound_) trial_->broken_ = said;
   for (const Body& body : world.bodies) sound_ = sound_ && body.position.allFinite() && body.velocity.allFinite();
   trial_->sound_ = trial_->sound_ && sound_;
 }
@@ -89,7 +91,7 @@ const std::vector<HardCase>& hard_cases() {
   static const std::vector<HardCase> all = [] {
     std::vector<HardCase> list;
     for (auto&& group : {stack_cases(), pile_cases(), stone_cases(), friction_cases(), bounce_cases(), impact_cases(),
-                         scale_cases(), step_cases()})
+                         scale_cases(), step_cases(), joint_cases()})
       list.insert(list.end(), group.begin(), group.end());
     return list;
   }();

@@ -18,11 +18,11 @@ class Play {
  public:
   World world;
 
-  /// Moves on by one step of dt. Does nothing any more once a number is not finite.
+  /// Moves on by one step of dt. Does nothing any more once a number is not finite, or the solver has refused the world.
   void step(Real dt = Real(1) / 60);
   /// As many steps as make up `seconds`; `after_each` may look at the world, or poke it.
   void run(Real seconds, Real dt = Real(1) / 60, const std::function<void(World&)>& after_each = {});
-  /// False once a number was not finite: what is measured then says nothing.
+  /// False once a number was not finite, or the solver has refused the world: what is measured then says nothing.
   bool sound() const { return sound_; }
   const Watcher& watcher() const { return watcher_; }
 
@@ -52,7 +52,7 @@ class Trial {
 
   /// The step by which the stage moves bodies: dt, or what it divides dt into.
   Real small_step(Real dt = Real(1) / 60) const { return dt / static_cast<Real>(stage_->small_steps); }
-  /// False once a number in any of its worlds was not finite.
+  /// False once a number in any of its worlds was not finite, or one of them was refused.
   bool sound() const { return sound_; }
   const std::string& broken() const { return broken_; }
   double ms_per_step() const { return steps_ > 0 ? 1000 * seconds_ / steps_ : 0; }
@@ -84,7 +84,7 @@ struct HardCase {
 };
 
 struct Outcome {
-  std::vector<Real> numbers;  ///< one a criterion; NaN where a world was no longer finite
+  std::vector<Real> numbers;  ///< one a criterion; NaN where a world was not sound
   std::string broken;         ///< the invariant that broke first; empty: none did
   double ms_per_step = 0;     ///< wall time; the only entry that differs from run to run
   /// Every number within its limit, and no invariant broken.

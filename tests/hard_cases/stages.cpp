@@ -2,9 +2,9 @@
 
 #include "chapters/00_naive_impulses/naive.h"
 #include "chapters/05_restitution/in_turn.h"
-#include "chapters/12_small_steps/steady_solver.h"
 #include "chapters/15_only_what_is_needed/dispatch.h"
 #include "common/input.h"
+#include "tests/with_joints.h"
 
 namespace pushback {
 
@@ -16,6 +16,11 @@ constexpr int default_sweeps = 10;
 template <class ContactSolver>
 class Doubled {
  public:
+  void hold(World& world, Real dt)
+    requires JointSolver<ContactSolver>
+  {
+    solver_.hold(world, dt);
+  }
   void solve(Contacts& contacts, Real dt, int sweeps) {
     twice_.clear();
     for (const Contact& contact : contacts) {
@@ -83,26 +88,29 @@ Stage stepping(const char* name, const char* what, int count) {
 
 }  // namespace
 
+// Before warm starting, joints have none either. Scenes without joints move in the same bits as without the effect.
 const std::vector<Stage>& stages() {
   static const std::vector<Stage> all{
       sweeping<NaiveAveraged>("00 naive", "one impulse a pair, no sums"),
-      sweeping<Solver<>>("01 velocity", "J V = 0, 10 sweeps"),
-      sweeping<Solver<Clamping>>("02 clamping", "+ the sum never pulls"),
-      sweeping<Solver<Clamping, Baumgarte>>("03 Baumgarte", "+ overlap fed back"),
-      sweeping<Solver<Clamping, Baumgarte, Slop>>("04 slop", "+ 5 mm left alone"),
-      sweeping<Solver<Clamping, Baumgarte, Slop, Restitution>>("05 restitution", "+ bounce"),
-      sweeping<Solver<Clamping, Baumgarte, Slop, Restitution, Friction>>("06 friction", "+ friction"),
-      sweeping<FullSolver>("07 warm start", "+ last step's impulses: the full solver"),
-      sweeping<Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface, Friction, WarmStart>>(
+      sweeping<WithJoints<Joints, Solver<>>>("01 velocity", "J V = 0, 10 sweeps"),
+      sweeping<WithJoints<Joints, Solver<Clamping>>>("02 clamping", "+ the sum never pulls"),
+      sweeping<WithJoints<Joints, Solver<Clamping, Baumgarte>>>("03 Baumgarte", "+ overlap fed back"),
+      sweeping<WithJoints<Joints, Solver<Clamping, Baumgarte, Slop>>>("04 slop", "+ 5 mm left alone"),
+      sweeping<WithJoints<Joints, Solver<Clamping, Baumgarte, Slop, Restitution>>>("05 restitution", "+ bounce"),
+      sweeping<WithJoints<Joints, Solver<Clamping, Baumgarte, Slop, Restitution, Friction>>>("06 friction",
+                                                                                             "+ friction"),
+      sweeping<JointedSolver>("07 warm start", "+ last step's impulses: the full solver"),
+      sweeping<WithJoints<WarmJoints, Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface, Friction, WarmStart>>>(
           "05 from surface", "the full solver, bounces reckoned from the surface"),
-      sweeping<Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>(
+      sweeping<WithJoints<WarmJoints, Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>>(
           "08 friction cone", "the full solver with a cone of friction"),
-      stepping<FullSolver>("12 small steps", "the full solver, 32 small steps of one sweep", 32),
-      stepping<Solver<Clamping, Baumgarte, Slop, ImpactsInTurn, Friction, ScaledWarmStart>>(
+      stepping<JointedSolver>("12 small steps", "the full solver, 32 small steps of one sweep", 32),
+      stepping<WithJoints<WarmJoints, Solver<Clamping, Baumgarte, Slop, ImpactsInTurn, Friction, ScaledWarmStart>>>(
           "05 in turn", "12 small steps with impacts in turn and a scaled guess", 32),
-      stepping<SoftSolver>("12 soft contacts", "soft contacts and a relaxing pass, 32 small steps of one sweep", 32),
-      stepping<SteadySolver>("all together",
-                             "soft contacts, a cone, impacts at once, a scaled guess; 32 small steps of one sweep", 32),
+      stepping<WithJoints<WarmJoints, SoftSolver>>(
+          "12 soft contacts", "soft contacts and a relaxing pass, 32 small steps of one sweep", 32),
+      stepping<SteadyJointedSolver>(
+          "all together", "soft contacts, a cone, impacts at once, a scaled guess; 32 small steps of one sweep", 32),
   };
   return all;
 }

@@ -68,14 +68,15 @@ std::string in_short(Real value, Real limit, const std::string& unit) {
 }
 
 std::string in_a_word(const std::string& broken) {
-  // In the watcher's words; "angular momentum" has to come before "momentum".
-  static constexpr std::array<std::pair<const char*, const char*>, 7> words{{{"gained", "energy"},
+  // In the words of the watcher, or of World::step; "angular momentum" has to come before "momentum".
+  static constexpr std::array<std::pair<const char*, const char*>, 8> words{{{"gained", "energy"},
                                                                              {"angular momentum", "spin"},
                                                                              {"momentum", "momentum"},
                                                                              {"pulls", "pulls"},
                                                                              {"friction", "friction"},
                                                                              {"overlap", "overlap"},
-                                                                             {"not finite", "NaN"}}};
+                                                                             {"not finite", "NaN"},
+                                                                             {"holds no joints", "no joints"}}};
   for (const auto& [said, word] : words) {
     if (broken.find(said) != std::string::npos) return word;
   }

@@ -140,6 +140,30 @@ TEST_CASE("watcher: momentum and angular momentum lost where nothing is there to
   CHECK(said_of(two_in_free_space, any, [](World& w) { w.bodies[1].velocity *= 1 - small; }) == "");
 }
 
+TEST_CASE("watcher: what is joined to something immovable gives momentum away, and what is driven is given energy") {
+  const Allowance isolated{.energy = 1000, .overlap = 1, .isolated = true};
+  const auto without_half_of_it = [](World& world) {
+    world.bodies[1].velocity *= Real(0.5);
+    world.bodies[1].angular_velocity *= Real(0.5);
+  };
+  const auto joined = [&](int a, bool driven) {
+    return [=](World& world) {
+      without_half_of_it(world);
+      world.joints.push_back({.name = "a string", .a = a, .b = 1, .ask = {}, .driven = driven});
+    };
+  };
+  CHECK(said_of(two_in_free_space, isolated, joined(the_world, false)) == "");
+  speaks_of(said_of(two_in_free_space, isolated, joined(0, false)), "momentum changed");
+  const auto lifted = [](bool driven) {
+    return [driven](World& world) {
+      world.bodies[0].position.y() += 1;
+      world.joints.push_back({.name = "a crane", .a = the_world, .b = 0, .ask = {}, .driven = driven});
+    };
+  };
+  CHECK(said_of(ball_in_the_air, {}, lifted(true)) == "");
+  speaks_of(said_of(ball_in_the_air, {}, lifted(false)), "J gained");
+}
+
 TEST_CASE("watcher: an overlap deeper than allowed") {
   const Allowance allowance{.energy = 1000, .overlap = Real(0.05)};
   const auto sink = [](Real depth) { return [depth](World& world) { world.contacts.at(0).depth = depth; }; };
