@@ -5,6 +5,8 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/frozen.h"
+#include "chapters/09_joints/ball_and_socket.h"
+#include "chapters/09_joints/warm_joints.h"
 #include "chapters/15_only_what_is_needed/dispatch.h"
 #include "chapters/15_only_what_is_needed/everything.h"
 
@@ -189,5 +191,52 @@ void without_warm_start(benchmark::State& state) {
   state.counters["B with it"] = sizeof(FullSolver) - sizeof(SettingsAndRows);
 }
 BENCHMARK(without_warm_start)->Iterations(400)->Unit(benchmark::kMicrosecond);
+
+// ---- joints, where there are none -------------------------------------------------------------------------------------------
+
+void without_joints(benchmark::State& state) {
+  FrozenPyramid frozen(20);
+  FullSolver full;
+  JointedSolver jointed;
+  for (Body& body : frozen.world.bodies) body.bouncy(Real(0.1));  // so that the choice leaves nothing else out
+  FittingSolver needed(frozen.world, jointed);
+  InTurn turns;
+  for (auto _ : state) {
+    turns.round({[&] { return frozen.seconds(full); }, [&] { return frozen.seconds(jointed); },
+                 [&] { return frozen.seconds(needed); }});
+  }
+  state.counters["full, us"] = 1e6 * turns.time(0);
+  state.counters["with joints / full"] = turns.ratio(1, 0);
+  state.counters["needed / full"] = turns.ratio(2, 0);
+}
+BENCHMARK(without_joints)->Iterations(400)->Unit(benchmark::kMicrosecond);
+
+/// A chain of balls, by itself: what a row of a joint costs.
+void rows_of_joints(benchmark::State& state) {
+  World world;
+  for (int i = 0; i <= 100; ++i) {
+    const int link = world.add(sphere(Real(0.1), 1).at({0, -Real(0.5) * static_cast<Real>(i), 0}));
+    world.joints.push_back(ball_and_socket(world, i == 0 ? the_world : link - 1, link,
+                                           {0, Real(0.25) - Real(0.5) * static_cast<Real>(i), 0}));
+  }
+  Solver<WarmJoints> solver;
+  InTurn turns;
+  for (auto _ : state) {
+    const auto seconds = [&](int count) {
+      return [&, count] {
+        return seconds_of([&] {
+          solver.hold(world, dt);
+          solver.solve(world.contacts, dt, count);
+        });
+      };
+    };
+    turns.round({seconds(0), seconds(10), seconds(110)});
+  }
+  const double rows = static_cast<double>(solver.joint_rows().size());
+  state.counters["rows"] = rows;
+  state.counters["ns per row and sweep"] = 1e9 * turns.difference(2, 1) / (100 * rows);
+  state.counters["ns per row to build"] = 1e9 * turns.time(0) / rows;
+}
+BENCHMARK(rows_of_joints)->Iterations(400)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

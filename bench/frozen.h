@@ -36,6 +36,7 @@ class FrozenPyramid {
   template <class ContactSolver>
   [[gnu::noinline]] double seconds(ContactSolver& solver, int sweeps = 10) {
     const auto solve = [&] {
+      if constexpr (JointSolver<ContactSolver>) solver.hold(world, dt_);
       solver.solve(world.contacts, dt_, sweeps);
       if constexpr (requires { solver.correct(); }) solver.correct();
     };

@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/in_turn.h"
-#include "chapters/07_warm_start/full_solver.h"
+#include "chapters/09_joints/warm_joints.h"
 #include "chapters/15_only_what_is_needed/dispatch.h"
 #include "chapters/15_only_what_is_needed/scenes.h"
 
@@ -27,7 +27,7 @@ void scene(benchmark::State& state, const NamedScene& named) {
       World all;
       named.fill(all);
       World awake = all, resting = all;
-      FullSolver full;
+      JointedSolver full;
       OnlyWhatIsNeeded needed(awake, full), with_sleep(resting, full, Sleep{});
       for (InTurn& step : turns) {
         step.round({[&] { return seconds_of([&] { all.step(full, dt, sweeps); }); },

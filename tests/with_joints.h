@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/09_joints/hinge.h"
-#include "chapters/09_joints/warm_joints.h"
+#include "chapters/09_joints/split_joints.h"
 #include "chapters/12_small_steps/steady_solver.h"
 #include "chapters/15_only_what_is_needed/scenes.h"
 
@@ -14,11 +14,11 @@ template <class HowTheyHold, class... Effects>
 struct WithJointsOf<HowTheyHold, Solver<Effects...>> {
   using type = Solver<HowTheyHold, Effects...>;
 };
-/// `HowTheyHold`: Joints or WarmJoints.
+/// `HowTheyHold`: Joints, WarmJoints or SplitJoints.
 template <class HowTheyHold, class ContactSolver>
 using WithJoints = typename WithJointsOf<HowTheyHold, ContactSolver>::type;
 
-using SteadyJointedSolver = WithJoints<WarmJoints, SteadySolver>;
+using SteadyJointedSolver = WithJoints<SplitJoints, SteadySolver>;
 static_assert(std::same_as<JointedSolver, WithJoints<WarmJoints, FullSolver>>);
 
 /// A ball on the world, let go sideways: nothing can touch.

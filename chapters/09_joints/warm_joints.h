@@ -21,18 +21,19 @@ struct WarmJoints : Joints {
       if (n < impulses_of(row).size()) row.reach(scale_ * impulses_of(row)[n]);
     });
   }
-  void report(Contacts&, const Rows&) {
-    each_row([this](const Row& row, std::size_t n) {
-      if (n == 0) impulses_of(row).clear();
-      impulses_of(row).push_back(row.impulse);
-    });
-  }
+  void report(Contacts&, const Rows&) { remember(); }
   /// After a teleport, or when joints were exchanged for as many others.
   void forget_joints() {
     for (std::vector<Real>& impulses : memory_) impulses.clear();
   }
 
- private:
+ protected:
+  void remember() {
+    each_row([this](const Row& row, std::size_t n) {
+      if (n == 0) impulses_of(row).clear();
+      impulses_of(row).push_back(row.impulse);
+    });
+  }
   /// `use(row, n)`: the n-th of its joint, from 0.
   template <class Use>
   void each_row(const Use& use) {
@@ -46,6 +47,7 @@ struct WarmJoints : Joints {
   }
   std::vector<Real>& impulses_of(const Row& row) { return memory_[static_cast<std::size_t>(row.contact)]; }
 
+ private:
   std::vector<std::vector<Real>> memory_;  // by joint, N s
   Real scale_ = 0, last_dt_ = 0;
 };

@@ -1,7 +1,7 @@
 /// What is joined: long chains of rows with a load at the end that outweighs each of them by far.
 #include <cmath>
 
-#include "chapters/09_joints/hinge.h"
+#include "chapters/10_limits_and_motors/ragdoll.h"
 #include "common/forces.h"
 #include "common/measure.h"
 #include "tests/hard_cases/cases.h"
@@ -172,10 +172,43 @@ HardCase loaded_bridge() {
   return c;
 }
 
+// ---- a ragdoll -----------------------------------------------------------------------------------------------------------
+
+HardCase ragdoll_on_stairs() {
+  HardCase c;
+  c.name = "ragdoll";
+  c.title = "ragdoll on stairs";
+  c.stresses = "ten joints with limits, eleven bodies between them and five steps: it folds, and comes to rest";
+  c.criteria = {{"largest gap, of his height", "%", 1},
+                {"a knee or elbow bent backwards", "degrees", 5},
+                {"speed in the last second", "mm/s", 1}};
+  c.scene = {.name = c.title,
+             .fill = [](World& world) { down_the_stairs(world); },
+             .camera = view({Real(0.6), Real(0.9), 0}, Real(3.4)),
+             .seconds = Real(1.5)};
+  c.run = [](Trial& trial) -> std::vector<Real> {
+    Ragdoll man{};
+    Play play = trial.play([&man](World& world) { man = down_the_stairs(world); },
+                           [](const World& world) { return lifting(world, ragdoll_height / 100); });
+    Real gap = 0, backwards = 0, fastest = 0;
+    const auto look = [&](const World& world) {
+      gap = std::max(gap, stretch(world, man));
+      backwards = std::max(backwards, bent_backwards(world, man));
+    };
+    play.run(9, frame, look);
+    play.run(1, frame, [&](const World& world) {
+      look(world);
+      fastest = std::max(fastest, largest_speed(world));
+    });
+    return {100 * gap, 180 / pi * backwards, 1000 * fastest};
+  };
+  return c;
+}
+
 }  // namespace
 
 std::vector<HardCase> joint_cases() {
-  return {heavy_chain(), ball_and_chain(), loaded_bridge()};
+  return {heavy_chain(), ball_and_chain(), loaded_bridge(), ragdoll_on_stairs()};
 }
 
 }  // namespace pushback

@@ -107,7 +107,7 @@ const std::vector<Stage>& stages() {
       stepping<JointedSolver>("12 small steps", "the full solver, 32 small steps of one sweep", 32),
       stepping<WithJoints<WarmJoints, Solver<Clamping, Baumgarte, Slop, ImpactsInTurn, Friction, ScaledWarmStart>>>(
           "05 in turn", "12 small steps with impacts in turn and a scaled guess", 32),
-      stepping<WithJoints<WarmJoints, SoftSolver>>(
+      stepping<WithJoints<SplitJoints, SoftSolver>>(
           "12 soft contacts", "soft contacts and a relaxing pass, 32 small steps of one sweep", 32),
       stepping<SteadyJointedSolver>(
           "all together", "soft contacts, a cone, impacts at once, a scaled guess; 32 small steps of one sweep", 32),

@@ -1,0 +1,51 @@
+/// For small steps of few sweeps: what closes gaps is kept apart from what holds, and not remembered.
+#pragma once
+
+#include "chapters/09_joints/warm_joints.h"
+
+namespace pushback {
+
+/// In the place of WarmJoints. A warm start adds up: from step to step, lambda goes on by -(J V + b) / K. With (beta / h) C
+/// in b it adds up C as well, and a regulator that does may swing ever higher. Of an error that the sweeps of a step make
+/// smaller by the part eps, which is as little as the part that a light link has of the load, C follows, in steps,
+///
+///   C''' + eps C'' + eps C' + eps beta C = 0                stable only while beta < eps (Routh)
+///
+/// So the sweeps solve J V + b = 0, and that is remembered. Only then is each row solved once more with (beta / h) C:
+///
+///   C''' + eps C'' + eps (1 + beta) C' + eps^2 beta C = 0   stable for every beta
+///
+/// Under an effect that relaxes (chapter 12) that push is taken back once the bodies have moved: it closes gaps, and adds no
+/// speed.
+struct SplitJoints : WarmJoints {
+  void hold(World& world, Real dt) {
+    WarmJoints::hold(world, dt);
+    push_.clear();
+    for (Row& row : joint_rows_) {
+      push_.push_back(row.softness == 0 ? beta / dt * row.separation : 0);
+      row.bias -= push_.back();
+    }
+  }
+  void finish(Rows&) {
+    remember();
+    pushed_ = true;
+    for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
+      joint_rows_[i].bias += push_[i];
+      joint_rows_[i].solve();
+    }
+  }
+  void report(Contacts&, const Rows&) {
+    if (!pushed_) remember();
+    pushed_ = false;
+  }
+  void moved(Rows& rows) {
+    each_row([this](Row& row, std::size_t n) { row.reach(impulses_of(row)[n]); });
+    WarmJoints::moved(rows);
+  }
+
+ private:
+  std::vector<Real> push_;  // (beta / h) C of each row, m/s
+  bool pushed_ = false;
+};
+
+}  // namespace pushback
