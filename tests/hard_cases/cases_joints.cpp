@@ -121,7 +121,7 @@ constexpr int planks = 20;
 constexpr Real plank_length = Real(0.5), plank_mass = 20;  // m, kg
 
 /// Planks on hinges along an arc of 60 degrees that hangs between two posts, and a load of 100 planks in the middle. The
-/// air is thick, so that all comes to rest.
+/// air is thick, so that all comes to rest: the slowest sway by a factor e in 5 s, however well it is solved.
 void bridge(World& world) {
   constexpr Real turn = pi / 180 * 3;
   const Real radius = plank_length / (2 * std::sin(turn / 2));
@@ -159,12 +159,12 @@ HardCase loaded_bridge() {
                 {"stretch while it sags", "%", Real(0.2)},
                 {"speed in the last second", "mm/s", 1},
                 {"the load, off the middle", "mm", 1000 * plank_length / 2}};
-  c.scene = {.name = c.title, .fill = bridge, .camera = view({0, Real(-0.6), 0}, 9), .seconds = 10};
+  c.scene = {.name = c.title, .fill = bridge, .camera = view({0, Real(-0.6), 0}, 9), .seconds = 30};
   c.run = [](Trial& trial) -> std::vector<Real> {
     Play play = trial.play(bridge, standing);
     constexpr Real length = planks * plank_length;
     Real most = 0, fastest = 0;
-    play.run(9, frame, [&](const World& world) { most = std::max(most, stretch_of(world, length)); });
+    play.run(29, frame, [&](const World& world) { most = std::max(most, stretch_of(world, length)); });
     play.run(1, frame, [&](const World& world) { fastest = std::max(fastest, largest_speed(world)); });
     const Vec3& load = play.world.bodies.back().position;
     return {stretch_of(play.world, length), most, 1000 * fastest, 1000 * std::hypot(load.x(), load.z())};
