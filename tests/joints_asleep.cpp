@@ -20,7 +20,7 @@ struct Pair {
   JointedSolver full;
   OnlyWhatIsNeeded solver;
 
-  explicit Pair(const World& start) : world(start), unslept(start), solver(world, full, Sleep{}) {}
+  explicit Pair(const World& before_it) : world(before_it), unslept(before_it), solver(world, full, Sleep{}) {}
   Sleep& sleep() { return *solver.sleep; }
   void step(int count = 1) {
     for (int i = 0; i < count; ++i) {
@@ -139,9 +139,9 @@ TEST_CASE("who hangs on the same immovable body, or on the world, is not joined 
 // ---- asleep ------------------------------------------------------------------------------------------------------------
 
 TEST_CASE("a chain at rest falls asleep, costs no row, and stays where it would hang without") {
-  World start;
-  hanging_chain(start);
-  Pair pair(start);
+  World before_it;
+  hanging_chain(before_it);
+  Pair pair(before_it);
   REQUIRE(pair.falls_asleep({1, 2, 3, 4, 5, 6, 7, 8}));
   CHECK(pair.world.time < 2);
   pair.step();
@@ -153,19 +153,19 @@ TEST_CASE("a chain at rest falls asleep, costs no row, and stays where it would 
 }
 
 TEST_CASE("a chain that was let go sideways swings as without sleep, and sleeps in the end") {
-  World start;
-  hanging_chain(start);
-  start.forces.push_back({[](World& world) {  // so that it comes to rest within a test
-                            for (int i = 1; i <= 8; ++i) {
-                              Body& body = world.bodies[std::size_t(i)];
-                              body.force -= 2 * body.velocity;
-                              body.torque -= Real(0.02) * body.angular_velocity;
-                            }
-                          },
-                          "thick air",
-                          {1, 2, 3, 4, 5, 6, 7, 8}});
-  start.bodies[8].velocity = {5, 0, 1};
-  Pair pair(start);
+  World before_it;
+  hanging_chain(before_it);
+  before_it.forces.push_back({[](World& world) {  // so that it comes to rest within a test
+                                for (int i = 1; i <= 8; ++i) {
+                                  Body& body = world.bodies[std::size_t(i)];
+                                  body.force -= 2 * body.velocity;
+                                  body.torque -= Real(0.02) * body.angular_velocity;
+                                }
+                              },
+                              "thick air",
+                              {1, 2, 3, 4, 5, 6, 7, 8}});
+  before_it.bodies[8].velocity = {5, 0, 1};
+  Pair pair(before_it);
   for (int i = 0; i < 3600 && pair.asleep().empty(); ++i) {
     REQUIRE(hash_of(pair.world) == hash_of(pair.unslept));
     pair.step();
@@ -177,11 +177,11 @@ TEST_CASE("a chain that was let go sideways swings as without sleep, and sleeps 
 }
 
 TEST_CASE("joined bodies overlap where they are joined, and do not touch; asleep or awake") {
-  World start = five_hanging();
-  for (int i = 1; i <= 4; ++i) start.bodies[std::size_t(i)].shape = Sphere{Real(0.32)};
-  start.bodies[5].position.z() = 2;
-  start.joints[4] = distance(start, 0, {0, 5, 2}, 5, {0, 4, 2});
-  Pair pair(start);
+  World before_it = five_hanging();
+  for (int i = 1; i <= 4; ++i) before_it.bodies[std::size_t(i)].shape = Sphere{Real(0.32)};
+  before_it.bodies[5].position.z() = 2;
+  before_it.joints[4] = distance(before_it, 0, {0, 5, 2}, 5, {0, 4, 2});
+  Pair pair(before_it);
   pair.step();
   CHECK(pair.world.contacts.size() == pair.unslept.contacts.size());
   CHECK(pair.world.contacts.empty());
@@ -261,10 +261,10 @@ TEST_CASE("a joint that is driven keeps awake what it holds, and wakes it when i
 
 TEST_CASE("a woken chain starts from what its joints bore when it fell asleep") {
   const auto speed_of_the_woken = [](bool forget) {
-    World start;
-    hanging_chain(start, 8);
+    World before_it;
+    hanging_chain(before_it, 8);
     JointedSolver full;
-    World world = start;
+    World world = before_it;
     Sleep sleep;
     const auto step = [&] { step_awake<EveryQuestion>(world, full, sleep, h); };
     while (!world.bodies[1].asleep && world.time < 60) step();

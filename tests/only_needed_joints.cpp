@@ -39,8 +39,8 @@ struct Both {
   Full full;
   OnlyWhatIsNeeded needed;
 
-  explicit Both(const World& start, const Full& solver = {})
-      : whole(start), fitted(start), full(solver), needed(start, solver) {}
+  explicit Both(const World& before_it, const Full& solver = {})
+      : whole(before_it), fitted(before_it), full(solver), needed(before_it, solver) {}
   void step(int count, Real dt = h, int sweeps = 10) {
     for (int i = 0; i < count; ++i) {
       INFO("step " << i);
@@ -132,8 +132,8 @@ TEST_CASE("a lone pendulum is solved, by nothing but its joint") {
 }
 
 TEST_CASE("where nothing is joined, a solver that holds joints computes the bits of one that does not") {
-  const auto alike = [](const World& start, auto with, auto without, Real dt, int steps, int sweeps) {
-    World one = start, other = start;
+  const auto alike = [](const World& before_it, auto with, auto without, Real dt, int steps, int sweeps) {
+    World one = before_it, other = before_it;
     for (int i = 0; i < steps; ++i) {
       one.step(with, dt, sweeps);
       other.step(without, dt, sweeps);
@@ -206,9 +206,9 @@ TEST_CASE("a solver without joints is refused as World::step does, and nothing h
 TEST_CASE("joints come and go: the same bits, with the same settings and memory") {
   JointedSolver solver;
   solver.Joints::beta = Real(0.35);
-  World start = filled(hanging_chain_of_eight);
-  const std::vector<Joint> chain = start.joints;
-  Both<JointedSolver> both(start, solver);
+  World before_it = filled(hanging_chain_of_eight);
+  const std::vector<Joint> chain = before_it.joints;
+  Both<JointedSolver> both(before_it, solver);
   both.step(30);
   both.change([](World& world) { world.joints.resize(4); });  // the lower half falls
   both.step(30);
@@ -227,12 +227,12 @@ TEST_CASE("joints come and go: the same bits, with the same settings and memory"
 }
 
 TEST_CASE("one and the same pendulum: what joins it comes back, and does not start from what it once bore") {
-  World start = filled(lone_pendulum);
-  start.bodies[0].position = {0, -1, 0};  // at rest, bearing its weight
-  start.joints = {ball_and_socket(start, the_world, 0, {0, 0, 0})};
-  Both<JointedSolver> both(start);
+  World before_it = filled(lone_pendulum);
+  before_it.bodies[0].position = {0, -1, 0};  // at rest, bearing its weight
+  before_it.joints = {ball_and_socket(before_it, the_world, 0, {0, 0, 0})};
+  Both<JointedSolver> both(before_it);
   both.step(10);
-  const std::vector<Joint> joints = start.joints;
+  const std::vector<Joint> joints = before_it.joints;
   both.change([](World& world) { world.joints.clear(); });
   both.step(1);
   both.change([&joints](World& world) {
