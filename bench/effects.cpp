@@ -6,7 +6,7 @@
 
 #include "bench/frozen.h"
 #include "chapters/09_joints/ball_and_socket.h"
-#include "chapters/09_joints/warm_joints.h"
+#include "chapters/09_joints/jointed_solver.h"
 #include "chapters/15_only_what_is_needed/dispatch.h"
 #include "chapters/15_only_what_is_needed/everything.h"
 

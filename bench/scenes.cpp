@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/in_turn.h"
-#include "chapters/09_joints/warm_joints.h"
+#include "chapters/09_joints/jointed_solver.h"
 #include "chapters/15_only_what_is_needed/dispatch.h"
 #include "chapters/15_only_what_is_needed/scenes.h"
 

@@ -2,6 +2,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "chapters/09_joints/jointed_solver.h"
 #include "chapters/09_joints/structures.h"
 #include "chapters/09_joints/study.h"
 #include "common/measure.h"

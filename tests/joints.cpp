@@ -2,7 +2,7 @@
 #include <Eigen/QR>
 
 #include "chapters/09_joints/distance.h"
-#include "chapters/09_joints/warm_joints.h"
+#include "chapters/09_joints/jointed_solver.h"
 #include "chapters/09_joints/weld.h"
 #include "chapters/09_joints/wire.h"
 #include "common/measure.h"
@@ -233,7 +233,7 @@ TEST_CASE("joints start from the impulses of the last step: what hangs still nee
     world.add(capsule(Real(0.1), Real(0.3), 2).at({0, Real(-0.5) - static_cast<Real>(link), 0}));
     world.joints.push_back(ball_and_socket(world, link - 1, link, {0, -static_cast<Real>(link), 0}));
   }
-  JointedSolver solver;
+  Solver<WarmJoints> solver;
   for (int step = 0; step < 200; ++step) world.step(solver, h, 50);
   REQUIRE(largest_speed(world) < Real(1e-9));
   world.step(solver, h, 0);

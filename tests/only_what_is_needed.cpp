@@ -132,9 +132,9 @@ static_assert(std::same_as<Only<SteadySolver, CalledFor<Touching, Rubbing>>,
 static_assert(std::same_as<Only<Solver<Clamping, ImpactsInTurn>, CalledFor<Touching>>, Solver<Clamping>>);
 static_assert(std::same_as<Only<JointedSolver, EveryQuestion>, JointedSolver>);
 static_assert(std::same_as<Only<JointedSolver, CalledFor<Touching, Bouncing, Rubbing>>, FullSolver>);
-static_assert(std::same_as<Only<JointedSolver, CalledFor<Holding>>, Solver<WarmJoints>>);
+static_assert(std::same_as<Only<JointedSolver, CalledFor<Holding>>, Solver<SplitJoints>>);
 static_assert(std::same_as<Only<Solver<Joints, Clamping>, CalledFor<Touching, Holding>>, Solver<Joints, Clamping>>);
-static_assert(std::same_as<Only<SteadyJointedSolver, CalledFor<Holding>>, Solver<SplitJoints, SoftContacts>>);
+static_assert(std::same_as<Only<SteadyJointedSolver, CalledFor<Holding>>, Solver<SteadyJoints, SoftContacts>>);
 static_assert(std::same_as<Only<NaiveAveraged, CalledFor<>>, NaiveAveraged>);
 
 // ---- the same bits -------------------------------------------------------------------------------------------------------

@@ -5,7 +5,7 @@
 #include <regex>
 #include <set>
 
-#include "chapters/09_joints/warm_joints.h"
+#include "chapters/09_joints/jointed_solver.h"
 #include "common/measure.h"
 #include "tests/catch.h"
 

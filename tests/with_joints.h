@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/09_joints/hinge.h"
-#include "chapters/09_joints/split_joints.h"
+#include "chapters/09_joints/jointed_solver.h"
 #include "chapters/12_small_steps/steady_solver.h"
 #include "chapters/15_only_what_is_needed/scenes.h"
 
@@ -18,8 +18,8 @@ struct WithJointsOf<HowTheyHold, Solver<Effects...>> {
 template <class HowTheyHold, class ContactSolver>
 using WithJoints = typename WithJointsOf<HowTheyHold, ContactSolver>::type;
 
-using SteadyJointedSolver = WithJoints<SplitJoints, SteadySolver>;
-static_assert(std::same_as<JointedSolver, WithJoints<WarmJoints, FullSolver>>);
+static_assert(std::same_as<JointedSolver, WithJoints<SplitJoints, FullSolver>>);
+static_assert(std::same_as<SteadyJointedSolver, WithJoints<SteadyJoints, SteadySolver>>);
 
 /// A ball on the world, let go sideways: nothing can touch.
 inline void lone_pendulum(World& world) {

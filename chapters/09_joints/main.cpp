@@ -1,3 +1,4 @@
+#include "chapters/09_joints/jointed_solver.h"
 #include "chapters/09_joints/scenes.h"
 #include "chapters/09_joints/structures.h"
 #include "chapters/09_joints/study.h"
@@ -7,7 +8,8 @@ using namespace pushback;
 
 namespace {
 
-using Rigid = Solver<WarmJoints>;  // where nothing touches
+using Rigid = Solver<WarmJoints>;                                                              // where nothing touches
+using Warm = Solver<WarmJoints, Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart>;  // remembers the push too
 using Cold = Solver<Joints, Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart>;
 
 constexpr int small_steps = 10;
@@ -109,9 +111,13 @@ int main(int argc, char** argv) {
              .seconds = 4,
              .instants = {0, 1, 4}});
     e.variant(fmt::format("cold, 10 sweeps, β = {:.3g}", beta), with_joint_beta<Cold>(beta)).with_exactly(10);
-    e.variant(fmt::format("warm, 10 sweeps, β = {:.3g}", beta), with_joint_beta<JointedSolver>(beta)).with_exactly(10);
-    e.variant("warm, 10 sweeps, β = 0", with_joint_beta<JointedSolver>(0)).with_exactly(10);
-    e.variant("warm, 10 small steps of 1, β = 0", with_joint_beta<JointedSolver>(0)).in_small_steps(10).with_exactly(1);
+    e.variant(fmt::format("warm, 10 sweeps, β = {:.3g}", beta), with_joint_beta<Warm>(beta)).with_exactly(10);
+    e.variant("warm, 10 sweeps, β = 0", with_joint_beta<Warm>(0)).with_exactly(10);
+    e.variant(fmt::format("push apart, 10 sweeps, β = {:.3g}", beta), with_joint_beta<JointedSolver>(beta))
+        .with_exactly(10);
+    e.variant(fmt::format("push apart, 10 small steps of 1, β = {:.3g}", beta), with_joint_beta<JointedSolver>(beta))
+        .in_small_steps(10)
+        .with_exactly(1);
     e.series("stretch", "%", [](const World& world) { return 100 * stretch_of_chain(world); });
     e.number("longest", "%", [](const Run& run) { return largest(run, "stretch"); });
     e.number("at the end", "%", [](const Run& run) { return run.series.at("stretch").back(); });
@@ -168,21 +174,24 @@ int main(int argc, char** argv) {
       panel("beads on wires", "steps in a second", "off a wire by up to, mm", {drifting, fed_back});
 
       Curve cold = curve("cold", 0), warm = curve("warm", 1), warm_only = curve("warm, β = 0", 2),
-            cold_steps = curve("cold, small steps", 3), warm_steps = curve("warm, small steps, β = 0", 4);
+            cold_steps = curve("cold, small steps", 3), warm_steps = curve("warm, small steps, β = 0", 4),
+            apart = curve("push apart", 5), apart_steps = curve("push apart, small steps", 6);
       for (const int sweeps : sweep_counts) {
         const auto with = [&](Curve& to, auto solver, int steps, int sweeps_in_each) {
           add(to, static_cast<Real>(sweeps),
               std::max(100 * worst_of_chain(solver, e.dt(), steps, sweeps_in_each), Real(1e-6)));
         };
         with(cold, with_joint_beta<Cold>(beta), 1, sweeps);
-        with(warm, with_joint_beta<JointedSolver>(beta), 1, sweeps);
-        with(warm_only, with_joint_beta<JointedSolver>(0), 1, sweeps);
+        with(warm, with_joint_beta<Warm>(beta), 1, sweeps);
+        with(warm_only, with_joint_beta<Warm>(0), 1, sweeps);
+        with(apart, with_joint_beta<JointedSolver>(beta), 1, sweeps);
         if (sweeps > 100) continue;
         with(cold_steps, with_joint_beta<Cold>(beta), sweeps, 1);
-        with(warm_steps, with_joint_beta<JointedSolver>(0), sweeps, 1);
+        with(warm_steps, with_joint_beta<Warm>(0), sweeps, 1);
+        with(apart_steps, with_joint_beta<JointedSolver>(beta), sweeps, 1);
       }
       panel("ten links and a weight, 1 s to 4 s", "sweeps in 1/60 s, or small steps of 1", "off its length by up to, %",
-            {cold, warm, warm_only, cold_steps, warm_steps});
+            {cold, warm, warm_only, apart, cold_steps, warm_steps, apart_steps});
     });
   });
 }

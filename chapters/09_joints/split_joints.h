@@ -1,4 +1,4 @@
-/// For small steps of few sweeps: what closes gaps is kept apart from what holds, and not remembered.
+/// What closes gaps is kept apart from what holds, and not remembered.
 #pragma once
 
 #include "chapters/09_joints/warm_joints.h"
@@ -11,28 +11,34 @@ namespace pushback {
 ///
 ///   C''' + eps C'' + eps C' + eps beta C = 0                stable only while beta < eps (Routh)
 ///
-/// So the sweeps solve J V + b = 0, and that is remembered. Only then is each row solved once more with (beta / h) C:
+/// So the sweeps solve J V + b = 0, and that is remembered. Only then are the rows swept as often again, with (beta / h) C:
 ///
 ///   C''' + eps C'' + eps (1 + beta) C' + eps^2 beta C = 0   stable for every beta
 ///
 /// Under an effect that relaxes (chapter 12) that push is taken back once the bodies have moved: it closes gaps, and adds no
 /// speed.
 struct SplitJoints : WarmJoints {
+  int passes =
+      1;  ///< over the rows, in each of the solver's sweeps: for long chains, where contacts need no more of them
+
   void hold(World& world, Real dt) {
+    if (passes < 1) throw InvalidInput(fmt::format("passes is {}: a whole number, 1 or more, is needed", passes));
     WarmJoints::hold(world, dt);
     push_.clear();
+    rounds_ = 0;
     for (Row& row : joint_rows_) {
       push_.push_back(row.softness == 0 ? beta / dt * row.separation : 0);
       row.bias -= push_.back();
     }
   }
-  void finish(Rows&) {
+  void sweep(Rows& rows) {
+    for (int i = 0; i < passes; ++i, ++rounds_) WarmJoints::sweep(rows);
+  }
+  void finish(Rows& rows) {
     remember();
     pushed_ = true;
-    for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
-      joint_rows_[i].bias += push_[i];
-      joint_rows_[i].solve();
-    }
+    for (std::size_t i = 0; i < joint_rows_.size(); ++i) joint_rows_[i].bias += push_[i];
+    for (int i = 0; i < rounds_; ++i) WarmJoints::sweep(rows);
   }
   void report(Contacts&, const Rows&) {
     if (!pushed_) remember();
@@ -45,7 +51,8 @@ struct SplitJoints : WarmJoints {
 
  private:
   std::vector<Real> push_;  // (beta / h) C of each row, m/s
-  bool pushed_ = false;
+  int rounds_ = 0;          // over the rows, in this step
+  bool pushed_ = false;     // since the last report
 };
 
 }  // namespace pushback

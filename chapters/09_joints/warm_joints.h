@@ -1,7 +1,6 @@
 /// Joints that start from where the last step ended, as contacts do in chapter 07.
 #pragma once
 
-#include "chapters/07_warm_start/full_solver.h"
 #include "chapters/09_joints/joints.h"
 
 namespace pushback {
@@ -51,8 +50,5 @@ struct WarmJoints : Joints {
   std::vector<std::vector<Real>> memory_;  // by joint, N s
   Real scale_ = 0, last_dt_ = 0;
 };
-
-/// FullSolver, and joints.
-using JointedSolver = Solver<WarmJoints, Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart>;
 
 }  // namespace pushback

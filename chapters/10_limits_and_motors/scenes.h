@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/09_joints/hinge.h"
-#include "chapters/09_joints/warm_joints.h"
+#include "chapters/09_joints/jointed_solver.h"
 #include "chapters/10_limits_and_motors/limits.h"
 #include "chapters/10_limits_and_motors/motor.h"
 #include "chapters/10_limits_and_motors/piston.h"

@@ -4,6 +4,7 @@
 #include "chapters/05_restitution/at_once.h"
 #include "chapters/07_warm_start/scaled.h"
 #include "chapters/08_friction_cone/friction_cone.h"
+#include "chapters/09_joints/jointed_solver.h"
 #include "chapters/12_small_steps/small_steps.h"
 
 namespace pushback {
@@ -11,5 +12,14 @@ namespace pushback {
 /// For 32 small steps of one sweep in 1/60 s. A pair of heavy on light, a blow, a tall stack, a slide at any heading:
 /// what it holds, and the four hard cases that it does not, is in docs/hard_cases.md under "all together".
 using SteadySolver = Solver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, ScaledWarmStart>;
+
+/// Joints for the same small steps: a chain that carries a hundred times the mass of a link.
+struct SteadyJoints : SplitJoints {
+  SteadyJoints() {
+    beta = Real(0.5);
+    passes = 20;
+  }
+};
+using SteadyJointedSolver = Solver<SteadyJoints, Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, ScaledWarmStart>;
 
 }  // namespace pushback

@@ -1,7 +1,7 @@
 /// What a solver costs that does everything everywhere; to be compared.
 #pragma once
 
-#include "chapters/09_joints/warm_joints.h"
+#include "chapters/09_joints/split_joints.h"
 
 namespace pushback {
 
@@ -27,6 +27,6 @@ struct FrictionEverywhere : Friction {
   }
 };
 
-using Everything = Solver<WarmJoints, Clamping, Baumgarte, Slop, Restitution, FrictionEverywhere, WarmStart>;
+using Everything = Solver<SplitJoints, Clamping, Baumgarte, Slop, Restitution, FrictionEverywhere, WarmStart>;
 
 }  // namespace pushback

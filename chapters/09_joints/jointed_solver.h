@@ -1,0 +1,11 @@
+/// All seven chapters, and joints.
+#pragma once
+
+#include "chapters/07_warm_start/full_solver.h"
+#include "chapters/09_joints/split_joints.h"
+
+namespace pushback {
+
+using JointedSolver = Solver<SplitJoints, Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart>;
+
+}  // namespace pushback
