@@ -6,14 +6,12 @@
 namespace pushback {
 
 /// In the place of WarmJoints. A warm start adds up: from step to step, lambda goes on by -(J V + b) / K. With (beta / h) C
-/// in b it adds up C as well, and a regulator that does may swing ever higher. Of an error that the sweeps of a step make
-/// smaller by the part eps, which is as little as the part that a light link has of the load, C follows, in steps,
-///
-///   C''' + eps C'' + eps C' + eps beta C = 0                stable only while beta < eps (Routh)
+/// in b it adds up C as well, and a regulator that does may swing ever higher. Where the sweeps of a step leave the part rho
+/// of an error, joints settle only while beta < (1 - rho) / rho.
 ///
 /// So the sweeps solve J V + b = 0, and that is remembered. Only then are the rows swept as often again, with (beta / h) C:
 ///
-///   C''' + eps C'' + eps (1 + beta) C' + eps^2 beta C = 0   stable for every beta
+///   z (z - rho) (z - 1) - rho^2 (z - 1)^2 + (1 - rho) beta z (z - rho) = 0       stable for every beta up to 1 (Jury)
 ///
 /// Under an effect that relaxes (chapter 12) that push is taken back once the bodies have moved: it closes gaps, and adds no
 /// speed.
