@@ -53,8 +53,8 @@ Answer Holding::in(const World& world) {
   for (const Joint& joint : world.joints) check_bodies_of(joint, world);
   if (world.joints.empty()) return {false, "nothing is joined"};
   const Joint& first = world.joints.front();
-  const auto name = [&world](int i) { return i == the_world ? "the world" : name_of(world.bodies[std::size_t(i)]); };
-  const std::string it = fmt::format("{} between {} and {}", first.name, name(first.a), name(first.b));
+  const auto end = [&world](int i) { return i == the_world ? "the world" : name_of(world.bodies[std::size_t(i)]); };
+  const std::string it = fmt::format("{} between {} and {}", first.name, end(first.a), end(first.b));
   const std::size_t more = world.joints.size() - 1;
   return {true, more == 0 ? it : fmt::format("{}, and {} more", it, more)};
 }
