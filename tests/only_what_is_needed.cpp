@@ -307,7 +307,7 @@ TEST_CASE("no tangent rows where nothing rubs, no bias where nothing is to be ch
   }
   const Real slop = FullSolver{}.slop, threshold = FullSolver{}.threshold;
   FittingSolver solver(world, FullSolver{});
-  std::size_t smooth = 0, rough = 0, shallow = 0, deep = 0, bouncing = 0;
+  std::size_t smooth = 0, rough = 0, shallow = 0, sunk = 0, bouncing = 0;
   for (int i = 0; i < 600; ++i) {
     world.apply_forces(h);
     world.find_contacts();
@@ -321,7 +321,7 @@ TEST_CASE("no tangent rows where nothing rubs, no bias where nothing is to be ch
     for (std::size_t k = 0; k < world.contacts.size(); ++k) {
       const bool too_deep = world.contacts[k].depth > slop;
       REQUIRE((solver.rows()[k].bias != 0) == (too_deep || bounces[k]));
-      ++(bounces[k] ? bouncing : too_deep ? deep : shallow);
+      ++(bounces[k] ? bouncing : too_deep ? sunk : shallow);
     }
     for (std::size_t k = world.contacts.size(); k < solver.rows().size(); ++k) {
       REQUIRE(rubs(world.contacts[std::size_t(solver.rows()[k].contact)]));
@@ -331,8 +331,8 @@ TEST_CASE("no tangent rows where nothing rubs, no bias where nothing is to be ch
     smooth += world.contacts.size() - can_rub;
     world.move(h);
   }
-  CAPTURE(smooth, rough, shallow, deep, bouncing);
-  CHECK(std::min({smooth, rough, shallow, deep, bouncing}) > 50);
+  CAPTURE(smooth, rough, shallow, sunk, bouncing);
+  CHECK(std::min({smooth, rough, shallow, sunk, bouncing}) > 50);
 }
 
 TEST_CASE("a world in which nothing can touch has no contacts") {

@@ -28,11 +28,11 @@ inline void lone_pendulum(World& world) {
 }
 
 /// Capsules one below the other from a point of the world, and the lowest above the ground.
-inline void hanging_chain(World& world, int links = 8) {
+inline void hanging_chain(World& world, int count = 8) {
   constexpr Real length = Real(0.4);
-  const Real top = Real(0.1) + length * static_cast<Real>(links);
+  const Real top = Real(0.1) + length * static_cast<Real>(count);
   world.add(ground());
-  for (int i = 0; i < links; ++i) {
+  for (int i = 0; i < count; ++i) {
     const Real y = top - length * static_cast<Real>(i);
     const int link = world.add(capsule(Real(0.06), Real(0.14), 2).at({0, y - length / 2, 0}));
     world.joints.push_back(ball_and_socket(world, i == 0 ? the_world : link - 1, link, {0, y, 0}));
@@ -47,17 +47,17 @@ inline void struck_chain(World& world) {
 
 /// Planks on hinges between two posts, slack enough to sag, and a box that falls on them.
 inline void plank_bridge(World& world) {
-  constexpr int planks = 8;
+  constexpr int count = 8;
   constexpr Real half = Real(0.25);
   const int left = world.add(box(Vec3::Constant(Real(0.25)), 1).fixed().at({-half, 2, 0}));
   int before = left;
-  for (int i = 0; i < planks; ++i) {
+  for (int i = 0; i < count; ++i) {
     const Real x = 2 * half * static_cast<Real>(i);
     const int plank = world.add(box({half, Real(0.04), Real(0.5)}, 10).at({x + half, 2, 0}));
     world.joints.push_back(hinge(world, before, plank, {x, 2, 0}, Vec3::UnitZ()));
     before = plank;
   }
-  const Real end = 2 * half * planks;
+  const Real end = 2 * half * count;
   const int right = world.add(box(Vec3::Constant(Real(0.25)), 1).fixed().at({end + half, 2, 0}));
   world.joints.push_back(hinge(world, before, right, {end, 2, 0}, Vec3::UnitZ()));
   world.add(box(Vec3::Constant(Real(0.2)), 20).at({end / 2, 3, 0}).bouncy(Real(0.3)));

@@ -93,7 +93,7 @@ inline Angle swing(const Vec3& s, const Vec3& u) {
 /// changes by less than pi from one asking to the next; asked twice about the same angle, it gives the same answer.
 class CountedAngle {
  public:
-  explicit CountedAngle(Real start) : last_(start) {}
+  explicit CountedAngle(Real first) : last_(first) {}
   Real count(Real angle) {
     last_ = angle + 2 * pi * std::round((last_ - angle) / (2 * pi));
     return last_;

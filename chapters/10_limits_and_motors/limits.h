@@ -16,10 +16,10 @@ inline Equation at_least_zero(Equation row, Real c, Real dt) {
   return row;
 }
 
-/// low <= theta <= high. Both are asked for in every step, reached or not.
-inline void between(const Angle& theta, Real low, Real high, Real dt, Equations& equations) {
-  equations.push_back(at_least_zero(turning(theta.gradient), theta.value - low, dt));
-  equations.push_back(at_least_zero(turning(-theta.gradient), high - theta.value, dt));
+/// low <= angle <= high. Both are asked for in every step, reached or not.
+inline void between(const Angle& angle, Real low, Real high, Real dt, Equations& equations) {
+  equations.push_back(at_least_zero(turning(angle.gradient), angle.value - low, dt));
+  equations.push_back(at_least_zero(turning(-angle.gradient), high - angle.value, dt));
 }
 
 /// Limits of an angle that is known up to whole turns: finite, in order, and less than a turn apart.
@@ -36,10 +36,10 @@ inline void check_limits(const std::string& joint, Real low, Real high) {
 }
 
 /// The same angle up to whole turns, half a turn to either side of the middle of its limits.
-inline Angle about_the_middle(Angle theta, Real low, Real high) {
+inline Angle about_the_middle(Angle angle, Real low, Real high) {
   const Real middle = (low + high) / 2;
-  theta.value = middle + std::remainder(theta.value - middle, 2 * pi);
-  return theta;
+  angle.value = middle + std::remainder(angle.value - middle, 2 * pi);
+  return angle;
 }
 
 /// For a hinge: how far B may turn against A about `axis` (world axes), from where they stand now. rad.

@@ -27,11 +27,11 @@ inline Joint motor_to_angle(const World& world, int a, int b, const Vec3& axis, 
   if (!angle_at) throw InvalidInput(name + " has no angle to reach: a function of time is needed");
   const HingeAngle angle(world, a, b, unit_axis(name, axis));
   const auto ask = [=](const Body& first, const Body& second, const Moment& now, Equations& equations) {
-    const Angle theta = angle.of(first, second);
+    const Angle turned = angle.of(first, second);
     const Real begin = angle_at(now.time), end = angle_at(now.time + now.dt);
     require_finite("angle that a motor is to reach", end);
-    Equation row = with_torque(turning(theta.gradient), torque);
-    row.error = std::remainder(theta.value - begin, 2 * pi);
+    Equation row = with_torque(turning(turned.gradient), torque);
+    row.error = std::remainder(turned.value - begin, 2 * pi);
     row.bias = -(end - begin) / now.dt;
     equations.push_back(row);
   };

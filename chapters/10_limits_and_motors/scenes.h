@@ -105,13 +105,13 @@ inline Real angle_of_pointer(const World& world) {  // rad
 
 /// A disc of 16 corners on either side, its axis along z.
 inline Body disc(Real radius, Real half_width, Real mass) {
-  std::vector<Vec3> rim;
+  std::vector<Vec3> corners;
   for (int i = 0; i < 16; ++i) {
     const Real angle = pi / 8 * (static_cast<Real>(i) + Real(0.5));
     for (const Real side : {Real(-1), Real(1)})
-      rim.emplace_back(radius * std::cos(angle), radius * std::sin(angle), side * half_width);
+      corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle), side * half_width);
   }
-  return hull(rim, mass);
+  return hull(corners, mass);
 }
 /// kg m^2 about z, as the body stands.
 inline Real inertia_of_disc(const Body& disc) {
@@ -131,12 +131,12 @@ inline int wheel_at(World& world, const Vec3& at, Real radius, Real mass) {
   world.joints.push_back(with_spoke(hinge(world, the_world, wheel, at, Vec3::UnitZ()), radius, Real(0.1)));
   return wheel;
 }
-/// A cube that hangs from the wheel by a rope wound on it at `radius`, `drop` m below the axle, at +x or at -x of it,
+/// A cube that hangs from the wheel by a rope wound on it at `radius`, `below` m below the axle, at +x or at -x of it,
 /// `front` m before its middle.
-inline int hang(World& world, int wheel, Real radius, int side, Real mass, Real drop, int colour, Real front = 0) {
+inline int hang(World& world, int wheel, Real radius, int side, Real mass, Real below, int colour, Real front = 0) {
   const Vec3 axle_at = world.bodies[std::size_t(wheel)].position;
   const Real half = std::cbrt(mass / 1000) * Real(1.2);
-  const Vec3 hook = axle_at + Vec3(static_cast<Real>(side) * radius, -drop, front);
+  const Vec3 hook = axle_at + Vec3(static_cast<Real>(side) * radius, -below, front);
   const int load = world.add(box(Vec3::Constant(half), mass).at(hook - Vec3(0, half, 0)).coloured(colour));
   world.joints.push_back(wound_rope(world, wheel, axle_at, Vec3::UnitZ(), radius,
                                     side > 0 ? Winding::forwards : Winding::backwards, load, hook));

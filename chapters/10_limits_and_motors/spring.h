@@ -54,9 +54,9 @@ inline Joint torsion_spring(const World& world, int a, int b, const Vec3& axis, 
   check_joined(world, name, a, b);
   const HingeAngle angle(world, a, b, unit_axis(name, axis));
   const auto ask = [=](const Body& first, const Body& second, const Moment&, Equations& equations) {
-    const Angle theta = angle.of(first, second);
-    equations.push_back(turning(theta.gradient));
-    equations.back().error = theta.value;
+    const Angle turned = angle.of(first, second);
+    equations.push_back(turning(turned.gradient));
+    equations.back().error = turned.value;
   };
   return soft({name, a, b, ask}, spring);
 }

@@ -88,18 +88,19 @@ Stage stepping(const char* name, const char* what, int count) {
 
 }  // namespace
 
-// Before warm starting, joints have none either; from there on they keep their push apart. Scenes without joints move in the same bits as without the effect.
+// Before warm starting, joints have none either; from there on they keep their push apart. Scenes without joints move in
+// the same bits as without the effect.
 const std::vector<Stage>& stages() {
   static const std::vector<Stage> all{
       sweeping<NaiveAveraged>("00 naive", "one impulse a pair, no sums"),
-      sweeping<WithJoints<Joints, Solver<>>>("01 velocity", "J V = 0, 10 sweeps"),
+      sweeping<WithJoints<Joints, Solver<>>>("01 velocity", "J V = 0 for contacts and joints, 10 sweeps"),
       sweeping<WithJoints<Joints, Solver<Clamping>>>("02 clamping", "+ the sum never pulls"),
       sweeping<WithJoints<Joints, Solver<Clamping, Baumgarte>>>("03 Baumgarte", "+ overlap fed back"),
       sweeping<WithJoints<Joints, Solver<Clamping, Baumgarte, Slop>>>("04 slop", "+ 5 mm left alone"),
       sweeping<WithJoints<Joints, Solver<Clamping, Baumgarte, Slop, Restitution>>>("05 restitution", "+ bounce"),
       sweeping<WithJoints<Joints, Solver<Clamping, Baumgarte, Slop, Restitution, Friction>>>("06 friction",
                                                                                              "+ friction"),
-      sweeping<JointedSolver>("07 warm start", "+ last step's impulses: the full solver"),
+      sweeping<JointedSolver>("07 warm start", "+ last step's impulses: the full solver; joints keep their push apart"),
       sweeping<WithJoints<SplitJoints, Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface, Friction, WarmStart>>>(
           "05 from surface", "the full solver, bounces reckoned from the surface"),
       sweeping<WithJoints<SplitJoints, Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>>(
@@ -110,7 +111,8 @@ const std::vector<Stage>& stages() {
       stepping<WithJoints<SplitJoints, SoftSolver>>(
           "12 soft contacts", "soft contacts and a relaxing pass, 32 small steps of one sweep", 32),
       stepping<SteadyJointedSolver>(
-          "all together", "soft contacts, a cone, impacts at once, a scaled guess; 32 small steps of one sweep", 32),
+          "all together",
+          "soft contacts, a cone, impacts at once, a scaled guess; 32 small steps of one sweep, 20 over joints", 32),
   };
   return all;
 }
