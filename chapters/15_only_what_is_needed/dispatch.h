@@ -120,8 +120,8 @@ class FittingSolver {
 };
 
 /// World::step with what the scene calls for; with a Sleep, for those awake. It reads the scene again when bodies, forces
-/// or joints have been added or taken away. Whoever makes a body that is there already rough, bouncy or uneven, or puts a force on it
-/// by hand, has to call `fit`.
+/// or joints have been added or taken away. Whoever makes a body that is there already rough, bouncy or uneven, or puts a
+/// force on it by hand, has to call `fit`.
 class OnlyWhatIsNeeded {
  public:
   std::optional<Sleep> sleep;
@@ -131,31 +131,13 @@ class OnlyWhatIsNeeded {
       : sleep(std::move(with_sleep)), solver_(world, full) {
     choose_step(world);
   }
-  void fit(const World& world) {
-    solver_.fit(world);
-    choose_step(world);
-  }
-  void step(World& world, Real dt, int sweeps = 10) {
-    const bool as_it_was =
-        world.bodies.size() == bodies_ && world.forces.size() == forces_ && world.joints.size() == joints_;
-    if (!as_it_was) fit(world);
-    if (sleep) step_awake_(world, solver_, *sleep, dt, sweeps);
-    else step_all_(world, solver_, dt, sweeps);
-  }
+  void fit(const World& world);
+  void step(World& world, Real dt, int sweeps = 10);
   const Rows& rows() const { return solver_.rows(); }
   const Rows& joint_rows() const { return solver_.joint_rows(); }
 
  private:
-  void choose_step(const World& world) {
-    const auto choose = [this](auto called) {
-      step_all_ = step_only<decltype(called), FittingSolver>;
-      step_awake_ = step_awake<decltype(called), FittingSolver>;
-    };
-    with_answers(world, choose, EveryQuestion{}, CalledFor<>{});
-    bodies_ = world.bodies.size();
-    forces_ = world.forces.size();
-    joints_ = world.joints.size();
-  }
+  void choose_step(const World& world);
 
   FittingSolver solver_;
   std::size_t bodies_ = 0, forces_ = 0, joints_ = 0;
