@@ -10,15 +10,12 @@
 namespace pushback {
 
 /// For 32 small steps of one sweep in 1/60 s. A pair of heavy on light, a blow, a tall stack, a slide at any heading:
-/// what it holds, and the four hard cases that it does not, is in docs/hard_cases.md under "all together".
+/// what it holds, and which hard cases it does not, is in docs/hard_cases.md under "all together".
 using SteadySolver = Solver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, ScaledWarmStart>;
 
 /// Joints for the same small steps: a chain that carries a hundred times the mass of a link.
 struct SteadyJoints : SplitJoints {
-  SteadyJoints() {
-    beta = Real(0.5);
-    passes = 20;
-  }
+  SteadyJoints() { passes = 20; }
 };
 using SteadyJointedSolver = Solver<SteadyJoints, Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, ScaledWarmStart>;
 
