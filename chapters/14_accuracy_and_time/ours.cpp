@@ -1,0 +1,74 @@
+/// The program `motion`: our own solvers play motions. Built twice, with Real = double and with Real = float.
+#include "chapters/05_restitution/at_once.h"
+#include "chapters/09_joints/ball_and_socket.h"
+#include "chapters/11_position_correction/nonlinear_gauss_seidel.h"
+#include "chapters/11_position_correction/split_impulse.h"
+#include "chapters/12_small_steps/steady_solver.h"
+#include "chapters/13_global_solve/global_solve.h"
+#include "chapters/14_accuracy_and_time/play.h"
+
+using namespace pushback;
+
+namespace {
+
+using FullCold = Solver<Clamping, Baumgarte, Slop, Restitution, Friction>;
+using Slim = Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>;
+using NoSlop = Solver<Clamping, Baumgarte, Restitution, FrictionCone, WarmStart>;
+using NoSlopCold = Solver<Clamping, Baumgarte, Restitution, FrictionCone>;
+using Split = Solver<Clamping, SplitImpulse, Restitution, FrictionCone, WarmStart>;
+using Nonlinear = Solver<Clamping, NonlinearGaussSeidel, Restitution, FrictionCone, WarmStart>;
+using Soft = Solver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>;
+using SteadyCold = Solver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone>;
+using AtOnce = Solver<Clamping, Baumgarte, Restitution, FrictionCone, GlobalSolve>;
+
+template <class ContactSolver>
+class Ours : public Player {
+ public:
+  Ours(const Motion& motion, const Setting& setting) : dt_(static_cast<Real>(setting.dt())), sweeps_(setting.sweeps) {
+    motion.fill(world_);
+    for (const Pin& pin : motion.pins) world_.joints.push_back(ball_and_socket(world_, pin.a, pin.b, pin.anchor));
+    if constexpr (std::is_same_v<ContactSolver, Slim>) solver_.slop = Real(1e-4);
+    // Bounces are compared at every speed.
+    if constexpr (requires { solver_.threshold; }) solver_.threshold = 0;
+  }
+  void small_step() override { world_.step(solver_, dt_, sweeps_); }
+  Eigen::Vector3d place(std::size_t body) const override {
+    return world_.bodies[body].position.template cast<double>();
+  }
+  double row_solves() const override {
+    std::size_t rows = solver_.rows().size();
+    if constexpr (JointSolver<ContactSolver>) rows += solver_.joint_rows().size();
+    return static_cast<double>(rows) * sweeps_;
+  }
+
+ private:
+  World world_;
+  ContactSolver solver_;
+  Real dt_;
+  int sweeps_;
+};
+
+template <class ContactSolver>
+Method method(const std::string& name, const std::string& title) {
+  return {.name = name,
+          .title = title,
+          .plays = [](const Motion& motion) { return motion.pins.empty() == !JointSolver<ContactSolver>; },
+          .begin = [](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
+            return std::make_unique<Ours<ContactSolver>>(motion, setting);
+          }};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return play_program(
+      argc, argv, "Plays a motion by our own solvers: how far from the truth, in what time.",
+      {method<FullSolver>("full", "all seven chapters"), method<FullCold>("full-cold", "all seven but the warm start"),
+       method<NoSlop>("no-slop", "no slop, cone"), method<NoSlopCold>("no-slop-cold", "no slop, cone, cold"),
+       method<Split>("split", "split impulse, cone"), method<Nonlinear>("nonlinear", "positions corrected, cone"),
+       method<Soft>("soft", "soft contacts, cone"), method<SteadySolver>("steady", "all together"),
+       method<SteadyCold>("steady-cold", "all together, cold"), method<AtOnce>("at-once", "all contacts at once"),
+       method<Solver<Joints>>("joints", "joints, cold"), method<Solver<WarmJoints>>("warm-joints", "joints, warm"),
+       method<Solver<SplitJoints>>("split-joints", "joints, push kept apart"),
+       method<Solver<SteadyJoints>>("steady-joints", "joints, twenty passes")});
+}

@@ -1,0 +1,161 @@
+#include "chapters/14_accuracy_and_time/play.h"
+
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+
+#include "common/input.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr double lost_beyond = 1e4;  // m
+
+/// Plays once. The places of every frame are kept, and looked at afterwards.
+struct Playing {
+  std::vector<Places> places;
+  double seconds = 0, row_solves = 0;
+  bool lost = false;
+
+  Playing(const Motion& motion, const Method& method, const Setting& setting, std::size_t bodies)
+      : places(static_cast<std::size_t>(motion.frames()), Places(bodies)) {
+    const std::unique_ptr<Player> player = method.begin(motion, setting);
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+      for (Places& frame : places) {
+        for (int step = 0; step < setting.small_steps; ++step) {
+          player->small_step();
+          row_solves += player->row_solves();
+        }
+        for (std::size_t body = 0; body < bodies; ++body) frame[body] = player->place(body);
+      }
+    } catch (const InvalidInput&) {  // a state that is no number any more
+      lost = true;
+    }
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+};
+
+double largest_error(const std::vector<Places>& places, const std::vector<Places>& truth) {
+  double largest = 0;
+  for (std::size_t frame = 0; frame < places.size(); ++frame) {
+    for (std::size_t body = 0; body < places[frame].size(); ++body) {
+      const double error = (places[frame][body] - truth[frame][body]).norm();
+      if (!(error < lost_beyond)) return std::numeric_limits<double>::infinity();
+      largest = std::max(largest, error);
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+Played play(const Motion& motion, const Method& method, const Setting& setting, double at_least) {
+  World world;
+  motion.fill(world);
+  Played played;
+  std::vector<double> times;
+  for (double spent = 0; times.empty() || (spent < at_least && times.size() < 1000); spent += times.back()) {
+    const Playing once(motion, method, setting, world.bodies.size());
+    if (times.empty()) {
+      played.error = once.lost ? std::numeric_limits<double>::infinity()
+                               : largest_error(once.places, motion.truth(motion.frames()));
+      played.row_solves = once.row_solves;
+    }
+    times.push_back(once.seconds);
+  }
+  std::nth_element(times.begin(), times.begin() + std::ssize(times) / 2, times.end());
+  played.seconds = times[times.size() / 2];
+  return played;
+}
+
+namespace {
+
+struct Asked {
+  const Method* method;
+  Setting setting;
+};
+
+void list(const std::vector<Method>& methods, const std::string& motion_name) {
+  if (motion_name.empty()) {
+    for (const Motion& motion : all_motions()) fmt::print("{}: {}\n", motion.name, motion.title);
+    return;
+  }
+  for (const Method& method : methods)
+    if (method.plays(motion_named(motion_name)))
+      fmt::print("{}{}: {}\n", method.name, method.sweeps ? "/SMALL-STEPS/SWEEPS" : "/SMALL-STEPS", method.title);
+}
+
+int number_in(const std::string& text, const std::string& asked, int most) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > most)
+    throw InvalidInput(fmt::format("'{}' in '{}': a whole number from 1 to {} is needed", text, asked, most));
+  return number;
+}
+
+Asked read(const std::string& asked, const Motion& motion, const std::vector<Method>& methods) {
+  std::vector<std::string> words = CLI::detail::split(asked, '/');
+  std::vector<std::string> names;
+  for (const Method& method : methods) {
+    if (!method.plays(motion)) continue;
+    names.push_back(method.name);
+    if (words[0] != method.name) continue;
+    const std::size_t numbers = method.sweeps ? 2 : 1;
+    if (words.size() != 1 + numbers)
+      throw InvalidInput(
+          fmt::format("'{}': {}/SMALL-STEPS{} is needed", asked, method.name, method.sweeps ? "/SWEEPS" : ""));
+    Asked read{&method, {.small_steps = number_in(words[1], asked, 1 << 16)}};
+    if (method.sweeps) read.setting.sweeps = number_in(words[2], asked, 1 << 20);
+    return read;
+  }
+  throw InvalidInput(fmt::format("method is '{}': one of {} plays {}", words[0], fmt::join(names, ", "), motion.name));
+}
+
+}  // namespace
+
+int play_program(int argc, const char* const* argv, const std::string& about, const std::vector<Method>& methods) {
+  CLI::App app{about};
+  std::string motion_name;
+  std::vector<std::string> settings;
+  double at_least = 0.01;
+  app.add_option("motion", motion_name, "What is played; without, the motions are listed");
+  app.add_option("settings", settings, "METHOD/SMALL-STEPS/SWEEPS ...; without, the motion's methods are listed");
+  app.add_option("--at-least", at_least, "Each is played again until that took so long, s")
+      ->check(CLI::Range(0.0, 60.0))
+      ->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& problem) {
+    return app.exit(problem) == 0 ? 0 : 2;
+  }
+  try {
+    if (settings.empty()) {
+      list(methods, motion_name);
+      return 0;
+    }
+    const Motion& motion = motion_named(motion_name);
+    std::vector<Asked> all;
+    for (const std::string& setting : settings) all.push_back(read(setting, motion, methods));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Played played = play(motion, *all[i].method, all[i].setting, at_least);
+      fmt::print("{} error {} seconds {:.4e} row-solves {:.4e}\n", settings[i],
+                 std::isfinite(played.error) ? fmt::format("{:.4e}", played.error) : "lost", played.seconds,
+                 played.row_solves);
+      std::fflush(stdout);
+    }
+  } catch (const InvalidInput& problem) {
+    fmt::print(stderr, "{}\n", problem.what());
+    return 2;
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "{}\n", problem.what());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace pushback

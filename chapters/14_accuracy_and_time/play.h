@@ -1,0 +1,56 @@
+/// An engine plays a motion: how far from the truth it comes, and how long it takes.
+#pragma once
+
+#include <memory>
+
+#include "chapters/14_accuracy_and_time/motion.h"
+
+namespace pushback {
+
+/// The knobs. A small step is 1 / (60 small_steps) s, so this is the time step and the number of sub-steps in one.
+struct Setting {
+  int small_steps = 1;  ///< in a frame of 1/60 s
+  int sweeps = 10;      ///< or iterations, in each small step
+
+  double dt() const { return 1.0 / (frames_per_second * small_steps); }
+};
+
+/// An engine with a motion in it, about to begin.
+class Player {
+ public:
+  virtual ~Player() = default;
+  virtual void small_step() = 0;
+  /// Of the centre of mass of the body with this index in the motion's world, m.
+  virtual Eigen::Vector3d place(std::size_t body) const = 0;
+  /// Rows times sweeps, of the latest small step; 0 where an engine does not say.
+  virtual double row_solves() const { return 0; }
+};
+
+/// One way to play motions: a solver of ours, or of others.
+struct Method {
+  std::string name;                          ///< a word for the command line
+  std::string title;                         ///< a few words for a diagram
+  std::function<bool(const Motion&)> plays;  ///< whether the motion is something for it
+  std::function<std::unique_ptr<Player>(const Motion&, const Setting&)> begin;
+  bool sweeps = true;  ///< whether the number of sweeps is a knob of it
+};
+
+struct Played {
+  double error = 0;       ///< m, the farthest that any body was from its true place in any frame; infinite: it was lost
+  double seconds = 0;     ///< of wall time, for the whole motion: the median of some times that it was played
+  double row_solves = 0;  ///< in the whole motion
+};
+
+/// Plays the motion until it has taken `at_least` seconds, and once in any case. Only small steps are in the time, not the
+/// making of a world, and not the comparing.
+Played play(const Motion& motion, const Method& method, const Setting& setting, double at_least = 0.01);
+
+/// The program  NAME MOTION METHOD/SMALL-STEPS/SWEEPS ...  plays the motion in each of these settings and prints a line for each:
+///
+///   full/4/16 error 1.2345e-03 seconds 4.5678e-02 row-solves 6.7890e+06
+///
+/// with the error "lost" where it was. Without a motion it lists the motions that there are, with one its methods. Returns the
+/// exit status: 0; 2 where a value cannot be used, and then nothing was played.
+int play_program(int argc, const char* const* argv, const std::string& about, const std::vector<Method>& methods);
+
+}  // namespace pushback
