@@ -15,13 +15,17 @@ namespace {
 
 constexpr double lost_beyond = 1e4;  // m
 
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 /// Plays once. The places of every frame are kept, and looked at afterwards.
 struct Playing {
   std::vector<Places> places;
   double seconds = 0, row_solves = 0;
-  bool lost = false;
+  bool lost = false, late = false;
 
-  Playing(const Motion& motion, const Method& method, const Setting& setting, std::size_t bodies)
+  Playing(const Motion& motion, const Method& method, const Setting& setting, double at_most, std::size_t bodies)
       : places(static_cast<std::size_t>(motion.frames()), Places(bodies)) {
     const std::unique_ptr<Player> player = method.begin(motion, setting);
     const auto begin = std::chrono::steady_clock::now();
@@ -32,11 +36,15 @@ struct Playing {
           row_solves += player->row_solves();
         }
         for (std::size_t body = 0; body < bodies; ++body) frame[body] = player->place(body);
+        if (seconds_since(begin) > at_most) {
+          late = &frame != &places.back();
+          break;
+        }
       }
     } catch (const InvalidInput&) {  // a state that is no number any more
       lost = true;
     }
-    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    seconds = seconds_since(begin);
   }
 };
 
@@ -45,7 +53,7 @@ double largest_error(const std::vector<Places>& places, const std::vector<Places
   for (std::size_t frame = 0; frame < places.size(); ++frame) {
     for (std::size_t body = 0; body < places[frame].size(); ++body) {
       const double error = (places[frame][body] - truth[frame][body]).norm();
-      if (!(error < lost_beyond)) return std::numeric_limits<double>::infinity();
+      if (!(error < lost_beyond)) return no_error_known;
       largest = std::max(largest, error);
     }
   }
@@ -54,17 +62,18 @@ double largest_error(const std::vector<Places>& places, const std::vector<Places
 
 }  // namespace
 
-Played play(const Motion& motion, const Method& method, const Setting& setting, double at_least) {
+Played play(const Motion& motion, const Method& method, const Setting& setting, const Patience& patience) {
   World world;
   motion.fill(world);
   Played played;
   std::vector<double> times;
-  for (double spent = 0; times.empty() || (spent < at_least && times.size() < 1000); spent += times.back()) {
-    const Playing once(motion, method, setting, world.bodies.size());
+  for (double spent = 0; times.empty() || (spent < patience.at_least && times.size() < 1000); spent += times.back()) {
+    const Playing once(motion, method, setting, patience.at_most, world.bodies.size());
     if (times.empty()) {
-      played.error = once.lost ? std::numeric_limits<double>::infinity()
-                               : largest_error(once.places, motion.truth(motion.frames()));
+      played.error =
+          once.lost || once.late ? no_error_known : largest_error(once.places, motion.truth(motion.frames()));
       played.row_solves = once.row_solves;
+      played.late = once.late;
     }
     times.push_back(once.seconds);
   }
@@ -122,11 +131,14 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
   CLI::App app{about};
   std::string motion_name;
   std::vector<std::string> settings;
-  double at_least = 0.01;
+  Patience patience;
   app.add_option("motion", motion_name, "What is played; without, the motions are listed");
   app.add_option("settings", settings, "METHOD/SMALL-STEPS/SWEEPS ...; without, the motion's methods are listed");
-  app.add_option("--at-least", at_least, "Each is played again until that took so long, s")
+  app.add_option("--at-least", patience.at_least, "Each is played again until that took so long, s")
       ->check(CLI::Range(0.0, 60.0))
+      ->capture_default_str();
+  app.add_option("--at-most", patience.at_most, "Each is given up after so long, s")
+      ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
   try {
     app.parse(argc, argv);
@@ -142,10 +154,12 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
     std::vector<Asked> all;
     for (const std::string& setting : settings) all.push_back(read(setting, motion, methods));
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const Played played = play(motion, *all[i].method, all[i].setting, at_least);
+      const Played played = play(motion, *all[i].method, all[i].setting, patience);
       fmt::print("{} error {} seconds {:.4e} row-solves {:.4e}\n", settings[i],
-                 std::isfinite(played.error) ? fmt::format("{:.4e}", played.error) : "lost", played.seconds,
-                 played.row_solves);
+                 std::isfinite(played.error) ? fmt::format("{:.4e}", played.error)
+                 : played.late               ? "late"
+                                             : "lost",
+                 played.seconds, played.row_solves);
       std::fflush(stdout);
     }
   } catch (const InvalidInput& problem) {

@@ -1,6 +1,7 @@
 /// An engine plays a motion: how far from the truth it comes, and how long it takes.
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "chapters/14_accuracy_and_time/motion.h"
@@ -35,21 +36,29 @@ struct Method {
   bool sweeps = true;  ///< whether the number of sweeps is a knob of it
 };
 
+/// Of a motion that was lost, or given up.
+inline constexpr double no_error_known = std::numeric_limits<double>::infinity();
+
 struct Played {
-  double error = 0;       ///< m, the farthest that any body was from its true place in any frame; infinite: it was lost
+  double error = 0;       ///< m, the farthest that any body was from its true place in any frame; or no_error_known
   double seconds = 0;     ///< of wall time, for the whole motion: the median of some times that it was played
   double row_solves = 0;  ///< in the whole motion
+  bool late = false;      ///< given up
 };
 
-/// Plays the motion until it has taken `at_least` seconds, and once in any case. Only small steps are in the time, not the
-/// making of a world, and not the comparing.
-Played play(const Motion& motion, const Method& method, const Setting& setting, double at_least = 0.01);
+struct Patience {
+  double at_least = 0.01;  ///< s: it is played again until it has taken so long
+  double at_most = 60;     ///< s: after which it is given up
+};
+
+/// Plays the motion, once in any case. Only small steps are in the time, not the making of a world, and not the comparing.
+Played play(const Motion& motion, const Method& method, const Setting& setting, const Patience& patience = {});
 
 /// The program  NAME MOTION METHOD/SMALL-STEPS/SWEEPS ...  plays the motion in each of these settings and prints a line for each:
 ///
 ///   full/4/16 error 1.2345e-03 seconds 4.5678e-02 row-solves 6.7890e+06
 ///
-/// with the error "lost" where it was. Without a motion it lists the motions that there are, with one its methods. Returns the
+/// with the error "lost" where a body was more than 10 km off, "late" where it was given up. Without a motion it lists the motions that there are, with one its methods. Returns the
 /// exit status: 0; 2 where a value cannot be used, and then nothing was played.
 int play_program(int argc, const char* const* argv, const std::string& about, const std::vector<Method>& methods);
 

@@ -1,0 +1,75 @@
+#include "chapters/14_accuracy_and_time/front.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushback {
+
+namespace {
+
+double at_part(const std::vector<double>& ascending, double part) {
+  return ascending[static_cast<std::size_t>(part * static_cast<double>(ascending.size() - 1) + 0.5)];
+}
+
+}  // namespace
+
+double Measured::median() const {
+  return at_part(seconds, 0.5);
+}
+double Measured::quartile(int which) const {
+  return at_part(seconds, 0.25 * which);
+}
+std::string Measured::setting() const {
+  return sweeps == 0 ? fmt::format("{}/{}", method, small_steps) : fmt::format("{}/{}/{}", method, small_steps, sweeps);
+}
+
+Measurements front(Measurements all) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Measured& a, const Measured& b) { return a.median() < b.median(); });
+  Measurements found;
+  for (const Measured& one : all)
+    if (std::isfinite(one.error) && (found.empty() || one.error < found.back().error)) found.push_back(one);
+  return found;
+}
+
+Measurements near_front(const Measurements& all, double slack) {
+  Measurements found;
+  for (const Measured& one : all)
+    if (std::isfinite(one.error) && one.median() <= slack * cheapest(all, one.error)->median()) found.push_back(one);
+  return found;
+}
+
+std::optional<Measured> cheapest(const Measurements& all, double error) {
+  std::optional<Measured> found;
+  for (const Measured& one : all)
+    if (one.error <= error && (!found || one.median() < found->median())) found = one;
+  return found;
+}
+
+double times_slower(const Measurements& ours, const Measurements& theirs, double least, double most) {
+  double worst = 0;
+  for (const Measured& point : front(theirs)) {
+    if (point.error < least || point.error > most) continue;
+    const auto found = cheapest(ours, point.error);
+    worst = std::max(worst, found ? found->median() / point.median() : std::numeric_limits<double>::infinity());
+  }
+  return worst;
+}
+
+double slope(const std::vector<double>& x, const std::vector<double>& y) {
+  double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+  const auto n = static_cast<double>(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += std::log(x[i]) / n;
+    mean_y += std::log(y[i]) / n;
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (std::log(x[i]) - mean_x) * (std::log(x[i]) - mean_x);
+    xy += (std::log(x[i]) - mean_x) * (std::log(y[i]) - mean_y);
+  }
+  return xy / xx;
+}
+
+}  // namespace pushback

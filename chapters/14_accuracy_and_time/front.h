@@ -1,0 +1,44 @@
+/// What was measured, and what is worth choosing of it: nothing that is both slower and worse than another.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pushback {
+
+/// A motion played in one setting, as often as it was timed.
+struct Measured {
+  std::string engine;                ///< "motion", or "motion_bullet": the program that played
+  std::string method;                ///< "steady"
+  int small_steps = 1;               ///< in a frame of 1/60 s
+  int sweeps = 0;                    ///< in a small step; 0: the method has no such knob
+  double error = 0;                  ///< m; infinite: lost, or given up
+  double row_solves = 0;             ///< in the whole motion
+  std::vector<double> seconds = {};  ///< for the whole motion, one a round, ascending
+
+  double median() const;
+  double quartile(int which) const;  ///< 1 or 3
+  std::string setting() const;       ///< "steady/32/1"
+};
+using Measurements = std::vector<Measured>;
+
+/// Those that no other is faster than with no more error: by time ascending, errors descending.
+Measurements front(Measurements all);
+
+/// Those that take no longer than `slack` times what the fastest with no more error takes.
+Measurements near_front(const Measurements& all, double slack);
+
+/// The fastest with at most this error (m).
+std::optional<Measured> cheapest(const Measurements& all, double error);
+
+/// The largest factor by which `ours` takes longer for what a point on the front of `theirs` reaches, over those with errors
+/// (m) between `least` and `most`; infinite where ours never gets there; 0 where they have no such point. At most 1: ours lies
+/// on or below their front.
+double times_slower(const Measurements& ours, const Measurements& theirs, double least, double most);
+
+/// The slope of the straight line through (log x, log y), by least squares. All above 0, two or more different x.
+double slope(const std::vector<double>& x, const std::vector<double>& y);
+
+}  // namespace pushback

@@ -1,0 +1,135 @@
+#include "chapters/14_accuracy_and_time/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pushback {
+
+namespace {
+
+constexpr double least_drawn = 1e-9;  // m: an error of 0 is drawn here
+
+struct Tolerance {
+  double error;  // m
+  const char* name;
+};
+constexpr Tolerance tolerances[] = {{1e-2, "1 cm"}, {1e-3, "1 mm"}, {1e-4, "0.1 mm"}};
+
+template <class Which>
+Measurements those(const Measurements& all, const Which& which) {
+  Measurements found;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(found), which);
+  return found;
+}
+Measurements of_engine(const Measurements& all, const std::string& engine) {
+  return those(all, [&](const Measured& one) { return one.engine == engine; });
+}
+Measurements ours(const Measurements& all) {
+  return those(all, [](const Measured& one) { return one.engine == "motion" || one.engine == "motion_float"; });
+}
+
+Curve curve_of(const Measurements& points, const Motion& motion, const std::string& label, const std::string& colour,
+               Curve::Style style) {
+  Curve curve{label, {}, {}, colour, style};
+  for (const Measured& one : points) {
+    if (!std::isfinite(one.error)) continue;
+    curve.x.push_back(static_cast<Real>(1000 * one.median() / motion.seconds));
+    curve.y.push_back(static_cast<Real>(std::max(one.error, least_drawn)));
+  }
+  return curve;
+}
+
+void add(Panel& panel, const Curve& curve) {
+  if (!curve.x.empty()) panel.curves.push_back(curve);
+}
+
+Panel error_against_time(const Motion& motion) {
+  return {.title = motion.title,
+          .x_label = "wall time for a second, ms",
+          .y_label = "largest error, m",
+          .log_x = true,
+          .log_y = true};
+}
+
+/// us of wall time for a frame.
+double per_frame(const Motion& motion, double seconds) {
+  return 1e6 * seconds / motion.frames();
+}
+
+}  // namespace
+
+Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& engines) {
+  const Motion& motion = *measured.motion;
+  Panel panel = error_against_time(motion);
+  add(panel, curve_of(of_engine(measured.all, "motion"), motion, "", "#c4d8e8", Curve::Style::points));
+  for (std::size_t i = engines.size(); i-- > 0;) {  // ours last, on top
+    const bool is_float = engines[i].program == "motion_float";
+    add(panel, curve_of(front(of_engine(measured.all, engines[i].program)), motion, engines[i].title,
+                        line_colour(is_float ? 5 : i), Curve::Style::line_and_points));
+  }
+  return panel;
+}
+
+Panel fronts_of_methods(const MotionMeasured& measured) {
+  Panel panel = error_against_time(*measured.motion);
+  const Measurements all = of_engine(measured.all, "motion");
+  std::vector<std::string> methods;
+  for (const Measured& one : all)
+    if (std::find(methods.begin(), methods.end(), one.method) == methods.end()) methods.push_back(one.method);
+  std::sort(methods.begin(), methods.end());
+  std::size_t colour = 0;
+  for (const std::string& method : methods) {
+    const bool cold = method.ends_with("-cold");  // follows its warm sister, in her colour
+    const Measurements points = front(those(all, [&](const Measured& one) { return one.method == method; }));
+    add(panel, curve_of(points, *measured.motion, method, line_colour(cold ? colour - 1 : colour),
+                        cold ? Curve::Style::dashed : Curve::Style::line_and_points));
+    if (!cold) ++colour;
+  }
+  return panel;
+}
+
+std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
+  std::string text = "| motion | below 1 cm | below 1 mm | below 0.1 mm |\n| --- | --- | --- | --- |\n";
+  for (const MotionMeasured& measured : all) {
+    text += fmt::format("| {} ", measured.motion->title);
+    for (const Tolerance& tolerance : tolerances) {
+      const auto found = cheapest(ours(measured.all), tolerance.error);
+      const auto frame = [&](double seconds) { return per_frame(*measured.motion, seconds); };
+      text += found ? fmt::format("| `{}`{}: {:.3g} µs ({:.3g} to {:.3g}), {:.3g} row solves ", found->setting(),
+                                  found->engine == "motion" ? "" : " in float", frame(found->median()),
+                                  frame(found->quartile(1)), frame(found->quartile(3)),
+                                  found->row_solves / measured.motion->frames())
+                    : "| not reached ";
+    }
+    text += "|\n";
+  }
+  return text;
+}
+
+std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines) {
+  std::string text = "| motion | engine | below 1 cm | below 1 mm | below 0.1 mm | on its front we take at most |\n";
+  text += "| --- | --- | --- | --- | --- | --- |\n";
+  for (const MotionMeasured& measured : all) {
+    for (const Engine& engine : engines) {
+      const Measurements theirs = of_engine(measured.all, engine.program), our = ours(measured.all);
+      if (engine.program == "motion" || engine.program == "motion_float") continue;
+      text += fmt::format("| {} | {} ", measured.motion->title, engine.title);
+      for (const Tolerance& tolerance : tolerances) {
+        const auto found = cheapest(theirs, tolerance.error), best = cheapest(our, tolerance.error);
+        text += !found  ? "| not reached "
+                : !best ? fmt::format("| {:.3g} µs, we not at all ", per_frame(*measured.motion, found->median()))
+                        : fmt::format("| {:.2g} times as long ", found->median() / best->median());
+      }
+      const double slower = times_slower(our, theirs, 0, 1e-1);
+      text += theirs.empty()       ? "| it does not play this |\n"
+              : slower == 0        ? "| it is never within 10 cm |\n"
+              : std::isinf(slower) ? "| we do not reach its best |\n"
+                                   : fmt::format("| {:.2g} times its time |\n", slower);
+    }
+  }
+  return text;
+}
+
+}  // namespace pushback

@@ -1,0 +1,35 @@
+/// What was measured, as diagrams and as tables.
+#pragma once
+
+#include <map>
+
+#include "chapters/14_accuracy_and_time/rounds.h"
+#include "common/plot.h"
+
+namespace pushback {
+
+struct MotionMeasured {
+  const Motion* motion;
+  Measurements all;
+};
+
+/// Error against time: every setting of ours a dot, through the best of each engine a line.
+Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& engines);
+
+/// The same of our methods in double, one line each.
+Panel fronts_of_methods(const MotionMeasured& measured);
+
+/// Markdown. "For an error below 1 cm, 1 mm, 0.1 mm the cheapest setting is ..., and costs ... us a frame of 1/60 s."
+std::string table_of_cheapest(const std::vector<MotionMeasured>& all);
+
+/// Markdown. For the same three errors: how many times as long the others take as we do.
+std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
+
+/// Markdown. A row a knob and motion: by what a doubling changes error and time, from slopes; warm against cold, float against
+/// double.
+std::string table_of_knobs(const std::vector<MotionMeasured>& all);
+
+/// Error against the two knobs that are numbers, in the rows of table_of_knobs.
+std::vector<Panel> panels_of_knobs(const std::vector<MotionMeasured>& all);
+
+}  // namespace pushback

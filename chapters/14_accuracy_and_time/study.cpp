@@ -1,0 +1,82 @@
+/// ./course study: every motion in every setting by every engine, the diagrams and tables of docs/accuracy_and_time.md.
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+
+#include "chapters/14_accuracy_and_time/report.h"
+#include "common/files.h"
+#include "common/input.h"
+
+using namespace pushback;
+
+namespace {
+
+struct Asked {
+  bool quick = false;
+  int rounds = 0;
+  std::vector<std::string> only;
+  std::string out = "renders";
+};
+
+void study(const Asked& asked, const std::filesystem::path& programs) {
+  std::vector<const Motion*> motions;
+  for (const Motion& motion : all_motions())
+    if (asked.only.empty()) motions.push_back(&motion);
+  for (const std::string& name : asked.only) motions.push_back(&motion_named(name));
+  const std::vector<Engine> engines = engines_in(programs);
+  const RoundOptions options{.programs = programs,
+                             .quick = asked.quick,
+                             .rounds = asked.rounds > 0 ? asked.rounds
+                                       : asked.quick    ? 1
+                                                        : 5,
+                             .say = [](const std::string& what) {
+                               fmt::print("{}\n", what);
+                               std::fflush(stdout);
+                             }};
+  std::vector<MotionMeasured> all;
+  std::map<std::string, Measurements> by_motion;
+  std::vector<Panel> against_time, methods;
+  for (const Motion* motion : motions) {
+    all.push_back({motion, measure(*motion, options)});
+    by_motion[motion->name] = all.back().all;
+    against_time.push_back(work_precision(all.back(), engines));
+    methods.push_back(fronts_of_methods(all.back()));
+  }
+  const std::filesystem::path folder = std::filesystem::path(asked.out) / "14_accuracy_and_time";
+  make_writable_folder(folder);
+  write_plot(folder / "work_precision.png", against_time);
+  write_plot(folder / "methods.png", methods);
+  if (const auto panels = panels_of_knobs(all); !panels.empty()) write_plot(folder / "knobs.png", panels);
+  write_text_file(folder / "study.csv", csv_of(by_motion));
+  write_text_file(folder / "cheapest.md", table_of_cheapest(all));
+  write_text_file(folder / "others.md", table_of_others(all, engines));
+  write_text_file(folder / "knobs.md", table_of_knobs(all));
+  fmt::print("{}\n{}\n{}", table_of_cheapest(all), table_of_others(all, engines), table_of_knobs(all));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"What accuracy costs in time: all motions in all settings, timed round after round."};
+  Asked asked;
+  app.add_flag("--quick", asked.quick, "Fewer settings, fewer rounds: in two minutes");
+  app.add_option("--rounds", asked.rounds, "In which all that is near a front is timed; 5, or 1 with --quick")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--only", asked.only, "These motions");
+  app.add_option("--out", asked.out, "The folder to write to")->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& problem) {
+    return app.exit(problem) == 0 ? 0 : 2;
+  }
+  try {
+    study(asked, std::filesystem::canonical("/proc/self/exe").parent_path());
+  } catch (const InvalidInput& problem) {
+    fmt::print(stderr, "{}\n", problem.what());
+    return 2;
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "{}\n", problem.what());
+    return 1;
+  }
+  return 0;
+}
