@@ -34,11 +34,8 @@ Measurements front(Measurements all) {
   return found;
 }
 
-Measurements near_front(const Measurements& all, double slack) {
-  Measurements found;
-  for (const Measured& one : all)
-    if (std::isfinite(one.error) && one.median() <= slack * cheapest(all, one.error)->median()) found.push_back(one);
-  return found;
+bool is_near_front(const Measured& one, const Measurements& all, double slack) {
+  return std::isfinite(one.error) && one.median() <= slack * cheapest(all, one.error)->median();
 }
 
 std::optional<Measured> cheapest(const Measurements& all, double error) {

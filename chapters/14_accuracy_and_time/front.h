@@ -15,6 +15,7 @@ struct Measured {
   int small_steps = 1;               ///< in a frame of 1/60 s
   int sweeps = 0;                    ///< in a small step; 0: the method has no such knob
   double error = 0;                  ///< m; infinite: lost, or given up
+  bool late = false;                 ///< given up
   double row_solves = 0;             ///< in the whole motion
   std::vector<double> seconds = {};  ///< for the whole motion, one a round, ascending
 
@@ -27,8 +28,8 @@ using Measurements = std::vector<Measured>;
 /// Those that no other is faster than with no more error: by time ascending, errors descending.
 Measurements front(Measurements all);
 
-/// Those that take no longer than `slack` times what the fastest with no more error takes.
-Measurements near_front(const Measurements& all, double slack);
+/// Whether one of `all` takes no longer than `slack` times what the fastest of them with no more error takes.
+bool is_near_front(const Measured& one, const Measurements& all, double slack);
 
 /// The fastest with at most this error (m).
 std::optional<Measured> cheapest(const Measurements& all, double error);

@@ -25,6 +25,8 @@ constexpr Turned turned[] = {{"bounce", "slim", 0, 1},         {"sliding", "slim
                              {"heavy-on-light", "slim", 1, 0}, {"heavy-on-light", "slim-cold", 1, 0},
                              {"chain", "joints", 4, 0},        {"chain", "split-joints", 4, 0}};
 
+constexpr double still_it = 0.1;  // m: what is farther off has fallen, and follows no law
+
 struct Line {
   std::vector<double> knob, error, seconds;
 };
@@ -32,7 +34,7 @@ struct Line {
 Line line_of(const Measurements& all, const Turned& how) {
   std::vector<const Measured*> found;
   for (const Measured& one : all)
-    if (one.engine == "motion" && one.method == how.method && std::isfinite(one.error) && one.error > 0 &&
+    if (one.engine == "motion" && one.method == how.method && one.error < still_it && one.error > 0 &&
         (how.small_steps == 0 || one.small_steps == how.small_steps) && (how.sweeps == 0 || one.sweeps == how.sweeps))
       found.push_back(&one);
   const auto knob = [&](const Measured& one) { return how.small_steps == 0 ? one.small_steps : one.sweeps; };

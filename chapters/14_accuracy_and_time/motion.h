@@ -34,6 +34,8 @@ struct Motion {
   int most_passes = 256;                          ///< small steps times sweeps
 
   int frames() const;
+  /// The bodies, and the pins as joints.
+  void begin(World& world) const;
 };
 
 /// bounce, incline, sliding, rolling, pendulum, stack-10, pyramid-10, heavy-on-light, chain, break.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chapters/09_joints/ball_and_socket.h"
 #include "chapters/14_accuracy_and_time/motion.h"
 #include "chapters/14_accuracy_and_time/truth.h"
 #include "common/input.h"
@@ -12,6 +13,11 @@ namespace pushback {
 
 int Motion::frames() const {
   return static_cast<int>(std::lround(seconds * frames_per_second));
+}
+
+void Motion::begin(World& world) const {
+  fill(world);
+  for (const Pin& pin : pins) world.joints.push_back(ball_and_socket(world, pin.a, pin.b, pin.anchor));
 }
 
 namespace {

@@ -1,6 +1,5 @@
 /// The program `motion`: our own solvers play motions. Built twice, with Real = double and with Real = float.
 #include "chapters/05_restitution/at_once.h"
-#include "chapters/09_joints/ball_and_socket.h"
 #include "chapters/11_position_correction/nonlinear_gauss_seidel.h"
 #include "chapters/11_position_correction/split_impulse.h"
 #include "chapters/12_small_steps/steady_solver.h"
@@ -25,8 +24,7 @@ template <class ContactSolver>
 class Ours : public Player {
  public:
   Ours(const Motion& motion, const Setting& setting) : dt_(static_cast<Real>(setting.dt())), sweeps_(setting.sweeps) {
-    motion.fill(world_);
-    for (const Pin& pin : motion.pins) world_.joints.push_back(ball_and_socket(world_, pin.a, pin.b, pin.anchor));
+    motion.begin(world_);
     if constexpr (std::is_same_v<ContactSolver, Slim> || std::is_same_v<ContactSolver, SlimCold>)
       solver_.slop = Real(1e-4);
     // Bounces are compared at every speed.

@@ -78,7 +78,6 @@ Panel fronts_of_methods(const MotionMeasured& measured) {
   std::vector<std::string> methods;
   for (const Measured& one : all)
     if (std::find(methods.begin(), methods.end(), one.method) == methods.end()) methods.push_back(one.method);
-  std::sort(methods.begin(), methods.end());
   std::size_t colour = 0;
   for (const std::string& method : methods) {
     const bool cold = method.ends_with("-cold");  // follows its warm sister, in her colour

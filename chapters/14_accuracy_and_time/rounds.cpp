@@ -3,8 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <memory>
 #include <sstream>
 #include <stdexcept>
 
@@ -26,6 +26,8 @@ std::vector<std::string> lines_of(const std::string& command) {
   return lines;
 }
 
+using Indices = std::vector<std::size_t>;
+
 class Asking {
  public:
   Asking(const Motion& motion, const RoundOptions& options) : motion_(motion), options_(options) {}
@@ -36,7 +38,7 @@ class Asking {
     for (const std::string& line : lines_of(command(engine))) {
       const std::string method = line.substr(0, line.find_first_of("/:"));
       const bool sweeps = line.find("/SWEEPS") < line.find(':');
-      for (int small_steps = 1; small_steps <= motion_.most_small_steps; small_steps *= options_.quick ? 4 : 2) {
+      for (int small_steps = 1; small_steps <= most_small_steps(); small_steps *= options_.quick ? 4 : 2) {
         for (int n = 1; n <= motion_.most_sweeps && n * small_steps <= most_passes(); n *= 4) {
           all.push_back({.engine = engine, .method = method, .small_steps = small_steps, .sweeps = sweeps ? n : 0});
           if (!sweeps) break;
@@ -45,25 +47,29 @@ class Asking {
     }
     return all;
   }
-  /// Plays all of them once more.
-  void play(Measurements& all) const {
-    for (std::size_t first = 0; first < all.size();) {  // those of one engine in one call
+  /// Plays those with these indices once more.
+  void play(Measurements& all, const Indices& which) const {
+    for (std::size_t first = 0; first < which.size();) {  // those of one engine in one call
+      const std::string engine = all[which[first]].engine;
       std::string settings;
       std::size_t last = first;
-      for (; last < all.size() && all[last].engine == all[first].engine; ++last)
-        settings += fmt::format(" {}", all[last].setting());
-      const std::vector<std::string> lines = lines_of(command(all[first].engine) + settings + patience());
+      for (; last < which.size() && all[which[last]].engine == engine; ++last)
+        settings += fmt::format(" {}", all[which[last]].setting());
+      const std::vector<std::string> lines = lines_of(command(engine) + settings + patience());
       if (lines.size() != last - first)
         throw std::runtime_error(
-            fmt::format("{} printed {} lines for {} settings", all[first].engine, lines.size(), last - first));
-      for (std::size_t i = first; i < last; ++i) read(lines[i - first], all[i]);
+            fmt::format("{} printed {} lines for {} settings", engine, lines.size(), last - first));
+      for (std::size_t i = first; i < last; ++i) read(lines[i - first], all[which[i]]);
       first = last;
     }
   }
 
  private:
+  int most_small_steps() const {
+    return options_.quick ? std::min(64, motion_.most_small_steps) : motion_.most_small_steps;
+  }
   int most_passes() const { return options_.quick ? std::max(1, motion_.most_passes / 8) : motion_.most_passes; }
-  std::string patience() const { return options_.quick ? " --at-least 0.002 --at-most 0.4" : " --at-most 10"; }
+  std::string patience() const { return options_.quick ? " --at-least 0 --at-most 0.15" : " --at-most 10"; }
   std::string command(const std::string& engine) const {
     return fmt::format("'{}' {}", (options_.programs / engine).string(), motion_.name);
   }
@@ -73,7 +79,8 @@ class Asking {
     double seconds = 0;
     in >> setting >> word >> error >> word >> seconds >> word >> into.row_solves;
     if (!in || setting != into.setting()) throw std::runtime_error(fmt::format("not a measurement: {}", line));
-    into.error = error == "lost" || error == "late" ? std::numeric_limits<double>::infinity() : std::stod(error);
+    into.late = error == "late";
+    into.error = into.late || error == "lost" ? std::numeric_limits<double>::infinity() : std::stod(error);
     into.seconds.insert(std::upper_bound(into.seconds.begin(), into.seconds.end(), seconds), seconds);
   }
 
@@ -81,13 +88,13 @@ class Asking {
   const RoundOptions& options_;
 };
 
-/// Moves those of `all` that are near a front of their engine to `near`.
-void pick(Measurements& all, Measurements& near) {
-  near = near_front(all, slack);
-  std::erase_if(all, [&](const Measured& one) {
-    return std::any_of(near.begin(), near.end(),
-                       [&](const Measured& other) { return other.setting() == one.setting(); });
-  });
+/// From `first` on.
+Indices indices_of_those_near_front(const Measurements& all, std::size_t first) {
+  const Measurements latest(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
+  Indices found;
+  for (std::size_t i = 0; i < latest.size(); ++i)
+    if (is_near_front(latest[i], latest, slack)) found.push_back(first + i);
+  return found;
 }
 
 }  // namespace
@@ -105,31 +112,33 @@ std::vector<Engine> engines_in(const std::filesystem::path& programs) {
 
 Measurements measure(const Motion& motion, const RoundOptions& options) {
   const Asking asking(motion, options);
-  Measurements all, near;
+  Measurements all;
+  Indices near;
   for (const Engine& engine : engines_in(options.programs)) {
     options.say(fmt::format("{}: {}", motion.name, engine.title));
-    Measurements of_engine;
+    const std::size_t first = all.size();
     if (engine.program == "motion_float") {
-      for (Measured one : near) {
+      for (const std::size_t i : near) {
+        Measured one = all[i];
         one.engine = engine.program;
         one.seconds.clear();
-        of_engine.push_back(one);
+        all.push_back(one);
       }
     } else {
-      of_engine = asking.grid(engine.program);
+      const Measurements grid = asking.grid(engine.program);
+      all.insert(all.end(), grid.begin(), grid.end());
     }
-    asking.play(of_engine);
-    Measurements of_engine_near;
-    pick(of_engine, of_engine_near);
-    near.insert(near.end(), of_engine_near.begin(), of_engine_near.end());
-    all.insert(all.end(), of_engine.begin(), of_engine.end());
+    Indices latest;
+    for (std::size_t i = first; i < all.size(); ++i) latest.push_back(i);
+    asking.play(all, latest);
+    latest = indices_of_those_near_front(all, first);
+    near.insert(near.end(), latest.begin(), latest.end());
   }
   for (int round = 1; round <= options.rounds; ++round) {
     options.say(
         fmt::format("{}: round {} of {}, {} settings near a front", motion.name, round, options.rounds, near.size()));
-    asking.play(near);
+    asking.play(all, near);
   }
-  all.insert(all.end(), near.begin(), near.end());
   return all;
 }
 
@@ -137,10 +146,12 @@ std::string csv_of(const std::map<std::string, Measurements>& by_motion) {
   std::string text = "motion,engine,method,small_steps,sweeps,error_m,seconds,quartile1,quartile3,rounds,row_solves\n";
   for (const auto& [motion, all] : by_motion)
     for (const Measured& one : all)
-      text +=
-          fmt::format("{},{},{},{},{},{},{:.4e},{:.4e},{:.4e},{},{:.4e}\n", motion, one.engine, one.method,
-                      one.small_steps, one.sweeps, std::isfinite(one.error) ? fmt::format("{:.4e}", one.error) : "lost",
-                      one.median(), one.quartile(1), one.quartile(3), one.seconds.size(), one.row_solves);
+      text += fmt::format("{},{},{},{},{},{},{:.4e},{:.4e},{:.4e},{},{:.4e}\n", motion, one.engine, one.method,
+                          one.small_steps, one.sweeps,
+                          one.late                   ? "late"
+                          : std::isfinite(one.error) ? fmt::format("{:.4e}", one.error)
+                                                     : "lost",
+                          one.median(), one.quartile(1), one.quartile(3), one.seconds.size(), one.row_solves);
   return text;
 }
 

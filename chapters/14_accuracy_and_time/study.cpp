@@ -23,6 +23,8 @@ void study(const Asked& asked, const std::filesystem::path& programs) {
   for (const Motion& motion : all_motions())
     if (asked.only.empty()) motions.push_back(&motion);
   for (const std::string& name : asked.only) motions.push_back(&motion_named(name));
+  const std::filesystem::path folder = std::filesystem::path(asked.out) / "14_accuracy_and_time";
+  make_writable_folder(folder);
   const std::vector<Engine> engines = engines_in(programs);
   const RoundOptions options{.programs = programs,
                              .quick = asked.quick,
@@ -42,8 +44,6 @@ void study(const Asked& asked, const std::filesystem::path& programs) {
     against_time.push_back(work_precision(all.back(), engines));
     methods.push_back(fronts_of_methods(all.back()));
   }
-  const std::filesystem::path folder = std::filesystem::path(asked.out) / "14_accuracy_and_time";
-  make_writable_folder(folder);
   write_plot(folder / "work_precision.png", against_time);
   write_plot(folder / "methods.png", methods);
   if (const auto panels = panels_of_knobs(all); !panels.empty()) write_plot(folder / "knobs.png", panels);
