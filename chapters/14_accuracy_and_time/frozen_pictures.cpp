@@ -27,16 +27,26 @@ Panel trace_panel(const Measured& of, bool against_time) {
               .log_y = true,
               .key = "bottom left",
               .extra = "set yrange [1e-13:*]; set ytics 1e3; set grid"};
-  for (std::size_t m = 0; m < of.traces.size(); ++m) {
-    Curve curve{method_names()[m], {}, {}, line_colour(m), Curve::Style::line};
-    for (const TracePoint& point : of.traces[m].points()) {
-      if (point.sweeps == 0) continue;
-      if (point.systems > 0) curve.style = Curve::Style::line_and_points;
+  double line = 0.95;
+  for (std::size_t m = of.traces.size(); m-- > 0;) {  // the first on top: dashed, they show what they coincide with
+    const std::string method = method_names()[m];
+    const std::vector<TracePoint>& points = of.traces[m].points();
+    if (points.empty()) {
+      panel.extra += fmt::format("; set label '{}: not reached' at graph 0.98,{:.2f} right", method, line);
+      line -= 0.08;
+      continue;
+    }
+    const bool wrong_law = method == "pgs" || method == "scaled-back", every_sweep = points[0].sweeps == 0;
+    Curve curve{method, {}, {}, line_colour(m), Curve::Style::line};
+    if (wrong_law) curve.style = Curve::Style::dashed;
+    if (!every_sweep) curve.style = Curve::Style::line_and_points;
+    for (const TracePoint& point : points) {
+      if (point.sweeps == 0) continue;  // no place for it on a logarithmic axis
       const double x = against_time ? 1e3 * point.time() : of.traces[m].row_solves(point);
       curve.x.push_back(static_cast<Real>(x));
       curve.y.push_back(static_cast<Real>(std::max(point.residual, 1e-13)));
     }
-    if (!curve.x.empty()) panel.curves.push_back(curve);
+    panel.curves.push_back(curve);
   }
   return panel;
 }
@@ -47,7 +57,6 @@ Panel profile_panel(const std::string& title, const std::string& unit, const Cos
               .x_label = "times the " + unit + " of the cheapest",
               .y_label = "part of all problems",
               .log_x = true,
-              .key = "bottom right",
               .extra = "set xrange [1:1000]; set yrange [0:1]"};
   for (const std::size_t m : methods) {
     Curve curve{method_names()[m], {}, {}, line_colour(m), Curve::Style::line};

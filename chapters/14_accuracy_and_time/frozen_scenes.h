@@ -61,7 +61,8 @@ inline void arch(World& world) {
     const Real more = into_each_other / inner;  // rad
     for (const Real angle : {pi * static_cast<Real>(i) / stones - more, pi * static_cast<Real>(i + 1) / stones + more})
       for (const Real radius : {inner, outer})
-        for (const Real z : {-half_depth, half_depth}) corners.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+        for (const Real z : {-half_depth, half_depth})
+          corners.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
     world.add(hull(corners, 100).rough(Real(0.7)));
   }
 }
