@@ -200,7 +200,9 @@ TEST_CASE("a folder of problems that is none is refused by name") {
   const Scratch scratch;
   const fs::path empty = scratch / "no_problems";
   make_writable_folder(empty);
-  CHECK(contains(complaint([&] { foreign_problems(empty / "nowhere"); }), (empty / "nowhere").string()));
+  const std::string missing = complaint([&] { foreign_problems(empty / "nowhere"); });
+  CHECK(contains(missing, (empty / "nowhere").string()));
+  CHECK(!contains(missing, ".dat"));  // not as if there were a folder, with nothing in it
   CHECK(contains(complaint([&] { foreign_problems(empty); }), empty.string()));
   CHECK(contains(complaint([&] { study_frozen({.quick = true, .folder = empty / "nowhere"}); }), "nowhere"));
   write_text_file(empty / "bad.dat", "3 1 oops");

@@ -33,6 +33,13 @@ double median(std::vector<double> values) {
   return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
+/// "3 to 50, median 20".
+std::string from_to(const std::vector<double>& values) {
+  if (values.empty()) return "no";
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return fmt::format("{:.0f} to {:.0f} (median {:.0f})", *least, *most, median(values));
+}
+
 /// The least residual that it stays at: three quarters of its sweeps, a hundred at least, took off less than 1 %. 0: it does not.
 double floor_of(const Trace& trace) {
   const std::vector<TracePoint>& points = trace.points();
@@ -128,24 +135,24 @@ std::vector<std::string> tables_of(const std::vector<Measured>& all) {
 std::vector<std::string> remarks_of(const std::vector<Measured>& all) {
   std::vector<std::string> remarks;
   for (const double tolerance : tolerances) remarks.push_back(said_of(tolerance, all));
-  std::vector<double> spread, cost_of_row;
+  std::vector<double> spread, cost_of_row, length_of_row;
+  for (const Measured& of : all)
+    length_of_row.push_back(static_cast<double>(of.frozen->problem.w.nonZeros()) /
+                            static_cast<double>(of.frozen->problem.w.rows()));
   for (std::size_t m = 0; m < method_names().size(); ++m) {
+    const bool sweeps_only = !solves_systems(m, all);
     for (const Measured& of : all) {
       if (of.traces[m].points().empty()) continue;
       const TracePoint& last = of.traces[m].points().back();
       spread.push_back((last.time(0.75) - last.time(0.25)) / last.time());
-      if (!solves_systems(m, all) && last.sweeps >= 100)
-        cost_of_row.push_back(1e9 * last.time() / of.traces[m].row_solves(last));
+      if (sweeps_only && last.sweeps >= 100) cost_of_row.push_back(1e9 * last.time() / of.traces[m].row_solves(last));
     }
-    if (!solves_systems(m, all)) remarks.push_back(said_of_floors(m, all));
+    if (sweeps_only) remarks.push_back(said_of_floors(m, all));
   }
-  if (!cost_of_row.empty()) {
-    const auto [least, most] = std::minmax_element(cost_of_row.begin(), cost_of_row.end());
-    remarks.push_back(fmt::format("a row solve takes {:.0f} to {:.0f} ns, median {:.0f}: as long as its row of W is",
-                                  *least, *most, median(cost_of_row)));
-  }
+  remarks.push_back(fmt::format("a row of W holds {} numbers, and a row solve takes {} ns", from_to(length_of_row),
+                                from_to(cost_of_row)));
   remarks.push_back(
-      fmt::format("between the quartiles of a time there are {:.0f} % of it (median over all)", 100 * median(spread)));
+      fmt::format("between the quartiles of a time there are {:.0f} % of it (median of all)", 100 * median(spread)));
   return remarks;
 }
 
