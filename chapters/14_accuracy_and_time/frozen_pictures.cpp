@@ -26,7 +26,7 @@ Panel trace_panel(const Measured& of, bool against_time) {
               .log_x = true,
               .log_y = true,
               .key = "bottom left",
-              .extra = "set yrange [1e-13:*]; set ytics 1e3; set grid"};
+              .extra = "set yrange [3e-14:*]; set ytics 1e3; set grid"};
   double line = 0.95;
   for (std::size_t m = of.traces.size(); m-- > 0;) {  // the first on top: dashed, they show what they coincide with
     const std::string method = method_names()[m];
@@ -57,7 +57,7 @@ Panel profile_panel(const std::string& title, const std::string& unit, const Cos
               .x_label = "times the " + unit + " of the cheapest",
               .y_label = "part of all problems",
               .log_x = true,
-              .extra = "set xrange [1:1000]; set yrange [0:1]"};
+              .extra = "set xrange [1:1000]; set yrange [0:1.03]"};
   for (const std::size_t m : methods) {
     Curve curve{method_names()[m], {}, {}, line_colour(m), Curve::Style::line};
     for (int i = 0; i <= 600; ++i) {

@@ -19,7 +19,8 @@ struct TracePoint {
   int sweeps = 0;
   int systems = 0;  ///< linear systems
   double residual = 0;
-  std::vector<double> seconds = {};  ///< spent on solving up to here, one a round; not on evaluating the residual
+  std::vector<double> seconds =
+      {};  ///< of solving up to here, one a round: the residual and other programs not counted
 
   /// 0.5: the median of the rounds; 0.25, 0.75: the quartiles.
   double time(double part = 0.5) const;
