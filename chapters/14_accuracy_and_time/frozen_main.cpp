@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include "chapters/14_accuracy_and_time/frozen.h"
+#include "chapters/14_accuracy_and_time/frozen_problems.h"
 #include "common/files.h"
 #include "common/input.h"
 
@@ -21,7 +22,10 @@ int main(int argc, char** argv) {
     return app.exit(problem) == 0 ? 0 : 2;
   }
   try {
-    if (!folder.empty()) options.folder = folder;
+    if (!folder.empty()) {
+      options.folder = folder;
+      foreign_problems(folder);  // a bad one is said before anything is written
+    }
     const std::filesystem::path to = std::filesystem::path(out) / "14_accuracy_and_time";
     make_writable_folder(to);
     const FrozenStudy study = study_frozen(options);

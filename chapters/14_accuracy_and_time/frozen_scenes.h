@@ -107,16 +107,16 @@ inline void shapes_over_tray(World& world) {
   }
   for (int i = 0; i < 48; ++i) {
     const Real size = between(Real(0.22), Real(0.36)), mass = between(20, 80), angle = between(0, 3);
-    const Vec3 axis = Vec3(between(-1, 1), between(Real(0.1), 1), between(-1, 1)).normalized();
-    const Vec3 where(Real(i % 4) * Real(0.75) - Real(1.125), Real(0.6) + Real(i / 16) * Real(0.9),
-                     Real(i / 4 % 4) * Real(0.75) - Real(1.125));
-    Body body =
-        i % 4 == 0   ? box({size, size * Real(0.7), size * Real(0.8)}, mass)
-        : i % 4 == 1 ? sphere(size, mass)
-        : i % 4 == 2
-            ? capsule(size / 2, size / 2, mass)
-            : hull({{size, 0, 0}, {-size, 0, 0}, {0, size, 0}, {0, -size, 0}, {0, 0, size}, {0, 0, -size}}, mass);
-    world.add(body.turned(angle, axis).at(where));
+    const Real x = between(-1, 1), y = between(Real(0.1), 1), z = between(-1, 1);  // in this order, whoever compiles it
+    const int column = i % 4, row = i / 4 % 4, layer = i / 16;
+    const auto place = [](int which) { return Real(0.75) * static_cast<Real>(which) - Real(1.125); };
+    Body body = sphere(size, mass);
+    if (column == 0) body = box({size, size * Real(0.7), size * Real(0.8)}, mass);
+    if (column == 2) body = capsule(size / 2, size / 2, mass);
+    if (column == 3)
+      body = hull({{size, 0, 0}, {-size, 0, 0}, {0, size, 0}, {0, -size, 0}, {0, 0, size}, {0, 0, -size}}, mass);
+    body.turned(angle, Vec3(x, y, z).normalized());
+    world.add(body.at({place(column), Real(0.6) + Real(0.9) * static_cast<Real>(layer), place(row)}));
   }
 }
 

@@ -27,6 +27,10 @@ std::string counted(double count) {
   return count < 1e6 ? fmt::format("{:.0f}k", count / 1e3) : fmt::format("{:.1f}M", count / 1e6);
 }
 
+std::string milliseconds(double seconds) {
+  return seconds < 1 ? fmt::format("{:.3g}", 1e3 * seconds) : fmt::format("{:.0f}", 1e3 * seconds);
+}
+
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
@@ -122,7 +126,7 @@ std::vector<std::string> tables_of(const std::vector<Measured>& all) {
           continue;
         }
         const bool fastest = times[p][m] == *std::min_element(times[p].begin(), times[p].end());
-        table += fmt::format(" {0}{1:.3g}{0} / {2}", fastest ? "**" : "", 1e3 * point->time(),
+        table += fmt::format(" {0}{1}{0} / {2}", fastest ? "**" : "", milliseconds(point->time()),
                              counted(all[p].traces[m].row_solves(*point)));
         table += point->systems > 0 ? fmt::format(" + {} |", point->systems) : " |";
       }
