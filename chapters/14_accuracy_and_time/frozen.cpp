@@ -1,0 +1,44 @@
+#include "chapters/14_accuracy_and_time/frozen.h"
+
+#include <algorithm>
+
+#include "chapters/13_global_solve/methods.h"
+#include "chapters/14_accuracy_and_time/frozen_measured.h"
+
+namespace pushback {
+
+namespace {
+
+Measured measured(const FrozenProblem& frozen, const FrozenOptions& options) {
+  TraceLimits limits;
+  if (options.quick) {
+    limits.seconds = 0.03;
+    limits.ladder.assign(tolerances.begin(), tolerances.end());
+  }
+  Measured all{&frozen, {}};
+  for (const std::string& method : method_names()) all.traces.emplace_back(frozen.problem, method, limits);
+  double longest = 0;  // s, of one method
+  for (const Trace& trace : all.traces)
+    if (!trace.points().empty()) longest = std::max(longest, trace.points().back().time());
+  const int rounds = options.quick || longest > limits.seconds / 4 ? 3 : 7;
+  for (int round = 1; round < rounds; ++round)
+    for (Trace& trace : all.traces) trace.again();
+  return all;
+}
+
+}  // namespace
+
+FrozenStudy study_frozen(const FrozenOptions& options) {
+  std::vector<FrozenProblem> problems;
+  if (options.folder)
+    problems = foreign_problems(*options.folder);  // first: a bad folder is said before anything takes time
+  const std::vector<FrozenProblem> own = own_problems();
+  problems.insert(problems.begin(), own.begin(), own.end());
+  std::vector<Measured> all;
+  for (const FrozenProblem& problem : problems) all.push_back(measured(problem, options));
+  FrozenStudy study{trace_panels(all), profile_panels(all), remarks_of(all), tables_of(all), csv_of(all)};
+  if (!options.folder) study.remarks.push_back("no folder of foreign problems was given: only our own are here");
+  return study;
+}
+
+}  // namespace pushback

@@ -1,0 +1,31 @@
+/// What accuracy costs on one problem: every method on every frozen problem, how far it comes in what time.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/plot.h"
+
+namespace pushback {
+
+struct FrozenOptions {
+  bool quick = false;                                ///< a thirtieth of a second for each, fewer tolerances
+  std::optional<std::filesystem::path> folder = {};  ///< of foreign problems; without: none
+};
+
+/// Sweeps, systems and residuals are the same whenever they are there; times, and so who is fastest, are those of the day.
+struct FrozenStudy {
+  std::vector<Panel> traces;         ///< residual against time, and below it against row solves, three problems a row
+  std::vector<Panel> profiles;       ///< three of time, one of row solves
+  std::vector<std::string> remarks;  ///< what the numbers say, a sentence each
+  std::vector<std::string> tables;   ///< markdown, one for each tolerance, with its heading
+  std::vector<std::string> csv;      ///< lines without their ends; the first says what the others have
+};
+
+/// Takes minutes, or seconds if quick. Rounds go over all methods, one after the other, and then over all again. Throws
+/// InvalidInput where the folder is not one of problems.
+FrozenStudy study_frozen(const FrozenOptions& options);
+
+}  // namespace pushback

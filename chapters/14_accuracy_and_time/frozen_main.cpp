@@ -1,0 +1,48 @@
+/// What accuracy costs on one problem at a time: pictures, a table and all numbers.
+#include <CLI/CLI.hpp>
+
+#include "chapters/14_accuracy_and_time/frozen.h"
+#include "chapters/14_accuracy_and_time/frozen_problems.h"
+#include "common/files.h"
+#include "common/input.h"
+
+using namespace pushback;
+
+int main(int argc, char** argv) {
+  CLI::App app{"Every method on every frozen problem: how far it comes in what time."};
+  FrozenOptions options;
+  std::string folder, out = "renders";
+  app.add_flag("--quick", options.quick, "Seconds instead of minutes");
+  app.add_option("--problems", folder, "A folder of contact problems (*.dat) to solve beside our own")
+      ->envname("PUSHBACK_PROBLEMS");
+  app.add_option("--out", out, "Where the folder 14_accuracy_and_time is written to")->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& problem) {
+    return app.exit(problem) == 0 ? 0 : 2;
+  }
+  try {
+    if (!folder.empty()) {
+      options.folder = folder;
+      foreign_problems(folder);  // a bad one is said before anything is written
+    }
+    const std::filesystem::path to = std::filesystem::path(out) / "14_accuracy_and_time";
+    make_writable_folder(to);
+    const FrozenStudy study = study_frozen(options);
+    std::string page;
+    for (const std::string& remark : study.remarks) page += "- " + remark + "\n";
+    fmt::print("{}", page);
+    for (const std::string& table : study.tables) page += "\n" + table;
+    write_plot(to / "frozen.png", study.traces);
+    write_plot(to / "profiles.png", study.profiles);
+    write_text_file(to / "frozen.md", page);
+    write_text_file(to / "frozen.csv", fmt::format("{}\n", fmt::join(study.csv, "\n")));
+  } catch (const InvalidInput& problem) {
+    fmt::print(stderr, "{}\n", problem.what());
+    return 2;
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "{}\n", problem.what());
+    return 1;
+  }
+  return 0;
+}

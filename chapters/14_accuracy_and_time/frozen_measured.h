@@ -1,0 +1,36 @@
+/// What was measured, and what is made of it: pictures (frozen_pictures.cpp) and words (frozen_words.cpp).
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "chapters/14_accuracy_and_time/frozen_problems.h"
+#include "chapters/14_accuracy_and_time/frozen_profile.h"
+#include "chapters/14_accuracy_and_time/frozen_trace.h"
+#include "common/plot.h"
+
+namespace pushback {
+
+inline constexpr std::array tolerances{1e-3, 1e-6, 1e-10};  ///< of relative_residual: what is asked for
+
+/// All methods on one problem.
+struct Measured {
+  const FrozenProblem* frozen;
+  std::vector<Trace> traces;  ///< in the order of method_names()
+};
+
+/// Median s to the tolerance, problem by problem; or row solves.
+Costs times_to(double tolerance, const std::vector<Measured>& all);
+Costs row_solves_to(double tolerance, const std::vector<Measured>& all);
+/// Whether any of its points took linear systems, so that row solves are not all of its work.
+bool solves_systems(std::size_t method, const std::vector<Measured>& all);
+
+std::vector<Panel> trace_panels(const std::vector<Measured>& all);
+std::vector<Panel> profile_panels(const std::vector<Measured>& all);
+
+std::vector<std::string> tables_of(const std::vector<Measured>& all);
+std::vector<std::string> remarks_of(const std::vector<Measured>& all);
+std::vector<std::string> csv_of(const std::vector<Measured>& all);
+
+}  // namespace pushback

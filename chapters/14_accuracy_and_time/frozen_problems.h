@@ -1,0 +1,25 @@
+/// Contact problems to hold methods against: one step each, taken out of our scenes, and files of others.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "chapters/13_global_solve/contact_problem.h"
+
+namespace pushback {
+
+struct FrozenProblem {
+  std::string name;  ///< a few words, no comma
+  ContactProblem problem;
+  bool foreign = false;  ///< of a file, not of a scene of ours
+};
+
+/// The contacts of scenes as a step of 1/60 s begins, with nothing remembered: some as they are built, some after they
+/// have come to rest or into trouble, by the solver of chapter 12. Always the same, in the same bits.
+std::vector<FrozenProblem> own_problems();
+
+/// Every .dat file of the folder, by name. Throws InvalidInput where there is no such folder, none in it, or a bad one.
+std::vector<FrozenProblem> foreign_problems(const std::filesystem::path& folder);
+
+}  // namespace pushback

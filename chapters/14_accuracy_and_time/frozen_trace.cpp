@@ -1,0 +1,133 @@
+#include "chapters/14_accuracy_and_time/frozen_trace.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <functional>
+
+#include "chapters/13_global_solve/conjugate.h"
+#include "chapters/13_global_solve/methods.h"
+
+namespace pushback {
+
+namespace {
+
+/// Runs between go and stop, and at no other time. Of each stretch it counts the wall's time or this thread's own, whichever
+/// is less: another program's turn is in the first only, what it costs to ask (some 0.2 us) in the second.
+class Stopwatch {
+ public:
+  void go() {
+    own_since_ = own();
+    since_ = std::chrono::steady_clock::now();
+  }
+  void stop() {
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count();
+    seconds_ += std::min(wall, own() - own_since_);
+  }
+  double seconds() const { return seconds_; }
+
+ private:
+  static double own() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+  std::chrono::steady_clock::time_point since_;
+  double own_since_ = 0, seconds_ = 0;
+};
+
+using Sweep = std::function<void(Vector&)>;
+
+template <class TangentStep>
+Sweep sweep_by(const ContactProblem& problem) {
+  return [sweeper = Sweeper<TangentStep>(problem)](Vector& r) { sweeper.sweep(r); };
+}
+
+/// Empty for a method that cannot be stopped after each sweep.
+Sweep sweep_of(const ContactProblem& problem, const std::string& method) {
+  if (method == "pgs") return sweep_by<Pyramid>(problem);
+  if (method == "scaled-back") return sweep_by<ScaledBackStep>(problem);
+  if (method == "cone") return sweep_by<Cone>(problem);
+  if (method == "nscg")
+    return [sweeper = ConjugateSweeper<Cone>(problem, Vector::Zero(problem.q.size()))](Vector& r) mutable {
+      sweeper.sweep(r);
+    };
+  return {};
+}
+
+}  // namespace
+
+double TracePoint::time(double part) const {
+  std::vector<double> sorted = seconds;
+  std::sort(sorted.begin(), sorted.end());
+  const double at = part * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(at), above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+Trace::Trace(const ContactProblem& problem, const std::string& method, const TraceLimits& limits)
+    : problem_(problem), method_(method), limits_(limits) {
+  again();
+}
+
+void Trace::again() {
+  if (sweep_of(problem_, method_)) sweep_along();
+  else climb();
+}
+
+const TracePoint* Trace::reaching(double tolerance) const {
+  const auto found = std::find_if(points_.begin(), points_.end(),
+                                  [&](const TracePoint& point) { return point.residual <= tolerance; });
+  return found == points_.end() ? nullptr : &*found;
+}
+
+void Trace::sweep_along() {
+  const bool first = points_.empty();
+  Stopwatch solving;
+  solving.go();
+  const Sweep sweep = sweep_of(problem_, method_);
+  solving.stop();
+  Vector r = Vector::Zero(problem_.q.size());
+  for (std::size_t i = 0, done = 0; first || i < points_.size(); ++i) {
+    if (first) {
+      const double residual = relative_residual(problem_, r);
+      if (!std::isfinite(residual)) return;  // it has left the range of numbers
+      points_.push_back({static_cast<int>(done), 0, residual});
+    }
+    points_[i].seconds.push_back(solving.seconds());
+    const auto most = static_cast<std::size_t>(limits_.sweeps);
+    if (first && (points_[i].residual <= limits_.enough || solving.seconds() > limits_.seconds || done >= most)) return;
+    if (!first && i + 1 == points_.size()) return;
+    const std::size_t upto =
+        first ? std::min(most, std::max(done + 1, done + done / 4)) : static_cast<std::size_t>(points_[i + 1].sweeps);
+    solving.go();
+    for (; done < upto; ++done) sweep(r);
+    solving.stop();
+  }
+}
+
+void Trace::climb() {
+  const auto timed = [&](double tolerance) {
+    Stopwatch solving;
+    solving.go();
+    const Effort effort{.tolerance = tolerance, .seconds = 3 * limits_.seconds};  // it asks the wall's clock only
+    const Solution found =
+        method_ == "best" ? solve_best(problem_, effort) : solve(problem_, method_, limits_.sweeps, tolerance);
+    solving.stop();
+    return TracePoint{found.sweeps, found.systems, found.residual, {solving.seconds()}};
+  };
+  if (rungs_.empty()) {
+    for (const double tolerance : limits_.ladder) {
+      if (!points_.empty() && points_.back().residual <= tolerance) continue;  // met on the way to the last
+      const TracePoint point = timed(tolerance);
+      if (!(point.residual <= tolerance) || point.seconds[0] > limits_.seconds) return;
+      points_.push_back(point);
+      rungs_.push_back(tolerance);
+    }
+  } else {
+    for (std::size_t i = 0; i < rungs_.size(); ++i) points_[i].seconds.push_back(timed(rungs_[i]).seconds[0]);
+  }
+}
+
+}  // namespace pushback

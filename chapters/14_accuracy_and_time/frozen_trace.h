@@ -1,0 +1,59 @@
+/// One method on one problem: the residual as it goes, and what was paid so far.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "chapters/13_global_solve/contact_problem.h"
+
+namespace pushback {
+
+struct TraceLimits {
+  int sweeps = 100000;    ///< at most
+  double seconds = 2;     ///< of solving, after which no new stretch is begun
+  double enough = 1e-12;  ///< of relative_residual
+  std::vector<double> ladder{1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};  ///< descending
+};
+
+struct TracePoint {
+  int sweeps = 0;
+  int systems = 0;  ///< linear systems
+  double residual = 0;
+  std::vector<double> seconds =
+      {};  ///< of solving up to here, one a round: the residual and other programs not counted
+
+  /// 0.5: the median of the rounds; 0.25, 0.75: the quartiles.
+  double time(double part = 0.5) const;
+};
+
+/// A sweeping method is looked at after 0, 1, 2, 3 ... sweeps, from 5 on after a quarter more each time. One that only
+/// says how it ended (`best`) is run from r = 0 for one tolerance of the ladder after the other, and has a point for each
+/// that it reached.
+class Trace {
+ public:
+  /// The first round: it finds how far the limits let it go. Keeps a reference to the problem. Throws InvalidInput where
+  /// there is no such method.
+  Trace(const ContactProblem& problem, const std::string& method, const TraceLimits& limits);
+  /// The same sweeps once more, for the times.
+  void again();
+
+  const std::vector<TracePoint>& points() const { return points_; }
+  /// Where its residual is that low for the first time; nullptr: nowhere.
+  const TracePoint* reaching(double tolerance) const;
+  /// Each sweep solves a row for each normal and each tangent.
+  double row_solves(const TracePoint& point) const {
+    return 3.0 * static_cast<double>(problem_.contacts()) * point.sweeps;
+  }
+
+ private:
+  void sweep_along();
+  void climb();
+
+  const ContactProblem& problem_;
+  std::string method_;
+  TraceLimits limits_;
+  std::vector<TracePoint> points_;
+  std::vector<double> rungs_;  // of the ladder, those that points_ are of
+};
+
+}  // namespace pushback

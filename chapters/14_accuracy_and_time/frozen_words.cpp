@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <numeric>
+
+#include "chapters/13_global_solve/methods.h"
+#include "chapters/14_accuracy_and_time/frozen_measured.h"
+#include "common/input.h"
+
+namespace pushback {
+
+namespace {
+
+template <class Cost>
+Costs costs_to(double tolerance, const std::vector<Measured>& all, Cost cost) {
+  Costs costs;
+  for (const Measured& of : all) {
+    costs.emplace_back();
+    for (const Trace& trace : of.traces) {
+      const TracePoint* point = trace.reaching(tolerance);
+      costs.back().push_back(point == nullptr ? not_reached : cost(trace, *point));
+    }
+  }
+  return costs;
+}
+
+std::string counted(double count) {
+  if (count < 1e4) return fmt::format("{:.0f}", count);
+  return count < 1e6 ? fmt::format("{:.0f}k", count / 1e3) : fmt::format("{:.1f}M", count / 1e6);
+}
+
+std::string milliseconds(double seconds) {
+  return seconds < 1 ? fmt::format("{:.3g}", 1e3 * seconds) : fmt::format("{:.0f}", 1e3 * seconds);
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+}
+
+/// "3 to 50, median 20".
+std::string from_to(const std::vector<double>& values) {
+  if (values.empty()) return "no";
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return fmt::format("{:.0f} to {:.0f} (median {:.0f})", *least, *most, median(values));
+}
+
+/// The least residual that it stays at: three quarters of its sweeps, a hundred at least, took off less than 1 %. 0: it does not.
+double floor_of(const Trace& trace) {
+  const std::vector<TracePoint>& points = trace.points();
+  if (points.empty() || points.back().sweeps < 100 || points.back().residual < 1e-9) return 0;
+  double early = not_reached, late = not_reached;
+  for (const TracePoint& point : points) {
+    double& least = 4 * point.sweeps < points.back().sweeps ? early : late;
+    least = std::min(least, point.residual);
+  }
+  return late > 0.99 * early ? std::min(early, late) : 0;
+}
+
+/// "nscg 12, cone 3": what is 0 is left out.
+std::string listed(const std::vector<int>& counts) {
+  const std::vector<std::string> names = method_names();
+  std::vector<std::string> words;
+  for (std::size_t m = 0; m < names.size(); ++m)
+    if (counts[m] > 0) words.push_back(fmt::format("{} {}", names[m], counts[m]));
+  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string said_of(double tolerance, const std::vector<Measured>& all) {
+  const Costs times = times_to(tolerance, all);
+  std::vector<int> reached(method_names().size()), fastest(method_names().size());
+  std::vector<std::string> unsolved;
+  for (std::size_t p = 0; p < times.size(); ++p) {
+    const auto first = std::min_element(times[p].begin(), times[p].end());
+    for (std::size_t m = 0; m < times[p].size(); ++m) reached[m] += times[p][m] < not_reached ? 1 : 0;
+    if (*first < not_reached) ++fastest[static_cast<std::size_t>(first - times[p].begin())];
+    else unsolved.push_back(all[p].frozen->name);
+  }
+  return fmt::format("{:.0e}: of {} problems reached on: {}; first there on: {}; nobody on: {}", tolerance, all.size(),
+                     listed(reached), listed(fastest),
+                     unsolved.empty() ? "none" : fmt::format("{}", fmt::join(unsolved, ", ")));
+}
+
+std::string said_of_floors(std::size_t method, const std::vector<Measured>& all) {
+  std::vector<double> floors;
+  for (const Measured& of : all)
+    if (const double at = floor_of(of.traces[method]); at > 0) floors.push_back(at);
+  if (floors.empty()) return fmt::format("{} stands still nowhere", method_names()[method]);
+  const auto [least, most] = std::minmax_element(floors.begin(), floors.end());
+  return fmt::format("{} stands still on {} of {} problems, at {:.0e} to {:.0e}, median {:.0e}", method_names()[method],
+                     floors.size(), all.size(), *least, *most, median(floors));
+}
+
+}  // namespace
+
+Costs times_to(double tolerance, const std::vector<Measured>& all) {
+  return costs_to(tolerance, all, [](const Trace&, const TracePoint& point) { return point.time(); });
+}
+
+Costs row_solves_to(double tolerance, const std::vector<Measured>& all) {
+  return costs_to(tolerance, all,
+                  [](const Trace& trace, const TracePoint& point) { return std::max(1.0, trace.row_solves(point)); });
+}
+
+bool solves_systems(std::size_t method, const std::vector<Measured>& all) {
+  for (const Measured& of : all)
+    for (const TracePoint& point : of.traces[method].points())
+      if (point.systems > 0) return true;
+  return false;
+}
+
+std::vector<std::string> tables_of(const std::vector<Measured>& all) {
+  std::vector<std::string> tables;
+  for (const double tolerance : tolerances) {
+    std::string table = fmt::format(
+        "Median time in ms / row solves (+ linear systems) to a relative residual of {:.0e}; the fastest is bold:\n\n",
+        tolerance);
+    table += fmt::format("| problem | contacts | {} |\n| --- | --- |", fmt::join(method_names(), " | "));
+    for (std::size_t m = 0; m < method_names().size(); ++m) table += " --- |";
+    const Costs times = times_to(tolerance, all);
+    for (std::size_t p = 0; p < all.size(); ++p) {
+      table += fmt::format("\n| {} | {} |", all[p].frozen->name, all[p].frozen->problem.contacts());
+      for (std::size_t m = 0; m < times[p].size(); ++m) {
+        const TracePoint* point = all[p].traces[m].reaching(tolerance);
+        if (point == nullptr) {
+          table += " - |";
+          continue;
+        }
+        const bool fastest = times[p][m] == *std::min_element(times[p].begin(), times[p].end());
+        table += fmt::format(" {0}{1}{0} / {2}", fastest ? "**" : "", milliseconds(point->time()),
+                             counted(all[p].traces[m].row_solves(*point)));
+        table += point->systems > 0 ? fmt::format(" + {} |", point->systems) : " |";
+      }
+    }
+    tables.push_back(table + "\n");
+  }
+  return tables;
+}
+
+std::vector<std::string> remarks_of(const std::vector<Measured>& all) {
+  std::vector<std::string> remarks;
+  for (const double tolerance : tolerances) remarks.push_back(said_of(tolerance, all));
+  std::vector<double> spread, cost_of_row, length_of_row;
+  for (const Measured& of : all)
+    length_of_row.push_back(static_cast<double>(of.frozen->problem.w.nonZeros()) /
+                            static_cast<double>(of.frozen->problem.w.rows()));
+  for (std::size_t m = 0; m < method_names().size(); ++m) {
+    const bool sweeps_only = !solves_systems(m, all);
+    for (const Measured& of : all) {
+      if (of.traces[m].points().empty()) continue;
+      const TracePoint& last = of.traces[m].points().back();
+      spread.push_back((last.time(0.75) - last.time(0.25)) / last.time());
+      if (sweeps_only && last.sweeps >= 100) cost_of_row.push_back(1e9 * last.time() / of.traces[m].row_solves(last));
+    }
+    if (sweeps_only) remarks.push_back(said_of_floors(m, all));
+  }
+  remarks.push_back(fmt::format("a row of W holds {} numbers, and a row solve takes {} ns", from_to(length_of_row),
+                                from_to(cost_of_row)));
+  remarks.push_back(
+      fmt::format("between the quartiles of a time there are {:.0f} % of it (median of all)", 100 * median(spread)));
+  return remarks;
+}
+
+std::vector<std::string> csv_of(const std::vector<Measured>& all) {
+  std::vector<std::string> lines{
+      "problem,contacts,method,sweeps,row_solves,systems,residual,median_s,lower_quartile_s,upper_quartile_s"};
+  for (const Measured& of : all)
+    for (std::size_t m = 0; m < of.traces.size(); ++m)
+      for (const TracePoint& point : of.traces[m].points())
+        lines.push_back(fmt::format("{},{},{},{},{:.0f},{},{:.6e},{:.3e},{:.3e},{:.3e}", of.frozen->name,
+                                    of.frozen->problem.contacts(), method_names()[m], point.sweeps,
+                                    of.traces[m].row_solves(point), point.systems, point.residual, point.time(),
+                                    point.time(0.25), point.time(0.75)));
+  return lines;
+}
+
+}  // namespace pushback
