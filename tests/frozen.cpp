@@ -5,8 +5,8 @@
 
 #include "chapters/13_global_solve/matrix.h"
 #include "chapters/13_global_solve/methods.h"
-#include "chapters/14_accuracy_and_time/frozen.h"
-#include "chapters/14_accuracy_and_time/frozen_measured.h"
+#include "chapters/14_accuracy_and_time/frozen/frozen.h"
+#include "chapters/14_accuracy_and_time/frozen/measured.h"
 #include "common/files.h"
 #include "common/scene.h"
 #include "tests/call.h"

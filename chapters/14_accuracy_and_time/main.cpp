@@ -1,5 +1,6 @@
 #include "chapters/07_warm_start/full_solver.h"
 #include "chapters/09_joints/split_joints.h"
+#include "chapters/12_small_steps/study.h"
 #include "chapters/14_accuracy_and_time/motion.h"
 #include "common/experiment.h"
 
@@ -12,16 +13,26 @@ struct Truth {
   std::vector<Places> places;
   Rows none = {};
 
-  Truth(const Motion& motion) : places(motion.truth(motion.frames())) {}
-  /// Those of the latest whole frame that is over.
+  explicit Truth(const Motion& motion) : places(motion.truth(motion.frames())) {}
+  /// Those of the latest whole frame that is over; none before the first.
   const Places* at(Real time) const {
     const auto frames = static_cast<std::ptrdiff_t>(std::floor(time * frames_per_second + Real(1e-3)));
     return frames == 0 ? nullptr : &places[static_cast<std::size_t>(std::min(frames, std::ssize(places)) - 1)];
   }
   void step(World& world, Real dt, int) {
     world.time += dt;
-    if (const Places* found = at(world.time))
-      for (std::size_t i = 0; i < found->size(); ++i) world.bodies[i].position = (*found)[i].cast<Real>();
+    const Places* found = at(world.time);
+    if (found == nullptr) return;
+    for (std::size_t i = 0; i < found->size(); ++i) world.bodies[i].position = (*found)[i].cast<Real>();
+    if (!world.joints.empty()) turn_links(world);
+  }
+  /// Each link of the chain hangs on the one before it, by its ends: a link's centre is half way from pin to pin.
+  static void turn_links(World& world) {
+    Vec3 pin = Vec3::Zero();
+    for (Body& link : world.bodies) {
+      link.orientation = Quat::FromTwoVectors(-Vec3::UnitY(), link.position - pin);
+      pin = 2 * link.position - pin;
+    }
   }
   const Rows& rows() const { return none; }
   /// mm, of the body that is farthest from where it belongs.
@@ -39,42 +50,50 @@ struct Truth {
 int main(int argc, char** argv) {
   Experiment e("14_accuracy_and_time", "What does accuracy cost?");
   return e.run(argc, argv, [&] {
+    constexpr Real least_drawn = Real(1e-3);  // mm
     const auto measure_error = [&](const Truth& truth) {
       e.series(
-          "largest error", "mm", [truth](const World& world) { return std::max(truth.error(world), Real(1e-3)); },
-          true);
-      e.number("largest error", "mm", [](const Run& run) {
+          "largest error", "mm", [=](const World& world) { return std::max(truth.error(world), least_drawn); }, true);
+      e.number("largest error", "mm", [=](const Run& run) {
         const auto& errors = run.series.at("largest error");
-        return *std::max_element(errors.begin(), errors.end());
+        const Real largest = *std::max_element(errors.begin(), errors.end());
+        return largest > least_drawn ? largest : 0;
       });
+    };
+    const auto counted = [](int count, const std::string& what) {
+      return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
     };
 
     const Motion& billiards = motion_named("break");
     e.scene({.name = billiards.title,
              .fill = billiards.fill,
-             .camera = {{Real(0.4), Real(4.2), Real(1.6)}, {Real(0.4), 0, 0}},
+             .camera = {{Real(0.55), Real(2.9), Real(0.9)}, {Real(0.55), 0, 0}},
              .seconds = Real(0.6),
              .instants = {0, Real(0.25), Real(0.4), Real(0.6)}});
-    using Balls = Solver<Clamping, Restitution>;
     const Truth of_balls(billiards);
-    e.variant("as it should be", of_balls);
-    for (const int count : {1, 16, 256})
-      e.variant(fmt::format("{} small steps", count), Balls{}).in_small_steps(count).with_exactly(1);
+    e.variant("as it should be", of_balls).coloured(6);
+    int colour = 0;
+    for (const int steps : {1, 16, 256})
+      e.variant(counted(steps, "step") + " in 1/60 s", Solver<Clamping, Restitution>{})
+          .in_small_steps(steps)
+          .with_exactly(1)
+          .coloured(colour++);
     measure_error(of_balls);
 
     const Motion& chain = motion_named("chain");
     e.scene({.name = chain.title,
              .fill = [&](World& world) { chain.begin(world); },
-             .camera = {{Real(0), Real(-2.6), Real(10)}, {Real(0), Real(-2.6), 0}},
+             .camera = {{0, Real(-2.9), Real(10)}, {0, Real(-2.9), 0}},
              .seconds = 2,
              .instants = {0, Real(0.7), Real(1.4), 2}});
-    using Chain = Solver<SplitJoints>;
     const Truth of_chain(chain);
-    e.variant("as it should be", of_chain);
-    for (const auto& [count, sweeps] : {std::pair{1, 64}, {4, 16}, {16, 4}, {64, 1}})
-      e.variant(fmt::format("{} small steps, {} sweeps", count, sweeps), Chain{})
-          .in_small_steps(count)
-          .with_exactly(sweeps);
+    e.variant("as it should be", of_chain).coloured(6);
+    colour = 0;
+    for (const Budget& budget : {Budget{1, 64}, {4, 16}, {16, 4}, {64, 1}})
+      e.variant(counted(budget.small_steps, "step") + " of " + counted(budget.sweeps, "sweep"), Solver<SplitJoints>{})
+          .in_small_steps(budget.small_steps)
+          .with_exactly(budget.sweeps)
+          .coloured(colour++);
     measure_error(of_chain);
   });
 }

@@ -1,4 +1,5 @@
 #include "chapters/14_accuracy_and_time/play.h"
+#include "chapters/14_accuracy_and_time/stopwatch.h"
 
 #include <fmt/ranges.h>
 
@@ -29,6 +30,8 @@ struct Playing {
       : places(static_cast<std::size_t>(motion.frames()), Places(bodies)) {
     const std::unique_ptr<Player> player = method.begin(motion, setting);
     const auto begin = std::chrono::steady_clock::now();
+    Stopwatch own;
+    own.go();
     try {
       for (Places& frame : places) {
         for (int step = 0; step < setting.small_steps; ++step) {
@@ -44,7 +47,8 @@ struct Playing {
     } catch (const InvalidInput&) {  // a state that is no number any more
       lost = true;
     }
-    seconds = seconds_since(begin);
+    own.stop();
+    seconds = own.seconds();
   }
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/14_accuracy_and_time/report.h"
+#include "chapters/14_accuracy_and_time/study/report.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "chapters/14_accuracy_and_time/report.h"
+#include "chapters/14_accuracy_and_time/study/report.h"
 
 #include <fmt/format.h>
 

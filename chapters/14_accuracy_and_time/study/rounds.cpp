@@ -1,4 +1,4 @@
-#include "chapters/14_accuracy_and_time/rounds.h"
+#include "chapters/14_accuracy_and_time/study/rounds.h"
 
 #include <fmt/ranges.h>
 
@@ -99,14 +99,14 @@ Indices indices_of_those_near_front(const Measurements& all, std::size_t first) 
 
 }  // namespace
 
-std::vector<Engine> engines_in(const std::filesystem::path& programs) {
-  std::vector<Engine> found;
-  for (const Engine& engine : std::vector<Engine>{{"motion", "ours, double"},
-                                                  {"motion_float", "ours, float"},
-                                                  {"motion_bullet", "Bullet, float"},
-                                                  {"motion_ode", "ODE, double"},
-                                                  {"motion_mujoco", "MuJoCo, double"}})
+std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others) {
+  std::vector<Engine> found{{"motion", "ours, double"}, {"motion_float", "ours, float"}};
+  if (!others) return found;
+  for (const Engine& engine : std::vector<Engine>{
+           {"motion_bullet", "Bullet, float"}, {"motion_ode", "ODE, double"}, {"motion_mujoco", "MuJoCo, double"}})
     if (std::filesystem::exists(programs / engine.program)) found.push_back(engine);
+  if (found.size() == 2)
+    throw std::runtime_error("no other engine's program is there: configure with -DPUSHBACK_PEERS=ON");
   return found;
 }
 
@@ -114,7 +114,7 @@ Measurements measure(const Motion& motion, const RoundOptions& options) {
   const Asking asking(motion, options);
   Measurements all;
   Indices near;
-  for (const Engine& engine : engines_in(options.programs)) {
+  for (const Engine& engine : options.engines) {
     options.say(fmt::format("{}: {}", motion.name, engine.title));
     const std::size_t first = all.size();
     if (engine.program == "motion_float") {

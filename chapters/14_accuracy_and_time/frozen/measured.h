@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "chapters/14_accuracy_and_time/frozen_problems.h"
-#include "chapters/14_accuracy_and_time/frozen_profile.h"
-#include "chapters/14_accuracy_and_time/frozen_trace.h"
+#include "chapters/14_accuracy_and_time/frozen/problems.h"
+#include "chapters/14_accuracy_and_time/frozen/profile.h"
+#include "chapters/14_accuracy_and_time/frozen/trace.h"
 #include "common/plot.h"
 
 namespace pushback {

@@ -1,4 +1,4 @@
-#include "chapters/14_accuracy_and_time/front.h"
+#include "chapters/14_accuracy_and_time/study/front.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 /// What accuracy costs on one problem at a time: pictures, a table and all numbers.
 #include <CLI/CLI.hpp>
 
-#include "chapters/14_accuracy_and_time/frozen.h"
-#include "chapters/14_accuracy_and_time/frozen_problems.h"
+#include "chapters/14_accuracy_and_time/frozen/frozen.h"
+#include "chapters/14_accuracy_and_time/frozen/problems.h"
 #include "common/files.h"
 #include "common/input.h"
 

@@ -2,7 +2,7 @@
 #include <numeric>
 
 #include "chapters/13_global_solve/methods.h"
-#include "chapters/14_accuracy_and_time/frozen_measured.h"
+#include "chapters/14_accuracy_and_time/frozen/measured.h"
 #include "common/input.h"
 
 namespace pushback {

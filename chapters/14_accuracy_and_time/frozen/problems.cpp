@@ -1,4 +1,4 @@
-#include "chapters/14_accuracy_and_time/frozen_problems.h"
+#include "chapters/14_accuracy_and_time/frozen/problems.h"
 
 #include <algorithm>
 #include <functional>
@@ -10,7 +10,7 @@
 #include "chapters/12_small_steps/steady_solver.h"
 #include "chapters/13_global_solve/matrix.h"
 #include "chapters/13_global_solve/problem_file.h"
-#include "chapters/14_accuracy_and_time/frozen_scenes.h"
+#include "chapters/14_accuracy_and_time/frozen/scenes.h"
 #include "common/input.h"
 
 namespace pushback {

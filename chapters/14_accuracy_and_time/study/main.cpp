@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "chapters/14_accuracy_and_time/report.h"
+#include "chapters/14_accuracy_and_time/study/report.h"
 #include "common/files.h"
 #include "common/input.h"
 
@@ -12,7 +12,7 @@ using namespace pushback;
 namespace {
 
 struct Asked {
-  bool quick = false;
+  bool quick = false, others = false;
   int rounds = 0;
   std::vector<std::string> only;
   std::string out = "renders";
@@ -25,8 +25,9 @@ void study(const Asked& asked, const std::filesystem::path& programs) {
   for (const std::string& name : asked.only) motions.push_back(&motion_named(name));
   const std::filesystem::path folder = std::filesystem::path(asked.out) / "14_accuracy_and_time";
   make_writable_folder(folder);
-  const std::vector<Engine> engines = engines_in(programs);
-  const RoundOptions options{.programs = programs,
+  const std::vector<Engine> engines = engines_in(programs, asked.others);
+  const RoundOptions options{.engines = engines,
+                             .programs = programs,
                              .quick = asked.quick,
                              .rounds = asked.rounds > 0 ? asked.rounds
                                        : asked.quick    ? 1
@@ -60,6 +61,7 @@ int main(int argc, char** argv) {
   CLI::App app{"What accuracy costs in time: all motions in all settings, timed round after round."};
   Asked asked;
   app.add_flag("--quick", asked.quick, "Fewer settings, fewer rounds: in two minutes");
+  app.add_flag("--peers", asked.others, "Bullet, ODE and MuJoCo as well, where they were built");
   app.add_option("--rounds", asked.rounds, "In which all that is near a front is timed; 5, or 1 with --quick")
       ->check(CLI::Range(1, 1000));
   app.add_option("--only", asked.only, "These motions");

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "chapters/14_accuracy_and_time/rounds.h"
+#include "chapters/14_accuracy_and_time/study/rounds.h"
 #include "common/plot.h"
 
 namespace pushback {

@@ -5,24 +5,26 @@
 #include <functional>
 #include <map>
 
-#include "chapters/14_accuracy_and_time/front.h"
 #include "chapters/14_accuracy_and_time/motion.h"
+#include "chapters/14_accuracy_and_time/study/front.h"
 
 namespace pushback {
-
-struct RoundOptions {
-  std::filesystem::path programs;  ///< the folder of `motion` and the others
-  bool quick = false;              ///< fewer settings, fewer rounds, less patience
-  int rounds = 5;                  ///< in which what is near a front is timed
-  std::function<void(const std::string&)> say = [](const std::string&) {};  ///< what is under way
-};
 
 /// How an engine is called in diagrams, by the name of its program.
 struct Engine {
   std::string program, title;
 };
-/// Ours, in double and in float, Bullet, ODE, MuJoCo: those whose programs are in the folder, ours first.
-std::vector<Engine> engines_in(const std::filesystem::path& programs);
+/// Ours, in double and in float; and if `others` are asked for, those of Bullet, ODE and MuJoCo whose programs are in the
+/// folder: std::runtime_error where none is.
+std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others);
+
+struct RoundOptions {
+  std::vector<Engine> engines;     ///< see engines_in
+  std::filesystem::path programs;  ///< the folder of `motion` and the others
+  bool quick = false;              ///< fewer settings, fewer rounds, less patience
+  int rounds = 5;                  ///< in which what is near a front is timed
+  std::function<void(const std::string&)> say = [](const std::string&) {};  ///< what is under way
+};
 
 /// First every setting once: powers of 2 of small steps, powers of 4 of sweeps, as far as the motion wants to have them tried.
 /// In float only what is near the front in double. What is then near the front of its engine is timed again, `rounds` times, all

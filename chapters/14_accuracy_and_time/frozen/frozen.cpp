@@ -1,9 +1,9 @@
-#include "chapters/14_accuracy_and_time/frozen.h"
+#include "chapters/14_accuracy_and_time/frozen/frozen.h"
 
 #include <algorithm>
 
 #include "chapters/13_global_solve/methods.h"
-#include "chapters/14_accuracy_and_time/frozen_measured.h"
+#include "chapters/14_accuracy_and_time/frozen/measured.h"
 
 namespace pushback {
 
