@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
 
     e.scene({.name = "twenty links, and a thousand times the mass of one",
              .fill = chain_with_heavy_load,
-             .camera = {{Real(0.6), -2, 12}, {0, -Real(2.7), 0}},
+             .camera = {{Real(0.6), -2, 9}, {0, -Real(2.3), 0}},
              .seconds = 2,
              .instants = {0, Real(0.5), 1, 2}});
     e.variant("joints, 10 sweeps", SweptJoints{}).with_exactly(10).expect("longest", 0);

@@ -48,7 +48,7 @@ inline void loaded_chain(World& world, int count, Real load) {
     if (i < count) end.y() -= length;
   }
   for (const Real y : {Real(0), end.y() - 2 * load_half})
-    world.add(box({Real(1.2), Real(0.03), Real(0.03)}, 1).fixed().at({0, y, -Real(0.6)}));
+    world.add(box({Real(1.2), Real(0.04), Real(0.04)}, 1).fixed().at({0, y, -Real(0.6)}).coloured(6));
 }
 
 inline void chain_with_heavy_load(World& world) {
