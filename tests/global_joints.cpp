@@ -243,3 +243,16 @@ TEST_CASE("joints at once: a pass that relaxes solves the rows as they are by th
   }
   CHECK(largest_joint_error(world) < Real(0.05));
 }
+
+TEST_CASE("joints at once: what a body cannot feel is not asked of it") {
+  World world;
+  world.add(sphere(Real(0.1), 1).at({1, 0, 0}));
+  world.bodies[0].principal_inverse_inertia.setZero();  // a particle: nothing turns it
+  world.bodies[0].refresh_inertia();
+  world.joints.push_back(hinge(world, the_world, 0, {1, 0, 0}, Vec3::UnitZ()));
+  AtOnce solver;
+  for (int step = 0; step < 10; ++step) world.step(solver, h, 1);
+  CHECK(solver.joint_rows().size() == 5);
+  CHECK(solver.rows_at_once().size() == 3);
+  CHECK((world.bodies[0].position - Vec3(1, 0, 0)).norm() < Real(1e-12));
+}

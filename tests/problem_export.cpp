@@ -1,4 +1,6 @@
 /// ./course export and ./course solve: a step of a scene as a file, and what is said where that cannot be.
+#include <fmt/format.h>
+
 #include "chapters/13_global_solve/best.h"
 #include "chapters/13_global_solve/matrix.h"
 #include "chapters/13_global_solve/problem_file.h"
@@ -11,7 +13,7 @@ using namespace pushback;
 namespace {
 
 std::string in_quotes(const fs::path& file) {
-  return "'" + file.string() + "'";
+  return fmt::format("'{}'", file.string());
 }
 
 }  // namespace
@@ -33,14 +35,12 @@ TEST_CASE("the first step of a scene comes out as it stands there") {
 TEST_CASE("steps that go before it change it; what comes out is solved, and in the same bits again") {
   const Scratch scratch;
   std::string before;
-  for (const std::string scene : {"06-slope", "07-ten-boxes", "09-bridge", "12-heavy", "13-gate"}) {
+  for (const std::string& scene :
+       std::vector<std::string>{"06-slope", "07-ten-boxes", "09-bridge", "12-heavy", "13-gate"}) {
     const fs::path file = scratch / "one.dat", other = scratch / "other.dat";
     INFO(scene);
     const Ended ended = call_program(EXPORT_PROGRAM, scene + " --step 60 " + in_quotes(file));
     REQUIRE(ended.status == 0);
-    REQUIRE(call_program(EXPORT_PROGRAM, in_quotes(other) + " --step 60 " + scene).status ==
-            2);  // the scene comes first
-    REQUIRE(!fs::exists(other));
     REQUIRE(call_program(EXPORT_PROGRAM, scene + " --step 60 " + in_quotes(other)).status == 0);
     CHECK(text_of(file) == text_of(other));
     REQUIRE(call_program(EXPORT_PROGRAM, scene + " --step 59 " + in_quotes(other)).status == 0);
@@ -64,6 +64,7 @@ TEST_CASE("what cannot be written is refused, and nothing is left behind") {
   refused("", "scene is required");
   refused("07-pyramid", "file is required");
   refused("07-pyramd " + file, "scene is '07-pyramd': one of these is needed: 00-one-hit, ");
+  refused(file + " 07-pyramid", "scene is '");
   refused("07-pyramid --step -1 " + file, "--step: Value -1 not in range");
   refused("07-pyramid --step 1.5 " + file, "--step");
   refused("07-pyramid --step many " + file, "--step");
@@ -90,8 +91,9 @@ TEST_CASE("solve says how well it did, and what it cannot do") {
   const auto lines = lines_of(table.out);
   REQUIRE(lines.size() == 3);
   for (const std::string& line : lines) CHECK(std::count(line.begin(), line.end(), '|') == 8);
-  for (const std::string wrong : {file + " --method guess", file + " --sweeps -1", file + " --tolerance -1",
-                                  std::string("/no/such.dat"), file + " /no/such.dat", std::string()})
+  for (const std::string& wrong :
+       std::vector<std::string>{file + " --method guess", file + " --sweeps -1", file + " --tolerance -1",
+                                std::string("/no/such.dat"), file + " /no/such.dat", std::string()})
     CHECK(call_program(SOLVE_PROGRAM, wrong).status == 2);
   const Ended help = call_program(SOLVE_PROGRAM, "--help");
   CHECK(help.status == 0);
