@@ -248,6 +248,10 @@ TEST_CASE("conjugate gradients come further in the same sweeps, for the same law
   const double plain = solve(problem, "cone", 1000, 0).residual, conjugate = solve(problem, "nscg", 1000, 0).residual;
   INFO(plain << " against " << conjugate);
   CHECK(3 * conjugate < plain);
+  const Solution enough = solve(problem, "cone", 1000, 2 * plain);  // looked at after every tenth
+  CHECK(enough.sweeps < 1000);
+  CHECK(enough.sweeps % 10 == 0);
+  CHECK(enough.residual <= 2 * plain);
 }
 
 TEST_CASE("what is solved best is solved in the same bits again") {
