@@ -132,6 +132,14 @@ printf '#!/bin/sh\necho "solve: $* in $PWD"\nexit 2\n' >"$scratch/home/build/rel
 chmod +x "$scratch/home/build/release/chapters/solve"
 course solve a.dat --method best --sweeps 5 && expect 2 "--target solve" "solve: a.dat --method best --sweeps 5 in $scratch/sub"
 course solve --preset relase a.dat && expect 2 "unknown preset 'relase'"
+printf '#!/bin/sh\necho "export: $* in $PWD"\nexit 2\n' >"$scratch/home/build/release/chapters/export_problem"
+chmod +x "$scratch/home/build/release/chapters/export_problem"
+course export 07-pyramid --step 60 a.dat && expect 2 "--target export_problem" "export: 07-pyramid --step 60 a.dat in $scratch/sub"
+# Their --help is the program's own; everywhere else it is that of ./course.
+course solve --help && expect 2 "solve: --help in" && expect_not "usage: ./course"
+course export -h && expect 2 "export: -h in" && expect_not "usage: ./course"
+course --help solve && expect 0 "usage: ./course"
+course effects --help && expect 0 "usage: ./course"
 
 course clean && expect 0 "git clean"
 [[ ! -e $scratch/home/build ]] || { echo "clean left build/"; failures=$((failures + 1)); }

@@ -142,6 +142,34 @@ TEST_CASE("one contact that sticks, slides and parts, in closed form") {
   }
 }
 
+TEST_CASE("both tangents solved at once: a contact that sticks is solved by one sweep") {
+  Eigen::Matrix3d w = Eigen::Vector3d(2, 4, 3).asDiagonal();
+  w(1, 2) = w(2, 1) = 1.5;
+  CHECK(solve(one_contact(w, {-4, 1, 1}, 0.5), "scaled-back", 1, 0).residual < 1e-15);
+}
+
+TEST_CASE("a contact that pressed, and is opened by another") {
+  ContactProblem problem;
+  Eigen::MatrixXd w = Eigen::MatrixXd::Identity(6, 6);
+  w(0, 3) = w(3, 0) = 0.9;
+  problem.w = SparseRows(w.sparseView(0, 0));
+  problem.q = Vector::Zero(6);
+  problem.q[0] = -1;
+  problem.q[3] = -10;  // 10 N s there open the first contact with 8 m/s
+  problem.mu = Vector::Constant(2, 0.5);
+  for (const std::string& method : method_names()) {
+    INFO(method);
+    const Solution found = solve(problem, method, 1000, 1e-15);
+    CHECK((found.r - 10 * Vector::Unit(6, 3)).norm() < 1e-12);
+  }
+}
+
+TEST_CASE("the relative residual is the natural map's error, of the length of q") {
+  const ContactProblem problem = one_contact(Eigen::Vector3d(2, 4, 4).asDiagonal(), {-4, 1, 0}, 0.5);
+  // r = 0, s = (-4 + 0.5, 1, 0), and -s is in the cone.
+  CHECK(relative_residual(problem, Vector::Zero(3)) == Approx(std::sqrt((3.5 * 3.5 + 1) / 17)));
+}
+
 TEST_CASE("a step that starts from its solution leaves the sweeps nothing to do") {
   Frame frame([](World& world) { stack(world, 8); });
   Contacts contacts = frame.world.contacts;
@@ -158,12 +186,72 @@ TEST_CASE("a step that starts from its solution leaves the sweeps nothing to do"
   CHECK(none.solution().residual < 1e-10);
 }
 
+TEST_CASE("the problem of a solver's rows has their biases, and friction only where there are tangents") {
+  Frame frame([](World& world) { stack(world, 2); });
+  const Contacts& contacts = frame.world.contacts;
+  Rows rows = normals_of(contacts);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].bias = static_cast<Real>(i);
+  const Tangents tangents = tangents_of(contacts[3].normal);
+  for (const Vec3& tangent : {tangents.tangent1, tangents.tangent2}) rows.emplace_back(contacts[3], tangent, 3);
+  const ContactProblem whole = problem_of(contacts), problem = problem_of(contacts, rows);
+  CHECK(Eigen::MatrixXd(problem.w) == Eigen::MatrixXd(whole.w));
+  for (Index c = 0; c < problem.contacts(); ++c) {
+    const Contact& contact = contacts[static_cast<std::size_t>(c)];
+    CHECK(problem.q[3 * c] == Approx(whole.q[3 * c] + double(c)));
+    CHECK(whole.mu[c] == static_cast<double>(contact.friction));
+    CHECK(problem.mu[c] == (c == 3 ? whole.mu[c] : 0));
+  }
+}
+
+TEST_CASE("what is pushed out of an overlap leaves by beta of it a step, solved at once") {
+  Frame frame([](World& world) {
+    world.gravity.setZero();
+    world.add(ground());
+    world.add(sphere(Real(0.5), 100).at({0, Real(0.45), 0}));
+  });
+  Solver<Clamping, Baumgarte, FrictionCone, GlobalSolve> solver;
+  solver.solve(frame.world.contacts, h, 0);
+  CHECK(frame.world.bodies[1].velocity.y() == Approx(solver.Baumgarte::beta * Real(0.05) / h).epsilon(1e-5));
+}
+
+TEST_CASE("how far W is from symmetric is a part of its largest entry") {
+  Eigen::Matrix3d w = Eigen::Vector3d(2, 4, 4).asDiagonal();
+  CHECK(asymmetry(one_contact(w, {-1, 0, 0}, 0)) == 0);
+  w(0, 2) = 1;
+  w(2, 0) = Real(0.5);
+  CHECK(asymmetry(one_contact(w, {-1, 0, 0}, 0)) == Approx(0.125));
+}
+
+TEST_CASE("the residual that is reported is that of the impulses, in whatever order the contacts were swept") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<Real> number(-1, 1);
+  int reordered = 0;
+  for (int i = 0; i < 6; ++i) {
+    Frame frame([&](World& world) {
+      stack(world, 1 + i % 2);
+      for (Body& body : world.bodies)
+        if (body.movable()) body.moving({number(random), -1, number(random)}).spinning({0, number(random), 0});
+    });
+    ContactProblem problem = problem_of(frame.world.contacts);
+    problem.w *= 1e6;  // light bodies: small impulses, of which speeds that round are a large part
+    const Solution found = solve_best(problem, {.tolerance = 0, .rounds = 3});  // goes on where it would stop else
+    CHECK(relative_residual(problem, found.r) < found.residual + 1e-14);
+    CHECK(found.residual < 1e-13);
+    if (found.sweeps > 5000) ++reordered;
+  }
+  CHECK(reordered > 0);
+}
+
 TEST_CASE("conjugate gradients come further in the same sweeps, for the same law") {
   Frame frame([](World& world) { stack(world, 20); });
   const ContactProblem problem = problem_of(frame.world.contacts);
   const double plain = solve(problem, "cone", 1000, 0).residual, conjugate = solve(problem, "nscg", 1000, 0).residual;
   INFO(plain << " against " << conjugate);
   CHECK(3 * conjugate < plain);
+  const Solution enough = solve(problem, "cone", 1000, 2 * plain);  // looked at after every tenth
+  CHECK(enough.sweeps < 1000);
+  CHECK(enough.sweeps % 10 == 0);
+  CHECK(enough.residual <= 2 * plain);
 }
 
 TEST_CASE("what is solved best is solved in the same bits again") {
@@ -233,7 +321,7 @@ TEST_CASE("problems that others wrote are solved") {
     WARN("skipped: there are no contact problems in " << folder);
     return;
   }
-  int reached = 0, tried = 0;
+  int reached = 0, conjugate = 0, tried = 0;
   for (const fs::path& file : files) {
     INFO(file);
     const ContactProblem problem = read_problem_file(file);
@@ -241,11 +329,14 @@ TEST_CASE("problems that others wrote are solved") {
     CHECK(Eigen::MatrixXd(again.w) == Eigen::MatrixXd(problem.w));
     ++tried;
     if (solve(problem, "cone", 1000, 1e-4).residual <= 1e-4) ++reached;
+    if (solve(problem, "nscg", 1000, 1e-4).residual <= 1e-4) ++conjugate;
     if (file.stem() == "RockPile_tob1") continue;  // half a minute: the long test below
     CHECK(solve_best(problem).residual < 1e-12);
   }
-  WARN("the cone's sweeps reach 1e-4 within 1000 on " << reached << " of " << tried);
-  CHECK(10 * reached >= 8 * tried);
+  WARN("the cone's sweeps reach 1e-4 within 1000 on " << reached << " of " << tried << ", conjugate ones on "
+                                                      << conjugate);
+  CHECK(10 * conjugate >= 9 * tried);
+  CHECK(10 * reached >= 8 * tried);  // what is reached: nine in ten they do not
 }
 
 TEST_CASE("the pile of rocks, which takes longest, is solved", "[long]") {

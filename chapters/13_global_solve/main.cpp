@@ -1,4 +1,6 @@
 #include "chapters/04_slop/slop.h"
+#include "chapters/09_joints/split_joints.h"
+#include "chapters/13_global_solve/chain_study.h"
 #include "chapters/13_global_solve/global_solve.h"
 #include "chapters/13_global_solve/scenes.h"
 #include "chapters/13_global_solve/study.h"
@@ -10,6 +12,9 @@ namespace {
 
 using Cold = Solver<Clamping, Baumgarte, Slop, FrictionCone>;
 using AtOnce = Solver<Clamping, Baumgarte, Slop, FrictionCone, GlobalSolve>;  // this chapter
+
+using SweptJoints = Solver<SplitJoints>;    // chapter 09's best, warm
+using JointsAtOnce = Solver<GlobalJoints>;  // this chapter
 
 void heavy_on_stack(World& world) {
   stack(world, 4);
@@ -37,6 +42,20 @@ int main(int argc, char** argv) {
     e.variant("all at once", AtOnce{}).with_exactly(1).expect("the top has sunk by", 0);
     e.series("the top has sunk by", "m", height_lost_by_top);
     e.number("the top has sunk by", "m", [](const Run& run) { return height_lost_by_top(run.world); });
+
+    e.scene({.name = "twenty links, and a thousand times the mass of one",
+             .fill = chain_with_heavy_load,
+             .camera = {{Real(0.6), -2, 9}, {0, -Real(2.3), 0}},
+             .seconds = 2,
+             .instants = {0, Real(0.5), 1, 2}});
+    e.variant("joints, 10 sweeps", SweptJoints{}).with_exactly(10).expect("longest", 0);
+    e.variant("joints, 100 sweeps", SweptJoints{}).with_exactly(100).expect("longest", 0);
+    e.variant("joints at once", JointsAtOnce{}).with_exactly(1).expect("longest", 0);
+    e.series("longer than its links by", "%", [](const World& world) { return 100 * stretch_of_loaded_chain(world); });
+    e.number("longest", "%", [](const Run& run) {
+      const auto& stretch = run.series.at("longer than its links by");
+      return *std::max_element(stretch.begin(), stretch.end());
+    });
 
     e.study([&e] {
       const std::string upright = "set yrange [*:*] noreverse; set size noratio";  // after the patterns
@@ -86,6 +105,22 @@ int main(int argc, char** argv) {
         }
         e.remark(fmt::format("{}: after 10 sweeps a body's speed is wrong by {:.3g} %", name, 100 * found.error[9]));
       }
+      std::vector<Curve> chains;
+      for (const int count : {10, 20, 40, 80}) {
+        const ChainSolved chain = solve_chain(count, h, 40000);
+        chains.push_back(curve_of(chain.left, fmt::format("{} links", count), chains.size()));
+        const int sweeps = first_below(chain.left, 1e-2);
+        e.remark(fmt::format(
+            "a chain of {} links: below 1 % after {} sweeps, {} row solves; at once, {} numbers in L, {:.0e}", count,
+            sweeps, static_cast<std::size_t>(sweeps) * chain.rows, chain.numbers, chain.at_once));
+      }
+      e.panel({.title = "chains let go at 45°",
+               .x_label = "sweeps",
+               .y_label = "true error of a link's speed",
+               .log_x = true,
+               .log_y = true,
+               .curves = chains,
+               .extra = upright});
     });
   });
 }

@@ -30,12 +30,6 @@ void print_table(const std::vector<NamedScene>& scenes) {
   fmt::print("\n");
 }
 
-std::string names_of(const std::vector<NamedScene>& scenes) {
-  std::string names;
-  for (const NamedScene& scene : scenes) names += (names.empty() ? "" : ", ") + scene.name;
-  return names;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -50,19 +44,15 @@ int main(int argc, char** argv) {
     return app.exit(problem) == 0 ? 0 : 2;
   }
   std::vector<NamedScene> chosen;
-  bool all = false;
-  for (const std::string& name : wanted) {
-    const auto found = std::find_if(scenes.begin(), scenes.end(), [&](const NamedScene& s) { return s.name == name; });
-    if (name == "all") {
-      all = true;
-    } else if (found == scenes.end()) {
-      fmt::print(stderr, "scene is '{}': all, or one of these is needed: {}\n", name, names_of(scenes));
-      return 2;
-    } else {
-      chosen.push_back(*found);
+  try {
+    for (const std::string& name : wanted) {
+      if (name != "all") chosen.push_back(scene_of(scenes, name));
     }
+  } catch (const InvalidInput& problem) {
+    fmt::print(stderr, "{}, or all\n", problem.what());
+    return 2;
   }
-  if (all) chosen = scenes;
+  if (std::find(wanted.begin(), wanted.end(), "all") != wanted.end()) chosen = scenes;
   for (const NamedScene& scene : chosen) print(scene);
   if (chosen.size() > 1) {
     fmt::print("\n");

@@ -17,6 +17,7 @@
 #include "chapters/11_position_correction/scenes.h"
 #include "chapters/12_small_steps/scenes.h"
 #include "chapters/13_global_solve/scenes.h"
+#include "common/input.h"
 
 namespace pushback {
 
@@ -135,9 +136,23 @@ inline std::vector<NamedScene> all_scenes() {
       {"12-forty-boxes", stack_of(40)},
       {"12-sunken-ball", sunken_ball},
       {"13-gate", stack_in_gate},
+      {"13-chain", chain_with_heavy_load},
       {"15-piles", five_piles},
       {"15-ice", cubes_on_ice},
   };
+}
+
+/// As they are typed, for a message.
+inline std::string names_of(const std::vector<NamedScene>& scenes) {
+  std::string names;
+  for (const NamedScene& scene : scenes) names += (names.empty() ? "" : ", ") + scene.name;
+  return names;
+}
+/// Throws InvalidInput, naming all there are, where none has this name.
+inline const NamedScene& scene_of(const std::vector<NamedScene>& scenes, const std::string& name) {
+  for (const NamedScene& scene : scenes)
+    if (scene.name == name) return scene;
+  throw InvalidInput(fmt::format("scene is '{}': one of these is needed: {}", name, names_of(scenes)));
 }
 
 }  // namespace pushback

@@ -1,0 +1,69 @@
+/// How many sweeps a chain takes, by its length, and what solving it at once leaves.
+#pragma once
+
+#include <vector>
+
+#include "chapters/09_joints/ball_and_socket.h"
+#include "chapters/13_global_solve/global_joints.h"
+#include "common/scene.h"
+
+namespace pushback {
+
+/// Links of 1 kg, 3 m in all, that hang from the origin at 45 degrees, and are let go.
+inline void slanting_chain(World& world, int count) {
+  const Real length = 3 / static_cast<Real>(count), radius = std::min(Real(0.05), length / 4);
+  const Vec3 way = Vec3(1, -1, 0).normalized();
+  for (int i = 0; i < count; ++i) {
+    const Vec3 end = static_cast<Real>(i) * length * way;
+    const int here = world.add(capsule(radius, length / 2 - radius, 1)
+                                   .turned(pi / 4, Vec3::UnitZ())
+                                   .at(end + length / 2 * way)
+                                   .coloured(i % 2));
+    world.joints.push_back(ball_and_socket(world, i == 0 ? the_world : here - 1, here, end));
+  }
+}
+
+struct ChainSolved {
+  std::vector<double>
+      left;            ///< after each sweep: the largest speed that a link is wrong by, of the largest at the start
+  double at_once = 0;  ///< the largest |JV + b| that one solve leaves, of the largest before
+  std::size_t rows = 0;
+  Eigen::Index numbers = 0;  ///< in L, apart from 0 and the diagonal
+};
+
+/// The first step of a chain, from nothing; swept until it is right to 1e-4, or `most` times.
+inline ChainSolved solve_chain(int count, Real h, int most) {
+  World swept;
+  slanting_chain(swept, count);
+  World exact = swept;
+  for (World* world : {&swept, &exact}) world->apply_forces(h);
+  Solver<Joints> sweeps;
+  Solver<GlobalJoints> at_once;
+  sweeps.hold(swept, h);
+  at_once.hold(exact, h);
+  const Vector before = speeds_of(at_once.joint_rows());
+  at_once.solve(exact.contacts, h, 1);
+
+  const Eigen::SparseMatrix<double> a = matrix_of(at_once.joint_rows());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(a);
+  ChainSolved chain;
+  chain.rows = at_once.joint_rows().size();
+  chain.numbers = factors.matrixL().nestedExpression().nonZeros();
+  chain.at_once = speeds_of(at_once.joint_rows()).cwiseAbs().maxCoeff() / before.cwiseAbs().maxCoeff();
+
+  const auto error = [&] {
+    Real largest = 0;
+    for (std::size_t i = 0; i < swept.bodies.size(); ++i)
+      largest = std::max(largest, (swept.bodies[i].velocity - exact.bodies[i].velocity).norm());
+    return static_cast<double>(largest);
+  };
+  const double at_first = error();
+  Rows no_contacts;
+  while (static_cast<int>(chain.left.size()) < most && (chain.left.empty() || chain.left.back() > 1e-4)) {
+    sweeps.Joints::sweep(no_contacts);
+    chain.left.push_back(error() / at_first);
+  }
+  return chain;
+}
+
+}  // namespace pushback
