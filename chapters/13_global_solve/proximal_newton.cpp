@@ -53,17 +53,7 @@ class Proximal {
  public:
   explicit Proximal(const ContactProblem& problem) : problem_(problem) {
     for (const Matrix3d& block : diagonal_blocks(problem)) blocks_.emplace_back(block);
-    std::vector<Eigen::Triplet<double>>
-        entries;  // of each 3 x 3 block all nine, so that three rows have the same columns
-    for (Index row = 0; row < problem.w.rows(); ++row) {
-      for (SparseRows::InnerIterator it(problem.w, row); it; ++it) {
-        for (Index i = 0; i < 9; ++i)
-          entries.emplace_back(int(row - row % 3 + i / 3), int(it.col() - it.col() % 3 + i % 3), 0);
-        entries.emplace_back(int(row), int(it.col()), it.value());
-      }
-    }
-    w_.resize(problem.w.rows(), problem.w.cols());
-    w_.setFromTriplets(entries.begin(), entries.end());
+    fill_blocks();
     derivative_ = w_;
   }
   Vector from;
@@ -105,6 +95,32 @@ class Proximal {
   }
 
  private:
+  /// W, with all nine of each 3 x 3 block that has any, so that three rows have the same columns.
+  void fill_blocks() {
+    const SparseRows& w = problem_.w;
+    w_.resize(w.rows(), w.cols());
+    std::vector<Index> blocks;
+    for (Index first = 0; first < w.rows(); first += 3) {
+      blocks.clear();
+      for (Index row = first; row < first + 3; ++row)
+        for (SparseRows::InnerIterator it(w, row); it; ++it)
+          if (blocks.empty() || blocks.back() != it.col() / 3) blocks.push_back(it.col() / 3);
+      std::sort(blocks.begin(), blocks.end());
+      blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+      for (Index row = first; row < first + 3; ++row) {
+        w_.startVec(row);
+        SparseRows::InnerIterator it(w, row);
+        for (const Index block : blocks) {
+          for (Index column = 3 * block; column < 3 * block + 3; ++column) {
+            const bool is_there = it && it.col() == column;
+            w_.insertBack(row, column) = is_there ? it.value() : 0;
+            if (is_there) ++it;
+          }
+        }
+      }
+    }
+    w_.finalize();
+  }
   Vector speeds(const Vector& r) const { return problem_.speeds(r) + pull * (r - from); }
   Law law(Index c, const Vector& r, const Vector& u) const {
     return {blocks_[static_cast<std::size_t>(c)], problem_.mu[c], r.segment<3>(3 * c), u.segment<3>(3 * c)};
@@ -148,11 +164,12 @@ bool solve(Proximal& problem, Vector& r, int& steps, const std::function<bool()>
 }  // namespace
 
 int newton(const ContactProblem& problem, Vector& r, const NewtonLimits& limits) {
+  double best = relative_residual(problem, r);
+  if (best <= limits.tolerance) return 0;
   Proximal pulled(problem);
   const double unit = pulled.largest_diagonal();
   if (unit <= 0) return 0;
   Vector at = r, drift = Vector::Zero(r.size());
-  double best = relative_residual(problem, r);
   pulled.pull = 1e-3 * unit;
   double last = best;
   int all_steps = 0, since_better = 0;

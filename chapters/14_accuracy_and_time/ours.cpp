@@ -3,8 +3,9 @@
 #include "chapters/11_position_correction/nonlinear_gauss_seidel.h"
 #include "chapters/11_position_correction/split_impulse.h"
 #include "chapters/12_small_steps/steady_solver.h"
-#include "chapters/13_global_solve/global_solve.h"
+#include "chapters/13_global_solve/global_joints.h"
 #include "chapters/14_accuracy_and_time/play.h"
+#include "chapters/14_accuracy_and_time/warm_global_solve.h"
 
 using namespace pushback;
 
@@ -18,7 +19,7 @@ using Split = Solver<Clamping, SplitImpulse, Restitution, FrictionCone, WarmStar
 using Nonlinear = Solver<Clamping, NonlinearGaussSeidel, Restitution, FrictionCone, WarmStart>;
 using Soft = Solver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>;
 using SteadyCold = Solver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone>;
-using AtOnce = Solver<Clamping, Baumgarte, Restitution, FrictionCone, GlobalSolve>;
+using AtOnce = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmGlobalSolve>;
 
 template <class ContactSolver>
 class Ours : public Player {
@@ -71,11 +72,12 @@ int main(int argc, char** argv) {
       method<Soft>("soft", "soft contacts, cone"),
       method<SteadySolver>("steady", "all together"),
       method<SteadyCold>("steady-cold", "all together, cold"),
-      method<AtOnce>("at-once", "all contacts at once"),
+      method<AtOnce>("at-once", "all contacts at once, on a seat"),
       method<Solver<Joints>>("joints", "joints, cold"),
       method<Solver<WarmJoints>>("warm-joints", "joints, warm"),
       method<Solver<SplitJoints>>("split-joints", "joints, push kept apart"),
       method<Solver<SteadyJoints>>("steady-joints", "joints, twenty passes"),
+      method<Solver<GlobalJoints>>("global-joints", "all joints at once"),
   };
   return play_program(argc, argv, "Plays a motion by our own solvers: how far from the truth, in what time.", methods);
 }

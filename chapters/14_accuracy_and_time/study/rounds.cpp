@@ -102,8 +102,10 @@ Indices indices_of_those_near_front(const Measurements& all, std::size_t first) 
 std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others) {
   std::vector<Engine> found{{"motion", "ours, double"}, {"motion_float", "ours, float"}};
   if (!others) return found;
-  for (const Engine& engine : std::vector<Engine>{
-           {"motion_bullet", "Bullet, float"}, {"motion_ode", "ODE, double"}, {"motion_mujoco", "MuJoCo, double"}})
+  for (const Engine& engine : std::vector<Engine>{{"motion_bullet", "Bullet, float"},
+                                                  {"motion_bullet_double", "Bullet, double"},
+                                                  {"motion_ode", "ODE, double"},
+                                                  {"motion_mujoco", "MuJoCo, double"}})
     if (std::filesystem::exists(programs / engine.program)) found.push_back(engine);
   if (found.size() == 2)
     throw std::runtime_error("no other engine's program is there: configure with -DPUSHBACK_PEERS=ON");

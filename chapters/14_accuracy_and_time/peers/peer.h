@@ -1,0 +1,11 @@
+/// Another engine plays motions. Each engine's source defines this, and a program is linked with one of them.
+#pragma once
+
+#include "chapters/14_accuracy_and_time/play.h"
+
+namespace pushback {
+
+/// The engine, in the ways in which it is played. Friction and restitution of a motion's bodies become those of each pair.
+std::vector<Method> peer_methods();
+
+}  // namespace pushback

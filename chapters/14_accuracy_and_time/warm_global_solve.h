@@ -1,0 +1,42 @@
+/// All contacts at once, from where the last step ended.
+#pragma once
+
+#include "chapters/13_global_solve/global_solve.h"
+#include "chapters/13_global_solve/proximal_newton.h"
+#include "chapters/14_accuracy_and_time/seat.h"
+
+namespace pushback {
+
+/// In the place of GlobalSolve, after WarmStart, whose guess it goes on from: what rests is one linear system away from its
+/// solution, or none. Only where Newton's method does not get there in `rounds` it is solved from nothing.
+struct WarmGlobalSolve : Effect {
+  double tolerance = 1e-5;  ///< of relative_residual
+  double too_far = 1e-3;    ///< of the same, and solved from nothing
+  int rounds = 3;           ///< of Newton's method, see NewtonLimits
+
+  void build(const Contacts& contacts, Rows&, Real) { contacts_ = &contacts; }
+  void start(Rows& rows) {
+    ContactProblem problem = problem_of(*contacts_, rows);
+    if (problem.contacts() == 0) return;
+    Vector r = Vector::Zero(problem.q.size());
+    each_row(rows, [&](Row& row, Eigen::Index i) { r[i] = static_cast<double>(row.impulse); });
+    problem.q -= problem.w * r;  // u = W r + q with what the guess has done already
+    newton(problem, r, {tolerance, rounds, [] { return false; }});
+    if (!(relative_residual(problem, r) <= too_far)) r = solve_best(problem, {.tolerance = tolerance, .rounds = 1}).r;
+    each_row(rows, [&](Row& row, Eigen::Index i) { row.reach(static_cast<Real>(r[i])); });
+  }
+
+ private:
+  /// `use(row, i)`: its place in the problem. Of each contact the normal comes first, then its tangents.
+  template <class Use>
+  void each_row(Rows& rows, const Use& use) {
+    next_.clear();
+    for (std::size_t i = 0; i < contacts_->size(); ++i) next_.push_back(3 * static_cast<Eigen::Index>(i));
+    for (Row& row : rows) use(row, next_[static_cast<std::size_t>(row.contact)]++);
+  }
+
+  const Contacts* contacts_ = nullptr;  // of the step that is being solved
+  std::vector<Eigen::Index> next_;      // of each contact
+};
+
+}  // namespace pushback
