@@ -141,6 +141,16 @@ course export -h && expect 2 "export: -h in" && expect_not "usage: ./course"
 course --help solve && expect 0 "usage: ./course"
 course effects --help && expect 0 "usage: ./course"
 
+# The study of accuracy and time, and the other engines, which are built only when they are asked for.
+for name in study frozen; do
+  printf '#!/bin/sh\necho "%s: $*"\n' $name >"$scratch/home/build/release/chapters/$name"
+  chmod +x "$scratch/home/build/release/chapters/$name"
+done
+course study --quick -- --only bounce && expect 0 "--target study frozen" "study: --quick --only bounce" "frozen: --quick"
+expect_not "peers"
+course study --peers && expect 0 "-DPUSHBACK_PEERS=ON" "--target study frozen peers" "study: --peers" "frozen: "
+course study quick && expect 2 "'study' takes no words"
+
 course clean && expect 0 "git clean"
 [[ ! -e $scratch/home/build ]] || { echo "clean left build/"; failures=$((failures + 1)); }
 

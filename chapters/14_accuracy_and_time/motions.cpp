@@ -58,9 +58,9 @@ Motion bounce() {
           .fill = fill,
           .seconds = 2.5,
           .truth = along(fill, Eigen::Vector3d::UnitY(), way),
-          .most_small_steps = 4096,
+          .most_small_steps = 2048,
           .most_sweeps = 4,
-          .most_passes = 4096};
+          .most_passes = 2048};
 }
 
 Motion on_a_slope() {
@@ -80,9 +80,9 @@ Motion on_a_slope() {
           .fill = fill,
           .seconds = 1.5,
           .truth = along(fill, down, [=](double t) { return a * t * t / 2; }),
-          .most_small_steps = 2048,
+          .most_small_steps = 1024,
           .most_sweeps = 16,
-          .most_passes = 4096};
+          .most_passes = 2048};
 }
 
 Motion sliding() {
@@ -98,9 +98,9 @@ Motion sliding() {
           .fill = fill,
           .seconds = 2,
           .truth = along(fill, ahead.cast<double>(), way),
-          .most_small_steps = 2048,
+          .most_small_steps = 1024,
           .most_sweeps = 16,
-          .most_passes = 4096};
+          .most_passes = 2048};
 }
 
 Motion rolling() {
@@ -116,9 +116,9 @@ Motion rolling() {
           .fill = fill,
           .seconds = 2,
           .truth = along(fill, ahead.cast<double>(), way),
-          .most_small_steps = 2048,
+          .most_small_steps = 1024,
           .most_sweeps = 4,
-          .most_passes = 4096};
+          .most_passes = 2048};
 }
 
 Motion resting(const std::string& name, const std::string& title, double seconds,
@@ -209,8 +209,8 @@ const std::vector<Motion>& all_motions() {
       sliding(),
       rolling(),
       hanging("pendulum", "a ball on a pin", 0, 100, pi / 3),
-      resting("stack-10", "a stack of ten", 10, [](World& world) { stack(world, 10); }),
-      resting("pyramid-10", "a pyramid of base ten", 5, [](World& world) { pyramid(world, 10); }),
+      resting("stack-10", "a stack of ten", 5, [](World& world) { stack(world, 10); }),
+      resting("pyramid-10", "a pyramid of base ten", 3, [](World& world) { pyramid(world, 10); }),
       resting("heavy-on-light", "a hundred times heavier on a box", 5, heavy_on_light),
       hanging("chain", "ten links swing a hundredfold mass", 10, 100, pi / 6),
       billiard_break()};

@@ -129,6 +129,11 @@ Asked read(const std::string& asked, const Motion& motion, const std::vector<Met
   throw InvalidInput(fmt::format("method is '{}': one of {} plays {}", words[0], fmt::join(names, ", "), motion.name));
 }
 
+bool is_more_work(const Asked& one, const Asked& than) {
+  return one.method == than.method && one.setting.small_steps >= than.setting.small_steps &&
+         one.setting.sweeps >= than.setting.sweeps;
+}
+
 }  // namespace
 
 int play_program(int argc, const char* const* argv, const std::string& about, const std::vector<Method>& methods) {
@@ -157,8 +162,13 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
     const Motion& motion = motion_named(motion_name);
     std::vector<Asked> all;
     for (const std::string& setting : settings) all.push_back(read(setting, motion, methods));
+    std::vector<Asked> late;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const Played played = play(motion, *all[i].method, all[i].setting, patience);
+      const bool hopeless =
+          std::any_of(late.begin(), late.end(), [&](const Asked& before) { return is_more_work(all[i], before); });
+      const Played played = hopeless ? Played{.error = no_error_known, .late = true}
+                                     : play(motion, *all[i].method, all[i].setting, patience);
+      if (played.late) late.push_back(all[i]);
       fmt::print("{} error {} seconds {:.4e} row-solves {:.4e}\n", settings[i],
                  std::isfinite(played.error) ? fmt::format("{:.4e}", played.error)
                  : played.late               ? "late"

@@ -58,8 +58,9 @@ Played play(const Motion& motion, const Method& method, const Setting& setting, 
 ///
 ///   full/4/16 error 1.2345e-03 seconds 4.5678e-02 row-solves 6.7890e+06
 ///
-/// with the error "lost" where a body was more than 10 km off, "late" where it was given up. Without a motion it lists the motions that there are, with one its methods. Returns the
-/// exit status: 0; 2 where a value cannot be used, and then nothing was played.
+/// with the error "lost" where a body was more than 10 km off, and "late" where it was given up, or not begun, as it asks for no
+/// less of either knob than one before it that was given up. Without a motion it lists the motions that there are, with one its
+/// methods. Returns the exit status: 0; 2 where a value cannot be used, and then nothing was played.
 int play_program(int argc, const char* const* argv, const std::string& about, const std::vector<Method>& methods);
 
 }  // namespace pushback

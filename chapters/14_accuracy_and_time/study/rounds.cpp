@@ -12,7 +12,7 @@ namespace pushback {
 
 namespace {
 
-constexpr double slack = 2;  // times as slow as the front, and still timed again
+constexpr double slack = 1.5;  // times as slow as the front, and still timed again
 
 std::vector<std::string> lines_of(const std::string& command) {
   std::FILE* pipe = popen(command.c_str(), "r");
@@ -69,7 +69,7 @@ class Asking {
     return options_.quick ? std::min(64, motion_.most_small_steps) : motion_.most_small_steps;
   }
   int most_passes() const { return options_.quick ? std::max(1, motion_.most_passes / 8) : motion_.most_passes; }
-  std::string patience() const { return options_.quick ? " --at-least 0 --at-most 0.15" : " --at-most 10"; }
+  std::string patience() const { return options_.quick ? " --at-least 0 --at-most 0.15" : " --at-most 5"; }
   std::string command(const std::string& engine) const {
     return fmt::format("'{}' {}", (options_.programs / engine).string(), motion_.name);
   }
