@@ -1,4 +1,5 @@
 /// The relaxing pass of soft contacts: what it takes back, and what it leaves alone.
+#include "chapters/12_small_steps/steady_solver.h"
 #include "tests/soft_contacts.h"
 
 using namespace pushback;
@@ -81,6 +82,99 @@ TEST_CASE(
     }
   }
 }
+
+// ---- rolling ---------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// A ball of 0.5 m and 100 kg that slides at 6 m/s until it rolls: over the ground, or over a plank on smooth ground.
+struct Roller {
+  World world;
+  std::size_t below = 0;
+
+  explicit Roller(Real plank) {
+    world.add(ground().rough(plank > 0 ? 0 : Real(0.3)));
+    if (plank > 0) below = static_cast<std::size_t>(world.add(box({20, Real(0.1), 2}, plank).at({10, Real(0.1), 0})));
+    world.add(sphere(Real(0.5), 100).at({0, plank > 0 ? Real(0.7) : Real(0.5), 0}).moving({6, 0, 0}).rough(Real(0.3)));
+  }
+  Real speed() const { return world.bodies.back().velocity.x() - world.bodies[below].velocity.x(); }
+  template <class ContactSolver>
+  void roll(ContactSolver& solver, Real seconds, int steps) {
+    for (int step = 0; step < static_cast<int>(seconds * 60); ++step) small_steps(world, solver, h, steps);
+  }
+};
+/// The part of its speed that it gains from the first second to the third.
+template <class ContactSolver>
+Real gained_over(Real plank, int steps) {
+  Roller ball(plank);
+  ContactSolver solver;
+  ball.roll(solver, 1, steps);
+  const Real rolling = ball.speed();
+  ball.roll(solver, 2, steps);
+  return ball.speed() / rolling - 1;
+}
+
+}  // namespace
+
+// m v + I w / r stays while it slides, about the line of contact: 5/7 of the speed is left when it rolls.
+TEMPLATE_TEST_CASE("a ball that rolls over the ground keeps its speed, in steps of any size", "", SoftSolver,
+                   SteadySolver) {
+  for (const int steps : {1, 4, 16}) {
+    Roller ball(0);
+    TestType solver;
+    ball.roll(solver, 3, steps);
+    INFO(steps << " small steps");
+    CHECK(std::abs(ball.speed() / (Real(6) * 5 / 7) - 1) <= 1000 * eps);
+  }
+}
+
+// A light plank is pressed, and tilts, as the ball comes and goes, relaxed or not.
+TEMPLATE_TEST_CASE("a ball that rolls over a plank is not braked by relaxing", "", SoftSolver, SteadySolver) {
+  using NotRelaxed = Solver<Clamping, SoftWithoutRelaxing, Restitution, Friction, WarmStart>;
+  for (const Real plank : {Real(1e5), Real(100), Real(10)}) {  // kg
+    const Real gained = gained_over<TestType>(plank, 16), not_relaxed = gained_over<NotRelaxed>(plank, 16);
+    INFO("a plank of " << plank << " kg: " << gained << ", not relaxed " << not_relaxed);
+    CHECK(std::abs(gained - not_relaxed) <= Real(is_double ? 1e-6 : 1e-4));
+    if (plank >= 1000) CHECK(std::abs(gained) <= Real(is_double ? 1e-8 : 1e-4));
+  }
+}
+
+// Of m = (change of x_B - x_A) x n each arm takes a part: J V changes by -s m . w_A - (1 - s) m . w_B, which s can make
+// zero where the two have not the same sign.
+TEST_CASE("relaxing places a row at one point for both bodies, and there it reads the speed that it read before") {
+  Random random(9);
+  for (int i = 0; i < 1000; ++i) {
+    World world;
+    for (const bool second : {false, true}) {
+      Body body = random.moving_body(random.over_decades(1, 100));
+      if (!second && i % 3 == 0) body.fixed();
+      world.add(body);
+    }
+    Body &a = world.bodies[0], &b = world.bodies[1];
+    Contacts contacts(1);
+    contacts[0].a = &a;
+    contacts[0].b = &b;
+    contacts[0].point = random.vector(2);
+    Rows rows = {Row(contacts[0], random.direction(), 0), Row(contacts[0], random.direction(), 0)};
+    SoftContacts soft;
+    soft.build(contacts, rows, h);
+    soft.start(rows);
+    const Vec3 apart = b.position - a.position;
+    const Real before[] = {rows[0].speed(), rows[1].speed()};
+    for (Body& body : world.bodies) body.position += h * body.velocity;
+    soft.relax(rows);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const Row& row = rows[k];
+      const Vec3 m = (b.position - a.position - apart).cross(row.n);
+      const Real of_a = m.dot(a.angular_velocity), of_b = m.dot(b.angular_velocity);
+      const Real unavoidable = of_a * of_b > 0 ? 2 * std::min(std::abs(of_a), std::abs(of_b)) : 0;
+      REQUIRE((row.ra_n - row.rb_n - (b.position - a.position).cross(row.n)).norm() <= 64 * eps);
+      REQUIRE(std::abs(row.speed() - before[k]) <= unavoidable + 256 * eps);
+    }
+  }
+}
+
+// ---- under a load ----------------------------------------------------------------------------------------------------
 
 // Beyond the depth where the cap binds, the contact is rigid and rises at the fastest push-out. Before it, the spring lets
 // through gamma / (K + gamma) of what the load adds to the speed in a step: so much further it may go, once.

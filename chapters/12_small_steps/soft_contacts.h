@@ -29,10 +29,10 @@ struct SoftContacts : Effect {
     push_out_rate_ = w / (2 * damping_ratio + dt * w);          // k / (c + h k): the row's mass cancels
     gamma_by_K_ = 1 / (dt * w * (2 * damping_ratio + dt * w));  // gamma / K: here as well
     rigid_mass_.resize(contacts.size());
-    from_middle_.resize(contacts.size());
+    apart_.resize(contacts.size());
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       rigid_mass_[i] = rows[i].effective_mass;
-      from_middle_[i] = contacts[i].point - middle_of(rows[i]);
+      apart_[i] = rows[i].b->position - rows[i].a->position;
     }
   }
   /// What bounces leaves by itself; all else is pushed out.
@@ -52,7 +52,7 @@ struct SoftContacts : Effect {
   ///
   /// To leave angular momentum alone, impulses have to act on both bodies at one point, by the inertias that they have now.
   void relax(Rows& rows) {
-    for (Row& row : rows) row.act_at(middle_of(row) + from_middle_[static_cast<std::size_t>(row.contact)]);
+    for (Row& row : rows) carry(row, apart_[static_cast<std::size_t>(row.contact)]);
     for (std::size_t i = 0; i < rigid_mass_.size(); ++i) {
       rows[i].bias = bounce_[i];
       rows[i].softness = 0;
@@ -60,13 +60,26 @@ struct SoftContacts : Effect {
   }
 
  private:
-  static Vec3 middle_of(const Row& row) { return (row.a->position + row.b->position) / 2; }
+  /// One point for both:  r_A x n - r_B x n = (x_B - x_A) x n.  What that has changed by, m, the two arms share:
+  ///
+  ///   r_A x n += s m,   r_B x n -= (1 - s) m      so J V changes by  -s m . w_A - (1 - s) m . w_B
+  ///
+  /// The larger part to whom it turns less: then J V stays, and what rolls is not braked. `apart`: x_B - x_A before, m.
+  static void carry(Row& row, const Vec3& apart) {
+    const Vec3 m = (row.b->position - row.a->position - apart).cross(row.n);
+    const Real of_a = std::abs(m.dot(row.a->angular_velocity)), of_b = std::abs(m.dot(row.b->angular_velocity));
+    const Real inverse_masses = row.a->inverse_mass + row.b->inverse_mass;
+    const Real s = of_a + of_b > 0 ? of_b / (of_a + of_b) : row.b->inverse_mass / inverse_masses;
+    row.ra_n += s * m;
+    row.rb_n -= (1 - s) * m;
+    row.weigh(inverse_masses);
+  }
 
   Real push_out_rate_ = 0;  // 1/s
   Real gamma_by_K_ = 0;
-  std::vector<Real> rigid_mass_;   // 1 / K, kg
-  std::vector<Real> bounce_;       // b without the push-out, m/s
-  std::vector<Vec3> from_middle_;  // of the two centres of mass to the contact point, m, world axes
+  std::vector<Real> rigid_mass_;  // 1 / K, kg
+  std::vector<Real> bounce_;      // b without the push-out, m/s
+  std::vector<Vec3> apart_;       // x_B - x_A when the rows were made, m
 };
 
 }  // namespace pushback
