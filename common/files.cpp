@@ -31,4 +31,11 @@ void write_text_file(const fs::path& file, const std::string& text) {
   fs::rename(unfinished, file);
 }
 
+std::string read_text_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (!in) throw InvalidInput(fmt::format("file '{}' cannot be read", file.string()));
+  return text;
+}
+
 }  // namespace pushback

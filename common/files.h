@@ -10,5 +10,7 @@ namespace pushback {
 void make_writable_folder(const std::filesystem::path& folder);
 /// Written beside its place and moved there when whole. Throws InvalidInput, naming the file, where that fails.
 void write_text_file(const std::filesystem::path& file, const std::string& text);
+/// All of it. Throws InvalidInput, naming the file, where it cannot be read.
+std::string read_text_file(const std::filesystem::path& file);
 
 }  // namespace pushback

@@ -107,6 +107,9 @@ TEST_CASE("the sheet of 12 looks as it did", "[slow]") {
 TEST_CASE("the sheet of 13 looks as it did", "[slow]") {
   compare("13_global_solve");
 }
+TEST_CASE("the sheet of 14 looks as it did") {
+  compare("14_accuracy_and_time");
+}
 TEST_CASE("the sheet of 15 looks as it did") {
   compare("15_only_what_is_needed");
 }

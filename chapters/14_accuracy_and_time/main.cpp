@@ -1,5 +1,5 @@
 #include "chapters/07_warm_start/full_solver.h"
-#include "chapters/09_joints/split_joints.h"
+#include "chapters/09_joints/joints.h"
 #include "chapters/12_small_steps/study.h"
 #include "chapters/14_accuracy_and_time/motion.h"
 #include "common/experiment.h"
@@ -67,9 +67,9 @@ int main(int argc, char** argv) {
     const Motion& billiards = motion_named("break");
     e.scene({.name = billiards.title,
              .fill = billiards.fill,
-             .camera = {{Real(0.55), Real(2.9), Real(0.9)}, {Real(0.55), 0, 0}},
+             .camera = {{Real(0.55), Real(3.3), Real(1)}, {Real(0.55), 0, 0}},
              .seconds = Real(0.6),
-             .instants = {0, Real(0.25), Real(0.4), Real(0.6)}});
+             .instants = {0, Real(0.25), Real(0.4), Real(0.5)}});
     const Truth of_balls(billiards);
     e.variant("as it should be", of_balls).coloured(6);
     int colour = 0;
@@ -89,8 +89,8 @@ int main(int argc, char** argv) {
     const Truth of_chain(chain);
     e.variant("as it should be", of_chain).coloured(6);
     colour = 0;
-    for (const Budget& budget : {Budget{1, 64}, {4, 16}, {16, 4}, {64, 1}})
-      e.variant(counted(budget.small_steps, "step") + " of " + counted(budget.sweeps, "sweep"), Solver<SplitJoints>{})
+    for (const Budget& budget : {Budget{1, 16}, {4, 4}, {16, 1}})
+      e.variant(counted(budget.small_steps, "step") + " of " + counted(budget.sweeps, "sweep"), Solver<Joints>{})
           .in_small_steps(budget.small_steps)
           .with_exactly(budget.sweeps)
           .coloured(colour++);

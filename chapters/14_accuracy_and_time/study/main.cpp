@@ -12,11 +12,32 @@ using namespace pushback;
 namespace {
 
 struct Asked {
-  bool quick = false, others = false;
+  bool quick = false, others = false, redraw = false;
   int rounds = 0;
   std::vector<std::string> only;
   std::string out = "renders";
 };
+
+void report(const AllMeasured& all, const std::vector<Engine>& engines, const std::filesystem::path& folder) {
+  std::vector<MotionMeasured> in_order;
+  std::vector<Panel> against_time, methods;
+  for (const Motion& motion : all_motions()) {
+    const auto found = all.find(motion.name);
+    if (found == all.end()) continue;
+    in_order.push_back({&motion, found->second});
+    against_time.push_back(work_precision(in_order.back(), engines));
+    methods.push_back(fronts_of_methods(in_order.back()));
+  }
+  write_plot(folder / "work_precision.png", against_time);
+  write_plot(folder / "methods.png", methods);
+  if (const auto panels = panels_of_knobs(in_order); !panels.empty()) write_plot(folder / "knobs.png", panels);
+  for (const auto& [name, table] : {std::pair{"cheapest.md", table_of_cheapest(in_order)},
+                                    {"others.md", table_of_others(in_order, engines)},
+                                    {"knobs.md", table_of_knobs(in_order)}}) {
+    write_text_file(folder / name, table);
+    fmt::print("{}\n", table);
+  }
+}
 
 void study(const Asked& asked, const std::filesystem::path& programs) {
   std::vector<const Motion*> motions;
@@ -26,33 +47,24 @@ void study(const Asked& asked, const std::filesystem::path& programs) {
   const std::filesystem::path folder = std::filesystem::path(asked.out) / "14_accuracy_and_time";
   make_writable_folder(folder);
   const std::vector<Engine> engines = engines_in(programs, asked.others);
+  if (asked.redraw) {
+    report(read_csv(read_text_file(folder / "study.csv")), engines, folder);
+    return;
+  }
   const RoundOptions options{.engines = engines,
                              .programs = programs,
                              .quick = asked.quick,
                              .rounds = asked.rounds > 0 ? asked.rounds
                                        : asked.quick    ? 1
-                                                        : 5,
+                                                        : 3,
                              .say = [](const std::string& what) {
                                fmt::print("{}\n", what);
                                std::fflush(stdout);
                              }};
-  std::vector<MotionMeasured> all;
-  std::map<std::string, Measurements> by_motion;
-  std::vector<Panel> against_time, methods;
-  for (const Motion* motion : motions) {
-    all.push_back({motion, measure(*motion, options)});
-    by_motion[motion->name] = all.back().all;
-    against_time.push_back(work_precision(all.back(), engines));
-    methods.push_back(fronts_of_methods(all.back()));
-  }
-  write_plot(folder / "work_precision.png", against_time);
-  write_plot(folder / "methods.png", methods);
-  if (const auto panels = panels_of_knobs(all); !panels.empty()) write_plot(folder / "knobs.png", panels);
-  write_text_file(folder / "study.csv", csv_of(by_motion));
-  write_text_file(folder / "cheapest.md", table_of_cheapest(all));
-  write_text_file(folder / "others.md", table_of_others(all, engines));
-  write_text_file(folder / "knobs.md", table_of_knobs(all));
-  fmt::print("{}\n{}\n{}", table_of_cheapest(all), table_of_others(all, engines), table_of_knobs(all));
+  AllMeasured all;
+  for (const Motion* motion : motions) all[motion->name] = measure(*motion, options);
+  write_text_file(folder / "study.csv", csv_of(all));
+  report(all, engines, folder);
 }
 
 }  // namespace
@@ -62,8 +74,9 @@ int main(int argc, char** argv) {
   Asked asked;
   app.add_flag("--quick", asked.quick, "Fewer settings, fewer rounds: in two minutes");
   app.add_flag("--peers", asked.others, "Bullet, ODE and MuJoCo as well, where they were built");
-  app.add_option("--rounds", asked.rounds, "In which all that is near a front is timed; 5, or 1 with --quick")
+  app.add_option("--rounds", asked.rounds, "In which all that is near a front is timed; 3, or 1 with --quick")
       ->check(CLI::Range(1, 1000));
+  app.add_flag("--redraw", asked.redraw, "Nothing is measured: pictures and tables of what is in study.csv");
   app.add_option("--only", asked.only, "These motions");
   app.add_option("--out", asked.out, "The folder to write to")->capture_default_str();
   try {

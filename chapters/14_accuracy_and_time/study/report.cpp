@@ -65,9 +65,8 @@ Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& 
   Panel panel = error_against_time(motion);
   add(panel, curve_of(of_engine(measured.all, "motion"), motion, "", "#c4d8e8", Curve::Style::points));
   for (std::size_t i = engines.size(); i-- > 0;) {  // ours last, on top
-    const bool is_float = engines[i].program == "motion_float";
     add(panel, curve_of(front(of_engine(measured.all, engines[i].program)), motion, engines[i].title,
-                        line_colour(is_float ? 5 : i), Curve::Style::line_and_points));
+                        line_colour(engines[i].colour), Curve::Style::line_and_points));
   }
   return panel;
 }

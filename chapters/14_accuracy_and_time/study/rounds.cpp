@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/input.h"
+
 namespace pushback {
 
 namespace {
@@ -24,6 +26,10 @@ std::vector<std::string> lines_of(const std::string& command) {
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
+}
+
+double error_in(const std::string& word) {
+  return word == "late" || word == "lost" ? std::numeric_limits<double>::infinity() : std::stod(word);
 }
 
 using Indices = std::vector<std::size_t>;
@@ -80,7 +86,7 @@ class Asking {
     in >> setting >> word >> error >> word >> seconds >> word >> into.row_solves;
     if (!in || setting != into.setting()) throw std::runtime_error(fmt::format("not a measurement: {}", line));
     into.late = error == "late";
-    into.error = into.late || error == "lost" ? std::numeric_limits<double>::infinity() : std::stod(error);
+    into.error = error_in(error);
     into.seconds.insert(std::upper_bound(into.seconds.begin(), into.seconds.end(), seconds), seconds);
   }
 
@@ -100,12 +106,12 @@ Indices indices_of_those_near_front(const Measurements& all, std::size_t first) 
 }  // namespace
 
 std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others) {
-  std::vector<Engine> found{{"motion", "ours, double"}, {"motion_float", "ours, float"}};
+  std::vector<Engine> found{{"motion", "ours, double", 0}, {"motion_float", "ours, float", 5}};
   if (!others) return found;
-  for (const Engine& engine : std::vector<Engine>{{"motion_bullet", "Bullet, float"},
-                                                  {"motion_bullet_double", "Bullet, double"},
-                                                  {"motion_ode", "ODE, double"},
-                                                  {"motion_mujoco", "MuJoCo, double"}})
+  for (const Engine& engine : std::vector<Engine>{{"motion_bullet", "Bullet, float", 1},
+                                                  {"motion_bullet_double", "Bullet, double", 4},
+                                                  {"motion_ode", "ODE, double", 2},
+                                                  {"motion_mujoco", "MuJoCo, double", 3}})
     if (std::filesystem::exists(programs / engine.program)) found.push_back(engine);
   if (found.size() == 2)
     throw std::runtime_error("no other engine's program is there: configure with -DPUSHBACK_PEERS=ON");
@@ -144,10 +150,17 @@ Measurements measure(const Motion& motion, const RoundOptions& options) {
   return all;
 }
 
-std::string csv_of(const std::map<std::string, Measurements>& by_motion) {
-  std::string text = "motion,engine,method,small_steps,sweeps,error_m,seconds,quartile1,quartile3,rounds,row_solves\n";
-  for (const auto& [motion, all] : by_motion)
-    for (const Measured& one : all)
+namespace {
+
+constexpr const char* csv_heading =
+    "motion,engine,method,small_steps,sweeps,error_m,seconds,quartile1,quartile3,rounds,row_solves";
+
+}  // namespace
+
+std::string csv_of(const AllMeasured& all) {
+  std::string text = fmt::format("{}\n", csv_heading);
+  for (const auto& [motion, measured] : all)
+    for (const Measured& one : measured)
       text += fmt::format("{},{},{},{},{},{},{:.4e},{:.4e},{:.4e},{},{:.4e}\n", motion, one.engine, one.method,
                           one.small_steps, one.sweeps,
                           one.late                   ? "late"
@@ -155,6 +168,30 @@ std::string csv_of(const std::map<std::string, Measurements>& by_motion) {
                                                      : "lost",
                           one.median(), one.quartile(1), one.quartile(3), one.seconds.size(), one.row_solves);
   return text;
+}
+
+AllMeasured read_csv(const std::string& text) {
+  AllMeasured all;
+  std::istringstream in(text);
+  std::string line;
+  if (!std::getline(in, line) || line != csv_heading)
+    throw InvalidInput(fmt::format("the first line is '{}': '{}' is needed", line, csv_heading));
+  while (std::getline(in, line)) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream words(line);
+    std::string motion, error;
+    Measured one;
+    std::vector<double> seconds(3);
+    int rounds = 0;
+    words >> motion >> one.engine >> one.method >> one.small_steps >> one.sweeps >> error >> seconds[1] >> seconds[0] >>
+        seconds[2] >> rounds >> one.row_solves;
+    if (!words) throw InvalidInput(fmt::format("'{}' is not a line of measurements", line));
+    one.late = error == "late";
+    one.error = error_in(error);
+    one.seconds = seconds;
+    all[motion].push_back(one);
+  }
+  return all;
 }
 
 }  // namespace pushback

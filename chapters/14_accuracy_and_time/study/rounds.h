@@ -13,6 +13,7 @@ namespace pushback {
 /// How an engine is called in diagrams, by the name of its program.
 struct Engine {
   std::string program, title;
+  std::size_t colour;  ///< line_colour's
 };
 /// Ours, in double and in float; and if `others` are asked for, those of Bullet, ODE and MuJoCo whose programs are in the
 /// folder: std::runtime_error where none is.
@@ -31,7 +32,12 @@ struct RoundOptions {
 /// of it in every round before the next begins. Throws std::runtime_error where a program fails.
 Measurements measure(const Motion& motion, const RoundOptions& options);
 
-/// A line a measurement, and one of headings.
-std::string csv_of(const std::map<std::string, Measurements>& by_motion);
+/// By the name of the motion.
+using AllMeasured = std::map<std::string, Measurements>;
+
+/// A line a measurement, and one of headings; and back, with the median and the quartiles for all that was timed. Throws
+/// InvalidInput where a line is not one of these.
+std::string csv_of(const AllMeasured& all);
+AllMeasured read_csv(const std::string& text);
 
 }  // namespace pushback
