@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -78,9 +79,13 @@ class Asking {
     std::string setting, word, error;
     double seconds = 0;
     in >> setting >> word >> error >> word >> seconds >> word >> into.row_solves;
-    if (!in || setting != into.setting()) throw std::runtime_error(fmt::format("not a measurement: {}", line));
     into.late = error == "late";
-    into.error = into.late || error == "lost" ? std::numeric_limits<double>::infinity() : std::stod(error);
+    into.error = std::numeric_limits<double>::infinity();
+    const bool known = !into.late && error != "lost";
+    const auto end = error.data() + error.size();
+    if (!in || setting != into.setting() || !(seconds > 0) ||
+        (known && (std::from_chars(error.data(), end, into.error).ptr != end || !(into.error >= 0))))
+      throw std::runtime_error(fmt::format("{} printed no measurement of {}: '{}'", into.engine, into.setting(), line));
     into.seconds.insert(std::upper_bound(into.seconds.begin(), into.seconds.end(), seconds), seconds);
   }
 
