@@ -766,7 +766,8 @@ TEST_CASE("all at once leaves no step farther off than what is too far, and push
   CHECK(solver.residual > 0);
   if (fill == slope) {  // m g cos 30 deg, and in 1 s along a t^2 / 2, half a step late
     const double weight = 100 * g * static_cast<double>(h) * std::sqrt(0.75), a = g * (0.5 - 0.4 * std::sqrt(0.75));
-    CHECK(solver.pushes == Approx(weight).epsilon(1e-4));
+    const double close = exact ? 1e-4 : solver.too_far;
+    CHECK(solver.pushes == Approx(weight).epsilon(close));
     const Vec3 start(Real(0.125), Real(0.25) * std::sqrt(Real(0.75)), 0);
     CHECK(static_cast<double>((world.bodies[1].position - start).norm()) ==
           Approx(a / 2 * (1 + 1.0 / 60)).epsilon(1e-4));
