@@ -155,6 +155,8 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
     return app.exit(problem) == 0 ? 0 : 2;
   }
   try {
+    require_between("--at-least", static_cast<Real>(patience.at_least), 0, 60);  // the ranges above let nan pass
+    require_between("--at-most", static_cast<Real>(patience.at_most), 0, 3600);
     if (settings.empty()) {
       list(methods, motion_name);
       return 0;

@@ -5,11 +5,16 @@
 
 namespace pushback::truth {
 
+namespace {
+constexpr double lies_below = 1e-12;  // m/s
+}
+
 double height_of_bouncing(double height, double e, double t) {
   const double fall = std::sqrt(2 * height / g);
   if (t < fall) return height - g * t * t / 2;
   double since = t - fall, speed = e * g * fall;
   while (since > 2 * speed / g) {
+    if (speed < lies_below) return 0;  // where e is not 1, there are infinitely many hits in a finite time
     since -= 2 * speed / g;
     speed *= e;
   }
@@ -101,11 +106,13 @@ std::vector<Places> places_of_hanging(const std::vector<Hanging>& bodies, double
 
 namespace {
 
+constexpr double at_rest = 1e-12;  // m^2/s: what else e = 0 leaves to rounding would be a collision again and again
+
 /// s from now until two balls touch; infinite where they never do, or part.
 double time_to_touch(const Eigen::Vector3d& apart, const Eigen::Vector3d& closing, double distance) {
   const double approach = apart.dot(closing), gap = apart.squaredNorm() - distance * distance;
   const double root = approach * approach - closing.squaredNorm() * gap;
-  if (approach >= 0 || root < 0) return std::numeric_limits<double>::infinity();
+  if (approach >= -at_rest || root < 0) return std::numeric_limits<double>::infinity();
   return std::max(0.0, gap / (std::sqrt(root) - approach));
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pushback {
 
@@ -26,8 +27,9 @@ std::string Measured::setting() const {
 }
 
 Measurements front(Measurements all) {
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Measured& a, const Measured& b) { return a.median() < b.median(); });
+  std::stable_sort(all.begin(), all.end(), [](const Measured& a, const Measured& b) {
+    return std::pair(a.median(), a.error) < std::pair(b.median(), b.error);
+  });
   Measurements found;
   for (const Measured& one : all)
     if (std::isfinite(one.error) && (found.empty() || one.error < found.back().error)) found.push_back(one);

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -28,8 +29,13 @@ std::vector<std::string> lines_of(const std::string& command) {
   return lines;
 }
 
-double error_in(const std::string& word) {
-  return word == "late" || word == "lost" ? std::numeric_limits<double>::infinity() : std::stod(word);
+/// m; infinite where it was lost or late; nothing where it is no error.
+std::optional<double> error_in(const std::string& word) {
+  if (word == "late" || word == "lost") return std::numeric_limits<double>::infinity();
+  double error = 0;
+  const char* end = word.data() + word.size();
+  if (std::from_chars(word.data(), end, error).ptr != end || !(error >= 0)) return {};
+  return error;
 }
 
 using Indices = std::vector<std::size_t>;
@@ -84,9 +90,11 @@ class Asking {
     std::string setting, word, error;
     double seconds = 0;
     in >> setting >> word >> error >> word >> seconds >> word >> into.row_solves;
-    if (!in || setting != into.setting()) throw std::runtime_error(fmt::format("not a measurement: {}", line));
+    const auto found = error_in(error);
+    if (!in || setting != into.setting() || !found || (std::isfinite(*found) && !(seconds > 0)))
+      throw std::runtime_error(fmt::format("{} printed no measurement of {}: '{}'", into.engine, into.setting(), line));
     into.late = error == "late";
-    into.error = error_in(error);
+    into.error = *found;
     into.seconds.insert(std::upper_bound(into.seconds.begin(), into.seconds.end(), seconds), seconds);
   }
 
@@ -185,9 +193,10 @@ AllMeasured read_csv(const std::string& text) {
     int rounds = 0;
     words >> motion >> one.engine >> one.method >> one.small_steps >> one.sweeps >> error >> seconds[1] >> seconds[0] >>
         seconds[2] >> rounds >> one.row_solves;
-    if (!words) throw InvalidInput(fmt::format("'{}' is not a line of measurements", line));
+    const auto found = error_in(error);
+    if (!words || !found) throw InvalidInput(fmt::format("'{}' is not a line of measurements", line));
     one.late = error == "late";
-    one.error = error_in(error);
+    one.error = *found;
     one.seconds = seconds;
     all[motion].push_back(one);
   }
