@@ -543,7 +543,7 @@ TEST_CASE("what cannot be played is refused, with the value and what is allowed,
 
 TEST_CASE("the same setting errs by the same again, and in as many row solves; lines come in the order asked for") {
   for (const auto& [motion, settings] : {std::pair("bounce", "slim/4/1 full/2/3 at-once/1/1 slim/4/1"),
-                                         {"chain", "joints/2/4 global-joints/1/1 joints/2/4"},
+                                         {"chain", "joints/2/4 joints/2/4"},
                                          {"heavy-on-light", "soft/2/2 steady/1/4 soft/2/2"}}) {
     const std::string arguments = fmt::format("{} {} --at-least 0", motion, settings);
     const auto one = played_in(MOTION_PROGRAM, arguments), two = played_in(MOTION_PROGRAM, arguments);

@@ -384,7 +384,9 @@ TEST_CASE("the table of the others says how many times as long they take") {
 }
 
 TEST_CASE("the table of the knobs has slopes, and what a change of method does") {
-  const std::string text = table_of_knobs(made_up());
+  auto all = made_up();
+  all[0].all.push_back(of("motion", "nonlinear", 1, 4, 7, 7));  // nobody's cold sister
+  const std::string text = table_of_knobs(all);
   // Errors as sweeps^(log4 0.1), times as sweeps^(1/2)
   CHECK(contains(text, fmt::format("| sweeps doubled | stack-10 | times {:.2f}, slope {:.2f} | times 1.41 | `slim` "
                                    "with 1 small steps, 1 to 16 |\n",
