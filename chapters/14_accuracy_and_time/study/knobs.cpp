@@ -15,17 +15,18 @@ struct Turned {
   const char* method;
   int small_steps, sweeps;  // 0: the one that is turned
 };
-constexpr Turned turned[] = {{"bounce", "slim", 0, 1},         {"sliding", "slim", 0, 4},
-                             {"incline", "slim", 0, 4},        {"rolling", "slim", 0, 1},
-                             {"break", "slim", 0, 1},          {"pendulum", "split-joints", 0, 1},
-                             {"chain", "split-joints", 0, 4},  {"stack-10", "soft", 0, 1},
-                             {"pyramid-10", "soft", 0, 1},     {"heavy-on-light", "soft", 0, 1},
-                             {"stack-10", "slim", 1, 0},       {"stack-10", "slim-cold", 1, 0},
-                             {"pyramid-10", "slim", 1, 0},     {"pyramid-10", "slim-cold", 1, 0},
-                             {"heavy-on-light", "slim", 1, 0}, {"heavy-on-light", "slim-cold", 1, 0},
-                             {"chain", "joints", 4, 0},        {"chain", "split-joints", 4, 0}};
+constexpr Turned turned[] = {{"bounce", "slim", 0, 1},          {"sliding", "slim", 0, 4},
+                             {"incline", "slim", 0, 4},         {"rolling", "slim", 0, 1},
+                             {"break", "slim", 0, 1},           {"pendulum", "split-joints", 0, 1},
+                             {"chain", "split-joints", 0, 4},   {"stack-10", "soft", 0, 1},
+                             {"pyramid-10", "soft", 0, 1},      {"heavy-on-light", "soft", 0, 1},
+                             {"stack-10", "full", 4, 0},        {"stack-10", "slim", 4, 0},
+                             {"stack-10", "slim-cold", 4, 0},   {"pyramid-10", "full", 4, 0},
+                             {"pyramid-10", "full-cold", 4, 0}, {"heavy-on-light", "slim-cold", 4, 0},
+                             {"chain", "joints", 16, 0},        {"chain", "split-joints", 4, 0}};
 
-constexpr double still_it = 0.1;  // m: what is farther off has fallen, and follows no law
+// m: what is farther off has fallen, and follows no law; more sweeps alone are not that near
+constexpr double near_enough = 0.1, near_enough_for_sweeps = 0.7;
 
 struct Line {
   std::vector<double> knob, error, seconds;
@@ -34,7 +35,8 @@ struct Line {
 Line line_of(const Measurements& all, const Turned& how) {
   std::vector<const Measured*> found;
   for (const Measured& one : all)
-    if (one.engine == "motion" && one.method == how.method && one.error < still_it && one.error > 0 &&
+    if (one.engine == "motion" && one.method == how.method && one.error > 0 &&
+        one.error < (how.small_steps == 0 ? near_enough : near_enough_for_sweeps) &&
         (how.small_steps == 0 || one.small_steps == how.small_steps) && (how.sweeps == 0 || one.sweeps == how.sweeps))
       found.push_back(&one);
   const auto knob = [&](const Measured& one) { return how.small_steps == 0 ? one.small_steps : one.sweeps; };

@@ -53,6 +53,11 @@ Panel error_against_time(const Motion& motion) {
           .log_y = true};
 }
 
+/// Three digits, and no exponent.
+std::string plain(double value) {
+  return value < 100 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+
 /// us of wall time for a frame.
 double per_frame(const Motion& motion, double seconds) {
   return 1e6 * seconds / motion.frames();
@@ -94,11 +99,11 @@ std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
     text += fmt::format("| {} ", measured.motion->title);
     for (const Tolerance& tolerance : tolerances) {
       const auto found = cheapest(ours(measured.all), tolerance.error);
-      const auto frame = [&](double seconds) { return per_frame(*measured.motion, seconds); };
-      text += found ? fmt::format("| `{}`{}: {:.3g} µs ({:.3g} to {:.3g}), {:.3g} row solves ", found->setting(),
+      const auto frame = [&](double seconds) { return plain(per_frame(*measured.motion, seconds)); };
+      text += found ? fmt::format("| `{}`{}: {} µs ({} to {}), {} row solves ", found->setting(),
                                   found->engine == "motion" ? "" : " in float", frame(found->median()),
                                   frame(found->quartile(1)), frame(found->quartile(3)),
-                                  found->row_solves / measured.motion->frames())
+                                  plain(found->row_solves / measured.motion->frames()))
                     : "| not reached ";
     }
     text += "|\n";
@@ -119,7 +124,7 @@ std::string table_of_others(const std::vector<MotionMeasured>& all, const std::v
       for (const Tolerance& tolerance : tolerances) {
         const auto found = cheapest(theirs, tolerance.error), best = cheapest(our, tolerance.error);
         text += !found  ? "| not reached "
-                : !best ? fmt::format("| {:.3g} µs, we not at all ", per_frame(*measured.motion, found->median()))
+                : !best ? fmt::format("| {} µs, we not at all ", plain(per_frame(*measured.motion, found->median())))
                         : fmt::format("| {:.2g} times as long ", found->median() / best->median());
       }
       const double slower = times_slower(our, theirs, 1e-5, 1e-1);

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -190,7 +191,7 @@ AllMeasured read_csv(const std::string& text) {
     std::istringstream words(line);
     std::string motion, error;
     Measured one;
-    std::vector<double> seconds(3);
+    std::array<double, 3> seconds{};  // the lower quartile, the median, the upper one
     int rounds = 0;
     words >> motion >> one.engine >> one.method >> one.small_steps >> one.sweeps >> error >> seconds[1] >> seconds[0] >>
         seconds[2] >> rounds >> one.row_solves;
@@ -198,7 +199,7 @@ AllMeasured read_csv(const std::string& text) {
     if (!words || !found) throw InvalidInput(fmt::format("'{}' is not a line of measurements", line));
     one.late = error == "late";
     one.error = *found;
-    one.seconds = seconds;
+    one.seconds = {seconds[0], seconds[0], seconds[1], seconds[2], seconds[2]};  // which have those quartiles
     all[motion].push_back(one);
   }
   return all;
