@@ -227,7 +227,7 @@ TEST_CASE(
   // fast and bad, slow and good, slow and bad, as slow as can be near, lost
   const std::string answers =
       "a/1/1) echo \"$s error 1 seconds 1 row-solves 5\";; b/1/1) echo \"$s error 0.1 seconds 10 row-solves 5\";; "
-      "c/1/1) echo \"$s error 1 seconds 9 row-solves 5\";; d/1/1) echo \"$s error 0.1 seconds 20 row-solves 5\";; "
+      "c/1/1) echo \"$s error 1 seconds 9 row-solves 5\";; d/1/1) echo \"$s error 0.1 seconds 15 row-solves 5\";; "
       "e/1/1) echo \"$s error lost seconds 0.1 row-solves 5\";; f/1/1) echo \"$s error late seconds 0.1 row-solves "
       "5\";;";
   std::string methods;
@@ -238,13 +238,13 @@ TEST_CASE(
   programs.add("motion_ode", "o/SMALL-STEPS: method\\n", good);
   const Measurements all = measure(tried(1, 1, 1), programs.options(2));
   const std::string round =
-      "motion bounce a/1/1 b/1/1 d/1/1 --at-most 10|motion_float bounce a/1/1 d/1/1 --at-most 10|"
-      "motion_ode bounce o/1 --at-most 10|";
+      "motion bounce a/1/1 b/1/1 d/1/1 --at-most 5|motion_float bounce a/1/1 d/1/1 --at-most 5|"
+      "motion_ode bounce o/1 --at-most 5|";
   std::string calls;
   for (const std::string& call : programs.calls()) calls += call + "|";
   CHECK(calls ==
-        "motion bounce|motion bounce a/1/1 b/1/1 c/1/1 d/1/1 e/1/1 f/1/1 --at-most 10|"
-        "motion_float bounce a/1/1 b/1/1 d/1/1 --at-most 10|motion_ode bounce|motion_ode bounce o/1 --at-most 10|" +
+        "motion bounce|motion bounce a/1/1 b/1/1 c/1/1 d/1/1 e/1/1 f/1/1 --at-most 5|"
+        "motion_float bounce a/1/1 b/1/1 d/1/1 --at-most 5|motion_ode bounce|motion_ode bounce o/1 --at-most 5|" +
             round + round);
   REQUIRE(all.size() == 10);
   for (const Measured& one : all) {
@@ -347,10 +347,10 @@ const std::vector<Engine> three{{"motion", "ours"}, {"motion_float", "ours, floa
 
 std::vector<MotionMeasured> made_up() {
   return {{&motion_of_60,
-           {of("motion", "slim", 1, 1, 5e-2, 0.003), of("motion", "slim", 1, 4, 5e-3, 0.006),
-            of("motion", "slim", 1, 16, 5e-4, 0.012), of("motion", "slim-cold", 1, 4, 1e-2, 0.003),
-            of("motion", "slim-cold", 1, 16, 2e-3, 0.003), of("motion", "soft", 1, 4, infinite, 0.001),
-            of("motion_float", "slim", 1, 4, 2.5e-3, 0.0048), of("motion_ode", "o", 1, 4, 5e-3, 0.06),
+           {of("motion", "slim", 4, 1, 5e-2, 0.003), of("motion", "slim", 4, 4, 5e-3, 0.006),
+            of("motion", "slim", 4, 16, 5e-4, 0.012), of("motion", "slim-cold", 4, 4, 1e-2, 0.003),
+            of("motion", "slim-cold", 4, 16, 2e-3, 0.003), of("motion", "soft", 1, 4, infinite, 0.001),
+            of("motion_float", "slim", 4, 4, 2.5e-3, 0.0048), of("motion_ode", "o", 1, 4, 5e-3, 0.06),
             of("motion_ode", "o", 1, 16, 5e-4, 0.018)}}};
 }
 
@@ -360,12 +360,12 @@ TEST_CASE("the table of the cheapest says which, and what it costs a frame") {
   const auto lines = lines_of(table_of_cheapest(made_up()));
   REQUIRE(lines.size() == 3);
   CHECK(lines[2] ==
-        "| minute | `slim-cold/1/4`: 50 µs (50 to 50), 10 row solves "
-        "| `slim/1/16`: 200 µs (200 to 200), 10 row solves | not reached |");
+        "| minute | `slim-cold/4/4`: 50 µs (50 to 50), 10 row solves "
+        "| `slim/4/16`: 200 µs (200 to 200), 10 row solves | not reached |");
   auto only_float = made_up();
-  only_float[0].all = {of("motion_float", "slim", 1, 4, 2.5e-3, 0.0048), of("motion_ode", "o", 1, 16, 5e-5, 0.001)};
+  only_float[0].all = {of("motion_float", "slim", 4, 4, 2.5e-3, 0.0048), of("motion_ode", "o", 1, 16, 5e-5, 0.001)};
   CHECK(lines_of(table_of_cheapest(only_float))[2] ==
-        "| minute | `slim/1/4` in float: 80 µs (80 to 80), 10 row solves | not reached | not reached |");
+        "| minute | `slim/4/4` in float: 80 µs (80 to 80), 10 row solves | not reached | not reached |");
 }
 
 TEST_CASE("the table of the others says how many times as long they take") {
@@ -376,11 +376,11 @@ TEST_CASE("the table of the others says how many times as long they take") {
   CHECK(others()[2] == "| minute | ODE | 6 times as long | 1.5 times as long | not reached | 0.67 times its time |");
   all[0].all.back().error = 5e-5;
   CHECK(others()[2] ==
-        "| minute | ODE | 6 times as long | 1.5 times as long | 300 µs, we not at all | we do not reach its best |");
+        "| minute | ODE | 6 times as long | 1.5 times as long | 300 µs, we not at all | we do not reach all of it |");
   all[0].all.resize(7);
   CHECK(contains(others()[2], "| it does not play this |"));
   all[0].all.push_back(of("motion_ode", "o", 1, 1, 0.5, 1));
-  CHECK(others()[2] == "| minute | ODE | not reached | not reached | not reached | it is never within 10 cm |");
+  CHECK(others()[2] == "| minute | ODE | not reached | not reached | not reached | it has no such front |");
 }
 
 TEST_CASE("the table of the knobs has slopes, and what a change of method does") {
@@ -389,7 +389,7 @@ TEST_CASE("the table of the knobs has slopes, and what a change of method does")
   const std::string text = table_of_knobs(all);
   // Errors as sweeps^(log4 0.1), times as sweeps^(1/2)
   CHECK(contains(text, fmt::format("| sweeps doubled | stack-10 | times {:.2f}, slope {:.2f} | times 1.41 | `slim` "
-                                   "with 1 small steps, 1 to 16 |\n",
+                                   "with 4 small steps, 1 to 16 |\n",
                                    std::sqrt(0.1), std::log(0.1) / std::log(4.0))));
   CHECK(!contains(text, "small steps doubled"));
   // 2 times the error in half the time, and 4 times in a quarter

@@ -1,10 +1,9 @@
 /// ./course solve: contact problems from files, by any of the methods; or a table of all.
-#include <CLI/CLI.hpp>
 #include <chrono>
 
 #include "chapters/13_global_solve/methods.h"
 #include "chapters/13_global_solve/problem_file.h"
-#include "common/input.h"
+#include "common/program.h"
 
 using namespace pushback;
 
@@ -57,12 +56,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   app.add_flag("--table", asked.table, "A row a file: all methods after 10 / 100 / 1000 sweeps, and best");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? 0 : 2;
-  }
-  try {
+  return run_program(app, argc, argv, [&] {
     std::vector<ContactProblem> problems;  // all read before anything is solved
     for (const std::string& file : asked.files) problems.push_back(read_problem_file(file));
     if (asked.table)
@@ -72,12 +66,5 @@ int main(int argc, char** argv) {
       if (asked.table) print_row(asked.files[i], problems[i]);
       else print(asked, asked.files[i], problems[i]);
     }
-  } catch (const InvalidInput& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 2;
-  } catch (const std::exception& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -1,14 +1,13 @@
 #include "chapters/14_accuracy_and_time/play.h"
-#include "chapters/14_accuracy_and_time/stopwatch.h"
 
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <chrono>
 
-#include "common/input.h"
+#include "chapters/14_accuracy_and_time/stopwatch.h"
+#include "common/program.h"
 
 namespace pushback {
 
@@ -149,17 +148,12 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
   app.add_option("--at-most", patience.at_most, "Each is given up after so long, s")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? 0 : 2;
-  }
-  try {
+  return run_program(app, argc, argv, [&] {
     require_between("--at-least", static_cast<Real>(patience.at_least), 0, 60);  // the ranges above let nan pass
     require_between("--at-most", static_cast<Real>(patience.at_most), 0, 3600);
     if (settings.empty()) {
       list(methods, motion_name);
-      return 0;
+      return;
     }
     const Motion& motion = motion_named(motion_name);
     std::vector<Asked> all;
@@ -178,14 +172,7 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
                  played.seconds, played.row_solves);
       std::fflush(stdout);
     }
-  } catch (const InvalidInput& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 2;
-  } catch (const std::exception& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 1;
-  }
-  return 0;
+  });
 }
 
 }  // namespace pushback

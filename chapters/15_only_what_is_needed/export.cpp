@@ -1,11 +1,10 @@
 /// ./course export: the contacts of one step of a scene, as a problem in a file for ./course solve.
-#include <CLI/CLI.hpp>
-
 #include "chapters/13_global_solve/matrix.h"
 #include "chapters/13_global_solve/problem_file.h"
 #include "chapters/15_only_what_is_needed/dispatch.h"
 #include "chapters/15_only_what_is_needed/scenes.h"
 #include "common/files.h"
+#include "common/program.h"
 
 using namespace pushback;
 
@@ -39,24 +38,12 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
   app.footer("The scenes: " + names_of(scenes));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? 0 : 2;
-  }
-  try {
+  return run_program(app, argc, argv, [&] {
     World world;
     const ContactProblem problem = problem_after(scene_of(scenes, name), steps, world);
     write_text_file(file, problem_text(problem));
     fmt::print("{}: {} contacts of {} after {} steps\n", file, problem.contacts(), name, steps);
     if (!world.joints.empty())
       fmt::print("its {} joints are not in it: the format knows contacts only\n", world.joints.size());
-  } catch (const InvalidInput& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 2;
-  } catch (const std::exception& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 1;
-  }
-  return 0;
+  });
 }

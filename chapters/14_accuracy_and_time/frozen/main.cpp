@@ -1,10 +1,8 @@
 /// What accuracy costs on one problem at a time: pictures, a table and all numbers.
-#include <CLI/CLI.hpp>
-
 #include "chapters/14_accuracy_and_time/frozen/frozen.h"
 #include "chapters/14_accuracy_and_time/frozen/problems.h"
 #include "common/files.h"
-#include "common/input.h"
+#include "common/program.h"
 
 using namespace pushback;
 
@@ -16,12 +14,7 @@ int main(int argc, char** argv) {
   app.add_option("--problems", folder, "A folder of contact problems (*.dat) to solve beside our own")
       ->envname("PUSHBACK_PROBLEMS");
   app.add_option("--out", out, "Where the folder 14_accuracy_and_time is written to")->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? 0 : 2;
-  }
-  try {
+  return run_program(app, argc, argv, [&] {
     if (!folder.empty()) {
       options.folder = folder;
       foreign_problems(folder);  // a bad one is said before anything is written
@@ -37,12 +30,5 @@ int main(int argc, char** argv) {
     write_plot(to / "profiles.png", study.profiles);
     write_text_file(to / "frozen.md", page);
     write_text_file(to / "frozen.csv", fmt::format("{}\n", fmt::join(study.csv, "\n")));
-  } catch (const InvalidInput& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 2;
-  } catch (const std::exception& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 1;
-  }
-  return 0;
+  });
 }

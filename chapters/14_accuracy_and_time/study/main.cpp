@@ -1,11 +1,9 @@
 /// ./course study: every motion in every setting by every engine, the diagrams and tables of docs/accuracy_and_time.md.
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
-
 #include "chapters/14_accuracy_and_time/study/report.h"
 #include "common/files.h"
-#include "common/input.h"
+#include "common/program.h"
 
 using namespace pushback;
 
@@ -79,19 +77,6 @@ int main(int argc, char** argv) {
   app.add_flag("--redraw", asked.redraw, "Nothing is measured: pictures and tables of what is in study.csv");
   app.add_option("--only", asked.only, "These motions");
   app.add_option("--out", asked.out, "The folder to write to")->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? 0 : 2;
-  }
-  try {
-    study(asked, std::filesystem::canonical("/proc/self/exe").parent_path());
-  } catch (const InvalidInput& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 2;
-  } catch (const std::exception& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 1;
-  }
-  return 0;
+  return run_program(app, argc, argv,
+                     [&] { study(asked, std::filesystem::canonical("/proc/self/exe").parent_path()); });
 }

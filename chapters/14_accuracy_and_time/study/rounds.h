@@ -13,7 +13,7 @@ namespace pushback {
 /// How an engine is called in diagrams, by the name of its program.
 struct Engine {
   std::string program, title;
-  std::size_t colour;  ///< line_colour's
+  std::size_t colour = 0;  ///< line_colour's
 };
 /// Ours, in double and in float; and if `others` are asked for, those of Bullet, ODE and MuJoCo whose programs are in the
 /// folder: std::runtime_error where none is.
