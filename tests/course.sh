@@ -146,9 +146,11 @@ for name in study frozen; do
   printf '#!/bin/sh\necho "%s: $*"\n' $name >"$scratch/home/build/release/chapters/$name"
   chmod +x "$scratch/home/build/release/chapters/$name"
 done
-course study --quick && expect 0 "--target study frozen" "study: --quick" "frozen: --quick" && expect_not "peers"
-course study --quick -- --only bounce && expect 0 "study: --quick --only bounce" && expect_not "frozen:"
-course study --peers && expect 0 "-DPUSHBACK_PEERS=ON" "--target study frozen peers" "study: --peers" "frozen: "
+course study --quick && expect 0 "--target study frozen" "study: --out renders/here --quick" "frozen: --out renders/here --quick"
+expect_not "peers"
+course study --quick -- --only bounce && expect 0 "study: --out renders/here --quick --only bounce" && expect_not "frozen:"
+course study --peers --keep
+expect 0 "-DPUSHBACK_PEERS=ON" "--target study frozen peers" "study: --out renders --peers" "frozen: --out renders"
 course study quick && expect 2 "'study' takes no words"
 
 course clean && expect 0 "git clean"
