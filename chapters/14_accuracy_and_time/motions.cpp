@@ -32,14 +32,14 @@ Places places_of(const std::function<void(World&)>& fill) {
 
 /// What lies still is where it was.
 auto at_rest(const std::function<void(World&)>& fill) {
-  return [fill](int frames) { return std::vector<Places>(static_cast<std::size_t>(frames), places_of(fill)); };
+  return [start = places_of(fill)](int frames) { return std::vector<Places>(static_cast<std::size_t>(frames), start); };
 }
 
-/// The last body has gone so far (m, of the time) along a direction; the others are where they were.
-auto along(const std::function<void(World&)>& fill, const Eigen::Vector3d& direction,
-           const std::function<double(double)>& way) {
-  return [=](int frames) {
-    std::vector<Places> found(static_cast<std::size_t>(frames), places_of(fill));
+/// The last body has gone way(t) (m, s) along a direction; the others are where they were.
+template <class Way>
+auto along(const std::function<void(World&)>& fill, const Eigen::Vector3d& direction, const Way& way) {
+  return [start = places_of(fill), direction, way](int frames) {
+    std::vector<Places> found(static_cast<std::size_t>(frames), start);
     for (int frame = 0; frame < frames; ++frame)
       found[static_cast<std::size_t>(frame)].back() += way((frame + 1.0) / frames_per_second) * direction;
     return found;
