@@ -27,7 +27,7 @@ std::string Measured::setting() const {
 }
 
 Measurements front(Measurements all) {
-  std::stable_sort(all.begin(), all.end(), [](const Measured& a, const Measured& b) {
+  std::sort(all.begin(), all.end(), [](const Measured& a, const Measured& b) {
     return std::pair(a.median(), a.error) < std::pair(b.median(), b.error);
   });
   Measurements found;
