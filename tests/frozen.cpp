@@ -6,7 +6,7 @@
 #include "chapters/13_global_solve/matrix.h"
 #include "chapters/13_global_solve/methods.h"
 #include "chapters/14_accuracy_and_time/frozen/frozen.h"
-#include "chapters/14_accuracy_and_time/frozen/measured.h"
+#include "chapters/14_accuracy_and_time/frozen/traced.h"
 #include "common/files.h"
 #include "common/scene.h"
 #include "tests/call.h"
@@ -171,7 +171,7 @@ TEST_CASE("medians and quartiles of times") {
 
 TEST_CASE("the pyramid does not reach what slides askew, and the table says so") {
   const std::vector<std::string> methods = method_names();
-  std::vector<Measured> all;
+  std::vector<Traced> all;
   for (const char* name : {"twelve planks sliding", "small pile after 1 s"}) {
     all.push_back({&named(name), {}});
     for (const std::string& method : methods)

@@ -18,10 +18,8 @@ struct GlobalSolve : Effect {
     const ContactProblem problem = problem_of(*contacts_, rows);
     if (problem.contacts() == 0) return;
     solution_ = solve_best(problem, {.tolerance = tolerance, .rounds = 1});
-    std::vector<Eigen::Index> next(contacts_->size());
-    for (std::size_t i = 0; i < next.size(); ++i) next[i] = 3 * static_cast<Eigen::Index>(i);
-    for (Row& row : rows)  // of each contact the normal comes first, then its tangents
-      row.reach(static_cast<Real>(solution_.r[next[static_cast<std::size_t>(row.contact)]++]));
+    const std::vector<Eigen::Index> places = places_in_problem(*contacts_, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].reach(static_cast<Real>(solution_.r[places[i]]));
   }
   const Solution& solution() const { return solution_; }
 

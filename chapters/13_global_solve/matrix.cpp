@@ -90,4 +90,11 @@ ContactProblem problem_of(const Contacts& contacts, const Rows& rows) {
   return problem;
 }
 
+std::vector<Index> places_in_problem(const Contacts& contacts, const Rows& rows) {
+  std::vector<Index> next, places;  // next: the place of the contact's next row
+  for (std::size_t i = 0; i < contacts.size(); ++i) next.push_back(3 * static_cast<Index>(i));
+  for (const Row& row : rows) places.push_back(next[static_cast<std::size_t>(row.contact)]++);
+  return places;
+}
+
 }  // namespace pushback

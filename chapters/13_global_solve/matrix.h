@@ -27,4 +27,7 @@ ContactProblem problem_of(const Contacts& contacts);
 /// A contact without tangents among them is without friction.
 ContactProblem problem_of(const Contacts& contacts, const Rows& rows);
 
+/// Where each of those rows stands in that problem: of each contact the normal comes first, then its tangents.
+std::vector<Eigen::Index> places_in_problem(const Contacts& contacts, const Rows& rows);
+
 }  // namespace pushback

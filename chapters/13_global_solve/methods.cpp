@@ -7,8 +7,32 @@ namespace pushback {
 
 namespace {
 
-template <class Sweep>
-Solution swept(const ContactProblem& problem, Sweep sweep, int sweeps, double tolerance) {
+template <class TangentStep>
+Sweep sweep_by(const ContactProblem& problem) {
+  return [sweeper = Sweeper<TangentStep>(problem)](Vector& r) { sweeper.sweep(r); };
+}
+
+}  // namespace
+
+std::vector<std::string> method_names() {
+  return {"pgs", "scaled-back", "cone", "nscg", "best"};
+}
+
+Sweep sweep_of(const ContactProblem& problem, const std::string& method) {
+  if (method == "pgs") return sweep_by<Pyramid>(problem);
+  if (method == "scaled-back") return sweep_by<ScaledBackStep>(problem);
+  if (method == "cone") return sweep_by<Cone>(problem);
+  if (method == "nscg")
+    return [sweeper = ConjugateSweeper<Cone>(problem, Vector::Zero(problem.q.size()))](Vector& r) mutable {
+      sweeper.sweep(r);
+    };
+  if (method == "best") return {};
+  throw InvalidInput(fmt::format("method is '{}': one of {} is needed", method, fmt::join(method_names(), ", ")));
+}
+
+Solution solve(const ContactProblem& problem, const std::string& method, int sweeps, double tolerance) {
+  const Sweep sweep = sweep_of(problem, method);
+  if (!sweep) return solve_best(problem, {.tolerance = tolerance});
   Solution solution{.r = Vector::Zero(problem.q.size())};
   solution.residual = relative_residual(problem, solution.r);
   while (solution.sweeps < sweeps && solution.residual > tolerance) {
@@ -18,30 +42,6 @@ Solution swept(const ContactProblem& problem, Sweep sweep, int sweeps, double to
       solution.residual = relative_residual(problem, solution.r);
   }
   return solution;
-}
-
-template <class TangentStep>
-Solution swept(const ContactProblem& problem, int sweeps, double tolerance) {
-  const Sweeper<TangentStep> sweeper(problem);
-  return swept(problem, [&](Vector& r) { sweeper.sweep(r); }, sweeps, tolerance);
-}
-
-}  // namespace
-
-std::vector<std::string> method_names() {
-  return {"pgs", "scaled-back", "cone", "nscg", "best"};
-}
-
-Solution solve(const ContactProblem& problem, const std::string& method, int sweeps, double tolerance) {
-  if (method == "pgs") return swept<Pyramid>(problem, sweeps, tolerance);
-  if (method == "scaled-back") return swept<ScaledBackStep>(problem, sweeps, tolerance);
-  if (method == "cone") return swept<Cone>(problem, sweeps, tolerance);
-  if (method == "nscg") {
-    ConjugateSweeper<Cone> sweeper(problem, Vector::Zero(problem.q.size()));
-    return swept(problem, [&](Vector& r) { sweeper.sweep(r); }, sweeps, tolerance);
-  }
-  if (method == "best") return solve_best(problem, {.tolerance = tolerance});
-  throw InvalidInput(fmt::format("method is '{}': one of {} is needed", method, fmt::join(method_names(), ", ")));
 }
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-#include "chapters/07_warm_start/full_solver.h"
+#include "chapters/05_restitution/restitution.h"
 #include "chapters/09_joints/joints.h"
 #include "chapters/12_small_steps/study.h"
 #include "chapters/14_accuracy_and_time/motion.h"

@@ -19,24 +19,16 @@ struct WarmGlobalSolve : Effect {
     ContactProblem problem = problem_of(*contacts_, rows);
     if (problem.contacts() == 0) return;
     Vector r = Vector::Zero(problem.q.size());
-    each_row(rows, [&](Row& row, Eigen::Index i) { r[i] = static_cast<double>(row.impulse); });
+    const std::vector<Eigen::Index> places = places_in_problem(*contacts_, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) r[places[i]] = static_cast<double>(rows[i].impulse);
     problem.q -= problem.w * r;  // u = W r + q with what the guess has done already
     newton(problem, r, {tolerance, rounds, [] { return false; }});
     if (!(relative_residual(problem, r) <= too_far)) r = solve_best(problem, {.tolerance = tolerance, .rounds = 1}).r;
-    each_row(rows, [&](Row& row, Eigen::Index i) { row.reach(static_cast<Real>(r[i])); });
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].reach(static_cast<Real>(r[places[i]]));
   }
 
  private:
-  /// `use(row, i)`: its place in the problem. Of each contact the normal comes first, then its tangents.
-  template <class Use>
-  void each_row(Rows& rows, const Use& use) {
-    next_.clear();
-    for (std::size_t i = 0; i < contacts_->size(); ++i) next_.push_back(3 * static_cast<Eigen::Index>(i));
-    for (Row& row : rows) use(row, next_[static_cast<std::size_t>(row.contact)]++);
-  }
-
   const Contacts* contacts_ = nullptr;  // of the step that is being solved
-  std::vector<Eigen::Index> next_;      // of each contact
 };
 
 }  // namespace pushback

@@ -3,19 +3,19 @@
 #include <algorithm>
 
 #include "chapters/13_global_solve/methods.h"
-#include "chapters/14_accuracy_and_time/frozen/measured.h"
+#include "chapters/14_accuracy_and_time/frozen/traced.h"
 
 namespace pushback {
 
 namespace {
 
-Measured measured(const FrozenProblem& frozen, const FrozenOptions& options) {
+Traced traced(const FrozenProblem& frozen, const FrozenOptions& options) {
   TraceLimits limits;
   if (options.quick) {
     limits.seconds = 0.03;
     limits.ladder.assign(tolerances.begin(), tolerances.end());
   }
-  Measured all{&frozen, {}};
+  Traced all{&frozen, {}};
   for (const std::string& method : method_names()) all.traces.emplace_back(frozen.problem, method, limits);
   double longest = 0;  // s, of one method
   for (const Trace& trace : all.traces)
@@ -34,8 +34,8 @@ FrozenStudy study_frozen(const FrozenOptions& options) {
     problems = foreign_problems(*options.folder);  // first: a bad folder is said before anything takes time
   const std::vector<FrozenProblem> own = own_problems();
   problems.insert(problems.begin(), own.begin(), own.end());
-  std::vector<Measured> all;
-  for (const FrozenProblem& problem : problems) all.push_back(measured(problem, options));
+  std::vector<Traced> all;
+  for (const FrozenProblem& problem : problems) all.push_back(traced(problem, options));
   FrozenStudy study{trace_panels(all), profile_panels(all), remarks_of(all), tables_of(all), csv_of(all)};
   if (!options.folder) study.remarks.push_back("no folder of foreign problems was given: only our own are here");
   return study;

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "chapters/13_global_solve/methods.h"
-#include "chapters/14_accuracy_and_time/frozen/measured.h"
+#include "chapters/14_accuracy_and_time/frozen/traced.h"
 #include "common/input.h"
 
 namespace pushback {
@@ -19,7 +19,7 @@ std::string title_of(const FrozenProblem& frozen) {
   return fmt::format("{}, {} contacts", name, frozen.problem.contacts());
 }
 
-Panel trace_panel(const Measured& of, bool against_time) {
+Panel trace_panel(const Traced& of, bool against_time) {
   Panel panel{.title = title_of(*of.frozen),
               .x_label = against_time ? "time, ms" : "row solves",
               .y_label = "relative residual",
@@ -72,10 +72,10 @@ Panel profile_panel(const std::string& title, const std::string& unit, const Cos
 
 }  // namespace
 
-std::vector<Panel> trace_panels(const std::vector<Measured>& all) {
-  std::vector<const Measured*> shown;
+std::vector<Panel> trace_panels(const std::vector<Traced>& all) {
+  std::vector<const Traced*> shown;
   for (const char* name : telling)
-    for (const Measured& of : all)
+    for (const Traced& of : all)
       if (of.frozen->name == name && shown.size() < 6) shown.push_back(&of);
   std::vector<Panel> panels;
   for (std::size_t first = 0; first < shown.size(); first += 3)
@@ -85,7 +85,7 @@ std::vector<Panel> trace_panels(const std::vector<Measured>& all) {
   return panels;
 }
 
-std::vector<Panel> profile_panels(const std::vector<Measured>& all) {
+std::vector<Panel> profile_panels(const std::vector<Traced>& all) {
   std::vector<std::size_t> every, sweeping;
   for (std::size_t m = 0; m < method_names().size(); ++m) {
     every.push_back(m);

@@ -2,43 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
-#include "chapters/13_global_solve/conjugate.h"
 #include "chapters/13_global_solve/methods.h"
+#include "chapters/14_accuracy_and_time/quantile.h"
 #include "chapters/14_accuracy_and_time/stopwatch.h"
 
 namespace pushback {
 
-namespace {
-
-using Sweep = std::function<void(Vector&)>;
-
-template <class TangentStep>
-Sweep sweep_by(const ContactProblem& problem) {
-  return [sweeper = Sweeper<TangentStep>(problem)](Vector& r) { sweeper.sweep(r); };
-}
-
-/// Empty for a method that cannot be stopped after each sweep.
-Sweep sweep_of(const ContactProblem& problem, const std::string& method) {
-  if (method == "pgs") return sweep_by<Pyramid>(problem);
-  if (method == "scaled-back") return sweep_by<ScaledBackStep>(problem);
-  if (method == "cone") return sweep_by<Cone>(problem);
-  if (method == "nscg")
-    return [sweeper = ConjugateSweeper<Cone>(problem, Vector::Zero(problem.q.size()))](Vector& r) mutable {
-      sweeper.sweep(r);
-    };
-  return {};
-}
-
-}  // namespace
-
 double TracePoint::time(double part) const {
-  std::vector<double> sorted = seconds;
-  std::sort(sorted.begin(), sorted.end());
-  const double at = part * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at), above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+  return quantile(seconds, part);
 }
 
 Trace::Trace(const ContactProblem& problem, const std::string& method, const TraceLimits& limits)

@@ -2,7 +2,8 @@
 #include <numeric>
 
 #include "chapters/13_global_solve/methods.h"
-#include "chapters/14_accuracy_and_time/frozen/measured.h"
+#include "chapters/14_accuracy_and_time/frozen/traced.h"
+#include "chapters/14_accuracy_and_time/quantile.h"
 #include "common/input.h"
 
 namespace pushback {
@@ -10,9 +11,9 @@ namespace pushback {
 namespace {
 
 template <class Cost>
-Costs costs_to(double tolerance, const std::vector<Measured>& all, Cost cost) {
+Costs costs_to(double tolerance, const std::vector<Traced>& all, Cost cost) {
   Costs costs;
-  for (const Measured& of : all) {
+  for (const Traced& of : all) {
     costs.emplace_back();
     for (const Trace& trace : of.traces) {
       const TracePoint* point = trace.reaching(tolerance);
@@ -31,10 +32,8 @@ std::string milliseconds(double seconds) {
   return seconds < 1 ? fmt::format("{:.3g}", 1e3 * seconds) : fmt::format("{:.0f}", 1e3 * seconds);
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+double median(const std::vector<double>& values) {
+  return values.empty() ? 0 : quantile(values, 0.5);
 }
 
 /// "3 to 50, median 20".
@@ -65,7 +64,7 @@ std::string listed(const std::vector<int>& counts) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
 }
 
-std::string said_of(double tolerance, const std::vector<Measured>& all) {
+std::string said_of(double tolerance, const std::vector<Traced>& all) {
   const Costs times = times_to(tolerance, all);
   std::vector<int> reached(method_names().size()), fastest(method_names().size());
   std::vector<std::string> unsolved;
@@ -80,9 +79,9 @@ std::string said_of(double tolerance, const std::vector<Measured>& all) {
                      unsolved.empty() ? "none" : fmt::format("{}", fmt::join(unsolved, ", ")));
 }
 
-std::string said_of_floors(std::size_t method, const std::vector<Measured>& all) {
+std::string said_of_floors(std::size_t method, const std::vector<Traced>& all) {
   std::vector<double> floors;
-  for (const Measured& of : all)
+  for (const Traced& of : all)
     if (const double at = floor_of(of.traces[method]); at > 0) floors.push_back(at);
   if (floors.empty()) return fmt::format("{} stands still nowhere", method_names()[method]);
   const auto [least, most] = std::minmax_element(floors.begin(), floors.end());
@@ -92,23 +91,23 @@ std::string said_of_floors(std::size_t method, const std::vector<Measured>& all)
 
 }  // namespace
 
-Costs times_to(double tolerance, const std::vector<Measured>& all) {
+Costs times_to(double tolerance, const std::vector<Traced>& all) {
   return costs_to(tolerance, all, [](const Trace&, const TracePoint& point) { return point.time(); });
 }
 
-Costs row_solves_to(double tolerance, const std::vector<Measured>& all) {
+Costs row_solves_to(double tolerance, const std::vector<Traced>& all) {
   return costs_to(tolerance, all,
                   [](const Trace& trace, const TracePoint& point) { return std::max(1.0, trace.row_solves(point)); });
 }
 
-bool solves_systems(std::size_t method, const std::vector<Measured>& all) {
-  for (const Measured& of : all)
+bool solves_systems(std::size_t method, const std::vector<Traced>& all) {
+  for (const Traced& of : all)
     for (const TracePoint& point : of.traces[method].points())
       if (point.systems > 0) return true;
   return false;
 }
 
-std::vector<std::string> tables_of(const std::vector<Measured>& all) {
+std::vector<std::string> tables_of(const std::vector<Traced>& all) {
   std::vector<std::string> tables;
   for (const double tolerance : tolerances) {
     std::string table = fmt::format(
@@ -136,16 +135,16 @@ std::vector<std::string> tables_of(const std::vector<Measured>& all) {
   return tables;
 }
 
-std::vector<std::string> remarks_of(const std::vector<Measured>& all) {
+std::vector<std::string> remarks_of(const std::vector<Traced>& all) {
   std::vector<std::string> remarks;
   for (const double tolerance : tolerances) remarks.push_back(said_of(tolerance, all));
   std::vector<double> spread, cost_of_row, length_of_row;
-  for (const Measured& of : all)
+  for (const Traced& of : all)
     length_of_row.push_back(static_cast<double>(of.frozen->problem.w.nonZeros()) /
                             static_cast<double>(of.frozen->problem.w.rows()));
   for (std::size_t m = 0; m < method_names().size(); ++m) {
     const bool sweeps_only = !solves_systems(m, all);
-    for (const Measured& of : all) {
+    for (const Traced& of : all) {
       if (of.traces[m].points().empty()) continue;
       const TracePoint& last = of.traces[m].points().back();
       spread.push_back((last.time(0.75) - last.time(0.25)) / last.time());
@@ -160,10 +159,10 @@ std::vector<std::string> remarks_of(const std::vector<Measured>& all) {
   return remarks;
 }
 
-std::vector<std::string> csv_of(const std::vector<Measured>& all) {
+std::vector<std::string> csv_of(const std::vector<Traced>& all) {
   std::vector<std::string> lines{
       "problem,contacts,method,sweeps,row_solves,systems,residual,median_s,lower_quartile_s,upper_quartile_s"};
-  for (const Measured& of : all)
+  for (const Traced& of : all)
     for (std::size_t m = 0; m < of.traces.size(); ++m)
       for (const TracePoint& point : of.traces[m].points())
         lines.push_back(fmt::format("{},{},{},{},{:.0f},{},{:.6e},{:.3e},{:.3e},{:.3e}", of.frozen->name,

@@ -4,23 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <utility>
+#include "chapters/14_accuracy_and_time/quantile.h"
 
 namespace pushback {
 
-namespace {
-
-double at_part(const std::vector<double>& ascending, double part) {
-  return ascending[static_cast<std::size_t>(part * static_cast<double>(ascending.size() - 1) + 0.5)];
-}
-
-}  // namespace
-
 double Measured::median() const {
-  return at_part(seconds, 0.5);
+  return quantile(seconds, 0.5);
 }
 double Measured::quartile(int which) const {
-  return at_part(seconds, 0.25 * which);
+  return quantile(seconds, 0.25 * which);
 }
 std::string Measured::setting() const {
   return sweeps == 0 ? fmt::format("{}/{}", method, small_steps) : fmt::format("{}/{}/{}", method, small_steps, sweeps);

@@ -23,7 +23,7 @@ struct RoundOptions {
   std::vector<Engine> engines;     ///< see engines_in
   std::filesystem::path programs;  ///< the folder of `motion` and the others
   bool quick = false;              ///< fewer settings, fewer rounds, less patience
-  int rounds = 5;                  ///< in which what is near a front is timed
+  int rounds = 3;                  ///< in which what is near a front is timed
   std::function<void(const std::string&)> say = [](const std::string&) {};  ///< what is under way
 };
 

@@ -1,4 +1,4 @@
-/// What was measured, and what is made of it: pictures (frozen_pictures.cpp) and words (frozen_words.cpp).
+/// What was traced, and what is made of it: pictures (pictures.cpp) and words (words.cpp).
 #pragma once
 
 #include <array>
@@ -15,22 +15,22 @@ namespace pushback {
 inline constexpr std::array tolerances{1e-3, 1e-6, 1e-10};  ///< of relative_residual: what is asked for
 
 /// All methods on one problem.
-struct Measured {
+struct Traced {
   const FrozenProblem* frozen;
   std::vector<Trace> traces;  ///< in the order of method_names()
 };
 
 /// Median s to the tolerance, problem by problem; or row solves.
-Costs times_to(double tolerance, const std::vector<Measured>& all);
-Costs row_solves_to(double tolerance, const std::vector<Measured>& all);
+Costs times_to(double tolerance, const std::vector<Traced>& all);
+Costs row_solves_to(double tolerance, const std::vector<Traced>& all);
 /// Whether any of its points took linear systems, so that row solves are not all of its work.
-bool solves_systems(std::size_t method, const std::vector<Measured>& all);
+bool solves_systems(std::size_t method, const std::vector<Traced>& all);
 
-std::vector<Panel> trace_panels(const std::vector<Measured>& all);
-std::vector<Panel> profile_panels(const std::vector<Measured>& all);
+std::vector<Panel> trace_panels(const std::vector<Traced>& all);
+std::vector<Panel> profile_panels(const std::vector<Traced>& all);
 
-std::vector<std::string> tables_of(const std::vector<Measured>& all);
-std::vector<std::string> remarks_of(const std::vector<Measured>& all);
-std::vector<std::string> csv_of(const std::vector<Measured>& all);
+std::vector<std::string> tables_of(const std::vector<Traced>& all);
+std::vector<std::string> remarks_of(const std::vector<Traced>& all);
+std::vector<std::string> csv_of(const std::vector<Traced>& all);
 
 }  // namespace pushback
