@@ -1,0 +1,128 @@
+/// The net under a change that is to keep all bits: every scene of the chapters, and every joint, under the solvers that
+/// reference_hashes does not know. The hashes of their motions stand in wide_hashes.txt; PUSHBACK_STORE_HASHES=1 writes it.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+
+#include "chapters/11_position_correction/nonlinear_gauss_seidel.h"
+#include "chapters/11_position_correction/split_impulse.h"
+#include "chapters/13_global_solve/global_joints.h"
+#include "chapters/13_global_solve/global_solve.h"
+#include "chapters/14_accuracy_and_time/warm_global_solve.h"
+#include "chapters/15_only_what_is_needed/dispatch.h"
+#include "common/measure.h"
+#include "tests/catch.h"
+#include "tests/with_joints.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real h = Real(1) / 60;
+constexpr int steps = 120;
+constexpr std::size_t few = 100;  // contacts: what solves them all directly takes no more
+
+using Stepper = std::function<void(World&)>;
+
+template <class ContactSolver>
+Stepper steps_by(int count, int sweeps) {
+  return [=, solver = ContactSolver{}](World& world) mutable { small_steps(world, solver, h, count, sweeps); };
+}
+
+template <class Full>
+Stepper needed(const World& world, std::optional<Sleep> sleep) {
+  return [solver = OnlyWhatIsNeeded(world, Full{}, std::move(sleep))](World& world_now) mutable {
+    solver.step(world_now, h);
+  };
+}
+
+struct Way {
+  const char* name;
+  Stepper (*begin)(const World&);
+  bool joints = true;   // it holds them
+  bool direct = false;  // it solves all contacts at once
+};
+
+// Friction as a cone beside what needs it, and a warm start wherever one may be: each way takes all of a step's memory along.
+const Way ways[] = {
+    {"07 with joints", [](const World&) { return steps_by<JointedSolver>(1, 10); }},
+    {"07 with warm joints", [](const World&) { return steps_by<WithJoints<WarmJoints, FullSolver>>(1, 10); }},
+    {"all together", [](const World&) { return steps_by<SteadyJointedSolver>(8, 1); }},
+    {"split impulse",
+     [](const World&) {
+       return steps_by<Solver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, FrictionCone, WarmStart>>(1, 10);
+     }},
+    {"non-linear Gauss-Seidel",
+     [](const World&) {
+       return steps_by<Solver<SplitJoints, Clamping, NonlinearGaussSeidel, Slop, Restitution, FrictionCone, WarmStart>>(
+           1, 10);
+     }},
+    {"joints solved directly",
+     [](const World&) {
+       return steps_by<Solver<Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart, GlobalJoints>>(1, 10);
+     }},
+    {"contacts solved directly",
+     [](const World&) { return steps_by<Solver<Clamping, Baumgarte, Slop, FrictionCone, GlobalSolve>>(1, 10); }, false,
+     true},
+    {"contacts solved directly, warm",
+     [](const World&) {
+       return steps_by<Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart, WarmGlobalSolve>>(1, 10);
+     },
+     false, true},
+    {"dispatch", [](const World& world) { return needed<JointedSolver>(world, {}); }},
+    {"dispatch and sleep", [](const World& world) { return needed<JointedSolver>(world, Sleep{}); }},
+    {"dispatch of all together, and sleep",
+     [](const World& world) { return needed<SteadyJointedSolver>(world, Sleep{}); }},
+};
+
+/// Of the states after every tenth step: what comes to rest where it would have come to rest anyway is seen on its way.
+std::string hash_of_motion(const NamedScene& scene, const Way& way) {
+  World world;
+  scene.fill(world);
+  const Stepper step = way.begin(world);
+  std::uint64_t hash = 0;
+  for (int i = 1; i <= steps; ++i) {
+    step(world);
+    if (way.direct && world.contacts.size() > few) return "too many contacts";
+    if (i % 10 == 0) hash = hash * 1099511628211ULL + hash_of(world);
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+std::map<std::string, std::string> all_hashes() {
+  std::map<std::string, std::string> hashes;
+  for (const NamedScene& scene : all_scenes_and_joints()) {
+    World world;
+    scene.fill(world);
+    for (const Way& way : ways) {
+      if (!way.joints && !world.joints.empty()) continue;
+      hashes[fmt::format("{}, {}", scene.name, way.name)] = hash_of_motion(scene, way);
+    }
+  }
+  return hashes;
+}
+
+const char* const file = "tests/wide_hashes.txt";
+
+}  // namespace
+
+TEST_CASE("every scene moves in the same bits under joints, sleep, corrections and direct solves") {
+  const auto hashes = all_hashes();
+  if (std::getenv("PUSHBACK_STORE_HASHES") != nullptr) {
+    std::ofstream out(file);
+    for (const auto& [what, hash] : hashes) out << hash << "  " << what << '\n';
+  }
+  std::map<std::string, std::string> stored;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t gap = line.find("  ");
+    stored[line.substr(gap + 2)] = line.substr(0, gap);
+  }
+  CHECK(stored.size() == hashes.size());
+  for (const auto& [what, hash] : hashes) {
+    INFO(what);
+    CHECK(stored[what] == hash);
+  }
+}
