@@ -6,13 +6,9 @@
 #include <functional>
 #include <vector>
 
-namespace pushback {
+#include "common/quantile.h"
 
-inline double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+namespace pushback {
 
 template <class Act>
 double seconds_with_clock(const Act& act) {

@@ -169,6 +169,33 @@ TEST_CASE("medians and quartiles of times") {
   CHECK(TracePoint{.seconds = {7}}.time(0.75) == 7);
 }
 
+TEST_CASE("what pgs leaves of a pyramid at rest is impulses in the corners of the friction pyramid, and nothing else") {
+  const ContactProblem& problem = named("pyramid of 10").problem;
+  const Solution found = solve(problem, "pgs", 10000, 0);
+  const Vector u = problem.speeds(found.r);
+  CHECK(u.cwiseAbs().maxCoeff() < 1e-8);  // m/s: nothing slides
+  int outside = 0;
+  double inside_error = 0, all_error = 0, farthest = 0;  // squares of the natural map's error; |r_t| / (mu r_n)
+  for (Eigen::Index i = 0; i < problem.contacts(); ++i) {
+    const Eigen::Vector3d r = found.r.segment<3>(3 * i), v = u.segment<3>(3 * i);
+    const double bound = problem.mu[i] * r[0], tangential = r.tail<2>().norm();
+    CHECK(r.tail<2>().cwiseAbs().maxCoeff() <= bound + 1e-9);  // each tangent by itself is as the pyramid allows
+    const Eigen::Vector3d lifted(v[0] + problem.mu[i] * v.tail<2>().norm(), v[1], v[2]);
+    const double error = (r - projected_to_cone(r - lifted, problem.mu[i])).squaredNorm();
+    all_error += error;
+    if (tangential > bound + 1e-9) {
+      ++outside;
+      farthest = std::max(farthest, tangential / bound);
+    } else {
+      inside_error += error;
+    }
+  }
+  CHECK(outside == 49);  // of 400: the page says so
+  CHECK(farthest == Approx(std::sqrt(2.0)));
+  CHECK(std::sqrt(all_error) / problem.q.norm() == Approx(0.125).margin(0.001));
+  CHECK(std::sqrt(inside_error) / problem.q.norm() < 1e-7);
+}
+
 TEST_CASE("the pyramid does not reach what slides askew, and the table says so") {
   const std::vector<std::string> methods = method_names();
   std::vector<Traced> all;

@@ -1,7 +1,8 @@
-/// Chapter 14: motions whose every position is known, what is known of them, and the programs that play them. No test looks
-/// at a clock.
+/// Chapter 14: motions whose every position is known, what is known of them, and the programs that play them. One test
+/// looks at a clock: where nothing is done, hardly any time passes.
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -396,7 +397,7 @@ struct Stands : Player {
   int steps = 0;
   void small_step() override { ++steps; }
   Eigen::Vector3d place(std::size_t) const override { return place_after(steps); }
-  double row_solves() const override { return 7; }
+  std::optional<double> row_solves() const override { return 7 * steps; }
 };
 Motion ten_frames() {
   const auto fill = [](World& world) { world.add(sphere(1, 1)); };
@@ -412,7 +413,8 @@ Played played_by(const std::function<Eigen::Vector3d(int)>& place_after, int sma
                         player->place_after = place_after;
                         return player;
                       }};
-  return play(ten_frames(), method, {.small_steps = small_steps, .sweeps = 1}, patience);
+  const Motion motion = ten_frames();
+  return play(motion, motion.truth(motion.frames()), method, {.small_steps = small_steps, .sweeps = 1}, patience);
 }
 constexpr Patience once{.at_least = 0, .at_most = 600};
 
@@ -539,6 +541,35 @@ TEST_CASE("what cannot be played is refused, with the value and what is allowed,
       refused("bounce full/1/1 " + option + " " + value,
               {option, value == "1e9" ? "1" : value, "0", option == "--at-most" ? "3600" : "60"});
   refused("bounce --nothing", {"--nothing"});
+}
+
+TEST_CASE("row solves of a motion: three rows a pin and sweep, twice where the push is apart, in each of its passes") {
+  const auto counts = played_in(MOTION_PROGRAM,
+                                "pendulum --at-least 0 joints/1/1 joints/2/3 split-joints/2/3 steady-joints/1/1 "
+                                "global-joints/1/1");
+  REQUIRE(counts.size() == 5);
+  const int frames = motion_named("pendulum").frames();
+  CHECK(std::stod(counts[0].row_solves) == frames * 3);
+  CHECK(std::stod(counts[1].row_solves) == frames * 2 * 3 * 3);
+  CHECK(std::stod(counts[2].row_solves) == 2 * frames * 2 * 3 * 3);
+  CHECK(std::stod(counts[3].row_solves) == 2 * frames * 20 * 3);
+  CHECK(counts[4].row_solves == "–");  // a linear system
+}
+
+TEST_CASE(
+    "only small steps are timed: who is asked for places takes no time, and again for the times is asked for none") {
+  int asked = 0;
+  const auto place = [&](int) {
+    ++asked;
+    for (const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(2);
+         std::chrono::steady_clock::now() < end;) {
+    }
+    return Eigen::Vector3d(0, 0, 0);
+  };
+  CHECK(played_by(place, 1, once).seconds < 10 * 2e-3 / 2);
+  CHECK(asked == 10);
+  played_by(place, 1, {.at_least = 1e-4, .at_most = 600});
+  CHECK(asked == 20);
 }
 
 TEST_CASE("the same setting errs by the same again, and in as many row solves; lines come in the order asked for") {

@@ -11,7 +11,7 @@ namespace {
 constexpr Patience once{.at_least = 0, .at_most = 600};
 
 double error_of(const Method& method, const Motion& motion, int small_steps) {
-  return play(motion, method, {.small_steps = small_steps, .sweeps = 16}, once).error;
+  return play(motion, motion.truth(motion.frames()), method, {.small_steps = small_steps, .sweeps = 16}, once).error;
 }
 
 /// A turned box and a ball beside it fall for 0.4 s, and are still above the ground.
@@ -80,6 +80,45 @@ TEST_CASE("Restitution of a pair is that of its bodies, where an engine bounces 
     for (const int small_steps : {4, 16})
       CHECK(error_of(method, motion_named("bounce"), small_steps) < 0.15 / small_steps);
   }
+}
+
+TEST_CASE("Row solves: three rows a pin and iteration, where rows are what is solved") {
+  const Motion& pendulum = motion_named("pendulum");
+  for (const Method& method : peer_methods()) {
+    if (!method.plays(pendulum)) continue;
+    INFO(method.name);
+    const auto solved =
+        play(pendulum, pendulum.truth(pendulum.frames()), method, {.small_steps = 2, .sweeps = 7}, once);
+    const bool by_rows = method.name == "bullet" || method.name == "bullet-double" || method.name == "ode" ||
+                         method.name == "ode-aligned" || method.name.find("-nncg") != std::string::npos;
+    // A pin of MuJoCo's own is a joint of its tree, and no row.
+    if (by_rows) CHECK(solved.row_solves == pendulum.frames() * 2 * 7 * 3);
+    else if (method.name == "mujoco-pgs") CHECK(solved.row_solves == 0);
+    else CHECK(!solved.row_solves);
+  }
+}
+
+TEST_CASE("Row solves: a ball on the ground has one row, and two tangents where it rubs") {
+  for (const double mu : {0.0, 0.5}) {
+    const auto fill = [mu](World& world) {
+      world.add(ground().rough(static_cast<Real>(mu)));
+      world.add(sphere(Real(0.5), 1).at({0, Real(0.499), 0}).rough(static_cast<Real>(mu)));
+    };
+    const auto truth = [](int frames) {
+      return std::vector<Places>(static_cast<std::size_t>(frames), {{0, 0, 0}, {0, 0.5, 0}});
+    };
+    const Motion resting{.name = "rest", .title = "a ball rests", .fill = fill, .seconds = 10.0 / 60, .truth = truth};
+    for (const Method& method : peer_methods()) {
+      const Played played = play(resting, truth(10), method, {.small_steps = 1, .sweeps = 7}, once);
+      INFO(method.name << ", mu " << mu);
+      if (method.name == "ode") CHECK(played.row_solves == 10 * 7 * (mu > 0 ? 3 : 1));
+      if (method.name == "bullet" || method.name == "bullet-double") CHECK(played.row_solves == 10 * 7 * 3);
+    }
+  }
+}
+
+TEST_CASE("An engine says its version") {
+  CHECK(peer_version().find_first_of("0123456789") != std::string::npos);
 }
 
 TEST_CASE("The same engine with the same setting errs by the same, to the bit") {

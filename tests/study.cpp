@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "chapters/14_accuracy_and_time/study/machine.h"
 #include "chapters/14_accuracy_and_time/study/report.h"
 #include "tests/call.h"
 #include "tests/catch.h"
@@ -143,6 +144,8 @@ TEST_CASE("median, quartiles and setting of a measurement") {
   CHECK(one.setting() == "slim/8/4");
   one.sweeps = 0;
   CHECK(one.setting() == "slim/8");
+  one.seconds = {1, 2, 4, 8};  // between two of them by proportion: no timing is median and quartile at once
+  CHECK((one.quartile(1) == 1.75 && one.median() == 3 && one.quartile(3) == 5));
   one.seconds = {7};
   CHECK((one.median() == 7 && one.quartile(1) == 7 && one.quartile(3) == 7));
 }
@@ -227,7 +230,7 @@ TEST_CASE(
   // fast and bad, slow and good, slow and bad, as slow as can be near, lost
   const std::string answers =
       "a/1/1) echo \"$s error 1 seconds 1 row-solves 5\";; b/1/1) echo \"$s error 0.1 seconds 10 row-solves 5\";; "
-      "c/1/1) echo \"$s error 1 seconds 9 row-solves 5\";; d/1/1) echo \"$s error 0.1 seconds 15 row-solves 5\";; "
+      "c/1/1) echo \"$s error 1 seconds 9 row-solves 5\";; d/1/1) echo \"$s error 0.1 seconds 12.5 row-solves 5\";; "
       "e/1/1) echo \"$s error lost seconds 0.1 row-solves 5\";; f/1/1) echo \"$s error late seconds 0.1 row-solves "
       "5\";;";
   std::string methods;
@@ -258,7 +261,8 @@ TEST_CASE(
   const auto lines = lines_of(csv_of({{"bounce", all}, {"aaa", {all[0]}}}));
   REQUIRE(lines.size() == 12);
   for (const std::string& line : lines) CHECK(fields_of(line).size() == fields_of(lines[0]).size());
-  CHECK(lines[1] == "aaa,motion,a,1,1,1.0000e+00,1.0000e+00,1.0000e+00,1.0000e+00,3,5.0000e+00");
+  CHECK(lines[1] ==
+        "aaa,motion,a,1,1,1.0000e+00,5.0000e+00,1.0000e+00,1.0000e+00,1.0000e+00,1.0000e+00 1.0000e+00 1.0000e+00");
   CHECK(contains(lines[6], "bounce,motion,e,1,1,lost,"));
   CHECK(contains(lines[7], "bounce,motion,f,1,1,late,"));
   CHECK(contains(lines[11], "bounce,motion_ode,o,1,0,1.0000e-03,"));
@@ -274,6 +278,62 @@ TEST_CASE("times of all rounds are kept, ascending") {
   CHECK(all[0].seconds == std::vector<double>{5, 6, 7, 8});
 }
 
+TEST_CASE("what is read back from the csv is what was written: every time, and row solves where there are any") {
+  StandIns programs;
+  programs.add(
+      "motion", "a/SMALL-STEPS/SWEEPS: method\\nb/SMALL-STEPS: method\\n",
+      "b/*) echo \"$s error late seconds 5 row-solves –\";; *) echo \"$s error 1.2345e-03 seconds $(grep -c -e "
+      "at-most '" +
+          programs.log().string() + "').1e-3 row-solves 5.6789e+03\";;");
+  programs.add("motion_ode", "c/SMALL-STEPS: method\\n", "*) echo \"$s error lost seconds 0.25 row-solves 0\";;");
+  const AllMeasured all{{"bounce", measure(tried(1, 1, 1), programs.options(3))}};
+  const std::string text = csv_of(all);
+  const AllMeasured again = read_csv(text);
+  CHECK(csv_of(again) == text);
+  REQUIRE(again.at("bounce").size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Measured &one = all.at("bounce")[i], &other = again.at("bounce")[i];
+    CHECK(one.setting() == other.setting());
+    CHECK(one.seconds == other.seconds);
+    CHECK((one.median() == other.median() && one.quartile(1) == other.quartile(1)));
+    CHECK(one.error == other.error);
+    CHECK(one.late == other.late);
+    CHECK(one.row_solves == other.row_solves);
+  }
+  CHECK(again.at("bounce")[0].seconds.size() == 4);
+  CHECK(again.at("bounce")[0].row_solves == 5678.9);
+  CHECK(!again.at("bounce")[1].row_solves);
+  CHECK(again.at("bounce")[2].row_solves == 0);
+  const std::string heading = lines_of(text)[0] + "\n", good_line = "bounce,motion,a,1,1,1e-3,5,1,1,1,1 2";
+  CHECK(read_csv(heading + good_line + "\n").at("bounce")[0].median() == 1.5);
+  for (const char* line : {"", "bounce,motion,a,1,1,1e-3,5,1,1,1,", "bounce,motion,a,1,1,1e-3,5,1,1,1,1 x",
+                           "bounce,motion,a,1,1,1e-3,x,1,1,1,1", "bounce,motion,a,1,1,soon,5,1,1,1,1",
+                           "bounce,motion,a,one,1,1e-3,5,1,1,1,1"}) {
+    INFO(line);
+    CHECK_THROWS_AS(read_csv(heading + line + "\n"), InvalidInput);
+  }
+  CHECK_THROWS_AS(read_csv(good_line), InvalidInput);
+}
+
+TEST_CASE("the table of the machine says how many settings of each engine were tried, repeated, lost and given up") {
+  Measured again = of("motion", "slim", 1, 1, 1e-3, 1), lost = of("motion", "slim", 2, 1, infinite, 1), late = lost;
+  again.seconds = {1, 2, 3};
+  late.late = true;
+  const AllMeasured all{{"bounce", {again, lost, late, of("motion_ode", "o", 1, 1, 1, 1)}}, {"chain", {again}}};
+  const std::string text = table_of_machine({.load_before = "0.25, 0.5, 1",
+                                             .load_after = "1, 1, 1",
+                                             .took = std::chrono::seconds(61),
+                                             .versions = {"Pushback 7", "ODE 8"}},
+                                            {{"motion", "ours"}, {"motion_ode", "ODE"}}, all);
+  CHECK(contains(text, "| 0.25, 0.5, 1 |"));
+  CHECK(contains(text, "2 min"));
+  CHECK(contains(text, "| ours | Pushback 7 | 4 | 2 | 1 | 1 |\n"));
+  CHECK(contains(text, "| ODE | ODE 8 | 1 | 0 | 0 | 0 |\n"));
+  CHECK(contains(processor(), " cores"));
+  CHECK(std::count(load_now().begin(), load_now().end(), ',') == 2);
+  CHECK(contains(version_of({"motion", "ours"}, fs::path(MOTION_PROGRAM).parent_path()), "Pushback, "));
+}
+
 TEST_CASE("a program that fails, or prints what is no measurement, is named") {
   for (const auto& [answers, part] : std::vector<std::pair<std::string, std::string>>{
            {"*) exit 3;;", "failed"},
@@ -286,6 +346,8 @@ TEST_CASE("a program that fails, or prints what is no measurement, is named") {
            {"*) echo \"$s error 1 seconds soon row-solves 5\";;", "soon"},
            {"*) echo \"$s error 1 seconds -1 row-solves 5\";;", "-1"},
            {"*) echo \"$s error 1 seconds 1\";;", "a/1/1"},
+           {"*) echo \"$s error 1 seconds 1 row-solves many\";;", "many"},
+           {"*) echo \"$s error 1 seconds 1 row-solves -1\";;", "-1"},
            {"*) echo \"b/1/1 error 1 seconds 1 row-solves 5\";;", "b/1/1"},
            {"a/1/1) echo \"$s error 1 seconds 1 row-solves 5\";;", "printed 1 lines for 2 settings"},
            {"*) ;;", "printed 0 lines for 2 settings"},
@@ -326,7 +388,8 @@ TEST_CASE("the program itself is understood") {
   for (const Measured& one : all) {
     INFO(one.setting());
     CHECK(one.error < 0.2);
-    CHECK(one.row_solves > 0);
+    CHECK(one.row_solves.has_value() == (one.method != "at-once"));
+    CHECK(one.row_solves.value_or(1) > 0);
   }
 }
 
@@ -362,6 +425,9 @@ TEST_CASE("the table of the cheapest says which, and what it costs a frame") {
   CHECK(lines[2] ==
         "| minute | `slim-cold/4/4`: 50 µs (50 to 50), 10 row solves "
         "| `slim/4/16`: 200 µs (200 to 200), 10 row solves | not reached |");
+  auto no_rows = made_up();
+  for (Measured& one : no_rows[0].all) one.row_solves.reset();
+  CHECK(contains(lines_of(table_of_cheapest(no_rows))[2], "`slim-cold/4/4`: 50 µs (50 to 50), – row solves |"));
   auto only_float = made_up();
   only_float[0].all = {of("motion_float", "slim", 4, 4, 2.5e-3, 0.0048), of("motion_ode", "o", 1, 16, 5e-5, 0.001)};
   CHECK(lines_of(table_of_cheapest(only_float))[2] ==

@@ -8,12 +8,13 @@
 #include <type_traits>
 
 #include "chapters/01_velocity_constraint/row.h"
+#include "chapters/01_velocity_constraint/rows_solved.h"
 
 namespace pushback {
 
 /// The moments of a step at which an effect may act, in their order. An effect is a type that derives from this one and
 /// hides the moments that it needs. The first contacts.size() rows are the normals: rows[i] belongs to contacts[i].
-/// An effect that appends rows of its own solves them in `sweep`.
+/// An effect that appends rows of its own solves them in `sweep`. Who solves rows adds them to rows_solved.
 struct Effect {
   /// What counts as overlap.
   void touch(const Contacts&, Rows&) {}
@@ -93,6 +94,7 @@ class Solver : public Effects... {
  private:
   void sweep(std::size_t normals) {
     for (std::size_t i = 0; i < normals; ++i) rows_[i].solve();
+    rows_solved += normals;
     (Effects::sweep(rows_), ...);
   }
   void report(Contacts& contacts) {

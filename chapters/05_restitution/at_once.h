@@ -26,6 +26,7 @@ struct ImpactsAtOnce : RestitutionFromSurface {
         rows[i].solve();
         change = std::max(change, std::abs(rows[i].impulse - before) / rows[i].effective_mass);
       }
+      rows_solved += normals_;
     }
   }
 

@@ -33,6 +33,7 @@ struct ImpactsInTurn : Effect {
         if (approach >= -threshold) continue;
         row.reach(row.impulse - row.effective_mass * (1 + at.restitution) * approach);
         row.lo = row.impulse;
+        ++rows_solved;
         again = true;
       }
     }

@@ -39,6 +39,7 @@ struct RestitutionApart : Effect {
       if (rows[i].impulse == 0 || departure[i] == 0) continue;
       rows[i].bias = -departure[i];
       rows[i].solve();
+      ++rows_solved;
     }
   }
 };

@@ -24,6 +24,7 @@ struct FrictionByWeight : Friction {
       rows[i].lo = -rows[i].hi;
       rows[i].solve();
     }
+    rows_solved += rows.size() - first_;
   }
 };
 

@@ -31,6 +31,7 @@ struct Friction : Effect {
         tangent->solve();
       }
     }
+    rows_solved += 2 * mu_.size();
   }
   void report(Contacts& contacts, const Rows& rows) {
     for (std::size_t i = 0; i < mu_.size(); ++i) {

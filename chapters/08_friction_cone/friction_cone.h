@@ -43,6 +43,7 @@ struct FrictionCone : Friction {
       const Real total2 = two.impulse - step_[i] * two.speed();
       reach_in_disc(one, two, total1, total2, mu_[i] * rows[one.contact].impulse);
     }
+    rows_solved += 2 * mu_.size();
   }
   void report(Contacts& contacts, const Rows& rows) {
     for (std::size_t i = 0; i < mu_.size(); ++i) {

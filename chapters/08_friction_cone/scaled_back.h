@@ -25,6 +25,7 @@ struct FrictionScaledBack : FrictionCone {
       const Real total2 = two.impulse - (k.k11 * u2 - k.k12 * u1) / determinant;
       reach_in_disc(one, two, total1, total2, mu_[i] * rows[one.contact].impulse);
     }
+    rows_solved += 2 * mu_.size();
   }
 
  private:

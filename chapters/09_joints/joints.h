@@ -40,6 +40,7 @@ struct Joints : Effect {
   }
   void sweep(Rows&) {
     for (Row& row : joint_rows_) row.solve();
+    rows_solved += joint_rows_.size();
   }
   /// Only after an effect that relaxes (chapter 12): the same equations where the bodies are now, and C is not fed back.
   /// Springs stay as they were: what they add to the speeds is meant.

@@ -39,6 +39,7 @@ struct NonlinearGaussSeidel : Effect {
     if (!overlap_) return;
     for (int round = 0; round < rounds; ++round) {
       for (std::size_t i = 0; i < touching_.size(); ++i) push_apart(rows[i], touching_[i]);
+      rows_solved += touching_.size();
     }
   }
 

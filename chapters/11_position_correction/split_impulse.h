@@ -40,6 +40,7 @@ struct SplitImpulse : Effect {
     set_velocities_aside();
     for (int round = 0; round < rounds; ++round) {
       for (Row& push : pushes_) push.solve();
+      rows_solved += pushes_.size();
     }
     for (const Aside& body : aside_) {
       displace(*body.of, dt_ * body.of->velocity, dt_ * body.of->angular_velocity);

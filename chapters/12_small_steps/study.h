@@ -20,16 +20,16 @@ struct Budget {
   int small_steps, sweeps;  ///< in each step of dt; in each small step
 };
 
-struct Stood {
+struct StackCurves {
   Curve drift, speed, overlap;  ///< mm, mm/s, mm, against what `along` says
 };
 
 /// `along`: what a budget is drawn at.
 template <class ContactSolver>
-Stood study(const std::string& name, std::size_t colour, Real dt, const std::vector<Budget>& budgets,
-            const std::function<int(const Budget&)>& along) {
+StackCurves study(const std::string& name, std::size_t colour, Real dt, const std::vector<Budget>& budgets,
+                  const std::function<int(const Budget&)>& along) {
   Curve empty{name, {}, {}, line_colour(colour), Curve::Style::line_and_points};
-  Stood stood{empty, empty, empty};
+  StackCurves stood{empty, empty, empty};
   const auto steps = static_cast<int>(std::lround(10 / dt)), second = static_cast<int>(std::lround(1 / dt));
   for (const Budget& budget : budgets) {
     World world;

@@ -8,6 +8,7 @@
 
 #include "chapters/14_accuracy_and_time/stopwatch.h"
 #include "common/program.h"
+#include "common/quantile.h"
 
 namespace pushback {
 
@@ -19,10 +20,11 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Plays once. The places of every frame are kept, and looked at afterwards.
+/// Plays once, and keeps the places of every frame: with the stopwatch at rest.
 struct Playing {
   std::vector<Places> places;
-  double seconds = 0, row_solves = 0;
+  double seconds = 0;
+  std::optional<double> row_solves;
   bool lost = false, late = false;
 
   Playing(const Motion& motion, const Method& method, const Setting& setting, double at_most, std::size_t bodies)
@@ -30,13 +32,11 @@ struct Playing {
     const std::unique_ptr<Player> player = method.begin(motion, setting);
     const auto begin = std::chrono::steady_clock::now();
     Stopwatch own;
-    own.go();
     try {
       for (Places& frame : places) {
-        for (int step = 0; step < setting.small_steps; ++step) {
-          player->small_step();
-          row_solves += player->row_solves();
-        }
+        own.go();
+        for (int step = 0; step < setting.small_steps; ++step) player->small_step();
+        own.stop();
         for (std::size_t body = 0; body < bodies; ++body) frame[body] = player->place(body);
         if (seconds_since(begin) > at_most) {
           late = &frame != &places.back();
@@ -46,10 +46,24 @@ struct Playing {
     } catch (const InvalidInput&) {  // a state that is no number any more
       lost = true;
     }
-    own.stop();
     seconds = own.seconds();
+    row_solves = player->row_solves();
   }
 };
+
+/// Plays once more, and does nothing else: where a frame takes a microsecond, a stopwatch that stops at each is felt.
+double seconds_of(const Motion& motion, const Method& method, const Setting& setting) {
+  const std::unique_ptr<Player> player = method.begin(motion, setting);
+  const int steps = motion.frames() * setting.small_steps;
+  Stopwatch own;
+  own.go();
+  try {
+    for (int step = 0; step < steps; ++step) player->small_step();
+  } catch (const InvalidInput&) {  // where it was lost before
+  }
+  own.stop();
+  return own.seconds();
+}
 
 double largest_error(const std::vector<Places>& places, const std::vector<Places>& truth) {
   double largest = 0;
@@ -65,23 +79,20 @@ double largest_error(const std::vector<Places>& places, const std::vector<Places
 
 }  // namespace
 
-Played play(const Motion& motion, const Method& method, const Setting& setting, const Patience& patience) {
+Played play(const Motion& motion, const std::vector<Places>& truth, const Method& method, const Setting& setting,
+            const Patience& patience) {
   World world;
   motion.fill(world);
-  Played played;
+  const Playing once(motion, method, setting, patience.at_most, world.bodies.size());
+  Played played{.error = once.lost || once.late ? no_error_known : largest_error(once.places, truth),
+                .seconds = once.seconds,
+                .row_solves = once.row_solves,
+                .late = once.late};
+  if (once.late || once.seconds >= patience.at_least) return played;
   std::vector<double> times;
-  for (double spent = 0; times.empty() || (spent < patience.at_least && times.size() < 1000); spent += times.back()) {
-    const Playing once(motion, method, setting, patience.at_most, world.bodies.size());
-    if (times.empty()) {
-      played.error =
-          once.lost || once.late ? no_error_known : largest_error(once.places, motion.truth(motion.frames()));
-      played.row_solves = once.row_solves;
-      played.late = once.late;
-    }
-    times.push_back(once.seconds);
-  }
-  std::nth_element(times.begin(), times.begin() + std::ssize(times) / 2, times.end());
-  played.seconds = times[times.size() / 2];
+  for (double spent = 0; spent < patience.at_least && times.size() < 1000; spent += times.back())
+    times.push_back(seconds_of(motion, method, setting));
+  played.seconds = median(times);
   return played;
 }
 
@@ -135,8 +146,18 @@ bool is_more_work(const Asked& one, const Asked& than) {
 
 }  // namespace
 
-int play_program(int argc, const char* const* argv, const std::string& about, const std::vector<Method>& methods) {
+std::string built_by() {
+#ifdef __clang__
+  return fmt::format("{}, {}", __VERSION__, PUSHBACK_FLAGS);
+#else
+  return fmt::format("g++ {}, {}", __VERSION__, PUSHBACK_FLAGS);
+#endif
+}
+
+int play_program(int argc, const char* const* argv, const std::string& about, const std::string& version,
+                 const std::vector<Method>& methods) {
   CLI::App app{about};
+  app.set_version_flag("--version", version, "Which engine plays, of which version, built how");
   std::string motion_name;
   std::vector<std::string> settings;
   Patience patience;
@@ -158,18 +179,19 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
     const Motion& motion = motion_named(motion_name);
     std::vector<Asked> all;
     for (const std::string& setting : settings) all.push_back(read(setting, motion, methods));
+    const std::vector<Places> truth = motion.truth(motion.frames());  // once: of the chain it takes half a second
     std::vector<Asked> late;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool hopeless =
           std::any_of(late.begin(), late.end(), [&](const Asked& before) { return is_more_work(all[i], before); });
       const Played played = hopeless ? Played{.error = no_error_known, .late = true}
-                                     : play(motion, *all[i].method, all[i].setting, patience);
+                                     : play(motion, truth, *all[i].method, all[i].setting, patience);
       if (played.late) late.push_back(all[i]);
-      fmt::print("{} error {} seconds {:.4e} row-solves {:.4e}\n", settings[i],
+      fmt::print("{} error {} seconds {:.4e} row-solves {}\n", settings[i],
                  std::isfinite(played.error) ? fmt::format("{:.4e}", played.error)
                  : played.late               ? "late"
                                              : "lost",
-                 played.seconds, played.row_solves);
+                 played.seconds, played.row_solves ? fmt::format("{:.4e}", *played.row_solves) : "–");
       std::fflush(stdout);
     }
   });

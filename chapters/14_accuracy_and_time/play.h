@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "chapters/14_accuracy_and_time/motion.h"
 
@@ -23,8 +24,8 @@ class Player {
   virtual void small_step() = 0;
   /// Of the centre of mass of the body with this index in the motion's world, m.
   virtual Eigen::Vector3d place(std::size_t body) const = 0;
-  /// Rows times sweeps, of the latest small step; 0 where an engine does not say.
-  virtual double row_solves() const { return 0; }
+  /// In all small steps so far; nothing where an engine does not say, or solves linear systems, and rows are no measure.
+  virtual std::optional<double> row_solves() const { return {}; }
 };
 
 /// One way to play motions: a solver of ours, or of others.
@@ -40,27 +41,35 @@ struct Method {
 inline constexpr double no_error_known = std::numeric_limits<double>::infinity();
 
 struct Played {
-  double error = 0;       ///< m, the farthest that any body was from its true place in any frame; or no_error_known
-  double seconds = 0;     ///< of wall time, for the whole motion: the median of some times that it was played
-  double row_solves = 0;  ///< in the whole motion
-  bool late = false;      ///< given up
+  double error = 0;    ///< m, the farthest that any body was from its true place in any frame; or no_error_known
+  double seconds = 0;  ///< of wall time, for the whole motion: the median of some times that it was played
+  std::optional<double> row_solves = {};  ///< in the whole motion; nothing: no measure
+  bool late = false;                      ///< given up
 };
 
 struct Patience {
   double at_least = 0.01;  ///< s: it is played again until it has taken so long
-  double at_most = 60;     ///< s: after which it is given up
+  double at_most = 60;     ///< s: after which it is given up; looked at after each frame
 };
 
-/// Plays the motion, once in any case. Only small steps are in the time, not the making of a world, and not the comparing.
-Played play(const Motion& motion, const Method& method, const Setting& setting, const Patience& patience = {});
+/// Plays the motion, once in any case. Only small steps are in the time: not the making of a world, not asking where bodies
+/// are (for which MuJoCo has kinematics to do), and not the comparing. `truth`: motion.truth(motion.frames()).
+Played play(const Motion& motion, const std::vector<Places>& truth, const Method& method, const Setting& setting,
+            const Patience& patience = {});
+
+/// The compiler of this program, its version, and how it was called.
+std::string built_by();
 
 /// The program  NAME MOTION METHOD/SMALL-STEPS/SWEEPS ...  plays the motion in each of these settings and prints a line for each:
 ///
 ///   full/4/16 error 1.2345e-03 seconds 4.5678e-02 row-solves 6.7890e+06
 ///
-/// with the error "lost" where a body was more than 10 km off, and "late" where it was given up, or not begun, as it asks for no
+/// with "–" for row solves where they are no measure,
+/// and the error "lost" where a body was more than 10 km off, and "late" where it was given up, or not begun, as it asks for no
 /// less of either knob than one before it that was given up. Without a motion it lists the motions that there are, with one its
-/// methods. Returns the exit status: 0; 2 where a value cannot be used, and then nothing was played.
-int play_program(int argc, const char* const* argv, const std::string& about, const std::vector<Method>& methods);
+/// methods; with --version it says which engine plays: `version`. Returns the exit status: 0; 2 where a value cannot be used,
+/// and then nothing was played.
+int play_program(int argc, const char* const* argv, const std::string& about, const std::string& version,
+                 const std::vector<Method>& methods);
 
 }  // namespace pushback

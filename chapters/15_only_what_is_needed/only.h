@@ -93,7 +93,7 @@ void put_back(const Left& left, Full& full) {
 
 /// What each body does by itself: World's `push` and `move`, less what nobody calls for.
 template <class Called>
-struct Motion {
+struct Integrator {
   static void begin(Body& body) {
     if constexpr (Called::template has<Bouncing>) begin_step(body);
   }
@@ -145,14 +145,14 @@ void step_only(World& world, ContactSolver& solver, Real dt, int sweeps = 10) {
   check_step(dt, sweeps, world.gravity);
   for (const Body& body : world.bodies) check_state(body);
   if constexpr (!JointSolver<ContactSolver>) check_no_joints(world.joints);
-  for (Body& body : world.bodies) Motion<Called>::begin(body);
+  for (Body& body : world.bodies) Integrator<Called>::begin(body);
   if constexpr (Called::template has<Pulling>) {
     for (const Force& force : world.forces) force.apply(world);
   }
-  for (Body& body : world.bodies) Motion<Called>::push(body, world.gravity, dt);
+  for (Body& body : world.bodies) Integrator<Called>::push(body, world.gravity, dt);
   if constexpr (Called::template has<Touching>) world.find_contacts();
   solve_only<Called>(world, solver, dt, sweeps);
-  for (Body& body : world.bodies) Motion<Called>::move(body, dt);
+  for (Body& body : world.bodies) Integrator<Called>::move(body, dt);
   end_step<Called>(world, solver, dt);
 }
 

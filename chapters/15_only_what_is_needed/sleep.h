@@ -94,10 +94,10 @@ void step_awake(World& world, ContactSolver& solver, Sleep& sleep, Real dt, int 
   const auto each = [&](const auto& act) {
     for (const int i : sleep.simulated()) act(world.bodies[std::size_t(i)]);
   };
-  each(Motion<Called>::begin);
-  each([&](Body& body) { Motion<Called>::push(body, world.gravity, dt); });
+  each(Integrator<Called>::begin);
+  each([&](Body& body) { Integrator<Called>::push(body, world.gravity, dt); });
   solve_only<Called>(world, solver, dt, sweeps);
-  each([&](Body& body) { Motion<Called>::move(body, dt); });
+  each([&](Body& body) { Integrator<Called>::move(body, dt); });
   end_step<Called>(world, solver, dt);
   sleep.settle(world, dt);
 }

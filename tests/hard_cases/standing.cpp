@@ -29,7 +29,7 @@ Allowance standing(const World& world) {
   return {.energy = weight * Real(0.001)};
 }
 
-HardCase must_stand(const Standing& what) {
+HardCase must_stand(const StandingCase& what) {
   HardCase c;
   c.name = what.name;
   c.title = what.title;

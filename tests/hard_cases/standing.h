@@ -24,14 +24,14 @@ Stood stand(Play& play, Real seconds, Real dt = frame);
 Allowance standing(const World& world);
 
 /// A case in which everything stands for ten seconds: drift in mm, deeper than the slop in mm, speed in mm/s.
-struct Standing {
+struct StandingCase {
   std::string name, title, stresses;
   std::function<void(World&)> fill;
   Camera camera;
   Real drift_limit = 1;   ///< mm
   Real beyond_limit = 1;  ///< mm
 };
-HardCase must_stand(const Standing& what);
+HardCase must_stand(const StandingCase& what);
 
 /// Sees what is `size` m across and high round `centre`, from the front, a little from the right and above.
 Camera view(const Vec3& centre, Real size);

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "chapters/13_global_solve/methods.h"
-#include "chapters/14_accuracy_and_time/quantile.h"
 #include "chapters/14_accuracy_and_time/stopwatch.h"
+#include "common/quantile.h"
 
 namespace pushback {
 

@@ -3,8 +3,8 @@
 
 #include "chapters/13_global_solve/methods.h"
 #include "chapters/14_accuracy_and_time/frozen/traced.h"
-#include "chapters/14_accuracy_and_time/quantile.h"
 #include "common/input.h"
+#include "common/quantile.h"
 
 namespace pushback {
 
@@ -30,10 +30,6 @@ std::string counted(double count) {
 
 std::string milliseconds(double seconds) {
   return seconds < 1 ? fmt::format("{:.3g}", 1e3 * seconds) : fmt::format("{:.0f}", 1e3 * seconds);
-}
-
-double median(const std::vector<double>& values) {
-  return values.empty() ? 0 : quantile(values, 0.5);
 }
 
 /// "3 to 50, median 20".
@@ -154,8 +150,9 @@ std::vector<std::string> remarks_of(const std::vector<Traced>& all) {
   }
   remarks.push_back(fmt::format("a row of W holds {} numbers, and a row solve takes {} ns", from_to(length_of_row),
                                 from_to(cost_of_row)));
-  remarks.push_back(
-      fmt::format("between the quartiles of a time there are {:.0f} % of it (median of all)", 100 * median(spread)));
+  if (!spread.empty())
+    remarks.push_back(
+        fmt::format("between the quartiles of a time there are {:.0f} % of it (median of all)", 100 * median(spread)));
   return remarks;
 }
 

@@ -144,6 +144,7 @@ class Mujoco : public Player {
   void small_step() override {
     mj_step(model_.get(), data_.get());
     moved_ = true;
+    row_solves_ += static_cast<double>(data_->nefc) * data_->solver_iter;
     // MuJoCo begins anew by itself where a state is no number.
     for (const int lost : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL})
       if (data_->warning[lost].number > 0) throw InvalidInput(mju_warningText(lost, 0));
@@ -153,8 +154,9 @@ class Mujoco : public Player {
     moved_ = false;
     return Eigen::Map<const Eigen::Vector3d>(data_->xipos + 3 * ids_[body]);
   }
-  double row_solves() const override {
-    return model_->opt.solver == mjSOL_PGS ? static_cast<double>(data_->nefc) * model_->opt.iterations : 0;
+  std::optional<double> row_solves() const override {
+    if (model_->opt.solver != mjSOL_PGS) return {};
+    return row_solves_;
   }
 
  private:
@@ -162,6 +164,7 @@ class Mujoco : public Player {
   std::unique_ptr<mjData, Release> data_;
   std::vector<int> ids_;
   mutable bool moved_ = true;
+  double row_solves_ = 0;
 };
 
 Method method(const std::string& name, const std::string& title, const Choice& choice, bool only_pins = false) {
@@ -186,6 +189,10 @@ std::vector<Method> peer_methods() {
           method("mujoco-pgs", "MuJoCo, hard, sweeps", {.solver = "PGS"}),
           method("mujoco-rk4", "MuJoCo, Runge and Kutta", {.integrator = "RK4"}, true),
           method("mujoco-connect", "MuJoCo, pins as constraints", {.connect = true}, true)};
+}
+
+std::string peer_version() {
+  return fmt::format("MuJoCo {}, double; called by {}", mj_versionString(), built_by());
 }
 
 }  // namespace pushback

@@ -1,4 +1,5 @@
 /// ODE plays motions.
+#include <fmt/format.h>
 #include <ode/ode.h>
 
 #include <array>
@@ -39,6 +40,7 @@ class Ode : public Player {
       const dJointID joint = dJointCreateBall(world_, nullptr);
       dJointAttach(joint, body_of(pin.a), body_of(pin.b));
       dJointSetBallAnchor(joint, pin.anchor.x(), pin.anchor.y(), pin.anchor.z());
+      ++pins_;
     }
   }
   ~Ode() override {
@@ -50,15 +52,18 @@ class Ode : public Player {
   Ode& operator=(const Ode&) = delete;
 
   void small_step() override {
-    points_ = 0;
+    rows_ = 3 * pins_;
     dSpaceCollide(space_, this, [](void* ode, dGeomID a, dGeomID b) { static_cast<Ode*>(ode)->collide(a, b); });
     if (choice_.exact) dWorldStep(world_, dt_);
     else dWorldQuickStep(world_, dt_);
+    row_solves_ += static_cast<double>(rows_) * dWorldGetQuickStepNumIterations(world_);
     dJointGroupEmpty(contacts_);
   }
   Eigen::Vector3d place(std::size_t body) const override { return bodies_[body].place(); }
-  double row_solves() const override {
-    return choice_.exact ? 0 : 3.0 * points_ * dWorldGetQuickStepNumIterations(world_);
+  /// QuickStep goes over all rows in each of its iterations, and stops after no fewer.
+  std::optional<double> row_solves() const override {
+    if (choice_.exact) return {};
+    return row_solves_;
   }
 
  private:
@@ -118,7 +123,7 @@ class Ode : public Player {
       if (choice_.aligned) align(contact, first, second);
       dJointAttach(dJointCreateContact(world_, contacts_, &contact), first, second);
     }
-    points_ += count;
+    rows_ += count * (surface_.mu > 0 ? 3 : 1);  // no tangents where nothing rubs
   }
 
   static void align(dContact& contact, dBodyID a, dBodyID b) {
@@ -143,7 +148,9 @@ class Ode : public Player {
   dJointGroupID contacts_;
   dSurfaceParameters surface_{};
   std::vector<Made> bodies_;
-  int points_ = 0;
+  int pins_ = 0;
+  int rows_ = 0;           // of the latest step
+  double row_solves_ = 0;  // of all
 };
 
 Method method(const std::string& name, const std::string& title, const Choice& choice) {
@@ -166,6 +173,10 @@ std::vector<Method> peer_methods() {
   return {method("ode", "ODE, QuickStep", {}),
           method("ode-aligned", "ODE, QuickStep, friction along sliding", {.aligned = true}),
           method("ode-exact", "ODE, all at once, friction along sliding", {.exact = true, .aligned = true})};
+}
+
+std::string peer_version() {
+  return fmt::format("ODE {}, {}; called by {}", dODE_VERSION, dGetConfiguration(), built_by());
 }
 
 }  // namespace pushback

@@ -8,4 +8,7 @@ namespace pushback {
 /// The engine, in the ways in which it is played. Friction and restitution of a motion's bodies become those of each pair.
 std::vector<Method> peer_methods();
 
+/// Its name, its version, and what it says of how it was built.
+std::string peer_version();
+
 }  // namespace pushback

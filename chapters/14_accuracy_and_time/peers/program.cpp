@@ -3,5 +3,5 @@
 
 int main(int argc, char** argv) {
   return pushback::play_program(argc, argv, "Plays a motion by another engine: how far from the truth, in what time.",
-                                pushback::peer_methods());
+                                pushback::peer_version(), pushback::peer_methods());
 }

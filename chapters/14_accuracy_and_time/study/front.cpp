@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <utility>
-#include "chapters/14_accuracy_and_time/quantile.h"
+
+#include "common/quantile.h"
 
 namespace pushback {
 
 double Measured::median() const {
-  return quantile(seconds, 0.5);
+  return pushback::median(seconds);
 }
 double Measured::quartile(int which) const {
   return quantile(seconds, 0.25 * which);

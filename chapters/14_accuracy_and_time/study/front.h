@@ -10,14 +10,14 @@ namespace pushback {
 
 /// A motion played in one setting, as often as it was timed.
 struct Measured {
-  std::string engine;                ///< "motion", or "motion_bullet": the program that played
-  std::string method;                ///< "steady"
-  int small_steps = 1;               ///< in a frame of 1/60 s
-  int sweeps = 0;                    ///< in a small step; 0: the method has no such knob
-  double error = 0;                  ///< m; infinite: lost, or given up
-  bool late = false;                 ///< given up
-  double row_solves = 0;             ///< in the whole motion
-  std::vector<double> seconds = {};  ///< for the whole motion, one a round, ascending
+  std::string engine;                     ///< "motion", or "motion_bullet": the program that played
+  std::string method;                     ///< "steady"
+  int small_steps = 1;                    ///< in a frame of 1/60 s
+  int sweeps = 0;                         ///< in a small step; 0: the method has no such knob
+  double error = 0;                       ///< m; infinite: lost, or given up
+  bool late = false;                      ///< given up
+  std::optional<double> row_solves = {};  ///< in the whole motion; nothing: no measure
+  std::vector<double> seconds = {};       ///< for the whole motion, one a round, ascending
 
   double median() const;
   double quartile(int which) const;  ///< 1 or 3

@@ -1,6 +1,7 @@
 /// ./course study: every motion in every setting by every engine, the diagrams and tables of docs/accuracy_and_time.md.
 #include <fmt/ranges.h>
 
+#include "chapters/14_accuracy_and_time/study/machine.h"
 #include "chapters/14_accuracy_and_time/study/report.h"
 #include "common/files.h"
 #include "common/program.h"
@@ -49,19 +50,21 @@ void study(const Asked& asked, const std::filesystem::path& programs) {
     report(read_csv(read_text_file(folder / "study.csv")), engines, folder);
     return;
   }
-  const RoundOptions options{.engines = engines,
-                             .programs = programs,
-                             .quick = asked.quick,
-                             .rounds = asked.rounds > 0 ? asked.rounds
-                                       : asked.quick    ? 1
-                                                        : 3,
-                             .say = [](const std::string& what) {
-                               fmt::print("{}\n", what);
-                               std::fflush(stdout);
-                             }};
+  RoundOptions options{.engines = engines, .programs = programs, .quick = asked.quick};
+  if (asked.rounds > 0 || asked.quick) options.rounds = std::max(1, asked.rounds);
+  options.say = [](const std::string& what) {
+    fmt::print("{}\n", what);
+    std::fflush(stdout);
+  };
+  MachineReport run{.load_before = load_now(), .load_after = "", .took = {}, .versions = {}};
+  for (const Engine& engine : engines) run.versions.push_back(version_of(engine, programs));
+  const auto began = std::chrono::steady_clock::now();
   AllMeasured all;
   for (const Motion* motion : motions) all[motion->name] = measure(*motion, options);
+  run.took = std::chrono::steady_clock::now() - began;
+  run.load_after = load_now();
   write_text_file(folder / "study.csv", csv_of(all));
+  write_text_file(folder / "machine.md", table_of_machine(run, engines, all));
   report(all, engines, folder);
 }
 

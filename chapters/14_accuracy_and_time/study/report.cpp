@@ -100,10 +100,10 @@ std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
     for (const Tolerance& tolerance : tolerances) {
       const auto found = cheapest(ours(measured.all), tolerance.error);
       const auto frame = [&](double seconds) { return plain(per_frame(*measured.motion, seconds)); };
+      const auto rows = [&] { return found->row_solves ? plain(*found->row_solves / measured.motion->frames()) : "–"; };
       text += found ? fmt::format("| `{}`{}: {} µs ({} to {}), {} row solves ", found->setting(),
                                   found->engine == "motion" ? "" : " in float", frame(found->median()),
-                                  frame(found->quartile(1)), frame(found->quartile(3)),
-                                  plain(found->row_solves / measured.motion->frames()))
+                                  frame(found->quartile(1)), frame(found->quartile(3)), rows())
                     : "| not reached ";
     }
     text += "|\n";

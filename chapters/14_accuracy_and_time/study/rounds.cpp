@@ -17,7 +17,7 @@ namespace pushback {
 
 namespace {
 
-constexpr double slack = 1.5;  // times as slow as the front, and still timed again
+constexpr double slack = 1.25;  // times as slow as the front, and still timed again
 
 std::vector<std::string> lines_of(const std::string& command) {
   std::FILE* pipe = popen(command.c_str(), "r");
@@ -31,13 +31,30 @@ std::vector<std::string> lines_of(const std::string& command) {
   return lines;
 }
 
+bool read_number(const std::string& word, double& into) {
+  const char* end = word.data() + word.size();
+  const auto read = std::from_chars(word.data(), end, into);
+  return read.ec == std::errc() && read.ptr == end;
+}
+
 /// m; infinite where it was lost or late; nothing where it is no error.
 std::optional<double> error_in(const std::string& word) {
   if (word == "late" || word == "lost") return std::numeric_limits<double>::infinity();
   double error = 0;
-  const char* end = word.data() + word.size();
-  if (std::from_chars(word.data(), end, error).ptr != end || !(error >= 0)) return {};
+  if (!read_number(word, error) || !(error >= 0)) return {};
   return error;
+}
+
+constexpr const char* no_measure = "–";
+
+/// Whether it is a count, or says that there is none.
+bool read_row_solves(const std::string& word, Measured& into) {
+  into.row_solves.reset();
+  if (word == no_measure) return true;
+  double count = 0;
+  if (!read_number(word, count) || !(count >= 0)) return false;
+  into.row_solves = count;
+  return true;
 }
 
 using Indices = std::vector<std::size_t>;
@@ -89,11 +106,12 @@ class Asking {
   }
   static void read(const std::string& line, Measured& into) {
     std::istringstream in(line);
-    std::string setting, word, error;
+    std::string setting, word, error, row_solves;
     double seconds = 0;
-    in >> setting >> word >> error >> word >> seconds >> word >> into.row_solves;
+    in >> setting >> word >> error >> word >> seconds >> word >> row_solves;
     const auto found = error_in(error);
-    if (!in || setting != into.setting() || !found || (std::isfinite(*found) && !(seconds > 0)))
+    if (!in || setting != into.setting() || !found || (std::isfinite(*found) && !(seconds > 0)) ||
+        !read_row_solves(row_solves, into))
       throw std::runtime_error(fmt::format("{} printed no measurement of {}: '{}'", into.engine, into.setting(), line));
     into.late = error == "late";
     into.error = *found;
@@ -126,6 +144,12 @@ std::vector<Engine> engines_in(const std::filesystem::path& programs, bool other
   if (found.size() == 2)
     throw std::runtime_error("no other engine's program is there: configure with -DPUSHBACK_PEERS=ON");
   return found;
+}
+
+std::string version_of(const Engine& engine, const std::filesystem::path& programs) {
+  const auto lines = lines_of(fmt::format("'{}' --version", (programs / engine.program).string()));
+  if (lines.size() != 1) throw std::runtime_error(fmt::format("{} does not say its version", engine.program));
+  return lines[0];
 }
 
 Measurements measure(const Motion& motion, const RoundOptions& options) {
@@ -163,7 +187,7 @@ Measurements measure(const Motion& motion, const RoundOptions& options) {
 namespace {
 
 constexpr const char* csv_heading =
-    "motion,engine,method,small_steps,sweeps,error_m,seconds,quartile1,quartile3,rounds,row_solves";
+    "motion,engine,method,small_steps,sweeps,error_m,row_solves,median_s,quartile1_s,quartile3_s,all_s";
 
 }  // namespace
 
@@ -171,12 +195,13 @@ std::string csv_of(const AllMeasured& all) {
   std::string text = fmt::format("{}\n", csv_heading);
   for (const auto& [motion, measured] : all)
     for (const Measured& one : measured)
-      text += fmt::format("{},{},{},{},{},{},{:.4e},{:.4e},{:.4e},{},{:.4e}\n", motion, one.engine, one.method,
+      text += fmt::format("{},{},{},{},{},{},{},{:.4e},{:.4e},{:.4e},{:.4e}\n", motion, one.engine, one.method,
                           one.small_steps, one.sweeps,
                           one.late                   ? "late"
                           : std::isfinite(one.error) ? fmt::format("{:.4e}", one.error)
                                                      : "lost",
-                          one.median(), one.quartile(1), one.quartile(3), one.seconds.size(), one.row_solves);
+                          one.row_solves ? fmt::format("{:.4e}", *one.row_solves) : no_measure, one.median(),
+                          one.quartile(1), one.quartile(3), fmt::join(one.seconds, " "));
   return text;
 }
 
@@ -187,19 +212,21 @@ AllMeasured read_csv(const std::string& text) {
   if (!std::getline(in, line) || line != csv_heading)
     throw InvalidInput(fmt::format("the first line is '{}': '{}' is needed", line, csv_heading));
   while (std::getline(in, line)) {
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream words(line);
-    std::string motion, error;
+    std::string fields = line;
+    std::replace(fields.begin(), fields.end(), ',', ' ');
+    std::istringstream words(fields);
+    std::string motion, error, row_solves;
     Measured one;
-    std::array<double, 3> seconds{};  // the lower quartile, the median, the upper one
-    int rounds = 0;
-    words >> motion >> one.engine >> one.method >> one.small_steps >> one.sweeps >> error >> seconds[1] >> seconds[0] >>
-        seconds[2] >> rounds >> one.row_solves;
+    std::array<double, 3> of_all{};  // median and quartiles: for who draws by other means
+    words >> motion >> one.engine >> one.method >> one.small_steps >> one.sweeps >> error >> row_solves >> of_all[0] >>
+        of_all[1] >> of_all[2];
     const auto found = error_in(error);
-    if (!words || !found) throw InvalidInput(fmt::format("'{}' is not a line of measurements", line));
+    bool understood = !words.fail() && found && read_row_solves(row_solves, one);
+    for (std::string word; words >> word;) understood = read_number(word, one.seconds.emplace_back()) && understood;
+    if (!understood || one.seconds.empty()) throw InvalidInput(fmt::format("'{}' is not a line of measurements", line));
     one.late = error == "late";
     one.error = *found;
-    one.seconds = {seconds[0], seconds[0], seconds[1], seconds[2], seconds[2]};  // which have those quartiles
+    std::sort(one.seconds.begin(), one.seconds.end());
     all[motion].push_back(one);
   }
   return all;

@@ -27,6 +27,9 @@ struct RoundOptions {
   std::function<void(const std::string&)> say = [](const std::string&) {};  ///< what is under way
 };
 
+/// What the engine's program says of its version, and of how it was built.
+std::string version_of(const Engine& engine, const std::filesystem::path& programs);
+
 /// First every setting once: powers of 2 of small steps, powers of 4 of sweeps, as far as the motion wants to have them tried.
 /// In float only what is near the front in double. What is then near the front of its engine is timed again, `rounds` times, all
 /// of it in every round before the next begins. Throws std::runtime_error where a program fails.
@@ -35,7 +38,7 @@ Measurements measure(const Motion& motion, const RoundOptions& options);
 /// By the name of the motion.
 using AllMeasured = std::map<std::string, Measurements>;
 
-/// A line a measurement, and one of headings; and back, with the median and the quartiles for all that was timed. Throws
+/// A line a measurement, and one of headings, with all times; and back: what is then drawn and said is the same. Throws
 /// InvalidInput where a line is not one of these.
 std::string csv_of(const AllMeasured& all);
 AllMeasured read_csv(const std::string& text);
