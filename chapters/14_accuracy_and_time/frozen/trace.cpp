@@ -58,7 +58,7 @@ void Trace::climb() {
   const auto timed = [&](double tolerance) {
     Stopwatch solving;
     solving.go();
-    const Effort effort{.tolerance = tolerance, .seconds = 3 * limits_.seconds};  // it asks the wall's clock only
+    const Effort effort{.tolerance = tolerance, .work = limits_.work};
     const Solution found =
         method_ == "best" ? solve_best(problem_, effort) : solve(problem_, method_, limits_.sweeps, tolerance);
     solving.stop();

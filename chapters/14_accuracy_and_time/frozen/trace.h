@@ -9,8 +9,10 @@
 namespace pushback {
 
 struct TraceLimits {
-  int sweeps = 100000;    ///< at most
-  double seconds = 2;     ///< of solving, after which no new stretch is begun
+  int sweeps = 100000;  ///< at most
+  double seconds = 2;   ///< of solving, after which no new stretch is begun
+  double work =
+      4e9;  ///< multiplications of `best`, at most: some seconds, so that the limit above is the one that is met
   double enough = 1e-12;  ///< of relative_residual
   std::vector<double> ladder{1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};  ///< descending
 };
