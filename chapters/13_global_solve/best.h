@@ -16,8 +16,8 @@ struct Solution {
 
 struct Effort {
   double tolerance = 1e-13;  ///< of relative_residual: below this nothing more is done
-  double work = 4e10;  ///< multiplications after which nothing new is begun: about a minute, and no clock is asked
-  int rounds = 12;     ///< of sweeps and Newton's method, at most
+  double work = 1.5e10;  ///< multiplications after which nothing new is begun: about a minute, and no clock is asked
+  int rounds = 12;       ///< of sweeps and Newton's method, at most
 };
 
 /// The work is counted, so that the same problem ends at the same place, in the same bits, on a fast machine and a slow one:
