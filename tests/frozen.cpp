@@ -4,8 +4,8 @@
 #include <set>
 
 #include "chapters/13_global_solve/matrix.h"
-#include "chapters/13_global_solve/methods.h"
 #include "chapters/14_accuracy_and_time/frozen/frozen.h"
+#include "chapters/14_accuracy_and_time/frozen/methods.h"
 #include "chapters/14_accuracy_and_time/frozen/traced.h"
 #include "common/files.h"
 #include "common/scene.h"
@@ -135,7 +135,7 @@ TEST_CASE("a trace ends where the method itself ends, and passes where it passes
 
 TEST_CASE("another round changes nothing but adds a time") {
   const ContactProblem& problem = named("arch of 11 stones").problem;
-  for (const std::string& method : method_names()) {
+  for (const std::string& method : frozen_methods()) {
     INFO(method);
     Trace trace(problem, method, limited_to(300));
     const std::vector<TracePoint> before = trace.points();
@@ -157,6 +157,21 @@ TEST_CASE("another round changes nothing but adds a time") {
     }
     if (hundredth != nullptr) CHECK(hundredth->residual <= 1e-2);
     CHECK(trace.reaching(0) == nullptr);
+  }
+}
+
+TEST_CASE("a method of Siconos has a point for each tolerance that it reached, and none where it did not") {
+  const ContactProblem& problem = named("twelve planks sliding").problem;
+  const ContactProblem& hard = named("heavy on four 1:1000").problem;
+  for (const std::string& method : siconos_methods()) {
+    INFO(method);
+    TraceLimits limits = limited_to(100000);
+    limits.ladder = {1e-2, 1e-4, 1e-6};
+    const Trace trace(problem, method, limits);
+    CHECK(!trace.counts_rows());
+    REQUIRE(!trace.points().empty());
+    for (std::size_t i = 0; i < trace.points().size(); ++i) CHECK(trace.points()[i].residual <= limits.ladder[i]);
+    CHECK(Trace(hard, method, limited_to(1)).reaching(1e-6) == nullptr);  // one iteration does not do
   }
 }
 
@@ -197,7 +212,7 @@ TEST_CASE("what pgs leaves of a pyramid at rest is impulses in the corners of th
 }
 
 TEST_CASE("the pyramid does not reach what slides askew, and the table says so") {
-  const std::vector<std::string> methods = method_names();
+  const std::vector<std::string> methods = frozen_methods();
   std::vector<Traced> all;
   for (const char* name : {"twelve planks sliding", "small pile after 1 s"}) {
     all.push_back({&named(name), {}});
@@ -216,6 +231,10 @@ TEST_CASE("the pyramid does not reach what slides askew, and the table says so")
   }
   CHECK(tables_of(all).size() == tolerances.size());
   CHECK(contains(tables_of(all)[0], "| twelve planks sliding | 48 | - | - |"));
+  const std::string reached = reached_of(all);
+  CHECK(contains(reached, "Of 2 problems"));
+  CHECK(contains(reached, "| scaled-back | 1, "));  // the pile that rests, and not what slides
+  for (const std::string& method : methods) CHECK(contains(reached, "| " + method + " | "));
   const std::vector<std::string> csv = csv_of(all);
   const auto commas = std::count(csv[0].begin(), csv[0].end(), ',');
   for (const std::string& line : csv) CHECK(std::count(line.begin(), line.end(), ',') == commas);

@@ -1,8 +1,10 @@
 /// ./course export and ./course solve: a step of a scene as a file, and what is said where that cannot be.
 #include <fmt/format.h>
 
-#include "chapters/13_global_solve/best.h"
+#include <fstream>
+
 #include "chapters/13_global_solve/matrix.h"
+#include "chapters/13_global_solve/methods.h"
 #include "chapters/13_global_solve/problem_file.h"
 #include "common/scene.h"
 #include "tests/call.h"
@@ -97,5 +99,68 @@ TEST_CASE("solve says how well it did, and what it cannot do") {
     CHECK(call_program(SOLVE_PROGRAM, wrong).status == 2);
   const Ended help = call_program(SOLVE_PROGRAM, "--help");
   CHECK(help.status == 0);
-  for (const char* option : {"--method", "--sweeps", "--tolerance", "--table"}) CHECK(contains(help.out, option));
+  for (const char* option : {"--method", "--sweeps", "--tolerance", "--table", "--laws", "--write"})
+    CHECK(contains(help.out, option));
+}
+
+TEST_CASE("solve writes r and u, so that another program can check them") {
+  const Scratch scratch;
+  const fs::path problem_file = scratch / "a.dat", solution_file = scratch / "a.txt";
+  REQUIRE(call_program(EXPORT_PROGRAM, "07-ten-boxes " + in_quotes(problem_file)).status == 0);
+  const std::string file = in_quotes(problem_file), write = " --write " + in_quotes(solution_file);
+  for (const std::string& method : method_names()) {
+    INFO(method);
+    REQUIRE(call_program(SOLVE_PROGRAM, file + " --sweeps 30 --method " + method + write).status == 0);
+    const ContactProblem problem = read_problem_file(problem_file);
+    std::ifstream in(solution_file);
+    Eigen::Index contacts = 0;
+    in >> contacts;
+    REQUIRE(contacts == problem.contacts());
+    Vector r(3 * contacts), u(3 * contacts);
+    for (Eigen::Index i = 0; i < 3 * contacts; i += 3)
+      in >> r[i] >> r[i + 1] >> r[i + 2] >> u[i] >> u[i + 1] >> u[i + 2];
+    REQUIRE(in);
+    std::string more;
+    CHECK(!(in >> more));
+    const Solution known = solve(problem, method, 30, 1e-13);
+    CHECK(r == known.r);
+    CHECK(u == problem.speeds(r));
+    CHECK(relative_residual(problem, r) == known.residual);
+  }
+}
+
+TEST_CASE("what solve cannot write is refused before anything is solved, and nothing is left behind") {
+  const Scratch scratch;
+  REQUIRE(call_program(EXPORT_PROGRAM, "07-ten-boxes " + in_quotes(scratch / "a.dat")).status == 0);
+  const std::string file = in_quotes(scratch / "a.dat"), before = text_of(scratch / "a.dat");
+  const auto refused = [&](const std::string& arguments, const std::string& said) {
+    const Ended ended = call_program(SOLVE_PROGRAM, arguments);
+    INFO(arguments << ": " << ended.err);
+    CHECK(ended.status == 2);
+    CHECK(ended.out.empty());
+    CHECK(contains(ended.err, said));
+  };
+  const std::string write = " --write " + in_quotes(scratch / "r.txt");
+  refused(file + " " + file + write, "--write with 2 problems");
+  refused(file + " --table" + write, "--write with a table");
+  refused(file + " --laws" + write, "--write with a table");
+  refused(file + " --laws --table", "--laws");
+  refused(file + " --write " + file, "the problem itself");
+  refused(file + " --write " + in_quotes(scratch / "no" / "r.txt"), "a folder that is there");
+  refused(file + " --write " + in_quotes(scratch / "."), "the name of a file");
+  std::ofstream(scratch / "bad.dat") << "3 1 oops";
+  refused(in_quotes(scratch / "bad.dat") + write, "bad.dat");
+  CHECK(text_of(scratch / "a.dat") == before);
+  for (const auto& entry : fs::directory_iterator(scratch / "."))
+    CHECK((entry.path().filename() == "a.dat" || entry.path().filename() == "bad.dat"));
+}
+
+TEST_CASE("the table of laws has a row for each method") {
+  const Scratch scratch;
+  REQUIRE(call_program(EXPORT_PROGRAM, "07-ten-boxes " + in_quotes(scratch / "a.dat")).status == 0);
+  const Ended table = call_program(SOLVE_PROGRAM, "--laws --sweeps 20 " + in_quotes(scratch / "a.dat"));
+  CHECK(table.status == 0);
+  const auto lines = lines_of(table.out);
+  REQUIRE(lines.size() == 2 + method_names().size());
+  for (const std::string& line : lines) CHECK(std::count(line.begin(), line.end(), '|') == 9);
 }

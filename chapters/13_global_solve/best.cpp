@@ -1,6 +1,5 @@
 #include "chapters/13_global_solve/best.h"
 
-#include <chrono>
 #include <numeric>
 #include <random>
 
@@ -45,17 +44,14 @@ ContactProblem reordered(const ContactProblem& problem, const Order& order) {
 }  // namespace
 
 Solution solve_best(const ContactProblem& problem, const Effort& effort) {
-  const auto begin = std::chrono::steady_clock::now();
-  const auto out_of_time = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > effort.seconds;
-  };
   Solution best;
   best.r = Vector::Zero(problem.q.size());
   best.residual = relative_residual(problem, best.r);
-  const double unit = problem.q.norm();
+  const double unit = problem.q.norm(), of_a_sweep = static_cast<double>(problem.w.nonZeros());
+  const auto spent = [&] { return best.work >= effort.work; };
   const auto enough = [&] {  // or as good as r can be told from its neighbours
     const double rounding = unit > 0 ? std::numeric_limits<double>::epsilon() * best.r.norm() / unit : 0;
-    return best.residual <= std::max(effort.tolerance, rounding) || out_of_time();
+    return best.residual <= std::max(effort.tolerance, rounding) || spent();
   };
 
   for (int round = 0; round < effort.rounds && !enough(); ++round) {
@@ -72,12 +68,15 @@ Solution solve_best(const ContactProblem& problem, const Effort& effort) {
     ConjugateSweeper<Cone> sweeper(other, r);
     int done = 0;
     for (const int upto : round == 0 ? std::vector{200, 1000, 5000} : std::vector{50000}) {
-      for (; done < upto && !(done % 100 == 0 && out_of_time()); ++done, ++best.sweeps) sweeper.sweep(r);
+      for (; done < upto && !spent(); ++done, ++best.sweeps, best.work += of_a_sweep) sweeper.sweep(r);
       if (!r.allFinite()) break;
       keep_if_better(r);
       if (enough()) break;
       Vector refined = r;
-      best.systems += newton(other, refined, {effort.tolerance, round == 0 ? 60 : 400, out_of_time});
+      const NewtonWork newton_work =
+          newton(other, refined, {effort.tolerance, round == 0 ? 60 : 400, effort.work - best.work});
+      best.systems += newton_work.systems;
+      best.work += newton_work.multiplications;
       keep_if_better(refined);
       if (enough()) break;
     }

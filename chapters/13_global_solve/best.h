@@ -1,4 +1,5 @@
-/// Whatever it takes, within a minute: sweeps until the contacts know who sticks and who slides, then Newton.
+/// Whatever it takes, up to a count of multiplications: sweeps until it has settled which contacts stick, slide or part,
+/// then Newton's method.
 #pragma once
 
 #include "chapters/13_global_solve/contact_problem.h"
@@ -10,14 +11,18 @@ struct Solution {
   double residual = 0;  ///< relative_residual
   int sweeps = 0;       ///< over all contacts
   int systems = 0;      ///< linear systems solved
+  double work = 0;      ///< multiplications, counted by `best` only
 };
 
 struct Effort {
   double tolerance = 1e-13;  ///< of relative_residual: below this nothing more is done
-  double seconds = 55;  ///< after which nothing new is begun; as long as it is not reached, the result is the same bits
-  int rounds = 12;      ///< of sweeps and Newton's method, at most
+  double work = 1.5e10;  ///< multiplications after which nothing new is begun: about a minute, and no clock is asked
+  int rounds = 12;       ///< of sweeps and Newton's method, at most
 };
 
+/// The work is counted, so that the same problem ends at the same place, in the same bits, on a fast machine and a slow one:
+/// a sweep has one multiplication for each number in W; for a linear system see newton.
+///
 /// The best point met. Where Newton fails, more sweeps go before it; after that, sweeps in other orders, since where a problem
 /// has many solutions, each order goes for another one.
 Solution solve_best(const ContactProblem& problem, const Effort& effort = {});

@@ -6,26 +6,48 @@ namespace pushback {
 
 using Eigen::Index;
 
+namespace {
+
+/// || r - P_K(r - s) || / ||q||, each contact's r multiplied by its `scale`, its u and q divided by it.
+double natural_map_error(const ContactProblem& problem, const Vector& r, const Vector& scale) {
+  const Vector u = problem.speeds(r);
+  double squared = 0, unit = 0;
+  for (Index c = 0; c < problem.contacts(); ++c) {
+    const double mu = problem.mu[c];
+    Eigen::Vector3d s = u.segment<3>(3 * c) / scale[c];
+    s[0] += mu * std::hypot(s[1], s[2]);
+    const Eigen::Vector3d at = r.segment<3>(3 * c) * scale[c];
+    squared += (at - projected_to_cone(at - s, mu)).squaredNorm();
+    unit += (problem.q.segment<3>(3 * c) / scale[c]).squaredNorm();
+  }
+  return unit > 0 ? std::sqrt(squared) / std::sqrt(unit) : std::sqrt(squared);
+}
+
+}  // namespace
+
 Eigen::Vector3d projected_to_cone(const Eigen::Vector3d& r, double mu) {
   const double tangential = std::hypot(r[1], r[2]);
-  if (tangential <= mu * r[0]) return r;
+  if (r[0] >= 0 && tangential <= mu * r[0]) return r;  // r_n is asked by itself: for mu = 0, mu r_n is 0 for a pull too
   if (mu * tangential <= -r[0]) return Eigen::Vector3d::Zero();
   const double normal = (r[0] + mu * tangential) / (1 + mu * mu);
-  return {normal, mu * normal * r[1] / tangential, mu * normal * r[2] / tangential};
+  return {normal, mu * normal * (r[1] / tangential), mu * normal * (r[2] / tangential)};
 }
 
 double relative_residual(const ContactProblem& problem, const Vector& r) {
-  const Vector u = problem.speeds(r);
-  double squared = 0;
-  for (Index c = 0; c < problem.contacts(); ++c) {
-    const double mu = problem.mu[c];
-    Eigen::Vector3d s = u.segment<3>(3 * c);
-    s[0] += mu * std::hypot(s[1], s[2]);
-    const Eigen::Vector3d at = r.segment<3>(3 * c);
-    squared += (at - projected_to_cone(at - s, mu)).squaredNorm();
-  }
-  const double unit = problem.q.norm();
-  return std::sqrt(squared) / (unit > 0 ? unit : 1);
+  return natural_map_error(problem, r, Vector::Ones(problem.contacts()));
+}
+
+double unitless_residual(const ContactProblem& problem, const Vector& r) {
+  return natural_map_error(problem, r, unit_scales(problem));
+}
+
+Vector unit_scales(const ContactProblem& problem) {
+  Vector squared(problem.contacts());
+  for (Index c = 0; const Eigen::Matrix3d& block : diagonal_blocks(problem)) squared[c++] = block.trace() / 3;
+  const double largest = squared.size() > 0 ? squared.maxCoeff() : 0;
+  for (double& d : squared)
+    if (!(d > 0)) d = largest > 0 ? largest : 1;
+  return squared.cwiseSqrt();
 }
 
 std::vector<Eigen::Matrix3d> diagonal_blocks(const ContactProblem& problem) {

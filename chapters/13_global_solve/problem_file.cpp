@@ -221,4 +221,13 @@ std::string problem_text(const ContactProblem& problem) {
   return text + "\n";
 }
 
+std::string solution_text(const ContactProblem& problem, const Vector& r) {
+  const Vector u = problem.speeds(r);
+  std::string text = fmt::format("{}\n", problem.contacts());
+  for (Index i = 0; i < r.size(); i += 3)
+    text += fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", r[i], r[i + 1], r[i + 2], u[i], u[i + 1],
+                        u[i + 2]);
+  return text;
+}
+
 }  // namespace pushback

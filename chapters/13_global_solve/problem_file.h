@@ -24,4 +24,8 @@ ContactProblem read_problem_file(const std::filesystem::path& file);
 /// With storage 1, every number in as many digits as give the same bits when read.
 std::string problem_text(const ContactProblem& problem);
 
+/// What --write leaves, for another program to check: the number of contacts on a line; then a line for each contact, in the
+/// order of the problem, with r_n r_t1 r_t2 in N s and u_n u_t1 u_t2 = (W r + q) in m/s, each in 17 digits: the same bits.
+std::string solution_text(const ContactProblem& problem, const Vector& r);
+
 }  // namespace pushback

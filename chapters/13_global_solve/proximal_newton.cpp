@@ -59,7 +59,10 @@ class Proximal {
   Vector from;
   double pull = 0;  ///< p, 1/kg
 
-  Vector f(const Vector& r) const {
+  NewtonWork work;
+
+  Vector f(const Vector& r) {
+    work.multiplications += static_cast<double>(w_.nonZeros());
     Vector all(r.size());
     const Vector u = speeds(r);
     for (Index c = 0; c < problem_.contacts(); ++c) all.segment<3>(3 * c) = law(c, r, u).f;
@@ -85,6 +88,9 @@ class Proximal {
     if (!analyzed_) lu_.analyzePattern(by_columns);
     analyzed_ = true;
     lu_.factorize(by_columns);
+    ++work.systems;
+    work.multiplications +=
+        static_cast<double>(lu_.nnzL()) * static_cast<double>(lu_.nnzU()) / static_cast<double>(r.size());
     if (lu_.info() != Eigen::Success) return Vector::Constant(r.size(), std::nan(""));
     return lu_.solve(-f_of_r);
   }
@@ -134,7 +140,7 @@ class Proximal {
 };
 
 /// A step halved until |f| falls; false where it does not.
-bool shorten(const Proximal& problem, const Vector& step, Vector& r, Vector& f) {
+bool shorten(Proximal& problem, const Vector& step, Vector& r, Vector& f) {
   if (!step.allFinite()) return false;
   const double before = f.norm();
   for (double part = 1; part > 1e-4; part /= 2) {
@@ -151,34 +157,34 @@ constexpr int most_steps = 40;
 constexpr double rounding = 3e-16;  // what is left of f where nothing more can be said
 
 /// Newton until f is a thousandth of what it was. Returns whether it came to that.
-bool solve(Proximal& problem, Vector& r, int& steps, const std::function<bool()>& out_of_time) {
+bool solve(Proximal& problem, Vector& r, int& steps, const NewtonLimits& limits) {
   Vector f = problem.f(r);
   const double enough = f.norm() / 1000;
   for (steps = 0; steps < most_steps; ++steps) {
     if (f.norm() <= std::max(enough, rounding * r.norm())) return true;
-    if (out_of_time() || !shorten(problem, problem.step(r, f), r, f)) return false;
+    if (problem.work.multiplications >= limits.multiplications || !shorten(problem, problem.step(r, f), r, f))
+      return false;
   }
   return false;
 }
 
 }  // namespace
 
-int newton(const ContactProblem& problem, Vector& r, const NewtonLimits& limits) {
+NewtonWork newton(const ContactProblem& problem, Vector& r, const NewtonLimits& limits) {
   double best = relative_residual(problem, r);
-  if (best <= limits.tolerance) return 0;
+  if (best <= limits.tolerance) return {};
   Proximal pulled(problem);
   const double unit = pulled.largest_diagonal();
-  if (unit <= 0) return 0;
+  if (unit <= 0) return {};
   Vector at = r, drift = Vector::Zero(r.size());
   pulled.pull = 1e-3 * unit;
   double last = best;
-  int all_steps = 0, since_better = 0;
+  int since_better = 0;
   for (int round = 0; round < limits.rounds && best > limits.tolerance && since_better < 100; ++round) {
     pulled.from = at + 2 * drift;  // along a valley the rounds take the same step over and over: look ahead
     Vector next = pulled.from;
     int steps = 0;
-    const bool solved = solve(pulled, next, steps, limits.out_of_time);
-    all_steps += steps;
+    const bool solved = solve(pulled, next, steps, limits);
     const double residual = relative_residual(problem, next);
     ++since_better;
     if (residual < best) {
@@ -186,7 +192,7 @@ int newton(const ContactProblem& problem, Vector& r, const NewtonLimits& limits)
       best = residual;
       r = next;
     }
-    if (limits.out_of_time()) break;
+    if (pulled.work.multiplications >= limits.multiplications) break;
     const bool better = residual < 1.02 * last;
     drift = solved && better ? Vector(next - pulled.from) : Vector(Vector::Zero(r.size()));
     last = residual;
@@ -195,7 +201,7 @@ int newton(const ContactProblem& problem, Vector& r, const NewtonLimits& limits)
     else if (steps <= 6) pulled.pull /= 5;
     else if (steps > 20) pulled.pull *= 2;
   }
-  return all_steps;
+  return pulled.work;
 }
 
 }  // namespace pushback

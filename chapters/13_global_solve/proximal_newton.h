@@ -9,19 +9,23 @@
 ///   Acary, Bremond, Huber, "On solving contact problems with Coulomb friction", 2018, compare such methods.
 #pragma once
 
-#include <functional>
-
 #include "chapters/13_global_solve/contact_problem.h"
 
 namespace pushback {
 
 struct NewtonLimits {
-  double tolerance;                   ///< of relative_residual: this is good enough
-  int rounds;                         ///< proximal points at most; one takes up to 40 linear systems
-  std::function<bool()> out_of_time;  ///< asked before each linear system
+  double tolerance;        ///< of relative_residual: this is good enough
+  int rounds;              ///< proximal points at most; one takes up to 40 linear systems
+  double multiplications;  ///< after which no further linear system is begun
 };
 
-/// r becomes the best point that was met, if one was better. Returns the number of linear systems solved.
-int newton(const ContactProblem& problem, Vector& r, const NewtonLimits& limits);
+struct NewtonWork {
+  int systems = 0;  ///< linear systems solved
+  /// Those of the factorizations, as if all columns of L and all rows of U were equally long, and of W r when a step is tried.
+  double multiplications = 0;
+};
+
+/// r becomes the best point that was met, if one was better.
+NewtonWork newton(const ContactProblem& problem, Vector& r, const NewtonLimits& limits);
 
 }  // namespace pushback

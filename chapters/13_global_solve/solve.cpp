@@ -1,8 +1,10 @@
 /// ./course solve: contact problems from files, by any of the methods; or a table of all.
 #include <chrono>
 
+#include "chapters/13_global_solve/laws.h"
 #include "chapters/13_global_solve/methods.h"
 #include "chapters/13_global_solve/problem_file.h"
+#include "common/files.h"
 #include "common/program.h"
 
 using namespace pushback;
@@ -14,8 +16,23 @@ struct Asked {
   std::string method = "best";
   int sweeps = 1000;
   double tolerance = 1e-13;
-  bool table = false;
+  bool table = false, laws = false;
+  std::string write;  // empty: nowhere
 };
+
+/// Before anything is solved, since that may take a minute.
+void check_place_of_solution(const Asked& asked) {
+  const std::filesystem::path to = asked.write, folder = std::filesystem::absolute(to).parent_path();
+  if (asked.table || asked.laws) throw InvalidInput("--write with a table: one method is needed");
+  if (asked.files.size() != 1)
+    throw InvalidInput(fmt::format("--write with {} problems: one is needed", asked.files.size()));
+  std::error_code error;
+  if (std::filesystem::equivalent(to, asked.files[0], error))
+    throw InvalidInput(fmt::format("--write is '{}', the problem itself: another file is needed", asked.write));
+  if (std::filesystem::is_directory(to, error) || !std::filesystem::is_directory(folder, error))
+    throw InvalidInput(
+        fmt::format("--write is '{}': the name of a file in a folder that is there is needed", asked.write));
+}
 
 void print(const Asked& asked, const std::string& file, const ContactProblem& problem) {
   const auto begin = std::chrono::steady_clock::now();
@@ -26,8 +43,22 @@ void print(const Asked& asked, const std::string& file, const ContactProblem& pr
         fmt::format("{}: {} has left the range of numbers after {} sweeps; another method is needed", file,
                     asked.method, found.sweeps));
   fmt::print("{}: {} contacts, W symmetric to {:.0e}\n", file, problem.contacts(), asymmetry(problem));
-  fmt::print("{}: {} sweeps, {} linear systems\n", asked.method, found.sweeps, found.systems);
-  fmt::print("time {:.2f} s\nresidual {:.1e}\n", seconds, found.residual);
+  fmt::print("{}: {} sweeps, {} linear systems{}\n", asked.method, found.sweeps, found.systems,
+             found.work > 0 ? fmt::format(", {:.1e} multiplications", found.work) : "");
+  fmt::print("time {:.2f} s\nunitless residual {:.1e}\nresidual {:.1e}\n", seconds, unitless_residual(problem, found.r),
+             found.residual);
+  if (!asked.write.empty()) write_text_file(asked.write, solution_text(problem, found.r));
+}
+
+/// A row a method: by how much it breaks each law after `sweeps`.
+void print_laws(const std::string& file, const ContactProblem& problem, int sweeps) {
+  for (const std::string& method : method_names()) {
+    const Solution found = solve(problem, method, sweeps, method == "best" ? 1e-13 : 0);
+    const BrokenLaws broken = broken_laws(problem, found.r);
+    fmt::print("| {} | {} | {:.0e} | {:.0e} | {:.0e} | {:.0e} | {:.0e} | {:.0e} |\n",
+               std::filesystem::path(file).stem().string(), method, broken.overlap, broken.pull, broken.complementarity,
+               broken.cone, broken.dissipation, unitless_residual(problem, found.r));
+  }
 }
 
 /// The residual of each method after 10, 100, 1000 sweeps, and of the best.
@@ -55,15 +86,24 @@ int main(int argc, char** argv) {
   app.add_option("--tolerance", asked.tolerance, "The relative residual that is good enough")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  app.add_flag("--table", asked.table, "A row a file: all methods after 10 / 100 / 1000 sweeps, and best");
+  CLI::Option* table =
+      app.add_flag("--table", asked.table, "A row a file: all methods after 10 / 100 / 1000 sweeps, and best");
+  app.add_flag("--laws", asked.laws, "A row a method: by how much it breaks each law after --sweeps")->excludes(table);
+  app.add_option("--write", asked.write, "Where r and u are written to, six numbers a contact");
   return run_program(app, argc, argv, [&] {
+    if (!asked.write.empty()) check_place_of_solution(asked);
     std::vector<ContactProblem> problems;  // all read before anything is solved
     for (const std::string& file : asked.files) problems.push_back(read_problem_file(file));
     if (asked.table)
       fmt::print("| problem | contacts | {} |\n|{}\n", fmt::join(method_names(), " | "),
                  " --- | --- | --- | --- | --- | --- | --- |");
+    if (asked.laws)
+      fmt::print(
+          "| problem | method | overlap | pull | push and part | outside the cone | not against the slip | all |\n"
+          "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
     for (std::size_t i = 0; i < problems.size(); ++i) {
-      if (asked.table) print_row(asked.files[i], problems[i]);
+      if (asked.laws) print_laws(asked.files[i], problems[i], asked.sweeps);
+      else if (asked.table) print_row(asked.files[i], problems[i]);
       else print(asked, asked.files[i], problems[i]);
     }
   });

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "chapters/13_global_solve/methods.h"
+#include "chapters/14_accuracy_and_time/frozen/methods.h"
 #include "chapters/14_accuracy_and_time/frozen/traced.h"
 
 namespace pushback {
@@ -13,10 +13,11 @@ Traced traced(const FrozenProblem& frozen, const FrozenOptions& options) {
   TraceLimits limits;
   if (options.quick) {
     limits.seconds = 0.03;
+    limits.work = 1e8;
     limits.ladder.assign(tolerances.begin(), tolerances.end());
   }
   Traced all{&frozen, {}};
-  for (const std::string& method : method_names()) all.traces.emplace_back(frozen.problem, method, limits);
+  for (const std::string& method : frozen_methods()) all.traces.emplace_back(frozen.problem, method, limits);
   double longest = 0;  // s, of one method
   for (const Trace& trace : all.traces)
     if (!trace.points().empty()) longest = std::max(longest, trace.points().back().time());
@@ -36,7 +37,8 @@ FrozenStudy study_frozen(const FrozenOptions& options) {
   problems.insert(problems.begin(), own.begin(), own.end());
   std::vector<Traced> all;
   for (const FrozenProblem& problem : problems) all.push_back(traced(problem, options));
-  FrozenStudy study{trace_panels(all), profile_panels(all), remarks_of(all), tables_of(all), csv_of(all)};
+  FrozenStudy study{trace_panels(all), profile_panels(all), remarks_of(all),
+                    reached_of(all),   tables_of(all),      csv_of(all)};
   if (!options.folder) study.remarks.push_back("no folder of foreign problems was given: only our own are here");
   return study;
 }

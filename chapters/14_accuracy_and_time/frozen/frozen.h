@@ -20,6 +20,7 @@ struct FrozenStudy {
   std::vector<Panel> traces;         ///< residual against time, and below it against row solves, three problems a row
   std::vector<Panel> profiles;       ///< three of time, one of row solves
   std::vector<std::string> remarks;  ///< what the numbers say, a sentence each
+  std::string reached;               ///< markdown, a row a method, with its heading
   std::vector<std::string> tables;   ///< markdown, one for each tolerance, with its heading
   std::vector<std::string> csv;      ///< lines without their ends; the first says what the others have
 };

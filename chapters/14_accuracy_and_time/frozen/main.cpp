@@ -25,9 +25,11 @@ int main(int argc, char** argv) {
     std::string page;
     for (const std::string& remark : study.remarks) page += "- " + remark + "\n";
     fmt::print("{}", page);
+    const std::string short_page = study.reached + "\n" + page;  // what the chapter's page shows
     for (const std::string& table : study.tables) page += "\n" + table;
     write_plot(to / "frozen.png", study.traces);
     write_plot(to / "profiles.png", study.profiles);
+    write_text_file(to / "reached.md", short_page);
     write_text_file(to / "frozen.md", page);
     write_text_file(to / "frozen.csv", fmt::format("{}\n", fmt::join(study.csv, "\n")));
   });

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/13_global_solve/methods.h"
+#include "chapters/14_accuracy_and_time/frozen/methods.h"
 #include "chapters/14_accuracy_and_time/frozen/traced.h"
 #include "common/input.h"
 
@@ -29,7 +29,8 @@ Panel trace_panel(const Traced& of, bool against_time) {
               .extra = "set yrange [3e-14:*]; set ytics 1e3; set grid"};
   double line = 0.95;
   for (std::size_t m = of.traces.size(); m-- > 0;) {  // the first on top: dashed, they show what they coincide with
-    const std::string method = method_names()[m];
+    const std::string method = frozen_methods()[m];
+    if (!against_time && !of.traces[m].counts_rows()) continue;
     const std::vector<TracePoint>& points = of.traces[m].points();
     if (points.empty()) {
       panel.extra += fmt::format("; set label '{}: not reached' at graph 0.98,{:.2f} right", method, line);
@@ -59,7 +60,7 @@ Panel profile_panel(const std::string& title, const std::string& unit, const Cos
               .log_x = true,
               .extra = "set xrange [1:1000]; set yrange [0:1.03]"};
   for (const std::size_t m : methods) {
-    Curve curve{method_names()[m], {}, {}, line_colour(m), Curve::Style::line};
+    Curve curve{frozen_methods()[m], {}, {}, line_colour(m), Curve::Style::line};
     for (int i = 0; i <= 600; ++i) {
       const double tau = std::pow(10, i / 200.0);
       curve.x.push_back(static_cast<Real>(tau));
@@ -87,9 +88,9 @@ std::vector<Panel> trace_panels(const std::vector<Traced>& all) {
 
 std::vector<Panel> profile_panels(const std::vector<Traced>& all) {
   std::vector<std::size_t> every, sweeping;
-  for (std::size_t m = 0; m < method_names().size(); ++m) {
+  for (std::size_t m = 0; m < frozen_methods().size(); ++m) {
     every.push_back(m);
-    if (!solves_systems(m, all)) sweeping.push_back(m);
+    if (!solves_systems(m, all) && !is_siconos(frozen_methods()[m])) sweeping.push_back(m);
   }
   std::vector<Panel> panels;
   for (const double tolerance : tolerances)
@@ -98,7 +99,7 @@ std::vector<Panel> profile_panels(const std::vector<Traced>& all) {
   Costs rows = row_solves_to(tolerances[1], all);
   for (std::vector<double>& of : rows)  // nobody is held against what is not shown
     for (std::size_t m = 0; m < of.size(); ++m)
-      if (solves_systems(m, all)) of[m] = not_reached;
+      if (std::find(sweeping.begin(), sweeping.end(), m) == sweeping.end()) of[m] = not_reached;
   panels.push_back(
       profile_panel(fmt::format("row solves to a residual of {:.0e}", tolerances[1]), "row solves", rows, sweeping));
   return panels;

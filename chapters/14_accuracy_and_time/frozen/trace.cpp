@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/13_global_solve/methods.h"
+#include "chapters/14_accuracy_and_time/frozen/methods.h"
 #include "chapters/14_accuracy_and_time/stopwatch.h"
 #include "common/quantile.h"
 
@@ -19,8 +19,12 @@ Trace::Trace(const ContactProblem& problem, const std::string& method, const Tra
 }
 
 void Trace::again() {
-  if (sweep_of(problem_, method_)) sweep_along();
+  if (counts_rows() && sweep_of(problem_, method_)) sweep_along();
   else climb();
+}
+
+bool Trace::counts_rows() const {
+  return !is_siconos(method_);
 }
 
 const TracePoint* Trace::reaching(double tolerance) const {
@@ -54,26 +58,36 @@ void Trace::sweep_along() {
   }
 }
 
+TracePoint Trace::climbed_to(double tolerance, int iterations) const {
+  if (is_siconos(method_)) {
+    const SiconosAnswer found = solve_by_siconos(problem_, method_, tolerance, iterations);
+    return {found.iterations, 0, relative_residual(problem_, found.r), {found.seconds}};
+  }
+  Stopwatch solving;
+  solving.go();
+  const Solution found = solve_best(problem_, {.tolerance = tolerance, .work = limits_.work});
+  solving.stop();
+  return {found.sweeps, found.systems, found.residual, {solving.seconds()}};
+}
+
 void Trace::climb() {
-  const auto timed = [&](double tolerance) {
-    Stopwatch solving;
-    solving.go();
-    const Effort effort{.tolerance = tolerance, .seconds = 3 * limits_.seconds};  // it asks the wall's clock only
-    const Solution found =
-        method_ == "best" ? solve_best(problem_, effort) : solve(problem_, method_, limits_.sweeps, tolerance);
-    solving.stop();
-    return TracePoint{found.sweeps, found.systems, found.residual, {solving.seconds()}};
-  };
-  if (rungs_.empty()) {
-    for (const double tolerance : limits_.ladder) {
-      if (!points_.empty() && points_.back().residual <= tolerance) continue;  // met on the way to the last
-      const TracePoint point = timed(tolerance);
-      if (!(point.residual <= tolerance) || point.seconds[0] > limits_.seconds) return;
-      points_.push_back(point);
-      rungs_.push_back(tolerance);
+  if (!rungs_.empty()) {
+    for (std::size_t i = 0; i < rungs_.size(); ++i)
+      points_[i].seconds.push_back(climbed_to(rungs_[i].tolerance, rungs_[i].iterations).seconds[0]);
+    return;
+  }
+  int iterations = std::min(100, limits_.sweeps);
+  for (const double tolerance : limits_.ladder) {
+    if (!points_.empty() && points_.back().residual <= tolerance) continue;  // met on the way to the last
+    TracePoint point = climbed_to(tolerance, iterations);
+    const auto reached = [&] { return point.residual <= tolerance; };
+    while (is_siconos(method_) && !reached() && point.seconds[0] <= limits_.seconds && iterations < limits_.sweeps) {
+      iterations = std::min(4 * iterations, limits_.sweeps);
+      point = climbed_to(tolerance, iterations);
     }
-  } else {
-    for (std::size_t i = 0; i < rungs_.size(); ++i) points_[i].seconds.push_back(timed(rungs_[i]).seconds[0]);
+    if (!reached() || point.seconds[0] > limits_.seconds) return;
+    points_.push_back(point);
+    rungs_.push_back({tolerance, iterations});
   }
 }
 

@@ -9,14 +9,16 @@
 namespace pushback {
 
 struct TraceLimits {
-  int sweeps = 100000;    ///< at most
-  double seconds = 2;     ///< of solving, after which no new stretch is begun
+  int sweeps = 100000;  ///< at most
+  double seconds = 2;   ///< of solving, after which no new stretch is begun
+  double work =
+      4e9;  ///< multiplications of `best`, at most: some seconds, so that the limit above is the one that is met
   double enough = 1e-12;  ///< of relative_residual
   std::vector<double> ladder{1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};  ///< descending
 };
 
 struct TracePoint {
-  int sweeps = 0;
+  int sweeps = 0;   ///< or iterations, where that is what the method counts
   int systems = 0;  ///< linear systems
   double residual = 0;
   std::vector<double> seconds =
@@ -27,8 +29,9 @@ struct TracePoint {
 };
 
 /// A sweeping method is looked at after 0, 1, 2, 3 ... sweeps, from 5 on after a quarter more each time. One that only
-/// says how it ended (`best`) is run from r = 0 for one tolerance of the ladder after the other, and has a point for each
-/// that it reached.
+/// says how it ended (`best`, Siconos) is run from r = 0 for one tolerance of the ladder after the other, and has a point
+/// for each that it reached by relative_residual. Siconos has no limit of time: its runs begin with few iterations, and have
+/// four times as many until one reaches the tolerance or has taken longer than the limit.
 class Trace {
  public:
   /// The first round: it finds how far the limits let it go. Keeps a reference to the problem. Throws InvalidInput where
@@ -40,20 +43,27 @@ class Trace {
   const std::vector<TracePoint>& points() const { return points_; }
   /// Where its residual is that low for the first time; nullptr: nowhere.
   const TracePoint* reaching(double tolerance) const;
+  /// Whether its sweeps are over rows: those of Siconos are not.
+  bool counts_rows() const;
   /// Each sweep solves a row for each normal and each tangent.
   double row_solves(const TracePoint& point) const {
     return 3.0 * static_cast<double>(problem_.contacts()) * point.sweeps;
   }
 
  private:
+  struct Rung {
+    double tolerance;
+    int iterations;  // at most
+  };
   void sweep_along();
   void climb();
+  TracePoint climbed_to(double tolerance, int iterations) const;
 
   const ContactProblem& problem_;
   std::string method_;
   TraceLimits limits_;
   std::vector<TracePoint> points_;
-  std::vector<double> rungs_;  // of the ladder, those that points_ are of
+  std::vector<Rung> rungs_;  // of the ladder, those that points_ are of
 };
 
 }  // namespace pushback

@@ -17,7 +17,7 @@ inline constexpr std::array tolerances{1e-3, 1e-6, 1e-10};  ///< of relative_res
 /// All methods on one problem.
 struct Traced {
   const FrozenProblem* frozen;
-  std::vector<Trace> traces;  ///< in the order of method_names()
+  std::vector<Trace> traces;  ///< in the order of frozen_methods()
 };
 
 /// Median s to the tolerance, problem by problem; or row solves.
@@ -30,6 +30,9 @@ std::vector<Panel> trace_panels(const std::vector<Traced>& all);
 std::vector<Panel> profile_panels(const std::vector<Traced>& all);
 
 std::vector<std::string> tables_of(const std::vector<Traced>& all);
+/// A row a method: on how many problems it comes that far, on how many it is first there, and its time as a multiple of the
+/// fastest one's, the median of those it reaches. For each tolerance.
+std::string reached_of(const std::vector<Traced>& all);
 std::vector<std::string> remarks_of(const std::vector<Traced>& all);
 std::vector<std::string> csv_of(const std::vector<Traced>& all);
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "chapters/13_global_solve/methods.h"
+#include "chapters/14_accuracy_and_time/frozen/methods.h"
 #include "chapters/14_accuracy_and_time/frozen/traced.h"
 #include "common/input.h"
 #include "common/quantile.h"
@@ -53,7 +53,7 @@ double floor_of(const Trace& trace) {
 
 /// "nscg 12, cone 3": what is 0 is left out.
 std::string listed(const std::vector<int>& counts) {
-  const std::vector<std::string> names = method_names();
+  const std::vector<std::string> names = frozen_methods();
   std::vector<std::string> words;
   for (std::size_t m = 0; m < names.size(); ++m)
     if (counts[m] > 0) words.push_back(fmt::format("{} {}", names[m], counts[m]));
@@ -62,7 +62,7 @@ std::string listed(const std::vector<int>& counts) {
 
 std::string said_of(double tolerance, const std::vector<Traced>& all) {
   const Costs times = times_to(tolerance, all);
-  std::vector<int> reached(method_names().size()), fastest(method_names().size());
+  std::vector<int> reached(frozen_methods().size()), fastest(frozen_methods().size());
   std::vector<std::string> unsolved;
   for (std::size_t p = 0; p < times.size(); ++p) {
     const auto first = std::min_element(times[p].begin(), times[p].end());
@@ -79,10 +79,10 @@ std::string said_of_floors(std::size_t method, const std::vector<Traced>& all) {
   std::vector<double> floors;
   for (const Traced& of : all)
     if (const double at = floor_of(of.traces[method]); at > 0) floors.push_back(at);
-  if (floors.empty()) return fmt::format("{} stands still nowhere", method_names()[method]);
+  if (floors.empty()) return fmt::format("{} stands still nowhere", frozen_methods()[method]);
   const auto [least, most] = std::minmax_element(floors.begin(), floors.end());
-  return fmt::format("{} stands still on {} of {} problems, at {:.0e} to {:.0e}, median {:.0e}", method_names()[method],
-                     floors.size(), all.size(), *least, *most, median(floors));
+  return fmt::format("{} stands still on {} of {} problems, at {:.0e} to {:.0e}, median {:.0e}",
+                     frozen_methods()[method], floors.size(), all.size(), *least, *most, median(floors));
 }
 
 }  // namespace
@@ -107,10 +107,11 @@ std::vector<std::string> tables_of(const std::vector<Traced>& all) {
   std::vector<std::string> tables;
   for (const double tolerance : tolerances) {
     std::string table = fmt::format(
-        "Median time in ms / row solves (+ linear systems) to a relative residual of {:.0e}; the fastest is bold:\n\n",
+        "Median time in ms / row solves (+ linear systems; of Siconos: iterations) to a relative residual of {:.0e}; "
+        "the fastest is bold:\n\n",
         tolerance);
-    table += fmt::format("| problem | contacts | {} |\n| --- | --- |", fmt::join(method_names(), " | "));
-    for (std::size_t m = 0; m < method_names().size(); ++m) table += " --- |";
+    table += fmt::format("| problem | contacts | {} |\n| --- | --- |", fmt::join(frozen_methods(), " | "));
+    for (std::size_t m = 0; m < frozen_methods().size(); ++m) table += " --- |";
     const Costs times = times_to(tolerance, all);
     for (std::size_t p = 0; p < all.size(); ++p) {
       table += fmt::format("\n| {} | {} |", all[p].frozen->name, all[p].frozen->problem.contacts());
@@ -121,14 +122,39 @@ std::vector<std::string> tables_of(const std::vector<Traced>& all) {
           continue;
         }
         const bool fastest = times[p][m] == *std::min_element(times[p].begin(), times[p].end());
-        table += fmt::format(" {0}{1}{0} / {2}", fastest ? "**" : "", milliseconds(point->time()),
-                             counted(all[p].traces[m].row_solves(*point)));
+        const Trace& trace = all[p].traces[m];
+        table +=
+            fmt::format(" {0}{1}{0} / {2}", fastest ? "**" : "", milliseconds(point->time()),
+                        trace.counts_rows() ? counted(trace.row_solves(*point)) : fmt::format("{} it.", point->sweeps));
         table += point->systems > 0 ? fmt::format(" + {} |", point->systems) : " |";
       }
     }
     tables.push_back(table + "\n");
   }
   return tables;
+}
+
+std::string reached_of(const std::vector<Traced>& all) {
+  std::string table = fmt::format(
+      "Of {} problems: reached, first there, and the median multiple of the fastest time:\n\n| method |", all.size());
+  for (const double tolerance : tolerances) table += fmt::format(" {:.0e} |", tolerance);
+  table += "\n| --- |";
+  for (std::size_t i = 0; i < tolerances.size(); ++i) table += " --- |";
+  for (std::size_t m = 0; m < frozen_methods().size(); ++m) {
+    table += fmt::format("\n| {} |", frozen_methods()[m]);
+    for (const double tolerance : tolerances) {
+      int first = 0;
+      std::vector<double> multiples;
+      for (const std::vector<double>& of : times_to(tolerance, all)) {
+        const double fastest = *std::min_element(of.begin(), of.end());
+        if (of[m] < not_reached) multiples.push_back(of[m] / fastest);
+        if (of[m] < not_reached && of[m] == fastest) ++first;
+      }
+      table += multiples.empty() ? " 0, – |"
+                                 : fmt::format(" {}, {}, {:.3g} x |", multiples.size(), first, median(multiples));
+    }
+  }
+  return table + "\n";
 }
 
 std::vector<std::string> remarks_of(const std::vector<Traced>& all) {
@@ -138,8 +164,8 @@ std::vector<std::string> remarks_of(const std::vector<Traced>& all) {
   for (const Traced& of : all)
     length_of_row.push_back(static_cast<double>(of.frozen->problem.w.nonZeros()) /
                             static_cast<double>(of.frozen->problem.w.rows()));
-  for (std::size_t m = 0; m < method_names().size(); ++m) {
-    const bool sweeps_only = !solves_systems(m, all);
+  for (std::size_t m = 0; m < frozen_methods().size(); ++m) {
+    const bool sweeps_only = !solves_systems(m, all) && !is_siconos(frozen_methods()[m]);
     for (const Traced& of : all) {
       if (of.traces[m].points().empty()) continue;
       const TracePoint& last = of.traces[m].points().back();
@@ -162,10 +188,11 @@ std::vector<std::string> csv_of(const std::vector<Traced>& all) {
   for (const Traced& of : all)
     for (std::size_t m = 0; m < of.traces.size(); ++m)
       for (const TracePoint& point : of.traces[m].points())
-        lines.push_back(fmt::format("{},{},{},{},{:.0f},{},{:.6e},{:.3e},{:.3e},{:.3e}", of.frozen->name,
-                                    of.frozen->problem.contacts(), method_names()[m], point.sweeps,
-                                    of.traces[m].row_solves(point), point.systems, point.residual, point.time(),
-                                    point.time(0.25), point.time(0.75)));
+        lines.push_back(
+            fmt::format("{},{},{},{},{},{},{:.6e},{:.3e},{:.3e},{:.3e}", of.frozen->name, of.frozen->problem.contacts(),
+                        frozen_methods()[m], point.sweeps,
+                        of.traces[m].counts_rows() ? fmt::format("{:.0f}", of.traces[m].row_solves(point)) : "-",
+                        point.systems, point.residual, point.time(), point.time(0.25), point.time(0.75)));
   return lines;
 }
 

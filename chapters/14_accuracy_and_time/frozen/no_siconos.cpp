@@ -1,0 +1,19 @@
+/// Where Siconos is not built in.
+#include "chapters/14_accuracy_and_time/frozen/siconos.h"
+#include "common/input.h"
+
+namespace pushback {
+
+std::vector<std::string> siconos_methods() {
+  return {};
+}
+
+SiconosAnswer solve_by_siconos(const ContactProblem&, const std::string& method, double, int) {
+  throw InvalidInput(fmt::format("method is '{}': a build with PUSHBACK_SICONOS is needed", method));
+}
+
+double siconos_error(const ContactProblem&, const Vector&) {
+  throw InvalidInput("Siconos' error: a build with PUSHBACK_SICONOS is needed");
+}
+
+}  // namespace pushback
