@@ -112,13 +112,13 @@ int main(int argc, char** argv) {
     };
     const auto ten_boxes = [](World& world) { stack(world, 10); };
 
-    scene("a stack of ten in steps of h/2", ten_boxes, {{10, 6, 15}, {0, Real(4.9), 0}}, {0, 4, 8, 60});
+    scene("a stack of ten in steps of h/2", ten_boxes, {{10, 6, 15}, {0, Real(4.9), 0}}, {0, 8, 12, 60});
     e.variant("cold", Cold{}).in_small_steps(2).with_sweeps(5).coloured(0);
     e.variant("warm", FullSolver{}).in_small_steps(2).with_sweeps(5).coloured(1);
     e.variant("warm, wrong ids", WrongIds{}).in_small_steps(2).with_sweeps(5).coloured(2);
 
     scene("a pyramid, ten wide, in steps of h/2", [](World& world) { pyramid(world, 10); },
-          {{5, 7, 18}, {0, Real(4.7), 0}}, {0, 4, 8, 60});
+          {{5, 7, 18}, {0, Real(4.7), 0}}, {0, 8, 12, 60});
     e.variant("cold", Cold{}).in_small_steps(2).with_sweeps(2).coloured(0);
     e.variant("warm", FullSolver{}).in_small_steps(2).with_sweeps(2).coloured(1);
     e.variant("warm, wrong ids", WrongIds{}).in_small_steps(2).with_sweeps(2).coloured(2);
@@ -127,9 +127,9 @@ int main(int argc, char** argv) {
     scene("a stack of ten in steps of h", ten_boxes, {}, {});
     e.variant("cold", Cold{}).coloured(0);
     e.variant("warm", FullSolver{}).coloured(1);
-    e.variant("warm, 20 sweeps", FullSolver{}).with_exactly(20);
-    e.variant("warm, without slop", with<FullSolver>(Real(0.2), 0));
-    e.variant("warm, without push-out", with<FullSolver>(0, Real(0.005)));
+    e.variant("warm, 20 sweeps", FullSolver{}).with_exactly(20).coloured(2);
+    e.variant("warm, without slop", with<FullSolver>(Real(0.2), 0)).coloured(3);
+    e.variant("warm, without push-out", with<FullSolver>(0, Real(0.005))).coloured(4);
     scene("the same, begun 5 mm in each other", begun_in_each_other(Real(0.005)), {}, {});
     e.variant("warm", FullSolver{}).coloured(1);
 
