@@ -127,6 +127,16 @@ TEST_CASE("00: pushing apart ends the overlap and leaves the common centre of ma
   }
 }
 
+TEST_CASE("00: in a stack, boxes that are pushed apart by hand change places") {
+  World world;
+  stack(world, 5);
+  NaiveAveraged solver;
+  for (int step = 0; step < 60; ++step) world.step(solver, h, 10);
+  CHECK(world.bodies[1].position.y() >
+        world.bodies[5].position.y() + 4);  // the lowest on top, the topmost at the bottom
+  for (const Body& body : world.bodies) CHECK(std::hypot(body.position.x(), body.position.z()) < Real(0.5));
+}
+
 // ---- 01 -----------------------------------------------------------------------------------------------------------
 
 TEST_CASE("01: after the solve J V = 0, and the overlap stays as it was") {
@@ -139,6 +149,24 @@ TEST_CASE("01: after the solve J V = 0, and the overlap stays as it was") {
     REQUIRE(std::abs(ball.velocity.y()) <= 16 * eps * 3);
   }
   CHECK(std::abs(ball_depth(world) - Real(0.02)) <= 600 * eps);
+}
+
+TEST_CASE(
+    "01: what one sweep leaves depends on where the points are: at the edge of the slab, or at the box's corners") {
+  const auto left_by_one_sweep = [](Real half_depth) {
+    World world;
+    world.add(box({4, Real(0.25), half_depth}, 1).fixed().at({0, Real(-0.25), 0}));
+    world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(1.54), 0}));
+    Solver<> solver;
+    Real most = 0;
+    for (int step = 0; step < 60; ++step) {
+      world.step(solver, h, one_sweep);
+      most = std::max(most, largest_error(solver));
+    }
+    return most;
+  };
+  CHECK(left_by_one_sweep(Real(0.47)) == Approx(1.03).margin(0.005));  // m/s
+  CHECK(left_by_one_sweep(Real(0.6)) == Approx(1.44).margin(0.005));
 }
 
 TEST_CASE("01: it also pulls: a ball that leaves is held back") {
