@@ -1,5 +1,6 @@
 /// Every chapter's numbers, worked out on paper beside it.
 #include "chapters/00_naive_impulses/naive.h"
+#include "chapters/05_restitution/mistakes.h"
 #include "chapters/07_warm_start/full_solver.h"
 #include "common/measure.h"
 #include "common/scene.h"
@@ -126,6 +127,16 @@ TEST_CASE("00: pushing apart ends the overlap and leaves the common centre of ma
   }
 }
 
+TEST_CASE("00: in a stack, boxes that are pushed apart by hand change places") {
+  World world;
+  stack(world, 5);
+  NaiveAveraged solver;
+  for (int step = 0; step < 60; ++step) world.step(solver, h, 10);
+  CHECK(world.bodies[1].position.y() >
+        world.bodies[5].position.y() + 4);  // the lowest on top, the topmost at the bottom
+  for (const Body& body : world.bodies) CHECK(std::hypot(body.position.x(), body.position.z()) < Real(0.5));
+}
+
 // ---- 01 -----------------------------------------------------------------------------------------------------------
 
 TEST_CASE("01: after the solve J V = 0, and the overlap stays as it was") {
@@ -138,6 +149,24 @@ TEST_CASE("01: after the solve J V = 0, and the overlap stays as it was") {
     REQUIRE(std::abs(ball.velocity.y()) <= 16 * eps * 3);
   }
   CHECK(std::abs(ball_depth(world) - Real(0.02)) <= 600 * eps);
+}
+
+TEST_CASE(
+    "01: what one sweep leaves depends on where the points are: at the edge of the slab, or at the box's corners") {
+  const auto left_by_one_sweep = [](Real half_depth) {
+    World world;
+    world.add(box({4, Real(0.25), half_depth}, 1).fixed().at({0, Real(-0.25), 0}));
+    world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(1.54), 0}));
+    Solver<> solver;
+    Real most = 0;
+    for (int step = 0; step < 60; ++step) {
+      world.step(solver, h, one_sweep);
+      most = std::max(most, largest_error(solver));
+    }
+    return most;
+  };
+  CHECK(left_by_one_sweep(Real(0.47)) == Approx(1.03).margin(0.005));  // m/s
+  CHECK(left_by_one_sweep(Real(0.6)) == Approx(1.44).margin(0.005));
 }
 
 TEST_CASE("01: it also pulls: a ball that leaves is held back") {
@@ -373,24 +402,6 @@ Real apex_error(Real e, std::size_t bounces, Real dt) {
   return std::sqrt(sum / drops);
 }
 
-/// The mistake: added to the push-out.
-struct RestitutionAdded : Effect {
-  void build(const Contacts& contacts, Rows& rows, Real) {
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      rows[i].bias += contacts[i].restitution * std::min(Real(0), approach_speed(contacts[i]));
-    }
-  }
-};
-
-/// The other mistake: this step's gravity is in the speed.
-struct RestitutionWithGravity : Effect {
-  void build(const Contacts& contacts, Rows& rows, Real) {
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      rows[i].bias = std::min(rows[i].bias, contacts[i].restitution * std::min(Real(0), rows[i].speed()));
-    }
-  }
-};
-
 }  // namespace
 
 TEST_CASE("05: the k-th apex is e^2k h0, with an error that shrinks as the step does") {
@@ -408,21 +419,27 @@ TEST_CASE("05: the k-th apex is e^2k h0, with an error that shrinks as the step 
   }
 }
 
-TEST_CASE("05: a bounce departs with e times the speed of approach, with the larger but not with the sum") {
+TEST_CASE(
+    "05: a bounce departs with e times the speed of approach, with the larger and in a pass of its own, not with the "
+    "sum") {
   for (const Real e : {Real(0.5), Real(0.8), Real(1)}) {
-    World right, wrong;
+    World right, apart, wrong;
     Body& ball = ball_on_ground(right, Real(-2)).bouncy(e);
+    Body& in_own_pass = ball_on_ground(apart, Real(-2)).bouncy(e);
     Body& added = ball_on_ground(wrong, Real(-2)).bouncy(e);
     Bouncing larger;
+    Solver<Clamping, Baumgarte, RestitutionApart> own_pass;
     Solver<Clamping, Baumgarte, RestitutionAdded> sum;
     for (int step = 0; step < 60 && ball.velocity.y() <= 0; ++step) {
       right.step(larger, h, one_sweep);
+      apart.step(own_pass, h, one_sweep);
       wrong.step(sum, h, one_sweep);
     }
     const Real approach = ball.velocity_before.y(), d = right.contacts.at(0).depth;
     INFO("e " << e << ": approach " << -approach << " m/s, " << d << " m deep, larger " << ball.velocity.y()
               << " m/s, sum " << added.velocity.y() << " m/s");
     CHECK(ball.velocity.y() == Approx(-e * approach).epsilon(64 * eps));
+    CHECK(in_own_pass.velocity.y() == Approx(-e * approach).epsilon(64 * eps));
     CHECK(added.velocity.y() == Approx(-e * approach + Real(0.2) * d / h).epsilon(64 * eps));
     CHECK(added.velocity.y() > ball.velocity.y() + Real(0.1));
   }

@@ -33,6 +33,14 @@ class Random {
       if (v.squaredNorm() > Real(0.01) && v.squaredNorm() <= 1) return v.normalized();
     }
   }
+  Quat orientation() {
+    for (;;) {
+      const Real w = between(-1, 1);
+      const Vec3 v = vector(1);
+      const Quat q(w, v.x(), v.y(), v.z());
+      if (q.squaredNorm() > Real(0.01) && q.squaredNorm() <= 1) return q.normalized();
+    }
+  }
   /// A sphere, a box or a capsule of 0.1 to 1 m and `mass` kg, however turned.
   Body body(Real mass) {
     const Real x = between(Real(0.1), 1), y = between(Real(0.1), 1), z = between(Real(0.1), 1);

@@ -23,6 +23,18 @@ Real top(const World& world) {
   return highest;
 }
 
+/// Pairs of a stack of which the lower one has come to be above the upper one: centre above centre, to within half a side.
+Real pairs_in_reverse(const World& world) {
+  int count = 0;
+  for (std::size_t lower = 1; lower < world.bodies.size(); ++lower) {
+    for (std::size_t upper = lower + 1; upper < world.bodies.size(); ++upper) {
+      const Vec3 way = world.bodies[lower].position - world.bodies[upper].position;
+      count += way.y() > Real(0.5) && std::abs(way.x()) < Real(0.5) && std::abs(way.z()) < Real(0.5);
+    }
+  }
+  return static_cast<Real>(count);
+}
+
 void two_takes(Experiment& e) {
   e.variant("take 1: once", NaiveOnce{});
   e.variant("take 2: again, averaged", NaiveAveraged{});
@@ -62,6 +74,11 @@ int main(int argc, char** argv) {
     two_takes(e);
     e.series("height of the topmost box", "m", top);
     e.number("jitter", "m/s", jitter);
+    e.series("pairs in reverse order", "of 10", pairs_in_reverse);
+    e.number("most pairs in reverse order", "of 10", [](const Run& run) {
+      const auto& pairs = run.series.at("pairs in reverse order");
+      return *std::max_element(pairs.begin(), pairs.end());
+    });
     e.number("height kept", "%",
              [](const Run& run) { return 100 * run.series.at("height of the topmost box").back() / Real(4.5); });
   });

@@ -8,8 +8,8 @@ namespace pushback {
 /// Instead of Restitution, and like it before WarmStart. Every pair that approaches bounces as if nothing else touched it,
 /// again and again until none approaches:   lambda = -(v_n + e v_n) / K,   v_n: at its turn, without this step's forces.
 ///
-/// All at once and one after the other are both right by the rules of impact, and differ: a ball that hits a row of equal
-/// ones sends off the last ball, or all of them. Steel balls do what is closer to the former.
+/// Simultaneous and sequential impacts both obey Newton's rule, and differ. A ball that hits a row of equal ones sends off all
+/// of them if the impacts are simultaneous, and only the last if they are sequential. Steel balls are closer to sequential.
 struct ImpactsInTurn : Effect {
   Real threshold = Real(0.1);  ///< m/s; what arrives slower stays
   int most_rounds = 1000;      ///< then the sweeps have to do with what is left

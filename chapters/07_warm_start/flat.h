@@ -1,5 +1,5 @@
 /// The seven chapters in one piece: no effects, no hooks, every line where it happens. What FullSolver is composed of is
-/// written out here by hand; a test holds the two to the same bits, a benchmark to the same time.
+/// written out here by hand; a test holds the two to the same bits, a benchmark compares their times.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-/// All seven chapters in one word.
+/// All seven chapters as one type.
 #pragma once
 
 #include "chapters/07_warm_start/warm_start.h"
