@@ -119,23 +119,27 @@ TEST_CASE("MuJoCo's hard contacts lift a sliding body off, as fast and as high a
                        .mu = static_cast<double>(body.friction),
                        .k = k,
                        .along = static_cast<double>(body.velocity.norm())};
-        // The whole first hop, and the landing after it.
-        double highest = 0;
+        double first_top = 0, second_top = 0, wanted_second_top = 0;
         const Hop hop = *hop_of(motion);
-        const int steps = static_cast<int>(2.2 * hop.speed / truth::g / setting.dt());
-        for (int step = 0; step < steps; ++step) {
+        const double landing = 2 * hop.speed / truth::g;  // s; give or take two steps
+        for (int step = 1; step * setting.dt() < 1.8 * landing; ++step) {
           player->small_step();
           wanted.small_step();
           const Eigen::Vector3d moved = player->place(1) - begin;
-          highest = std::max(highest, moved.y());
-          if (step == 0) {
-            CHECK(moved.y() / setting.dt() == Approx(wanted.up).epsilon(1e-4));
-            CHECK(moved.y() / setting.dt() == Approx(hop.speed).epsilon(0.35 * setting.dt() * 60 / 10));
+          if (step == 1) CHECK(moved.y() / setting.dt() == Approx(wanted.up).epsilon(1e-4));
+          if (step * setting.dt() < 0.9 * landing) {
+            first_top = std::max(first_top, moved.y());
+            CHECK(moved.y() == Approx(wanted.y).margin(1e-4));
+            CHECK(moved.dot(way) == Approx(wanted.x).margin(1e-4));
+          } else if (step * setting.dt() > 1.1 * landing) {
+            second_top = std::max(second_top, moved.y());
+            wanted_second_top = std::max(wanted_second_top, wanted.y);
           }
-          CHECK(moved.y() == Approx(wanted.y).margin(2e-4));
-          CHECK(moved.dot(way) == Approx(wanted.x).margin(2e-4));
         }
-        CHECK(highest == Approx(hop.height).epsilon(0.06 / small_steps + 0.002));
+        CHECK(first_top == Approx(hop.height).epsilon(0.06 / small_steps + 0.002));
+        // The depth of the landing step is pushed out, and depends on when in the step it lands: 1e-4 m of height are a quarter of
+        // a step with 64 of them.
+        CHECK(second_top == Approx(wanted_second_top).epsilon(0.1));
         CHECK(error_of(method, motion, small_steps) == Approx(hop.error).epsilon(0.08 / small_steps + 0.002));
       }
     }
