@@ -504,9 +504,9 @@ TEST_CASE("the table of the knobs has slopes, and what a change of method does")
   const std::string text = table_of_knobs(all);
   // Errors as sweeps^(log4 0.1), times as sweeps^(1/2)
   CHECK(contains(text, fmt::format("| sweeps doubled | stack-10 | times {:.2f}, slope {:.2f} | times 1.41 | – | `slim` "
-                                   "with 4 small steps, 1 to 16 |\n",
+                                   "with 4 substeps, 1 to 16 |\n",
                                    std::sqrt(0.1), std::log(0.1) / std::log(4.0))));
-  CHECK(!contains(text, "small steps doubled"));
+  CHECK(!contains(text, "substeps doubled"));
   // 2 times the error in half the time, and 4 times in a quarter
   CHECK(contains(
       text, "| `slim` without warm start | stack-10 | 2.8 times the error | 0.35 times the time | – | 2 settings |\n"));

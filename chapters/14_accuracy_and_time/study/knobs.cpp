@@ -98,10 +98,10 @@ std::string table_of_knobs(const std::vector<MotionMeasured>& all) {
     const bool small = how.small_steps == 0;
     text += fmt::format(
         "| {} doubled | {} | times {:.2f}, slope {:.2f} | times {:.2f} | {} | `{}` with {} {}, {:g} to {:g} |\n",
-        small ? "small steps" : "sweeps", how.motion, std::pow(2, slope(line.knob, line.error)),
+        small ? "substeps" : "sweeps", how.motion, std::pow(2, slope(line.knob, line.error)),
         slope(line.knob, line.error), std::pow(2, slope(line.knob, line.seconds)),
         small ? limit_of(measured_of(all, how.motion), "motion", how.method, how.sweeps).remains() : "–", how.method,
-        small ? how.sweeps : how.small_steps, small ? "sweeps" : "small steps", line.knob.front(), line.knob.back());
+        small ? how.sweeps : how.small_steps, small ? "sweeps" : "substeps", line.knob.front(), line.knob.back());
   }
   for (const MotionMeasured& measured : all) {
     for (const std::string method : {"full", "slim", "steady"})
@@ -121,9 +121,9 @@ std::string table_of_knobs(const std::vector<MotionMeasured>& all) {
 
 std::vector<Panel> panels_of_knobs(const std::vector<MotionMeasured>& all) {
   std::vector<Panel> panels;
-  for (const auto& [small, title] : {std::pair{true, "smaller steps"}, std::pair{false, "more sweeps"}}) {
+  for (const auto& [small, title] : {std::pair{true, "more substeps"}, std::pair{false, "more sweeps"}}) {
     Panel panel{.title = title,
-                .x_label = small ? "small steps in 1/60 s" : "sweeps in a small step",
+                .x_label = small ? "substeps in 1/60 s" : "sweeps in a substep",
                 .y_label = "largest error, m",
                 .log_x = true,
                 .log_y = true};
