@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "chapters/14_accuracy_and_time/study/limits.h"
 #include "chapters/14_accuracy_and_time/study/machine.h"
 #include "chapters/14_accuracy_and_time/study/report.h"
 #include "tests/call.h"
@@ -148,6 +149,117 @@ TEST_CASE("median, quartiles and setting of a measurement") {
   CHECK((one.quartile(1) == 1.75 && one.median() == 3 && one.quartile(3) == 5));
   one.seconds = {7};
   CHECK((one.median() == 7 && one.quartile(1) == 7 && one.quartile(3) == 7));
+}
+
+// ---- limits ----------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// a + b h^p at h = 1, 1/2 ... , each times 1 - noise ... 1 + noise.
+std::vector<double> errors(double a, double b, double p, int settings, double noise = 0, unsigned seed = 0) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> factor(1 - noise, 1 + noise);
+  std::vector<double> found;
+  for (int i = 0; i < settings; ++i) found.push_back((a + b * std::pow(2, -p * i)) * factor(random));
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("what remains as h goes to 0 is found, and of which order the rest is") {
+  for (const double p : {0.5, 1.0, 1.5, 2.0, 3.0}) {
+    for (const double b : {-0.5, 0.02, 1.0, 10.0}) {
+      INFO("p " << p << " b " << b);
+      const Limit limit = limit_of(errors(1, b, p, 10));
+      CHECK(limit.kind == Limit::Kind::reached);
+      CHECK(limit.least == Approx(1).epsilon(1e-6));
+      CHECK(limit.most == limit.least);
+      CHECK(limit.order == Approx(p).epsilon(1e-6));
+    }
+  }
+}
+
+TEST_CASE("what falls to 0 has no limit but a bound, which is no less than what remains") {
+  for (const double p : {0.5, 1.0, 2.0}) {
+    for (const double a : {0.0, 1e-5}) {  // of which nothing can be seen yet
+      const auto fall = errors(a, 3, p, 8);
+      const Limit limit = limit_of(fall);
+      CHECK(limit.kind == Limit::Kind::falling);
+      CHECK((limit.least == 0 && limit.most == fall.back()));
+      CHECK(limit.order == Approx(p).margin(0.05));
+    }
+  }
+  CHECK(limit_of({4, 2, 0}).most == 0);
+  // Of second order too, where an extrapolation of first order would stop short of it.
+  std::vector<double> both;
+  for (double h = 1; h > 1e-3; h /= 2) both.push_back(h + 10 * h * h);
+  CHECK(limit_of(both).kind == Limit::Kind::falling);
+}
+
+TEST_CASE("noise is not taken for a limit, nor a limit for noise") {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    INFO(seed);
+    const Limit level = limit_of(errors(1, 0.5, 1, 10, 0.05, seed));
+    CHECK(level.kind == Limit::Kind::reached);
+    CHECK(level.least == Approx(1).epsilon(0.15));
+    const auto rough = errors(0, 1, 1, 10, 0.3, seed);
+    const Limit fall = limit_of(rough);
+    CHECK(fall.kind != Limit::Kind::reached);
+    CHECK(fall.most <= *std::max_element(rough.end() - 3, rough.end()));
+  }
+}
+
+TEST_CASE("few settings, lost ones, errors that rise") {
+  CHECK(limit_of({}).kind == Limit::Kind::unknown);
+  CHECK(limit_of({1, 1}).kind == Limit::Kind::unknown);
+  CHECK(limit_of({1, 1, infinite}).kind == Limit::Kind::unknown);
+  CHECK(limit_of({1, infinite, 1, 1}).kind == Limit::Kind::unknown);
+  CHECK(limit_of({infinite, 1, 1, 1}).kind == Limit::Kind::reached);
+  CHECK(limit_of({5, 2, 1.9, 2.1}).least == 2);  // level: the median
+  const Limit rising = limit_of({1, 2, 4, 8});
+  CHECK(rising.kind == Limit::Kind::scattered);
+  CHECK((rising.least == 2 && rising.most == 8 && rising.order == 0));
+  CHECK(limit_of({1, 2, 3, 3.5, 3.75}).kind != Limit::Kind::falling);
+  // To and fro as it falls, as a ball's error does that is hit early or late in a step.
+  const Limit fall = limit_of({64, 20, 30, 8, 3, 4});
+  CHECK(fall.kind == Limit::Kind::falling);
+  CHECK(fall.most == 8);
+  CHECK(limit_of({64, 20, 30, 40, 8, 50}).kind == Limit::Kind::scattered);
+}
+
+TEST_CASE("a limit is said with two digits, and no more than can be known") {
+  CHECK(limit_of({}).text() == "–");
+  CHECK(limit_of(errors(0.3282, 0.02, 1, 6)).text() == "328 mm, order 1.0");
+  CHECK(limit_of(errors(0, 0.0032, 1, 6)).text() == "< 0.10 mm, order 1.0");
+  CHECK(limit_of(errors(0, 0.0032, 1, 6)).remains() == "< 0.10 mm");
+  CHECK(limit_of({1e-2, 1e-3, 4e-3}).text() == "1.0 to 10 mm");
+  CHECK(limit_of({1e-12, 1e-13, 4e-13}).text() == "< 0.0001 mm");
+  CHECK(limit_of({1e-2, 0, 4e-3}).text() == "0.00010 to 10 mm");
+}
+
+TEST_CASE("limits are taken of the most sweeps that five step sizes were tried with, and gaps end them") {
+  Measurements all;
+  for (int i = 0; i < 6; ++i) {
+    all.push_back(of("motion", "slim", 1 << i, 1, 7, 1));
+    if (i < 5) all.push_back(of("motion", "slim", 1 << i, 4, 1 + std::pow(2, -i), 1));
+    if (i < 4) all.push_back(of("motion", "slim", 1 << i, 16, 9, 1));
+    all.push_back(of("motion", "other", 1 << i, 16, 3, 1));
+    all.push_back(of("motion_ode", "slim", 1 << i, 64, 5, 1));
+  }
+  CHECK(limit_of(all, "motion", "slim").least == Approx(1));
+  CHECK(limit_of(all, "motion", "slim", 16).least == 9);
+  CHECK(limit_of(all, "motion_ode", "slim").least == 5);
+  CHECK(limit_of(all, "motion", "none").kind == Limit::Kind::unknown);
+  CHECK(limit_of({}, "motion", "slim", 4).kind == Limit::Kind::unknown);
+  CHECK((least_limit(all, "motion").first == "slim" && least_limit(all, "motion").second.least == Approx(1)));
+  CHECK(least_limit(all, "motion_bullet").first.empty());
+  const Measurements gap{of("motion", "a", 1, 1, 1, 1), of("motion", "a", 2, 1, 1, 1), of("motion", "a", 8, 1, 1, 1),
+                         of("motion", "a", 16, 1, 1, 1)};
+  CHECK(limit_of(gap, "motion", "a").kind == Limit::Kind::unknown);
+  std::mt19937 random(17);
+  Measurements mixed = all;
+  std::shuffle(mixed.begin(), mixed.end(), random);
+  CHECK(limit_of(mixed, "motion", "slim").text() == limit_of(all, "motion", "slim").text());
 }
 
 // ---- rounds ----------------------------------------------------------------------------------------------------------
@@ -423,15 +535,17 @@ TEST_CASE("the table of the cheapest says which, and what it costs a frame") {
   const auto lines = lines_of(table_of_cheapest(made_up()));
   REQUIRE(lines.size() == 3);
   CHECK(lines[2] ==
-        "| minute | `slim-cold/4/4`: 50 µs (50 to 50), 10 row solves "
-        "| `slim/4/16`: 200 µs (200 to 200), 10 row solves | not reached |");
+        "| minute | `slim-cold/4/4`: 50 µs (50 to 50), 10 row solves, 10 mm off, – remains "
+        "| `slim/4/16`: 200 µs (200 to 200), 10 row solves, 0.5 mm off, – remains | not reached |");
   auto no_rows = made_up();
   for (Measured& one : no_rows[0].all) one.row_solves.reset();
-  CHECK(contains(lines_of(table_of_cheapest(no_rows))[2], "`slim-cold/4/4`: 50 µs (50 to 50), – row solves |"));
+  CHECK(contains(lines_of(table_of_cheapest(no_rows))[2],
+                 "`slim-cold/4/4`: 50 µs (50 to 50), – row solves, 10 mm off, – remains |"));
   auto only_float = made_up();
   only_float[0].all = {of("motion_float", "slim", 4, 4, 2.5e-3, 0.0048), of("motion_ode", "o", 1, 16, 5e-5, 0.001)};
   CHECK(lines_of(table_of_cheapest(only_float))[2] ==
-        "| minute | `slim/4/4` in float: 80 µs (80 to 80), 10 row solves | not reached | not reached |");
+        "| minute | `slim/4/4` in float: 80 µs (80 to 80), 10 row solves, 2.5 mm off, – remains | not reached | not "
+        "reached |");
 }
 
 TEST_CASE("the table of the others says how many times as long they take") {
@@ -439,14 +553,16 @@ TEST_CASE("the table of the others says how many times as long they take") {
   const auto others = [&] { return lines_of(table_of_others(all, three)); };
   REQUIRE(others().size() == 3);  // none for ours
   // Below 1 cm and 1 mm: 0.018 s against our 0.003 s and 0.012 s; for their best, 5e-4 in 0.018 s, we take 0.012 s.
-  CHECK(others()[2] == "| minute | ODE | 6 times as long | 1.5 times as long | not reached | 0.67 times its time |");
+  CHECK(others()[2] ==
+        "| minute | ODE | 6 times as long | 1.5 times as long | not reached | 0.67 times its time | – | – |");
   all[0].all.back().error = 5e-5;
   CHECK(others()[2] ==
-        "| minute | ODE | 6 times as long | 1.5 times as long | 300 µs, we not at all | we do not reach all of it |");
+        "| minute | ODE | 6 times as long | 1.5 times as long | 300 µs, we not at all | we do not reach all of it | – "
+        "| – |");
   all[0].all.resize(7);
   CHECK(contains(others()[2], "| it does not play this |"));
   all[0].all.push_back(of("motion_ode", "o", 1, 1, 0.5, 1));
-  CHECK(others()[2] == "| minute | ODE | not reached | not reached | not reached | it has no such front |");
+  CHECK(others()[2] == "| minute | ODE | not reached | not reached | not reached | it has no such front | – | – |");
 }
 
 TEST_CASE("the table of the knobs has slopes, and what a change of method does") {
@@ -454,16 +570,55 @@ TEST_CASE("the table of the knobs has slopes, and what a change of method does")
   all[0].all.push_back(of("motion", "nonlinear", 1, 4, 7, 7));  // nobody's cold sister
   const std::string text = table_of_knobs(all);
   // Errors as sweeps^(log4 0.1), times as sweeps^(1/2)
-  CHECK(contains(text, fmt::format("| sweeps doubled | stack-10 | times {:.2f}, slope {:.2f} | times 1.41 | `slim` "
-                                   "with 4 small steps, 1 to 16 |\n",
+  CHECK(contains(text, fmt::format("| sweeps doubled | stack-10 | times {:.2f}, slope {:.2f} | times 1.41 | – | `slim` "
+                                   "with 4 substeps, 1 to 16 |\n",
                                    std::sqrt(0.1), std::log(0.1) / std::log(4.0))));
-  CHECK(!contains(text, "small steps doubled"));
+  CHECK(!contains(text, "substeps doubled"));
   // 2 times the error in half the time, and 4 times in a quarter
   CHECK(contains(
-      text, "| `slim` without warm start | stack-10 | 2.8 times the error | 0.35 times the time | 2 settings |\n"));
-  CHECK(contains(text, "| float for double | stack-10 | 0.5 times the error | 0.8 times the time | 1 settings |\n"));
+      text, "| `slim` without warm start | stack-10 | 2.8 times the error | 0.35 times the time | – | 2 settings |\n"));
+  CHECK(
+      contains(text, "| float for double | stack-10 | 0.5 times the error | 0.8 times the time | – | 1 settings |\n"));
   CHECK(!contains(text, "nan"));
   CHECK(!contains(text, "inf"));
+}
+
+TEST_CASE("each table says what remains, of which method, by which law") {
+  Measurements slim, hops;
+  for (int i = 0; i < 6; ++i) {
+    slim.push_back(of("motion", "slim", 1 << i, 4, 0.002 + 0.01 * std::pow(2, -i), 1));
+    slim.push_back(of("motion_float", "slim", 1 << i, 4, 0.5, 0.5));
+    slim.push_back(of("motion_ode", "ode", 1 << i, 4, 0.05 * std::pow(2, -i), 2));
+    hops.push_back(of("motion_mujoco", "mujoco", 1 << i, 0, 0.33, 1));
+  }
+  const std::vector<MotionMeasured> all{{&motion_of_60, slim}, {&motion_named("sliding"), hops}};
+  const std::string limits = table_of_limits(all);
+  CHECK(contains(limits, "| `slim` | slop of 0.1 mm | 2.0 mm, order 1.0 |\n"));
+  CHECK(contains(limits, "| `ode` | friction pyramid on fixed axes; softness | < 1.6 mm, order 1.0 |\n"));
+  CHECK(contains(limits, "| `mujoco` | relaxed cone; springs as hard as the step allows | 330 mm |\n"));
+  CHECK(lines_of(limits).size() == 3 + 1 + 4);  // two tables and a line between them; nothing of float
+  CHECK(contains(table_of_others(all, three), "| < 1.6 mm (`ode`) | 2.0 mm (`slim`) |\n"));
+  CHECK(contains(table_of_cheapest(all), "7 mm off, 2.0 mm remains "));
+  CHECK(lines_of(table_of_hops(all)).back() ==
+        "| a box slides and stops | 2.400 m/s | 293.6 mm | 328.2 mm | 330 mm | – |");
+  auto made = made_up();
+  made[0].all.clear();
+  for (int i = 0; i < 6; ++i) made[0].all.push_back(of("motion", "soft", 1 << i, 1, 0.002 + 0.01 * std::pow(2, -i), 1));
+  CHECK(contains(table_of_knobs(made), " | 2.0 mm | `soft` with 1 sweeps, 1 to 32 |\n"));
+}
+
+TEST_CASE("every method that plays anything has its law in the table of limits") {
+  for (const Motion& motion : all_motions()) {
+    const Ended listed = call_program(MOTION_PROGRAM, motion.name);
+    REQUIRE(listed.status == 0);
+    for (const std::string& line : lines_of(listed.out)) {
+      const std::string name = line.substr(0, line.find_first_of("/:"));
+      INFO(motion.name << " " << name);
+      const std::string text = table_of_limits({{&motion, {of("motion", name, 1, 1, 1, 1)}}});
+      CHECK(contains(text, "| `" + name + "` | "));
+      CHECK(!contains(text, "` | – |"));
+    }
+  }
 }
 
 TEST_CASE("diagrams have a curve for each engine that has something to show, and for each method") {
@@ -504,8 +659,9 @@ TEST_CASE("where nothing was measured there is little to say, and nothing breaks
   for (const std::vector<MotionMeasured>& all : {std::vector<MotionMeasured>{},
                                                  {{&motion_of_60, {}}},
                                                  {{&motion_of_60, {of("motion", "slim", 1, 1, infinite, 1)}}}}) {
-    for (const std::string& text : {table_of_cheapest(all), table_of_others(all, three), table_of_knobs(all)}) {
-      CHECK(lines_of(text).size() >= 2);
+    for (const std::string& text : {table_of_cheapest(all), table_of_others(all, three), table_of_knobs(all),
+                                    table_of_limits(all), table_of_hops(all)}) {
+      CHECK((all.empty() || lines_of(text).size() >= 2));
       CHECK(!contains(text, "nan"));
       CHECK(!contains(text, "inf"));
     }

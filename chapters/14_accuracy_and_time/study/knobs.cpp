@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chapters/14_accuracy_and_time/study/limits.h"
 #include "chapters/14_accuracy_and_time/study/report.h"
 
 namespace pushback {
@@ -82,23 +83,25 @@ Ratio ratio(const Measurements& all, const Other& is_other_of) {
 
 std::string ratio_row(const std::string& what, const std::string& motion, const Ratio& mean) {
   if (mean.settings == 0) return "";
-  return fmt::format("| {} | {} | {:.2g} times the error | {:.2g} times the time | {} settings |\n", what, motion,
+  return fmt::format("| {} | {} | {:.2g} times the error | {:.2g} times the time | – | {} settings |\n", what, motion,
                      mean.error, mean.seconds, mean.settings);
 }
 
 }  // namespace
 
 std::string table_of_knobs(const std::vector<MotionMeasured>& all) {
-  std::string text = "| knob | motion | error | time | measured |\n| --- | --- | --- | --- | --- |\n";
+  std::string text =
+      "| knob | motion | error | time | remains as h → 0 | measured |\n| --- | --- | --- | --- | --- | --- |\n";
   for (const Turned& how : turned) {
     const Line line = line_of(measured_of(all, how.motion), how);
     if (line.knob.size() < 3) continue;
     const bool small = how.small_steps == 0;
     text += fmt::format(
-        "| {} doubled | {} | times {:.2f}, slope {:.2f} | times {:.2f} | `{}` with {} {}, {:g} to {:g} |\n",
-        small ? "small steps" : "sweeps", how.motion, std::pow(2, slope(line.knob, line.error)),
-        slope(line.knob, line.error), std::pow(2, slope(line.knob, line.seconds)), how.method,
-        small ? how.sweeps : how.small_steps, small ? "sweeps" : "small steps", line.knob.front(), line.knob.back());
+        "| {} doubled | {} | times {:.2f}, slope {:.2f} | times {:.2f} | {} | `{}` with {} {}, {:g} to {:g} |\n",
+        small ? "substeps" : "sweeps", how.motion, std::pow(2, slope(line.knob, line.error)),
+        slope(line.knob, line.error), std::pow(2, slope(line.knob, line.seconds)),
+        small ? limit_of(measured_of(all, how.motion), "motion", how.method, how.sweeps).remains() : "–", how.method,
+        small ? how.sweeps : how.small_steps, small ? "sweeps" : "substeps", line.knob.front(), line.knob.back());
   }
   for (const MotionMeasured& measured : all) {
     for (const std::string method : {"full", "slim", "steady"})
@@ -118,9 +121,9 @@ std::string table_of_knobs(const std::vector<MotionMeasured>& all) {
 
 std::vector<Panel> panels_of_knobs(const std::vector<MotionMeasured>& all) {
   std::vector<Panel> panels;
-  for (const auto& [small, title] : {std::pair{true, "smaller steps"}, std::pair{false, "more sweeps"}}) {
+  for (const auto& [small, title] : {std::pair{true, "more substeps"}, std::pair{false, "more sweeps"}}) {
     Panel panel{.title = title,
-                .x_label = small ? "small steps in 1/60 s" : "sweeps in a small step",
+                .x_label = small ? "substeps in 1/60 s" : "sweeps in a substep",
                 .y_label = "largest error, m",
                 .log_x = true,
                 .log_y = true};

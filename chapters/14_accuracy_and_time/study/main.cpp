@@ -32,7 +32,9 @@ void report(const AllMeasured& all, const std::vector<Engine>& engines, const st
   if (const auto panels = panels_of_knobs(in_order); !panels.empty()) write_plot(folder / "knobs.png", panels);
   for (const auto& [name, table] : {std::pair{"cheapest.md", table_of_cheapest(in_order)},
                                     {"others.md", table_of_others(in_order, engines)},
-                                    {"knobs.md", table_of_knobs(in_order)}}) {
+                                    {"knobs.md", table_of_knobs(in_order)},
+                                    {"limits.md", table_of_limits(in_order)},
+                                    {"hops.md", table_of_hops(in_order)}}) {
     write_text_file(folder / name, table);
     fmt::print("{}\n", table);
   }

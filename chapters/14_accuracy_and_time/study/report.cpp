@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chapters/14_accuracy_and_time/study/limits.h"
+
 namespace pushback {
 
 namespace {
@@ -58,6 +60,11 @@ std::string plain(double value) {
   return value < 100 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
 }
 
+std::string least_remaining(const Measurements& all, const std::string& engine) {
+  const auto [method, limit] = least_limit(all, engine);
+  return method.empty() ? "–" : fmt::format("{} (`{}`)", limit.remains(), method);
+}
+
 /// us of wall time for a frame.
 double per_frame(const Motion& motion, double seconds) {
   return 1e6 * seconds / motion.frames();
@@ -101,9 +108,12 @@ std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
       const auto found = cheapest(ours(measured.all), tolerance.error);
       const auto frame = [&](double seconds) { return plain(per_frame(*measured.motion, seconds)); };
       const auto rows = [&] { return found->row_solves ? plain(*found->row_solves / measured.motion->frames()) : "–"; };
-      text += found ? fmt::format("| `{}`{}: {} µs ({} to {}), {} row solves ", found->setting(),
+      text += found ? fmt::format("| `{}`{}: {} µs ({} to {}), {} row solves, {} mm off, {} remains ", found->setting(),
                                   found->engine == "motion" ? "" : " in float", frame(found->median()),
-                                  frame(found->quartile(1)), frame(found->quartile(3)), rows())
+                                  frame(found->quartile(1)), frame(found->quartile(3)), rows(),
+                                  plain(1000 * found->error),
+                                  // in double, where its method was played with all steps
+                                  limit_of(measured.all, "motion", found->method, found->sweeps).remains())
                     : "| not reached ";
     }
     text += "|\n";
@@ -114,8 +124,8 @@ std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
 std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines) {
   std::string text =
       "| motion | engine | below 1 cm | below 1 mm | below 0.1 mm | where its front is between 10 cm and 0.01 mm, we "
-      "take at most |\n";
-  text += "| --- | --- | --- | --- | --- | --- |\n";
+      "take at most | remains of theirs as h → 0, at least | of ours |\n";
+  text += "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const MotionMeasured& measured : all) {
     for (const Engine& engine : engines) {
       const Measurements theirs = of_engine(measured.all, engine.program), our = ours(measured.all);
@@ -128,10 +138,11 @@ std::string table_of_others(const std::vector<MotionMeasured>& all, const std::v
                         : fmt::format("| {:.2g} times as long ", found->median() / best->median());
       }
       const double slower = times_slower(our, theirs, 1e-5, 1e-1);
-      text += theirs.empty()       ? "| it does not play this |\n"
-              : slower == 0        ? "| it has no such front |\n"
-              : std::isinf(slower) ? "| we do not reach all of it |\n"
-                                   : fmt::format("| {:.2g} times its time |\n", slower);
+      text += theirs.empty()       ? "| it does not play this "
+              : slower == 0        ? "| it has no such front "
+              : std::isinf(slower) ? "| we do not reach all of it "
+                                   : fmt::format("| {:.2g} times its time ", slower);
+      text += fmt::format("| {} | {} |\n", least_remaining(theirs, engine.program), least_remaining(our, "motion"));
     }
   }
   return text;
