@@ -1,7 +1,8 @@
-/// What the pages say of all scenes is so: how many there are, which have joints, and that each has its line in
-/// docs/speed.md.
+/// What the pages count is so: how many scenes there are, which have joints, that each has its line in docs/speed.md, and the
+/// bytes that stand there.
 #include <algorithm>
 
+#include "chapters/01_velocity_constraint/row.h"
 #include "chapters/15_only_what_is_needed/questions.h"
 #include "chapters/15_only_what_is_needed/scenes.h"
 #include "tests/call.h"
@@ -43,4 +44,11 @@ TEST_CASE("docs/speed.md has a line for each scene, in their order, and no other
     else if (inside && !line.starts_with("| ---")) shown.push_back(line.substr(2, line.find(" |", 2) - 2));
   }
   CHECK(shown == wanted);
+}
+
+TEST_CASE("docs/speed.md has the bytes of a contact and of a row") {
+  if (sizeof(Real) != sizeof(double)) return;  // the page is about double
+  const std::string page = text_of(fs::path(SOURCE_DIR) / "docs/speed.md");
+  CHECK(contains(page, fmt::format("| `Contact` | {} |", sizeof(Contact))));
+  CHECK(contains(page, fmt::format("| a `Row`; three with friction | {}; {} |", sizeof(Row), 3 * sizeof(Row))));
 }
