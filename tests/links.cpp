@@ -28,7 +28,7 @@ TEST_CASE("an anchor is what GitHub makes of the heading") {
   CHECK(anchors_in(page) == std::set<std::string>{"one", "two", "two-1"});
 }
 
-TEST_CASE("links are found over ends of lines, in links and with brackets; not in code") {
+TEST_CASE("links are found over ends of lines, in links and with brackets, but not in code") {
   CHECK(targets_in("a [link\nover two](x.md) and [![picture](p.png)](y.md), [wiki](https://a.org/b_(c)).") ==
         std::vector<std::string>{"x.md", "p.png", "y.md", "https://a.org/b_(c)"});
   CHECK(targets_in("`[a](b)` and\n```cpp\nauto f = [&](int i) { return i; };\n```\n[c](d)") ==
