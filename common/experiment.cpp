@@ -104,11 +104,7 @@ void Experiment::series(const std::string& name, const std::string& unit, std::f
 }
 
 void Experiment::number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of) {
-  acts_.back().numbers.push_back({name, unit, std::move(of), false});
-}
-
-void Experiment::clock(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of) {
-  acts_.back().numbers.push_back({name, unit, std::move(of), true});
+  acts_.back().numbers.push_back({name, unit, std::move(of)});
 }
 
 void Experiment::study(std::function<void()> work) {

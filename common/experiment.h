@@ -44,9 +44,7 @@ struct Sample {
   int lost = 0;               ///< points that the step before had and this one has not
   int rows = 0;               ///< constraint rows in the solver
   Real residual = 0;          ///< m/s, the largest error() of a row after the last sweep
-  double solver_seconds =
-      0;                    ///< wall time of the solver; it and the next differ from run to run, and nothing else does
-  double step_seconds = 0;  ///< wall time of the whole step
+  double solver_seconds = 0;  ///< wall time of the solver, for metrics.csv; it alone differs from run to run
 };
 
 /// What one variant did, for the numbers.
@@ -122,10 +120,9 @@ class Experiment {
   /// references are drawn with. Without any, the deepest overlap is plotted. `log_y`: as Panel has it.
   void series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of,
               bool log_y = false);
-  /// A number to show beside each variant of the latest scene.
+  /// A number to show beside each variant of the latest scene. None may come from a clock: what git tracks would change with
+  /// every run.
   void number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of);
-  /// The same for a number that comes from a clock: it stands on the sheet only, since it differs from run to run.
-  void clock(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of);
   /// What the experiment works out itself, once all variants have been watched: `work` calls `panel` and `remark`.
   void study(std::function<void()> work);
   /// A further diagram that the experiment works out itself, after the scenes' own.
@@ -151,7 +148,6 @@ class Experiment {
   struct Number {
     std::string name, unit;
     std::function<Real(const Run&)> of;
-    bool timed;
   };
   struct Act {
     Scene scene;

@@ -116,7 +116,6 @@ std::string Experiment::numbers_table(const std::vector<Result>& results) const 
     std::string header = fmt::format("| {} |", act.scene.name);
     std::string rule = "| --- |";
     for (const Number& number : act.numbers) {
-      if (number.timed) continue;
       header += fmt::format(" {} |", number.name);
       rule += " --- |";
     }
@@ -125,7 +124,6 @@ std::string Experiment::numbers_table(const std::vector<Result>& results) const 
       if (result.variant->scene != a) continue;
       body += fmt::format("| {} |", shown_name(*result.variant));
       for (std::size_t i = 0; i < act.numbers.size(); ++i) {
-        if (act.numbers[i].timed) continue;
         body += fmt::format(" {}", in_words(result.numbers[i], act.numbers[i].unit));
         const auto should = result.variant->expected.find(act.numbers[i].name);
         if (should != result.variant->expected.end())

@@ -16,7 +16,7 @@ for name in 03_three 04_four 10_ten; do
 done
 
 # The only programs ./course gets to see: these of the system, and those that a test puts beside them.
-for tool in bash cat dirname env find fold grep mkdir nproc readlink rm sed sort tail touch true; do
+for tool in bash cat dirname env find fold grep mkdir nproc readlink rm sed sleep sort tail touch true; do
   ln -s "$(type -P $tool)" "$scratch/bin/$tool"
 done
 stand_in() { printf '#!/bin/sh\n%s\n' "$2" >"$scratch/bin/$1" && chmod +x "$scratch/bin/$1"; }
@@ -67,6 +67,10 @@ course --yes && expect 2 "which command?"
 course render && expect 0 "1 of 3: 03_three" "2 of 3: 04_four" "3 of 3: 10_ten" "the sheets:" "renders/10_ten/sheet.png"
 expect 0 "cmake --build --preset release" "--target 03_three 04_four 10_ten"
 course render 3 four chapters/10_ten/ && expect 0 "1 of 3: 03_three" "2 of 3: 04_four" "3 of 3: 10_ten"
+# At the end stands what took how long: building, drawing, and each chapter, so that docs/speed.md can be repeated.
+printf '#!/bin/sh\nsleep 1.1\n' >"$scratch/home/build/release/chapters/10_ten"
+course render 03 10 && expect 0 "course: built in " ", drawn in " "  03_three  "
+[[ $output =~ 10_ten\ +[1-9] ]] || { echo "no time for 10_ten"; failures=$((failures + 1)); }
 course render 03 -- --beta "1.4 x" --list && expect 0 "run 03_three: --beta 1.4 x --list" "renders/03_three/sheet.png"
 expect_not 04_four
 printf '#!/bin/sh\nexit 3\n' >"$scratch/home/build/release/chapters/04_four"

@@ -78,9 +78,9 @@ int main(int argc, char** argv) {
       e.variant("called for, and asleep where it rests", Needed{.sleep = sleep});
     };
     const auto measured = [&](const std::function<void(World&)>& fill) {
+      e.number("contact points, mean of all steps", "", [](const Run& run) { return mean(run, &Sample::contacts); });
       e.number("rows, mean of all steps", "", [](const Run& run) { return mean(run, &Sample::rows); });
       e.number("apart from everything at the end", "mm", apart_from_everything(fill, e.sweeps()));
-      e.clock("a step took", "ms", [](const Run& run) { return 1000 * mean(run, &Sample::step_seconds); });
     };
     e.scene({.name = "five piles, and a ball for one of them",
              .fill = five_piles,
