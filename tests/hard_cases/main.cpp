@@ -83,7 +83,7 @@ void print_row(const Table& table, std::size_t row, bool all) {
              rescued ? fmt::format("; rescued by {}", table.stages[*rescued].name) : "");
   for (std::size_t column = 0; all && column < table.stages.size(); ++column) {
     const Outcome& outcome = table.at(row, column);
-    fmt::print("  {} {:<18}", table.passed(row, column) ? "✓" : "✗", table.stages[column].name);
+    fmt::print("  {} {:<28}", table.passed(row, column) ? "✓" : "✗", table.stages[column].name);
     for (std::size_t i = 0; i < outcome.numbers.size(); ++i) {
       const Criterion& c = hard_case.criteria[i];
       fmt::print("{} {} (≤ {:g}{}{}); ", c.what, in_short(outcome.largest[i], c.limit, c.unit), c.limit,
