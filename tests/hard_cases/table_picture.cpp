@@ -223,7 +223,7 @@ class Drawing {
       const int line = y + static_cast<int>(i % half + 1) * line_height(legend_size());
       const Stage& stage = table_.stages[i];
       write_text(image_, stage.name, x, line, legend_size(), dark, Align::left, true);
-      write_text(image_, stage.what, x + 170, line, legend_size(), grey);
+      write_text(image_, stage.what, x + 280, line, legend_size(), grey);
     }
   }
 

@@ -134,6 +134,11 @@ TEST_CASE("hard cases: the written table fails where the list says, from all sta
 }
 #endif
 
+TEST_CASE("hard cases: contacts given twice are corrected like contacts given once") {
+  const HardCase& twice = hard_case_named("contacts-twice");
+  CHECK(outcome_of(twice, stage_named("11 split impulse")).largest[0] < Real(1e-3));  // mm; without, the slop's 5 mm
+}
+
 TEST_CASE("hard cases: every case and stage is found by its name, and each name is used once") {
   std::set<std::string> names;
   for (const HardCase& hard_case : hard_cases()) {
