@@ -70,22 +70,72 @@ TEST_CASE("the star stands where the chapters begin to pass for good, or else at
 
 TEST_CASE("what is no number fails, and so does a case whose invariant broke") {
   Table table = row_of("PP", 2);
-  table.outcomes[0].numbers[0] = not_a_number;
+  table.outcomes[0].numbers[0] = table.outcomes[0].largest[0] = not_a_number;
   table.outcomes[1].broken = "157 J gained after 0.1 s, \"at once\"";
   table.cases[0].name = "case";
   CHECK_FALSE(table.passed(0, 0));
   CHECK_FALSE(table.passed(0, 1));
   CHECK(table_csv(table) ==
-        "case,stage,criterion,unit,limit,number,pass,broken\n"
-        "case,stage,drift,mm,1,nan,0,\n"
-        "case,stage,drift,mm,1,0.5,1,\"157 J gained after 0.1 s, \"\"at once\"\"\"\n");
+        "case,stage,criterion,unit,limit,number,pass,broken,largest,starts_passed,starts\n"
+        "case,stage,drift,mm,1,nan,0,,nan,0,1\n"
+        "case,stage,drift,mm,1,0.5,1,\"157 J gained after 0.1 s, \"\"at once\"\"\",0.5,0,1\n");
   CHECK(contains(table_md(table), "| ✗ – | ✗ 0.5 mm (energy) |"));
+}
+
+TEST_CASE(
+    "from several starts: the largest number counts, one start that fails is enough, and the first that breaks is "
+    "named") {
+  const Stage any{.name = "stage", .what = "", .begin = [] { return [](World&, Real) {}; }, .begin_doubled = {}};
+  HardCase c;
+  c.criteria = {{"height", "m", 1}, {"way", "m", 1}};
+  c.starts = 4;
+  std::vector<std::vector<Real>> plays{{Real(0.5), Real(0.1)}, {Real(0.25), 3}, {Real(0.75), 0}, {Real(0.125), 0}};
+  std::vector<Vec3> begun;
+  c.run = [&](Trial& trial) {
+    Play play = trial.play([](World& world) {
+      world.add(ground());
+      world.add(sphere(1, 1));
+    });
+    CHECK(play.world.bodies[0].position == Vec3::Zero());
+    begun.push_back(play.world.bodies[1].position);
+    if (begun.size() == 3) play.world.bodies[1].position.y() = not_a_number;
+    if (begun.size() == 3) play.step();
+    return plays[begun.size() - 1];
+  };
+  const Outcome outcome = outcome_of(c, any);
+  CHECK(outcome.numbers == plays[0]);
+  CHECK(std::isnan(outcome.largest[0]));  // of the third
+  CHECK(outcome.broken.find("start 3: not finite") == 0);
+  CHECK(outcome.starts_passed == 2);
+  CHECK_FALSE(outcome.passed(c));
+  CHECK(passed_of_starts(outcome) == "2/4");
+  CHECK(begun[0] == Vec3::Zero());
+  for (std::size_t i = 1; i < begun.size(); ++i) {
+    CHECK(begun[i] != begun[i - 1]);
+    CHECK(begun[i].cwiseAbs().minCoeff() > 0);
+    CHECK(begun[i].cwiseAbs().maxCoeff() <= nudge);
+  }
+
+  begun.clear();
+  c.starts = 2;
+  const Outcome both = outcome_of(c, any);
+  CHECK(both.largest == std::vector<Real>{Real(0.5), 3});
+  CHECK(both.broken.empty());
+  CHECK(both.starts_passed == 1);
+  CHECK_FALSE(both.passed(c));
+  CHECK(both.worst(c) == 1);
+
+  begun.clear();
+  c.starts = 1;
+  const Outcome first = outcome_of(c, any);
+  CHECK(first.passed(c));
+  CHECK(passed_of_starts(first).empty());
 }
 
 TEST_CASE("some cases and stages: files of their own, the same bytes whatever the number of threads", "[slow]") {
   const Scratch scratch;
   // The last stage takes so long that with two threads the pairs are finished in another order.
-  const std::string what = "stack-10 stack-20 --stages 01,07,soft --out '";
+  const std::string what = "stack-10 stack-20 --stages 01,07,soft --starts 2 --out '";
   const Ended one = call_program(TABLE_PROGRAM, "--jobs 1 " + what + (scratch / "one").string() + "'", 100);
   const Ended two = call_program(TABLE_PROGRAM, "--jobs 2 " + what + (scratch / "two").string() + "'", 100);
   INFO(one.err << two.err);
@@ -112,18 +162,22 @@ TEST_CASE("some cases and stages: files of their own, the same bytes whatever th
   REQUIRE(csv.size() == expected);
   std::size_t line = 1;
   for (const auto& [name, stage] : pairs) {
-    const HardCase& hard_case = hard_case_named(name);
+    HardCase hard_case = hard_case_named(name);
+    hard_case.starts = 2;
     const Outcome outcome = outcome_of(hard_case, stage_named(stage));
     for (std::size_t i = 0; i < hard_case.criteria.size(); ++i, ++line) {
       const std::vector<std::string> fields = fields_of(csv[line]);
-      REQUIRE(fields.size() == 8);
+      REQUIRE(fields.size() == 11);
       CHECK(fields[0] == name);
       CHECK(fields[1] == stage);
       CHECK(fields[2] == hard_case.criteria[i].what);
       CHECK(std::stod(fields[4]) == static_cast<double>(hard_case.criteria[i].limit));
       CHECK(static_cast<Real>(std::stod(fields[5])) == outcome.numbers[i]);  // the same bits, here and there
-      CHECK(fields[6] == (outcome.numbers[i] <= hard_case.criteria[i].limit ? "1" : "0"));
+      CHECK(fields[6] == (outcome.largest[i] <= hard_case.criteria[i].limit ? "1" : "0"));
       CHECK(fields[7] == outcome.broken);
+      CHECK(static_cast<Real>(std::stod(fields[8])) == outcome.largest[i]);
+      CHECK(fields[9] == std::to_string(outcome.starts_passed));
+      CHECK(fields[10] == "2");
     }
   }
 
@@ -151,8 +205,8 @@ TEST_CASE("by what each world calls for: the same table, in a folder of its own"
 
 TEST_CASE("without pictures there are none, and --list writes nothing") {
   const Scratch scratch;
-  const Ended ended =
-      call_program(TABLE_PROGRAM, "stack-10 --quick --no-images --out '" + (scratch / "out").string() + "'", 100);
+  const Ended ended = call_program(
+      TABLE_PROGRAM, "stack-10 --quick --starts 1 --no-images --out '" + (scratch / "out").string() + "'", 100);
   REQUIRE(ended.status == 0);
   CHECK(files_in(scratch / "out") == std::set<std::string>{"table.csv", "table.md", "times.csv"});
   const std::string csv = text_of(scratch / "out" / "hard_cases" / "part" / "table.csv");
@@ -180,6 +234,8 @@ TEST_CASE("what cannot be meant: status 2, a message that names it, and nothing 
            {"--quick --stages soft", {"unknown stage 'soft'"}},
            {"--jobs 0", {"--jobs is 0"}},
            {"--jobs many", {"--jobs", "many"}},
+           {"--starts 0", {"--starts is 0", "from 1 to 30"}},
+           {"--starts 31", {"--starts is 31"}},
            {"--banana", {"--banana"}},
        }) {
     const Scratch scratch;

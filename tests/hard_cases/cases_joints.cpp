@@ -202,6 +202,7 @@ HardCase ragdoll_on_stairs() {
     });
     return {100 * gap, 180 / pi * backwards, 1000 * fastest};
   };
+  c.starts = many_starts;
   return c;
 }
 

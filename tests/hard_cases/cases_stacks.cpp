@@ -10,12 +10,14 @@ namespace {
 
 HardCase stack_of(int count, Real drift_limit) {
   const Real height = static_cast<Real>(count);
-  return must_stand({.name = fmt::format("stack-{}", count),
-                     .title = fmt::format("stack of {}", count),
-                     .stresses = "every contact carries what is above it: convergence, warm starting, ids",
-                     .fill = [count](World& world) { stack(world, count); },
-                     .camera = view({0, height / 2, 0}, height + 1),
-                     .drift_limit = drift_limit});
+  HardCase c = must_stand({.name = fmt::format("stack-{}", count),
+                           .title = fmt::format("stack of {}", count),
+                           .stresses = "every contact carries what is above it: convergence, warm starting, ids",
+                           .fill = [count](World& world) { stack(world, count); },
+                           .camera = view({0, height / 2, 0}, height + 1),
+                           .drift_limit = drift_limit});
+  c.starts = many_starts;
+  return c;
 }
 
 HardCase pyramid_of_20() {

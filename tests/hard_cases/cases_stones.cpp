@@ -95,6 +95,7 @@ HardCase rubble_case() {
     const Stood s = stand(play, 10);
     return {1000 * s.jitter, 1000 * deepest_overlap(play.world)};
   };
+  c.starts = many_starts;
   return c;
 }
 

@@ -18,7 +18,9 @@ bool same(Real p, Real q) {
   return (p == q && std::signbit(p) == std::signbit(q)) || (std::isnan(p) && std::isnan(q));
 }
 
-void hold_to_direct(const HardCase& hard_case, const Stage& stage) {
+/// From one start: what is compared is the way through the dispatch, not the scene.
+void hold_to_direct(HardCase hard_case, const Stage& stage) {
+  hard_case.starts = 1;
   const Outcome direct = outcome_of(hard_case, stage);
   const Outcome needed = outcome_of(hard_case, only_what_is_needed(stage));
   INFO(hard_case.name << " under " << stage.name);

@@ -2,6 +2,9 @@
 
 #include "chapters/00_naive_impulses/naive.h"
 #include "chapters/05_restitution/in_turn.h"
+#include "chapters/11_position_correction/nonlinear_gauss_seidel.h"
+#include "chapters/11_position_correction/split_impulse.h"
+#include "chapters/13_global_solve/global_joints.h"
 #include "chapters/15_only_what_is_needed/dispatch.h"
 #include "common/input.h"
 #include "tests/with_joints.h"
@@ -37,6 +40,11 @@ class Doubled {
   {
     solver_.relax(twice_);
     report(contacts);
+  }
+  void correct()
+    requires requires(ContactSolver& solver) { solver.correct(); }
+  {
+    solver_.correct();
   }
 
  private:
@@ -105,11 +113,20 @@ const std::vector<Stage>& stages() {
           "05 from surface", "the full solver, bounces reckoned from the surface"),
       sweeping<WithJoints<SplitJoints, Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>>(
           "08 friction cone", "the full solver with a cone of friction"),
+      sweeping<WithJoints<SplitJoints, Solver<Clamping, SplitImpulse, Slop, Restitution, Friction, WarmStart>>>(
+          "11 split impulse", "the full solver, overlap corrected by pseudo-velocities in the place of Baumgarte"),
+      sweeping<WithJoints<SplitJoints, Solver<Clamping, NonlinearGaussSeidel, Slop, Restitution, Friction, WarmStart>>>(
+          "11 non-linear Gauss-Seidel", "the full solver, positions corrected contact by contact, not by Baumgarte"),
       stepping<JointedSolver>("12 small steps", "the full solver, 32 small steps of one sweep", 32),
       stepping<WithJoints<SplitJoints, Solver<Clamping, Baumgarte, Slop, ImpactsInTurn, Friction, ScaledWarmStart>>>(
           "05 in turn", "12 small steps with impacts in turn and a scaled guess", 32),
       stepping<WithJoints<SplitJoints, SoftSolver>>(
           "12 soft contacts", "soft contacts and a relaxing pass, 32 small steps of one sweep", 32),
+      stepping<WithJoints<SteadyJoints, SoftSolver>>(
+          "12 joints 20 times", "12 soft contacts with 20 passes over the joints in each sweep", 32),
+      stepping<Solver<Clamping, SoftContacts, Restitution, Friction, WarmStart, GlobalJoints>>(
+          "13 direct joint solve", "12 soft contacts with all joints solved at once in each sweep, without a guess",
+          32),
       stepping<SteadyJointedSolver>(
           "all together",
           "soft contacts, a cone, impacts at once, a scaled guess; 32 small steps of one sweep, 20 over joints", 32),

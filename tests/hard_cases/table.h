@@ -36,12 +36,14 @@ std::string in_short(Real value, Real limit, const std::string& unit);
 std::string in_a_word(const std::string& broken);
 /// The number of the cell's worst criterion, in_short.
 std::string worst_number(const Table& table, std::size_t row, std::size_t column);
+/// "27/30" where there are several starts; else empty.
+std::string passed_of_starts(const Outcome& outcome);
 /// "drift after 10 s ≤ 1 mm; speed in the last second ≤ 1 mm/s"
 std::string criteria_of(const HardCase& hard_case);
 
-/// case, stage, criterion, unit, limit, number, pass, broken: a line a criterion. `pass` is 1 where the number is within
-/// its limit; a cell of the table passes where all of its lines do and `broken` is empty. A number that came to nothing is
-/// nan.
+/// case, stage, criterion, unit, limit, number, pass, broken, largest, starts_passed, starts: a line a criterion. `number`
+/// is of the scene as it is, `largest` of all starts. `pass` is 1 where the largest is within the limit; a cell of the table
+/// passes where all of its lines do and `broken` is empty. A number that came to nothing is nan.
 std::string table_csv(const Table& table);
 /// For GitHub: a row a case, a column a stage; below it what every case stresses and what is asked of it.
 std::string table_md(const Table& table);

@@ -26,7 +26,7 @@ struct Style {
   bool details;
 };
 constexpr Style full{1560, 36, 736, 118, 84, 6, 40, 24, 19, 21, 16, true};
-constexpr Style brief{780, 28, 340, 78, 25, 3, 30, 19, 18, 18, 15, false};
+constexpr Style brief{780, 28, 262, 78, 27, 3, 30, 20, 18, 19, 15, false};
 constexpr int between_groups = 18;
 
 int line_height(float size) {
@@ -76,7 +76,7 @@ class Drawing {
 
   Image draw(const std::vector<Image>& portraits) {
     const auto stages = static_cast<int>(table_.stages.size());
-    const int legend = 4 * line_height(legend_size()) + 26;
+    const int legend = 5 * line_height(legend_size()) + 30;
     const int list = style_.details ? ((stages + 1) / 2 + 1) * line_height(legend_size()) + 10 : 0;
     image_ = Image(width_, foot_y_ + legend + list + style_.margin / 2);
     draw_heads();
@@ -131,7 +131,12 @@ class Drawing {
       const std::string& name = table_.stages[column].name;
       write_text(image_, name.substr(0, name.find(' ')), x, y, style_.head, dark, Align::centre, true);
       y += line_height(style_.small);
-      write_lines(image_, heads_[column], x, y, style_.small, dark, Align::centre);
+      for (const std::string& line : heads_[column]) {
+        float size = style_.small;  // a long word is set smaller, so that it does not run into the next column's
+        while (size > 11 && text_width(line, size) > style_.cell) size -= 0.5F;
+        write_text(image_, line, x, y, size, dark, Align::centre);
+        y += line_height(style_.small);
+      }
       std::size_t count = 0;
       for (std::size_t row = 0; row < table_.cases.size(); ++row) count += table_.passed(row, column) ? 1 : 0;
       write_text(image_, fmt::format("{} of {}", count, table_.cases.size()), x, rows_y_ - 10, style_.small, grey,
@@ -161,18 +166,23 @@ class Drawing {
     fill_rectangle(image_, x, y, style_.cell, high, passed ? pass_fill : fail_fill);
     const bool starred = rescuer(table_, row) == column;
     const std::string symbol = passed ? "✓" : "✗";
+    const std::string starts = passed_of_starts(table_.at(row, column));
     if (!style_.details) {
-      write_text(image_, symbol, centre, y + high - 7, style_.number, ink, Align::centre, true);
+      const bool counted = !passed && !starts.empty();
+      write_text(image_, symbol, counted ? x + 16 : centre, y + high - 7, style_.number, ink, Align::centre, true);
+      if (counted) write_text(image_, starts, x + 28, y + high - 8, style_.small, ink);
       if (starred) write_text(image_, "★", x + style_.cell - 18, y + high - 7, style_.number, gold, Align::centre);
       return;
     }
     const std::string word = in_a_word(table_.at(row, column).broken);
-    const int top = y + (high - style_.row) / 2 + (word.empty() ? 8 : 0);
+    const int top = y + (high - style_.row) / 2 + (word.empty() && starts.empty() ? 8 : 0);
     write_text(image_, symbol, centre, top + 26, 24, ink, Align::centre, true);
     const std::string number = worst_number(table_, row, column);
     write_text(image_, number, centre, top + 52, fitting(number, style_.number, style_.cell - 8, true), ink,
                Align::centre, true);
-    write_text(image_, word, centre, top + 74, style_.small, ink, Align::centre);
+    const std::string below = starts + (starts.empty() || word.empty() ? "" : ", ") + word;
+    write_text(image_, below, centre, top + 74, fitting(below, style_.small, style_.cell - 8, false), ink,
+               Align::centre);
     if (!starred) return;
     fill_rectangle(image_, x, y, style_.cell, 5, gold);
     write_text(image_, "★", x + style_.cell - 19, y + 27, 26, gold, Align::centre);
@@ -182,9 +192,9 @@ class Drawing {
     const float size = legend_size();
     const auto entry = [&](Ink fill, Ink ink, const char* symbol, const std::string& text) {
       y += line_height(size) + 4;
-      fill_rectangle(image_, style_.margin, y - 16, 34, 21, fill);
-      write_text(image_, symbol, style_.margin + 17, y, size + 2, ink, Align::centre, true);
-      write_text(image_, text, style_.margin + 46, y, size, dark);
+      fill_rectangle(image_, style_.margin, y - 16, 48, 21, fill);
+      write_text(image_, symbol, style_.margin + 24, y, size, ink, Align::centre, true);
+      write_text(image_, text, style_.margin + 60, y, size, dark);
     };
     fill_rectangle(image_, style_.margin, y, width_ - 2 * style_.margin, 2, pale);
     entry(pass_fill, white, "✓", "passes: every number is within its limit, and no invariant broke");
@@ -193,6 +203,11 @@ class Drawing {
               ? "fails; below the number, the invariant that broke first: energy gained, a contact that pulls, "
                 "friction beyond its bound, overlap of more than is allowed, a number that is not finite (NaN)"
               : "fails: a number is beyond its limit, or an invariant broke");
+    const std::string knife =
+        fmt::format("a case at a knife's edge, from {} starts that differ by up to 0.001 mm", many_starts);
+    entry(fail_fill, fail_ink, "n/30",
+          style_.details ? knife + ": n of them pass, the number is the largest of all, and the case passes if all do"
+                         : knife + ": n pass, and all would have to");
     entry(pass_fill, gold, "★",
           style_.details
               ? "the feature that rescues the case: from here on all chapters pass; or, where the chapters do "
@@ -208,7 +223,7 @@ class Drawing {
       const int line = y + static_cast<int>(i % half + 1) * line_height(legend_size());
       const Stage& stage = table_.stages[i];
       write_text(image_, stage.name, x, line, legend_size(), dark, Align::left, true);
-      write_text(image_, stage.what, x + 170, line, legend_size(), grey);
+      write_text(image_, stage.what, x + 280, line, legend_size(), grey);
     }
   }
 
