@@ -225,6 +225,7 @@ TEST_CASE("few settings, lost ones, errors that rise") {
   CHECK(fall.kind == Limit::Kind::falling);
   CHECK(fall.most == 8);
   CHECK(limit_of({64, 20, 30, 40, 8, 50}).kind == Limit::Kind::scattered);
+  CHECK(limit_of({10, 9, 8, 7, 12, 6}).kind == Limit::Kind::scattered);  // lower, yet not by half
 }
 
 TEST_CASE("a limit is said with two digits, and no more than can be known") {
