@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "chapters/14_accuracy_and_time/quantile.h"
+#include "common/quantile.h"
 
 namespace pushback {
 
