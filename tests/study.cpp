@@ -7,6 +7,7 @@
 
 #include "chapters/14_accuracy_and_time/study/machine.h"
 #include "chapters/14_accuracy_and_time/study/report.h"
+#include "common/input.h"
 #include "tests/call.h"
 #include "tests/catch.h"
 
