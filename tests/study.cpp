@@ -8,6 +8,7 @@
 #include "chapters/14_accuracy_and_time/study/limits.h"
 #include "chapters/14_accuracy_and_time/study/machine.h"
 #include "chapters/14_accuracy_and_time/study/report.h"
+#include "common/input.h"
 #include "tests/call.h"
 #include "tests/catch.h"
 
@@ -443,7 +444,8 @@ TEST_CASE("the table of the machine says how many settings of each engine were t
   CHECK(contains(text, "| ours | Pushback 7 | 4 | 2 | 1 | 1 |\n"));
   CHECK(contains(text, "| ODE | ODE 8 | 1 | 0 | 0 | 0 |\n"));
   CHECK(contains(processor(), " cores"));
-  CHECK(std::count(load_now().begin(), load_now().end(), ',') == 2);
+  const std::string load = load_now();
+  CHECK(std::count(load.begin(), load.end(), ',') == 2);
   CHECK(contains(version_of({"motion", "ours"}, fs::path(MOTION_PROGRAM).parent_path()), "Pushback, "));
 }
 

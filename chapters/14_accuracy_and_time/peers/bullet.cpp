@@ -28,7 +28,8 @@ struct Choice {
 
 constexpr btScalar half_slab = 20;  // m
 
-/// Counts rows where they are swept: a list at once. Bullet leaves out a tangent whose normal presses with nothing; it counts.
+/// Counts rows where they are swept, a list at once: Bullet ends its iterations where nothing is left to correct. A tangent
+/// whose normal presses with nothing is only looked at; it counts.
 class Counts {
  public:
   virtual ~Counts() = default;
@@ -191,13 +192,8 @@ std::vector<Method> peer_methods() {
 }
 
 std::string peer_version() {
-#ifdef BT_USE_SSE
-  const char* vectors = "SSE";
-#else
-  const char* vectors = "no SSE";
-#endif
-  return fmt::format("Bullet {}.{}, {}, {}; called by {}", btGetVersion() / 100, btGetVersion() % 100,
-                     sizeof(btScalar) == sizeof(double) ? "double" : "float", vectors, built_by());
+  return fmt::format("Bullet {}.{}, {}; called by {}", btGetVersion() / 100, btGetVersion() % 100,
+                     sizeof(btScalar) == sizeof(double) ? "double" : "float", built_by());
 }
 
 }  // namespace pushback
