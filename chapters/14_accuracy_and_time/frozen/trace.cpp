@@ -83,7 +83,7 @@ void Trace::climb() {
     }
     return;
   }
-  Rung rung{1, std::min(100, limits_.sweeps)};
+  Rung rung{1, std::min(10, limits_.sweeps)};
   for (const double tolerance : limits_.ladder) {
     if (!points_.empty() && points_.back().residual <= tolerance) continue;  // met on the way to the last
     rung.asked = std::min(rung.asked, tolerance);
