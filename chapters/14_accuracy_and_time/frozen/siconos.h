@@ -3,6 +3,7 @@
 /// Built in with the option PUSHBACK_SICONOS, where Debian's libsiconos-numerics-dev is. Where it is not, there are no methods.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -21,12 +22,19 @@ struct SiconosAnswer {
   double seconds = 0;    ///< of its driver alone, conversions of W that it makes for itself included
 };
 
-/// With the options that are the method's default, but for the tolerance, of relative_residual, and the most iterations.
+/// With the options that are the method's default, but for the tolerance, of siconos_error, and the most iterations.
 /// Throws InvalidInput where the method is none, std::runtime_error where Siconos gives up by what it calls a fatal error.
 SiconosAnswer solve_by_siconos(const ContactProblem& problem, const std::string& method, double tolerance,
                                int iterations);
 
-/// Siconos' own error of r, the natural map's, of the length of q: what relative_residual should be. Not divided where q is 0.
+/// Siconos' own error of r. It is the natural map's, as in relative_residual, but relative to siconos_unit.
 double siconos_error(const ContactProblem& problem, const Vector& r);
+
+/// What Siconos 4.4 divides by: the largest of ||q||, ||r|| and ||u||, where we divide by ||q||. 1 in the place of ||q|| = 0.
+/// Its error is never above ours, and far below where impulses in N s are large numbers.
+inline double siconos_unit(const ContactProblem& problem, const Vector& r) {
+  const double q = problem.q.norm();
+  return std::max({q > 0 ? q : 1, r.norm(), problem.speeds(r).norm()});
+}
 
 }  // namespace pushback

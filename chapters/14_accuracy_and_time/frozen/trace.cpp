@@ -58,10 +58,15 @@ void Trace::sweep_along() {
   }
 }
 
-TracePoint Trace::climbed_to(double tolerance, int iterations) const {
-  if (is_siconos(method_)) {
-    const SiconosAnswer found = solve_by_siconos(problem_, method_, tolerance, iterations);
-    return {found.iterations, 0, relative_residual(problem_, found.r), {found.seconds}};
+TracePoint Trace::climbed_to(Rung& rung, double tolerance) const {
+  while (is_siconos(method_)) {
+    const SiconosAnswer found = solve_by_siconos(problem_, method_, rung.asked, rung.iterations);
+    const TracePoint point{found.iterations, 0, relative_residual(problem_, found.r), {found.seconds}};
+    if (point.residual <= tolerance || found.seconds > limits_.seconds) return point;
+    const double tighter = 0.5 * tolerance * problem_.q.norm() / siconos_unit(problem_, found.r);
+    if (found.reached && tighter < 0.99 * rung.asked) rung.asked = tighter;
+    else if (rung.iterations < limits_.sweeps) rung.iterations = std::min(4 * rung.iterations, limits_.sweeps);
+    else return point;
   }
   Stopwatch solving;
   solving.go();
@@ -72,22 +77,20 @@ TracePoint Trace::climbed_to(double tolerance, int iterations) const {
 
 void Trace::climb() {
   if (!rungs_.empty()) {
-    for (std::size_t i = 0; i < rungs_.size(); ++i)
-      points_[i].seconds.push_back(climbed_to(rungs_[i].tolerance, rungs_[i].iterations).seconds[0]);
+    for (std::size_t i = 0; i < rungs_.size(); ++i) {
+      Rung rung = rungs_[i].rung;
+      points_[i].seconds.push_back(climbed_to(rung, rungs_[i].tolerance).seconds[0]);
+    }
     return;
   }
-  int iterations = std::min(100, limits_.sweeps);
+  Rung rung{1, std::min(10, limits_.sweeps)};
   for (const double tolerance : limits_.ladder) {
     if (!points_.empty() && points_.back().residual <= tolerance) continue;  // met on the way to the last
-    TracePoint point = climbed_to(tolerance, iterations);
-    const auto reached = [&] { return point.residual <= tolerance; };
-    while (is_siconos(method_) && !reached() && point.seconds[0] <= limits_.seconds && iterations < limits_.sweeps) {
-      iterations = std::min(4 * iterations, limits_.sweeps);
-      point = climbed_to(tolerance, iterations);
-    }
-    if (!reached() || point.seconds[0] > limits_.seconds) return;
+    rung.asked = std::min(rung.asked, tolerance);
+    const TracePoint point = climbed_to(rung, tolerance);
+    if (!(point.residual <= tolerance) || point.seconds[0] > limits_.seconds) return;
     points_.push_back(point);
-    rungs_.push_back({tolerance, iterations});
+    rungs_.push_back({tolerance, rung});
   }
 }
 

@@ -31,7 +31,8 @@ struct TracePoint {
 /// A sweeping method is looked at after 0, 1, 2, 3 ... sweeps, from 5 on after a quarter more each time. One that only
 /// says how it ended (`best`, Siconos) is run from r = 0 for one tolerance of the ladder after the other, and has a point
 /// for each that it reached by relative_residual. Siconos has no limit of time: its runs begin with few iterations, and have
-/// four times as many until one reaches the tolerance or has taken longer than the limit.
+/// four times as many until one reaches the tolerance or has taken longer than the limit. Where it has reached it by its own
+/// measure only (siconos_unit), it is asked for so much less.
 class Trace {
  public:
   /// The first round: it finds how far the limits let it go. Keeps a reference to the problem. Throws InvalidInput where
@@ -52,18 +53,22 @@ class Trace {
 
  private:
   struct Rung {
-    double tolerance;
+    double asked;    // of the method, by its own measure
     int iterations;  // at most
   };
+  TracePoint climbed_to(Rung& rung, double tolerance) const;
   void sweep_along();
   void climb();
-  TracePoint climbed_to(double tolerance, int iterations) const;
 
   const ContactProblem& problem_;
   std::string method_;
   TraceLimits limits_;
   std::vector<TracePoint> points_;
-  std::vector<Rung> rungs_;  // of the ladder, those that points_ are of
+  struct Reached {
+    double tolerance;
+    Rung rung;
+  };
+  std::vector<Reached> rungs_;  // of the ladder, those that points_ are of
 };
 
 }  // namespace pushback
