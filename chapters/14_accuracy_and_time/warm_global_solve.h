@@ -1,6 +1,8 @@
 /// All contacts at once, from where the last step ended.
 #pragma once
 
+#include <limits>
+
 #include "chapters/13_global_solve/global_solve.h"
 #include "chapters/13_global_solve/proximal_newton.h"
 #include "chapters/14_accuracy_and_time/seat.h"
@@ -22,7 +24,7 @@ struct WarmGlobalSolve : Effect {
     const std::vector<Eigen::Index> places = places_in_problem(*contacts_, rows);
     for (std::size_t i = 0; i < rows.size(); ++i) r[places[i]] = static_cast<double>(rows[i].impulse);
     problem.q -= problem.w * r;  // u = W r + q with what the guess has done already
-    newton(problem, r, {tolerance, rounds, [] { return false; }});
+    newton(problem, r, {tolerance, rounds, std::numeric_limits<double>::infinity()});
     if (!(relative_residual(problem, r) <= too_far)) r = solve_best(problem, {.tolerance = tolerance, .rounds = 1}).r;
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].reach(static_cast<Real>(r[places[i]]));
   }
