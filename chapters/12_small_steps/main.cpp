@@ -106,11 +106,13 @@ int main(int argc, char** argv) {
       const auto and_relaxing = [](const Budget& budget) { return budget.small_steps * (budget.sweeps + 1); };
       const std::vector<Budget> same{{1, 32}, {2, 16}, {4, 8}, {8, 4}, {16, 2}, {32, 1}};
       const StackCurves hard_same = study<FullSolver>("hard", 0, e.dt(), same, steps),
-                  soft_same = study<SoftSolver>("soft", 1, e.dt(), same, steps);
-      const StackCurves sweeps = study<FullSolver>("sweeps in one step", 2, e.dt(), {{1, 16}, {1, 32}, {1, 64}}, all_sweeps),
-                  hard_steps = study<FullSolver>("small steps", 0, e.dt(), {{16, 1}, {32, 1}, {64, 1}}, all_sweeps),
-                  soft_steps = study<SoftSolver>("small steps, soft", 1, e.dt(), {{8, 1}, {16, 1}, {32, 1}, {64, 1}},
-                                                 and_relaxing);
+                        soft_same = study<SoftSolver>("soft", 1, e.dt(), same, steps);
+      const StackCurves sweeps =
+                            study<FullSolver>("sweeps in one step", 2, e.dt(), {{1, 16}, {1, 32}, {1, 64}}, all_sweeps),
+                        hard_steps =
+                            study<FullSolver>("small steps", 0, e.dt(), {{16, 1}, {32, 1}, {64, 1}}, all_sweeps),
+                        soft_steps = study<SoftSolver>("small steps, soft", 1, e.dt(),
+                                                       {{8, 1}, {16, 1}, {32, 1}, {64, 1}}, and_relaxing);
       const auto panel = [&](const std::string& title, const std::string& x, const std::string& y,
                              const std::vector<Curve>& curves) {
         e.panel({.title = title, .x_label = x, .y_label = y, .log_x = true, .log_y = true, .curves = curves});
