@@ -1,7 +1,7 @@
 /// Sequential Impulses: one row after the other, over and over, each satisfied as if it were alone.
 ///
 /// What else a solver does is said by the types it is made of: Solver<> solves J V = 0 and nothing more;
-/// Solver<Clamping, Baumgarte, Friction> pays for just these three.
+/// Solver<Clamping, Baumgarte, Friction> runs just these three.
 #pragma once
 
 #include <concepts>
