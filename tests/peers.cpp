@@ -211,7 +211,7 @@ TEST_CASE("Row solves: a ball on the ground has one row, and two tangents where 
   for (const double mu : {0.0, 0.5}) {
     const auto fill = [mu](World& world) {
       world.add(ground().rough(static_cast<Real>(mu)));
-      world.add(sphere(Real(0.5), 1).at({0, Real(0.499), 0}).rough(static_cast<Real>(mu)));
+      world.add(sphere(Real(0.5), 1).at({0, Real(0.45), 0}).rough(static_cast<Real>(mu)));  // so deep that it stays
     };
     const auto truth = [](int frames) {
       return std::vector<Places>(static_cast<std::size_t>(frames), {{0, 0, 0}, {0, 0.5, 0}});
@@ -220,8 +220,8 @@ TEST_CASE("Row solves: a ball on the ground has one row, and two tangents where 
     for (const Method& method : peer_methods()) {
       const Played played = play(resting, truth(10), method, {.small_steps = 1, .sweeps = 1}, once);
       INFO(method.name << ", mu " << mu);
-      if (method.name == "ode") CHECK(played.row_solves == 10 * (mu > 0 ? 3 : 1));
-      if (method.name == "bullet" || method.name == "bullet-double") CHECK(played.row_solves == 10 * 3);
+      if (method.name == "ode") CHECK(played.row_solves.value_or(-1) == 10 * (mu > 0 ? 3 : 1));
+      if (method.name == "bullet" || method.name == "bullet-double") CHECK(played.row_solves.value_or(-1) == 10 * 3);
     }
   }
 }

@@ -42,8 +42,9 @@ void GlobalJoints::factor() {
   for (std::size_t i = 0; i < joint_rows_.size(); ++i)
     if (!limited(joint_rows_[i]) && std::isfinite(joint_rows_[i].effective_mass)) at_once_.push_back(i);
   at_once_ = independent(joint_rows_, at_once_);
-  if (!at_once_.empty())
-    factors_ = std::make_shared<const Eigen::SimplicialLDLT<Symmetric>>(matrix_of(joint_rows_, at_once_));
+  if (at_once_.empty()) return;
+  factors_ = std::make_shared<const Eigen::SimplicialLDLT<Symmetric>>(matrix_of(joint_rows_, at_once_));
+  if (factors_->info() != Eigen::Success) at_once_.clear();  // D was left unfinished: not to be read
 }
 
 void GlobalJoints::solve_at_once() {

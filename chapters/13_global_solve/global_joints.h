@@ -14,7 +14,8 @@ namespace pushback {
 ///   A lambda = -(J V + b),   A = J M^-1 J^T + gamma = L D L^T, sparse, made once a step
 ///
 /// Without contacts and limits one sweep is all. With them, the two take turns; named last in the solver's list, joints have
-/// the last word. Nothing is remembered, so what beta feeds back cannot build up. Rows with limits are swept as in Joints.
+/// the last word. Nothing is remembered, so what beta feeds back cannot build up. Rows with limits are swept as in Joints, and
+/// all rows in a step in which A cannot be factored.
 ///
 /// Joints may ask for the same thing twice, and A is singular then. 1 / D_i is the mass that row i feels while the rows before
 /// it hold, 1 / A_ii what it feels alone. A row that feels 1 / least_pivot times as much gets no impulse: the others hold it.
@@ -27,7 +28,7 @@ struct GlobalJoints : Joints {
   }
   void sweep(Rows&) {
     for (Row& row : joint_rows_)
-      if (limited(row)) row.solve();
+      if (limited(row) || at_once_.empty()) row.solve();
     solve_at_once();
   }
   void moved(Rows& rows) {
