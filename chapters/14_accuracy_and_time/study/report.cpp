@@ -108,13 +108,13 @@ std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
       const auto found = cheapest(ours(measured.all), tolerance.error);
       const auto frame = [&](double seconds) { return plain(per_frame(*measured.motion, seconds)); };
       const auto rows = [&] { return found->row_solves ? plain(*found->row_solves / measured.motion->frames()) : "–"; };
-      text += found ? fmt::format("| `{}`{}: {} µs ({} to {}), {} row solves, {} mm off, {} remains ", found->setting(),
-                                  found->engine == "motion" ? "" : " in float", frame(found->median()),
-                                  frame(found->quartile(1)), frame(found->quartile(3)), rows(),
-                                  plain(1000 * found->error),
-                                  // in double, where its method was played with all steps
-                                  limit_of(measured.all, "motion", found->method, found->sweeps).remains())
-                    : "| not reached ";
+      text +=
+          found ? fmt::format("| `{}`{}: {} µs ({} to {}), {} row solves, {} mm off, {} remains ", found->setting(),
+                              found->engine == "motion" ? "" : " in float", frame(found->median()),
+                              frame(found->quartile(1)), frame(found->quartile(3)), rows(), plain(1000 * found->error),
+                              // in double, where its method was played with all steps
+                              limit_of(measured.all, "motion", found->method, found->sweeps).remains())
+                : "| not reached ";
     }
     text += "|\n";
   }
