@@ -248,7 +248,7 @@ TEST_CASE("the columns mean what their names say") {
 }
 
 // What stands on a sheet stands in numbers.md, in the same words: both are committed, so no clock may decide any of it.
-TEST_CASE("two runs of any chapter write the same, but for the time that the solver took") {
+TEST_CASE("two runs of any chapter write the same, but for the time that the solver took", "[slow]") {
   for (const std::string& chapter : chapters) {
     INFO(chapter);
     const int limit = 120;  // s: some chapters have studies of their own, which --seconds does not shorten
