@@ -3,8 +3,6 @@
 /// PUSHBACK_STORE_HASHES=1 writes that file anew.
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <map>
 #include <thread>
 
@@ -14,6 +12,7 @@
 #include "tests/hard_cases/random_scene.h"
 #include "tests/hard_cases/stages.h"
 #include "tests/random.h"
+#include "tests/stored_hashes.h"
 
 using namespace pushback;
 
@@ -87,25 +86,11 @@ std::map<std::string, std::string> all_hashes() {
   return hashes;
 }
 
-const char* const file = "tests/reference_hashes.txt";
-
 }  // namespace
 
 #ifndef PUSHBACK_FLOAT
 TEST_CASE("600 steps end in the same bits in every build") {
-  const auto hashes = all_hashes();
-  if (std::getenv("PUSHBACK_STORE_HASHES") != nullptr) {
-    std::ofstream out(file);
-    for (const auto& [what, hash] : hashes) out << hash << "  " << what << '\n';
-  }
-  std::map<std::string, std::string> stored;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) stored[line.substr(18)] = line.substr(0, 16);
-  REQUIRE(stored.size() == std::size(scenes) * stages().size());
-  for (const auto& [what, hash] : hashes) {
-    INFO(what);
-    CHECK(stored[what] == hash);
-  }
+  check_stored("tests/reference_hashes.txt", all_hashes());
 }
 #endif
 

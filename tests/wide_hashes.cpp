@@ -2,8 +2,6 @@
 /// reference_hashes does not know. The hashes of their motions stand in wide_hashes.txt; PUSHBACK_STORE_HASHES=1 writes it.
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <map>
 
 #include "chapters/11_position_correction/nonlinear_gauss_seidel.h"
@@ -15,6 +13,7 @@
 #include "common/input.h"
 #include "common/measure.h"
 #include "tests/catch.h"
+#include "tests/stored_hashes.h"
 #include "tests/with_joints.h"
 
 using namespace pushback;
@@ -109,25 +108,8 @@ std::map<std::string, std::string> all_hashes() {
   return hashes;
 }
 
-const char* const file = "tests/wide_hashes.txt";
-
 }  // namespace
 
 TEST_CASE("every scene moves in the same bits under joints, sleep, corrections and direct solves") {
-  const auto hashes = all_hashes();
-  if (std::getenv("PUSHBACK_STORE_HASHES") != nullptr) {
-    std::ofstream out(file);
-    for (const auto& [what, hash] : hashes) out << hash << "  " << what << '\n';
-  }
-  std::map<std::string, std::string> stored;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    const std::size_t gap = line.find("  ");
-    stored[line.substr(gap + 2)] = line.substr(0, gap);
-  }
-  CHECK(stored.size() == hashes.size());
-  for (const auto& [what, hash] : hashes) {
-    INFO(what);
-    CHECK(stored[what] == hash);
-  }
+  check_stored("tests/wide_hashes.txt", all_hashes());
 }

@@ -28,7 +28,7 @@ struct GlobalJoints : Joints {
   }
   void sweep(Rows&) {
     for (Row& row : joint_rows_)
-      if (limited(row) || at_once_.empty()) row.solve();
+      if (limited(row) || (at_once_.empty() && std::isfinite(row.effective_mass))) row.solve();
     solve_at_once();
   }
   void moved(Rows& rows) {
