@@ -82,8 +82,8 @@ BENCHMARK_CAPTURE(gyroscopic, not_tumbling, Vec3::Constant(Real(0.5)))->Iteratio
 void applied_forces(benchmark::State& state) {
   const Vec3 gravity{0, Real(-9.81), 0};
   price_per_body(
-      state, Vec3::Constant(Real(0.5)), [&](Body& body) { Motion<CalledFor<>>::push(body, gravity, dt); },
-      [&](Body& body) { Motion<CalledFor<Pulling>>::push(body, gravity, dt); });
+      state, Vec3::Constant(Real(0.5)), [&](Body& body) { Integrator<CalledFor<>>::push(body, gravity, dt); },
+      [&](Body& body) { Integrator<CalledFor<Pulling>>::push(body, gravity, dt); });
 }
 BENCHMARK(applied_forces)->Iterations(400);
 
