@@ -8,6 +8,10 @@
 #include <fc3d_compute_error.h>
 #include <sn_error_handling.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -67,6 +71,59 @@ std::vector<std::string> siconos_methods() {
   return names;
 }
 
+namespace {
+
+/// What a process of its own sends back, and the impulses after it.
+struct Sent {
+  int iterations = 0, info = 1;
+  double seconds = 0;
+};
+
+void send(int pipe, const void* what, std::size_t size) {
+  for (const char* at = static_cast<const char*>(what); size > 0;) {
+    const ssize_t sent = write(pipe, at, size);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) return;
+    at += sent;
+    size -= static_cast<std::size_t>(sent);
+  }
+}
+
+/// Whether so much came.
+bool receive(int pipe, void* what, std::size_t size) {
+  for (char* at = static_cast<char*>(what); size > 0;) {
+    const ssize_t got = read(pipe, at, size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    at += got;
+    size -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+void solve_and_send(int pipe, const ContactProblem& problem, int id, double tolerance, int iterations) {
+  be_silent();
+  const Problem made = in_siconos(problem);
+  const Options options(solver_options_create(id));
+  options->dparam[SICONOS_DPARAM_TOL] = tolerance;
+  options->iparam[SICONOS_IPARAM_MAX_ITER] = iterations;
+  Vector r = Vector::Zero(problem.q.size()), u = r;
+  Sent sent;
+  Stopwatch solving;
+  solving.go();
+  const bool came_back = drive(made.get(), r.data(), u.data(), options.get(), &sent.info);
+  solving.stop();
+  if (!came_back) return;
+  sent.iterations = options->iparam[SICONOS_IPARAM_ITER_DONE];
+  sent.seconds = solving.seconds();
+  send(pipe, &sent, sizeof sent);
+  send(pipe, r.data(), sizeof(double) * static_cast<std::size_t>(r.size()));
+}
+
+}  // namespace
+
+// In a process of its own: Siconos 4.4 does not give back all the memory that it takes, and after some hundreds of calls there
+// is none left.
 SiconosAnswer solve_by_siconos(const ContactProblem& problem, const std::string& method, double tolerance,
                                int iterations) {
   const Method* asked = nullptr;
@@ -74,22 +131,32 @@ SiconosAnswer solve_by_siconos(const ContactProblem& problem, const std::string&
     if (each.name == method) asked = &each;
   if (asked == nullptr)
     throw InvalidInput(fmt::format("method is '{}': one of {} is needed", method, fmt::join(siconos_methods(), ", ")));
-  be_silent();
-  const Problem made = in_siconos(problem);
-  const Options options(solver_options_create(asked->id));
-  options->dparam[SICONOS_DPARAM_TOL] = tolerance;
-  options->iparam[SICONOS_IPARAM_MAX_ITER] = iterations;
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe to a process for Siconos");
+  std::fflush(nullptr);  // or what waits there would be printed twice
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no process for Siconos");
+  if (child == 0) {
+    close(ends[0]);
+    int status = 0;
+    try {
+      solve_and_send(ends[1], problem, asked->id, tolerance, iterations);
+    } catch (...) {
+      status = 1;
+    }
+    _exit(status);
+  }
+  close(ends[1]);
+  Sent sent;
   SiconosAnswer answer{.r = Vector::Zero(problem.q.size())};
-  Vector u = Vector::Zero(problem.q.size());
-  int info = 1;
-  Stopwatch solving;
-  solving.go();
-  const bool came_back = drive(made.get(), answer.r.data(), u.data(), options.get(), &info);
-  solving.stop();
+  const bool came_back = receive(ends[0], &sent, sizeof sent) &&
+                         receive(ends[0], answer.r.data(), sizeof(double) * static_cast<std::size_t>(answer.r.size()));
+  close(ends[0]);
+  while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
   if (!came_back) throw std::runtime_error(method + " has given up by what Siconos calls a fatal error");
-  answer.iterations = options->iparam[SICONOS_IPARAM_ITER_DONE];
-  answer.reached = info == 0;
-  answer.seconds = solving.seconds();
+  answer.iterations = sent.iterations;
+  answer.reached = sent.info == 0;
+  answer.seconds = sent.seconds;
   return answer;
 }
 
