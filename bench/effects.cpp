@@ -19,16 +19,12 @@ constexpr int sweeps = 10;
 
 // ---- the price of each effect of the solver ----------------------------------------------------------------------------
 
-struct Remembered : WarmStart {
-  static constexpr double bytes = sizeof(Memory) + sizeof(Vec3) + 1.0 / 8;
-};
-
 template <class E>
 constexpr double own_bytes = 0;  // per contact, beside rows
 template <>
 constexpr double own_bytes<Friction> = sizeof(Real);
 template <>
-constexpr double own_bytes<WarmStart> = Remembered::bytes;
+constexpr double own_bytes<WarmStart> = sizeof(Vec3) + 1.0 / 8;
 
 /// `Added` to a solver that has the others already.
 template <class Added, class... Others>
@@ -79,14 +75,6 @@ void gyroscopic(benchmark::State& state, const Vec3& half_extents) {
 BENCHMARK_CAPTURE(gyroscopic, tumbling, Vec3(Real(0.3), Real(0.4), Real(0.5)))->Iterations(400);
 BENCHMARK_CAPTURE(gyroscopic, not_tumbling, Vec3::Constant(Real(0.5)))->Iterations(400);
 
-void applied_forces(benchmark::State& state) {
-  const Vec3 gravity{0, Real(-9.81), 0};
-  price_per_body(
-      state, Vec3::Constant(Real(0.5)), [&](Body& body) { Integrator<CalledFor<>>::push(body, gravity, dt); },
-      [&](Body& body) { Integrator<CalledFor<Pulling>>::push(body, gravity, dt); });
-}
-BENCHMARK(applied_forces)->Iterations(400);
-
 // ---- the price of the choice ---------------------------------------------------------------------------------------------
 
 void reading_and_choosing(benchmark::State& state) {
@@ -96,7 +84,7 @@ void reading_and_choosing(benchmark::State& state) {
 }
 BENCHMARK(reading_and_choosing)->Unit(benchmark::kMicrosecond);
 
-/// A step with nearly nothing in it, chosen while the program runs and while it was compiled.
+/// A step with nearly nothing in it, its solver chosen while the program runs and while it was compiled.
 void indirect_calls(benchmark::State& state) {
   World world;
   world.gravity.setZero();
@@ -110,7 +98,7 @@ void indirect_calls(benchmark::State& state) {
   for (auto _ : state) {
     turns.round({[&] {
                    return seconds_of([&] {
-                     for (int i = 0; i < steps; ++i) step_only<Called>(world, compiled, dt, sweeps);
+                     for (int i = 0; i < steps; ++i) world.step(compiled, dt, sweeps);
                    });
                  },
                  [&] {
@@ -223,12 +211,7 @@ void rows_of_joints(benchmark::State& state) {
   InTurn turns;
   for (auto _ : state) {
     const auto seconds = [&](int count) {
-      return [&, count] {
-        return seconds_of([&] {
-          solver.hold(world, dt);
-          solver.solve(world.contacts, dt, count);
-        });
-      };
+      return [&, count] { return seconds_of([&] { solver.solve(world, dt, count); }); };
     };
     turns.round({seconds(0), seconds(10), seconds(110)});
   }

@@ -18,8 +18,7 @@ class FrozenPyramid {
     pyramid(world, base);
     FullSolver solver;
     for (int step = 0; step < 60; ++step) world.step(solver, dt, 10);
-    world.apply_forces(dt);
-    world.find_contacts();
+    world.begin_step(dt);
     before_ = world.bodies;
   }
   /// The same pyramid with this mu everywhere from now on.
@@ -32,13 +31,12 @@ class FrozenPyramid {
   FrozenPyramid(const FrozenPyramid&) = delete;
   FrozenPyramid& operator=(const FrozenPyramid&) = delete;
 
-  /// s, of one solve, and of the correction after it where there is one.
+  /// s, of one solve, and of what comes after the bodies have moved where there is something.
   template <class ContactSolver>
   [[gnu::noinline]] double seconds(ContactSolver& solver, int sweeps = 10) {
     const auto solve = [&] {
-      if constexpr (JointSolver<ContactSolver>) solver.hold(world, dt_);
-      solver.solve(world.contacts, dt_, sweeps);
-      if constexpr (requires { solver.correct(); }) solver.correct();
+      solver.solve(world, dt_, sweeps);
+      solver.after_move(world, dt_);
     };
     put_back();
     solve();

@@ -63,12 +63,10 @@ const Placed<Hull>& as_touched(const Placed<Hull>& h) {
   return h;
 }
 
-void append(Body& a, Body& b, const Manifold& found, bool swapped, Contacts& contacts) {
+void append(const Body& a, const Body& b, const Manifold& found, bool swapped, Contacts& contacts) {
   const Vec3& origin = swapped ? b.position : a.position;
   for (int i = 0; i < found.count; ++i) {
     Contact& contact = contacts.emplace_back();
-    contact.a = &a;
-    contact.b = &b;
     contact.point = origin + found.touches[i].point;
     contact.normal = swapped ? Vec3(-found.normal) : found.normal;
     contact.depth = found.touches[i].depth;
@@ -80,7 +78,7 @@ void append(Body& a, Body& b, const Manifold& found, bool swapped, Contacts& con
 
 }  // namespace
 
-void collide(Body& a, Body& b, Contacts& contacts) {
+void collide(const Body& a, const Body& b, Contacts& contacts) {
   if (!a.movable() && !b.movable()) return;
   const auto meet = [&]<class A, class B>(const A& shape_a, const B& shape_b) {
     Manifold found;

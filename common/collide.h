@@ -7,6 +7,6 @@ namespace pushback {
 
 /// Appends up to four points at which the bodies overlap to `contacts`; none where they do not, or where both are
 /// immovable. The normal points from `a` to `b`, whichever shapes they have; a.index < b.index.
-void collide(Body& a, Body& b, Contacts& contacts);
+void collide(const Body& a, const Body& b, Contacts& contacts);
 
 }  // namespace pushback

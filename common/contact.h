@@ -28,20 +28,15 @@ enum class ContactState {
 
 /// One point at which two bodies overlap.
 struct Contact {
-  Body* a = nullptr;
-  Body* b = nullptr;
   Vec3 point = Vec3::Zero();   ///< m, world axes: midway between the two surfaces
   Vec3 normal = Vec3::Zero();  ///< unit, world axes, always from A to B
   Real depth = 0;              ///< m, positive when overlapping: -(P_B - P_A) . n
   Real friction = 0;           ///< mu of the pair
   Real restitution = 0;        ///< e of the pair
-  ContactId id;
+  ContactId id;                ///< and with it which bodies: A is id.body_a, B is id.body_b
 
   Vec3 impulse = Vec3::Zero();               ///< N s, on B, world axes: what the solver applied here in this step
   ContactState state = ContactState::fresh;  ///< what the solver did here
-
-  /// P_B - P_A along n grows at this speed, m/s: (v_B + w_B x r_B - v_A - w_A x r_A) . n.
-  Real separating_speed() const { return (b->velocity_at(point) - a->velocity_at(point)).dot(normal); }
 };
 
 using Contacts = std::vector<Contact>;

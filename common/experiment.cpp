@@ -32,6 +32,11 @@ Variant& Variant::in_small_steps(int count) {
   return *this;
 }
 
+Variant& Variant::changing(std::function<void(World&)> how) {
+  change = std::move(how);
+  return *this;
+}
+
 Variant& Variant::with_exactly(int count) {
   sweeps = count;
   exactly = true;
@@ -107,6 +112,22 @@ void Experiment::number(const std::string& name, const std::string& unit, std::f
   acts_.back().numbers.push_back({name, unit, std::move(of)});
 }
 
+Variant& Experiment::add_variant(const std::string& name) {
+  Variant& added = variants_.emplace_back();
+  added.name = name;
+  added.scene = acts_.size() - 1;
+  return added;
+}
+
+Variant& Experiment::motion(const std::string& name, std::function<std::size_t(World&, Real, int)> step) {
+  Variant& added = add_variant(name);
+  added.check = [step](World& world, Real dt) { step(world, dt, 1); };
+  added.step = [step](World& world, Real dt, int sweeps, Sample& sample) {
+    sample.rows = static_cast<int>(step(world, dt, sweeps));
+  };
+  return added;
+}
+
 void Experiment::study(std::function<void()> work) {
   studies_.push_back(std::move(work));
 }
@@ -155,15 +176,18 @@ void Experiment::choose_variants() {
   });
 }
 
-/// One step of each variant, so that a value that cannot be used is found before anything is written.
-void Experiment::rehearse() const {
+/// A value that cannot be used is found before anything is written.
+void Experiment::check() const {
   for (const Variant& variant : variants_) {
     World world;
-    acts_[variant.scene].scene.fill(world);
-    auto step = variant.step;
-    Sample sample;
-    step(world, dt_ / static_cast<Real>(variant.small_steps), sweeps_of(variant), sample);
+    fill(world, variant);
+    variant.check(world, dt_ / static_cast<Real>(variant.small_steps));
   }
+}
+
+void Experiment::fill(World& world, const Variant& variant) const {
+  acts_[variant.scene].scene.fill(world);
+  if (variant.change) variant.change(world);
 }
 
 void Experiment::list() const {
@@ -219,7 +243,7 @@ int Experiment::run(int argc, const char* const* argv, const std::function<void(
       return 0;
     }
     choose_variants();
-    rehearse();
+    check();
     play();
     return 0;
   } catch (const InvalidInput& problem) {

@@ -70,15 +70,19 @@ struct Variant {
   std::size_t scene = 0;
   /// Moves a world on by one step; fills the sample's rows, residual and solver_seconds.
   std::function<void(World&, Real dt, int sweeps, Sample&)> step;
-  int small_steps = 1;                   ///< into how many each step of --dt is cut
-  int sweeps = 0;                        ///< 0: what --sweeps says
-  bool exactly = false;                  ///< whether --sweeps has no say
-  int colour = -1;                       ///< line_colour's index; -1: its place among all variants
-  std::map<std::string, Real> expected;  ///< by the name of a number
+  std::function<void(World&, Real dt)> check;  ///< throws InvalidInput where a value cannot be used
+  std::function<void(World&)> change;          ///< what this variant does to the scene before it begins; empty: nothing
+  int small_steps = 1;                         ///< into how many each step of --dt is cut
+  int sweeps = 0;                              ///< 0: what --sweeps says
+  bool exactly = false;                        ///< whether --sweeps has no say
+  int colour = -1;                             ///< line_colour's index; -1: its place among all variants
+  std::map<std::string, Real> expected;        ///< by the name of a number
   std::vector<Reference> references;
 
   /// Each step of --dt as so many steps of the `count`th part; numbers of points found and lost are then of the last one.
   Variant& in_small_steps(int count);
+  /// What this variant does to the scene before it begins: variants may differ in their joints.
+  Variant& changing(std::function<void(World&)> how);
   /// Instead of the ten that all have; --sweeps overrides it.
   Variant& with_sweeps(int count);
   /// The number of sweeps is what this variant is about: --sweeps leaves it alone.
@@ -112,10 +116,11 @@ class Experiment {
 
   /// What follows, up to the next scene, belongs to this one.
   void scene(Scene scene);
-  /// A solver to watch on the latest scene: anything with solve(Contacts&, Real dt, int sweeps), for World::step; or with
-  /// step(World&, Real dt, int sweeps), which moves the world on in a way of its own: its solver_seconds stay 0.
-  template <class ContactSolver>
+  /// A solver to watch on the latest scene: anything that World::step takes.
+  template <std::derived_from<StepSolver> ContactSolver>
   Variant& variant(const std::string& name, ContactSolver solver);
+  /// What moves the scene's bodies on in a way of its own, and returns how many rows that took. A copy of it plays the scene.
+  Variant& motion(const std::string& name, std::function<std::size_t(World&, Real dt, int sweeps)> step);
   /// A quantity to record after every step and to plot against time, for the latest scene. The first is the one that
   /// references are drawn with. Without any, the deepest overlap is plotted. `log_y`: as Panel has it.
   void series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of,
@@ -157,9 +162,11 @@ class Experiment {
   struct Result;
   class Output;
 
+  Variant& add_variant(const std::string& name);
   void refuse_twins() const;
   void choose_variants();
-  void rehearse() const;
+  void check() const;
+  void fill(World& world, const Variant& variant) const;
   void list() const;
   void play();
   Result play(const Variant& variant, std::size_t index, Output& output) const;
@@ -191,12 +198,14 @@ class Experiment {
 
 /// Stands where the solver would, so that the clock runs for it alone.
 template <class ContactSolver>
-struct Watched {
+struct Watched : StepSolver {
   ContactSolver& solver;
   Sample& sample;
 
-  void solve(Contacts& contacts, Real dt, int sweeps) {
-    timed([&] { solver.solve(contacts, dt, sweeps); });
+  Watched(ContactSolver& its_solver, Sample& its_sample) : solver(its_solver), sample(its_sample) {}
+  void check(World& world, Real dt) { solver.check(world, dt); }
+  void solve(World& world, Real dt, int sweeps) {
+    timed([&] { solver.solve(world, dt, sweeps); });
     if constexpr (requires { solver.rows(); }) {
       sample.rows = static_cast<int>(solver.rows().size());
       sample.residual = 0;
@@ -207,20 +216,8 @@ struct Watched {
       for (const auto& row : solver.joint_rows()) sample.residual = std::max(sample.residual, row.error());
     }
   }
-  void hold(World& world, Real dt)
-    requires JointSolver<ContactSolver>
-  {
-    timed([&] { solver.hold(world, dt); });
-  }
-  void relax(Contacts& contacts)
-    requires requires(ContactSolver& s) { s.relax(contacts); }
-  {
-    timed([&] { solver.relax(contacts); });
-  }
-  void correct()
-    requires requires(ContactSolver& s) { s.correct(); }
-  {
-    timed([&] { solver.correct(); });
+  void after_move(World& world, Real dt) {
+    timed([&] { solver.after_move(world, dt); });
   }
 
   template <class Work>
@@ -231,22 +228,15 @@ struct Watched {
   }
 };
 
-template <class ContactSolver>
+template <std::derived_from<StepSolver> ContactSolver>
 Variant& Experiment::variant(const std::string& name, ContactSolver solver) {
-  Variant added;
-  added.name = name;
-  added.scene = acts_.size() - 1;
+  Variant& added = add_variant(name);
+  added.check = [solver](World& world, Real dt) mutable { solver.check(world, dt); };
   added.step = [solver](World& world, Real dt, int sweeps, Sample& sample) mutable {
-    if constexpr (requires { solver.step(world, dt, sweeps); }) {
-      solver.step(world, dt, sweeps);
-      sample.rows = static_cast<int>(solver.rows().size());
-    } else {
-      Watched<ContactSolver> watched{solver, sample};
-      world.step(watched, dt, sweeps);
-    }
+    Watched<ContactSolver> watched(solver, sample);
+    world.step(watched, dt, sweeps);
   };
-  variants_.push_back(std::move(added));
-  return variants_.back();
+  return added;
 }
 
 }  // namespace pushback

@@ -70,7 +70,7 @@ Experiment::Result Experiment::play(const Variant& variant, std::size_t index, O
   const Real seconds = static_cast<Real>(steps) * dt_;
 
   World world;
-  scene.fill(world);
+  fill(world, variant);
   // The impulses that a picture shows are those of the latest small step.
   const Real arrow =
       static_cast<Real>(variant.small_steps) * (scene.arrow > 0 ? scene.arrow : fitting_arrow(world, dt_));

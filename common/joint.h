@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/body.h"
+#include "common/jacobian.h"
 
 namespace pushback {
 
@@ -20,19 +21,14 @@ struct Moment {
   Real time, dt;
 };
 
-/// One scalar equation C(x, t) = 0 between two bodies, as it stands where they are now:
+/// One scalar equation C(x, t) = 0 between two bodies, as it stands where they are now:   C' = J V + b
 ///
-///   C' = J V + b,   J = [ -n  -(r_A x n)  n  (r_B x n) ]
-///
-/// Lengths are in m, forces in N. An equation between turns has n = 0, and the axis in the place of both r x n; it is in rad
-/// and N m.
+/// Lengths are in m, forces in N; of an equation between turns, rad and N m.
 struct Equation {
-  Vec3 n = Vec3::Zero();     ///< J: unit, world axes
-  Vec3 ra_n = Vec3::Zero();  ///< J: r_A x n
-  Vec3 rb_n = Vec3::Zero();  ///< J: r_B x n
-  Real error = 0;            ///< C: what is to be fed back
-  Real bias = 0;             ///< b, a second: of C that depends on time, or minus a speed that is wanted
-  Real softness = 0;         ///< gamma, 1/kg or 1/(kg m^2): how far it gives way to its own impulse
+  Jacobian jacobian;
+  Real error = 0;     ///< C: what is to be fed back
+  Real bias = 0;      ///< b, a second: of C that depends on time, or minus a speed that is wanted
+  Real softness = 0;  ///< gamma, 1/kg or 1/(kg m^2): how far it gives way to its own impulse
   Real lo = -std::numeric_limits<Real>::infinity();  ///< the least force
   Real hi = std::numeric_limits<Real>::infinity();   ///< the largest
 };
@@ -49,9 +45,11 @@ struct Joint {
   bool driven =
       false;  ///< asks for a motion, or for something else at another time: what it holds does not come to rest
   bool colliding = false;  ///< whether the two may touch. Mostly they overlap where they are joined
+  /// Of each of its equations in the latest step, in their order: N s, or N m s. Kept by solvers that start from it.
+  std::vector<Real> impulses = {};
 };
 
-/// The body with this index; for the_world one that never moves, with its centre in the origin.
+/// World::body, for those who know the world by its name only.
 const Body& body_of(const World& world, int index);
 
 /// Throws InvalidInput unless a and b are two different bodies of the world, or one of them the_world, and one can move.

@@ -15,7 +15,6 @@ int World::add(const Body& body) {
   check(checked);
   checked.index = static_cast<int>(bodies.size());
   bodies.push_back(checked);
-  contacts.clear();  // their pointers may point to where the bodies were
   return checked.index;
 }
 
@@ -33,7 +32,7 @@ void check_state(const Body& body) {
   require_finite("orientation's scalar part", body.orientation.w());
 }
 
-void begin_step(Body& body) {
+void keep_velocity(Body& body) {
   body.velocity_before = body.velocity;
   body.angular_velocity_before = body.angular_velocity;
 }
@@ -52,15 +51,9 @@ void move(Body& body, Real dt) {
   if (body.angular_velocity != Vec3::Zero()) spin_freely(body, dt);
 }
 
-void World::check_step(Real dt, int sweeps) {
-  pushback::check_step(dt, sweeps, gravity);
-  for (const Body& body : bodies) check_state(body);
-}
-
-void World::apply_forces(Real dt) {
-  for (Body& body : bodies) begin_step(body);
-  for (const Force& force : forces) force.apply(*this);
-  for (Body& body : bodies) push(body, gravity, dt);
+void World::begin_step(Real dt) {
+  Everybody everybody;
+  pushback::begin_step(*this, dt, everybody);
 }
 
 void World::find_contacts() {
@@ -78,6 +71,12 @@ void World::find_contacts() {
 void World::move(Real dt) {
   for (Body& body : bodies) pushback::move(body, dt);
   time += dt;
+  dt_before = dt;
+}
+
+Real separating_speed(const World& world, const Contact& at) {
+  const auto [a, b] = world.bodies_of(at);
+  return (b.velocity_at(at.point) - a.velocity_at(at.point)).dot(at.normal);
 }
 
 bool tumbles(const Body& body) {

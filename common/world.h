@@ -1,8 +1,9 @@
-/// The bodies and the order of a step.
+/// The bodies, and what is known of them from step to step.
 #pragma once
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/body.h"
@@ -21,57 +22,63 @@ struct Force {
       {};  ///< indices of those that it acts on, and that feel each other through it; empty: of all
 };
 
-/// A solver that also solves what joints ask for. The others refuse a world with joints.
-template <class ContactSolver>
-concept JointSolver = requires(ContactSolver& solver, World& world, Real dt) { solver.hold(world, dt); };
-
+/// A value: what a copy goes on to do is what the original would have done, to the last bit.
 class World {
  public:
   std::vector<Body> bodies;
   Vec3 gravity{0, Real(-9.81), 0};  ///< m/s^2
   std::vector<Force> forces;        ///< see common/forces.h
-  std::vector<Joint> joints;
-  Real time = 0;  ///< s, simulated so far
+  std::vector<Joint> joints;        ///< each with what it bore in the latest step
+  Real time = 0;                    ///< s, simulated so far
   /// What touched in the latest step, in ascending order of id, with what the solver did there.
   Contacts contacts;
+  /// Those of the step before it; and, until they are solved, of those asleep that have just been woken.
+  Contacts contacts_before;
+  Real dt_before = 0;  ///< s, of the latest step; 0: there was none
+  /// By this an impulse of the step before is to be multiplied to be of one of dt, s.
+  Real impulse_scale(Real dt) const { return dt_before > 0 ? dt / dt_before : 0; }
 
   /// Puts a body into the world and returns its index. Throws InvalidInput if a number in it cannot be simulated.
   int add(const Body& body);
 
-  /// Moves everything on by dt seconds. `solver` is whatever has `solve(Contacts&, Real dt, int sweeps)`.
-  /// Throws InvalidInput unless dt > 0, sweeps >= 0 and every body's state is finite, or where there are joints and the
-  /// solver holds none; then nothing has moved.
+  /// Moves everything on by dt seconds; see common/step.h. Throws InvalidInput unless dt > 0, sweeps >= 0, every body's
+  /// state is finite, and the solver can solve what is here; then nothing has changed.
   template <class ContactSolver>
-  void step(ContactSolver& solver, Real dt, int sweeps = 10) {
-    check_step(dt, sweeps);
-    if constexpr (!JointSolver<ContactSolver>) check_no_joints(joints);
-    apply_forces(dt);  // 1.  v += h (g + F/m),  w += h I^-1 tau
-    find_contacts();   // 2.  points, normals, depths, ids
-    if constexpr (JointSolver<ContactSolver>) solver.hold(*this, dt);
-    solver.solve(contacts, dt, sweeps);  // 3.  start from the last step's impulses
-                                         // 4.  sweep over the rows
-                                         // 5.  keep the impulses
-    move(dt);                            // 6.  x += h v,  q += h/2 (0, w) q,  refresh I^-1
-    if constexpr (requires { solver.relax(contacts); }) solver.relax(contacts);  // 7. only where a solver has this
-    if constexpr (requires { solver.correct(); }) solver.correct();              // 8. likewise
-  }
+  void step(ContactSolver& solver, Real dt, int sweeps = 10);
 
-  void apply_forces(Real dt);
+  /// The first part of a step, for those who solve by themselves: all that goes before the solver.
+  void begin_step(Real dt);
+  /// Finds what touches now, in the place of what was found.
   void find_contacts();
+  /// x += h v and the turn, of all bodies; and time goes on.
   void move(Real dt);
 
+  /// A and B of a contact.
+  std::pair<Body&, Body&> bodies_of(const Contact& at) { return {bodies[at.id.body_a], bodies[at.id.body_b]}; }
+  std::pair<const Body&, const Body&> bodies_of(const Contact& at) const {
+    return {bodies[at.id.body_a], bodies[at.id.body_b]};
+  }
+  /// The body with this index; for the_world one that never moves, with its centre in the origin.
+  Body& body(int index) { return index == the_world ? immovable_ : bodies[static_cast<std::size_t>(index)]; }
+  const Body& body(int index) const {
+    return index == the_world ? immovable_ : bodies[static_cast<std::size_t>(index)];
+  }
+
  private:
-  void check_step(Real dt, int sweeps);
+  Body immovable_ = sphere(1, 1).fixed();
 };
 
-// ---- what a step does to one body by itself; World does it to all of them -------------------------------------------
+/// P_B - P_A along n grows at this speed, m/s: (v_B + w_B x r_B - v_A - w_A x r_A) . n.
+Real separating_speed(const World& world, const Contact& at);
+
+// ---- what a step does to one body by itself -------------------------------------------------------------------------
 
 /// Throws InvalidInput unless dt > 0, sweeps >= 0 and the gravity is finite.
 void check_step(Real dt, int sweeps, const Vec3& gravity);
 /// Throws InvalidInput unless every number of the body's state is finite.
 void check_state(const Body& body);
 /// velocity_before and angular_velocity_before.
-void begin_step(Body& body);
+void keep_velocity(Body& body);
 /// v += h (g + F/m),  w += h I^-1 tau,  and F = tau = 0.
 void push(Body& body, const Vec3& gravity, Real dt);
 /// x += h v, and the turn.
@@ -86,3 +93,5 @@ void spin_freely(Body& body, Real dt);
 void spin_evenly(Body& body, Real dt);
 
 }  // namespace pushback
+
+#include "common/step.h"

@@ -24,7 +24,6 @@ using With = Solver<Clamping, Baumgarte, Slop, Restitution, AnyFriction, WarmSta
 /// Two bodies that move and spin, or one and a wall, and a point of both at which they approach.
 struct Meeting {
   World world;
-  Contacts contacts;
 
   explicit Meeting(Random& random) {
     for (int i = 0; i < 2; ++i) {
@@ -33,34 +32,33 @@ struct Meeting {
     }
     if (random.below(2) == 0) world.bodies[0].fixed().moving(Vec3::Zero()).spinning(Vec3::Zero());
     Contact contact;
-    contact.a = &world.bodies[0];
-    contact.b = &world.bodies[1];
-    contact.point = (contact.a->position + contact.b->position) / 2 + random.vector(Real(0.5));
+    contact.id = {0, 1, 0};
+    contact.point = (world.bodies[0].position + world.bodies[1].position) / 2 + random.vector(Real(0.5));
     contact.normal = random.direction();
-    if (contact.separating_speed() > 0) contact.normal = -contact.normal;
+    if (separating_speed(world, contact) > 0) contact.normal = -contact.normal;
     contact.friction = random.between(Real(0.1), Real(1.5));
-    contacts.push_back(contact);
+    world.contacts = {contact};
   }
-  const Contact& contact() const { return contacts[0]; }
+  const Contact& contact() const { return world.contacts[0]; }
+  /// Of B's point against A's.
+  Vec3 velocity() const {
+    const auto [a, b] = world.bodies_of(contact());
+    return b.velocity_at(contact().point) - a.velocity_at(contact().point);
+  }
   Vec3 in_plane(const Vec3& v) const { return v - v.dot(contact().normal) * contact().normal; }
-  Vec3 slip() const {
-    return in_plane(contact().b->velocity_at(contact().point) - contact().a->velocity_at(contact().point));
-  }
+  Vec3 slip() const { return in_plane(velocity()); }
   Vec3 friction() const { return in_plane(contact().impulse); }
   /// What an impulse does to the velocity of B's point relative to A's: the sum of 1/m - [r] I^-1 [r], 1/kg.
   Mat3 k() const {
     Mat3 sum = Mat3::Zero();
-    for (const Body* body : {contact().a, contact().b}) {
-      const Mat3 r = skew(contact().point - body->position);
-      sum += body->inverse_mass * Mat3::Identity() - r * body->inverse_inertia * r;
+    for (const Body& body : world.bodies) {
+      const Mat3 r = skew(contact().point - body.position);
+      sum += body.inverse_mass * Mat3::Identity() - r * body.inverse_inertia * r;
     }
     return sum;
   }
   /// Whether the impulse that would stop the point altogether pushes: it may have to pull, and then no mu is enough.
-  bool can_be_held() const {
-    const Vec3 velocity = contact().b->velocity_at(contact().point) - contact().a->velocity_at(contact().point);
-    return (k().inverse() * velocity).dot(contact().normal) < 0;
-  }
+  bool can_be_held() const { return (k().inverse() * velocity()).dot(contact().normal) < 0; }
   /// Whether friction at its bound may take as much from the normal speed as the normal impulse that bounds it gives:
   /// Painleve's paradox. There may be no solution then, or several.
   bool paradox() const {
@@ -76,13 +74,14 @@ struct DiscSpy : Effect {
   std::vector<Real> mu;
   Real worst = 0;
   int at_edge = 0;
-  void build(const Contacts& contacts, Rows&, Real) {
+  void build(Step& step) {
     mu.clear();
-    for (const Contact& contact : contacts) mu.push_back(contact.friction);
+    for (const Contact& contact : step.contacts) mu.push_back(contact.friction);
   }
-  void sweep(Rows& rows) {
+  void sweep(Step& step) {
+    const Rows& rows = step.rows;
     for (std::size_t tangent = mu.size(); tangent < rows.size(); tangent += 2) {
-      const int contact = rows[tangent].contact;
+      const std::size_t contact = rows[tangent].owner;
       const Real radius = mu[contact] * rows[contact].impulse;
       const Real length = std::hypot(rows[tangent].impulse, rows[tangent + 1].impulse);
       if (length > radius) worst = std::max(worst, radius > 0 ? length / radius - 1 : std::numeric_limits<Real>::max());
@@ -127,7 +126,7 @@ TEST_CASE("08: where nothing changes any more, friction holds, or is at its boun
     Meeting m(random);
     if (m.paradox()) continue;
     Solver<Clamping, FrictionCone> solver;
-    solver.solve(m.contacts, h, 5000);
+    solver.solve(m.world, h, 5000);
     INFO("meeting " << i);
     REQUIRE(m.bound() > 0);
     if (m.at_the_bound() && m.slip().norm() > tiny) {
@@ -150,12 +149,10 @@ TEST_CASE("08: scaled back, friction is opposite to K^-1 u instead, and the pyra
   for (int i = 0; i < 1000; ++i) {
     Meeting m(random);
     Meeting other = m;
-    other.contacts[0].a = &other.world.bodies[0];
-    other.contacts[0].b = &other.world.bodies[1];
     Solver<Clamping, FrictionScaledBack> scaled_back;
-    scaled_back.solve(m.contacts, h, 5000);
+    scaled_back.solve(m.world, h, 5000);
     Solver<Clamping, Friction> pyramid;
-    pyramid.solve(other.contacts, h, 5000);
+    pyramid.solve(other.world, h, 5000);
     if (!m.at_the_bound() || m.slip().norm() < Real(0.1)) continue;
     ++slid;
     const Rows& rows = scaled_back.rows();
@@ -175,9 +172,9 @@ TEST_CASE("08: scaled back, friction is opposite to K^-1 u instead, and the pyra
 TEST_CASE("08: the step is 1 / the larger eigenvalue of the tangents' block") {
   Random random(3);
   for (int i = 0; i < 200; ++i) {
-    const Meeting m(random);
+    Meeting m(random);
     const auto [tangent1, tangent2] = tangents_of(m.contact().normal);
-    const Row one(m.contact(), tangent1, 0), two(m.contact(), tangent2, 0);
+    const Row one = row_of(m.world, m.contact(), tangent1, 0), two = row_of(m.world, m.contact(), tangent2, 0);
     Eigen::Matrix<Real, 3, 2> t;
     t << tangent1, tangent2;
     const Eigen::Matrix<Real, 2, 2> k = t.transpose() * m.k() * t;
@@ -196,15 +193,15 @@ TEST_CASE("08: a sweep never adds energy, nor slip where friction may hold") {
   for (int i = 0; i < 300; ++i) {
     Meeting m(random);
     const bool may_hold = random.below(2) == 0;
-    Rows rows;
-    rows.emplace_back(m.contact(), m.contact().normal, 0);
+    Rows rows{row_of(m.world, m.contact(), m.contact().normal, 0)};
+    Step step{m.world, m.world.contacts, rows, h};
     rows[0].impulse = may_hold ? Real(1e6) : random.over_decades(Real(0.01), 100);  // a bound that stays
     FrictionCone cone;
-    cone.build(m.contacts, rows, h);
+    cone.build(step);
     Real energy = kinetic_energy(m.world), slip = m.slip().norm();
     const Real rounding = 100 * eps * energy;
     for (int sweep = 0; sweep < 30; ++sweep) {
-      cone.sweep(rows);
+      cone.sweep(step);
       INFO("meeting " << i << ", sweep " << sweep);
       CHECK(kinetic_energy(m.world) <= energy + rounding);
       if (may_hold) CHECK(m.slip().norm() <= slip * (1 + 100 * eps) + 1000 * eps);
@@ -217,17 +214,17 @@ TEST_CASE("08: a sweep never adds energy, nor slip where friction may hold") {
 TEST_CASE("08: the slower direction of a foot that is to be held keeps 1 - k_min / k_max of its slip per sweep") {
   for (const Real direction : {Real(0), pi / 2}) {  // the block's own axes: where the stick leans, and across
     Stick stick(direction);
-    Rows rows;
-    rows.emplace_back(stick.contacts[0], stick.contacts[0].normal, 0);
+    Rows rows{row_of(stick.world, stick.contact(), stick.contact().normal, 0)};
+    Step step{stick.world, stick.world.contacts, rows, h};
     rows[0].impulse = Real(1e6);
     FrictionCone cone;
-    cone.build(stick.contacts, rows, h);
+    cone.build(step);
     const TangentBlock k(rows[1], rows[2]);
-    const Real own = 1 / Row(stick.contacts[0], way_of_heading(direction), 0).effective_mass;
+    const Real own = 1 / row_of(stick.world, stick.contact(), way_of_heading(direction), 0).effective_mass;
     const Real kept = 1 - own / k.larger_eigenvalue();
     Real slip = stick.slip().norm();
     for (int sweep = 0; sweep < 5; ++sweep) {
-      cone.sweep(rows);
+      cone.sweep(step);
       CHECK(std::abs(stick.slip().norm() - kept * slip) < 100 * eps * v0);
       slip = stick.slip().norm();
     }
@@ -286,14 +283,12 @@ TEST_CASE("08: with mu = 0 nothing is rubbed, to the bit; with a huge mu nothing
     for (const Real mu_of_pair : {Real(0), Real(1e9)}) {
       Meeting m(random);
       if (!m.can_be_held()) continue;
-      m.contacts[0].friction = mu_of_pair;
+      m.world.contacts[0].friction = mu_of_pair;
       Meeting bare = m;
-      bare.contacts[0].a = &bare.world.bodies[0];
-      bare.contacts[0].b = &bare.world.bodies[1];
       Solver<Clamping, FrictionCone> solver;
-      solver.solve(m.contacts, h, mu_of_pair > 0 ? 50000 : 10);
+      solver.solve(m.world, h, mu_of_pair > 0 ? 50000 : 10);
       Solver<Clamping> without;
-      without.solve(bare.contacts, h, 10);
+      without.solve(bare.world, h, 10);
       INFO("meeting " << i << ", mu " << mu_of_pair);
       if (mu_of_pair > 0) CHECK(m.slip().norm() < tiny);
       else CHECK(hash_of(m.world) == hash_of(bare.world));

@@ -62,9 +62,8 @@ ContactProblem sliding_stack_problem() {
   World world;
   stack(world, 3);
   for (std::size_t i = 1; i < world.bodies.size(); ++i) world.bodies[i].velocity += Vec3(Real(0.4), 0, Real(0.1));
-  world.apply_forces(Real(1) / 60);
-  world.find_contacts();
-  return problem_of(world.contacts);
+  world.begin_step(Real(1) / 60);
+  return problem_of(world);
 }
 
 }  // namespace

@@ -24,9 +24,8 @@ template <class Fill>
 Named step_of(const std::string& name, const Fill& fill) {
   World world;
   fill(world);
-  world.apply_forces(Real(1) / 60);
-  world.find_contacts();
-  return {name, problem_of(world.contacts)};
+  world.begin_step(Real(1) / 60);
+  return {name, problem_of(world)};
 }
 
 std::vector<Named> own() {

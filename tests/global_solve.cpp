@@ -29,15 +29,14 @@ struct Frame {
   template <class Fill>
   explicit Frame(Fill fill) {
     fill(world);
-    world.apply_forces(h);
-    world.find_contacts();
+    world.begin_step(h);
   }
 };
 
-Rows normals_of(const Contacts& contacts) {
+Rows normals_of(World& world) {
   Rows rows;
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    rows.emplace_back(contacts[i], contacts[i].normal, static_cast<int>(i));
+  for (std::size_t i = 0; i < world.contacts.size(); ++i)
+    rows.push_back(row_of(world, world.contacts[i], world.contacts[i].normal, i));
   return rows;
 }
 
@@ -70,10 +69,11 @@ TEST_CASE("sequential impulses are projected Gauss-Seidel on the matrix of all r
   });
   Contacts& contacts = frame.world.contacts;
   // The rows as the solver makes them, before it moves anything.
-  Rows rows = normals_of(contacts);
+  Rows rows = normals_of(frame.world);
   for (Row& row : rows) row.lo = 0;
   Friction friction;
-  friction.build(contacts, rows, h);
+  Step step{frame.world, contacts, rows, h};
+  friction.build(step);
   const SparseRows a = matrix_of(rows);
   const Vector b = speeds_of(rows);
   Vector impulses = Vector::Zero(b.size());
@@ -81,14 +81,13 @@ TEST_CASE("sequential impulses are projected Gauss-Seidel on the matrix of all r
   for (int sweep = 0; sweep < 20; ++sweep) {
     for (Index i = 0; i < normals; ++i) project(a, b, i, 0, 1e300, impulses);
     for (Index i = normals; i < b.size(); ++i) {
-      const int contact = rows[static_cast<std::size_t>(i)].contact;
-      const double bound =
-          static_cast<double>(contacts[static_cast<std::size_t>(contact)].friction) * impulses[contact];
+      const std::size_t contact = rows[static_cast<std::size_t>(i)].owner;
+      const double bound = static_cast<double>(contacts[contact].friction) * impulses[static_cast<Index>(contact)];
       project(a, b, i, -bound, bound, impulses);
     }
   }
   Solver<Clamping, Friction> solver;
-  solver.solve(contacts, h, 20);
+  solver.solve(frame.world, h, 20);
   double largest = 0, apart = 0;
   for (std::size_t i = 0; i < solver.rows().size(); ++i) {
     largest = std::max(largest, std::abs(impulses[static_cast<Index>(i)]));
@@ -101,7 +100,7 @@ TEST_CASE("sequential impulses are projected Gauss-Seidel on the matrix of all r
 
 TEST_CASE("A says what an impulse does: J V after minus J V before") {
   Frame frame([](World& world) { pyramid(world, 3); });
-  Rows rows = normals_of(frame.world.contacts);
+  Rows rows = normals_of(frame.world);
   const SparseRows a = matrix_of(rows);
   const Vector before = speeds_of(rows);
   rows[5].apply(7);
@@ -173,14 +172,13 @@ TEST_CASE("the relative residual is the natural map's error, of the length of q"
 
 TEST_CASE("a step that starts from its solution leaves the sweeps nothing to do") {
   Frame frame([](World& world) { stack(world, 8); });
-  Contacts contacts = frame.world.contacts;
   const auto first = frame.world.bodies;
   Solver<Clamping, FrictionCone, GlobalSolve> none, some;
   const std::size_t top = frame.world.bodies.size() - 1;
-  none.solve(frame.world.contacts, h, 0);
+  none.solve(frame.world, h, 0);
   const Vec3 at_once = frame.world.bodies[top].velocity;
   for (std::size_t i = 0; i < first.size(); ++i) frame.world.bodies[i] = first[i];
-  some.solve(frame.world.contacts, h, 50);
+  some.solve(frame.world, h, 50);
   const Real small = std::is_same_v<Real, float> ? Real(1e-4) : Real(1e-7);
   CHECK((frame.world.bodies[top].velocity - at_once).norm() < small);
   CHECK(at_once.norm() < small);  // at rest, where gravity alone would give it 0.16 m/s
@@ -190,11 +188,12 @@ TEST_CASE("a step that starts from its solution leaves the sweeps nothing to do"
 TEST_CASE("the problem of a solver's rows has their biases, and friction only where there are tangents") {
   Frame frame([](World& world) { stack(world, 2); });
   const Contacts& contacts = frame.world.contacts;
-  Rows rows = normals_of(contacts);
+  Rows rows = normals_of(frame.world);
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].bias = static_cast<Real>(i);
   const Tangents tangents = tangents_of(contacts[3].normal);
-  for (const Vec3& tangent : {tangents.tangent1, tangents.tangent2}) rows.emplace_back(contacts[3], tangent, 3);
-  const ContactProblem whole = problem_of(contacts), problem = problem_of(contacts, rows);
+  for (const Vec3& tangent : {tangents.tangent1, tangents.tangent2})
+    rows.push_back(row_of(frame.world, contacts[3], tangent, 3));
+  const ContactProblem whole = problem_of(frame.world), problem = problem_of(contacts, rows);
   CHECK(Eigen::MatrixXd(problem.w) == Eigen::MatrixXd(whole.w));
   for (Index c = 0; c < problem.contacts(); ++c) {
     const Contact& contact = contacts[static_cast<std::size_t>(c)];
@@ -211,7 +210,7 @@ TEST_CASE("what is pushed out of an overlap leaves by beta of it a step, solved 
     world.add(sphere(Real(0.5), 100).at({0, Real(0.45), 0}));
   });
   Solver<Clamping, Baumgarte, FrictionCone, GlobalSolve> solver;
-  solver.solve(frame.world.contacts, h, 0);
+  solver.solve(frame.world, h, 0);
   CHECK(frame.world.bodies[1].velocity.y() == Approx(solver.Baumgarte::beta * Real(0.05) / h).epsilon(1e-5));
 }
 
@@ -233,7 +232,7 @@ TEST_CASE("the residual that is reported is that of the impulses, in whatever or
       for (Body& body : world.bodies)
         if (body.movable()) body.moving({number(random), -1, number(random)}).spinning({0, number(random), 0});
     });
-    ContactProblem problem = problem_of(frame.world.contacts);
+    ContactProblem problem = problem_of(frame.world);
     problem.w *= 1e6;  // light bodies: small impulses, of which speeds that round are a large part
     const Solution found = solve_best(problem, {.tolerance = 0, .rounds = 3});  // goes on where it would stop else
     CHECK(relative_residual(problem, found.r) < found.residual + 1e-14);
@@ -245,7 +244,7 @@ TEST_CASE("the residual that is reported is that of the impulses, in whatever or
 
 TEST_CASE("conjugate gradients come further in the same sweeps, for the same law") {
   Frame frame([](World& world) { stack(world, 20); });
-  const ContactProblem problem = problem_of(frame.world.contacts);
+  const ContactProblem problem = problem_of(frame.world);
   const double plain = solve(problem, "cone", 1000, 0).residual, conjugate = solve(problem, "nscg", 1000, 0).residual;
   INFO(plain << " against " << conjugate);
   CHECK(3 * conjugate < plain);
@@ -257,7 +256,7 @@ TEST_CASE("conjugate gradients come further in the same sweeps, for the same law
 
 TEST_CASE("what is solved best is solved in the same bits again") {
   Frame frame([](World& world) { pyramid(world, 6); });
-  const ContactProblem problem = problem_of(frame.world.contacts);
+  const ContactProblem problem = problem_of(frame.world);
   const Solution one = solve_best(problem), two = solve_best(problem);
   CHECK(one.residual < 1e-12);
   CHECK(one.r == two.r);
@@ -265,7 +264,7 @@ TEST_CASE("what is solved best is solved in the same bits again") {
 
 TEST_CASE("best stops after counted work, in the same bits, and never worse for more of it") {
   Frame frame([](World& world) { pyramid(world, 6); });
-  const ContactProblem problem = problem_of(frame.world.contacts);
+  const ContactProblem problem = problem_of(frame.world);
   const double whole = solve_best(problem).work, of_a_sweep = static_cast<double>(problem.w.nonZeros());
   double last = relative_residual(problem, Vector::Zero(problem.q.size()));
   for (const double part : {0.0, 0.001, 0.01, 0.1, 0.5, 0.9}) {
@@ -301,7 +300,7 @@ TEST_CASE("no clock stands in what solves a contact problem") {
 
 TEST_CASE("a problem comes back from its file in the same bits") {
   Frame frame([](World& world) { pyramid(world, 4); });
-  const ContactProblem problem = problem_of(frame.world.contacts), read = read_problem(problem_text(problem));
+  const ContactProblem problem = problem_of(frame.world), read = read_problem(problem_text(problem));
   CHECK(Eigen::MatrixXd(problem.w) == Eigen::MatrixXd(read.w));
   CHECK(problem.q == read.q);
   CHECK(problem.mu == read.mu);
@@ -335,7 +334,7 @@ TEST_CASE("what is wrong with a file is said") {
 
 TEST_CASE("a file cut short anywhere, or with a word spoilt, is refused or read, never worse") {
   Frame frame([](World& world) { stack(world, 2); });
-  const std::string text = problem_text(problem_of(frame.world.contacts));
+  const std::string text = problem_text(problem_of(frame.world));
   const std::size_t whole = text.find_last_not_of(" \n") + 1;
   for (std::size_t length = 0; length + 3 < whole; length += 7)
     CHECK(!complaint([&] { read_problem(text.substr(0, length)); }).empty());

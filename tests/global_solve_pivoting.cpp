@@ -26,11 +26,10 @@ template <class Fill>
 Frictionless frictionless(Fill fill) {
   World world;
   fill(world);
-  world.apply_forces(Real(1) / 60);
-  world.find_contacts();
+  world.begin_step(Real(1) / 60);
   Rows rows;
   for (std::size_t i = 0; i < world.contacts.size(); ++i)
-    rows.emplace_back(world.contacts[i], world.contacts[i].normal, static_cast<int>(i));
+    rows.push_back(row_of(world, world.contacts[i], world.contacts[i].normal, i));
   return {matrix_of(rows), speeds_of(rows)};
 }
 

@@ -26,6 +26,6 @@ inline pushback::Equations asked_by(const pushback::Joint& joint, const pushback
 
 /// J V.
 inline pushback::Real rate_of(const pushback::Equation& equation, const pushback::Body& a, const pushback::Body& b) {
-  return equation.n.dot(b.velocity - a.velocity) + equation.rb_n.dot(b.angular_velocity) -
-         equation.ra_n.dot(a.angular_velocity);
+  const auto& [n, ra_n, rb_n] = equation.jacobian;
+  return n.dot(b.velocity - a.velocity) + rb_n.dot(b.angular_velocity) - ra_n.dot(a.angular_velocity);
 }

@@ -27,7 +27,7 @@ Real energy(const World& world) {
 /// What an impulse of row j does to the speed of row i: J M^-1 J^T, as the world's joints stand.
 Matrix effect_of_rows(World& world) {
   RigidCold solver;
-  solver.hold(world, h);
+  solver.solve(world, h, 0);
   const Rows& rows = solver.joint_rows();
   Matrix a(rows.size(), rows.size());
   for (std::size_t j = 0; j < rows.size(); ++j) {

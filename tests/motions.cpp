@@ -670,15 +670,14 @@ using Swept = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmS
 struct Watch : Effect {
   double residual = 0, pushes = 0;  ///< the largest of all steps; N s, along the normals of the latest
 
-  void build(const Contacts& contacts, Rows&, Real) { all_ = &contacts; }
-  void start(Rows& rows) { problem_ = problem_of(*all_, rows); }  // before the guess
-  void finish(Rows& rows) {
+  void start(Step& step) { problem_ = problem_of(step.contacts, step.rows); }  // before the guess
+  void finish(Step& step) {
     std::vector<Eigen::Index> next;
-    for (std::size_t i = 0; i < all_->size(); ++i) next.push_back(3 * std::ssize(next));
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) next.push_back(3 * std::ssize(next));
     Vector r = Vector::Zero(problem_.q.size());
     pushes = 0;
-    for (const Row& row : rows) {
-      const Eigen::Index at = next[static_cast<std::size_t>(row.contact)]++;
+    for (const Row& row : step.rows) {
+      const Eigen::Index at = next[row.owner]++;
       r[at] = static_cast<double>(row.impulse);
       if (at % 3 == 0) pushes += r[at];
     }
@@ -686,7 +685,6 @@ struct Watch : Effect {
   }
 
  private:
-  const Contacts* all_ = nullptr;
   ContactProblem problem_;
 };
 using AtOnce = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, Watch, WarmStart, WarmGlobalSolve>;

@@ -187,9 +187,8 @@ TEST_CASE("a solver without joints is refused as World::step does, and nothing h
       CHECK(complaint([&] { needed.step(world, h); }) == said);
       CHECK(complaint([&] { with_sleep.step(world, h); }) == said);
     }
-    CHECK(complaint([&] { step_only<EveryQuestion>(world, solver, h); }) == said);
     Sleep sleep;
-    CHECK(complaint([&] { step_awake<EveryQuestion>(world, solver, sleep, h); }) == said);
+    CHECK(complaint([&] { pushback::step(world, solver, h, 10, sleep); }) == said);
     CHECK(hash_of(world) == before);
     CHECK(world.time == 0);
     CHECK(complaint([&] { world.step(fitting, h); }) == said);  // not fitted: it learns of them only when they are held

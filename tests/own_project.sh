@@ -24,8 +24,9 @@ add_executable(my_program main.cpp)
 $said
 END
 
-# ccache may take objects from an earlier run, whose folder had another name.
-export CCACHE_BASEDIR=$scratch CCACHE_NOHASHDIR=1
+# ccache may take objects from an earlier run, whose folder had another name. Not by the names of headers: behind the link
+# they stay the same while their contents change.
+export CCACHE_BASEDIR=$scratch CCACHE_NOHASHDIR=1 CCACHE_NODIRECT=1
 cmake -S . -B build -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON ${1:+-DCMAKE_CXX_COMPILER="$1"} \
   ${2:+-DCMAKE_CXX_COMPILER_LAUNCHER="$2"} >log 2>&1 || { cat log; wrong "the other project cannot be configured"; }
 

@@ -44,9 +44,8 @@ bool same_velocities(const std::vector<Body>& before, const std::vector<Body>& n
 /// World::step, taken apart before the correction.
 template <class ContactSolver>
 void step_without_correction(World& world, ContactSolver& solver) {
-  world.apply_forces(h);
-  world.find_contacts();
-  solver.solve(world.contacts, h, 10);
+  world.begin_step(h);
+  solver.solve(world, h, 10);
   world.move(h);
 }
 
@@ -64,7 +63,7 @@ TEMPLATE_TEST_CASE("11: d_k = d_0 (1 - beta)^k, without gravity and with it, at 
         World world;
         world.gravity = {0, -gravity, 0};
         Body& ball = ball_on_ground(world, d0);
-        Solver<Clamping, TestType> solver;
+        CorrectingSolver<Clamping, TestType> solver;
         solver.beta = beta;
         solver.most = 1;
         for (int k = 1; k <= 20; ++k) {
@@ -85,7 +84,7 @@ TEMPLATE_TEST_CASE("11: with slop it comes up to the slop, and what is shallower
     for (const Real over : {Real(0.04), Real(0), -slop / 2}) {
       World world;
       Body& ball = ball_on_ground(world, slop + over);
-      Solver<Clamping, TestType, Slop> solver;
+      CorrectingSolver<Clamping, TestType, Slop> solver;
       solver.slop = slop;
       for (int k = 1; k <= 100; ++k) {
         world.step(solver, h, 1);
@@ -100,7 +99,7 @@ TEMPLATE_TEST_CASE("11: with slop it comes up to the slop, and what is shallower
 TEMPLATE_TEST_CASE("11: no contact asks for more than the cap in a step", "", BOTH_WAYS) {
   World world;
   Body& ball = ball_on_ground(world, Real(0.25));
-  Solver<Clamping, TestType> solver;
+  CorrectingSolver<Clamping, TestType> solver;
   solver.beta = 1;
   solver.most = Real(0.04);
   for (int k = 1; k <= 8; ++k) {
@@ -116,11 +115,11 @@ TEMPLATE_TEST_CASE("11: a correction never pulls: what others lift off is let go
   ball_on_ground(world, Real(0.003));
   const Vec3 slope = Vec3(1, 1, 0).normalized(), place = world.bodies[1].position;
   world.add(half_space(slope).at(place - (Real(0.3) - deep) * slope));
-  Solver<Clamping, TestType, Slop> solver;
+  CorrectingSolver<Clamping, TestType, Slop> solver;
   step_without_correction(world, solver);
   REQUIRE(world.contacts.size() == 2);
   REQUIRE(world.contacts[0].impulse.norm() > 1);
-  solver.correct();
+  solver.after_move(world, h);
   const Real undone = 1 - std::pow(1 - solver.beta, static_cast<Real>(parts_taken(solver)));
   const Vec3 shift = world.bodies[1].position - place;
   CHECK((shift - undone * (deep - solver.slop) * slope).norm() <= 64 * eps);
@@ -159,7 +158,7 @@ TEMPLATE_TEST_CASE("11: the centre of mass of a free pair stays, and velocities 
     solver.most = 1;
     step_without_correction(world, solver);
     const std::vector<Body> before = world.bodies;
-    solver.correct();
+    solver.after_move(world, h);
     REQUIRE(same_velocities(before, world.bodies));
     Vec3 moved = Vec3::Zero();
     Real all = 0;
@@ -189,17 +188,17 @@ TEMPLATE_TEST_CASE("11: a correction turns a free pair as a whole by nothing", "
       const Vec3 velocity = random.vector(1), spin = random.vector(3);
       world.add(random.body(mass).at({static_cast<Real>(side) * Real(0.2), 0, 0}).moving(velocity).spinning(spin));
     }
-    Solver<Clamping, TestType> solver;
+    CorrectingSolver<Clamping, TestType> solver;
     solver.rounds = 1;
     world.find_contacts();
     // More than one contact: the second would find arms and inertias of its own.
     constexpr bool as_moved = std::is_same_v<TestType, NonlinearGaussSeidel>;
     if (as_moved && world.contacts.size() > 1) world.contacts.resize(1);
-    solver.solve(world.contacts, h, 0);
+    solver.solve(world, h, 0);
     const std::vector<Body> found = world.bodies;
     world.move(h);
     const std::vector<Body> before = world.bodies;
-    solver.correct();
+    solver.after_move(world, h);
     Vec3 turned = Vec3::Zero();
     Real size = 0;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -229,7 +228,7 @@ TEMPLATE_TEST_CASE("11: born inside each other, boxes part slowly, keep unit ori
     for (int step = 0; step < 240; ++step) {
       step_without_correction(world, solver);
       const std::vector<Body> before = world.bodies;
-      solver.correct();
+      solver.after_move(world, h);
       REQUIRE(same_velocities(before, world.bodies));
       most = std::max(most, kinetic_energy(world));
       for (const Body& body : world.bodies) REQUIRE(std::abs(body.orientation.norm() - 1) <= 4 * eps);
@@ -265,11 +264,11 @@ TEST_CASE("11: enough rounds leave no overlap that collision would find") {
     world.find_contacts();
     const Real before = deepest_overlap(world);
     REQUIRE(before > Real(0.01));
-    Solver<Clamping, NonlinearGaussSeidel> solver;
+    CorrectingSolver<Clamping, NonlinearGaussSeidel> solver;
     solver.rounds = 200;
     solver.most = 10;
-    solver.solve(world.contacts, h, 0);
-    solver.correct();
+    solver.solve(world, h, 0);
+    solver.after_move(world, h);
     world.find_contacts();
     CHECK(deepest_overlap(world) < before / 100);
   }
@@ -307,14 +306,13 @@ TEMPLATE_TEST_CASE("11: with e = 0 what lands deep stays down", "", BOTH_WAYS) {
 
 // ---- the moment, and who calls it ---------------------------------------------------------------------------------------------
 
-template <class ContactSolver>
-concept Corrects = requires(ContactSolver& solver) { solver.correct(); };
+template <class E>
+concept FitsAnySolver = requires(E& effect, Step& step) { effect.build(step); };
 
-TEST_CASE("11: who does not correct has nothing to call, and pays nothing") {
-  STATIC_REQUIRE(Corrects<With<SplitImpulse>>);
-  STATIC_REQUIRE(Corrects<With<NonlinearGaussSeidel>>);
-  STATIC_REQUIRE_FALSE(Corrects<With<Baumgarte>>);
-  STATIC_REQUIRE_FALSE(Corrects<Solver<>>);
+TEST_CASE("11: what corrects does not compile in a solver that would not call it") {
+  STATIC_REQUIRE(FitsAnySolver<Baumgarte>);
+  STATIC_REQUIRE_FALSE(FitsAnySolver<SplitImpulse>);
+  STATIC_REQUIRE_FALSE(FitsAnySolver<NonlinearGaussSeidel>);
 }
 
 TEMPLATE_TEST_CASE("11: where nothing is too deep, the bits are those of a solver without", "", BOTH_WAYS) {
@@ -353,7 +351,7 @@ TEMPLATE_TEST_CASE("11: a beta, a cap or a number of rounds that cannot be is re
   const auto refused = [](const std::string& name, const std::string& value, const auto& spoil) {
     World world;
     const Vec3 place = ball_on_ground(world, Real(0.1)).position;
-    Solver<Clamping, TestType> solver;
+    CorrectingSolver<Clamping, TestType> solver;
     spoil(solver);
     const std::string message = complaint([&] { world.step(solver, h, 10); });
     INFO(message);

@@ -23,8 +23,8 @@ long rank_of_joints(const World& world) {
       if (row.lo == 0) continue;
       J.conservativeResize(J.rows() + 1, J.cols());
       J.row(J.rows() - 1).setZero();
-      J.block(J.rows() - 1, 6 * joint.a, 1, 6) << -row.n.transpose(), -row.ra_n.transpose();
-      J.block(J.rows() - 1, 6 * joint.b, 1, 6) << row.n.transpose(), row.rb_n.transpose();
+      J.block(J.rows() - 1, 6 * joint.a, 1, 6) << -row.jacobian.n.transpose(), -row.jacobian.ra_n.transpose();
+      J.block(J.rows() - 1, 6 * joint.b, 1, 6) << row.jacobian.n.transpose(), row.jacobian.rb_n.transpose();
     }
   }
   return Eigen::ColPivHouseholderQR<decltype(J)>(J).rank();
@@ -83,7 +83,7 @@ TEST_CASE("a ragdoll falls down the stairs: it holds together, bends no knee bac
 TEST_CASE("in small steps with soft contacts and a relaxing pass it holds together far better") {
   World world;
   const Ragdoll man = down_the_stairs(world);
-  Solver<WarmJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart> solver;
+  RelaxingSolver<WarmJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart> solver;
   Real stretched = 0, backwards = 0;
   for (int step = 0; step < 300; ++step) {
     small_steps(world, solver, h, 8);

@@ -18,9 +18,8 @@ struct First {
 
   explicit First(const Motion& motion) {
     motion.fill(world);
-    world.apply_forces(static_cast<Real>(dt));
-    world.find_contacts();
-    problem = problem_of(world.contacts);
+    world.begin_step(static_cast<Real>(dt));
+    problem = problem_of(world);
   }
 };
 

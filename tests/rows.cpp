@@ -58,21 +58,23 @@ Vec12 velocities(const Pair& pair) {
 }
 
 /// J = [-n  -(r_A x n)  n  (r_B x n)], written down from the formula and not from the code.
-RowOf12 jacobian(const Contact& c, const Vec3& n) {
+RowOf12 jacobian(const Pair& pair, const Vec3& n) {
+  const auto [a, b] = pair.world.bodies_of(pair.contact);
+  const Vec3& point = pair.contact.point;
   RowOf12 J;
-  J << -n.transpose(), -(c.point - c.a->position).cross(n).transpose(), n.transpose(),
-      (c.point - c.b->position).cross(n).transpose();
+  J << -n.transpose(), -(point - a.position).cross(n).transpose(), n.transpose(),
+      (point - b.position).cross(n).transpose();
   return J;
 }
 
 /// M^-1, 12 x 12, from the principal moments: R I^-1 R^T is not taken from the body.
-Mat12 inverse_masses(const Contact& c) {
+Mat12 inverse_masses(const World& world) {
   Mat12 M = Mat12::Zero();
   int at = 0;
-  for (const Body* body : {c.a, c.b}) {
-    const Mat3 R = body->orientation.toRotationMatrix();
-    M.block<3, 3>(at, at) = body->inverse_mass * Mat3::Identity();
-    M.block<3, 3>(at + 3, at + 3) = R * Mat3(body->principal_inverse_inertia.asDiagonal()) * R.transpose();
+  for (const Body& body : world.bodies) {
+    const Mat3 R = body.orientation.toRotationMatrix();
+    M.block<3, 3>(at, at) = body.inverse_mass * Mat3::Identity();
+    M.block<3, 3>(at + 3, at + 3) = R * Mat3(body.principal_inverse_inertia.asDiagonal()) * R.transpose();
     at += 6;
   }
   return M;
@@ -94,7 +96,7 @@ TEST_CASE("J V is the rate of C = (P_B - P_A) . n, for the normal and both tange
       const auto C = [&](Real t) { return (carried(pair.b(), point, t) - carried(pair.a(), point, t)).dot(n); };
       const auto rate =
           central_difference(C, third_derivative(pair.a(), point) + third_derivative(pair.b(), point), 20);
-      REQUIRE(std::abs(Row(pair.contact, n, 0).speed() - rate.value) <= rate.tolerance);
+      REQUIRE(std::abs(pair.row(n).speed() - rate.value) <= rate.tolerance);
     }
   }
 }
@@ -104,8 +106,8 @@ TEST_CASE("J is the one of the formula, entry by entry") {
   for (int i = 0; i < many; ++i) {
     Pair pair(random);
     for (const Vec3& n : pair.directions()) {
-      const Row row(pair.contact, n, 0);
-      const RowOf12 J = jacobian(pair.contact, n);
+      const Row row = pair.row(n);
+      const RowOf12 J = jacobian(pair, n);
       REQUIRE(std::abs(row.speed() - J * velocities(pair)) <= 16 * eps * size_of(J, velocities(pair)));
       // The code's own J: J V for each unit vector V.
       for (int entry = 0; entry < 12; ++entry) {
@@ -137,7 +139,7 @@ TEST_CASE("a normal that turns changes nothing while the two deepest points lie 
     const Real w = std::max({pair.a().angular_velocity.norm(), pair.b().angular_velocity.norm(), spin.norm(), Real(1)});
     const Real far = 40;
     const auto rate = central_difference(C, 8 * w * w * w * far, 20);
-    REQUIRE(std::abs(Row(c, c.normal, 0).speed() - rate.value) <= rate.tolerance);
+    REQUIRE(std::abs(pair.row(c.normal).speed() - rate.value) <= rate.tolerance);
   }
 }
 
@@ -173,7 +175,7 @@ TEST_CASE("where the points do not lie along the normal, (P_B - P_A) . n' is mis
     // The row's arms lead to the point midway. That happens to make up for it where n turns with the mean of the spins.
     const Vec3 mean_spin = (pair.a().angular_velocity + pair.b().angular_velocity) / 2;
     const auto mean_rate = rate_with(mean_spin);
-    REQUIRE(std::abs(mean_rate.value - Row(c, c.normal, 0).speed()) <= mean_rate.tolerance);
+    REQUIRE(std::abs(mean_rate.value - pair.row(c.normal).speed()) <= mean_rate.tolerance);
   }
   CHECK(largest_missing > Real(0.5));  // m/s: not something to be dropped in silence
 }
@@ -183,9 +185,9 @@ TEST_CASE("K = J M^-1 J^T, and apply(lambda) is V += M^-1 J^T lambda") {
   for (int i = 0; i < many; ++i) {
     Pair pair(random);
     for (const Vec3& n : pair.directions()) {
-      Row row(pair.contact, n, 0);
-      const RowOf12 J = jacobian(pair.contact, n);
-      const Mat12 M = inverse_masses(pair.contact);
+      Row row = pair.row(n);
+      const RowOf12 J = jacobian(pair, n);
+      const Mat12 M = inverse_masses(pair.world);
       const Real K = J * M * J.transpose();
       // Relative to sums without cancellation: R I^-1 R^T cancels where the arm lies along the slow axis.
       const Real size = J.cwiseAbs() * M.cwiseAbs() * J.transpose().cwiseAbs();
@@ -224,9 +226,8 @@ TEST_CASE("in the plane K is 1/m_A + 1/m_B + (r_A x n)^2 / I_A + (r_B x n)^2 / I
       const Real r_n = r.x() * c.normal.y() - r.y() * c.normal.x();
       K += 1 / mass + r_n * r_n / inertia;
     }
-    c.a = &world.bodies[0];
-    c.b = &world.bodies[1];
-    REQUIRE(std::abs(1 / Row(c, c.normal, 0).effective_mass - K) <= 64 * eps * K);
+    c.id = {0, 1, 0};
+    REQUIRE(std::abs(1 / row_of(world, c, c.normal, 0).effective_mass - K) <= 64 * eps * K);
   }
 }
 
@@ -235,9 +236,9 @@ TEST_CASE("after one solve J V + b = 0 and nothing is left to correct") {
   for (int i = 0; i < many; ++i) {
     Pair pair(random);
     for (const Vec3& n : pair.directions()) {
-      Row row(pair.contact, n, 0);
+      Row row = pair.row(n);
       row.bias = random.between(-3, 3);
-      const RowOf12 J = jacobian(pair.contact, n);
+      const RowOf12 J = jacobian(pair, n);
       const Real before = size_of(J, velocities(pair));
       row.solve();
       const Real size = before + size_of(J, velocities(pair)) + std::abs(row.bias);
@@ -257,7 +258,7 @@ TEST_CASE("no row changes the momentum or the angular momentum of its two bodies
     const Vec3 p = momentum(pair.world), l = angular_momentum(pair.world);
     Real exchanged = 0;
     for (const Vec3& n : pair.directions()) {
-      Row row(pair.contact, n, 0);
+      Row row = pair.row(n);
       row.bias = random.between(-3, 3);
       row.apply(random.between(-10, 10));
       row.reach(random.between(-10, 10));
@@ -283,7 +284,7 @@ TEST_CASE("the sum of the impulses stops at its limits, and the bodies feel the 
   Random random(9);
   for (int i = 0; i < many; ++i) {
     Pair pair(random);
-    Row row(pair.contact, pair.contact.normal, 0);
+    Row row = pair.row(pair.contact.normal);
     row.lo = random.between(-5, 0);
     row.hi = random.between(0, 5);
     for (int k = 0; k < 8; ++k) {
@@ -292,7 +293,7 @@ TEST_CASE("the sum of the impulses stops at its limits, and the bodies feel the 
       REQUIRE(row.impulse == std::clamp(wanted, row.lo, row.hi));
       // J V changed by K times the difference.
       const Real K = 1 / row.effective_mass;
-      const Real size = size_of(jacobian(pair.contact, row.n), velocities(pair)) + K * 10;
+      const Real size = size_of(jacobian(pair, row.n), velocities(pair)) + K * 10;
       REQUIRE(std::abs(row.speed() - speed - K * (row.impulse - before)) <= 32 * eps * size);
     }
     // At the limit a row is as solved as it can be: exactly, or to rounding where the limit is just reached.
@@ -312,13 +313,13 @@ TEST_CASE("error() is the change of J V that another solve makes") {
   Random random(10);
   for (int i = 0; i < many; ++i) {
     Pair pair(random);
-    Row row(pair.contact, pair.contact.normal, 0);
+    Row row = pair.row(pair.contact.normal);
     row.lo = random.between(-5, 0);
     row.hi = random.between(0, 5);
     row.bias = random.between(-3, 3);
     const Real promised = row.error(), before = row.speed();
     row.solve();
-    const Real size = size_of(jacobian(pair.contact, row.n), velocities(pair)) + std::abs(before) + promised;
+    const Real size = size_of(jacobian(pair, row.n), velocities(pair)) + std::abs(before) + promised;
     REQUIRE(std::abs(std::abs(row.speed() - before) - promised) <= 64 * eps * size);
   }
 }
@@ -329,12 +330,11 @@ TEST_CASE("a body that nothing moves stays as it is, and the other one alone is 
     Pair pair(random);
     pair.a().fixed();
     const Vec3 v = pair.a().velocity, w = pair.a().angular_velocity;
-    Row row(pair.contact, pair.contact.normal, 0);
+    Row row = pair.row(pair.contact.normal);
     row.solve();
     REQUIRE(pair.a().velocity == v);
     REQUIRE(pair.a().angular_velocity == w);
-    const Real size =
-        size_of(jacobian(pair.contact, row.n), velocities(pair)) + std::abs(row.impulse) / row.effective_mass;
+    const Real size = size_of(jacobian(pair, row.n), velocities(pair)) + std::abs(row.impulse) / row.effective_mass;
     REQUIRE(std::abs(row.speed()) <= 32 * eps * size);
   }
 }

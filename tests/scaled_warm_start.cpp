@@ -16,10 +16,11 @@ constexpr Real h = Real(1) / 60;
 template <class AnyWarmStart>
 struct Weighed : AnyWarmStart {
   Real objective = 0, size = 0;  // J; the sum of the sizes of its terms
-  void start(Rows& rows) {
+  void start(Step& step) {
+    const Rows& rows = step.rows;
     std::vector<Real> before;
     for (const Row& row : rows) before.push_back(row.speed() + row.bias);
-    AnyWarmStart::start(rows);
+    AnyWarmStart::start(step);
     objective = size = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Real after = rows[i].speed() + rows[i].bias + rows[i].softness * rows[i].impulse;
@@ -29,7 +30,7 @@ struct Weighed : AnyWarmStart {
   }
 };
 template <class AnyWarmStart>
-using Weighing = Solver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, Weighed<AnyWarmStart>>;
+using Weighing = RelaxingSolver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, Weighed<AnyWarmStart>>;
 
 /// Bodies on the ground and above it, some of them fast, some bouncing.
 World random_scene(Random& random) {
@@ -48,7 +49,7 @@ World random_scene(Random& random) {
 /// Warm starts as WarmStart does until it is told to scale.
 struct Switched : ScaledWarmStart {
   bool scales = false;
-  void start(Rows& rows) { scales ? ScaledWarmStart::start(rows) : WarmStart::start(rows); }
+  void start(Step& step) { scales ? ScaledWarmStart::start(step) : WarmStart::start(step); }
 };
 
 /// Plays a row of five balls that touch, the first with 5 m/s, in small steps of `sweeps`. Returns the largest gain of

@@ -9,11 +9,10 @@ namespace {
 Row any_row(World& world, Random& random) {
   overlapping_pair(world, random);
   Contact contact;
-  contact.a = &world.bodies[0];
-  contact.b = &world.bodies[1];
+  contact.id = {0, 1, 0};
   contact.point = random.vector(1);
   contact.normal = random.direction();
-  return {contact, contact.normal, 0};
+  return row_of(world, contact, contact.normal, 0);
 }
 
 }  // namespace
@@ -59,7 +58,7 @@ TEST_CASE("a ball on a soft contact that may also pull moves as a damped spring 
       World world;
       const Real start = rest * Real(1.5);
       Body& ball = ball_on_ground(world, start, m);
-      Solver<SoftWithoutRelaxing> solver;
+      Unrelaxed<SoftContacts> solver;
       solver.hertz = hertz;
       solver.damping_ratio = zeta;
       solver.fastest_push_out = 1000;

@@ -14,8 +14,10 @@ inline constexpr Real g = Real(9.81);
 inline constexpr Real h = Real(1) / 60;
 inline constexpr bool is_double = std::numeric_limits<Real>::digits > 24;
 
-struct SoftWithoutRelaxing : SoftContacts {
-  using Effect::relax;
+/// The springs without the pass that takes their push back.
+template <class... Effects>
+struct Unrelaxed : RelaxingSolver<Effects...> {
+  void after_move(World&, Real) {}
 };
 
 /// A ball of `mass` kg that is `depth` deep in the ground: one contact, K = 1/m.

@@ -19,7 +19,6 @@ constexpr Real tiny = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real
 /// solver does not look. No more points than would leave the bodies some way to satisfy them all.
 struct Tangle {
   World world;
-  Contacts contacts;
 
   Tangle(Random& random, int bodies, int points, bool with_immovable = false) {
     for (int i = 0; i < bodies; ++i) {
@@ -37,21 +36,25 @@ struct Tangle {
       if (b >= a) ++b;
       if (a > b) std::swap(a, b);
       Contact contact;
-      contact.a = &world.bodies[a];
-      contact.b = &world.bodies[b];
       // Near both: far from a body an impulse would mostly spin it, as no contact does.
-      const Vec3 midway = (contact.a->position + contact.b->position) / 2;
+      const Vec3 midway = (world.bodies[a].position + world.bodies[b].position) / 2;
       contact.point = midway + random.vector(Real(0.5));
       contact.normal = random.direction();
       contact.depth = random.between(0, Real(0.03));
       contact.friction = random.between(0, 1);
       contact.restitution = random.between(0, 1);
       contact.id = {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(i)};
-      contacts.push_back(contact);
+      world.contacts.push_back(contact);
     }
-    std::sort(contacts.begin(), contacts.end(), [](const Contact& p, const Contact& q) { return p.id < q.id; });
+    std::sort(world.contacts.begin(), world.contacts.end(),
+              [](const Contact& p, const Contact& q) { return p.id < q.id; });
   }
 
+  /// What is there now will have been one step before.
+  void remember() {
+    world.contacts_before = world.contacts;
+    world.dt_before = h;
+  }
   /// Sum of m |v| and |I w|, N s: rounding of the momenta is some eps of it, as of the energy of that squared over m.
   Real momenta() const {
     Real sum = 0;
@@ -66,17 +69,18 @@ struct Tangle {
 struct Spy : Effect {
   std::vector<Real> mu;
   int looks = 0, bad_normals = 0, bad_tangents = 0, at_bound = 0;
-  void build(const Contacts& contacts, Rows&, Real) {
+  void build(Step& step) {
     mu.clear();
-    for (const Contact& contact : contacts) mu.push_back(contact.friction);
+    for (const Contact& contact : step.contacts) mu.push_back(contact.friction);
   }
-  void sweep(Rows& rows) {
+  void sweep(Step& step) {
+    const Rows& rows = step.rows;
     ++looks;
     for (std::size_t i = 0; i < mu.size(); ++i) {
       if (!(rows[i].impulse >= 0)) ++bad_normals;
     }
     for (std::size_t i = mu.size(); i < rows.size(); ++i) {
-      const auto contact = static_cast<std::size_t>(rows[i].contact);
+      const std::size_t contact = rows[i].owner;
       const Real bound = mu[contact] * rows[contact].impulse;
       if (!(std::abs(rows[i].impulse) <= bound)) ++bad_tangents;
       if (bound > 0 && std::abs(rows[i].impulse) == bound) ++at_bound;
@@ -86,20 +90,20 @@ struct Spy : Effect {
 
 /// Likewise: the kinetic energy after every sweep.
 struct EnergySpy : Effect {
-  const World* world = nullptr;
   std::vector<Real> energies;
-  void sweep(Rows&) { energies.push_back(kinetic_energy(*world)); }
+  void sweep(Step& step) { energies.push_back(kinetic_energy(step.world)); }
 };
 
 /// A solver's biases, as they are when everyone has built.
 struct BiasSpy : Effect {
   std::vector<std::pair<ContactId, Real>> biases;
   std::vector<ContactId> ids;
-  void build(const Contacts& contacts, Rows&, Real) {
+  void build(Step& step) {
     ids.clear();
-    for (const Contact& contact : contacts) ids.push_back(contact.id);
+    for (const Contact& contact : step.contacts) ids.push_back(contact.id);
   }
-  void start(Rows& rows) {
+  void start(Step& step) {
+    const Rows& rows = step.rows;
     biases.clear();
     for (std::size_t i = 0; i < ids.size(); ++i) biases.emplace_back(ids[i], rows[i].bias);
     std::sort(biases.begin(), biases.end());
@@ -121,18 +125,6 @@ Real difference(const World& p, const World& q) {
     largest = std::max(largest, (p.bodies[i].angular_velocity - q.bodies[i].angular_velocity).cwiseAbs().maxCoeff());
   }
   return largest;
-}
-
-/// The velocities that a new solver leaves behind. Points the contacts at the world's own bodies.
-template <class ContactSolver>
-World solved(const World& world, Contacts contacts, int sweeps, ContactSolver solver = {}) {
-  World copy = world;
-  for (Contact& contact : contacts) {
-    contact.a = &copy.bodies[static_cast<std::size_t>(contact.a->index)];
-    contact.b = &copy.bodies[static_cast<std::size_t>(contact.b->index)];
-  }
-  solver.solve(contacts, h, sweeps);
-  return copy;
 }
 
 /// A heap of everything, falling and rubbing and bouncing between four walls.
@@ -175,15 +167,16 @@ TEST_CASE("after every sweep: sum(lambda_n) >= 0 and |sum(lambda_t)| <= mu sum(l
   for (int i = 0; i < 200; ++i) {
     Tangle tangle(random, 8, 12, i % 2 == 0);
     Solver<Clamping, Baumgarte, Slop, Restitution, Friction, Spy> cold;
-    cold.solve(tangle.contacts, h, 20);
+    cold.solve(tangle.world, h, 20);
     Solver<Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart, Spy> warm;
     for (int step = 0; step < 3; ++step) {  // from the second step on it starts from remembered impulses
-      for (Contact& contact : tangle.contacts)
+      for (Contact& contact : tangle.world.contacts)
         contact.normal = (contact.normal + random.vector(Real(0.1))).normalized();
       for (Body& body : tangle.world.bodies) {
         if (body.movable()) body.velocity += random.vector(1);
       }
-      warm.solve(tangle.contacts, h, 20);
+      warm.solve(tangle.world, h, 20);
+      tangle.remember();
     }
     REQUIRE(cold.bad_normals + warm.bad_normals == 0);
     REQUIRE(cold.bad_tangents + warm.bad_tangents == 0);
@@ -200,13 +193,9 @@ TEST_CASE("no solver changes the momenta of bodies that are on their own") {
     Tangle tangle(random, 8, 12);
     const auto keeps_momenta = [&](auto solver) {
       Tangle copy = tangle;
-      for (Contact& contact : copy.contacts) {
-        contact.a = &copy.world.bodies[static_cast<std::size_t>(contact.a->index)];
-        contact.b = &copy.world.bodies[static_cast<std::size_t>(contact.b->index)];
-      }
       const Vec3 p = momentum(copy.world), l = angular_momentum(copy.world);
       Real size = copy.momenta();
-      solver.solve(copy.contacts, h, 20);
+      solver.solve(copy.world, h, 20);
       size += copy.momenta();
       // Each of 36 rows rounds 20 times, as often up as down; a slender body's spin has up to 100 times its relative
       // rounding in I w.
@@ -228,9 +217,8 @@ TEST_CASE("without bias every sweep of clamped normals takes kinetic energy out,
   for (int i = 0; i < 200; ++i) {
     Tangle tangle(random, 8, 14, i % 2 == 0);
     Solver<Clamping, EnergySpy> solver;
-    solver.world = &tangle.world;
     const Real start = kinetic_energy(tangle.world);
-    solver.solve(tangle.contacts, h, 50);
+    solver.solve(tangle.world, h, 50);
     Real before = start;
     for (const Real energy : solver.energies) {
       REQUIRE(energy <= before + 100 * eps * start);
@@ -245,7 +233,7 @@ TEST_CASE("without bias a converged solve with friction feeds no energy in eithe
     Tangle tangle(random, 8, 10, i % 2 == 0);
     Solver<Clamping, Friction> solver;
     const Real start = kinetic_energy(tangle.world);
-    solver.solve(tangle.contacts, h, 2000);
+    solver.solve(tangle.world, h, 2000);
     REQUIRE(kinetic_energy(tangle.world) <= start * (1 + 1e4 * eps));
   }
 }
@@ -258,13 +246,8 @@ TEST_CASE("the residual goes to nothing as the sweeps go on") {
     std::vector<Real> residuals;
     for (const int sweeps : {1, 10, 100, 1000, 10000}) {
       World world = tangle.world;
-      Contacts contacts = tangle.contacts;
-      for (Contact& contact : contacts) {
-        contact.a = &world.bodies[static_cast<std::size_t>(contact.a->index)];
-        contact.b = &world.bodies[static_cast<std::size_t>(contact.b->index)];
-      }
       Solver<Clamping, Baumgarte, Slop, Restitution> solver;
-      solver.solve(contacts, h, sweeps);
+      solver.solve(world, h, sweeps);
       last = largest_error(solver);
       residuals.push_back(last);
     }
@@ -298,15 +281,10 @@ TEST_CASE("the order of the contacts changes neither the biases nor, once conver
     std::vector<std::pair<ContactId, Real>> biases;
     World reference;
     for (int order = 0; order < 4; ++order) {
-      Contacts contacts = tangle.contacts;
-      if (order > 0) random.shuffle(contacts);
       World copy = tangle.world;
-      for (Contact& contact : contacts) {
-        contact.a = &copy.bodies[static_cast<std::size_t>(contact.a->index)];
-        contact.b = &copy.bodies[static_cast<std::size_t>(contact.b->index)];
-      }
+      if (order > 0) random.shuffle(copy.contacts);
       Bouncing solver;
-      solver.solve(contacts, h, 10000);
+      solver.solve(copy, h, 10000);
       if (order == 0) {
         biases = solver.biases;
         reference = copy;
@@ -325,12 +303,13 @@ TEST_CASE("the biases do not know of warm-start impulses: they are the same from
     Tangle tangle(random, 8, 10);
     Solver<Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart, BiasSpy> warm;
     Solver<Clamping, Baumgarte, Slop, Restitution, Friction, BiasSpy> cold;
-    warm.solve(tangle.contacts, h, 10);
+    warm.solve(tangle.world, h, 10);
+    tangle.remember();
     for (Body& body : tangle.world.bodies) body.velocity_before = body.velocity;
     const World before = tangle.world;
-    warm.solve(tangle.contacts, h, 10);
+    warm.solve(tangle.world, h, 10);
     tangle.world.bodies = before.bodies;
-    cold.solve(tangle.contacts, h, 10);
+    cold.solve(tangle.world, h, 10);
     REQUIRE(warm.biases == cold.biases);
   }
 }
@@ -380,14 +359,14 @@ TEST_CASE("the naive solvers stay finite in the open") {
 }
 
 TEST_CASE("no contacts, no sweeps: nothing happens") {
-  Contacts none;
+  World nothing;
   FullSolver solver;
-  solver.solve(none, h, 10);
+  solver.solve(nothing, h, 10);
   CHECK(solver.rows().empty());
   Random random(9);
   Tangle tangle(random, 6, 6);
   const World before = tangle.world;
   Solver<Clamping, Baumgarte, Slop, Restitution, Friction> cold;
-  cold.solve(tangle.contacts, h, 0);
+  cold.solve(tangle.world, h, 0);
   CHECK(hash_of(tangle.world) == hash_of(before));
 }

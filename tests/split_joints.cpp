@@ -12,8 +12,8 @@ namespace {
 
 constexpr Real h = Real(1) / 60;
 
-using Warm = Solver<WarmJoints, Clamping, SoftContacts>;
-using Split = Solver<SplitJoints, Clamping, SoftContacts>;
+using Warm = RelaxingSolver<WarmJoints, Clamping, SoftContacts>;
+using Split = RelaxingSolver<SplitJoints, Clamping, SoftContacts>;
 
 /// Balls of 1 kg, one below the other, and one of 100 kg at the end.
 World loaded_chain() {
@@ -70,7 +70,7 @@ TEST_CASE("where nothing relaxes the push is a speed, and the next step does not
   CHECK(world.bodies[0].velocity.x() == Approx(-solver.SplitJoints::beta * Real(0.1) / h));
   world.bodies[0].velocity.setZero();
   world.joints[0].ask = [](const Body&, const Body&, const Moment&, Equations& equations) {
-    for (int axis = 0; axis < 3; ++axis) equations.push_back({.n = Vec3::Unit(axis)});
+    for (int axis = 0; axis < 3; ++axis) equations.push_back({.jacobian = {.n = Vec3::Unit(axis)}});
   };
   world.step(solver, h, 0);
   CHECK(world.bodies[0].velocity.norm() < Real(1e-14));

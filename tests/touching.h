@@ -1,7 +1,7 @@
 /// Two bodies that touch somehow, for the tests.
 #pragma once
 
-#include "common/world.h"
+#include "chapters/01_velocity_constraint/row.h"
 #include "tests/random.h"
 
 namespace pushback {
@@ -17,15 +17,15 @@ struct RandomPair {
       const Real mass = random.over_decades(Real(0.1), 1000);
       world.add(random.moving_body(mass));
     }
-    contact.a = &world.bodies[0];
-    contact.b = &world.bodies[1];
+    contact.id = {0, 1, 0};
     contact.point = random.vector(2);
     contact.normal = random.direction();
     contact.depth = random.between(0, Real(0.1));
   }
-  RandomPair(const RandomPair&) = delete;  // the contact points into the world
   Body& a() { return world.bodies[0]; }
   Body& b() { return world.bodies[1]; }
+  /// Its row along a direction.
+  Row row(const Vec3& direction) { return row_of(world, contact, direction, 0); }
 };
 
 }  // namespace pushback

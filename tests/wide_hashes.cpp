@@ -52,11 +52,13 @@ const Way ways[] = {
     {"all together", [](const World&) { return steps_by<SteadyJointedSolver>(8, 1); }},
     {"split impulse",
      [](const World&) {
-       return steps_by<Solver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, FrictionCone, WarmStart>>(1, 10);
+       return steps_by<
+           CorrectingSolver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, FrictionCone, WarmStart>>(1, 10);
      }},
     {"non-linear Gauss-Seidel",
      [](const World&) {
-       return steps_by<Solver<SplitJoints, Clamping, NonlinearGaussSeidel, Slop, Restitution, FrictionCone, WarmStart>>(
+       return steps_by<
+           CorrectingSolver<SplitJoints, Clamping, NonlinearGaussSeidel, Slop, Restitution, FrictionCone, WarmStart>>(
            1, 10);
      }},
     {"joints solved directly",

@@ -10,9 +10,9 @@ namespace pushback {
 
 template <class HowTheyHold, class ContactSolver>
 struct WithJointsOf;
-template <class HowTheyHold, class... Effects>
-struct WithJointsOf<HowTheyHold, Solver<Effects...>> {
-  using type = Solver<HowTheyHold, Effects...>;
+template <class HowTheyHold, template <class...> class AnySolver, class... Effects>
+struct WithJointsOf<HowTheyHold, AnySolver<Effects...>> {
+  using type = AnySolver<HowTheyHold, Effects...>;
 };
 /// `HowTheyHold`: Joints, WarmJoints or SplitJoints.
 template <class HowTheyHold, class ContactSolver>
@@ -70,7 +70,7 @@ inline Joint crank(const World& world, int body, const Vec3& centre, Real radius
     const Real angle = rate * now.time;
     const Vec3 out(std::cos(angle), std::sin(angle), 0), along(-out.y(), out.x(), 0);
     for (int axis = 0; axis < 3; ++axis) {
-      equations.push_back({.n = Vec3::Unit(axis),
+      equations.push_back({.jacobian = {.n = Vec3::Unit(axis)},
                            .error = (its.position - centre - radius * out)[axis],
                            .bias = -radius * rate * along[axis]});
     }

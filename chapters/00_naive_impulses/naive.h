@@ -8,61 +8,67 @@
 /// Palubicki, "CGP 9", Naive Take and Naive Take 2.
 #pragma once
 
-#include "common/contact.h"
+#include "common/step.h"
 
 namespace pushback {
 
 /// The impulse along the normal, N s, that turns the approach at this point into a departure, e times as fast.
-inline Real pair_impulse(const Contact& c) {
-  const Real speed = c.separating_speed();
+inline Real pair_impulse(const World& world, const Contact& c) {
+  const Real speed = separating_speed(world, c);
   if (speed >= 0) return 0;
-  const Vec3 ra_n = (c.point - c.a->position).cross(c.normal);
-  const Vec3 rb_n = (c.point - c.b->position).cross(c.normal);
-  const Real K = c.a->inverse_mass + c.b->inverse_mass + ra_n.dot(c.a->inverse_inertia * ra_n) +
-                 rb_n.dot(c.b->inverse_inertia * rb_n);
+  const auto [a, b] = world.bodies_of(c);
+  const Vec3 ra_n = (c.point - a.position).cross(c.normal);
+  const Vec3 rb_n = (c.point - b.position).cross(c.normal);
+  const Real K =
+      a.inverse_mass + b.inverse_mass + ra_n.dot(a.inverse_inertia * ra_n) + rb_n.dot(b.inverse_inertia * rb_n);
   return -(1 + c.restitution) * speed / K;
 }
 
-inline void apply_impulse(Contact& c, Real f) {
+inline void apply_impulse(World& world, Contact& c, Real f) {
+  const auto [a, b] = world.bodies_of(c);
   const Vec3 impulse = f * c.normal;
-  c.a->velocity -= c.a->inverse_mass * impulse;
-  c.a->angular_velocity -= c.a->inverse_inertia * (c.point - c.a->position).cross(impulse);
-  c.b->velocity += c.b->inverse_mass * impulse;
-  c.b->angular_velocity += c.b->inverse_inertia * (c.point - c.b->position).cross(impulse);
+  a.velocity -= a.inverse_mass * impulse;
+  a.angular_velocity -= a.inverse_inertia * (c.point - a.position).cross(impulse);
+  b.velocity += b.inverse_mass * impulse;
+  b.angular_velocity += b.inverse_inertia * (c.point - b.position).cross(impulse);
   c.impulse += impulse;
 }
 
 /// Moves the two bodies out of each other, the lighter one further.
-inline void push_apart(const Contact& c) {
-  const Vec3 way = c.depth / (c.a->inverse_mass + c.b->inverse_mass) * c.normal;
-  c.a->position -= c.a->inverse_mass * way;
-  c.b->position += c.b->inverse_mass * way;
+inline void push_apart(World& world, const Contact& c) {
+  const auto [a, b] = world.bodies_of(c);
+  const Vec3 way = c.depth / (a.inverse_mass + b.inverse_mass) * c.normal;
+  a.position -= a.inverse_mass * way;
+  b.position += b.inverse_mass * way;
 }
 
 /// Take 1: every contact once, one after the other.
-struct NaiveOnce {
-  void solve(Contacts& contacts, Real, int) {
-    for (Contact& c : contacts) {
-      apply_impulse(c, pair_impulse(c));
-      push_apart(c);
+struct NaiveOnce : StepSolver {
+  void solve(World& world, Real, int) {
+    for (Contact& c : world.contacts) {
+      apply_impulse(world, c, pair_impulse(world, c));
+      push_apart(world, c);
     }
   }
 };
 
 /// Take 2: all of them again and again in the same tick; what the points of one pair ask for is averaged.
-struct NaiveAveraged {
-  void solve(Contacts& contacts, Real, int times) {
+struct NaiveAveraged : StepSolver {
+  void solve(World& world, Real, int times) {
+    Contacts& contacts = world.contacts;
+    const auto same_pair = [](const Contact& c, const Contact& d) {
+      return c.id.body_a == d.id.body_a && c.id.body_b == d.id.body_b;
+    };
     for (int i = 0; i < times; ++i) {
       for (std::size_t first = 0, end = 0; first < contacts.size(); first = end) {
-        while (end < contacts.size() && contacts[end].a == contacts[first].a && contacts[end].b == contacts[first].b)
-          ++end;
+        while (end < contacts.size() && same_pair(contacts[end], contacts[first])) ++end;
         std::vector<Real> f;
-        for (std::size_t k = first; k < end; ++k) f.push_back(pair_impulse(contacts[k]));
+        for (std::size_t k = first; k < end; ++k) f.push_back(pair_impulse(world, contacts[k]));
         for (std::size_t k = first; k < end; ++k)
-          apply_impulse(contacts[k], f[k - first] / static_cast<Real>(end - first));
+          apply_impulse(world, contacts[k], f[k - first] / static_cast<Real>(end - first));
       }
     }
-    for (const Contact& c : contacts) push_apart(c);
+    for (const Contact& c : contacts) push_apart(world, c);
   }
 };
 

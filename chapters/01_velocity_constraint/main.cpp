@@ -8,26 +8,26 @@ using namespace pushback;
 namespace {
 
 /// For comparison: as if nothing ever touched.
-struct NoSolver {
-  void solve(Contacts&, Real, int) {}
+struct NoSolver : StepSolver {
+  void solve(World&, Real, int) {}
 };
 
 /// Normals from a left-handed model, taken over without a thought: x has the wrong sign.
 struct MirroredNormals : Effect {
-  void touch(const Contacts& contacts, Rows& rows) {
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      Contact mirrored = contacts[i];
+  void touch(Step& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      Contact mirrored = step.contacts[i];
       mirrored.normal.x() = -mirrored.normal.x();
-      rows[i] = Row(mirrored, mirrored.normal, static_cast<int>(i));
-      push_apart(mirrored);
+      step.rows[i] = row_of(step.world, mirrored, mirrored.normal, i);
+      push_apart(step.world, mirrored);
     }
   }
 };
 
 /// The same without the mistake.
 struct RightNormals : Effect {
-  void touch(const Contacts& contacts, Rows&) {
-    for (const Contact& contact : contacts) push_apart(contact);
+  void touch(Step& step) {
+    for (const Contact& contact : step.contacts) push_apart(step.world, contact);
   }
 };
 

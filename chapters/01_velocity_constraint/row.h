@@ -3,7 +3,7 @@
 ///   J = [ -n  -(r_A x n)  n  (r_B x n) ]    V = (v_A, w_A, v_B, w_B)    want: J V + b = 0
 ///   lambda = -(J V + b) / K                 K = J M^-1 J^T             then: V += M^-1 J^T lambda
 ///
-/// The same type serves contacts, friction and joints: they differ in n, in b, and in the interval [lo, hi] in which
+/// The same type serves contacts, friction and joints: they differ in J, in b, and in the interval [lo, hi] in which
 /// the sum of all impulses of a step has to stay.   Catto, "Modeling and Solving Constraints", GDC 2009.
 /// A row that is a spring gives way: it wants J V + b + gamma lambda = 0, and gamma joins K. For all others gamma is 0.
 #pragma once
@@ -13,53 +13,41 @@
 #include <limits>
 #include <vector>
 
-#include "common/contact.h"
-#include "common/joint.h"
+#include "common/jacobian.h"
+#include "common/world.h"
 
 namespace pushback {
 
-struct Row {
+struct Row : Jacobian {
   Body *a, *b;
-  Vec3 n;                   // J: unit, world axes; the normal, from A to B, or a tangent; 0 in a row between turns
-  Vec3 ra_n, rb_n;          // J: r x n, m
-  Vec3 dva, dwa, dvb, dwb;  // M^-1 J^T: what an impulse of 1 N s adds to each velocity
-  Real effective_mass;      // 1 / (K + gamma), kg
-  Real separation = 0;      // C, m: the position error that b may feed back
-  Real bias = 0;            // b, m/s: minus the wanted separating speed
-  Real softness = 0;        // gamma, 1/kg: how far it gives way to its own impulse
+  Vec3 dva, dwa, dvb, dwb;                           // M^-1 J^T: what an impulse of 1 N s adds to each velocity
+  Real effective_mass;                               // 1 / (K + gamma), kg
+  Real separation = 0;                               // C, m: the position error that b may feed back
+  Real bias = 0;                                     // b, m/s: minus the wanted separating speed
+  Real softness = 0;                                 // gamma, 1/kg: how far it gives way to its own impulse
   Real lo = -std::numeric_limits<Real>::infinity();  // limits of the accumulated impulse, N s
   Real hi = std::numeric_limits<Real>::infinity();
-  Real impulse = 0;  // lambda, accumulated over the sweeps, N s
-  int contact;       // index of the contact, or of the joint, that it belongs to
+  Real impulse = 0;   // lambda, accumulated over the sweeps, N s
+  std::size_t owner;  // index of the contact, or of the joint, that it belongs to
 
-  Row(const Contact& at, const Vec3& direction, int contact_index)
-      : a(at.a), b(at.b), n(direction), contact(contact_index) {
-    act_at(at.point);
-  }
-  Row(Body& first, Body& second, const Equation& of_joint, int joint_index)
-      : a(&first), b(&second), contact(joint_index) {
-    act_as(of_joint);
+  Row(Body& first, Body& second, const Jacobian& jacobian, std::size_t index)
+      : Jacobian(jacobian), a(&first), b(&second), owner(index) {
+    weigh();
   }
 
-  /// J and M^-1 J^T, for bodies where they are now. `point`: m, world axes.
-  void act_at(const Vec3& point) {
-    ra_n = (point - a->position).cross(n);
-    rb_n = (point - b->position).cross(n);
-    weigh(a->inverse_mass + b->inverse_mass);
-  }
-  void act_as(const Equation& equation) {
-    n = equation.n;
-    ra_n = equation.ra_n;
-    rb_n = equation.rb_n;
-    weigh(n.isZero(0) ? 0 : a->inverse_mass + b->inverse_mass);
-  }
-  /// `linear_part` of K: n is a unit vector, or 0 in a row between turns.
-  void weigh(Real linear_part) {
+  /// M^-1 J^T and K, of J and of the bodies as they lie now.
+  void weigh() {
     dva = -a->inverse_mass * n;
     dwa = -a->inverse_inertia * ra_n;
     dvb = b->inverse_mass * n;
     dwb = b->inverse_inertia * rb_n;
-    effective_mass = 1 / (linear_part + rb_n.dot(dwb) - ra_n.dot(dwa));
+    const Real linear = n.isZero(0) ? 0 : a->inverse_mass + b->inverse_mass;  // n is a unit vector
+    effective_mass = 1 / (linear + rb_n.dot(dwb) - ra_n.dot(dwa));
+  }
+  /// Another J, for the same two bodies.
+  void place(const Jacobian& jacobian) {
+    Jacobian::operator=(jacobian);
+    weigh();
   }
   /// J V, m/s.
   Real speed() const {
@@ -90,5 +78,11 @@ struct Row {
 };
 
 using Rows = std::vector<Row>;
+
+/// The row of a contact along a direction (unit, world axes): its normal, or a tangent.
+inline Row row_of(World& world, const Contact& at, const Vec3& direction, std::size_t index) {
+  const auto [a, b] = world.bodies_of(at);
+  return {a, b, Jacobian::along(direction, a, b, at.point), index};
+}
 
 }  // namespace pushback

@@ -12,95 +12,86 @@
 
 namespace pushback {
 
-/// The moments of a step at which an effect may act, in their order. An effect is a type that derives from this one and
-/// hides the moments that it needs. The first contacts.size() rows are the normals: rows[i] belongs to contacts[i].
-/// An effect that appends rows of its own solves them in `sweep`. Who solves rows adds them to rows_solved.
-struct Effect {
-  /// What counts as overlap.
-  void touch(const Contacts&, Rows&) {}
-  /// Limits, biases, more rows. No impulse of this step has changed a velocity yet.
-  void build(const Contacts&, Rows&, Real /*dt*/) {}
-  /// The first impulses.
-  void start(Rows&) {}
-  /// After the normals, in every sweep.
-  void sweep(Rows&) {}
-  /// After the last sweep.
-  void finish(Rows&) {}
-  /// The contacts know their impulses now: remember, or mark them.
-  void report(Contacts&, const Rows&) {}
-  /// The bodies have moved. A solver with an effect that hides this moment sweeps once more after it, and reports again.
-  void relax(Rows&) {}
-  /// The rows have been placed anew, where an effect that relaxes has done so: what was made of them is to be made again.
-  void moved(Rows&) {}
-  /// The bodies have moved, and all velocities are what the step ends with. Here places may be changed, and nothing else.
-  void correct(Rows&) {}
+/// A step as effects see it. The first contacts.size() rows are the normals: rows[i] belongs to contacts[i].
+struct Step {
+  World& world;
+  Contacts& contacts;
+  Rows& rows;
+  Real dt;  ///< s
 };
 
-template <class E>
-concept RelaxingEffect = !std::same_as<decltype(&E::relax), decltype(&Effect::relax)>;
-
-template <class E>
-concept CorrectingEffect = !std::same_as<decltype(&E::correct), decltype(&Effect::correct)>;
+/// The moments of a step at which an effect may act, in their order. An effect is a type that derives from this one and
+/// hides the moments that it needs. One that appends rows of its own solves them in `sweep`. Who solves rows adds them to
+/// rows_solved.
+struct Effect {
+  /// Throws InvalidInput where a number cannot be used. Nothing of the step has been done yet.
+  void check(Step&) {}
+  /// What counts as overlap.
+  void touch(Step&) {}
+  /// Limits, biases, more rows. No impulse of this step has changed a velocity yet.
+  void build(Step&) {}
+  /// The first impulses.
+  void start(Step&) {}
+  /// After the normals, in every sweep.
+  void sweep(Step&) {}
+  /// After the last sweep.
+  void finish(Step&) {}
+  /// The contacts know their impulses now: mark them.
+  void report(Step&) {}
+};
 
 /// A misspelt moment would never be called: insist that at least one is hidden.
 template <class E>
-concept AnEffect = std::derived_from<E, Effect> && (!std::same_as<decltype(&E::touch), decltype(&Effect::touch)> ||
+concept AnEffect = std::derived_from<E, Effect> && (!std::same_as<decltype(&E::check), decltype(&Effect::check)> ||
+                                                    !std::same_as<decltype(&E::touch), decltype(&Effect::touch)> ||
                                                     !std::same_as<decltype(&E::build), decltype(&Effect::build)> ||
                                                     !std::same_as<decltype(&E::start), decltype(&Effect::start)> ||
                                                     !std::same_as<decltype(&E::sweep), decltype(&Effect::sweep)> ||
                                                     !std::same_as<decltype(&E::finish), decltype(&Effect::finish)> ||
-                                                    !std::same_as<decltype(&E::report), decltype(&Effect::report)> ||
-                                                    !std::same_as<decltype(&E::moved), decltype(&Effect::moved)> ||
-                                                    RelaxingEffect<E> || CorrectingEffect<E>);
+                                                    !std::same_as<decltype(&E::report), decltype(&Effect::report)>);
 
-template <AnEffect... Effects>
-class Solver : public Effects... {
+template <class... Effects>
+class Solver : public StepSolver, public Effects... {
+  static_assert((AnEffect<Effects> && ...), "an effect derives from Effect and hides at least one of its moments");
+
  public:
-  /// Changes the velocities of the touching bodies so that they satisfy their contacts; fills Contact::impulse.
-  void solve(Contacts& contacts, [[maybe_unused]] Real dt, int sweeps) {
-    rows_.clear();
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      rows_.emplace_back(contacts[i], contacts[i].normal, static_cast<int>(i));
-      rows_.back().separation = -contacts[i].depth;
-    }
-    (Effects::touch(contacts, rows_), ...);
-    (Effects::build(contacts, rows_, dt), ...);
-    (Effects::start(rows_), ...);
-    for (int i = 0; i < sweeps; ++i) sweep(contacts.size());
-    (Effects::finish(rows_), ...);
-    report(contacts);
+  void check(World& world, Real dt) {
+    check_solvable<Solver>(world);
+    [[maybe_unused]] Step step{world, world.contacts, rows_, dt};
+    (Effects::check(step), ...);
   }
-
-  /// To be called once the bodies have moved: World::step does, where a solver has it.
-  void relax(Contacts& contacts)
-    requires(RelaxingEffect<Effects> || ...)
-  {
-    (Effects::relax(rows_), ...);
-    (Effects::moved(rows_), ...);
-    sweep(contacts.size());
-    report(contacts);
+  void solve(World& world, Real dt, int sweeps) {
+    Step step{world, world.contacts, rows_, dt};
+    solve(step, sweeps);
   }
-
-  /// The last of a step, likewise.
-  void correct()
-    requires(CorrectingEffect<Effects> || ...)
-  {
-    (Effects::correct(rows_), ...);
-  }
-
   /// The rows of the latest step.
   const Rows& rows() const { return rows_; }
 
- private:
-  void sweep(std::size_t normals) {
+ protected:
+  /// `step`: a Step, or what a later chapter makes of it.
+  void solve(auto& step, int sweeps) {
+    rows_.clear();
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      rows_.push_back(row_of(step.world, step.contacts[i], step.contacts[i].normal, i));
+      rows_.back().separation = -step.contacts[i].depth;
+    }
+    (Effects::touch(step), ...);
+    (Effects::build(step), ...);
+    (Effects::start(step), ...);
+    for (int i = 0; i < sweeps; ++i) sweep(step);
+    (Effects::finish(step), ...);
+    report(step);
+  }
+  void sweep(auto& step) {
+    const std::size_t normals = step.contacts.size();
     for (std::size_t i = 0; i < normals; ++i) rows_[i].solve();
     rows_solved += normals;
-    (Effects::sweep(rows_), ...);
+    (Effects::sweep(step), ...);
   }
-  void report(Contacts& contacts) {
-    for (Contact& contact : contacts) contact.impulse.setZero();
-    for (const Row& row : rows_) contacts[static_cast<std::size_t>(row.contact)].impulse += row.impulse * row.n;
-    (Effects::report(contacts, rows_), ...);
+  void report(auto& step) {
+    for (Contact& contact : step.contacts) contact.impulse.setZero();
+    for (const Row& row : rows_) step.contacts[row.owner].impulse += row.impulse * row.n;
+    (Effects::report(step), ...);
   }
 
   Rows rows_;

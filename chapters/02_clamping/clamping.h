@@ -7,16 +7,16 @@ namespace pushback {
 
 /// sum(lambda) in [0, inf)
 struct Clamping : Effect {
-  void build(const Contacts& contacts, Rows& rows, Real) {
-    for (std::size_t i = 0; i < contacts.size(); ++i) rows[i].lo = 0;
+  void build(Step& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].lo = 0;
   }
 };
 
 /// The mistake to avoid: each correction clamped, lambda >= 0. The sum may then never come back down, as if its lower
 /// limit were wherever it has got to.
 struct ClampingEachCorrection : Clamping {
-  void sweep(Rows& rows) {
-    for (Row& row : rows) row.lo = row.impulse;
+  void sweep(Step& step) {
+    for (Row& row : step.rows) row.lo = row.impulse;
   }
 };
 

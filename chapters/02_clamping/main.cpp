@@ -32,8 +32,7 @@ Curve error_after_sweeps(const std::string& label, ContactSolver solver, std::si
   landing_column(world);
   ContactSolver untouched = solver;
   while (deepest_overlap(world) == 0) {
-    world.apply_forces(dt);
-    world.find_contacts();
+    world.begin_step(dt);
     if (world.contacts.empty()) world.move(dt);
   }
   // The exact outcome of a flat, inelastic landing: everything at rest.
@@ -41,7 +40,7 @@ Curve error_after_sweeps(const std::string& label, ContactSolver solver, std::si
   for (int sweeps = 1; sweeps <= 40; ++sweeps) {
     world.bodies = before;
     solver = untouched;
-    solver.solve(world.contacts, dt, sweeps);
+    solver.solve(world, dt, sweeps);
     const Body& column = world.bodies[1];
     curve.x.push_back(static_cast<Real>(sweeps));
     curve.y.push_back(std::max(std::hypot(column.velocity.norm(), column.angular_velocity.norm()), Real(1e-17)));

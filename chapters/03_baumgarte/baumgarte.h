@@ -10,10 +10,11 @@ namespace pushback {
 struct Baumgarte : Effect {
   Real beta = Real(0.2);  ///< of 0 ... 1: how much of the overlap one step takes away
 
-  void build(const Contacts& contacts, Rows& rows, Real dt) {
-    require_not_negative("beta", beta);
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      rows[i].bias = std::min(rows[i].bias, beta / dt * rows[i].separation);
+  void check(Step&) { require_not_negative("beta", beta); }
+  void build(Step& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      Row& normal = step.rows[i];
+      normal.bias = std::min(normal.bias, beta / step.dt * normal.separation);
     }
   }
 };

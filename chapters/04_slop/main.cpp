@@ -9,9 +9,9 @@ namespace {
 /// Marks the contact points that the step before already had. (Chapter 07 will have a better use for them.)
 struct MarkOld : Effect {
   std::vector<ContactId> before;
-  void report(Contacts& contacts, const Rows&) {
+  void report(Step& step) {
     std::vector<ContactId> now;
-    for (Contact& contact : contacts) {
+    for (Contact& contact : step.contacts) {
       const bool old = std::binary_search(before.begin(), before.end(), contact.id);
       contact.state = old ? ContactState::warm : ContactState::fresh;
       now.push_back(contact.id);

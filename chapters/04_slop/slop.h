@@ -9,9 +9,12 @@ namespace pushback {
 struct Slop : Effect {
   Real slop = Real(0.005);  ///< m
 
-  void touch(const Contacts& contacts, Rows& rows) {
-    require_not_negative("slop", slop);
-    for (std::size_t i = 0; i < contacts.size(); ++i) rows[i].separation = std::min(Real(0), rows[i].separation + slop);
+  void check(Step&) { require_not_negative("slop", slop); }
+  void touch(Step& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      Row& normal = step.rows[i];
+      normal.separation = std::min(Real(0), normal.separation + slop);
+    }
   }
 };
 

@@ -13,26 +13,19 @@ struct ImpactsAtOnce : RestitutionFromSurface {
   Real precision = Real(1e-6);  ///< of the fastest bounce; it ends where no row changes a speed by more
   int most_rounds = 1000;
 
-  void build(const Contacts& contacts, Rows& rows, Real dt) {
-    fastest_ = RestitutionFromSurface::build(contacts, rows, dt);
-    normals_ = contacts.size();
-  }
-  void sweep(Rows& rows) {
+  void sweep(Step& step) {
     Real change = fastest_;
     for (int round = 0; round < most_rounds && change > precision * fastest_; ++round) {
       change = 0;
-      for (std::size_t i = 0; i < normals_; ++i) {
-        const Real before = rows[i].impulse;
-        rows[i].solve();
-        change = std::max(change, std::abs(rows[i].impulse - before) / rows[i].effective_mass);
+      for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+        Row& normal = step.rows[i];
+        const Real before = normal.impulse;
+        normal.solve();
+        change = std::max(change, std::abs(normal.impulse - before) / normal.effective_mass);
       }
-      rows_solved += normals_;
+      rows_solved += step.contacts.size();
     }
   }
-
- private:
-  std::size_t normals_ = 0;
-  Real fastest_ = 0;  // m/s, 0: nothing bounces
 };
 
 }  // namespace pushback

@@ -18,24 +18,27 @@ namespace pushback {
 struct RestitutionFromSurface : Effect {
   Real threshold = Real(0.1);  ///< m/s; what arrives slower stays
 
-  /// Returns the fastest bounce, m/s; 0 where nothing bounces.
-  Real build(const Contacts& contacts, Rows& rows, Real dt) {
-    require_not_negative("threshold", threshold);
-    Real fastest = 0;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const Real approach = approach_speed(contacts[i]);
-      if (approach >= -threshold || contacts[i].restitution == 0) continue;
-      const Real depth = contacts[i].depth, e = contacts[i].restitution;
-      const Real gained = std::max(Real(0), approach - rows[i].speed());  // h a: what this step's forces have added
-      const Real a = gained / dt;
+  void check(Step&) { require_not_negative("threshold", threshold); }
+  void build(Step& step) {
+    fastest_ = 0;
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      const Contact& at = step.contacts[i];
+      const Real approach = approach_speed(step.world, at);
+      if (approach >= -threshold || at.restitution == 0) continue;
+      const Real depth = at.depth, e = at.restitution;
+      const Real gained =
+          std::max(Real(0), approach - step.rows[i].speed());  // h a: what this step's forces have added
+      const Real a = gained / step.dt;
       const Real s = approach * approach / 2 - a * depth - gained * approach / 2;
       if (s <= 0) continue;  // it would not have touched at this speed: pressed in, not fallen in
       const Real bounce = std::sqrt(gained * gained / 4 + 2 * (e * e * s + a * depth)) - gained / 2;
-      rows[i].bias = -bounce;
-      fastest = std::max(fastest, bounce);
+      step.rows[i].bias = -bounce;
+      fastest_ = std::max(fastest_, bounce);
     }
-    return fastest;
   }
+
+ protected:
+  Real fastest_ = 0;  // bounce, m/s; 0: nothing bounces
 };
 
 }  // namespace pushback

@@ -14,21 +14,22 @@ struct ImpactsInTurn : Effect {
   Real threshold = Real(0.1);  ///< m/s; what arrives slower stays
   int most_rounds = 1000;      ///< then the sweeps have to do with what is left
 
-  void build(const Contacts& contacts, Rows& rows, Real) {
-    require_not_negative("threshold", threshold);
+  void check(Step&) { require_not_negative("threshold", threshold); }
+  void build(Step& step) {
     bouncing_.clear();
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      if (contacts[i].restitution == 0) continue;
-      bouncing_.push_back({i, contacts[i].restitution, rows[i].speed() - approach_speed(contacts[i])});
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      const Contact& at = step.contacts[i];
+      if (at.restitution == 0) continue;
+      bouncing_.push_back({i, at.restitution, step.rows[i].speed() - approach_speed(step.world, at)});
     }
   }
   /// From here on the row may add to its impact but not take it back: lo = impulse.
-  void start(Rows& rows) {
+  void start(Step& step) {
     bool again = true;
     for (int round = 0; again && round < most_rounds; ++round) {
       again = false;
       for (const Bouncing& at : bouncing_) {
-        Row& row = rows[at.row];
+        Row& row = step.rows[at.row];
         const Real approach = row.speed() - at.by_forces;
         if (approach >= -threshold) continue;
         row.reach(row.impulse - row.effective_mass * (1 + at.restitution) * approach);

@@ -7,10 +7,10 @@ namespace pushback {
 
 /// A mistake: bounce and push-out added up.
 struct RestitutionAdded : Effect {
-  void build(const Contacts& contacts, Rows& rows, Real) {
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const Real approach = approach_speed(contacts[i]);
-      if (approach < 0) rows[i].bias += contacts[i].restitution * approach;
+  void build(Step& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      const Real approach = approach_speed(step.world, step.contacts[i]);
+      if (approach < 0) step.rows[i].bias += step.contacts[i].restitution * approach;
     }
   }
 };
@@ -18,10 +18,11 @@ struct RestitutionAdded : Effect {
 /// Half a mistake: an approach speed that already has in it the gravity of this step, which the ball has not fallen by.
 struct RestitutionWithGravity : Effect {
   Real threshold = 0;
-  void build(const Contacts& contacts, Rows& rows, Real) {
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const Real approach = rows[i].speed();
-      if (approach < -threshold) rows[i].bias = std::min(rows[i].bias, contacts[i].restitution * approach);
+  void build(Step& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      Row& normal = step.rows[i];
+      const Real approach = normal.speed();
+      if (approach < -threshold) normal.bias = std::min(normal.bias, step.contacts[i].restitution * approach);
     }
   }
 };
@@ -29,16 +30,17 @@ struct RestitutionWithGravity : Effect {
 /// Kept apart: the sweeps stop the approach and push out; when they are done, a pass of its own makes the contacts bounce.
 struct RestitutionApart : Effect {
   std::vector<Real> departure;
-  void build(const Contacts& contacts, Rows&, Real) {
+  void build(Step& step) {
     departure.clear();
-    for (const Contact& contact : contacts)
-      departure.push_back(-contact.restitution * std::min(Real(0), approach_speed(contact)));
+    for (const Contact& contact : step.contacts)
+      departure.push_back(-contact.restitution * std::min(Real(0), approach_speed(step.world, contact)));
   }
-  void finish(Rows& rows) {
+  void finish(Step& step) {
     for (std::size_t i = 0; i < departure.size(); ++i) {
-      if (rows[i].impulse == 0 || departure[i] == 0) continue;
-      rows[i].bias = -departure[i];
-      rows[i].solve();
+      Row& normal = step.rows[i];
+      if (normal.impulse == 0 || departure[i] == 0) continue;
+      normal.bias = -departure[i];
+      normal.solve();
       ++rows_solved;
     }
   }

@@ -8,23 +8,27 @@ namespace pushback {
 /// The lecture's bound: mu m g, whatever the contact carries. Each point is given its share of the lighter body's mass.
 struct FrictionByWeight : Friction {
   std::vector<Real> bound;
-  void build(const Contacts& contacts, Rows& rows, Real dt) {
-    Friction::build(contacts, rows, dt);
+  void build(Step& step) {
+    Friction::build(step);
     bound.clear();
-    for (const Contact& contact : contacts) {
-      const auto same_pair = [&](const Contact& other) { return other.a == contact.a && other.b == contact.b; };
-      const auto points = static_cast<Real>(std::count_if(contacts.begin(), contacts.end(), same_pair));
-      const Real mass = 1 / std::max(contact.a->inverse_mass, contact.b->inverse_mass);
-      bound.push_back(contact.friction * mass / points * Real(9.81) * dt);
+    for (const Contact& contact : step.contacts) {
+      const auto same_pair = [&](const Contact& other) {
+        return other.id.body_a == contact.id.body_a && other.id.body_b == contact.id.body_b;
+      };
+      const auto points = static_cast<Real>(std::count_if(step.contacts.begin(), step.contacts.end(), same_pair));
+      const auto [a, b] = step.world.bodies_of(contact);
+      const Real mass = 1 / std::max(a.inverse_mass, b.inverse_mass);
+      bound.push_back(contact.friction * mass / points * Real(9.81) * step.dt);
     }
   }
-  void sweep(Rows& rows) {
-    for (std::size_t i = first_; i < rows.size(); ++i) {
-      rows[i].hi = bound[rows[i].contact];
-      rows[i].lo = -rows[i].hi;
-      rows[i].solve();
+  void sweep(Step& step) {
+    for (std::size_t i = first_; i < step.rows.size(); ++i) {
+      Row& tangent = step.rows[i];
+      tangent.hi = bound[tangent.owner];
+      tangent.lo = -tangent.hi;
+      tangent.solve();
     }
-    rows_solved += rows.size() - first_;
+    rows_solved += step.rows.size() - first_;
   }
 };
 

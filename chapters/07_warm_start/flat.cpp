@@ -6,16 +6,16 @@
 
 namespace pushback {
 
-FlatSolver::Direction FlatSolver::direction(const Contact& c, const Vec3& n) {
+FlatSolver::Direction FlatSolver::direction(const Body& a, const Body& b, const Vec3& point, const Vec3& n) {
   Direction d;
   d.n = n;
-  d.ra_n = (c.point - c.a->position).cross(n);
-  d.rb_n = (c.point - c.b->position).cross(n);
-  d.dva = -c.a->inverse_mass * n;
-  d.dwa = -c.a->inverse_inertia * d.ra_n;
-  d.dvb = c.b->inverse_mass * n;
-  d.dwb = c.b->inverse_inertia * d.rb_n;
-  d.effective_mass = 1 / (c.a->inverse_mass + c.b->inverse_mass + d.rb_n.dot(d.dwb) - d.ra_n.dot(d.dwa));
+  d.ra_n = (point - a.position).cross(n);
+  d.rb_n = (point - b.position).cross(n);
+  d.dva = -a.inverse_mass * n;
+  d.dwa = -a.inverse_inertia * d.ra_n;
+  d.dvb = b.inverse_mass * n;
+  d.dwb = b.inverse_inertia * d.rb_n;
+  d.effective_mass = 1 / (a.inverse_mass + b.inverse_mass + d.rb_n.dot(d.dwb) - d.ra_n.dot(d.dwa));
   d.impulse = 0;
   return d;
 }
@@ -40,14 +40,17 @@ void FlatSolver::reach(const Point& p, Direction& d, Real total, Real lo, Real h
   apply(p, d, change);
 }
 
-void FlatSolver::solve(Contacts& contacts, Real dt, int sweeps) {
+void FlatSolver::solve(World& world, Real dt, int sweeps) {
+  Contacts& contacts = world.contacts;
   constexpr Real inf = std::numeric_limits<Real>::infinity();
 
   // 01: a row for each direction.   K = 1/m_A + 1/m_B + (r_A x n) . I_A^-1 (r_A x n) + (r_B x n) . I_B^-1 (r_B x n)
   points_.clear();
   for (const Contact& c : contacts) {
+    const auto [a, b] = world.bodies_of(c);
     const auto [t1, t2] = tangents_of(c.normal);
-    points_.push_back({c.a, c.b, 0, c.friction, direction(c, c.normal), direction(c, t1), direction(c, t2)});
+    points_.push_back({&a, &b, 0, c.friction, direction(a, b, c.point, c.normal), direction(a, b, c.point, t1),
+                       direction(a, b, c.point, t2)});
   }
 
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -58,8 +61,8 @@ void FlatSolver::solve(Contacts& contacts, Real dt, int sweeps) {
     // 03: the rest becomes a wanted speed.   b = beta / h C
     p.bias = std::min(Real(0), beta / dt * separation);
     // 05: or the bounce, whichever asks for more.   b = min(b, e v_n)
-    const Vec3 va = c.a->velocity_before + c.a->angular_velocity_before.cross(c.point - c.a->position);
-    const Vec3 vb = c.b->velocity_before + c.b->angular_velocity_before.cross(c.point - c.b->position);
+    const Vec3 va = p.a->velocity_before + p.a->angular_velocity_before.cross(c.point - p.a->position);
+    const Vec3 vb = p.b->velocity_before + p.b->angular_velocity_before.cross(c.point - p.b->position);
     const Real approach = (vb - va).dot(c.normal);
     if (approach < -threshold) p.bias = std::min(p.bias, c.restitution * approach);
   }
@@ -67,12 +70,12 @@ void FlatSolver::solve(Contacts& contacts, Real dt, int sweeps) {
   // 07: start from what the same point had one step before. Both lists ascend.
   std::vector<bool> known(contacts.size(), false);
   std::vector<Vec3> first_guess(contacts.size(), Vec3::Zero());
-  const Real scale = last_dt_ > 0 ? dt / last_dt_ : 0;
-  last_dt_ = dt;
-  auto old = memory_.begin();
+  const Real scale = world.impulse_scale(dt);
+  const Contacts& before = world.contacts_before;
+  auto old = before.begin();
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    while (old != memory_.end() && old->id < contacts[i].id) ++old;
-    if (old == memory_.end() || old->id != contacts[i].id) continue;
+    while (old != before.end() && old->id < contacts[i].id) ++old;
+    if (old == before.end() || old->id != contacts[i].id) continue;
     known[i] = true;
     first_guess[i] = scale * old->impulse;
   }
@@ -103,8 +106,7 @@ void FlatSolver::solve(Contacts& contacts, Real dt, int sweeps) {
     }
   }
 
-  // Tell the contacts, and remember.
-  memory_.clear();
+  // Tell the contacts: they remember.
   for (std::size_t i = 0; i < contacts.size(); ++i)
     contacts[i].impulse += points_[i].normal.impulse * points_[i].normal.n;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -119,7 +121,6 @@ void FlatSolver::solve(Contacts& contacts, Real dt, int sweeps) {
       c.state = held ? ContactState::sticking : ContactState::sliding;
     }
     if (!known[i]) c.state = ContactState::fresh;
-    memory_.push_back({c.id, c.impulse});
   }
 }
 

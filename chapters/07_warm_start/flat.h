@@ -4,17 +4,17 @@
 
 #include <vector>
 
-#include "common/contact.h"
+#include "common/step.h"
 
 namespace pushback {
 
-class FlatSolver {
+class FlatSolver : public StepSolver {
  public:
   Real beta = Real(0.2);
   Real slop = Real(0.005);     ///< m
   Real threshold = Real(0.1);  ///< m/s
 
-  void solve(Contacts& contacts, Real dt, int sweeps);
+  void solve(World& world, Real dt, int sweeps);
 
  private:
   /// What one direction of one contact needs.
@@ -27,19 +27,13 @@ class FlatSolver {
     Real bias, friction;
     Direction normal, tangent1, tangent2;
   };
-  struct Memory {
-    ContactId id;
-    Vec3 impulse;
-  };
 
-  static Direction direction(const Contact& c, const Vec3& n);
+  static Direction direction(const Body& a, const Body& b, const Vec3& point, const Vec3& n);
   static Real speed(const Point& p, const Direction& d);
   static void apply(const Point& p, const Direction& d, Real lambda);
   static void reach(const Point& p, Direction& d, Real total, Real lo, Real hi);
 
   std::vector<Point> points_;
-  std::vector<Memory> memory_;
-  Real last_dt_ = 0;
 };
 
 }  // namespace pushback

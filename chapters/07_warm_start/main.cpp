@@ -9,8 +9,8 @@ using Cold = Solver<Clamping, Baumgarte, Slop, Restitution, Friction>;
 
 /// Every contact gets what its neighbour in the list had.
 struct WarmStartWithWrongIds : WarmStart {
-  void build(const Contacts& contacts, Rows& rows, Real dt) {
-    WarmStart::build(contacts, rows, dt);
+  void build(Step& step) {
+    WarmStart::build(step);
     if (!first_guess_.empty()) std::rotate(first_guess_.begin(), first_guess_.begin() + 1, first_guess_.end());
   }
 };

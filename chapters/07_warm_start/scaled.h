@@ -13,10 +13,11 @@ namespace pushback {
 /// Along s lambda its slope is lambda . (J V + b) at s = 0, and at s = 1 the same with the velocities that the guess leaves;
 /// f is their mean. Where the guess is worse than none, f > 0, only the best part of it is applied: s where the slope is 0.
 struct ScaledWarmStart : WarmStart {
-  void start(Rows& rows) {
+  void start(Step& step) {
+    Rows& rows = step.rows;
     error_.clear();
     for (const Row& row : rows) error_.push_back(row.speed() + row.bias);
-    WarmStart::start(rows);
+    WarmStart::start(step);
     Real slope_before = 0, slope_after = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       slope_before += rows[i].impulse * error_[i];

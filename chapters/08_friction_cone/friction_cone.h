@@ -26,32 +26,35 @@ struct TangentBlock {
 /// Where that changes nothing any more, what slides is rubbed exactly against its motion. With a step for each row, or one
 /// that solves the block, the point where nothing changes is another one (scaled_back.h).
 struct FrictionCone : Friction {
-  void build(const Contacts& contacts, Rows& rows, Real dt) {
-    Friction::build(contacts, rows, dt);
-    moved(rows);
+  void build(Step& step) {
+    Friction::build(step);
+    moved(step);
   }
   /// A step of more than 1 / k can overshoot, and feed energy in: k is that of the rows as they are now.
-  void moved(Rows& rows) {
-    step_.clear();
+  void moved(Step& step) {
+    step_sizes_.clear();
     for (std::size_t i = 0; i < mu_.size(); ++i)
-      step_.push_back(1 / TangentBlock(rows[first_ + 2 * i], rows[first_ + 2 * i + 1]).larger_eigenvalue());
+      step_sizes_.push_back(1 /
+                            TangentBlock(step.rows[first_ + 2 * i], step.rows[first_ + 2 * i + 1]).larger_eigenvalue());
   }
-  void sweep(Rows& rows) {
+  void sweep(Step& step) {
+    Rows& rows = step.rows;
     for (std::size_t i = 0; i < mu_.size(); ++i) {
       Row &one = rows[first_ + 2 * i], &two = rows[first_ + 2 * i + 1];
-      const Real total1 = one.impulse - step_[i] * one.speed();  // both read before either acts
-      const Real total2 = two.impulse - step_[i] * two.speed();
-      reach_in_disc(one, two, total1, total2, mu_[i] * rows[one.contact].impulse);
+      const Real total1 = one.impulse - step_sizes_[i] * one.speed();  // both read before either acts
+      const Real total2 = two.impulse - step_sizes_[i] * two.speed();
+      reach_in_disc(one, two, total1, total2, mu_[i] * rows[one.owner].impulse);
     }
     rows_solved += 2 * mu_.size();
   }
-  void report(Contacts& contacts, const Rows& rows) {
+  void report(Step& step) {
+    const Rows& rows = step.rows;
     for (std::size_t i = 0; i < mu_.size(); ++i) {
       const Row &one = rows[first_ + 2 * i], &two = rows[first_ + 2 * i + 1];
       const Real length = std::hypot(one.impulse, two.impulse);
       constexpr Real rounding = 16 * std::numeric_limits<Real>::epsilon();  // of what was drawn back to the edge
-      const bool held = length < (1 - rounding) * mu_[i] * rows[one.contact].impulse;
-      contacts[one.contact].state = held ? ContactState::sticking : ContactState::sliding;
+      const bool held = length < (1 - rounding) * mu_[i] * rows[one.owner].impulse;
+      step.contacts[one.owner].state = held ? ContactState::sticking : ContactState::sliding;
     }
   }
 
@@ -70,7 +73,7 @@ struct FrictionCone : Friction {
   }
 
  private:
-  std::vector<Real> step_;  // 1 / k, kg
+  std::vector<Real> step_sizes_;  // of the steps, 1 / k, kg
 };
 
 }  // namespace pushback

@@ -54,7 +54,7 @@ Curve directions(const std::string& name, std::size_t colour) {
   for (int degrees = 0; degrees < 360; ++degrees) {
     Stick stick(static_cast<Real>(degrees) * pi / 180);
     ContactSolver solver;
-    solver.solve(stick.contacts, Real(1) / 60, 200);
+    solver.solve(stick.world, Real(1) / 60, 200);
     const Vec3 slip = stick.slip();
     found.emplace_back(std::atan2(-slip.z(), slip.x()) * 180 / pi, direction_error(slip, stick.friction()));
   }
@@ -69,8 +69,9 @@ Curve directions(const std::string& name, std::size_t colour) {
 /// The angle between u and K_t^-1 u.
 Curve scaled_back_closed_form() {
   Curve curve{"between u and Kₜ⁻¹u", {}, {}, "#222222", Curve::Style::dashed};
-  const Stick stick(0);
-  const Row along(stick.contacts[0], Vec3::UnitX(), 0), across(stick.contacts[0], -Vec3::UnitZ(), 0);
+  Stick stick(0);
+  const Row along = row_of(stick.world, stick.contact(), Vec3::UnitX(), 0),
+            across = row_of(stick.world, stick.contact(), -Vec3::UnitZ(), 0);
   for (int degrees = -180; degrees <= 180; ++degrees) {
     const Real u1 = std::cos(static_cast<Real>(degrees) * pi / 180),
                u2 = std::sin(static_cast<Real>(degrees) * pi / 180);

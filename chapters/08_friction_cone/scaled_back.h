@@ -11,19 +11,21 @@ namespace pushback {
 ///
 /// Where it slides and nothing changes any more, friction is opposite to K_t^-1 u, not to the slip u.
 struct FrictionScaledBack : FrictionCone {
-  void build(const Contacts& contacts, Rows& rows, Real dt) {
-    Friction::build(contacts, rows, dt);
+  void build(Step& step) {
+    Friction::build(step);
+    const Rows& rows = step.rows;
     blocks_.clear();
     for (std::size_t i = 0; i < mu_.size(); ++i) blocks_.emplace_back(rows[first_ + 2 * i], rows[first_ + 2 * i + 1]);
   }
-  void sweep(Rows& rows) {
+  void sweep(Step& step) {
+    Rows& rows = step.rows;
     for (std::size_t i = 0; i < mu_.size(); ++i) {
       Row &one = rows[first_ + 2 * i], &two = rows[first_ + 2 * i + 1];
       const TangentBlock& k = blocks_[i];
       const Real u1 = one.speed(), u2 = two.speed(), determinant = k.k11 * k.k22 - k.k12 * k.k12;
       const Real total1 = one.impulse - (k.k22 * u1 - k.k12 * u2) / determinant;
       const Real total2 = two.impulse - (k.k11 * u2 - k.k12 * u1) / determinant;
-      reach_in_disc(one, two, total1, total2, mu_[i] * rows[one.contact].impulse);
+      reach_in_disc(one, two, total1, total2, mu_[i] * rows[one.owner].impulse);
     }
     rows_solved += 2 * mu_.size();
   }

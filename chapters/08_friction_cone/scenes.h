@@ -60,11 +60,12 @@ inline Real direction_error(const Vec3& slip, const Vec3& friction) {
 inline Real largest_direction_error(const World& world, Real h) {
   Real largest = 0;
   for (const Contact& contact : world.contacts) {
+    const auto [a, b] = world.bodies_of(contact);
     const auto velocity_of = [&](const Body& body) {
       return Vec3(body.velocity + body.angular_velocity.cross(contact.point - (body.position - h * body.velocity)));
     };
     const auto in_plane = [&](const Vec3& v) { return Vec3(v - v.dot(contact.normal) * contact.normal); };
-    const Vec3 slip = in_plane(velocity_of(*contact.b) - velocity_of(*contact.a)), friction = in_plane(contact.impulse);
+    const Vec3 slip = in_plane(velocity_of(b) - velocity_of(a)), friction = in_plane(contact.impulse);
     if (slip.norm() < Real(0.2) || friction.isZero()) continue;
     largest = std::max(largest, direction_error(slip, friction));
   }
@@ -75,25 +76,24 @@ inline Real largest_direction_error(const World& world, Real h) {
 /// the direction of `slip`. One contact, which is all there is: the solver is called by hand.
 struct Stick {
   World world;
-  Contacts contacts;
 
   explicit Stick(Real slip) {
     constexpr Real lean = Real(1.2);
     world.add(ground());
     world.add(capsule(Real(0.02), 1, 5).turned(-lean, Vec3::UnitZ()).moving(v0 * way_of_heading(slip) - Vec3(0, 1, 0)));
     Contact contact;
-    contact.a = &world.bodies[0];
-    contact.b = &world.bodies[1];
+    contact.id = {0, 1, 0};
     contact.point = -Vec3(std::sin(lean), std::cos(lean), 0);
     contact.normal = Vec3::UnitY();
     contact.friction = mu;
-    contacts.push_back(contact);
+    world.contacts = {contact};
   }
   Vec3 slip() const {
-    const Vec3 v = world.bodies[1].velocity_at(contacts[0].point);
+    const Vec3 v = world.bodies[1].velocity_at(contact().point);
     return {v.x(), 0, v.z()};
   }
-  Vec3 friction() const { return {contacts[0].impulse.x(), 0, contacts[0].impulse.z()}; }
+  Vec3 friction() const { return {contact().impulse.x(), 0, contact().impulse.z()}; }
+  const Contact& contact() const { return world.contacts[0]; }
 };
 
 }  // namespace pushback

@@ -18,10 +18,7 @@ struct Anchor {
     const Vec3 p_a = point_of(a, on_a), p_b = point_of(b, on_b);
     for (int axis = 0; axis < 3; ++axis) {
       const Vec3 n = Vec3::Unit(axis);
-      equations.push_back({.n = n,
-                           .ra_n = (p_a - a.position).cross(n),
-                           .rb_n = (p_b - b.position).cross(n),
-                           .error = p_b[axis] - p_a[axis]});
+      equations.push_back({.jacobian = Jacobian::along(n, a, p_a, b, p_b), .error = p_b[axis] - p_a[axis]});
     }
   }
 };

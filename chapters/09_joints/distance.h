@@ -24,10 +24,7 @@ inline Joint distance(const World& world, int a, const Vec3& point_a, int b, con
     const Vec3 p_a = point_of(first, on_a), p_b = point_of(second, on_b);
     const Real apart = (p_b - p_a).norm();
     const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // on each other: any way out will do
-    equations.push_back({.n = n,
-                         .ra_n = (p_a - first.position).cross(n),
-                         .rb_n = (p_b - second.position).cross(n),
-                         .error = apart - length});
+    equations.push_back({.jacobian = Jacobian::along(n, first, p_a, second, p_b), .error = apart - length});
   };
   const auto line = [=](const Body& first, const Body& second) {
     return std::vector<Vec3>{point_of(first, on_a), point_of(second, on_b)};

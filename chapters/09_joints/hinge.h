@@ -15,7 +15,7 @@ inline Equation perpendicular(const Vec3& s, const Vec3& u) {
   const Vec3 across = u.cross(s);
   const Real sine = across.norm();
   const Vec3 k = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // parallel: any way out will do
-  return {.ra_n = k, .rb_n = k, .error = std::atan2(s.dot(u), sine)};
+  return {.jacobian = Jacobian::about(k), .error = std::atan2(s.dot(u), sine)};
 }
 
 /// A ball and socket whose ball turns about one axis only. `anchor`: m; `axis`: any length but 0; both in world axes, as the

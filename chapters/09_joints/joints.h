@@ -3,7 +3,6 @@
 
 #include "chapters/02_clamping/clamping.h"
 #include "common/input.h"
-#include "common/world.h"
 
 namespace pushback {
 
@@ -12,65 +11,81 @@ namespace pushback {
 ///   J V + b + (beta / h) C = 0,   sum(lambda) in h [lo, hi]          the equation's limits are forces, the row's impulses
 ///
 /// The feedback is that of an equality: it follows (1 - beta)^k (chapter 03). With beta = 0 joints drift apart.
-struct Joints : Effect {
+/// Joints of which nothing can move, or is awake, ask for nothing.
+struct Joints : Effect, HoldsJoints {
   Real beta = Real(0.2);  ///< of 0 ... 1: how much of C one step takes away
 
-  /// World::step calls it before `solve`. Joints of which nothing can move, or is awake, ask for nothing.
-  void hold(World& world, Real dt) {
+  /// What a joint asks for may be refused, so all are asked before anything has changed.
+  void check(Step& step) {
     require_not_negative("beta of the joints", beta);
-    world_ = &world;
-    dt_ = dt;
+    ask(step);
+  }
+  void build(Step& step) {
+    if (asked_.size() != acting(step.world)) ask(step);  // somebody woke; or nobody has called `check`
     joint_rows_.clear();
-    for (std::size_t i = 0; i < world.joints.size(); ++i) {
-      const Joint& joint = world.joints[i];
-      Body &a = body_at(joint.a), &b = body_at(joint.b);
-      if (!acts_on(a) && !acts_on(b)) continue;
-      equations_.clear();
-      joint.ask(a, b, {world.time, dt}, equations_);
-      for (const Equation& equation : equations_) {
-        Row& row = joint_rows_.emplace_back(a, b, equation, static_cast<int>(i));
-        row.separation = equation.error;
-        row.bias = equation.bias + beta / dt * equation.error;
-        row.lo = dt * equation.lo;
-        row.hi = dt * equation.hi;
-        row.softness = equation.softness;
+    auto equation = equations_.begin();
+    for (const Asked& asked : asked_) {
+      const Joint& joint = step.world.joints[asked.joint];
+      for (; equation != equations_.begin() + asked.end; ++equation) {
+        Row& row = joint_rows_.emplace_back(step.world.body(joint.a), step.world.body(joint.b), equation->jacobian,
+                                            asked.joint);
+        row.separation = equation->error;
+        row.bias = equation->bias + beta / step.dt * equation->error;
+        row.lo = step.dt * equation->lo;
+        row.hi = step.dt * equation->hi;
+        row.softness = equation->softness;
         row.effective_mass /= 1 + row.softness * row.effective_mass;  // 1 / (K + gamma)
       }
     }
+    asked_.clear();  // those answers are used up
   }
-  void sweep(Rows&) {
+  void sweep(Step&) {
     for (Row& row : joint_rows_) row.solve();
     rows_solved += joint_rows_.size();
   }
-  /// Only after an effect that relaxes (chapter 12): the same equations where the bodies are now, and C is not fed back.
+  /// Only under a solver that relaxes (chapter 12): the same equations where the bodies are now, and C is not fed back.
   /// Springs stay as they were: what they add to the speeds is meant.
-  void moved(Rows&) {
-    auto row = joint_rows_.begin();
-    while (row != joint_rows_.end()) {
-      equations_.clear();
-      world_->joints[static_cast<std::size_t>(row->contact)].ask(*row->a, *row->b, {world_->time, dt_}, equations_);
-      for (const Equation& equation : equations_) {
-        if (row->softness == 0) {
-          row->act_as(equation);
-          row->bias = equation.bias;
-        }
-        ++row;
-      }
+  void moved(Step& step) {
+    ask(step);
+    for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
+      Row& row = joint_rows_[i];
+      if (row.softness != 0) continue;
+      row.place(equations_[i].jacobian);
+      row.bias = equations_[i].bias;
     }
+    asked_.clear();
   }
-  /// Those of the latest step; Row::contact is the index of the joint.
+  /// Those of the latest step; Row::owner is the index of the joint.
   const Rows& joint_rows() const { return joint_rows_; }
 
  protected:
   Rows joint_rows_;
 
  private:
-  static bool acts_on(const Body& body) { return body.movable() && !body.asleep; }
-  Body& body_at(int index) { return index == the_world ? immovable_ : world_->bodies[static_cast<std::size_t>(index)]; }
+  struct Asked {
+    std::size_t joint;
+    std::ptrdiff_t end;  // of its equations
+  };
+  static bool acts(const World& world, const Joint& joint) {
+    const auto moves = [](const Body& body) { return body.movable() && !body.asleep; };
+    return moves(world.body(joint.a)) || moves(world.body(joint.b));
+  }
+  static std::size_t acting(const World& world) {
+    return static_cast<std::size_t>(std::count_if(world.joints.begin(), world.joints.end(),
+                                                  [&](const Joint& joint) { return acts(world, joint); }));
+  }
+  void ask(const Step& step) {
+    asked_.clear();
+    equations_.clear();
+    for (std::size_t i = 0; i < step.world.joints.size(); ++i) {
+      const Joint& joint = step.world.joints[i];
+      if (!acts(step.world, joint)) continue;
+      joint.ask(step.world.body(joint.a), step.world.body(joint.b), {step.world.time, step.dt}, equations_);
+      asked_.push_back({i, std::ssize(equations_)});
+    }
+  }
 
-  World* world_ = nullptr;  // of the step that is under way
-  Real dt_ = 0;
-  Body immovable_ = sphere(1, 1).fixed();
+  std::vector<Asked> asked_;
   Equations equations_;
 };
 

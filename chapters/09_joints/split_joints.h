@@ -19,32 +19,35 @@ struct SplitJoints : WarmJoints {
   int passes =
       1;  ///< over the rows, in each of the solver's sweeps: for long chains, where contacts need no more of them
 
-  void hold(World& world, Real dt) {
+  void check(Step& step) {
     if (passes < 1) throw InvalidInput(fmt::format("passes is {}: a whole number, 1 or more, is needed", passes));
-    WarmJoints::hold(world, dt);
+    WarmJoints::check(step);
+  }
+  void build(Step& step) {
+    WarmJoints::build(step);
     push_.clear();
     rounds_ = 0;
     for (Row& row : joint_rows_) {
-      push_.push_back(row.softness == 0 ? beta / dt * row.separation : 0);
+      push_.push_back(row.softness == 0 ? beta / step.dt * row.separation : 0);
       row.bias -= push_.back();
     }
   }
-  void sweep(Rows& rows) {
-    for (int i = 0; i < passes; ++i, ++rounds_) WarmJoints::sweep(rows);
+  void sweep(Step& step) {
+    for (int i = 0; i < passes; ++i, ++rounds_) WarmJoints::sweep(step);
   }
-  void finish(Rows& rows) {
-    remember();
+  void finish(Step& step) {
+    remember(step);
     pushed_ = true;
     for (std::size_t i = 0; i < joint_rows_.size(); ++i) joint_rows_[i].bias += push_[i];
-    for (int i = 0; i < rounds_; ++i) WarmJoints::sweep(rows);
+    for (int i = 0; i < rounds_; ++i) WarmJoints::sweep(step);
   }
-  void report(Contacts&, const Rows&) {
-    if (!pushed_) remember();
+  void report(Step& step) {
+    if (!pushed_) remember(step);
     pushed_ = false;
   }
-  void moved(Rows& rows) {
-    each_row([this](Row& row, std::size_t n) { row.reach(impulses_of(row)[n]); });
-    WarmJoints::moved(rows);
+  void moved(Step& step) {
+    each_row(step, [](Row& row, const std::vector<Real>& impulses, std::size_t n) { row.reach(impulses[n]); });
+    WarmJoints::moved(step);
   }
 
  private:

@@ -28,8 +28,8 @@ inline Joint bead_on(const World& world, const Wire& wire, int body) {
     const Vec3 gradient = wire.gradient(x, y);
     const Real size = gradient.norm();
     require_positive("size of the gradient of a wire", size);
-    equations.push_back({.n = gradient / size, .error = wire.c(x, y) / size});
-    equations.push_back({.n = Vec3::UnitZ(), .error = bead.position.z()});
+    equations.push_back({.jacobian = {.n = gradient / size}, .error = wire.c(x, y) / size});
+    equations.push_back({.jacobian = {.n = Vec3::UnitZ()}, .error = bead.position.z()});
   };
   return {"a wire", the_world, body, ask, [wire](const Body&, const Body&) { return wire.drawn; }};
 }

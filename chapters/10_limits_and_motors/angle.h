@@ -24,7 +24,7 @@ inline Vec3 unit_axis(const std::string& joint, const Vec3& axis) {
 
 /// The equation of an angle: J = [ 0  -gradient  0  gradient ].
 inline Equation turning(const Vec3& gradient) {
-  return {.ra_n = gradient, .rb_n = gradient};
+  return {.jacobian = Jacobian::about(gradient)};
 }
 
 /// The turn of B against A about an axis that A carries; 0 as the bodies stand when it is made, in (-pi, pi].

@@ -10,8 +10,8 @@ namespace {
 
 /// Adds a joint to what the scene has.
 template <class MakeJoint>
-Rigged with(const MakeJoint& joint) {
-  return Rigged([joint](World& world) { world.joints.push_back(joint(world)); });
+std::function<void(World&)> with(const MakeJoint& joint) {
+  return [joint](World& world) { world.joints.push_back(joint(world)); };
 }
 Real largest(const Run& run, const std::string& series) {
   return *std::max_element(run.series.at(series).begin(), run.series.at(series).end());
@@ -25,16 +25,15 @@ int main(int argc, char** argv) {
   e.option("--torque", torque, "N m, of the motor that is to follow sin t", not_negative());
   return e.run(argc, argv, [&] {
     const Real h = e.dt();
-    const auto nothing = [](World&) {};
 
     e.scene({.name = "a bar, let go, and a stop at 30°",
              .fill = bar_and_stop,
              .camera = {{Real(0.3), Real(-0.5), 6}, {0, Real(-0.68), 0}, Real(0.31)},
              .seconds = 3,
              .instants = {0, Real(0.7), Real(1.15)}});
-    e.variant("no limit", Rigged(nothing));
-    e.variant("limit, λ ≥ 0", with(stop_of_bar)).expect("beyond the stop", 0);
-    e.variant("the same without λ ≥ 0", with(stop_that_sucks)).expect("beyond the stop", 0);
+    e.variant("no limit", JointedSolver{});
+    e.variant("limit, λ ≥ 0", JointedSolver{}).changing(with(stop_of_bar)).expect("beyond the stop", 0);
+    e.variant("the same without λ ≥ 0", JointedSolver{}).changing(with(stop_that_sucks)).expect("beyond the stop", 0);
     e.series("angle of the bar", "degrees", angle_of_bar);
     e.number("beyond the stop", "°",
              [](const Run& run) { return std::max(Real(0), largest(run, "angle of the bar") - bar_stop * 180 / pi); });
@@ -48,7 +47,8 @@ int main(int argc, char** argv) {
     for (const Real mass : {light_pointer, heavy_pointer}) {
       Variant& variant =
           e.variant(fmt::format("{:.3g} kg m²: needs {:.3g} N m", inertia_of_pointer(mass), inertia_of_pointer(mass)),
-                    Rigged([mass](World& world) { weigh_pointer(world, mass); }));
+                    JointedSolver{})
+              .changing([mass](World& world) { weigh_pointer(world, mass); });
       if (mass == light_pointer) variant.expect("off by up to, after 1 s", 0);
       variant.reference("sin t", [](Real t) { return std::sin(t); });
     }
@@ -125,8 +125,8 @@ int main(int argc, char** argv) {
              .instants = {0, 1, 2}});
     const Cart cart{1, {2, 3, 4}};
     for (const Real each : {Real(4), Real(7)}) {
-      e.variant(fmt::format("three motors of {} N m", each),
-                Rigged([=](World& world) { drive(world, cart, cart_speed, each); }))
+      e.variant(fmt::format("three motors of {} N m", each), JointedSolver{})
+          .changing([=](World& world) { drive(world, cart, cart_speed, each); })
           .reference(each == 4 ? "closed form" : "", [each](Real t) { return acceleration_of_cart(each) * t; })
           .expect("acceleration", acceleration_of_cart(each));
     }
@@ -147,11 +147,10 @@ int main(int argc, char** argv) {
              .camera = {{Real(2.2), Real(2.1), 7}, {Real(0.75), Real(1.37), 0}, Real(0.43)},
              .seconds = 3,
              .instants = {0, Real(0.9), 3}});
-    e.variant("no limits", Rigged([](World& world) {
-                std::erase_if(world.joints, [](const Joint& joint) {
-                  return joint.name.ends_with("limits") || joint.name.ends_with("limit");
-                });
-              }));
+    e.variant("no limits", JointedSolver{}).changing([](World& world) {
+      std::erase_if(world.joints,
+                    [](const Joint& joint) { return joint.name.ends_with("limits") || joint.name.ends_with("limit"); });
+    });
     e.variant("limits", JointedSolver{});
     e.series("knee or elbow, the wrong way", "degrees",
              [man](const World& world) { return bent_backwards(world, man) * 180 / pi; });

@@ -29,9 +29,7 @@ inline Joint piston(const World& world, int a, const Vec3& point_a, int b, const
     const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // on each other: any way out will do
     const Real begin = length_at(now.time), end = length_at(now.time + now.dt);
     require_positive("length of a piston", end);
-    equations.push_back({.n = n,
-                         .ra_n = (p_a - first.position).cross(n),
-                         .rb_n = (p_b - second.position).cross(n),
+    equations.push_back({.jacobian = Jacobian::along(n, first, p_a, second, p_b),
                          .error = apart - begin,
                          .bias = -(end - begin) / now.dt,
                          .lo = -force,

@@ -77,7 +77,7 @@ inline Real stretch(const World& world, const Ragdoll& man) {
     equations.clear();
     joint.ask(body_of(world, joint.a), body_of(world, joint.b), {world.time, 1}, equations);
     Real squared = 0;
-    for (const Equation& row : equations) squared += row.n.isZero(0) ? 0 : row.error * row.error;
+    for (const Equation& row : equations) squared += row.jacobian.n.isZero(0) ? 0 : row.error * row.error;
     largest = std::max(largest, std::sqrt(squared));
   }
   return largest / ragdoll_height;

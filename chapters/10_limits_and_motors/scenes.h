@@ -12,18 +12,6 @@
 
 namespace pushback {
 
-/// JointedSolver on a world that is changed once, as the first step is solved: variants may then differ in their joints.
-struct Rigged : JointedSolver {
-  std::function<void(World&)> rig;
-
-  explicit Rigged(std::function<void(World&)> how) : rig(std::move(how)) {}
-  void hold(World& world, Real dt) {
-    if (rig) rig(world);
-    rig = nullptr;
-    JointedSolver::hold(world, dt);
-  }
-};
-
 /// A fixed ball at the end of each axle, to be seen only: nothing gets there.
 inline void axle(World& world, const Vec3& at) {
   world.add(sphere(Real(0.05), 1).fixed().at(at + Vec3(0, 0, Real(0.14))));

@@ -68,7 +68,7 @@ inline Joint wound_rope(const World& world, int wheel, const Vec3& centre, const
     const Vec3 p = point_of(b, on_load);
     const WoundRope::Tangent tangent = rope.to(point_on(a, p) - middle);
     const Vec3 n = -(a.orientation * tangent.along);
-    const Equation row{.n = n, .ra_n = (p - a.position).cross(n), .rb_n = (p - b.position).cross(n)};
+    const Equation row{.jacobian = Jacobian::along(n, a, b, p)};
     const Real c = length + rope.sigma * radius * chi.count(tangent.chi) - tangent.free;
     equations.push_back(at_least_zero(row, c, moment.dt));
   };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chapters/03_baumgarte/baumgarte.h"
+#include "chapters/11_position_correction/correcting_solver.h"
 #include "chapters/11_position_correction/displace.h"
 
 namespace pushback {
@@ -19,26 +20,28 @@ struct NonlinearGaussSeidel : Effect {
   Real most = Real(0.05);  ///< m; no contact asks for more in one step
   int rounds = 3;
 
-  void build(const Contacts& contacts, Rows& rows, Real) {
+  void check(Step&) {
     require_between("beta", beta, 0, 1);
     require_not_negative("most", most);
     if (rounds < 0) throw InvalidInput(fmt::format("rounds is {}: a whole number, 0 or more, is needed", rounds));
+  }
+  void build(CorrectingStep& step) {
     touching_.clear();
     allowed_ = 0;
     overlap_ = false;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const Contact& at = contacts[i];
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      const Contact& at = step.contacts[i];
+      const Row& normal = step.rows[i];
       const Vec3 half = at.depth / 2 * at.normal;  // of B's point to A's, which is the deeper one along n
-      touching_.push_back({at.a->orientation.conjugate() * (at.point + half - at.a->position),
-                           at.b->orientation.conjugate() * (at.point - half - at.b->position)});
-      allowed_ = std::max(allowed_, at.depth + rows[i].separation);
-      overlap_ = overlap_ || rows[i].separation < 0;
+      touching_.push_back({point_on(*normal.a, at.point + half), point_on(*normal.b, at.point - half)});
+      allowed_ = std::max(allowed_, at.depth + normal.separation);
+      overlap_ = overlap_ || normal.separation < 0;
     }
   }
-  void correct(Rows& rows) {
+  void correct(CorrectingStep& step) {
     if (!overlap_) return;
     for (int round = 0; round < rounds; ++round) {
-      for (std::size_t i = 0; i < touching_.size(); ++i) push_apart(rows[i], touching_[i]);
+      for (std::size_t i = 0; i < touching_.size(); ++i) push_apart(step.rows[i], touching_[i]);
       rows_solved += touching_.size();
     }
   }
@@ -49,10 +52,10 @@ struct NonlinearGaussSeidel : Effect {
   };
   void push_apart(Row& row, const Touching& at) const {
     Body &a = *row.a, &b = *row.b;
-    const Vec3 on_a = a.position + a.orientation * at.on_a, on_b = b.position + b.orientation * at.on_b;
+    const Vec3 on_a = point_of(a, at.on_a), on_b = point_of(b, at.on_b);
     const Real separation = (on_b - on_a).dot(row.n) + allowed_;
     if (separation >= 0) return;
-    row.act_at((on_a + on_b) / 2);
+    row.place(Jacobian::along(row.n, a, b, (on_a + on_b) / 2));
     const Real lambda = std::min(-beta * separation, most / static_cast<Real>(rounds)) * row.effective_mass;  // kg m
     displace(a, lambda * row.dva, lambda * row.dwa);
     displace(b, lambda * row.dvb, lambda * row.dwb);

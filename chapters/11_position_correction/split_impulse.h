@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chapters/03_baumgarte/baumgarte.h"
+#include "chapters/11_position_correction/correcting_solver.h"
 #include "chapters/11_position_correction/displace.h"
 
 namespace pushback {
@@ -18,22 +19,21 @@ struct SplitImpulse : Effect {
   Real most = Real(0.05);  ///< m; no contact asks for more in one step
   int rounds = 10;         ///< sweeps over the pseudo-velocities
 
-  void build(const Contacts& contacts, Rows&, Real dt) {
+  void check(Step&) {
     require_between("beta", beta, 0, 1);
     require_not_negative("most", most);
     if (rounds < 0) throw InvalidInput(fmt::format("rounds is {}: a whole number, 0 or more, is needed", rounds));
-    normals_ = contacts.size();
-    dt_ = dt;
   }
-  void correct(Rows& rows) {
-    pushes_.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(normals_));
+  void build(CorrectingStep&) {}  // nothing to build: it only asks for the solver that will call `correct`
+  void correct(CorrectingStep& step) {
+    pushes_.assign(step.rows.begin(), step.rows.begin() + std::ssize(step.contacts));
     bool overlap = false;
     for (Row& push : pushes_) {
       push.impulse = 0;
       push.bias = 0;
       if (push.separation == 0) continue;
-      const Real left = std::min(Real(0), push.separation + dt_ * push.speed());
-      push.bias = std::max(beta * left, -most) / dt_;
+      const Real left = std::min(Real(0), push.separation + step.dt * push.speed());
+      push.bias = std::max(beta * left, -most) / step.dt;
       overlap = overlap || left < 0;
     }
     if (!overlap) return;
@@ -43,7 +43,7 @@ struct SplitImpulse : Effect {
       rows_solved += pushes_.size();
     }
     for (const Aside& body : aside_) {
-      displace(*body.of, dt_ * body.of->velocity, dt_ * body.of->angular_velocity);
+      displace(*body.of, step.dt * body.of->velocity, step.dt * body.of->angular_velocity);
       body.of->velocity = body.velocity;
       body.of->angular_velocity = body.angular_velocity;
     }
@@ -69,8 +69,6 @@ struct SplitImpulse : Effect {
     }
   }
 
-  std::size_t normals_ = 0;
-  Real dt_ = 0;
   Rows pushes_;               // the normals, for V'
   std::vector<Aside> aside_;  // whom they touch, and v and w meanwhile
 };

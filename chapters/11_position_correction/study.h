@@ -12,7 +12,7 @@ namespace pushback {
 
 /// FullSolver, if it is Baumgarte.
 template <class PushOut>
-using With = Solver<Clamping, PushOut, Slop, Restitution, Friction, WarmStart>;
+using With = CorrectingSolver<Clamping, PushOut, Slop, Restitution, Friction, WarmStart>;
 
 /// The root mean square of the speed in the last of ten seconds, mm/s, of a stack of ten; against beta.
 template <class PushOut>

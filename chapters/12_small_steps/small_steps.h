@@ -15,6 +15,6 @@ void small_steps(World& world, ContactSolver& solver, Real dt, int count, int sw
 }
 
 /// FullSolver with soft contacts in the place of Baumgarte and Slop.
-using SoftSolver = Solver<Clamping, SoftContacts, Restitution, Friction, WarmStart>;
+using SoftSolver = RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart>;
 
 }  // namespace pushback

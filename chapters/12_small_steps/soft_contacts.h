@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chapters/07_warm_start/warm_start.h"
+#include "chapters/12_small_steps/relaxing_solver.h"
 
 namespace pushback {
 
@@ -21,22 +22,27 @@ struct SoftContacts : Effect {
   /// w in steps of dt, rad/s. A spring needs some steps for an oscillation: at most one in eight of them is used.
   Real angular_frequency(Real dt) const { return 2 * pi * std::min(hertz, 1 / (8 * dt)); }
 
-  void build(const Contacts& contacts, Rows& rows, Real dt) {
+  void check(Step&) {
     require_positive("hertz", hertz);
     require_not_negative("damping ratio", damping_ratio);
     require_not_negative("fastest push-out", fastest_push_out);
+  }
+  void build(RelaxingStep& step) {
+    const Real dt = step.dt;
+    const Rows& rows = step.rows;
     const Real w = angular_frequency(dt);
     push_out_rate_ = w / (2 * damping_ratio + dt * w);          // k / (c + h k): the row's mass cancels
     gamma_by_K_ = 1 / (dt * w * (2 * damping_ratio + dt * w));  // gamma / K: here as well
-    rigid_mass_.resize(contacts.size());
-    apart_.resize(contacts.size());
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
+    rigid_mass_.resize(step.contacts.size());
+    apart_.resize(step.contacts.size());
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       rigid_mass_[i] = rows[i].effective_mass;
       apart_[i] = rows[i].b->position - rows[i].a->position;
     }
   }
   /// What bounces leaves by itself; all else is pushed out.
-  void start(Rows& rows) {
+  void start(Step& step) {
+    Rows& rows = step.rows;
     bounce_.resize(rigid_mass_.size());
     for (std::size_t i = 0; i < rigid_mass_.size(); ++i) {
       bounce_[i] = rows[i].bias;
@@ -51,8 +57,9 @@ struct SoftContacts : Effect {
   /// What was pushed has moved. What is left of that speed would be energy fed in: b = 0, or the bounce, and gamma = 0.
   ///
   /// To leave angular momentum alone, impulses have to act on both bodies at one point, by the inertias that they have now.
-  void relax(Rows& rows) {
-    for (Row& row : rows) carry(row, apart_[static_cast<std::size_t>(row.contact)]);
+  void relax(RelaxingStep& step) {
+    Rows& rows = step.rows;
+    for (Row& row : rows) carry(row, apart_[row.owner]);
     for (std::size_t i = 0; i < rigid_mass_.size(); ++i) {
       rows[i].bias = bounce_[i];
       rows[i].softness = 0;
@@ -72,7 +79,7 @@ struct SoftContacts : Effect {
     const Real s = of_a + of_b > 0 ? of_b / (of_a + of_b) : row.b->inverse_mass / inverse_masses;
     row.ra_n += s * m;
     row.rb_n -= (1 - s) * m;
-    row.weigh(inverse_masses);
+    row.weigh();
   }
 
   Real push_out_rate_ = 0;  // 1/s

@@ -11,12 +11,13 @@ namespace pushback {
 
 /// For 32 small steps of one sweep in 1/60 s. A pair of heavy on light, a blow, a tall stack, a slide at any heading:
 /// what it holds, and which hard cases it does not, is in docs/hard_cases.md under "all together".
-using SteadySolver = Solver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, ScaledWarmStart>;
+using SteadySolver = RelaxingSolver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, ScaledWarmStart>;
 
 /// Joints for the same small steps: a chain that carries a hundred times the mass of a link.
 struct SteadyJoints : SplitJoints {
   SteadyJoints() { passes = 20; }
 };
-using SteadyJointedSolver = Solver<SteadyJoints, Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, ScaledWarmStart>;
+using SteadyJointedSolver =
+    RelaxingSolver<SteadyJoints, Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, ScaledWarmStart>;
 
 }  // namespace pushback

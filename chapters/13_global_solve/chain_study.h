@@ -36,13 +36,13 @@ inline ChainSolved solve_chain(int count, Real h, int most) {
   World swept;
   slanting_chain(swept, count);
   World exact = swept;
-  for (World* world : {&swept, &exact}) world->apply_forces(h);
+  for (World* world : {&swept, &exact}) world->begin_step(h);
   Solver<Joints> sweeps;
   Solver<GlobalJoints> at_once;
-  sweeps.hold(swept, h);
-  at_once.hold(exact, h);
+  sweeps.solve(swept, h, 0);
+  at_once.solve(exact, h, 0);
   const Vector before = speeds_of(at_once.joint_rows());
-  at_once.solve(exact.contacts, h, 1);
+  at_once.solve(exact, h, 1);
 
   const Eigen::SparseMatrix<double> a = matrix_of(at_once.joint_rows());
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(a);
@@ -59,8 +59,9 @@ inline ChainSolved solve_chain(int count, Real h, int most) {
   };
   const double at_first = error();
   Rows no_contacts;
+  Step step{swept, swept.contacts, no_contacts, h};
   while (static_cast<int>(chain.left.size()) < most && (chain.left.empty() || chain.left.back() > 1e-4)) {
-    sweeps.Joints::sweep(no_contacts);
+    sweeps.Joints::sweep(step);
     chain.left.push_back(error() / at_first);
   }
   return chain;

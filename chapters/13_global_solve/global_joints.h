@@ -22,17 +22,17 @@ namespace pushback {
 struct GlobalJoints : Joints {
   static constexpr Real least_pivot = Real(std::numeric_limits<Real>::digits > 24 ? 1e-8 : 3e-4);  ///< of D_i / A_ii
 
-  void hold(World& world, Real dt) {
-    Joints::hold(world, dt);
+  void build(Step& step) {
+    Joints::build(step);
     factor();
   }
-  void sweep(Rows&) {
+  void sweep(Step&) {
     for (Row& row : joint_rows_)
       if (limited(row) || (at_once_.empty() && std::isfinite(row.effective_mass))) row.solve();
     solve_at_once();
   }
-  void moved(Rows& rows) {
-    Joints::moved(rows);
+  void moved(Step& step) {
+    Joints::moved(step);
     factor();
   }
   /// Indices in joint_rows() of the rows that are solved at once. Of those without limits, the missing ones are held by others.

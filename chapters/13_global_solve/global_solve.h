@@ -13,18 +13,16 @@ namespace pushback {
 struct GlobalSolve : Effect {
   double tolerance = 1e-10;  ///< of relative_residual
 
-  void build(const Contacts& contacts, Rows&, Real) { contacts_ = &contacts; }
-  void start(Rows& rows) {
-    const ContactProblem problem = problem_of(*contacts_, rows);
+  void start(Step& step) {
+    const ContactProblem problem = problem_of(step.contacts, step.rows);
     if (problem.contacts() == 0) return;
     solution_ = solve_best(problem, {.tolerance = tolerance, .rounds = 1});
-    const std::vector<Eigen::Index> places = places_in_problem(*contacts_, rows);
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].reach(static_cast<Real>(solution_.r[places[i]]));
+    const std::vector<Eigen::Index> places = places_in_problem(step.contacts, step.rows);
+    for (std::size_t i = 0; i < step.rows.size(); ++i) step.rows[i].reach(static_cast<Real>(solution_.r[places[i]]));
   }
   const Solution& solution() const { return solution_; }
 
  private:
-  const Contacts* contacts_ = nullptr;  // of the step that is being solved
   Solution solution_;
 };
 

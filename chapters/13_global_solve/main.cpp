@@ -69,8 +69,8 @@ int main(int argc, char** argv) {
                  .curves = {pattern(matrix_of(snapshot.normals))},
                  .extra = "set yrange [*:*] reverse; set size ratio -1; set pointsize 0.4"});
       }
-      const Snapshot tall(twenty, h);
-      const ContactProblem problem = problem_of(tall.world.contacts);
+      Snapshot tall(twenty, h);
+      const ContactProblem problem = problem_of(tall.world);
       e.panel(
           {.title = "a stack of twenty, from nothing",
            .x_label = "sweeps",

@@ -55,22 +55,21 @@ void project(const SparseRows& a, const Vector& b, Index i, double lo, double hi
   impulses[i] = std::clamp(impulses[i] - speed / own, lo, hi);
 }
 
-ContactProblem problem_of(const Contacts& contacts) {
+ContactProblem problem_of(World& world) {
+  const Contacts& contacts = world.contacts;
   Rows rows;
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    rows.emplace_back(contacts[i], contacts[i].normal, static_cast<int>(i));
+  for (std::size_t i = 0; i < contacts.size(); ++i) rows.push_back(row_of(world, contacts[i], contacts[i].normal, i));
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Tangents tangents = tangents_of(contacts[i].normal);
-    rows.emplace_back(contacts[i], tangents.tangent1, static_cast<int>(i));
-    rows.emplace_back(contacts[i], tangents.tangent2, static_cast<int>(i));
+    rows.push_back(row_of(world, contacts[i], tangents.tangent1, i));
+    rows.push_back(row_of(world, contacts[i], tangents.tangent2, i));
   }
   return problem_of(contacts, rows);
 }
 
 ContactProblem problem_of(const Contacts& contacts, const Rows& rows) {
   std::vector<std::vector<Row>> tangents(contacts.size());
-  for (std::size_t i = contacts.size(); i < rows.size(); ++i)
-    tangents[static_cast<std::size_t>(rows[i].contact)].push_back(rows[i]);
+  for (std::size_t i = contacts.size(); i < rows.size(); ++i) tangents[rows[i].owner].push_back(rows[i]);
   Rows in_threes;
   ContactProblem problem;
   problem.mu = Vector::Zero(static_cast<Index>(contacts.size()));
@@ -78,8 +77,9 @@ ContactProblem problem_of(const Contacts& contacts, const Rows& rows) {
     in_threes.push_back(rows[i]);
     if (tangents[i].empty()) {
       const Tangents two = tangents_of(contacts[i].normal);
+      Body &a = *rows[i].a, &b = *rows[i].b;
       for (const Vec3& tangent : {two.tangent1, two.tangent2})
-        in_threes.emplace_back(contacts[i], tangent, static_cast<int>(i));
+        in_threes.emplace_back(a, b, Jacobian::along(tangent, a, b, contacts[i].point), i);
     } else {
       problem.mu[static_cast<Index>(i)] = static_cast<double>(contacts[i].friction);
       in_threes.insert(in_threes.end(), tangents[i].begin(), tangents[i].end());
@@ -93,7 +93,7 @@ ContactProblem problem_of(const Contacts& contacts, const Rows& rows) {
 std::vector<Index> places_in_problem(const Contacts& contacts, const Rows& rows) {
   std::vector<Index> next, places;  // next: the place of the contact's next row
   for (std::size_t i = 0; i < contacts.size(); ++i) next.push_back(3 * static_cast<Index>(i));
-  for (const Row& row : rows) places.push_back(next[static_cast<std::size_t>(row.contact)]++);
+  for (const Row& row : rows) places.push_back(next[row.owner]++);
   return places;
 }
 

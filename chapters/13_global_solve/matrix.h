@@ -19,9 +19,9 @@ Vector speeds_of(const Rows& rows);
 /// Over all rows in turn this is sequential impulses: there JV is kept in the bodies' velocities, here it is added up from A.
 void project(const SparseRows& a, const Vector& b, Eigen::Index i, double lo, double hi, Vector& impulses);
 
-/// The contacts of a step as a problem for any solver, q = JV as the bodies move now: after World::apply_forces and
-/// World::find_contacts, that of the step. Friction is each contact's own; r_n is along its normal, r_t along tangents_of.
-ContactProblem problem_of(const Contacts& contacts);
+/// The contacts of a world as a problem for any solver, q = JV as the bodies move now: after World::begin_step, that of the
+/// step. Friction is each contact's own; r_n is along its normal, r_t along tangents_of.
+ContactProblem problem_of(World& world);
 
 /// The same of a solver's rows: the first contacts.size() are the normals, tangents may follow, two a contact. q = JV + b.
 /// A contact without tangents among them is without friction.

@@ -17,10 +17,9 @@ struct Snapshot {
   template <class Fill>
   Snapshot(Fill fill, Real h) {
     fill(world);
-    world.apply_forces(h);
-    world.find_contacts();
+    world.begin_step(h);
     for (std::size_t i = 0; i < world.contacts.size(); ++i)
-      normals.emplace_back(world.contacts[i], world.contacts[i].normal, static_cast<int>(i));
+      normals.push_back(row_of(world, world.contacts[i], world.contacts[i].normal, i));
   }
 };
 

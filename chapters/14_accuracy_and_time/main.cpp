@@ -11,7 +11,6 @@ namespace {
 /// Puts every body where it belongs.
 struct Truth {
   std::vector<Places> places;
-  Rows none = {};
 
   explicit Truth(const Motion& motion) : places(motion.truth(motion.frames())) {}
   /// Those of the latest whole frame that is over; none before the first.
@@ -19,12 +18,13 @@ struct Truth {
     const auto frames = static_cast<std::ptrdiff_t>(std::floor(time * frames_per_second + Real(1e-3)));
     return frames == 0 ? nullptr : &places[static_cast<std::size_t>(std::min(frames, std::ssize(places)) - 1)];
   }
-  void step(World& world, Real dt, int) {
+  std::size_t operator()(World& world, Real dt, int) const {
     world.time += dt;
     const Places* found = at(world.time);
-    if (found == nullptr) return;
+    if (found == nullptr) return 0;
     for (std::size_t i = 0; i < found->size(); ++i) world.bodies[i].position = (*found)[i].cast<Real>();
     if (!world.joints.empty()) turn_links(world);
+    return 0;
   }
   /// Each link of the chain hangs on the one before it, by its ends: a link's centre is half way from pin to pin.
   static void turn_links(World& world) {
@@ -34,7 +34,6 @@ struct Truth {
       pin = 2 * link.position - pin;
     }
   }
-  const Rows& rows() const { return none; }
   /// mm, of the body that is farthest from where it belongs.
   Real error(const World& world) const {
     double largest = 0;
@@ -71,7 +70,7 @@ int main(int argc, char** argv) {
              .seconds = Real(0.6),
              .instants = {0, Real(0.25), Real(0.4), Real(0.5)}});
     const Truth of_balls(billiards);
-    e.variant("as it should be", of_balls).coloured(6);
+    e.motion("as it should be", of_balls).coloured(6);
     int colour = 0;
     for (const int steps : {1, 16, 256})
       e.variant(counted(steps, "step") + " in 1/60 s", Solver<Clamping, Restitution>{})
@@ -87,7 +86,7 @@ int main(int argc, char** argv) {
              .seconds = 2,
              .instants = {0, Real(0.7), Real(1.4), 2}});
     const Truth of_chain(chain);
-    e.variant("as it should be", of_chain).coloured(6);
+    e.motion("as it should be", of_chain).coloured(6);
     colour = 0;
     for (const Budget& budget : {Budget{1, 16}, {4, 4}, {16, 1}})
       e.variant(counted(budget.small_steps, "step") + " of " + counted(budget.sweeps, "sweep"), Solver<Joints>{})

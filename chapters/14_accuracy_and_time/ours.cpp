@@ -15,10 +15,10 @@ using FullCold = Solver<Clamping, Baumgarte, Slop, Restitution, Friction>;
 using Slim = Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>;
 using SlimCold = Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone>;
 using NoSlop = Solver<Clamping, Baumgarte, Restitution, FrictionCone, WarmStart>;
-using Split = Solver<Clamping, SplitImpulse, Restitution, FrictionCone, WarmStart>;
-using Nonlinear = Solver<Clamping, NonlinearGaussSeidel, Restitution, FrictionCone, WarmStart>;
-using Soft = Solver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>;
-using SteadyCold = Solver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone>;
+using Split = CorrectingSolver<Clamping, SplitImpulse, Restitution, FrictionCone, WarmStart>;
+using Nonlinear = CorrectingSolver<Clamping, NonlinearGaussSeidel, Restitution, FrictionCone, WarmStart>;
+using Soft = RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>;
+using SteadyCold = RelaxingSolver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone>;
 using AtOnce = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmGlobalSolve>;
 
 template <class ContactSolver>
@@ -57,12 +57,14 @@ class Ours : public Player {
 
 template <class ContactSolver>
 Method method(const std::string& name, const std::string& title) {
-  return {.name = name,
-          .title = title,
-          .plays = [](const Motion& motion) { return motion.pins.empty() == !JointSolver<ContactSolver>; },
-          .begin = [](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            return std::make_unique<Ours<ContactSolver>>(motion, setting);
-          }};
+  return {
+      .name = name,
+      .title = title,
+      .plays =
+          [](const Motion& motion) { return motion.pins.empty() == !std::derived_from<ContactSolver, HoldsJoints>; },
+      .begin = [](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
+        return std::make_unique<Ours<ContactSolver>>(motion, setting);
+      }};
 }
 
 }  // namespace

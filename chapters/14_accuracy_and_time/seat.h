@@ -14,14 +14,18 @@ struct Seat : Effect {
   Real seat = Real(1e-6);  ///< m
   Real beta = Real(0.2);   ///< of 0 ... 1: how much of what is missing one step sinks
 
-  void touch(const Contacts& contacts, Rows& rows) {
+  void check(Step&) {
     require_not_negative("seat", seat);
     require_between("beta", beta, 0, 1);
-    for (std::size_t i = 0; i < contacts.size(); ++i) rows[i].separation += seat;
   }
-  void build(const Contacts& contacts, Rows& rows, Real dt) {
-    for (std::size_t i = 0; i < contacts.size(); ++i)
-      if (rows[i].separation > 0) rows[i].bias = beta / dt * rows[i].separation;
+  void touch(Step& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].separation += seat;
+  }
+  void build(Step& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      Row& normal = step.rows[i];
+      if (normal.separation > 0) normal.bias = beta / step.dt * normal.separation;
+    }
   }
 };
 

@@ -16,21 +16,18 @@ struct WarmGlobalSolve : Effect {
   double too_far = 1e-3;    ///< of the same, and solved from nothing
   int rounds = 3;           ///< of Newton's method, see NewtonLimits
 
-  void build(const Contacts& contacts, Rows&, Real) { contacts_ = &contacts; }
-  void start(Rows& rows) {
-    ContactProblem problem = problem_of(*contacts_, rows);
+  void start(Step& step) {
+    Rows& rows = step.rows;
+    ContactProblem problem = problem_of(step.contacts, rows);
     if (problem.contacts() == 0) return;
     Vector r = Vector::Zero(problem.q.size());
-    const std::vector<Eigen::Index> places = places_in_problem(*contacts_, rows);
+    const std::vector<Eigen::Index> places = places_in_problem(step.contacts, rows);
     for (std::size_t i = 0; i < rows.size(); ++i) r[places[i]] = static_cast<double>(rows[i].impulse);
     problem.q -= problem.w * r;  // u = W r + q with what the guess has done already
     newton(problem, r, {tolerance, rounds, std::numeric_limits<double>::infinity()});
     if (!(relative_residual(problem, r) <= too_far)) r = solve_best(problem, {.tolerance = tolerance, .rounds = 1}).r;
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].reach(static_cast<Real>(r[places[i]]));
   }
-
- private:
-  const Contacts* contacts_ = nullptr;  // of the step that is being solved
 };
 
 }  // namespace pushback

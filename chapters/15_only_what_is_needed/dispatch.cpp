@@ -4,23 +4,20 @@ namespace pushback {
 
 void OnlyWhatIsNeeded::fit(const World& world) {
   solver_.fit(world);
-  choose_step(world);
+  look(world);
 }
 
 void OnlyWhatIsNeeded::step(World& world, Real dt, int sweeps) {
   const bool as_it_was =
       world.bodies.size() == bodies_ && world.forces.size() == forces_ && world.joints.size() == joints_;
   if (!as_it_was) fit(world);
-  if (sleep) step_awake_(world, solver_, *sleep, dt, sweeps);
-  else step_all_(world, solver_, dt, sweeps);
+  if (sleep) pushback::step(world, solver_, dt, sweeps, *sleep);
+  else pushback::step(world, solver_, dt, sweeps, everybody_);
 }
 
-void OnlyWhatIsNeeded::choose_step(const World& world) {
-  const auto choose = [this](auto called) {
-    step_all_ = step_only<decltype(called), FittingSolver>;
-    step_awake_ = step_awake<decltype(called), FittingSolver>;
-  };
-  with_answers(world, choose, EveryQuestion{}, CalledFor<>{});
+void OnlyWhatIsNeeded::look(const World& world) {
+  for (const Force& force : world.forces) check_bodies_of(force, world);
+  everybody_.touching = Touching::in(world).yes;
   bodies_ = world.bodies.size();
   forces_ = world.forces.size();
   joints_ = world.joints.size();

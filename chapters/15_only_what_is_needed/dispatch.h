@@ -1,8 +1,9 @@
-/// For a scene that is not known when the program is compiled: the solver and the step that fit, chosen once.
+/// For a scene that is not known when the program is compiled: the solver that fits, chosen once.
 #pragma once
 
 #include <memory>
 
+#include "chapters/15_only_what_is_needed/only.h"
 #include "chapters/15_only_what_is_needed/sleep.h"
 
 namespace pushback {
@@ -19,7 +20,7 @@ void with_answers(const World& world, const Use& use, CalledFor<Question, Rest..
 }
 
 /// Of a solver what a scene calls for. To call it is an indirect call a step; its sweeps are compiled as ever.
-class FittingSolver {
+class FittingSolver : public StepSolver {
  public:
   template <class Full>
   FittingSolver(const World& world, const Full& full) : holder_(holder_for(world, full)) {}
@@ -31,16 +32,13 @@ class FittingSolver {
   }
   ~FittingSolver() = default;
 
-  /// The scene is another one now. Settings stay, and so does the memory of what is still called for. Throws InvalidInput if
-  /// it has joints and the solver holds none; then nothing has changed.
+  /// The scene is another one now. Settings stay. Throws InvalidInput if it has joints and the solver holds none; then nothing
+  /// has changed.
   void fit(const World& world) { holder_ = holder_->fitting(world); }
 
-  void hold(World& world, Real dt) { holder_->hold(world, dt); }
-  void solve(Contacts& contacts, Real dt, int sweeps) { holder_->solve(contacts, dt, sweeps); }
-  void relax(Contacts& contacts) { holder_->relax(contacts); }
-  void correct() { holder_->correct(); }
-  void remember(const Contacts& contacts) { holder_->remember(contacts); }
-  void forget() { holder_->forget(); }
+  void check(World& world, Real dt) { holder_->check(world, dt); }
+  void solve(World& world, Real dt, int sweeps) { holder_->solve(world, dt, sweeps); }
+  void after_move(World& world, Real dt) { holder_->after_move(world, dt); }
   const Rows& rows() const { return holder_->rows(); }
   const Rows& joint_rows() const { return holder_->joint_rows(); }
 
@@ -49,12 +47,9 @@ class FittingSolver {
     virtual ~AnyHolder() = default;
     virtual std::unique_ptr<AnyHolder> copy() const = 0;
     virtual std::unique_ptr<AnyHolder> fitting(const World& world) const = 0;
-    virtual void hold(World& world, Real dt) = 0;
-    virtual void solve(Contacts& contacts, Real dt, int sweeps) = 0;
-    virtual void relax(Contacts& contacts) = 0;
-    virtual void correct() = 0;
-    virtual void remember(const Contacts& contacts) = 0;
-    virtual void forget() = 0;
+    virtual void check(World& world, Real dt) = 0;
+    virtual void solve(World& world, Real dt, int sweeps) = 0;
+    virtual void after_move(World& world, Real dt) = 0;
     virtual const Rows& rows() const = 0;
     virtual const Rows& joint_rows() const = 0;
   };
@@ -62,32 +57,10 @@ class FittingSolver {
   struct Holder final : AnyHolder {
     Holder(const Full& its_full, ContactSolver its_solver) : full(its_full), solver(std::move(its_solver)) {}
     std::unique_ptr<AnyHolder> copy() const override { return std::make_unique<Holder>(*this); }
-    std::unique_ptr<AnyHolder> fitting(const World& world) const override {
-      Full whole = full;
-      put_back(solver, whole);
-      if constexpr (requires { whole.forget_joints(); }) {
-        if (world.joints.empty()) whole.forget_joints();
-      }
-      return holder_for(world, whole);
-    }
-    void hold(World& world, Real dt) override {
-      if constexpr (JointSolver<ContactSolver>) solver.hold(world, dt);
-      else check_no_joints(world.joints);
-    }
-    void solve(Contacts& contacts, Real dt, int sweeps) override { solver.solve(contacts, dt, sweeps); }
-    void relax(Contacts& contacts) override {
-      if constexpr (requires { solver.relax(contacts); }) solver.relax(contacts);
-    }
-    void correct() override {
-      if constexpr (requires { solver.correct(); }) solver.correct();
-    }
-    void remember(const Contacts& contacts) override {
-      if constexpr (requires { solver.remember(contacts); }) solver.remember(contacts);
-    }
-    void forget() override {
-      if constexpr (requires { solver.forget(); }) solver.forget();
-      if constexpr (requires { full.forget(); }) full.forget();
-    }
+    std::unique_ptr<AnyHolder> fitting(const World& world) const override { return holder_for(world, full); }
+    void check(World& world, Real dt) override { solver.check(world, dt); }
+    void solve(World& world, Real dt, int sweeps) override { solver.solve(world, dt, sweeps); }
+    void after_move(World& world, Real dt) override { solver.after_move(world, dt); }
     const Rows& rows() const override {
       if constexpr (requires { solver.rows(); }) return solver.rows();
       else return none();
@@ -106,7 +79,7 @@ class FittingSolver {
 
   template <class Full>
   static std::unique_ptr<AnyHolder> holder_for(const World& world, const Full& full) {
-    if constexpr (!JointSolver<Full>) check_no_joints(world.joints);
+    check_solvable<Full>(world);
     std::unique_ptr<AnyHolder> chosen;
     const auto choose = [&](auto called) {
       using Fitting = Only<Full, decltype(called)>;
@@ -119,6 +92,15 @@ class FittingSolver {
   std::unique_ptr<AnyHolder> holder_;
 };
 
+/// Everybody, in a scene in which perhaps nothing can touch.
+struct EverybodyFitting : Everybody {
+  bool touching = true;
+  void find_contacts(World& world) const {
+    if (touching) world.find_contacts();
+    else world.contacts.clear();
+  }
+};
+
 /// World::step with what the scene calls for; with a Sleep, for those awake. It reads the scene again when bodies, forces
 /// or joints have been added or taken away. Whoever makes a body that is there already rough, bouncy or uneven, or puts a
 /// force on it by hand, has to call `fit`.
@@ -129,7 +111,7 @@ class OnlyWhatIsNeeded {
   template <class Full>
   OnlyWhatIsNeeded(const World& world, const Full& full, std::optional<Sleep> with_sleep = {})
       : sleep(std::move(with_sleep)), solver_(world, full) {
-    choose_step(world);
+    look(world);
   }
   void fit(const World& world);
   void step(World& world, Real dt, int sweeps = 10);
@@ -137,12 +119,11 @@ class OnlyWhatIsNeeded {
   const Rows& joint_rows() const { return solver_.joint_rows(); }
 
  private:
-  void choose_step(const World& world);
+  void look(const World& world);
 
   FittingSolver solver_;
+  EverybodyFitting everybody_;
   std::size_t bodies_ = 0, forces_ = 0, joints_ = 0;
-  void (*step_all_)(World&, FittingSolver&, Real, int) = nullptr;
-  void (*step_awake_)(World&, FittingSolver&, Sleep&, Real, int) = nullptr;
 };
 
 }  // namespace pushback

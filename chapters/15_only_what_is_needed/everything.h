@@ -7,21 +7,22 @@ namespace pushback {
 
 /// Chapter 06's Friction makes no rows for a contact with mu = 0. This one does; their limits are 0 and 0.
 struct FrictionEverywhere : Friction {
-  void build(const Contacts& contacts, Rows& rows, Real) {
-    first_ = rows.size();
+  void build(Step& step) {
+    first_ = step.rows.size();
     mu_.clear();
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const auto [tangent1, tangent2] = tangents_of(contacts[i].normal);
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      const Contact& at = step.contacts[i];
+      const auto [tangent1, tangent2] = tangents_of(at.normal);
       for (const Vec3& tangent : {tangent1, tangent2}) {
-        Row& row = rows.emplace_back(contacts[i], tangent, static_cast<int>(i));
-        if (contacts[i].friction == 0) row.lo = row.hi = 0;
+        step.rows.push_back(row_of(step.world, at, tangent, i));
+        if (at.friction == 0) step.rows.back().lo = step.rows.back().hi = 0;
       }
-      mu_.push_back(contacts[i].friction);
+      mu_.push_back(at.friction);
     }
   }
-  void report(Contacts& contacts, const Rows& rows) {
-    Friction::report(contacts, rows);
-    for (Contact& contact : contacts) {
+  void report(Step& step) {
+    Friction::report(step);
+    for (Contact& contact : step.contacts) {
       if (contact.friction == 0) contact.state = ContactState::fresh;  // neither held nor sliding: nothing rubs
     }
   }

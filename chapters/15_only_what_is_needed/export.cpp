@@ -17,12 +17,11 @@ ContactProblem problem_after(const NamedScene& scene, int steps, World& world) {
   scene.fill(world);
   OnlyWhatIsNeeded needed(world, JointedSolver{});
   for (int step = 0; step < steps; ++step) needed.step(world, dt);
-  world.apply_forces(dt);
-  world.find_contacts();
+  world.begin_step(dt);
   if (world.contacts.empty())
     throw InvalidInput(
         fmt::format("{} has no contacts after {} steps: there is no problem to write", scene.name, steps));
-  return problem_of(world.contacts);
+  return problem_of(world);
 }
 
 }  // namespace

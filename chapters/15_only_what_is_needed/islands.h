@@ -23,9 +23,10 @@ class Islands {
     parent_[std::size_t(std::max(first, second))] = std::min(first, second);
   }
   /// What touches, and is movable, is one.
-  void join(const Contacts& contacts) {
+  void join(const Contacts& contacts, const World& world) {
     for (const Contact& contact : contacts) {
-      if (contact.a->movable() && contact.b->movable()) join(contact.a->index, contact.b->index);
+      const auto [a, b] = world.bodies_of(contact);
+      if (a.movable() && b.movable()) join(a.index, b.index);
     }
   }
   /// And so is what is joined.

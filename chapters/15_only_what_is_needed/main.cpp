@@ -13,11 +13,11 @@ struct Needed {
   std::optional<Sleep> sleep = {};
   std::optional<OnlyWhatIsNeeded> chosen = {};
 
-  void step(World& world, Real dt, int sweeps) {
+  std::size_t operator()(World& world, Real dt, int sweeps) {
     if (!chosen) chosen.emplace(world, FullSolver{}, sleep);
     chosen->step(world, dt, sweeps);
+    return chosen->rows().size();
   }
-  const Rows& rows() const { return chosen->rows(); }
 };
 
 /// An island's bodies in the colour that its first one had.
@@ -26,7 +26,7 @@ struct ColouredByIsland {
   Islands islands = {};
   std::vector<int> colours = {};
 
-  void step(World& world, Real dt, int sweeps) {
+  std::size_t operator()(World& world, Real dt, int sweeps) {
     world.step(solver, dt, sweeps);
     if (colours.empty()) {
       for (const Body& body : world.bodies) colours.push_back(body.colour);
@@ -36,11 +36,11 @@ struct ColouredByIsland {
       if (body.movable()) movable.push_back(body.index);
     }
     islands.separate(movable, world.bodies.size());
-    islands.join(world.contacts);
+    islands.join(world.contacts, world);
     islands.join(world.joints, world);
     for (const int i : movable) world.bodies[std::size_t(i)].colour = colours[std::size_t(islands.island_of(i))];
+    return solver.rows().size();
   }
-  const Rows& rows() const { return solver.rows(); }
 };
 
 /// m: how far any body is from where the solver with everything has put it.
@@ -74,8 +74,8 @@ int main(int argc, char** argv) {
   return e.run(argc, argv, [&] {
     const auto three_ways = [&] {
       e.variant("everything", Everything{});
-      e.variant("what is called for", Needed{});
-      e.variant("called for, and asleep where it rests", Needed{.sleep = sleep});
+      e.motion("what is called for", Needed{});
+      e.motion("called for, and asleep where it rests", Needed{.sleep = sleep});
     };
     const auto measured = [&](const std::function<void(World&)>& fill) {
       e.number("contact points, mean of all steps", "", [](const Run& run) { return mean(run, &Sample::contacts); });
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
              .seconds = 6,
              .instants = {0, Real(1.2), Real(1.6), Real(2.5), 6}});
     three_ways();
-    e.variant("everything, coloured by island", ColouredByIsland{});
+    e.motion("everything, coloured by island", ColouredByIsland{});
     measured(five_piles);
     e.series("bodies asleep", "", [](const World& world) {
       return static_cast<Real>(

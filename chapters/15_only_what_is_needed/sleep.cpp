@@ -40,7 +40,7 @@ bool acts_on_all(const Force& force) {
 
 // ---- who is awake ------------------------------------------------------------------------------------------------------
 
-void Sleep::look(World& world) {
+void Sleep::check(World& world) {
   require_not_negative("time to fall asleep", seconds);
   require_not_negative("place of a sleeper", place);
   if (world.bodies.size() < rest_.size()) throw InvalidInput("a world with sleepers has lost a body: make a new Sleep");
@@ -103,6 +103,11 @@ void Sleep::find_contacts(World& world) {
       if (body.asleep) body.force.setZero(), body.torque.setZero();  // it held the body, and will do so again
     }
   }
+  if (woken_.empty()) return;
+  Contacts& before = world.contacts_before;
+  before.insert(before.end(), woken_.begin(), woken_.end());
+  std::sort(before.begin(), before.end(), [](const Contact& p, const Contact& q) { return p.id < q.id; });
+  woken_.clear();
 }
 
 /// Finds the contacts. Returns whether somebody had to be woken: then they are not all there yet.
@@ -131,7 +136,8 @@ bool Sleep::someone_touched(World& world) {
   }
   bool somebody = false;
   for (const Contact& contact : world.contacts) {
-    for (const Body* body : {contact.a, contact.b}) {
+    const auto [a, b] = world.bodies_of(contact);
+    for (const Body* body : {&a, &b}) {
       if (!body->asleep) continue;
       wake_island(world, rest(body->index).island);
       somebody = true;
@@ -194,8 +200,7 @@ void Sleep::wake_all(World& world) {
 
 // ---- falling asleep ----------------------------------------------------------------------------------------------------
 
-void Sleep::settle(World& world, Real dt) {
-  woken_.clear();
+void Sleep::end(World& world, Real dt) {
   // Over a time in which nothing gets farther than `place`.   |x - x_0| + reach |angle between q_0 and q| <= place
   for (const int i : awake_) {
     const Body& body = world.bodies[std::size_t(i)];
@@ -208,7 +213,7 @@ void Sleep::settle(World& world, Real dt) {
   if (nobody_may_sleep_) return;
 
   touching_.separate(awake_, world.bodies.size());
-  touching_.join(world.contacts);
+  touching_.join(world.contacts, world);
   touching_.join(world.joints, world);
   for (const Force& force : world.forces) {
     int other = -1;
@@ -219,8 +224,9 @@ void Sleep::settle(World& world, Real dt) {
     }
   }
   for (const Contact& contact : world.contacts) {  // what carries it may carry it away
-    if (!contact.a->movable() && moves(*contact.a)) rest(contact.b->index).seconds = 0;
-    if (!contact.b->movable() && moves(*contact.b)) rest(contact.a->index).seconds = 0;
+    const auto [a, b] = world.bodies_of(contact);
+    if (!a.movable() && moves(a)) rest(b.index).seconds = 0;
+    if (!b.movable() && moves(b)) rest(a.index).seconds = 0;
   }
   for (const Joint& joint : world.joints) {
     if (!moves(joint, world)) continue;
@@ -253,10 +259,9 @@ void Sleep::put_to_sleep(World& world, const std::vector<int>& bodies) {
   Island& sleeping = islands_[std::size_t(island)];
   sleeping.bodies = bodies;
   for (const Contact& contact : world.contacts) {
-    if (contact.a->asleep || contact.b->asleep) {
-      const Body& sleeper = contact.a->asleep ? *contact.a : *contact.b;
-      if (rest(sleeper.index).island == island) sleeping.contacts.push_back(contact);
-    }
+    const auto [a, b] = world.bodies_of(contact);
+    if (!a.asleep && !b.asleep) continue;
+    if (rest((a.asleep ? a : b).index).island == island) sleeping.contacts.push_back(contact);
   }
   std::vector<int> still_awake;
   std::set_difference(awake_.begin(), awake_.end(), bodies.begin(), bodies.end(), std::back_inserter(still_awake));

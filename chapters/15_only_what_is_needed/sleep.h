@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "chapters/15_only_what_is_needed/islands.h"
-#include "chapters/15_only_what_is_needed/only.h"
+#include "chapters/15_only_what_is_needed/questions.h"
 #include "common/still_bodies.h"
 
 namespace pushback {
@@ -24,17 +24,20 @@ class Sleep {
   Real seconds = Real(0.5);    ///< for how long a body has to keep its place
   Real place = Real(0.25e-3);  ///< m: so far may its surface get from where it was; slower than place / seconds is rest
 
-  /// As a step begins: what is new in the world since the latest one. Throws as World::step does; nothing has moved then.
-  void look(World& world);
-  /// With the applied forces on the bodies: wakes whom they, joints or others touch, and finds the contacts of those awake.
-  void find_contacts(World& world);
-  /// Once the bodies have moved: who rests falls asleep.
-  void settle(World& world, Real dt);
+  // ---- who takes part in a step: see common/step.h ---------------------------------------------------------------------
 
-  /// Ascending indices of the bodies to be simulated in this step: movable, or moving all the same.
-  const std::vector<int>& simulated() const { return simulated_; }
-  /// The contacts that islands woken since the latest step had when they fell asleep.
-  const Contacts& woken() const { return woken_; }
+  /// What is new in the world since the latest step. Throws as World::step does; nothing has moved then.
+  void check(World& world);
+  /// With the applied forces on the bodies: wakes whom they, joints or others touch, and finds the contacts of those awake.
+  /// What the woken carried when they fell asleep counts as of the step before.
+  void find_contacts(World& world);
+  /// Who is simulated in this step, in ascending order: movable and awake, or moving all the same.
+  template <class Act>
+  void each(World& world, const Act& act) const {
+    for (const int i : simulated_) act(world.bodies[std::size_t(i)]);
+  }
+  /// Who rests falls asleep.
+  void end(World& world, Real dt);
 
   /// The island of this body, with all others that touch the body, or are joined to it, if it is immovable.
   void wake(World& world, int body);
@@ -45,7 +48,7 @@ class Sleep {
  private:
   struct Island {
     std::vector<int> bodies;
-    Contacts contacts;  // for their ids and impulses: the pointers in them may be stale
+    Contacts contacts;  // with what they carried
   };
   struct Rest {
     Vec3 position = Vec3::Constant(std::numeric_limits<Real>::quiet_NaN());  // far from everywhere
@@ -73,33 +76,9 @@ class Sleep {
   StillBodies still_;
   bool arranged_ = false;
   bool nobody_may_sleep_ = false;
-  Contacts woken_;
+  Contacts woken_;  // of the islands woken since the latest step
   Vec3 gravity_ = Vec3::Zero();
   std::size_t forces_ = 0, joints_ = 0;
 };
-
-/// step_only for those awake.
-template <class Called, class ContactSolver>
-void step_awake(World& world, ContactSolver& solver, Sleep& sleep, Real dt, int sweeps = 10) {
-  check_step(dt, sweeps, world.gravity);
-  if constexpr (!JointSolver<ContactSolver>) check_no_joints(world.joints);
-  sleep.look(world);
-  if constexpr (Called::template has<Pulling>) {
-    for (const Force& force : world.forces) force.apply(world);
-  }
-  sleep.find_contacts(world);
-  if constexpr (requires { solver.remember(sleep.woken()); }) {
-    if (!sleep.woken().empty()) solver.remember(sleep.woken());
-  }
-  const auto each = [&](const auto& act) {
-    for (const int i : sleep.simulated()) act(world.bodies[std::size_t(i)]);
-  };
-  each(Integrator<Called>::begin);
-  each([&](Body& body) { Integrator<Called>::push(body, world.gravity, dt); });
-  solve_only<Called>(world, solver, dt, sweeps);
-  each([&](Body& body) { Integrator<Called>::move(body, dt); });
-  end_step<Called>(world, solver, dt);
-  sleep.settle(world, dt);
-}
 
 }  // namespace pushback

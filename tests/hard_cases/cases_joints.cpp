@@ -16,7 +16,8 @@ Real gap_of(const World& world, const Joint& joint) {
   Equations equations;
   joint.ask(body_of(world, joint.a), body_of(world, joint.b), {world.time, frame}, equations);
   Real squared = 0;
-  for (const Equation& equation : equations) squared += equation.n.isZero(0) ? 0 : equation.error * equation.error;
+  for (const Equation& equation : equations)
+    squared += equation.jacobian.n.isZero(0) ? 0 : equation.error * equation.error;
   return std::sqrt(squared);
 }
 

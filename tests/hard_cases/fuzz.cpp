@@ -11,10 +11,11 @@ namespace {
 
 constexpr int steps = 60;
 
-using BookedFullSolver = BookedSolver<Clamping, Baumgarte, Slop, Restitution, Booked<Friction>, WarmStart, Bookkeeper>;
+using BookedFullSolver =
+    BookedSolver<Solver, Clamping, Baumgarte, Slop, Restitution, Booked<Friction>, WarmStart, Bookkeeper>;
 using BookedSoftSolver =
-    BookedSolver<Clamping, SoftContacts, Restitution, Booked<Friction>, WarmStart, RelaxingBookkeeper>;
-using BookedAllTogether = BookedSolver<Clamping, SoftContacts, BookedImpacts, Booked<FrictionCone>,
+    BookedSolver<RelaxingSolver, Clamping, SoftContacts, Restitution, Booked<Friction>, WarmStart, RelaxingBookkeeper>;
+using BookedAllTogether = BookedSolver<RelaxingSolver, Clamping, SoftContacts, BookedImpacts, Booked<FrictionCone>,
                                        BookedScaledWarmStart, RelaxingBookkeeper>;
 
 void print_scene(const RandomScene& scene) {
@@ -75,14 +76,13 @@ class Watched {
  private:
   /// World::step, taken apart.
   std::string small_step(Real dt, Watcher& watcher) {
-    world_.apply_forces(dt);
-    world_.find_contacts();
-    solver_.solve(world_.contacts, dt, sweeps_);
+    world_.begin_step(dt);
+    solver_.solve(world_, dt, sweeps_);
     watcher.feel(world_);
     const std::vector<Body> before = world_.bodies;
     world_.move(dt);
     std::string broken = flown(before);
-    if constexpr (requires { solver_.relax(world_.contacts); }) solver_.relax(world_.contacts);
+    solver_.after_move(world_, dt);
     return broken.empty() ? ledger_.account.broken : broken;
   }
   /// What flies and turns freely keeps its kinetic energy, each body by itself.

@@ -117,7 +117,7 @@ void Ledger::impacts_swept(const Rows& rows) {
 bool Ledger::bounds_shrunk(const Rows& rows) const {
   for (std::size_t i = 0; i < friction.size(); ++i) {
     const std::size_t tangent = normals + 2 * i;
-    const Real bound = friction[i] * rows[rows[tangent].contact].impulse;
+    const Real bound = friction[i] * rows[rows[tangent].owner].impulse;
     const Real one = std::abs(impulses_[tangent]), two = std::abs(impulses_[tangent + 1]);
     if ((cone ? std::hypot(one, two) : std::max(one, two)) > bound) return true;
   }

@@ -38,6 +38,7 @@
 #include "chapters/05_restitution/at_once.h"
 #include "chapters/07_warm_start/scaled.h"
 #include "chapters/08_friction_cone/friction_cone.h"
+#include "chapters/12_small_steps/relaxing_solver.h"
 
 namespace pushback {
 
@@ -92,58 +93,58 @@ class Ledger {
 template <class OneFriction>
 struct Booked : OneFriction {
   Ledger* ledger = nullptr;
-  void build(const Contacts& contacts, Rows& rows, Real dt) {
-    OneFriction::build(contacts, rows, dt);
-    ledger->normals = contacts.size();
+  void build(Step& step) {
+    OneFriction::build(step);
+    ledger->normals = step.contacts.size();
     ledger->friction = this->mu_;
     ledger->cone = std::derived_from<OneFriction, FrictionCone>;
   }
-  void sweep(Rows& rows) {
-    ledger->normals_swept(rows);
-    OneFriction::sweep(rows);
-    ledger->tangents_swept(rows);
+  void sweep(Step& step) {
+    ledger->normals_swept(step.rows);
+    OneFriction::sweep(step);
+    ledger->tangents_swept(step.rows);
   }
 };
 
 /// Instead of ImpactsAtOnce.
 struct BookedImpacts : ImpactsAtOnce {
   Ledger* ledger = nullptr;
-  void sweep(Rows& rows) {
-    ledger->normals_swept(rows);
-    ImpactsAtOnce::sweep(rows);
-    ledger->impacts_swept(rows);
+  void sweep(Step& step) {
+    ledger->normals_swept(step.rows);
+    ImpactsAtOnce::sweep(step);
+    ledger->impacts_swept(step.rows);
   }
 };
 
 /// Instead of ScaledWarmStart.
 struct BookedScaledWarmStart : ScaledWarmStart {
   Ledger* ledger = nullptr;
-  void start(Rows& rows) {
+  void start(Step& step) {
     ledger->guess.clear();
-    for (const Row& row : rows) {
-      const Real wanted = first_guess_[static_cast<std::size_t>(row.contact)].dot(row.n);
+    for (const Row& row : step.rows) {
+      const Real wanted = first_guess_[row.owner].dot(row.n);
       ledger->guess.push_back(std::clamp(wanted, row.lo, row.hi));
     }
-    ScaledWarmStart::start(rows);
-    ledger->guess_scaled(rows);
+    ScaledWarmStart::start(step);
+    ledger->guess_scaled(step.rows);
   }
 };
 
 /// The last effect: nothing acts after it at any moment.
 struct Bookkeeper : Effect {
   Ledger* ledger = nullptr;
-  void build(const Contacts&, Rows& rows, Real) { ledger->open(rows); }
-  void start(Rows& rows) { ledger->started(rows); }
-  void finish(Rows& rows) { ledger->finished(rows); }
+  void build(Step& step) { ledger->open(step.rows); }
+  void start(Step& step) { ledger->started(step.rows); }
+  void finish(Step& step) { ledger->finished(step.rows); }
 };
-/// The same for a solver that relaxes; it would make any other one do so.
+/// The same for a solver that relaxes.
 struct RelaxingBookkeeper : Bookkeeper {
-  void relax(Rows& rows) { ledger->reopened(rows); }
+  void relax(RelaxingStep& step) { ledger->reopened(step.rows); }
 };
 
 /// A solver of which some effects keep books, all in one ledger.
-template <class... Effects>
-struct BookedSolver : Solver<Effects...> {
+template <template <class...> class AnySolver, class... Effects>
+struct BookedSolver : AnySolver<Effects...> {
   explicit BookedSolver(Ledger& ledger) { (hand_to(static_cast<Effects&>(*this), ledger), ...); }
 
  private:

@@ -17,45 +17,24 @@ constexpr int default_sweeps = 10;
 
 /// Hands every contact to the solver twice, each under an id of its own.
 template <class ContactSolver>
-class Doubled {
+class Doubled : public StepSolver {
  public:
-  void hold(World& world, Real dt)
-    requires JointSolver<ContactSolver>
-  {
-    solver_.hold(world, dt);
-  }
-  void solve(Contacts& contacts, Real dt, int sweeps) {
-    twice_.clear();
-    for (const Contact& contact : contacts) {
+  void check(World& world, Real dt) { solver_.check(world, dt); }
+  void solve(World& world, Real dt, int sweeps) {
+    Contacts twice;
+    for (const Contact& contact : world.contacts) {
       for (const std::uint32_t copy : {0U, 1U}) {  // side by side: the list still ascends
-        twice_.push_back(contact);
-        twice_.back().id.feature = 2 * contact.id.feature + copy;
+        twice.push_back(contact);
+        twice.back().id.feature = 2 * contact.id.feature + copy;
       }
     }
-    solver_.solve(twice_, dt, sweeps);
-    report(contacts);
+    world.contacts.swap(twice);
+    solver_.solve(world, dt, sweeps);
   }
-  void relax(Contacts& contacts)
-    requires requires(ContactSolver& solver, Contacts& twice) { solver.relax(twice); }
-  {
-    solver_.relax(twice_);
-    report(contacts);
-  }
-  void correct()
-    requires requires(ContactSolver& solver) { solver.correct(); }
-  {
-    solver_.correct();
-  }
+  void after_move(World& world, Real dt) { solver_.after_move(world, dt); }
 
  private:
-  void report(Contacts& contacts) const {
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      contacts[i].impulse = twice_[2 * i].impulse + twice_[2 * i + 1].impulse;
-      contacts[i].state = twice_[2 * i].state;
-    }
-  }
   ContactSolver solver_;
-  Contacts twice_;
 };
 
 template <class ContactSolver>
@@ -113,9 +92,11 @@ const std::vector<Stage>& stages() {
           "05 from surface", "the full solver, bounces reckoned from the surface"),
       sweeping<WithJoints<SplitJoints, Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>>(
           "08 friction cone", "the full solver with a cone of friction"),
-      sweeping<WithJoints<SplitJoints, Solver<Clamping, SplitImpulse, Slop, Restitution, Friction, WarmStart>>>(
+      sweeping<
+          WithJoints<SplitJoints, CorrectingSolver<Clamping, SplitImpulse, Slop, Restitution, Friction, WarmStart>>>(
           "11 split impulse", "the full solver, overlap corrected by pseudo-velocities in the place of Baumgarte"),
-      sweeping<WithJoints<SplitJoints, Solver<Clamping, NonlinearGaussSeidel, Slop, Restitution, Friction, WarmStart>>>(
+      sweeping<WithJoints<SplitJoints,
+                          CorrectingSolver<Clamping, NonlinearGaussSeidel, Slop, Restitution, Friction, WarmStart>>>(
           "11 non-linear Gauss-Seidel", "the full solver, positions corrected contact by contact, not by Baumgarte"),
       stepping<JointedSolver>("12 small steps", "the full solver, 32 small steps of one sweep", 32),
       stepping<WithJoints<SplitJoints, Solver<Clamping, Baumgarte, Slop, ImpactsInTurn, Friction, ScaledWarmStart>>>(
@@ -124,7 +105,7 @@ const std::vector<Stage>& stages() {
           "12 soft contacts", "soft contacts and a relaxing pass, 32 small steps of one sweep", 32),
       stepping<WithJoints<SteadyJoints, SoftSolver>>(
           "12 joints 20 times", "12 soft contacts with 20 passes over the joints in each sweep", 32),
-      stepping<Solver<Clamping, SoftContacts, Restitution, Friction, WarmStart, GlobalJoints>>(
+      stepping<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, GlobalJoints>>(
           "13 direct joint solve", "12 soft contacts with all joints solved at once in each sweep, without a guess",
           32),
       stepping<SteadyJointedSolver>(

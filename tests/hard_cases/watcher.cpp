@@ -53,7 +53,8 @@ void Watcher::feel(const World& world) {
   }
   sizes.energy += kinetic_energy(world);
   for (const Contact& contact : world.contacts) {
-    for (const Body* body : {contact.a, contact.b}) {
+    const auto [a, b] = world.bodies_of(contact);
+    for (const Body* body : {&a, &b}) {
       const Real arm = (contact.point - body->position).norm();
       sizes_.turning += arm * contact.impulse.norm() * unevenness(*body) / 1000;
     }

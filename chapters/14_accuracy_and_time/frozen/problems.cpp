@@ -25,9 +25,8 @@ FrozenProblem frozen(const std::string& name, const std::function<void(World&)>&
   fill(world);
   SteadySolver solver;
   for (int step = 0; static_cast<Real>(step) * h < seconds; ++step) small_steps(world, solver, h, 32);
-  world.apply_forces(h);
-  world.find_contacts();
-  return {name, problem_of(world.contacts)};
+  world.begin_step(h);
+  return {name, problem_of(world)};
 }
 
 }  // namespace
