@@ -5,10 +5,10 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/frozen.h"
-#include "chapters/09_joints/ball_and_socket.h"
-#include "chapters/09_joints/jointed_solver.h"
-#include "chapters/15_only_what_is_needed/dispatch.h"
-#include "chapters/15_only_what_is_needed/everything.h"
+#include "pushback/chapters/09_joints/ball_and_socket.h"
+#include "pushback/chapters/09_joints/jointed_solver.h"
+#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/15_only_what_is_needed/everything.h"
 
 using namespace pushback;
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bench/in_turn.h"
-#include "chapters/07_warm_start/full_solver.h"
-#include "common/scene.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 
@@ -40,6 +40,7 @@ class FrozenPyramid {
     };
     put_back();
     solve();
+    world.contacts_before = world.contacts;  // from what it has found itself, whoever has settled the pyramid
     put_back();
     return seconds_of(solve);
   }

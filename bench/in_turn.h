@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "common/quantile.h"
+#include "pushback/common/basics/quantile.h"
 
 namespace pushback {
 

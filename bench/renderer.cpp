@@ -1,10 +1,10 @@
 /// Frames per second of the renderer, with everything on.
 #include <benchmark/benchmark.h>
 
-#include "chapters/07_warm_start/full_solver.h"
-#include "common/picture_of.h"
-#include "common/render/painter.h"
-#include "common/scene.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/common/experiment/picture_of.h"
+#include "pushback/common/render/painter.h"
+#include "pushback/common/world/situations.h"
 
 using namespace pushback;
 

@@ -4,9 +4,9 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/in_turn.h"
-#include "chapters/09_joints/jointed_solver.h"
-#include "chapters/15_only_what_is_needed/dispatch.h"
-#include "chapters/15_only_what_is_needed/scenes.h"
+#include "pushback/chapters/09_joints/jointed_solver.h"
+#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/catalogue.h"
 
 using namespace pushback;
 

@@ -5,11 +5,11 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/frozen.h"
-#include "chapters/07_warm_start/flat.h"
-#include "chapters/08_friction_cone/scaled_back.h"
-#include "chapters/11_position_correction/study.h"
-#include "chapters/12_small_steps/steady_solver.h"
-#include "common/scene.h"
+#include "pushback/chapters/07_warm_start/flat.h"
+#include "pushback/chapters/08_friction_cone/scaled_back.h"
+#include "pushback/chapters/11_position_correction/study.h"
+#include "pushback/chapters/12_small_steps/steady_solver.h"
+#include "pushback/common/world/situations.h"
 
 using namespace pushback;
 

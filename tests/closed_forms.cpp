@@ -1,11 +1,11 @@
 /// Every chapter's numbers, worked out on paper beside it.
-#include "chapters/00_naive_impulses/naive.h"
-#include "chapters/05_restitution/mistakes.h"
-#include "chapters/07_warm_start/full_solver.h"
-#include "common/measure.h"
-#include "common/scene.h"
-#include "tests/catch.h"
-#include "tests/touching.h"
+#include "pushback/chapters/00_naive_impulses/naive.h"
+#include "pushback/chapters/05_restitution/mistakes.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
+#include "tests/support/catch.h"
+#include "tests/support/touching.h"
 
 using namespace pushback;
 

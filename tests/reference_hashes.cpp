@@ -6,13 +6,13 @@
 #include <map>
 #include <thread>
 
-#include "common/measure.h"
-#include "common/scene.h"
-#include "tests/catch.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
 #include "tests/hard_cases/random_scene.h"
 #include "tests/hard_cases/stages.h"
-#include "tests/random.h"
-#include "tests/stored_hashes.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+#include "tests/support/stored_hashes.h"
 
 using namespace pushback;
 

@@ -1,13 +1,13 @@
 /// The list of all scenes: complete, each once, and each one that a solver can step.
-#include "chapters/15_only_what_is_needed/scenes.h"
+#include "pushback/chapters/catalogue.h"
 
 #include <map>
 #include <regex>
 #include <set>
 
-#include "chapters/09_joints/jointed_solver.h"
-#include "common/measure.h"
-#include "tests/catch.h"
+#include "pushback/chapters/09_joints/jointed_solver.h"
+#include "pushback/common/world/measure.h"
+#include "tests/support/catch.h"
 
 using namespace pushback;
 

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "common/measure.h"
-#include "common/scene.h"
-#include "tests/catch.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
 #include "tests/hard_cases/stages.h"
+#include "tests/support/catch.h"
 
 using namespace pushback;
 

@@ -4,17 +4,17 @@
 
 #include <map>
 
-#include "chapters/11_position_correction/nonlinear_gauss_seidel.h"
-#include "chapters/11_position_correction/split_impulse.h"
-#include "chapters/13_global_solve/global_joints.h"
-#include "chapters/13_global_solve/global_solve.h"
-#include "chapters/14_accuracy_and_time/warm_global_solve.h"
-#include "chapters/15_only_what_is_needed/dispatch.h"
-#include "common/input.h"
-#include "common/measure.h"
-#include "tests/catch.h"
-#include "tests/stored_hashes.h"
-#include "tests/with_joints.h"
+#include "pushback/chapters/11_position_correction/nonlinear_gauss_seidel.h"
+#include "pushback/chapters/11_position_correction/split_impulse.h"
+#include "pushback/chapters/13_global_solve/global_joints.h"
+#include "pushback/chapters/13_global_solve/global_solve.h"
+#include "pushback/chapters/14_accuracy_and_time/warm_global_solve.h"
+#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/world/measure.h"
+#include "tests/support/catch.h"
+#include "tests/support/stored_hashes.h"
+#include "tests/support/with_joints.h"
 
 using namespace pushback;
 

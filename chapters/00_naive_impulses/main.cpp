@@ -1,6 +1,6 @@
-#include "chapters/00_naive_impulses/naive.h"
-#include "chapters/00_naive_impulses/scenes.h"
-#include "common/experiment.h"
+#include "pushback/chapters/00_naive_impulses/naive.h"
+#include "pushback/chapters/00_naive_impulses/scenes.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 

@@ -8,7 +8,7 @@
 /// Palubicki, "CGP 9", Naive Take and Naive Take 2.
 #pragma once
 
-#include "common/step.h"
+#include "pushback/common/world/step.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
-/// What gets its impulse: a ball that hits a box in empty space. The boxes on the ground are `stack` of common/scene.h.
+/// What gets its impulse: a ball that hits a box in empty space. The boxes on the ground are `stack`, of common/world.
 #pragma once
 
-#include "common/scene.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
-#include "chapters/00_naive_impulses/naive.h"
-#include "chapters/01_velocity_constraint/scenes.h"
-#include "chapters/01_velocity_constraint/solver.h"
-#include "common/experiment.h"
+#include "pushback/chapters/00_naive_impulses/naive.h"
+#include "pushback/chapters/01_velocity_constraint/scenes.h"
+#include "pushback/chapters/01_velocity_constraint/solver.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 

@@ -13,8 +13,8 @@
 #include <limits>
 #include <vector>
 
-#include "common/jacobian.h"
-#include "common/world.h"
+#include "pushback/common/world/jacobian.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
 

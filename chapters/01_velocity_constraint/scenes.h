@@ -1,7 +1,7 @@
 /// What a row holds: a box that falls, one that is thrown upwards, a reader's cube on a slope.
 #pragma once
 
-#include "common/scene.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

@@ -7,8 +7,8 @@
 #include <concepts>
 #include <type_traits>
 
-#include "chapters/01_velocity_constraint/row.h"
-#include "chapters/01_velocity_constraint/rows_solved.h"
+#include "pushback/chapters/01_velocity_constraint/row.h"
+#include "pushback/chapters/01_velocity_constraint/rows_solved.h"
 
 namespace pushback {
 

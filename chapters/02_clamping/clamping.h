@@ -1,7 +1,7 @@
 /// A contact pushes and never pulls: the impulse that it has accumulated over the sweeps is not negative.
 #pragma once
 
-#include "chapters/01_velocity_constraint/solver.h"
+#include "pushback/chapters/01_velocity_constraint/solver.h"
 
 namespace pushback {
 

@@ -1,6 +1,6 @@
-#include "chapters/02_clamping/clamping.h"
-#include "chapters/02_clamping/scenes.h"
-#include "common/experiment.h"
+#include "pushback/chapters/02_clamping/clamping.h"
+#include "pushback/chapters/02_clamping/scenes.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 

@@ -1,7 +1,7 @@
 /// What lands: a column, and three on each other.
 #pragma once
 
-#include "common/scene.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

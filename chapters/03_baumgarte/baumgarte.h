@@ -1,8 +1,8 @@
 /// Feed the overlap back as a wanted speed: the part beta of it should be gone after one step.
 #pragma once
 
-#include "chapters/02_clamping/clamping.h"
-#include "common/input.h"
+#include "pushback/chapters/02_clamping/clamping.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 

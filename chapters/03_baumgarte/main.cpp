@@ -1,6 +1,6 @@
-#include "chapters/03_baumgarte/scenes.h"
-#include "chapters/03_baumgarte/tuning.h"
-#include "common/experiment.h"
+#include "pushback/chapters/03_baumgarte/scenes.h"
+#include "pushback/chapters/03_baumgarte/tuning.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 
@@ -32,9 +32,10 @@ int main(int argc, char** argv) {
   Experiment e("03_baumgarte", "Does the overlap go away?");
   std::vector<Real> betas{0, Real(0.1), Real(0.2), Real(0.5), 1, Real(1.5)};
   Real unstable = Real(0.2);
-  e.option("--beta", betas, "Baumgarte factors to put side by side", not_negative());
-  e.option("--unstable", unstable, "Jitter of a stack of three, m/s, above which the tuning rule calls it unstable",
-           positive());
+  e.parameter({"--beta", "β", "", "Baumgarte factors to put side by side", not_negative()}, &betas);
+  e.parameter(
+      {"--unstable", "", "m/s", "Jitter of a stack of three above which the tuning rule calls it unstable", positive()},
+      &unstable);
   return e.run(argc, argv, [&] {
     const Camera camera{{Real(0.7), Real(1.1), Real(4.3)}, {0, Real(0.95), 0}};
     const Real h = e.dt();

@@ -1,7 +1,7 @@
 /// What is too deep: a box in the ground, with gravity and without.
 #pragma once
 
-#include "common/scene.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

@@ -1,10 +1,10 @@
 /// The rule of the sources, run automatically: raise beta until the motion becomes unstable, then use half of that value.
 #pragma once
 
-#include "chapters/03_baumgarte/baumgarte.h"
-#include "common/measure.h"
-#include "common/plot.h"
-#include "common/scene.h"
+#include "pushback/chapters/03_baumgarte/baumgarte.h"
+#include "pushback/common/experiment/plot.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

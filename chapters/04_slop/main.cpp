@@ -1,6 +1,6 @@
-#include "chapters/04_slop/scenes.h"
-#include "chapters/04_slop/slop.h"
-#include "common/experiment.h"
+#include "pushback/chapters/04_slop/scenes.h"
+#include "pushback/chapters/04_slop/slop.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 
@@ -40,7 +40,7 @@ Real resting_depth(const Run& run) {
 int main(int argc, char** argv) {
   Experiment e("04_slop", "Why leave a little overlap alone?");
   std::vector<Real> slops{0, Real(0.005), Real(0.02)};
-  e.option("--slop", slops, "Overlaps to leave alone, m", not_negative());
+  e.parameter({"--slop", "slop", "m", "Overlaps to leave alone", not_negative()}, &slops);
   return e.run(argc, argv, [&] {
     const Real h = e.dt();
     // Consecutive steps: what flickers in the motion stands side by side here.

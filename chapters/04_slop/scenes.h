@@ -1,7 +1,7 @@
 /// What flickers: a small pile.
 #pragma once
 
-#include "common/scene.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

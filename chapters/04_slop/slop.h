@@ -1,7 +1,7 @@
 /// Leave a little overlap alone, so that contacts survive from step to step.
 #pragma once
 
-#include "chapters/03_baumgarte/baumgarte.h"
+#include "pushback/chapters/03_baumgarte/baumgarte.h"
 
 namespace pushback {
 

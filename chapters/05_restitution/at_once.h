@@ -1,7 +1,7 @@
 /// Impacts all at once, solved until nothing changes any more.
 #pragma once
 
-#include "chapters/05_restitution/from_surface.h"
+#include "pushback/chapters/05_restitution/from_surface.h"
 
 namespace pushback {
 

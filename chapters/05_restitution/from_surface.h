@@ -1,7 +1,7 @@
 /// A bounce found late is a bounce found deep: reckon from the surface.
 #pragma once
 
-#include "chapters/05_restitution/restitution.h"
+#include "pushback/chapters/05_restitution/restitution.h"
 
 namespace pushback {
 

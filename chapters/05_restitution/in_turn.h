@@ -1,7 +1,7 @@
 /// Impacts one after the other: what hits passes its speed on before the next pair is looked at.
 #pragma once
 
-#include "chapters/05_restitution/restitution.h"
+#include "pushback/chapters/05_restitution/restitution.h"
 
 namespace pushback {
 

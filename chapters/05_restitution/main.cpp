@@ -1,14 +1,14 @@
-#include "chapters/05_restitution/at_once.h"
-#include "chapters/05_restitution/in_turn.h"
-#include "chapters/05_restitution/mistakes.h"
-#include "chapters/05_restitution/scenes.h"
+#include "pushback/chapters/05_restitution/at_once.h"
+#include "pushback/chapters/05_restitution/in_turn.h"
+#include "pushback/chapters/05_restitution/mistakes.h"
+#include "pushback/chapters/05_restitution/scenes.h"
 
 using namespace pushback;
 
 int main(int argc, char** argv) {
   Experiment e("05_restitution", "How high does it bounce, and how high should it?");
   Real threshold = Real(0.1);
-  e.option("--threshold", threshold, "Speed of approach, m/s, below which nothing bounces", not_negative());
+  e.parameter({"--threshold", "", "m/s", "Speed of approach below which nothing bounces", not_negative()}, &threshold);
   return e.run(argc, argv, [&] {
     Solver<Clamping, Baumgarte, Restitution> larger;
     larger.threshold = threshold;

@@ -1,7 +1,7 @@
 /// Other ways to bounce: two of them mistaken, one that keeps the bounce apart.
 #pragma once
 
-#include "chapters/05_restitution/restitution.h"
+#include "pushback/chapters/05_restitution/restitution.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
 /// Bounce: part as fast as e times the speed of approach.
 #pragma once
 
-#include "chapters/04_slop/slop.h"
+#include "pushback/chapters/04_slop/slop.h"
 
 namespace pushback {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "common/experiment.h"
+#include "pushback/common/experiment/experiment.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
 /// The lecture's approximation of friction, to be compared.
 #pragma once
 
-#include "chapters/06_friction/friction.h"
+#include "pushback/chapters/06_friction/friction.h"
 
 namespace pushback {
 

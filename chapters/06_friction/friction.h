@@ -1,7 +1,7 @@
 /// Friction holds the contact point still, as far as the normal impulse lets it.
 #pragma once
 
-#include "chapters/05_restitution/restitution.h"
+#include "pushback/chapters/05_restitution/restitution.h"
 
 namespace pushback {
 

@@ -1,6 +1,6 @@
-#include "chapters/06_friction/by_weight.h"
-#include "chapters/06_friction/scenes.h"
-#include "common/experiment.h"
+#include "pushback/chapters/06_friction/by_weight.h"
+#include "pushback/chapters/06_friction/scenes.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 

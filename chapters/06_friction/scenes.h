@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "common/scene.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "chapters/07_warm_start/flat.h"
+#include "pushback/chapters/07_warm_start/flat.h"
 
 #include <algorithm>
 #include <cmath>

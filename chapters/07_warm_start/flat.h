@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "common/step.h"
+#include "pushback/common/world/step.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
 /// All seven chapters as one type.
 #pragma once
 
-#include "chapters/07_warm_start/warm_start.h"
+#include "pushback/chapters/07_warm_start/warm_start.h"
 
 namespace pushback {
 

@@ -1,5 +1,5 @@
-#include "chapters/07_warm_start/study.h"
-#include "common/experiment.h"
+#include "pushback/chapters/07_warm_start/study.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 
@@ -89,7 +89,7 @@ ContactSolver with(Real beta, Real slop) {
 int main(int argc, char** argv) {
   Experiment e("07_warm_start", "What is last step's answer worth?");
   std::vector<int> sweep_counts{1, 2, 3, 5, 8, 10, 15, 20, 30, 50, 80, 120, 200, 400, 800};
-  e.option("--sweep-counts", sweep_counts, "Numbers of sweeps for the diagrams", positive());
+  e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagrams", positive()}, &sweep_counts);
   return e.run(argc, argv, [&] {
     const auto scene = [&e](const std::string& name, const std::function<void(World&)>& fill, const Camera& camera,
                             const std::vector<Real>& instants) {

@@ -1,7 +1,7 @@
 /// Last step's answer, as much of it as helps.
 #pragma once
 
-#include "chapters/07_warm_start/warm_start.h"
+#include "pushback/chapters/07_warm_start/warm_start.h"
 
 namespace pushback {
 

@@ -1,10 +1,10 @@
 /// A stack of ten at rest: how well it is solved, and how deep it has sunk, with so many sweeps.
 #pragma once
 
-#include "chapters/07_warm_start/full_solver.h"
-#include "common/measure.h"
-#include "common/plot.h"
-#include "common/scene.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/common/experiment/plot.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

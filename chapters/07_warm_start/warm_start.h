@@ -1,7 +1,7 @@
 /// Start from where the last step ended: what held a contact then will very nearly hold it now.
 #pragma once
 
-#include "chapters/06_friction/friction.h"
+#include "pushback/chapters/06_friction/friction.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
 /// Friction that does not know its tangents: the two impulses together stay within a disc.
 #pragma once
 
-#include "chapters/07_warm_start/warm_start.h"
+#include "pushback/chapters/07_warm_start/warm_start.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
-#include "chapters/07_warm_start/full_solver.h"
-#include "chapters/08_friction_cone/scaled_back.h"
-#include "chapters/08_friction_cone/scenes.h"
-#include "common/experiment.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/08_friction_cone/scaled_back.h"
+#include "pushback/chapters/08_friction_cone/scenes.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 
@@ -104,8 +104,9 @@ Real mean(const Run& run, const std::string& series, Real until) {
 int main(int argc, char** argv) {
   Experiment e("08_friction_cone", "Does friction know north from east?");
   Real half_length = longest_half;
-  e.option("--half-length", half_length, "m, half a plank's length; its half width is 0.1",
-           CLI::Range(Real(0.05), longest_half));
+  e.parameter({"--half-length", "", "m", "Half a plank's length; its half width is 0.1",
+               between(0.05, static_cast<double>(longest_half))},
+              &half_length);
   return e.run(argc, argv, [&] {
     const Real h = e.dt();
     const std::string off = "friction off its direction by";

@@ -1,7 +1,7 @@
 /// The near miss: solve both tangents at once, then scale back. To be compared.
 #pragma once
 
-#include "chapters/08_friction_cone/friction_cone.h"
+#include "pushback/chapters/08_friction_cone/friction_cone.h"
 
 namespace pushback {
 

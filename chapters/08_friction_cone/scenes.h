@@ -1,7 +1,7 @@
 /// Planks pushed off in all directions, and where they should stop; how far off the direction of friction is.
 #pragma once
 
-#include "chapters/06_friction/scenes.h"
+#include "pushback/chapters/06_friction/scenes.h"
 
 namespace pushback {
 

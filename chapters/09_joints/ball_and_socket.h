@@ -1,9 +1,9 @@
 /// Two points stay on each other: three rows, and three ways to turn are left.
 #pragma once
 
-#include "common/input.h"
-#include "common/joint.h"
-#include "common/world.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/world/joint.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
 

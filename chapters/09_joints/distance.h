@@ -1,9 +1,9 @@
 /// A rod without mass: two points keep their distance.
 #pragma once
 
-#include "common/input.h"
-#include "common/joint.h"
-#include "common/world.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/world/joint.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
 

@@ -1,8 +1,8 @@
 /// All seven chapters, and joints.
 #pragma once
 
-#include "chapters/07_warm_start/full_solver.h"
-#include "chapters/09_joints/split_joints.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/09_joints/split_joints.h"
 
 namespace pushback {
 

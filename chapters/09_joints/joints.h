@@ -1,8 +1,8 @@
 /// What joints ask for becomes rows, and rows are all that a solver knows.
 #pragma once
 
-#include "chapters/02_clamping/clamping.h"
-#include "common/input.h"
+#include "pushback/chapters/02_clamping/clamping.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 

@@ -1,8 +1,8 @@
-#include "chapters/09_joints/jointed_solver.h"
-#include "chapters/09_joints/scenes.h"
-#include "chapters/09_joints/structures.h"
-#include "chapters/09_joints/study.h"
-#include "common/experiment.h"
+#include "pushback/chapters/09_joints/jointed_solver.h"
+#include "pushback/chapters/09_joints/scenes.h"
+#include "pushback/chapters/09_joints/structures.h"
+#include "pushback/chapters/09_joints/study.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 
@@ -40,9 +40,9 @@ Real off_the_catenary(const World& world) {
 int main(int argc, char** argv) {
   Experiment e("09_joints", "How does one row hold a bead, a door, a bridge?");
   Real beta = Real(0.2);
-  e.option("--beta", beta, "What a step of --dt takes away of a joint's error", CLI::Range(Real(0), Real(1)));
+  e.parameter({"--beta", "β", "", "What a step of --dt takes away of a joint's error", between(0, 1)}, &beta);
   std::vector<int> sweep_counts{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
-  e.option("--sweep-counts", sweep_counts, "Numbers of sweeps for the diagram of the chain", positive());
+  e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagram of the chain", positive()}, &sweep_counts);
   return e.run(argc, argv, [&] {
     const std::string in_one = fmt::format("one step, β = {:.3g}", beta),
                       in_small = fmt::format("{} small steps, β = {:.3g}", small_steps, beta);

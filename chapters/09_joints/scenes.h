@@ -1,10 +1,10 @@
 /// Beads on wires, pendulums, a weight on a chain, a door. The larger ones are in structures.h.
 #pragma once
 
-#include "chapters/09_joints/distance.h"
-#include "chapters/09_joints/weld.h"
-#include "chapters/09_joints/wire.h"
-#include "common/scene.h"
+#include "pushback/chapters/09_joints/distance.h"
+#include "pushback/chapters/09_joints/weld.h"
+#include "pushback/chapters/09_joints/wire.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

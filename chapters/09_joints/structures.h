@@ -1,10 +1,10 @@
 /// What many joints make: ropes, a cloth, a bridge.
 #pragma once
 
-#include "chapters/09_joints/ball_and_socket.h"
-#include "chapters/09_joints/distance.h"
-#include "common/forces.h"
-#include "common/scene.h"
+#include "pushback/chapters/09_joints/ball_and_socket.h"
+#include "pushback/chapters/09_joints/distance.h"
+#include "pushback/common/world/forces.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

@@ -1,9 +1,9 @@
 /// Against theory: the period of a pendulum, the drift off a wire; and what a chain does with so many sweeps.
 #pragma once
 
-#include "chapters/09_joints/scenes.h"
-#include "chapters/09_joints/warm_joints.h"
-#include "common/plot.h"
+#include "pushback/chapters/09_joints/scenes.h"
+#include "pushback/chapters/09_joints/warm_joints.h"
+#include "pushback/common/experiment/plot.h"
 
 namespace pushback {
 

@@ -1,9 +1,9 @@
 /// A bead on a wire: the first constraint of all.
 #pragma once
 
-#include "common/input.h"
-#include "common/joint.h"
-#include "common/world.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/world/joint.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "common/input.h"
-#include "common/joint.h"
-#include "common/world.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/world/joint.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
 

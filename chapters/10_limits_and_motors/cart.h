@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "chapters/09_joints/hinge.h"
-#include "chapters/10_limits_and_motors/motor.h"
-#include "common/scene.h"
+#include "pushback/chapters/09_joints/hinge.h"
+#include "pushback/chapters/10_limits_and_motors/motor.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

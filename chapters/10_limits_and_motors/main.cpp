@@ -1,8 +1,8 @@
-#include "chapters/10_limits_and_motors/cart.h"
-#include "chapters/10_limits_and_motors/ragdoll.h"
-#include "chapters/10_limits_and_motors/scenes.h"
-#include "chapters/10_limits_and_motors/study.h"
-#include "common/experiment.h"
+#include "pushback/chapters/10_limits_and_motors/cart.h"
+#include "pushback/chapters/10_limits_and_motors/ragdoll.h"
+#include "pushback/chapters/10_limits_and_motors/scenes.h"
+#include "pushback/chapters/10_limits_and_motors/study.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 
@@ -22,7 +22,7 @@ Real largest(const Run& run, const std::string& series) {
 int main(int argc, char** argv) {
   Experiment e("10_limits_and_motors", "How far may it turn, and who turns it?");
   Real torque = follow_torque;
-  e.option("--torque", torque, "N m, of the motor that is to follow sin t", not_negative());
+  e.parameter({"--torque", "", "N m", "Of the motor that is to follow sin t", not_negative()}, &torque);
   return e.run(argc, argv, [&] {
     const Real h = e.dt();
 

@@ -1,7 +1,7 @@
 /// A motor is a constraint with limited force.
 #pragma once
 
-#include "chapters/10_limits_and_motors/angle.h"
+#include "pushback/chapters/10_limits_and_motors/angle.h"
 
 namespace pushback {
 

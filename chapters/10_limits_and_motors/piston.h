@@ -1,9 +1,9 @@
 /// A rod whose length is a function of time: the bias that the clock brings.
 #pragma once
 
-#include "common/input.h"
-#include "common/joint.h"
-#include "common/world.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/world/joint.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "chapters/09_joints/hinge.h"
-#include "chapters/10_limits_and_motors/limits.h"
+#include "pushback/chapters/09_joints/hinge.h"
+#include "pushback/chapters/10_limits_and_motors/limits.h"
 
 namespace pushback {
 

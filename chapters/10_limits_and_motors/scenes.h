@@ -1,14 +1,14 @@
 /// A bar and its stop, a bar that is to follow sin t, two winches, three springs, two pulleys, a swing.
 #pragma once
 
-#include "chapters/09_joints/hinge.h"
-#include "chapters/09_joints/jointed_solver.h"
-#include "chapters/10_limits_and_motors/limits.h"
-#include "chapters/10_limits_and_motors/motor.h"
-#include "chapters/10_limits_and_motors/piston.h"
-#include "chapters/10_limits_and_motors/spring.h"
-#include "chapters/10_limits_and_motors/wound_rope.h"
-#include "common/scene.h"
+#include "pushback/chapters/09_joints/hinge.h"
+#include "pushback/chapters/09_joints/jointed_solver.h"
+#include "pushback/chapters/10_limits_and_motors/limits.h"
+#include "pushback/chapters/10_limits_and_motors/motor.h"
+#include "pushback/chapters/10_limits_and_motors/piston.h"
+#include "pushback/chapters/10_limits_and_motors/spring.h"
+#include "pushback/chapters/10_limits_and_motors/wound_rope.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

@@ -1,10 +1,10 @@
 /// What is worked out beside the sheet: a motor's work, how it reaches its speed, springs and the pumped swing.
 #pragma once
 
-#include "chapters/10_limits_and_motors/ragdoll.h"
-#include "chapters/10_limits_and_motors/scenes.h"
-#include "common/measure.h"
-#include "common/plot.h"
+#include "pushback/chapters/10_limits_and_motors/ragdoll.h"
+#include "pushback/chapters/10_limits_and_motors/scenes.h"
+#include "pushback/common/experiment/plot.h"
+#include "pushback/common/world/measure.h"
 
 namespace pushback {
 

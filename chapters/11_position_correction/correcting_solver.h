@@ -1,7 +1,7 @@
 /// A solver with one more moment: the last of a step.
 #pragma once
 
-#include "chapters/01_velocity_constraint/solver.h"
+#include "pushback/chapters/01_velocity_constraint/solver.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
 /// Where a body is, changed without a velocity.
 #pragma once
 
-#include "common/body.h"
+#include "pushback/common/bodies/body.h"
 
 namespace pushback {
 

@@ -1,6 +1,6 @@
-#include "chapters/11_position_correction/scenes.h"
-#include "chapters/11_position_correction/study.h"
-#include "common/experiment.h"
+#include "pushback/chapters/11_position_correction/scenes.h"
+#include "pushback/chapters/11_position_correction/study.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 
@@ -54,10 +54,13 @@ int main(int argc, char** argv) {
   With<NonlinearGaussSeidel> ngs;
   Real beta = baumgarte.beta, most = split.most;
   int rounds = ngs.rounds;
-  e.option("--beta", beta, "How much of an overlap one step takes away; of the third way, one round",
-           CLI::Range(0., 1.));
-  e.option("--most", most, "m that a contact may ask for in one step; Baumgarte has no such bound", not_negative());
-  e.option("--rounds", rounds, "Rounds of the third way", CLI::Range(0, 1000));
+  e.parameter(
+      {"--beta", "β", "", "How much of an overlap one step takes away; of the third way, one round", between(0, 1)},
+      &beta);
+  e.parameter(
+      {"--most", "", "m", "What a contact may ask for in one step; Baumgarte has no such bound", not_negative()},
+      &most);
+  e.parameter({"--rounds", "", "", "Rounds of the third way", between(0, 1000)}, &rounds);
   return e.run(argc, argv, [&] {
     const Real h = e.dt();
     baumgarte.beta = split.beta = ngs.beta = beta;

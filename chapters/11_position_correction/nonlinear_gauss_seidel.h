@@ -1,9 +1,9 @@
 /// Positions corrected as positions: the overlap as it is now, the bodies moved by a part of it, contact after contact.
 #pragma once
 
-#include "chapters/03_baumgarte/baumgarte.h"
-#include "chapters/11_position_correction/correcting_solver.h"
-#include "chapters/11_position_correction/displace.h"
+#include "pushback/chapters/03_baumgarte/baumgarte.h"
+#include "pushback/chapters/11_position_correction/correcting_solver.h"
+#include "pushback/chapters/11_position_correction/displace.h"
 
 namespace pushback {
 

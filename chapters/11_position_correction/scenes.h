@@ -1,7 +1,7 @@
 /// What is too deep: a box in the ground, boxes in each other, a ball; and a stack that sinks a little in every step.
 #pragma once
 
-#include "common/scene.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

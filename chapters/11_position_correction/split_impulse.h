@@ -1,9 +1,9 @@
 /// The push-out as a second set of velocities: used once, to move the bodies, and then forgotten.
 #pragma once
 
-#include "chapters/03_baumgarte/baumgarte.h"
-#include "chapters/11_position_correction/correcting_solver.h"
-#include "chapters/11_position_correction/displace.h"
+#include "pushback/chapters/03_baumgarte/baumgarte.h"
+#include "pushback/chapters/11_position_correction/correcting_solver.h"
+#include "pushback/chapters/11_position_correction/displace.h"
 
 namespace pushback {
 

@@ -1,12 +1,12 @@
 /// The same solver with one push-out or another, and how a stack trembles under it.
 #pragma once
 
-#include "chapters/07_warm_start/full_solver.h"
-#include "chapters/11_position_correction/nonlinear_gauss_seidel.h"
-#include "chapters/11_position_correction/split_impulse.h"
-#include "common/measure.h"
-#include "common/plot.h"
-#include "common/scene.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/11_position_correction/nonlinear_gauss_seidel.h"
+#include "pushback/chapters/11_position_correction/split_impulse.h"
+#include "pushback/common/experiment/plot.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
-#include "chapters/12_small_steps/scenes.h"
-#include "chapters/12_small_steps/steady_solver.h"
-#include "chapters/12_small_steps/study.h"
-#include "common/experiment.h"
+#include "pushback/chapters/12_small_steps/scenes.h"
+#include "pushback/chapters/12_small_steps/steady_solver.h"
+#include "pushback/chapters/12_small_steps/study.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 
@@ -20,10 +20,12 @@ int main(int argc, char** argv) {
   Experiment e("12_small_steps", "Many sweeps, or many small steps?");
   int count = 32;
   SoftContacts spring;
-  e.option("--small-steps", count, "Small steps in each step", positive());
-  e.option("--hertz", spring.hertz, "Of the soft contacts' springs; an eighth of the small steps' frequency at most",
-           positive());
-  e.option("--damping-ratio", spring.damping_ratio, "Of the soft contacts' dampers, 1: critical", not_negative());
+  e.parameter({"--small-steps", "", "", "Small steps in each step", positive()}, &count);
+  e.parameter({"--hertz", "", "Hz", "Of the soft contacts' springs; an eighth of the small steps' frequency at most",
+               positive()},
+              &spring.hertz);
+  e.parameter({"--damping-ratio", "ζ", "", "Of the soft contacts' dampers, 1: critical", not_negative()},
+              &spring.damping_ratio);
   return e.run(argc, argv, [&] {
     const Real h = e.dt() / static_cast<Real>(count), w = spring.angular_frequency(h);
     const auto with_spring = [&](auto solver) {

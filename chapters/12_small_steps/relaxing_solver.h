@@ -1,7 +1,7 @@
 /// A solver with one more sweep: once the bodies have moved.
 #pragma once
 
-#include "chapters/01_velocity_constraint/solver.h"
+#include "pushback/chapters/01_velocity_constraint/solver.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
 /// What takes many sweeps: a tall stack, heavy on light; and a ball that is too deep.
 #pragma once
 
-#include "common/scene.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

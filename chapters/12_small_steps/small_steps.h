@@ -1,9 +1,9 @@
 /// Many small steps instead of many sweeps.
 #pragma once
 
-#include "chapters/07_warm_start/full_solver.h"
-#include "chapters/12_small_steps/soft_contacts.h"
-#include "common/world.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/12_small_steps/soft_contacts.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
 

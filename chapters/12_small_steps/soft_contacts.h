@@ -1,8 +1,8 @@
 /// An overlap as a spring with a damper, and a relaxing pass that takes the push-out's speed back.
 #pragma once
 
-#include "chapters/07_warm_start/warm_start.h"
-#include "chapters/12_small_steps/relaxing_solver.h"
+#include "pushback/chapters/07_warm_start/warm_start.h"
+#include "pushback/chapters/12_small_steps/relaxing_solver.h"
 
 namespace pushback {
 

@@ -1,11 +1,11 @@
 /// What the chapters up to this one come to, in one word.
 #pragma once
 
-#include "chapters/05_restitution/at_once.h"
-#include "chapters/07_warm_start/scaled.h"
-#include "chapters/08_friction_cone/friction_cone.h"
-#include "chapters/09_joints/jointed_solver.h"
-#include "chapters/12_small_steps/small_steps.h"
+#include "pushback/chapters/05_restitution/at_once.h"
+#include "pushback/chapters/07_warm_start/scaled.h"
+#include "pushback/chapters/08_friction_cone/friction_cone.h"
+#include "pushback/chapters/09_joints/jointed_solver.h"
+#include "pushback/chapters/12_small_steps/small_steps.h"
 
 namespace pushback {
 

@@ -3,10 +3,10 @@
 
 #include <functional>
 
-#include "chapters/12_small_steps/small_steps.h"
-#include "common/measure.h"
-#include "common/plot.h"
-#include "common/scene.h"
+#include "pushback/chapters/12_small_steps/small_steps.h"
+#include "pushback/common/experiment/plot.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

@@ -1,10 +1,10 @@
-#include "chapters/13_global_solve/best.h"
+#include "pushback/chapters/13_global_solve/best.h"
 
 #include <numeric>
 #include <random>
 
-#include "chapters/13_global_solve/conjugate.h"
-#include "chapters/13_global_solve/proximal_newton.h"
+#include "pushback/chapters/13_global_solve/conjugate.h"
+#include "pushback/chapters/13_global_solve/proximal_newton.h"
 
 namespace pushback {
 

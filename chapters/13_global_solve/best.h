@@ -2,7 +2,7 @@
 /// then Newton's method.
 #pragma once
 
-#include "chapters/13_global_solve/contact_problem.h"
+#include "pushback/chapters/13_global_solve/contact_problem.h"
 
 namespace pushback {
 

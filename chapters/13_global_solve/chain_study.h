@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "chapters/09_joints/ball_and_socket.h"
-#include "chapters/13_global_solve/global_joints.h"
-#include "common/scene.h"
+#include "pushback/chapters/09_joints/ball_and_socket.h"
+#include "pushback/chapters/13_global_solve/global_joints.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "chapters/13_global_solve/contact_problem.h"
+#include "pushback/chapters/13_global_solve/contact_problem.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "chapters/13_global_solve/global_joints.h"
+#include "pushback/chapters/13_global_solve/global_joints.h"
 
 #include <cmath>
 

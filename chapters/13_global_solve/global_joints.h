@@ -4,8 +4,8 @@
 #include <Eigen/SparseCholesky>
 #include <memory>
 
-#include "chapters/09_joints/joints.h"
-#include "chapters/13_global_solve/matrix.h"
+#include "pushback/chapters/09_joints/joints.h"
+#include "pushback/chapters/13_global_solve/matrix.h"
 
 namespace pushback {
 

@@ -1,9 +1,9 @@
 /// A step starts from its solution: sweeps that follow have nothing left to do.
 #pragma once
 
-#include "chapters/08_friction_cone/friction_cone.h"
-#include "chapters/13_global_solve/best.h"
-#include "chapters/13_global_solve/matrix.h"
+#include "pushback/chapters/08_friction_cone/friction_cone.h"
+#include "pushback/chapters/13_global_solve/best.h"
+#include "pushback/chapters/13_global_solve/matrix.h"
 
 namespace pushback {
 

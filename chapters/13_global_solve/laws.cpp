@@ -1,8 +1,8 @@
-#include "chapters/13_global_solve/laws.h"
+#include "pushback/chapters/13_global_solve/laws.h"
 
 #include <cmath>
 
-#include "chapters/13_global_solve/sweeps.h"
+#include "pushback/chapters/13_global_solve/sweeps.h"
 
 namespace pushback {
 

@@ -9,7 +9,7 @@
 ///   Analysis", 2024, ask of each simulator which of these it keeps.
 #pragma once
 
-#include "chapters/13_global_solve/contact_problem.h"
+#include "pushback/chapters/13_global_solve/contact_problem.h"
 
 namespace pushback {
 

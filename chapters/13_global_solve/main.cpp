@@ -1,10 +1,10 @@
-#include "chapters/04_slop/slop.h"
-#include "chapters/09_joints/split_joints.h"
-#include "chapters/13_global_solve/chain_study.h"
-#include "chapters/13_global_solve/global_solve.h"
-#include "chapters/13_global_solve/scenes.h"
-#include "chapters/13_global_solve/study.h"
-#include "common/experiment.h"
+#include "pushback/chapters/04_slop/slop.h"
+#include "pushback/chapters/09_joints/split_joints.h"
+#include "pushback/chapters/13_global_solve/chain_study.h"
+#include "pushback/chapters/13_global_solve/global_solve.h"
+#include "pushback/chapters/13_global_solve/scenes.h"
+#include "pushback/chapters/13_global_solve/study.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 

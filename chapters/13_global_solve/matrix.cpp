@@ -1,4 +1,4 @@
-#include "chapters/13_global_solve/matrix.h"
+#include "pushback/chapters/13_global_solve/matrix.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -3,8 +3,8 @@
 ///   A = J M^-1 J^T,   A_ij = J_i (M^-1 J_j^T): 0 where row i and row j have no moving body in common
 #pragma once
 
-#include "chapters/01_velocity_constraint/row.h"
-#include "chapters/13_global_solve/contact_problem.h"
+#include "pushback/chapters/01_velocity_constraint/row.h"
+#include "pushback/chapters/13_global_solve/contact_problem.h"
 
 namespace pushback {
 

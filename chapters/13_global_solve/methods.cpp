@@ -1,7 +1,7 @@
-#include "chapters/13_global_solve/methods.h"
+#include "pushback/chapters/13_global_solve/methods.h"
 
-#include "chapters/13_global_solve/conjugate.h"
-#include "common/input.h"
+#include "pushback/chapters/13_global_solve/conjugate.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "chapters/13_global_solve/best.h"
+#include "pushback/chapters/13_global_solve/best.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "chapters/13_global_solve/pivoting.h"
+#include "pushback/chapters/13_global_solve/pivoting.h"
 
 #include <Eigen/QR>
 #include <cmath>

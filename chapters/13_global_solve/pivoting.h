@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "chapters/13_global_solve/contact_problem.h"
+#include "pushback/chapters/13_global_solve/contact_problem.h"
 
 namespace pushback {
 

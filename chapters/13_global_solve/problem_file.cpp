@@ -1,4 +1,4 @@
-#include "chapters/13_global_solve/problem_file.h"
+#include "pushback/chapters/13_global_solve/problem_file.h"
 
 #include <algorithm>
 #include <cctype>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/input.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <string>
 
-#include "chapters/13_global_solve/contact_problem.h"
+#include "pushback/chapters/13_global_solve/contact_problem.h"
 
 namespace pushback {
 

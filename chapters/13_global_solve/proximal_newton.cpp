@@ -1,10 +1,10 @@
-#include "chapters/13_global_solve/proximal_newton.h"
+#include "pushback/chapters/13_global_solve/proximal_newton.h"
 
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/13_global_solve/sweeps.h"
+#include "pushback/chapters/13_global_solve/sweeps.h"
 
 namespace pushback {
 

@@ -1,8 +1,8 @@
 /// A stack of twenty, whose sweeps begin from nothing; a chain that carries a heavy load.
 #pragma once
 
-#include "chapters/09_joints/ball_and_socket.h"
-#include "common/scene.h"
+#include "pushback/chapters/09_joints/ball_and_socket.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

@@ -1,11 +1,11 @@
 /// What sweeps leave undone, and what they say of it themselves.
 #pragma once
 
-#include "chapters/13_global_solve/matrix.h"
-#include "chapters/13_global_solve/methods.h"
-#include "chapters/13_global_solve/pivoting.h"
-#include "common/plot.h"
-#include "common/scene.h"
+#include "pushback/chapters/13_global_solve/matrix.h"
+#include "pushback/chapters/13_global_solve/methods.h"
+#include "pushback/chapters/13_global_solve/pivoting.h"
+#include "pushback/common/experiment/plot.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

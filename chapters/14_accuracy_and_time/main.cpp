@@ -1,8 +1,8 @@
-#include "chapters/05_restitution/restitution.h"
-#include "chapters/09_joints/joints.h"
-#include "chapters/12_small_steps/study.h"
-#include "chapters/14_accuracy_and_time/motion.h"
-#include "common/experiment.h"
+#include "pushback/chapters/05_restitution/restitution.h"
+#include "pushback/chapters/09_joints/joints.h"
+#include "pushback/chapters/12_small_steps/study.h"
+#include "pushback/chapters/14_accuracy_and_time/motion.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/09_joints/ball_and_socket.h"
-#include "chapters/14_accuracy_and_time/motion.h"
-#include "chapters/14_accuracy_and_time/truth.h"
-#include "common/input.h"
-#include "common/scene.h"
+#include "pushback/chapters/09_joints/ball_and_socket.h"
+#include "pushback/chapters/14_accuracy_and_time/motion.h"
+#include "pushback/chapters/14_accuracy_and_time/truth.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

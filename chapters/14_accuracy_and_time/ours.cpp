@@ -1,11 +1,11 @@
 /// The program `motion`: our own solvers play motions. Built twice, with Real = double and with Real = float.
-#include "chapters/05_restitution/at_once.h"
-#include "chapters/11_position_correction/nonlinear_gauss_seidel.h"
-#include "chapters/11_position_correction/split_impulse.h"
-#include "chapters/12_small_steps/steady_solver.h"
-#include "chapters/13_global_solve/global_joints.h"
-#include "chapters/14_accuracy_and_time/play.h"
-#include "chapters/14_accuracy_and_time/warm_global_solve.h"
+#include "pushback/chapters/05_restitution/at_once.h"
+#include "pushback/chapters/11_position_correction/nonlinear_gauss_seidel.h"
+#include "pushback/chapters/11_position_correction/split_impulse.h"
+#include "pushback/chapters/12_small_steps/steady_solver.h"
+#include "pushback/chapters/13_global_solve/global_joints.h"
+#include "pushback/chapters/14_accuracy_and_time/play.h"
+#include "pushback/chapters/14_accuracy_and_time/warm_global_solve.h"
 
 using namespace pushback;
 

@@ -1,4 +1,4 @@
-#include "chapters/14_accuracy_and_time/play.h"
+#include "pushback/chapters/14_accuracy_and_time/play.h"
 
 #include <fmt/ranges.h>
 
@@ -6,9 +6,9 @@
 #include <charconv>
 #include <chrono>
 
-#include "chapters/14_accuracy_and_time/stopwatch.h"
-#include "common/program.h"
-#include "common/quantile.h"
+#include "pushback/chapters/14_accuracy_and_time/stopwatch.h"
+#include "pushback/common/basics/quantile.h"
+#include "pushback/common/experiment/program.h"
 
 namespace pushback {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "chapters/14_accuracy_and_time/motion.h"
+#include "pushback/chapters/14_accuracy_and_time/motion.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
 /// A depth to rest at, however small.
 #pragma once
 
-#include "chapters/04_slop/slop.h"
+#include "pushback/chapters/04_slop/slop.h"
 
 namespace pushback {
 

@@ -3,9 +3,9 @@
 
 #include <limits>
 
-#include "chapters/13_global_solve/global_solve.h"
-#include "chapters/13_global_solve/proximal_newton.h"
-#include "chapters/14_accuracy_and_time/seat.h"
+#include "pushback/chapters/13_global_solve/global_solve.h"
+#include "pushback/chapters/13_global_solve/proximal_newton.h"
+#include "pushback/chapters/14_accuracy_and_time/seat.h"
 
 namespace pushback {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "common/world.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
 

@@ -1,8 +1,8 @@
-#include "chapters/07_warm_start/full_solver.h"
-#include "chapters/15_only_what_is_needed/dispatch.h"
-#include "chapters/15_only_what_is_needed/everything.h"
-#include "chapters/15_only_what_is_needed/scenes.h"
-#include "common/experiment.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/15_only_what_is_needed/everything.h"
+#include "pushback/chapters/15_only_what_is_needed/scenes.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 
@@ -69,8 +69,9 @@ Real mean(const Run& run, Value Sample::* what) {
 int main(int argc, char** argv) {
   Experiment e("15_only_what_is_needed", "What may a scene leave out?");
   Sleep sleep;
-  e.option("--still-for", sleep.seconds, "Seconds for which a body keeps its place before it may sleep", positive());
-  e.option("--place", sleep.place, "Metres by which its surface may stray in that time", positive());
+  e.parameter({"--still-for", "s", "s", "How long a body keeps its place before it may sleep", positive()},
+              &sleep.seconds);
+  e.parameter({"--place", "p", "m", "How far its surface may stray in that time", positive()}, &sleep.place);
   return e.run(argc, argv, [&] {
     const auto three_ways = [&] {
       e.variant("everything", Everything{});

@@ -1,12 +1,12 @@
 /// The solver with those effects that a scene calls for, and nothing else in the program.
 #pragma once
 
-#include "chapters/05_restitution/from_surface.h"
-#include "chapters/05_restitution/in_turn.h"
-#include "chapters/06_friction/friction.h"
-#include "chapters/09_joints/joints.h"
-#include "chapters/12_small_steps/relaxing_solver.h"
-#include "chapters/15_only_what_is_needed/questions.h"
+#include "pushback/chapters/05_restitution/from_surface.h"
+#include "pushback/chapters/05_restitution/in_turn.h"
+#include "pushback/chapters/06_friction/friction.h"
+#include "pushback/chapters/09_joints/joints.h"
+#include "pushback/chapters/12_small_steps/relaxing_solver.h"
+#include "pushback/chapters/15_only_what_is_needed/questions.h"
 
 namespace pushback {
 

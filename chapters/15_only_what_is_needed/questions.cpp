@@ -1,11 +1,11 @@
-#include "chapters/15_only_what_is_needed/questions.h"
+#include "pushback/chapters/15_only_what_is_needed/questions.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "common/input.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/world.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
 

@@ -1,27 +1,9 @@
-/// Every scene that a chapter looks at, and those of this one.
+/// Five piles, of which one is hit; cubes that slide on ice.
 #pragma once
 
-#include "chapters/00_naive_impulses/scenes.h"
-#include "chapters/01_velocity_constraint/scenes.h"
-#include "chapters/02_clamping/scenes.h"
-#include "chapters/03_baumgarte/scenes.h"
-#include "chapters/04_slop/scenes.h"
-#include "chapters/05_restitution/scenes.h"
-#include "chapters/06_friction/scenes.h"
-#include "chapters/08_friction_cone/scenes.h"
-#include "chapters/09_joints/scenes.h"
-#include "chapters/09_joints/structures.h"
-#include "chapters/10_limits_and_motors/cart.h"
-#include "chapters/10_limits_and_motors/ragdoll.h"
-#include "chapters/10_limits_and_motors/scenes.h"
-#include "chapters/11_position_correction/scenes.h"
-#include "chapters/12_small_steps/scenes.h"
-#include "chapters/13_global_solve/scenes.h"
-#include "common/input.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
-
-// ---- what this chapter looks at ----------------------------------------------------------------------------------------
 
 /// Five piles of six boxes, well apart. A ball rolls in from the front and hits the one in the middle, after about 1.4 s.
 inline void five_piles(World& world) {
@@ -62,97 +44,6 @@ inline void cubes_on_ice(World& world) {
       world.add(box(Vec3::Constant(half), 100).rough(0).at(where).moving(how));
     }
   }
-}
-
-// ---- all of them -------------------------------------------------------------------------------------------------------
-
-struct NamedScene {
-  std::string name;                  ///< the chapter's number, a hyphen, a word or two: as typed on a command line
-  std::function<void(World&)> fill;  ///< puts the bodies into an empty world
-};
-
-/// Each scene once, under the chapter that looks at it first. Parameters are those that its experiment has by default:
-/// steps of 1/60 s among them.
-inline std::vector<NamedScene> all_scenes() {
-  constexpr Real h = Real(1) / 60;
-  const auto stack_of = [](int count) { return [count](World& world) { stack(world, count); }; };
-  return {
-      {"00-one-hit", sparse_hit},
-      {"00-one-box", stack_of(1)},
-      {"00-five-boxes", stack_of(5)},
-      {"01-dropped", dropped_box},
-      {"01-leaving", leaving_box},
-      {"01-slope", cube_on_slope},
-      {"02-landing", landing_column},
-      {"02-three-columns", three_columns},
-      {"03-sunken", sunken_box},
-      {"03-weightless", sunken_box_without_gravity},
-      {"03-three-boxes", stack_of(3)},
-      {"04-small-pile", small_pile},
-      {"05-four-balls", four_balls},
-      {"05-at-rest", at_rest},
-      {"05-with-gaps", five_in_a_row(Real(0.08))},
-      {"05-touching", five_in_a_row(0)},
-      {"06-slope", slope},
-      {"06-slide", [](World& world) { slide_to_posts(world, three_headings, h); }},
-      {"06-thrown-ball", thrown_ball},
-      {"07-ten-boxes", stack_of(10)},
-      {"07-pyramid", [](World& world) { pyramid(world, 10); }},
-      {"08-wheel", [](World& world) { wheel(world, longest_half, h); }},
-      {"09-beads", beads_on_wires},
-      {"09-pendulums", pendulums},
-      {"09-door", door_and_weld},
-      {"09-chain", chain_with_weight},
-      {"09-bridge", suspension_bridge},
-      {"09-ropes", ropes},
-      {"09-cloth", cloth_over_ball},
-      {"10-stop",
-       [](World& world) {
-         bar_and_stop(world);
-         world.joints.push_back(stop_of_bar(world));
-       }},
-      {"10-pointers",
-       [](World& world) {
-         pointers(world, follow_torque);
-         weigh_pointer(world, light_pointer);
-       }},
-      {"10-winches", two_winches},
-      {"10-pulleys", two_pulleys},
-      {"10-springs", three_springs},
-      {"10-swing", [](World& world) { pumped_swing(world, Real(0.05)); }},
-      {"10-cart",
-       [](World& world) {
-         incline(world, slope_angle, 1);
-         drive(world, add_cart(world, slope_angle, 0), cart_speed, 7);
-       }},
-      {"10-stairs", [](World& world) { down_the_stairs(world); }},
-      {"11-deep", very_deep_box},
-      {"11-twelve-boxes", boxes_in_each_other},
-      {"11-stack", stack_of_ten},
-      {"11-weightless", weightless_ball},
-      {"11-bounce", dropped_ball(1)},
-      {"12-twenty-boxes", stack_of_twenty},
-      {"12-heavy", heavy_on_light},
-      {"12-forty-boxes", stack_of(40)},
-      {"12-sunken-ball", sunken_ball},
-      {"13-gate", stack_in_gate},
-      {"13-chain", chain_with_heavy_load},
-      {"15-piles", five_piles},
-      {"15-ice", cubes_on_ice},
-  };
-}
-
-/// As they are typed, for a message.
-inline std::string names_of(const std::vector<NamedScene>& scenes) {
-  std::string names;
-  for (const NamedScene& scene : scenes) names += (names.empty() ? "" : ", ") + scene.name;
-  return names;
-}
-/// Throws InvalidInput, naming all there are, where none has this name.
-inline const NamedScene& scene_of(const std::vector<NamedScene>& scenes, const std::string& name) {
-  for (const NamedScene& scene : scenes)
-    if (scene.name == name) return scene;
-  throw InvalidInput(fmt::format("scene is '{}': one of these is needed: {}", name, names_of(scenes)));
 }
 
 }  // namespace pushback

@@ -1,10 +1,10 @@
-#include "chapters/15_only_what_is_needed/sleep.h"
+#include "pushback/chapters/15_only_what_is_needed/sleep.h"
 
 #include <algorithm>
 #include <map>
 
-#include "common/collide.h"
-#include "common/input.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/collision/collide.h"
 
 namespace pushback {
 

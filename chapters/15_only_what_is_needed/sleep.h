@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "chapters/15_only_what_is_needed/islands.h"
-#include "chapters/15_only_what_is_needed/questions.h"
-#include "common/still_bodies.h"
+#include "pushback/chapters/15_only_what_is_needed/islands.h"
+#include "pushback/chapters/15_only_what_is_needed/questions.h"
+#include "pushback/chapters/15_only_what_is_needed/still_bodies.h"
 
 namespace pushback {
 
@@ -24,7 +24,7 @@ class Sleep {
   Real seconds = Real(0.5);    ///< for how long a body has to keep its place
   Real place = Real(0.25e-3);  ///< m: so far may its surface get from where it was; slower than place / seconds is rest
 
-  // ---- who takes part in a step: see common/step.h ---------------------------------------------------------------------
+  // ---- who takes part in a step: see World::step ---------------------------------------------------------------------
 
   /// What is new in the world since the latest step. Throws as World::step does; nothing has moved then.
   void check(World& world);

@@ -1,4 +1,4 @@
-#include "common/render/canvas.h"
+#include "pushback/common/render/canvas.h"
 
 #include <stb/stb_truetype.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "common/input.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "common/render/image.h"
+#include "pushback/common/render/image.h"
 
 namespace pushback {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "common/render/context.h"
+#include "pushback/common/render/context.h"
 
 namespace pushback {
 namespace {

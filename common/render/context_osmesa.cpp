@@ -4,7 +4,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "common/render/context.h"
+#include "pushback/common/render/context.h"
 
 namespace pushback {
 

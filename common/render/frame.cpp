@@ -1,11 +1,11 @@
-#include "common/render/frame.h"
+#include "pushback/common/render/frame.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "common/input.h"
-#include "common/render/mesh.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/render/mesh.h"
 
 namespace pushback {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "common/render/picture.h"
+#include "pushback/common/render/picture.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "common/render/image.h"
+#include "pushback/common/render/image.h"
 
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
@@ -12,8 +12,8 @@
 #include <new>
 #include <system_error>
 
-#include "common/input.h"
-#include "common/render/light.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/render/light.h"
 
 namespace pushback {
 namespace {

@@ -1,4 +1,4 @@
-#include "common/render/mesh.h"
+#include "pushback/common/render/mesh.h"
 
 #include <cmath>
 

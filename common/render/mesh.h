@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/shape.h"
+#include "pushback/common/bodies/shape.h"
 
 namespace pushback {
 

@@ -2,7 +2,7 @@
 // close the gaps, and the normals turn from face to face across them.
 #include <array>
 
-#include "common/render/mesh.h"
+#include "pushback/common/render/mesh.h"
 
 namespace pushback {
 namespace {

@@ -1,4 +1,4 @@
-#include "common/render/painter.h"
+#include "pushback/common/render/painter.h"
 
 #include <algorithm>
 #include <array>
@@ -6,13 +6,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/input.h"
-#include "common/render/context.h"
-#include "common/render/frame.h"
-#include "common/render/light.h"
-#include "common/render/program.h"
-#include "common/render/resources.h"
-#include "common/render/shaders.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/render/context.h"
+#include "pushback/common/render/frame.h"
+#include "pushback/common/render/light.h"
+#include "pushback/common/render/program.h"
+#include "pushback/common/render/resources.h"
+#include "pushback/common/render/shaders.h"
 
 namespace pushback {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "common/render/image.h"
-#include "common/render/picture.h"
+#include "pushback/common/render/image.h"
+#include "pushback/common/render/picture.h"
 
 namespace pushback {
 

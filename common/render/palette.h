@@ -7,10 +7,10 @@
 
 #include <array>
 
-#include "common/contact.h"
-#include "common/render/canvas.h"
-#include "common/render/light.h"
-#include "common/render/picture.h"
+#include "pushback/common/collision/contact.h"
+#include "pushback/common/render/canvas.h"
+#include "pushback/common/render/light.h"
+#include "pushback/common/render/picture.h"
 
 namespace pushback {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "common/contact.h"
-#include "common/types.h"
+#include "pushback/common/basics/types.h"
+#include "pushback/common/collision/contact.h"
 
 namespace pushback {
 

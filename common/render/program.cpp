@@ -1,4 +1,4 @@
-#include "common/render/program.h"
+#include "pushback/common/render/program.h"
 
 #include <fmt/format.h>
 

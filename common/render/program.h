@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "common/render/gl.h"
-#include "common/types.h"
+#include "pushback/common/basics/types.h"
+#include "pushback/common/render/gl.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "common/render/resources.h"
+#include "pushback/common/render/resources.h"
 
 #include <fmt/format.h>
 

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "common/render/frame.h"
-#include "common/render/gl.h"
-#include "common/render/mesh.h"
+#include "pushback/common/render/frame.h"
+#include "pushback/common/render/gl.h"
+#include "pushback/common/render/mesh.h"
 
 namespace pushback {
 

@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "chapters/07_warm_start/full_solver.h"
-#include "common/experiment.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
 
@@ -23,13 +23,11 @@ int run(const std::vector<std::string>& words) {
   Experiment e("fuzzed", "What does it make of this?");
   Real beta = Real(0.2), mass = 1;
   std::vector<Real> masses{1, 2};
-  std::string name = "none";
-  e.option("--beta", beta, "0 or more", not_negative());
-  e.option("--mass", mass, "above 0", positive());
-  e.option("--masses", masses, "a list", positive());
-  e.option("--name", name, "a word");
+  e.parameter({"--beta", "β", "", "0 or more", not_negative()}, &beta);
+  e.parameter({"--mass", "m", "kg", "above 0", positive()}, &mass);
+  e.parameter({"--masses", "", "kg", "a list", positive()}, &masses);
   return e.run(static_cast<int>(argv.size()), argv.data(), [&] {
-    e.scene({.name = name, .fill = [mass](World& world) { stack(world, 1, 0, mass); }, .seconds = Real(0.01)});
+    e.scene({.name = "none", .fill = [mass](World& world) { stack(world, 1, 0, mass); }, .seconds = Real(0.01)});
     for (const Real each : masses) {
       FullSolver solver;
       solver.beta = beta * each;

@@ -1,10 +1,10 @@
 /// How high it bounces, and what a blow leaves in a row and in a crowd.
 #include <cmath>
 
-#include "common/measure.h"
+#include "pushback/common/world/measure.h"
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/standing.h"
-#include "tests/random.h"
+#include "tests/support/random.h"
 
 namespace pushback {
 

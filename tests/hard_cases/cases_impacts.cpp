@@ -1,7 +1,7 @@
 /// Blows: dominoes, bodies born inside each other, hits at 500 m/s.
 #include <cmath>
 
-#include "common/measure.h"
+#include "pushback/common/world/measure.h"
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/standing.h"
 

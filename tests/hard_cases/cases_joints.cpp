@@ -1,9 +1,9 @@
 /// What is joined: long chains of rows with a load at the end that outweighs each of them by far.
 #include <cmath>
 
-#include "chapters/10_limits_and_motors/ragdoll.h"
-#include "common/forces.h"
-#include "common/measure.h"
+#include "pushback/chapters/10_limits_and_motors/ragdoll.h"
+#include "pushback/common/world/forces.h"
+#include "pushback/common/world/measure.h"
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/standing.h"
 

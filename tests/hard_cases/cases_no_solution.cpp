@@ -1,7 +1,7 @@
 /// What rigid bodies cannot satisfy: by forces alone, or at all.
 #include <cmath>
 
-#include "common/measure.h"
+#include "pushback/common/world/measure.h"
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/paradox.h"
 #include "tests/hard_cases/standing.h"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "common/measure.h"
+#include "pushback/common/world/measure.h"
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/standing.h"
 

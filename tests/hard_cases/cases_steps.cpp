@@ -3,7 +3,7 @@
 
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/standing.h"
-#include "tests/random.h"
+#include "tests/support/random.h"
 
 namespace pushback {
 

@@ -1,10 +1,10 @@
 /// Cut and broken stones, as convex hulls: an arch, and a heap of rubble.
 #include <cmath>
 
-#include "common/measure.h"
+#include "pushback/common/world/measure.h"
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/standing.h"
-#include "tests/random.h"
+#include "tests/support/random.h"
 
 namespace pushback {
 

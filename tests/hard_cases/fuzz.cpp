@@ -1,8 +1,8 @@
 #include "tests/hard_cases/fuzz.h"
 
-#include "chapters/07_warm_start/full_solver.h"
-#include "chapters/12_small_steps/small_steps.h"
-#include "common/measure.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/12_small_steps/small_steps.h"
+#include "pushback/common/world/measure.h"
 #include "tests/hard_cases/watcher.h"
 
 namespace pushback {

@@ -3,9 +3,9 @@
 
 #include <set>
 
-#include "common/measure.h"
-#include "tests/catch.h"
+#include "pushback/common/world/measure.h"
 #include "tests/hard_cases/stages.h"
+#include "tests/support/catch.h"
 
 using namespace pushback;
 

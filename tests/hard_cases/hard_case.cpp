@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "common/input.h"
+#include "pushback/common/basics/input.h"
 #include "tests/hard_cases/cases.h"
-#include "tests/random.h"
+#include "tests/support/random.h"
 
 namespace pushback {
 

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "common/scene.h"
+#include "pushback/common/experiment/scene.h"
+#include "pushback/common/world/situations.h"
 #include "tests/hard_cases/stages.h"
 #include "tests/hard_cases/watcher.h"
 

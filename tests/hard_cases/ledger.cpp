@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "common/measure.h"
+#include "pushback/common/world/measure.h"
 
 namespace pushback {
 

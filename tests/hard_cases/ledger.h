@@ -35,10 +35,10 @@
 
 #include <string>
 
-#include "chapters/05_restitution/at_once.h"
-#include "chapters/07_warm_start/scaled.h"
-#include "chapters/08_friction_cone/friction_cone.h"
-#include "chapters/12_small_steps/relaxing_solver.h"
+#include "pushback/chapters/05_restitution/at_once.h"
+#include "pushback/chapters/07_warm_start/scaled.h"
+#include "pushback/chapters/08_friction_cone/friction_cone.h"
+#include "pushback/chapters/12_small_steps/relaxing_solver.h"
 
 namespace pushback {
 

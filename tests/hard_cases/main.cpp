@@ -7,8 +7,8 @@
 #include <numeric>
 #include <thread>
 
-#include "common/files.h"
-#include "common/input.h"
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/input.h"
 #include "tests/hard_cases/table.h"
 #include "tests/hard_cases/table_picture.h"
 

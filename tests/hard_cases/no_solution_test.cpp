@@ -1,9 +1,9 @@
 /// Painleve's rod is where it is said to be, and a solver that has converged does what the closed form says.
 #include <cmath>
 
-#include "chapters/07_warm_start/full_solver.h"
-#include "tests/catch.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
 #include "tests/hard_cases/paradox.h"
+#include "tests/support/catch.h"
 
 using namespace pushback;
 

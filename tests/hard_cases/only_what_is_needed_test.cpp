@@ -1,8 +1,8 @@
 /// The hard cases once more, each world by what it calls for: the same outcomes, to the bit.
 #include <cmath>
 
-#include "tests/catch.h"
 #include "tests/hard_cases/hard_case.h"
+#include "tests/support/catch.h"
 
 using namespace pushback;
 

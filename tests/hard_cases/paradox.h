@@ -1,7 +1,7 @@
 /// A rod whose lower end slides ahead of it: the scene, and what rigid bodies with Coulomb's friction must do there.
 #pragma once
 
-#include "common/world.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "common/world.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
 

@@ -1,13 +1,13 @@
 #include "tests/hard_cases/stages.h"
 
-#include "chapters/00_naive_impulses/naive.h"
-#include "chapters/05_restitution/in_turn.h"
-#include "chapters/11_position_correction/nonlinear_gauss_seidel.h"
-#include "chapters/11_position_correction/split_impulse.h"
-#include "chapters/13_global_solve/global_joints.h"
-#include "chapters/15_only_what_is_needed/dispatch.h"
-#include "common/input.h"
-#include "tests/with_joints.h"
+#include "pushback/chapters/00_naive_impulses/naive.h"
+#include "pushback/chapters/05_restitution/in_turn.h"
+#include "pushback/chapters/11_position_correction/nonlinear_gauss_seidel.h"
+#include "pushback/chapters/11_position_correction/split_impulse.h"
+#include "pushback/chapters/13_global_solve/global_joints.h"
+#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/common/basics/input.h"
+#include "tests/support/with_joints.h"
 
 namespace pushback {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "common/measure.h"
+#include "pushback/common/world/measure.h"
 
 namespace pushback {
 

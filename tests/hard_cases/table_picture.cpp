@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "common/picture_of.h"
-#include "common/render/canvas.h"
-#include "common/render/painter.h"
-#include "common/sheet.h"
+#include "pushback/common/experiment/picture_of.h"
+#include "pushback/common/experiment/sheet.h"
+#include "pushback/common/render/canvas.h"
+#include "pushback/common/render/painter.h"
 
 namespace pushback {
 

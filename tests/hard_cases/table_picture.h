@@ -1,7 +1,7 @@
 /// The table as a picture.
 #pragma once
 
-#include "common/render/image.h"
+#include "pushback/common/render/image.h"
 #include "tests/hard_cases/table.h"
 
 namespace pushback {

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-#include "common/input.h"
+#include "pushback/common/basics/input.h"
 #include "tests/hard_cases/table.h"
 
 namespace pushback {

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <set>
 
-#include "tests/call.h"
 #include "tests/hard_cases/cases.h"
+#include "tests/support/call.h"
 
 using namespace pushback;
 

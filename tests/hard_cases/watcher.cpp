@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/measure.h"
+#include "pushback/common/world/measure.h"
 
 namespace pushback {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "common/world.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback {
 

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <limits>
 
-#include "chapters/07_warm_start/full_solver.h"
-#include "tests/catch.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
 #include "tests/hard_cases/stages.h"
 #include "tests/hard_cases/watcher.h"
+#include "tests/support/catch.h"
 
 using namespace pushback;
 

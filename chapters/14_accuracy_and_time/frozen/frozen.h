@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/plot.h"
+#include "pushback/common/experiment/plot.h"
 
 namespace pushback {
 

@@ -1,8 +1,8 @@
 /// What accuracy costs on one problem at a time: pictures, a table and all numbers.
-#include "chapters/14_accuracy_and_time/frozen/frozen.h"
-#include "chapters/14_accuracy_and_time/frozen/problems.h"
-#include "common/files.h"
-#include "common/program.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/frozen.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/problems.h"
+#include "pushback/common/basics/files.h"
+#include "pushback/common/experiment/program.h"
 
 using namespace pushback;
 

@@ -1,8 +1,8 @@
 /// Who is held against whom on frozen problems.
 #pragma once
 
-#include "chapters/13_global_solve/methods.h"
-#include "chapters/14_accuracy_and_time/frozen/siconos.h"
+#include "pushback/chapters/13_global_solve/methods.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/siconos.h"
 
 namespace pushback {
 

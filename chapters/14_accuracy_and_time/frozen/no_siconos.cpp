@@ -1,6 +1,6 @@
 /// Where Siconos is not built in.
-#include "chapters/14_accuracy_and_time/frozen/siconos.h"
-#include "common/input.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/siconos.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 

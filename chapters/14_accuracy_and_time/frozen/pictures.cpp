@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/14_accuracy_and_time/frozen/methods.h"
-#include "chapters/14_accuracy_and_time/frozen/traced.h"
-#include "common/input.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/methods.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/traced.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 

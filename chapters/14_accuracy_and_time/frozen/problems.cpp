@@ -1,17 +1,17 @@
-#include "chapters/14_accuracy_and_time/frozen/problems.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/problems.h"
 
 #include <algorithm>
 #include <functional>
 
-#include "chapters/04_slop/scenes.h"
-#include "chapters/06_friction/scenes.h"
-#include "chapters/08_friction_cone/scenes.h"
-#include "chapters/11_position_correction/scenes.h"
-#include "chapters/12_small_steps/steady_solver.h"
-#include "chapters/13_global_solve/matrix.h"
-#include "chapters/13_global_solve/problem_file.h"
-#include "chapters/14_accuracy_and_time/frozen/scenes.h"
-#include "common/input.h"
+#include "pushback/chapters/04_slop/scenes.h"
+#include "pushback/chapters/06_friction/scenes.h"
+#include "pushback/chapters/08_friction_cone/scenes.h"
+#include "pushback/chapters/11_position_correction/scenes.h"
+#include "pushback/chapters/12_small_steps/steady_solver.h"
+#include "pushback/chapters/13_global_solve/matrix.h"
+#include "pushback/chapters/13_global_solve/problem_file.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/scenes.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "common/scene.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "chapters/14_accuracy_and_time/frozen/siconos.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/siconos.h"
 
 #include <FrictionContactProblem.h>
 #include <Friction_cst.h>
@@ -16,9 +16,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "chapters/13_global_solve/problem_file.h"
-#include "chapters/14_accuracy_and_time/stopwatch.h"
-#include "common/input.h"
+#include "pushback/chapters/13_global_solve/problem_file.h"
+#include "pushback/chapters/14_accuracy_and_time/stopwatch.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 

@@ -1,11 +1,11 @@
-#include "chapters/14_accuracy_and_time/frozen/trace.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/trace.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/14_accuracy_and_time/frozen/methods.h"
-#include "chapters/14_accuracy_and_time/stopwatch.h"
-#include "common/quantile.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/methods.h"
+#include "pushback/chapters/14_accuracy_and_time/stopwatch.h"
+#include "pushback/common/basics/quantile.h"
 
 namespace pushback {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "chapters/13_global_solve/contact_problem.h"
+#include "pushback/chapters/13_global_solve/contact_problem.h"
 
 namespace pushback {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "chapters/14_accuracy_and_time/frozen/problems.h"
-#include "chapters/14_accuracy_and_time/frozen/profile.h"
-#include "chapters/14_accuracy_and_time/frozen/trace.h"
-#include "common/plot.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/problems.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/profile.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/trace.h"
+#include "pushback/common/experiment/plot.h"
 
 namespace pushback {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "chapters/14_accuracy_and_time/frozen/methods.h"
-#include "chapters/14_accuracy_and_time/frozen/traced.h"
-#include "common/input.h"
-#include "common/quantile.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/methods.h"
+#include "pushback/chapters/14_accuracy_and_time/frozen/traced.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/quantile.h"
 
 namespace pushback {
 

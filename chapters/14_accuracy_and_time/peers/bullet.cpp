@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "chapters/14_accuracy_and_time/peers/peer.h"
+#include "pushback/chapters/14_accuracy_and_time/peers/peer.h"
 
 namespace pushback {
 

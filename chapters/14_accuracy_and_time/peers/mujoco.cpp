@@ -5,8 +5,8 @@
 #include <array>
 #include <cstring>
 
-#include "chapters/14_accuracy_and_time/peers/peer.h"
-#include "common/input.h"
+#include "pushback/chapters/14_accuracy_and_time/peers/peer.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 

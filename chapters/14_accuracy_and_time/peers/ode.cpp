@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "chapters/14_accuracy_and_time/peers/peer.h"
-#include "common/input.h"
+#include "pushback/chapters/14_accuracy_and_time/peers/peer.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "chapters/14_accuracy_and_time/study/front.h"
+#include "pushback/chapters/14_accuracy_and_time/study/front.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "common/quantile.h"
+#include "pushback/common/basics/quantile.h"
 
 namespace pushback {
 

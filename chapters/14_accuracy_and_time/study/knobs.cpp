@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/14_accuracy_and_time/study/limits.h"
-#include "chapters/14_accuracy_and_time/study/report.h"
+#include "pushback/chapters/14_accuracy_and_time/study/limits.h"
+#include "pushback/chapters/14_accuracy_and_time/study/report.h"
 
 namespace pushback {
 

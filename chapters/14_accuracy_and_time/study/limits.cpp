@@ -1,4 +1,4 @@
-#include "chapters/14_accuracy_and_time/study/limits.h"
+#include "pushback/chapters/14_accuracy_and_time/study/limits.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "common/quantile.h"
+#include "pushback/common/basics/quantile.h"
 
 namespace pushback {
 

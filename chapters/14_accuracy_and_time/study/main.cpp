@@ -1,10 +1,10 @@
 /// ./course study: every motion in every setting by every engine, the diagrams and tables of docs/accuracy_and_time.md.
 #include <fmt/ranges.h>
 
-#include "chapters/14_accuracy_and_time/study/machine.h"
-#include "chapters/14_accuracy_and_time/study/report.h"
-#include "common/files.h"
-#include "common/program.h"
+#include "pushback/chapters/14_accuracy_and_time/study/machine.h"
+#include "pushback/chapters/14_accuracy_and_time/study/report.h"
+#include "pushback/common/basics/files.h"
+#include "pushback/common/experiment/program.h"
 
 using namespace pushback;
 

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "chapters/14_accuracy_and_time/study/rounds.h"
-#include "common/plot.h"
+#include "pushback/chapters/14_accuracy_and_time/study/rounds.h"
+#include "pushback/common/experiment/plot.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "chapters/14_accuracy_and_time/study/rounds.h"
+#include "pushback/chapters/14_accuracy_and_time/study/rounds.h"
 
 #include <fmt/ranges.h>
 
@@ -11,7 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "common/input.h"
+#include "pushback/common/basics/input.h"
 
 namespace pushback {
 

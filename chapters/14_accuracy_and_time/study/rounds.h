@@ -5,8 +5,8 @@
 #include <functional>
 #include <map>
 
-#include "chapters/14_accuracy_and_time/motion.h"
-#include "chapters/14_accuracy_and_time/study/front.h"
+#include "pushback/chapters/14_accuracy_and_time/motion.h"
+#include "pushback/chapters/14_accuracy_and_time/study/front.h"
 
 namespace pushback {
 

@@ -1,0 +1,49 @@
+/// ./course export: the contacts of one step of a scene, as a problem in a file for ./course solve.
+#include "pushback/chapters/09_joints/jointed_solver.h"
+#include "pushback/chapters/13_global_solve/matrix.h"
+#include "pushback/chapters/13_global_solve/problem_file.h"
+#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/catalogue.h"
+#include "pushback/common/basics/files.h"
+#include "pushback/common/experiment/program.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real dt = Real(1) / 60;
+
+/// `steps` steps with what the scene calls for; then the contacts of the next, as its solver would find them.
+ContactProblem problem_after(const NamedScene& scene, int steps, World& world) {
+  scene.fill(world);
+  OnlyWhatIsNeeded needed(world, JointedSolver{});
+  for (int step = 0; step < steps; ++step) needed.step(world, dt);
+  world.begin_step(dt);
+  if (world.contacts.empty())
+    throw InvalidInput(
+        fmt::format("{} has no contacts after {} steps: there is no problem to write", scene.name, steps));
+  return problem_of(world);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<NamedScene> scenes = all_scenes();
+  CLI::App app{"Writes the contacts of one step of a scene as a problem in the format of Siconos, for ./course solve."};
+  std::string name, file;
+  int steps = 0;
+  app.add_option("scene", name, "A scene by its name")->required();
+  app.add_option("file", file, "The file to write")->required();
+  app.add_option("--step", steps, "How many steps of 1/60 s, of 10 sweeps, go before the one that is written")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  app.footer("The scenes: " + names_of(scenes));
+  return run_program(app, argc, argv, [&] {
+    World world;
+    const ContactProblem problem = problem_after(scene_of(scenes, name), steps, world);
+    write_text_file(file, problem_text(problem));
+    fmt::print("{}: {} contacts of {} after {} steps\n", file, problem.contacts(), name, steps);
+    if (!world.joints.empty())
+      fmt::print("its {} joints are not in it: the format knows contacts only\n", world.joints.size());
+  });
+}

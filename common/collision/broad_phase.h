@@ -1,0 +1,28 @@
+/// Broad phase: which pairs of bodies are near enough to look at closely.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "pushback/common/bodies/body.h"
+
+namespace pushback {
+
+/// The smallest box along the world axes that holds a body's shape; infinite in every direction for a half-space.
+struct Bounds {
+  Vec3 low, high;  ///< m
+  bool overlaps(const Bounds& other) const {
+    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
+};
+Bounds bounds_of(const Body& body);
+
+using BodyPair = std::pair<int, int>;  ///< indices, first < second
+
+/// Every pair whose bounds overlap and of which at least one body can move, in ascending order of (first, second).
+std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies);
+/// Those among the bodies with the indices `which`: ascending, none twice. How many others there are costs no time.
+std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<const int> which);
+
+}  // namespace pushback

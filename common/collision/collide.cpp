@@ -1,0 +1,103 @@
+#include "pushback/common/collision/collide.h"
+
+#include <cmath>
+
+#include "pushback/common/collision/collide_shapes.h"
+
+namespace pushback {
+
+// ---- against a half-space
+
+void touch(const Placed<HalfSpace>& a, const Round& b, Manifold& found) {
+  found.normal = a.axes * a.shape.normal;
+  const auto try_point = [&](const Vec3& core, std::uint32_t feature) {
+    const Real depth = b.radius - found.normal.dot(core - a.centre);
+    if (depth >= -rounding_of(b.radius)) found.add(core + (depth / 2 - b.radius) * found.normal, depth, feature);
+  };
+  if (b.half.isZero(0)) {
+    try_point(b.centre, somewhere);
+  } else {
+    try_point(b.centre - b.half, lower_end);
+    try_point(b.centre + b.half, upper_end);
+  }
+}
+
+// The feature is the number of the corner: bit i is set where the corner lies on the positive side of axis i.
+void touch(const Placed<HalfSpace>& a, const Placed<Box>& b, Manifold& found) {
+  found.normal = a.axes * a.shape.normal;
+  const Vec3& extents = b.shape.half_extents;
+  const Vec3 slope = b.axes.transpose() * found.normal;  // of each axis of the box against the plane
+  // At most four points: the corners of the face that looks into the solid. The deepest corner is one of them. Where
+  // two faces look down alike, the first stays the one until another is clearly better.
+  int down = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::abs(slope[i]) > std::abs(slope[down]) + Real(1e-3)) down = i;
+  }
+  const Real rounding = rounding_of(extents.maxCoeff());
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    const Vec3 side((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1);
+    if (side[down] * slope[down] > 0) continue;
+    const Vec3 point = b.centre + b.axes * side.cwiseProduct(extents);
+    const Real depth = -found.normal.dot(point - a.centre);
+    if (depth >= -rounding) found.add(point + depth / 2 * found.normal, depth, corner);
+  }
+}
+
+// ---- which function for which shapes ------------------------------------------------------------------------------
+
+namespace {
+
+Round as_touched(const Placed<Sphere>& s) {
+  return round_of(s);
+}
+Round as_touched(const Placed<Capsule>& c) {
+  return round_of(c);
+}
+const Placed<Box>& as_touched(const Placed<Box>& b) {
+  return b;
+}
+const Placed<HalfSpace>& as_touched(const Placed<HalfSpace>& h) {
+  return h;
+}
+const Placed<Hull>& as_touched(const Placed<Hull>& h) {
+  return h;
+}
+
+void append(const Body& a, const Body& b, const Manifold& found, bool swapped, Contacts& contacts) {
+  const Vec3& origin = swapped ? b.position : a.position;
+  for (int i = 0; i < found.count; ++i) {
+    Contact& contact = contacts.emplace_back();
+    contact.point = origin + found.touches[i].point;
+    contact.normal = swapped ? Vec3(-found.normal) : found.normal;
+    contact.depth = found.touches[i].depth;
+    contact.friction = std::sqrt(a.friction * b.friction);
+    contact.restitution = std::max(a.restitution, b.restitution);
+    contact.id = {static_cast<std::uint32_t>(a.index), static_cast<std::uint32_t>(b.index), found.touches[i].feature};
+  }
+}
+
+}  // namespace
+
+void collide(const Body& a, const Body& b, Contacts& contacts) {
+  if (!a.movable() && !b.movable()) return;
+  const auto meet = [&]<class A, class B>(const A& shape_a, const B& shape_b) {
+    Manifold found;
+    bool swapped = false;
+    const auto try_order = [&found](const auto& first, const Body& p, const auto& second, const Body& q) {
+      const Placed<std::decay_t<decltype(first)>> one{first, Vec3::Zero(), p.orientation.toRotationMatrix()};
+      const Placed<std::decay_t<decltype(second)>> two{second, q.position - p.position,
+                                                       q.orientation.toRotationMatrix()};
+      if constexpr (requires { touch(as_touched(one), as_touched(two), found); }) {
+        touch(as_touched(one), as_touched(two), found);
+        return true;
+      }
+      return false;
+    };
+    // There is one function for (box, sphere) and none for (sphere, box): then ask the other way round.
+    if (!try_order(shape_a, a, shape_b, b)) swapped = try_order(shape_b, b, shape_a, a);
+    append(a, b, found, swapped, contacts);
+  };
+  std::visit(meet, a.shape, b.shape);
+}
+
+}  // namespace pushback

@@ -1,0 +1,113 @@
+// Box against box. The axis along which they overlap least gives the normal. If it belongs to a face, the faces are
+// compared in collide_box_faces.cpp. If it belongs to two edges, they touch at one point.
+//
+//   S. Gottschalk, M. Lin, D. Manocha, OBBTree, SIGGRAPH 1996: the fifteen axes.
+#include "pushback/common/collision/collide_box_box.h"
+
+#include <cmath>
+
+namespace pushback {
+
+namespace {
+
+struct EdgeAxis {
+  int axis_a = -1, axis_b = -1;
+  Vec3 direction = Vec3::Zero();  // unit, from A to B, along A's axes
+  Real depth = std::numeric_limits<Real>::max();
+};
+
+/// False if one of the six face normals separates the boxes. A's faces come first, and are preferred.
+bool least_overlap_of_faces(const BoxPair& pair, FaceAxis& best) {
+  const Mat3 reach = pair.turn.cwiseAbs();
+  const Vec3 depth_a = pair.a + reach * pair.b - pair.offset.cwiseAbs();
+  const Vec3 depth_b = pair.b + reach.transpose() * pair.a - pair.offset_b.cwiseAbs();
+  if (std::min(depth_a.minCoeff(), depth_b.minCoeff()) < -pair.rounding) return false;
+  for (int i = 0; i < 6; ++i) {
+    const Real depth = i < 3 ? depth_a[i] : depth_b[i - 3];
+    if (depth < best.depth - pair.clearly) best = {i >= 3, i % 3, depth};
+  }
+  return true;
+}
+
+/// False if one of the nine cross products a_i x b_j separates the boxes.
+bool least_overlap_of_edges(const BoxPair& pair, EdgeAxis& best) {
+  // Edges that are as good as parallel have no cross product worth the name; the faces next to them decide as well.
+  constexpr Real as_good_as_parallel = std::numeric_limits<Real>::digits > 24 ? Real(1e-10) : Real(1e-4);
+  for (int i = 0; i < 3; ++i) {
+    const int k = (i + 1) % 3, l = (i + 2) % 3;
+    for (int j = 0; j < 3; ++j) {
+      const int m = (j + 1) % 3, n = (j + 2) % 3;
+      const auto b_j = pair.turn.col(j);
+      const Real squared = b_j[k] * b_j[k] + b_j[l] * b_j[l];
+      if (squared < as_good_as_parallel) continue;
+      // a_i x b_j has, along A's axes, -b_j[l] at k and b_j[k] at l.
+      const Real between = b_j[k] * pair.offset[l] - b_j[l] * pair.offset[k];
+      const Real reach_a = pair.a[k] * std::abs(b_j[l]) + pair.a[l] * std::abs(b_j[k]);
+      const Real reach_b = pair.b[m] * std::abs(pair.turn(i, n)) + pair.b[n] * std::abs(pair.turn(i, m));
+      const Real length = std::sqrt(squared);
+      const Real depth = (reach_a + reach_b - std::abs(between)) / length;
+      if (depth < -pair.rounding / length) return false;  // the shorter the product, the less exact its direction
+      if (depth < best.depth - pair.clearly) {
+        const Real scale = (between < -pair.clearly * length ? -1 : 1) / length;
+        best = {i, j, Vec3::Zero(), depth};
+        best.direction[k] = -scale * b_j[l];
+        best.direction[l] = scale * b_j[k];
+      }
+    }
+  }
+  return true;
+}
+
+void touch_at_edges(const Placed<Box>& a, const BoxPair& pair, const EdgeAxis& axis, Manifold& found) {
+  // The edge of A that lies farthest along the normal, and that of B farthest against it.
+  const Vec3& normal = axis.direction;
+  const Vec3 normal_b = pair.turn.transpose() * normal;
+  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
+  int corner_a = 0, corner_b = 0;
+  for (int i = 0; i < 3; ++i) {
+    if (i != axis.axis_a) on_a[i] = normal[i] > 0 ? pair.a[i] : -pair.a[i];
+    if (i != axis.axis_b) on_b[i] = normal_b[i] > 0 ? -pair.b[i] : pair.b[i];
+    if (on_a[i] > 0) corner_a |= 1 << i;
+    if (on_b[i] > 0) corner_b |= 1 << i;
+  }
+  // Where the two lines come nearest: on_a + s a_i and pair.offset + B (on_b) + t b_j.
+  const Vec3 start_b = pair.offset + pair.turn * on_b;
+  const Vec3 along_b = pair.turn.col(axis.axis_b);
+  const Vec3 apart = start_b - on_a;
+  const Real cosine = along_b[axis.axis_a];
+  const Real p = apart[axis.axis_a], q = along_b.dot(apart);
+  const Real sine2 = std::max(along_b.squaredNorm() - cosine * cosine, std::numeric_limits<Real>::epsilon());
+  const Real s = std::clamp((p - cosine * q) / sine2, -pair.a[axis.axis_a], pair.a[axis.axis_a]);
+  const Real t = std::clamp((cosine * p - q) / sine2, -pair.b[axis.axis_b], pair.b[axis.axis_b]);
+  on_a[axis.axis_a] = s;
+  const Vec3 midway = (on_a + start_b + t * along_b) / 2;
+
+  found.normal = a.axes * normal;
+  found.add(a.centre + a.axes * midway, axis.depth,
+            crossing(edge_at(axis.axis_a, corner_a), edge_at(axis.axis_b, corner_b)));
+}
+
+}  // namespace
+
+void touch(const Placed<Box>& a, const Placed<Box>& b, Manifold& found) {
+  const Vec3 &extents_a = a.shape.half_extents, &extents_b = b.shape.half_extents;
+  BoxPair pair{extents_a, extents_b, a.axes.transpose() * b.axes, a.axes.transpose() * (b.centre - a.centre), {}, 0, 0};
+  pair.offset_b = pair.turn.transpose() * pair.offset;
+  pair.clearly = Real(1e-3) * std::min(extents_a.minCoeff(), extents_b.minCoeff());
+  pair.rounding = rounding_of(std::max(extents_a.maxCoeff(), extents_b.maxCoeff()));
+
+  FaceAxis face;
+  EdgeAxis edge;
+  if (!least_overlap_of_faces(pair, face) || !least_overlap_of_edges(pair, edge)) return;
+
+  // Edges win only if they are clearly better and their normal is no near copy of the face's: a plate that lies on
+  // another and is tilted a little must not come to rest on the one point at which two of their edges cross.
+  constexpr Real near_copy = 1 - parallel * parallel / 2;  // the cosine of the angle whose sine is `parallel`
+  const Vec3 face_normal = face.of_b ? Vec3(pair.turn.col(face.axis)) : Vec3(Vec3::Unit(face.axis));
+  const bool edges_win =
+      edge.depth < face.depth - pair.clearly && std::abs(edge.direction.dot(face_normal)) < near_copy;
+  if (!edges_win && touch_at_faces(a, b, pair, face, found)) return;
+  if (edge.axis_a >= 0) touch_at_edges(a, pair, edge, found);
+}
+
+}  // namespace pushback

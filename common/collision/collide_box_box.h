@@ -1,0 +1,41 @@
+/// What the two halves of box against box share: collide_box_box.cpp and collide_box_faces.cpp.
+#pragma once
+
+#include "pushback/common/collision/collide_outline.h"
+#include "pushback/common/collision/collide_shapes.h"
+
+namespace pushback {
+
+// A corner of a box is a number from 0 to 7: bit i is set on the positive side of axis i. An edge along axis i is 8 i
+// plus either of its corners with bit i cleared.
+constexpr int edge_at(int axis, int corner) {
+  return 8 * axis + (corner & ~(1 << axis));
+}
+/// The corner at which two edges with different directions meet.
+constexpr int corner_between(int edge, int other) {
+  return (edge | other) & 7;
+}
+
+/// Where the boxes are, relative to each other. `turn`: its columns are B's axes, its rows A's.
+struct BoxPair {
+  const Vec3 &a, &b;  // half-extents
+  Mat3 turn;
+  Vec3 offset;    // from A's centre to B's, along A's axes
+  Vec3 offset_b;  // the same, along B's axes
+  Real clearly;   // one overlap is less than another only by this much: rounding must not choose between them
+  Real rounding;  // a gap that may be rounding
+};
+
+/// The axis along which two boxes overlap least, of those that are normals of faces.
+struct FaceAxis {
+  bool of_b = false;
+  int axis = 0;
+  Real depth = std::numeric_limits<Real>::max();
+};
+
+/// Cuts the incident face to the reference face, that of `face`, and adds what lies below it. Returns false if nothing
+/// does.
+bool touch_at_faces(const Placed<Box>& a, const Placed<Box>& b, const BoxPair& pair, const FaceAxis& face,
+                    Manifold& found);
+
+}  // namespace pushback

@@ -1,0 +1,51 @@
+/// What the functions for hulls share: collide_hull.cpp, collide_hull_faces.cpp and collide_hull_round.cpp.
+#pragma once
+
+#include <array>
+
+#include "pushback/common/collision/collide_outline.h"
+#include "pushback/common/collision/collide_shapes.h"
+
+namespace pushback {
+
+/// A polyhedron where it is: along the world's axes, relative to the first body of the pair.
+struct Standing {
+  static constexpr int most_faces = 2 * most_corners - 4;
+  const Polyhedron& solid;
+  std::array<Vec3, most_corners> corners;
+  std::array<Vec3, most_faces> normals;
+
+  Standing(const Polyhedron& which, const Vec3& centre, const Mat3& axes);
+  const Vec3& corner(int i) const { return corners[std::size_t(i)]; }
+  const Vec3& normal(int face) const { return normals[std::size_t(face)]; }
+  const Vec3& on(int face) const { return corner(solid.faces[std::size_t(face)].corners[0]); }
+  Vec3 along(int edge) const {  ///< not of unit length
+    const Polyhedron::Edge& e = solid.edges[std::size_t(edge)];
+    return corner(e.to) - corner(e.from);
+  }
+  Real lowest(const Vec3& n) const;   ///< the least n . corner
+  Real highest(const Vec3& n) const;  ///< the largest
+};
+
+/// The face that touches what comes along -n from below: of those at the lowest corner the one that looks down most
+/// squarely, but before all others one that has an edge which lies flat there: a wedge rests on the whole of its blade.
+/// What is lower or looks down better by less than rounding can make up does not count; ties go to the first.
+int face_below(const Standing& hull, const Vec3& n, Real clearly);
+
+/// `clearly`: one overlap is less than another only by this much, rounding must not choose between them.
+struct HullPair {
+  const Standing &a, &b;
+  Real clearly, rounding;
+};
+
+/// The face along whose normal two polyhedra overlap least.
+struct HullFace {
+  bool of_b = false;
+  int face = 0;
+  Real depth = std::numeric_limits<Real>::max();
+};
+
+/// Cuts the incident face to the reference face and adds what lies below it. Returns false if nothing does.
+bool touch_at_faces(const HullPair& pair, const HullFace& face, Manifold& found);
+
+}  // namespace pushback

@@ -1,0 +1,125 @@
+/// Cutting a face of one shape to a face of another, and choosing four points of what is left. For boxes and hulls.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "pushback/common/basics/types.h"
+
+namespace pushback {
+
+// A point of a manifold is named after a corner of A (on a face of B), a corner of B (on a face of A), or an edge of A
+// and one of B that cross: no name says which shape has the reference face, so the names outlive a change of mind about
+// it. Corners and edges are known by their numbers, each below 128.
+constexpr std::uint32_t corner_of_a(int corner) {
+  return 0x10000u | std::uint32_t(corner);
+}
+constexpr std::uint32_t corner_of_b(int corner) {
+  return 0x20000u | std::uint32_t(corner);
+}
+constexpr std::uint32_t crossing(int edge_a, int edge_b) {
+  return 0x30000u | std::uint32_t(edge_a) << 8 | std::uint32_t(edge_b);
+}
+
+/// A corner of the outline that is being cut. u, v: along the reference face; depth: below it. Two lines meet in it:
+/// edges of the incident face, by number, or, from `reference` on, edges of the reference face.
+struct OutlinePoint {
+  Real u, v, depth;
+  int arriving, leaving;
+};
+constexpr int reference = 128;
+
+/// Cutting a convex outline at one line adds at most one corner.
+template <std::size_t room>
+struct Outline {
+  std::array<OutlinePoint, room> points;
+  int count = 0;
+  void add(const OutlinePoint& point) {
+    if (count < int(points.size())) points[std::size_t(count++)] = point;
+  }
+};
+
+/// What is left of `outline` on the near side of a line: where `beyond`, which is linear, is not above 0. What sticks
+/// out by less than `tolerance` is not cut off, so that two faces whose edges coincide have the same corners whatever
+/// the rounding; what is cut is cut exactly at the line, which is called `edge`.
+///
+///   I. Sutherland, G. Hodgman, Reentrant polygon clipping, CACM 17(1), 1974: cutting one side at a time.
+template <std::size_t room, class Beyond>
+Outline<room> cut(const Outline<room>& outline, const Beyond& beyond, Real tolerance, int edge) {
+  Outline<room> left;
+  for (int i = 0; i < outline.count; ++i) {
+    const OutlinePoint& p = outline.points[std::size_t(i)];
+    const OutlinePoint& q = outline.points[std::size_t(i + 1 == outline.count ? 0 : i + 1)];
+    const Real beyond_p = beyond(p), beyond_q = beyond(q);
+    const bool p_stays = beyond_p <= tolerance, q_stays = beyond_q <= tolerance;
+    if (p_stays) left.add(p);
+    if (p_stays == q_stays) continue;
+    // From the point that stays towards the one that goes; not at all if the former is on the line already.
+    const OutlinePoint& stays = p_stays ? p : q;
+    const OutlinePoint& goes = p_stays ? q : p;
+    const Real from = p_stays ? beyond_p : beyond_q, to = p_stays ? beyond_q : beyond_p;
+    const Real part = std::max(Real(0), -from / (to - from));
+    OutlinePoint crossed;
+    crossed.u = stays.u + part * (goes.u - stays.u);
+    crossed.v = stays.v + part * (goes.v - stays.v);
+    crossed.depth = stays.depth + part * (goes.depth - stays.depth);
+    crossed.arriving = p_stays ? p.leaving : edge;
+    crossed.leaving = p_stays ? edge : p.leaving;
+    left.add(crossed);
+  }
+  return left;
+}
+
+/// A point of the manifold, still in the frame of the reference face.
+struct Candidate {
+  Real u, v, depth;
+  std::uint32_t feature;
+};
+
+/// Keeps the four of the candidates, which go round a convex outline, that span the largest quadrilateral: it has at
+/// least 2/pi of the outline's area, and depends on the outline alone, not on depths, which change as a stack breathes.
+/// But the deepest point must not get lost: if it is clearly deeper than those four, it has to be one of them.
+/// One choice is preferred to an earlier one only if it is clearly better. So that the order is the same in each step,
+/// the outline begins with the point of the lowest name. `count`: 4 at least.
+void reduce_to_four(Candidate* candidates, int count, Real clearly_deeper);
+
+/// Up to four points of the manifold, by ascending names.
+template <std::size_t room>
+struct Candidates {
+  std::array<Candidate, room> points;
+  int count = 0;
+  const Candidate* begin() const { return points.data(); }
+  const Candidate* end() const { return points.data() + count; }
+};
+
+/// What of the outline lies below the reference face, or above it by no more than `rounding`. `of_b`: B has that face.
+/// `name_of_corner(of the shape with the reference face?, edge, edge)` names the corner in which two edges of one shape
+/// meet.
+template <std::size_t room, class NameOfCorner>
+Candidates<room> candidates_of(const Outline<room>& outline, bool of_b, Real rounding, Real clearly_deeper,
+                               const NameOfCorner& name_of_corner) {
+  Candidates<room> found;
+  for (int p = 0; p < outline.count; ++p) {
+    const OutlinePoint& point = outline.points[std::size_t(p)];
+    if (point.depth < -rounding) continue;
+    const bool from_reference = point.arriving >= reference, to_reference = point.leaving >= reference;
+    const int arriving = point.arriving & (reference - 1), leaving = point.leaving & (reference - 1);
+    std::uint32_t feature;
+    if (from_reference == to_reference) {
+      feature = name_of_corner(from_reference, arriving, leaving);
+    } else {
+      feature = from_reference == of_b ? crossing(leaving, arriving) : crossing(arriving, leaving);
+    }
+    found.points[std::size_t(found.count++)] = {point.u, point.v, point.depth, feature};
+  }
+  if (found.count > 4) {
+    reduce_to_four(found.points.data(), found.count, clearly_deeper);
+    found.count = 4;
+  }
+  std::sort(found.points.begin(), found.points.begin() + found.count,
+            [](const Candidate& p, const Candidate& q) { return p.feature < q.feature; });
+  return found;
+}
+
+}  // namespace pushback

@@ -1,0 +1,35 @@
+/// How near two segments come: for round shapes, and for a round shape at an edge of a hull.
+#pragma once
+
+#include <algorithm>
+
+#include "pushback/common/basics/types.h"
+
+namespace pushback {
+
+inline Real into_core(Real s) {
+  return std::clamp(s, Real(-1), Real(1));
+}
+
+/// A point of each core: a.centre + s a.half and b.centre + t b.half. `apart` leads from the first to the second.
+struct Nearest {
+  Real s, t;
+  Vec3 apart;
+};
+
+/// The products that every question about the two segments needs.
+struct Segments {
+  const Vec3 &half_a, &half_b;
+  Vec3 between;  // of the centres
+  Real aa = half_a.squaredNorm(), bb = half_b.squaredNorm(), ab = half_a.dot(half_b);
+  Real a_between = half_a.dot(between), b_between = half_b.dot(between);
+
+  Real nearest_to_b(Real t) const { return aa > 0 ? into_core((a_between + t * ab) / aa) : 0; }  // gives s
+  Real nearest_to_a(Real s) const { return bb > 0 ? into_core((s * ab - b_between) / bb) : 0; }  // gives t
+  Nearest at(Real s, Real t) const { return {s, t, between + t * half_b - s * half_a}; }
+};
+
+/// Where they come nearest; one of such places where they are parallel.
+Nearest nearest(const Segments& segments);
+
+}  // namespace pushback

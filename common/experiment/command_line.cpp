@@ -1,0 +1,143 @@
+#include "pushback/common/experiment/command_line.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pushback {
+
+namespace {
+
+constexpr double without_end = std::numeric_limits<double>::infinity();
+
+template <class Number>
+std::vector<double> as_list(const Number& value) {
+  return {static_cast<double>(value)};
+}
+template <class Number>
+std::vector<double> as_list(const std::vector<Number>& values) {
+  return {values.begin(), values.end()};
+}
+
+/// In quotes, with what JSON wants escaped.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+}  // namespace
+
+bool Allowed::holds(double value) const {
+  return std::isfinite(value) && value <= most && (least_itself ? value >= least : value > least);
+}
+
+std::string Allowed::in_words() const {
+  if (most != without_end) return fmt::format("a number from {:g} to {:g}", least, most);
+  return least_itself ? fmt::format("a finite number, {:g} or more,", least)
+                      : fmt::format("a finite number above {:g}", least);
+}
+
+Allowed not_negative() {
+  return {0, without_end};
+}
+
+Allowed positive() {
+  return {0, without_end, false};
+}
+
+Allowed between(double least, double most) {
+  return {least, most};
+}
+
+std::string in_json(const std::vector<NamedValue>& parameters) {
+  std::vector<std::string> objects;
+  for (const auto& [parameter, defaults, whole] : parameters) {
+    const Allowed& allowed = parameter.allowed;
+    objects.push_back(fmt::format(
+        R"({{"flag": {}, "symbol": {}, "unit": {}, "what": {}, "default": [{:g}], "least": {:g}, "most": {}, "whole": {}}})",
+        quoted(parameter.flag), quoted(parameter.symbol), quoted(parameter.unit), quoted(parameter.what),
+        fmt::join(defaults, ", "), allowed.least,
+        allowed.most == without_end ? "null" : fmt::format("{:g}", allowed.most), whole));
+  }
+  return fmt::format("[{}]", fmt::join(objects, ",\n "));
+}
+
+Experiment::Experiment(std::string name, std::string question)
+    : name_(std::move(name)), question_(std::move(question)), line_(std::make_unique<CommandLine>()) {
+  CLI::App& app = line_->app;
+  app.name(name_);
+  app.description(question_);
+  const auto common = [&app](const std::string& flag, auto& value, const std::string& help) {
+    return app.add_option(flag, value, help)->capture_default_str()->group("Every experiment");
+  };
+  common("--out", out_, "Folder in which the folder of this experiment is made");
+  common("--size", size_, "Pixels of a frame, WIDTHxHEIGHT");
+  app.add_option("--seconds", seconds_, "Simulated time of every variant; each scene's own unless given")
+      ->group("Every experiment");
+  common("--frames", frames_, "Pictures of each variant, evenly spread over its time");
+  common("--sweeps", sweeps_, "Sweeps over the rows in each step, also where a variant has a number of its own");
+  common("--dt", dt_, "Time step, s");
+  app.add_option("--variants", only_, "Only these variants, by the names that --list prints, separated by commas")
+      ->delimiter(',')
+      ->group("Every experiment");
+  const auto flag = [&app](const std::string& name_of_it, bool& value, const std::string& help) {
+    app.add_flag(name_of_it, value, help)->group("Every experiment");
+  };
+  flag("--no-images", no_images_, "Only the numbers: metrics.csv and numbers.md");
+  flag("--list", list_, "List the scenes and variants, and do nothing");
+  flag("--parameters", list_parameters_, "Print what may be set for this experiment, as JSON, and do nothing");
+}
+
+Experiment::~Experiment() = default;
+
+void Experiment::parameter(const Parameter& parameter, Value where) {
+  const auto& [flag, symbol, unit, what, allowed] = parameter;
+  const std::string known_as = symbol.empty() || unit.empty() ? symbol + unit : symbol + ", " + unit;
+  const CLI::Validator check(
+      [allowed = allowed](const std::string& word) -> std::string {
+        double value = 0;
+        if (CLI::detail::lexical_cast(word, value) && allowed.holds(value)) return {};
+        return fmt::format("'{}' is not allowed: {} is needed", word, allowed.in_words());
+      },
+      "NUMBER");
+  std::visit(
+      [&](auto* value) {
+        using Held = std::decay_t<decltype(*value)>;
+        CLI::Option* added =
+            line_->app.add_option(flag, *value, known_as.empty() ? what : what + " (" + known_as + ")");
+        added->capture_default_str()->check(check)->group("This experiment");
+        if constexpr (!std::is_arithmetic_v<Held>) added->delimiter(',');
+        line_->parameters.push_back(
+            {parameter, as_list(*value), std::is_same_v<Held, int> || std::is_same_v<Held, std::vector<int>>});
+      },
+      where);
+}
+
+const std::vector<NamedValue>& Experiment::parameters() const {
+  return line_->parameters;
+}
+
+bool Experiment::told(const std::string& flag) const {
+  return line_->app.count(flag) > 0;
+}
+
+std::optional<int> Experiment::read_command_line(int argc, const char* const* argv) {
+  try {
+    line_->app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return line_->app.exit(help);
+  } catch (const CLI::ParseError& problem) {
+    fmt::print(stderr, "{}: {}\n", name_, problem.what());
+    return 2;
+  }
+  if (!list_parameters_) return {};
+  fmt::print("{}\n", in_json(line_->parameters));
+  return 0;
+}
+
+}  // namespace pushback

@@ -1,0 +1,209 @@
+#include "pushback/common/experiment/experiment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/experiment/experiment_parts.h"
+
+namespace pushback {
+
+namespace fs = std::filesystem;
+
+// ---- saying what there is --------------------------------------------------------------------------------------------
+
+std::vector<Sample> Run::last(Real seconds) const {
+  const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(seconds / dt)), 1, samples.size());
+  return {samples.end() - static_cast<std::ptrdiff_t>(count), samples.end()};
+}
+
+Variant& Variant::with_sweeps(int count) {
+  sweeps = count;
+  return *this;
+}
+
+Variant& Variant::in_small_steps(int count) {
+  small_steps = count;
+  return *this;
+}
+
+Variant& Variant::changing(std::function<void(World&)> how) {
+  change = std::move(how);
+  return *this;
+}
+
+Variant& Variant::with_exactly(int count) {
+  sweeps = count;
+  exactly = true;
+  return *this;
+}
+
+Variant& Variant::coloured(int which) {
+  colour = which;
+  return *this;
+}
+
+Variant& Variant::expect(const std::string& number, Real value) {
+  expected[number] = value;
+  return *this;
+}
+
+Variant& Variant::reference(const std::string& label, std::function<Real(Real)> of_time) {
+  references.push_back({label, std::move(of_time)});
+  return *this;
+}
+
+void Experiment::scene(Scene scene) {
+  acts_.push_back({std::move(scene), {}, {}});
+}
+
+void Experiment::series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of,
+                        bool log_y) {
+  acts_.back().series.push_back({name, unit, std::move(of), log_y});
+}
+
+void Experiment::number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of) {
+  acts_.back().numbers.push_back({name, unit, std::move(of)});
+}
+
+Variant& Experiment::add_variant(const std::string& name) {
+  Variant& added = variants_.emplace_back();
+  added.name = name;
+  added.scene = acts_.size() - 1;
+  return added;
+}
+
+Variant& Experiment::motion(const std::string& name, std::function<std::size_t(World&, Real, int)> step) {
+  Variant& added = add_variant(name);
+  added.check = [step](World& world, Real dt) { step(world, dt, 1); };
+  added.step = [step](World& world, Real dt, int sweeps, Sample& sample) {
+    sample.rows = static_cast<int>(step(world, dt, sweeps));
+  };
+  return added;
+}
+
+void Experiment::study(std::function<void()> work) {
+  studies_.push_back(std::move(work));
+}
+
+void Experiment::panel(Panel panel) {
+  own_panels_.push_back(std::move(panel));
+}
+
+void Experiment::remark(std::string sentence) {
+  remarks_.push_back(std::move(sentence));
+}
+
+// ---- doing it ----------------------------------------------------------------------------------------------------------
+
+int Experiment::sweeps_of(const Variant& variant) const {
+  return variant.sweeps > 0 && (variant.exactly || !told("--sweeps")) ? variant.sweeps : sweeps_;
+}
+
+/// Two of one name would share a folder.
+void Experiment::refuse_twins() const {
+  for (auto one = variants_.begin(); one != variants_.end(); ++one) {
+    for (auto other = variants_.begin(); other != one; ++other) {
+      if (one->scene == other->scene && slug(one->name) == slug(other->name)) {
+        throw InvalidInput(
+            fmt::format("two variants are called '{}': each needs a name, and so a value, of its own", one->name));
+      }
+    }
+  }
+}
+
+void Experiment::choose_variants() {
+  if (only_.empty()) return;
+  const auto is_meant = [this](const Variant& variant, const std::string& word) {
+    return slug(word) == slug(variant.name) || word == slug(acts_[variant.scene].scene.name) + "_" + slug(variant.name);
+  };
+  for (const std::string& word : only_) {
+    if (std::none_of(variants_.begin(), variants_.end(), [&](const Variant& v) { return is_meant(v, word); })) {
+      std::string known;
+      for (const Variant& v : variants_) known += (known.empty() ? "" : ", ") + slug(v.name);
+      throw InvalidInput(fmt::format("--variants names '{}': one or more of {} are needed", word, known));
+    }
+  }
+  std::erase_if(variants_, [&](const Variant& v) {
+    return std::none_of(only_.begin(), only_.end(), [&](const std::string& word) { return is_meant(v, word); });
+  });
+}
+
+/// A value that cannot be used is found before anything is written.
+void Experiment::check() const {
+  for (const Variant& variant : variants_) {
+    World world;
+    fill(world, variant);
+    variant.check(world, dt_ / static_cast<Real>(variant.small_steps));
+  }
+}
+
+void Experiment::fill(World& world, const Variant& variant) const {
+  acts_[variant.scene].scene.fill(world);
+  if (variant.change) variant.change(world);
+}
+
+void Experiment::list() const {
+  for (std::size_t a = 0; a < acts_.size(); ++a) {
+    fmt::print("{} ({:.3g} s)\n", acts_[a].scene.name, acts_[a].scene.seconds);
+    for (const Variant& variant : variants_) {
+      if (variant.scene == a) fmt::print("  {:<32} {}\n", slug(variant.name), variant.name);
+    }
+  }
+}
+
+void Experiment::play() {
+  const fs::path folder = fs::path(out_) / name_;
+  make_writable_folder(folder);
+  Output output(folder, !no_images_, width_, height_, variants_.size());
+  std::vector<Result> results;
+  for (std::size_t i = 0; i < variants_.size(); ++i) results.push_back(play(variants_[i], i, output));
+  output.done();
+  for (const auto& work : studies_) work();
+  report(results, folder);
+}
+
+int Experiment::run(int argc, const char* const* argv, const std::function<void()>& define) {
+  if (const std::optional<int> status = read_command_line(argc, argv)) return *status;
+  try {
+    const char* const end = size_.data() + size_.size();
+    const auto [cross, bad_width] = std::from_chars(size_.data(), end, width_);
+    const auto [rest, bad_height] = std::from_chars(cross == end ? end : cross + 1, end, height_);
+    if (bad_width != std::errc() || bad_height != std::errc() || *cross != 'x' || rest != end || width_ < 16 ||
+        height_ < 16 || width_ > 8192 || height_ > 8192) {
+      throw InvalidInput(fmt::format("--size is '{}': WIDTHxHEIGHT is needed, each from 16 to 8192", size_));
+    }
+    if (told("--seconds")) require_positive("--seconds", seconds_);
+    require_between("--dt", dt_, Real(1e-6), 1);
+    if (seconds_ / dt_ > 1e7)
+      throw InvalidInput(fmt::format("--seconds is {}: at most {:.4g}, ten million steps of {} s, is needed", seconds_,
+                                     1e7 * dt_, dt_));
+    if (sweeps_ < 1 || sweeps_ > 1000000)
+      throw InvalidInput(fmt::format("--sweeps is {}: a whole number from 1 to 1000000 is needed", sweeps_));
+    if (frames_ < 0 || frames_ > 100000)
+      throw InvalidInput(fmt::format("--frames is {}: a whole number from 0 to 100000 is needed", frames_));
+    define();
+    refuse_twins();
+    if (list_) {
+      list();
+      return 0;
+    }
+    choose_variants();
+    check();
+    play();
+    return 0;
+  } catch (const InvalidInput& problem) {
+    fmt::print(stderr, "{}: {}\n", name_, problem.what());
+    return 2;
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "{}: {}\n", name_, problem.what());
+    return 1;
+  }
+}
+
+}  // namespace pushback

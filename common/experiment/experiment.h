@@ -1,0 +1,241 @@
+/// One experiment: these scenes, these variants of the solver, these things measured; side by side in one picture.
+///
+///   int main(int argc, char** argv) {
+///     Experiment e("my_experiment", "Does it stand?");
+///     return e.run(argc, argv, [&] {
+///       e.scene({.name = "a stack", .fill = [](World& world) { stack(world, 5); }});
+///       e.variant("with friction", Solver<Clamping, Friction>{});
+///       e.number("deepest overlap", "m", [](const Run& run) { return run.samples.back().overlap; });
+///     });
+///   }
+///
+/// leaves in OUT/my_experiment/: sheet.png (a row per variant, a column per instant) and thumbnail.png, plot.png,
+/// metrics.csv (a row per variant and step), numbers.md (the measured numbers beside what they should be), and
+/// SCENE_VARIANT/frame_0000.png and on.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pushback/common/experiment/parameter.h"
+#include "pushback/common/experiment/plot.h"
+#include "pushback/common/experiment/scene.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
+
+namespace pushback {
+
+/// What is read off the world after every step.
+struct Sample {
+  Real time = 0;              ///< s
+  Real kinetic_energy = 0;    ///< J
+  Real potential_energy = 0;  ///< J
+  Vec3 momentum;              ///< N s
+  Vec3 angular_momentum;      ///< N m s, about the origin
+  Real overlap = 0;           ///< m, the deepest
+  int contacts = 0;           ///< points in this step
+  int found = 0;              ///< of them, those that the step before did not have
+  int lost = 0;               ///< points that the step before had and this one has not
+  int rows = 0;               ///< constraint rows in the solver
+  Real residual = 0;          ///< m/s, the largest error() of a row after the last sweep
+  double solver_seconds = 0;  ///< wall time of the solver, for metrics.csv; it alone differs from run to run
+};
+
+/// What one variant did, for the numbers.
+struct Run {
+  const World& world;  ///< at the end
+  Real dt;             ///< s
+  std::vector<Sample> samples;
+  std::map<std::string, std::vector<Real>> series;  ///< by name, one value a step
+
+  /// Samples of the last `seconds`: at least one.
+  std::vector<Sample> last(Real seconds) const;
+};
+
+/// A closed form, drawn dashed beside what was measured.
+struct Reference {
+  std::string label;
+  std::function<Real(Real)> of_time;
+};
+
+/// One solver on one scene. What it returns can be said more of: e.variant("cold", solver).with_sweeps(50).
+struct Variant {
+  std::string name;
+  std::size_t scene = 0;
+  /// Moves a world on by one step; fills the sample's rows, residual and solver_seconds.
+  std::function<void(World&, Real dt, int sweeps, Sample&)> step;
+  std::function<void(World&, Real dt)> check;  ///< throws InvalidInput where a value cannot be used
+  std::function<void(World&)> change;          ///< what this variant does to the scene before it begins; empty: nothing
+  int small_steps = 1;                         ///< into how many each step of --dt is cut
+  int sweeps = 0;                              ///< 0: what --sweeps says
+  bool exactly = false;                        ///< whether --sweeps has no say
+  int colour = -1;                             ///< line_colour's index; -1: its place among all variants
+  std::map<std::string, Real> expected;        ///< by the name of a number
+  std::vector<Reference> references;
+
+  /// Each step of --dt as so many steps of the `count`th part; numbers of points found and lost are then of the last one.
+  Variant& in_small_steps(int count);
+  /// What this variant does to the scene before it begins: variants may differ in their joints.
+  Variant& changing(std::function<void(World&)> how);
+  /// Instead of the ten that all have; --sweeps overrides it.
+  Variant& with_sweeps(int count);
+  /// The number of sweeps is what this variant is about: --sweeps leaves it alone.
+  Variant& with_exactly(int count);
+  /// For one that several scenes have: the same colour in all of them.
+  Variant& coloured(int which);
+  /// What the number of that name should be, from a closed form; shown beside it.
+  Variant& expect(const std::string& number, Real value);
+  /// The curve that the scene's first series should follow.
+  Variant& reference(const std::string& label, std::function<Real(Real)> of_time);
+};
+
+class Experiment {
+ public:
+  /// `name` is the folder's and the program's, `question` stands above the sheet.
+  Experiment(std::string name, std::string question);
+  ~Experiment();
+
+  /// A parameter of this experiment's own, beside those that every experiment has; see parameter.h.
+  void parameter(const Parameter& parameter, Value where);
+  /// Those there are. Throws nothing.
+  const std::vector<NamedValue>& parameters() const;
+
+  // ---- to be called inside `run`'s `define` --------------------------------------------------------------------------
+
+  /// What follows, up to the next scene, belongs to this one.
+  void scene(Scene scene);
+  /// A solver to watch on the latest scene: anything that World::step takes.
+  template <std::derived_from<StepSolver> ContactSolver>
+  Variant& variant(const std::string& name, ContactSolver solver);
+  /// What moves the scene's bodies on in a way of its own, and returns how many rows that took. A copy of it plays the scene.
+  Variant& motion(const std::string& name, std::function<std::size_t(World&, Real dt, int sweeps)> step);
+  /// A quantity to record after every step and to plot against time, for the latest scene. The first is the one that
+  /// references are drawn with. Without any, the deepest overlap is plotted. `log_y`: as Panel has it.
+  void series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of,
+              bool log_y = false);
+  /// A number to show beside each variant of the latest scene. None may come from a clock: what git tracks would change with
+  /// every run.
+  void number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of);
+  /// What the experiment works out itself, once all variants have been watched: `work` calls `panel` and `remark`.
+  void study(std::function<void()> work);
+  /// A further diagram that the experiment works out itself, after the scenes' own.
+  void panel(Panel panel);
+  /// A finding that belongs to no single variant; it stands below the tables of numbers.
+  void remark(std::string sentence);
+
+  // ---------------------------------------------------------------------------------------------------------------------
+
+  /// Reads the command line, lets `define` say what there is, and does it. Returns the program's exit status: 0; 2 after
+  /// a message where a value cannot be used (nothing is written then); 1 where something else went wrong.
+  int run(int argc, const char* const* argv, const std::function<void()>& define);
+
+  Real dt() const { return dt_; }
+  int sweeps() const { return sweeps_; }
+
+ private:
+  struct Quantity {
+    std::string name, unit;
+    std::function<Real(const World&)> of;
+    bool log_y;
+  };
+  struct Number {
+    std::string name, unit;
+    std::function<Real(const Run&)> of;
+  };
+  struct Act {
+    Scene scene;
+    std::vector<Quantity> series;
+    std::vector<Number> numbers;
+  };
+  struct Result;
+  class Output;
+
+  Variant& add_variant(const std::string& name);
+  std::optional<int> read_command_line(int argc, const char* const* argv);
+  bool told(const std::string& flag) const;
+  void refuse_twins() const;
+  void choose_variants();
+  void check() const;
+  void fill(World& world, const Variant& variant) const;
+  void list() const;
+  void play();
+  Result play(const Variant& variant, std::size_t index, Output& output) const;
+  std::vector<Panel> panels(const std::vector<Result>& results) const;
+  std::string numbers_table(const std::vector<Result>& results) const;
+  std::string metrics(const std::vector<Result>& results) const;
+  void report(std::vector<Result>& results, const std::filesystem::path& folder) const;
+  void draw_sheet(std::vector<Result>& results, const std::filesystem::path& folder) const;
+  std::size_t steps_of(const Scene& scene) const;
+  int sweeps_of(const Variant& variant) const;
+  std::string shown_name(const Variant& variant) const;
+  static std::string colour_of(const Variant& variant, std::size_t place);
+
+  std::string name_, question_;
+  struct CommandLine;
+  std::unique_ptr<CommandLine> line_;
+  std::vector<Act> acts_;
+  std::deque<Variant> variants_;  // `variant` hands out references
+  std::vector<Panel> own_panels_;
+  std::vector<std::string> remarks_;
+  std::vector<std::function<void()>> studies_;
+
+  std::string out_ = "renders", size_ = "640x360";
+  int width_ = 0, height_ = 0;
+  Real seconds_ = 0, dt_ = Real(1) / 60;
+  int frames_ = 24, sweeps_ = 10;
+  std::vector<std::string> only_;
+  bool no_images_ = false, list_ = false, list_parameters_ = false;
+};
+
+/// Stands where the solver would, so that the clock runs for it alone.
+template <class ContactSolver>
+struct Watched : StepSolver {
+  ContactSolver& solver;
+  Sample& sample;
+
+  Watched(ContactSolver& its_solver, Sample& its_sample) : solver(its_solver), sample(its_sample) {}
+  void check(World& world, Real dt) { solver.check(world, dt); }
+  void solve(World& world, Real dt, int sweeps) {
+    timed([&] { solver.solve(world, dt, sweeps); });
+    if constexpr (requires { solver.rows(); }) {
+      sample.rows = static_cast<int>(solver.rows().size());
+      sample.residual = 0;
+      for (const auto& row : solver.rows()) sample.residual = std::max(sample.residual, row.error());
+    }
+    if constexpr (requires { solver.joint_rows(); }) {
+      sample.rows += static_cast<int>(solver.joint_rows().size());
+      for (const auto& row : solver.joint_rows()) sample.residual = std::max(sample.residual, row.error());
+    }
+  }
+  void after_move(World& world, Real dt) {
+    timed([&] { solver.after_move(world, dt); });
+  }
+
+  template <class Work>
+  void timed(const Work& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    sample.solver_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+};
+
+template <std::derived_from<StepSolver> ContactSolver>
+Variant& Experiment::variant(const std::string& name, ContactSolver solver) {
+  Variant& added = add_variant(name);
+  added.check = [solver](World& world, Real dt) mutable { solver.check(world, dt); };
+  added.step = [solver](World& world, Real dt, int sweeps, Sample& sample) mutable {
+    Watched<ContactSolver> watched(solver, sample);
+    world.step(watched, dt, sweeps);
+  };
+  return added;
+}
+
+}  // namespace pushback

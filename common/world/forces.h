@@ -1,0 +1,30 @@
+/// Applied forces, to be put into World::forces: world.forces.push_back(spring(body, anchor, 40)).
+#pragma once
+
+#include "pushback/common/basics/input.h"
+#include "pushback/common/world/world.h"
+
+namespace pushback {
+
+/// F = -k (x - anchor), on the centre of mass. `stiffness` k in N/m, 0 or more.
+inline Force spring(int body, const Vec3& anchor, Real stiffness) {
+  require_finite("anchor of a spring", anchor);
+  require_not_negative("stiffness of a spring", stiffness);
+  const auto pull = [=](World& world) {
+    Body& b = world.bodies.at(static_cast<std::size_t>(body));
+    b.force -= stiffness * (b.position - anchor);
+  };
+  return {pull, "a spring", {body}};
+}
+
+/// F = -c v. `coefficient` c in N s/m, 0 or more.
+inline Force drag(int body, Real coefficient) {
+  require_not_negative("drag", coefficient);
+  const auto brake = [=](World& world) {
+    Body& b = world.bodies.at(static_cast<std::size_t>(body));
+    b.force -= coefficient * b.velocity;
+  };
+  return {brake, "drag", {body}};
+}
+
+}  // namespace pushback

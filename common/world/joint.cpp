@@ -1,0 +1,43 @@
+#include "pushback/common/world/joint.h"
+
+#include <algorithm>
+
+#include "pushback/common/basics/input.h"
+#include "pushback/common/world/world.h"
+
+namespace pushback {
+
+const Body& body_of(const World& world, int index) {
+  return world.body(index);
+}
+
+void check_joined(const World& world, const std::string& joint, int a, int b) {
+  for (const int body : {a, b}) {
+    if (body == the_world || (body >= 0 && std::size_t(body) < world.bodies.size())) continue;
+    throw InvalidInput(fmt::format("{} holds body {}: a body from 0 to {}, or {} for the world, is needed", joint, body,
+                                   static_cast<int>(world.bodies.size()) - 1, the_world));
+  }
+  if (a == b) throw InvalidInput(fmt::format("{} joins body {} to itself: two different ones are needed", joint, a));
+  if (!body_of(world, a).movable() && !body_of(world, b).movable()) {
+    throw InvalidInput(fmt::format("{} joins bodies {} and {}, and neither can move: one has to", joint, a, b));
+  }
+}
+
+void check_no_joints(const std::vector<Joint>& joints) {
+  if (joints.empty()) return;
+  throw InvalidInput(fmt::format(
+      "the world has {}, and this solver holds no joints: one with the effect Joints is needed", joints.front().name));
+}
+
+JoinedPairs::JoinedPairs(const std::vector<Joint>& joints) {
+  for (const Joint& joint : joints) {
+    if (!joint.colliding) pairs_.emplace_back(std::minmax(joint.a, joint.b));
+  }
+  std::sort(pairs_.begin(), pairs_.end());
+}
+
+bool JoinedPairs::contain(int a, int b) const {
+  return !pairs_.empty() && std::binary_search(pairs_.begin(), pairs_.end(), std::pair<int, int>(std::minmax(a, b)));
+}
+
+}  // namespace pushback

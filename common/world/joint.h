@@ -1,0 +1,79 @@
+/// What joints ask of bodies, said as geometry. Chapters say which joints there are, and what solves them.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "pushback/common/bodies/body.h"
+#include "pushback/common/world/jacobian.h"
+
+namespace pushback {
+
+class World;
+
+/// Stands for a body's index where a joint holds on to the immovable world.
+inline constexpr int the_world = -1;
+
+/// The step from `time` to `time + dt`, s.
+struct Moment {
+  Real time, dt;
+};
+
+/// One scalar equation C(x, t) = 0 between two bodies, as it stands where they are now:   C' = J V + b
+///
+/// Lengths are in m, forces in N; of an equation between turns, rad and N m.
+struct Equation {
+  Jacobian jacobian;
+  Real error = 0;     ///< C: what is to be fed back
+  Real bias = 0;      ///< b, a second: of C that depends on time, or minus a speed that is wanted
+  Real softness = 0;  ///< gamma, 1/kg or 1/(kg m^2): how far it gives way to its own impulse
+  Real lo = -std::numeric_limits<Real>::infinity();  ///< the least force
+  Real hi = std::numeric_limits<Real>::infinity();   ///< the largest
+};
+using Equations = std::vector<Equation>;
+
+/// Something that holds two bodies together, or one to the world.
+struct Joint {
+  std::string name;  ///< "a hinge"
+  int a, b;          ///< indices in World::bodies, or the_world
+  /// Appends its equations, as many of them in every step. The bodies are those of the indices.
+  std::function<void(const Body& a, const Body& b, const Moment& now, Equations& equations)> ask;
+  /// The corners of a thin line that shows it, m, world axes; empty: it is not drawn.
+  std::function<std::vector<Vec3>(const Body& a, const Body& b)> line = {};
+  bool driven =
+      false;  ///< asks for a motion, or for something else at another time: what it holds does not come to rest
+  bool colliding = false;  ///< whether the two may touch. Mostly they overlap where they are joined
+  /// Of each of its equations in the latest step, in their order: N s, or N m s. Kept by solvers that start from it.
+  std::vector<Real> impulses = {};
+};
+
+/// World::body, for those who know the world by its name only.
+const Body& body_of(const World& world, int index);
+
+/// Throws InvalidInput unless a and b are two different bodies of the world, or one of them the_world, and one can move.
+void check_joined(const World& world, const std::string& joint, int a, int b);
+
+/// Throws InvalidInput if there are any: for a solver that holds none.
+void check_no_joints(const std::vector<Joint>& joints);
+
+/// Where a point of the world (m) is on the body, body axes from its centre of mass; and back.
+inline Vec3 point_on(const Body& body, const Vec3& point) {
+  return body.orientation.conjugate() * (point - body.position);
+}
+inline Vec3 point_of(const Body& body, const Vec3& on_body) {
+  return body.position + body.orientation * on_body;
+}
+
+/// Which pairs are joined and are therefore not to touch.
+class JoinedPairs {
+ public:
+  explicit JoinedPairs(const std::vector<Joint>& joints);
+  bool contain(int a, int b) const;
+
+ private:
+  std::vector<std::pair<int, int>> pairs_;  // each the lower index first, ascending
+};
+
+}  // namespace pushback

@@ -1,0 +1,144 @@
+#include "pushback/common/world/world.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cassert>
+
+#include "pushback/common/basics/input.h"
+#include "pushback/common/collision/broad_phase.h"
+#include "pushback/common/collision/collide.h"
+
+namespace pushback {
+
+int World::add(const Body& body) {
+  Body checked = body;
+  check(checked);
+  checked.index = static_cast<int>(bodies.size());
+  bodies.push_back(checked);
+  return checked.index;
+}
+
+void check_step(Real dt, int sweeps, const Vec3& gravity) {
+  require_positive("dt", dt);
+  if (sweeps < 0) throw InvalidInput(fmt::format("sweeps is {}: a whole number, 0 or more, is needed", sweeps));
+  require_finite("gravity", gravity);
+}
+
+void check_state(const Body& body) {
+  require_finite("position", body.position);
+  require_finite("velocity", body.velocity);
+  require_finite("angular velocity", body.angular_velocity);
+  require_finite("orientation's vector part", Vec3(body.orientation.vec()));
+  require_finite("orientation's scalar part", body.orientation.w());
+}
+
+void keep_velocity(Body& body) {
+  body.velocity_before = body.velocity;
+  body.angular_velocity_before = body.angular_velocity;
+}
+
+void push(Body& body, const Vec3& gravity, Real dt) {
+  if (body.movable()) {
+    body.velocity += dt * (gravity + body.inverse_mass * body.force);
+    body.angular_velocity += dt * body.inverse_inertia * body.torque;
+  }
+  body.force.setZero();
+  body.torque.setZero();
+}
+
+void move(Body& body, Real dt) {
+  body.position += dt * body.velocity;
+  if (body.angular_velocity != Vec3::Zero()) spin_freely(body, dt);
+}
+
+void World::begin_step(Real dt) {
+  Everybody everybody;
+  pushback::begin_step(*this, dt, everybody);
+}
+
+void World::find_contacts() {
+  contacts.clear();
+  const JoinedPairs joined(joints);
+  for (const auto& [first, second] : near_pairs(bodies)) {
+    if (joined.contain(first, second)) continue;
+    collide(bodies[static_cast<std::size_t>(first)], bodies[static_cast<std::size_t>(second)], contacts);
+  }
+  // Pairs arrive in ascending order, and so do the points of a pair: nothing is left to sort.
+  assert(
+      std::is_sorted(contacts.begin(), contacts.end(), [](const Contact& p, const Contact& q) { return p.id < q.id; }));
+}
+
+void World::move(Real dt) {
+  for (Body& body : bodies) pushback::move(body, dt);
+  time += dt;
+  dt_before = dt;
+}
+
+Real separating_speed(const World& world, const Contact& at) {
+  const auto [a, b] = world.bodies_of(at);
+  return (b.velocity_at(at.point) - a.velocity_at(at.point)).dot(at.normal);
+}
+
+bool tumbles(const Body& body) {
+  const Vec3& inverse = body.principal_inverse_inertia;
+  return inverse.minCoeff() > 0 && (inverse.x() != inverse.y() || inverse.y() != inverse.z());
+}
+
+namespace {
+
+/// q' = normalise(q + h/2 q (0, w)).   `spin`: w, body axes.
+Quat turned(const Quat& q, const Vec3& spin, Real dt) {
+  const Vec3 half = dt / 2 * spin;
+  return (q * Quat(1, half.x(), half.y(), half.z())).normalized();
+}
+
+}  // namespace
+
+void spin_evenly(Body& body, Real dt) {
+  body.orientation = turned(body.orientation, body.orientation.conjugate() * body.angular_velocity, dt);
+  body.refresh_inertia();
+}
+
+// The implicit midpoint rule for Euler's equation, in body axes, with the momentum p = I w:
+//
+//   p' - p = h (p_m x w_m),     p_m = (p + p') / 2,   w_m = I^-1 p_m
+//
+// keeps |p|^2 and the energy p . I^-1 p / 2 exactly, because both are quadratic. Turning the body by that same w_m,
+// q' = normalise(q + h/2 q (0, w_m)), is a Cayley transform, under which L = R p stays where it is in the world:
+// R' p' = R p. So the code keeps L, and takes the new w from it.
+// Hairer, Lubich, Wanner, Geometric Numerical Integration, IV.1 and VII.5.
+//
+// A body that turns by several radians in a step is more than Newton's method can follow. It is turned about L instead, as
+// if it were symmetric: that leaves p as it is, and with it the energy.
+void spin_freely(Body& body, Real dt) {
+  if (!tumbles(body)) return spin_evenly(body, dt);
+  Quat& q = body.orientation;
+  const Quat q_before = q;
+  const Vec3& inverse = body.principal_inverse_inertia;
+  const Vec3 inertia = inverse.cwiseInverse();
+  const Vec3 p = inertia.cwiseProduct(q.conjugate() * body.angular_velocity);  // L, body axes
+  const Vec3 momentum = q * p;                                                 // L, world axes
+  Vec3 p_m = p;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 w_m = inverse.cwiseProduct(p_m);
+    const Vec3 error = p_m - p - dt / 2 * p_m.cross(w_m);
+    const Mat3 slope = Mat3::Identity() - dt / 2 * (skew(p_m) * inverse.asDiagonal() - skew(w_m));
+    const Vec3 correction = slope.inverse() * error;
+    if (!correction.allFinite()) break;
+    p_m -= correction;
+    if (correction.norm() <= std::numeric_limits<Real>::epsilon() * p.norm()) break;
+  }
+  q = turned(q, inverse.cwiseProduct(p_m), dt);
+  const auto twice_energy = [&inverse](const Vec3& its_p) { return its_p.dot(inverse.cwiseProduct(its_p)); };
+  constexpr Real rounding = Real(1e4) * std::numeric_limits<Real>::epsilon();
+  const Real before = twice_energy(p), after = twice_energy(q.conjugate() * momentum);
+  if (!(std::abs(after - before) <= rounding * before)) {
+    const Real size = momentum.norm();
+    q = Quat(Eigen::AngleAxis<Real>(dt * before / size, momentum / size)) * q_before;
+    q.normalize();
+  }
+  body.refresh_inertia();
+  body.angular_velocity = q * Vec3(inverse.cwiseProduct(q.conjugate() * momentum));
+}
+
+}  // namespace pushback

@@ -1,0 +1,97 @@
+/// The bodies, and what is known of them from step to step.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pushback/common/bodies/body.h"
+#include "pushback/common/collision/contact.h"
+#include "pushback/common/world/joint.h"
+
+namespace pushback {
+
+class World;
+
+/// Something that pushes or pulls: called as a step begins, it adds to the `force` and `torque` of bodies.
+struct Force {
+  std::function<void(World&)> apply;
+  std::string name = "a force";
+  std::vector<int> bodies =
+      {};  ///< indices of those that it acts on, and that feel each other through it; empty: of all
+};
+
+/// A value: what a copy goes on to do is what the original would have done, to the last bit.
+class World {
+ public:
+  std::vector<Body> bodies;
+  Vec3 gravity{0, Real(-9.81), 0};  ///< m/s^2
+  std::vector<Force> forces;        ///< see forces.h
+  std::vector<Joint> joints;        ///< each with what it bore in the latest step
+  Real time = 0;                    ///< s, simulated so far
+  /// What touched in the latest step, in ascending order of id, with what the solver did there.
+  Contacts contacts;
+  /// Those of the step before it; and, until they are solved, of those asleep that have just been woken.
+  Contacts contacts_before;
+  Real dt_before = 0;  ///< s, of the latest step; 0: there was none
+  /// By this an impulse of the step before is to be multiplied to be of one of dt, s.
+  Real impulse_scale(Real dt) const { return dt_before > 0 ? dt / dt_before : 0; }
+
+  /// Puts a body into the world and returns its index. Throws InvalidInput if a number in it cannot be simulated.
+  int add(const Body& body);
+
+  /// Moves everything on by dt seconds; see step.h. Throws InvalidInput unless dt > 0, sweeps >= 0, every body's
+  /// state is finite, and the solver can solve what is here; then nothing has changed.
+  template <class ContactSolver>
+  void step(ContactSolver& solver, Real dt, int sweeps = 10);
+
+  /// The first part of a step, for those who solve by themselves: all that goes before the solver.
+  void begin_step(Real dt);
+  /// Finds what touches now, in the place of what was found.
+  void find_contacts();
+  /// x += h v and the turn, of all bodies; and time goes on.
+  void move(Real dt);
+
+  /// A and B of a contact.
+  std::pair<Body&, Body&> bodies_of(const Contact& at) { return {bodies[at.id.body_a], bodies[at.id.body_b]}; }
+  std::pair<const Body&, const Body&> bodies_of(const Contact& at) const {
+    return {bodies[at.id.body_a], bodies[at.id.body_b]};
+  }
+  /// The body with this index; for the_world one that never moves, with its centre in the origin.
+  Body& body(int index) { return index == the_world ? immovable_ : bodies[static_cast<std::size_t>(index)]; }
+  const Body& body(int index) const {
+    return index == the_world ? immovable_ : bodies[static_cast<std::size_t>(index)];
+  }
+
+ private:
+  Body immovable_ = sphere(1, 1).fixed();
+};
+
+/// P_B - P_A along n grows at this speed, m/s: (v_B + w_B x r_B - v_A - w_A x r_A) . n.
+Real separating_speed(const World& world, const Contact& at);
+
+// ---- what a step does to one body by itself -------------------------------------------------------------------------
+
+/// Throws InvalidInput unless dt > 0, sweeps >= 0 and the gravity is finite.
+void check_step(Real dt, int sweeps, const Vec3& gravity);
+/// Throws InvalidInput unless every number of the body's state is finite.
+void check_state(const Body& body);
+/// velocity_before and angular_velocity_before.
+void keep_velocity(Body& body);
+/// v += h (g + F/m),  w += h I^-1 tau,  and F = tau = 0.
+void push(Body& body, const Vec3& gravity, Real dt);
+/// x += h v, and the turn.
+void move(Body& body, Real dt);
+
+/// Whether a body's inertia differs from axis to axis, so that a free spin does not keep its axis.
+bool tumbles(const Body& body);
+/// Turns a body by dt seconds of its own spin. Nothing acts on it, so its angular momentum L stays as it is, and
+/// where it tumbles the angular velocity has to follow (the gyroscopic term, w x I w).
+void spin_freely(Body& body, Real dt);
+/// The same for one that does not tumble: its angular velocity stays.   q' = normalise(q + h/2 (0, w) q)
+void spin_evenly(Body& body, Real dt);
+
+}  // namespace pushback
+
+#include "pushback/common/world/step.h"

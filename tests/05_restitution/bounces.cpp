@@ -1,0 +1,183 @@
+/// Two further ways to bounce of chapter 05: reckoned from the surface, and one impact after the other.
+#include "pushback/chapters/05_restitution/from_surface.h"
+#include "pushback/chapters/05_restitution/in_turn.h"
+#include "pushback/chapters/12_small_steps/soft_contacts.h"
+#include "pushback/common/world/measure.h"
+#include "tests/support/catch.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real eps = std::numeric_limits<Real>::epsilon();
+constexpr Real g = Real(9.81);
+constexpr Real h = Real(1) / 60;
+constexpr Real tiny = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(2e-4);
+
+using FromSurface = Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface>;
+using InTurn = Solver<Clamping, Baumgarte, Slop, ImpactsInTurn, Friction, WarmStart>;
+
+constexpr Real radius = Real(0.3);
+
+Body& falling_ball(World& world, Real drop, Real e) {
+  world.add(ground());
+  world.add(sphere(radius, 10).at({0, radius + drop, 0}).bouncy(e));
+  return world.bodies[1];
+}
+
+/// What free flight by v += h a, x += h v keeps, over g: the height of the apex above the surface, m.
+Real apex_ahead(const Body& ball, Real dt) {
+  const Real v = ball.velocity.y(), x = ball.position.y() - radius;
+  return (v * v / 2 + g * x - g * dt * v / 2) / g;
+}
+
+/// Equal balls in a row along x that overlap by `overlap`; the first `arriving` of them come with v m/s.
+void row_of_balls(World& world, int count, int arriving, Real v, Real e, Real overlap = 0) {
+  world.gravity.setZero();
+  for (int i = 0; i < count; ++i) {
+    const Real x = static_cast<Real>(i) * (2 * radius - overlap);
+    world.add(sphere(radius, 10).at({x, 0, 0}).moving({i < arriving ? v : 0, 0, 0}).bouncy(e));
+  }
+}
+
+/// Newton's cradle: as many leave as arrive.
+void check_cradle(const World& world, int arriving, Real v) {
+  const int count = static_cast<int>(world.bodies.size());
+  for (int i = 0; i < count; ++i) {
+    INFO("ball " << i << ": " << world.bodies[static_cast<std::size_t>(i)].velocity.x() << " m/s");
+    const Real should = i >= count - arriving ? v : 0;
+    CHECK(std::abs(world.bodies[static_cast<std::size_t>(i)].velocity.x() - should) <= tiny * v);
+  }
+}
+
+}  // namespace
+
+// ---- from the surface ------------------------------------------------------------------------------------------------
+
+TEST_CASE("05: reckoned from the surface a bounce leaves e^2 of the height, wherever the ball was found") {
+  for (const Real e : {Real(0.2), Real(0.5), Real(0.9), Real(1)}) {
+    for (const Real dt : {h, h / 4}) {
+      for (int i = 0; i < 40; ++i) {
+        World world;
+        Body& ball = falling_ball(world, 2 + static_cast<Real>(i) * Real(0.0037), e);
+        FromSurface solver;
+        const Real before = apex_ahead(ball, dt);
+        for (int step = 0; step < 600 && ball.velocity.y() <= 0; ++step) world.step(solver, dt, 1);
+        INFO("e " << e << ", dt " << dt << ", found " << world.contacts.at(0).depth << " m deep");
+        REQUIRE(apex_ahead(ball, dt) == Approx(e * e * before).epsilon(tiny));
+      }
+    }
+  }
+}
+
+TEST_CASE("05: reckoned from the surface the first three apexes of steps are e^2k h0 within 1 %") {
+  for (const Real e : {Real(0.5), Real(0.9), Real(1)}) {
+    World world;
+    Body& ball = falling_ball(world, 2, e);
+    FromSurface solver;
+    std::vector<Real> apexes;
+    for (int step = 0; step < 600 && apexes.size() < 3; ++step) {
+      const Real height = ball.position.y() - radius;
+      const bool rising = ball.velocity.y() > 0;
+      world.step(solver, h, 1);
+      if (rising && ball.velocity.y() <= 0) apexes.push_back(height);
+    }
+    REQUIRE(apexes.size() == 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Real should = 2 * std::pow(e, static_cast<Real>(2 * (k + 1)));
+      INFO("e " << e << ", bounce " << k + 1 << ": " << apexes[k] << " m, should be " << should << " m");
+      CHECK(apexes[k] == Approx(should).epsilon(0.01));
+    }
+  }
+}
+
+TEST_CASE("05: reckoned from the surface, too, what lies still stays still") {
+  World world;
+  Body& ball = falling_ball(world, Real(-0.002), Real(0.9));
+  FromSurface solver;
+  for (int step = 0; step < 300; ++step) {
+    world.step(solver, h, 1);
+    REQUIRE(ball.velocity.norm() <= 64 * eps);
+  }
+}
+
+TEST_CASE("05: reckoned from the surface, what bounces gets no push-out on top, nor instead") {
+  const auto leaves_with = [](auto solver, Real dt) {
+    World world;
+    Body& ball =
+        falling_ball(world, Real(-0.1), Real(0.1)).moving({0, -2, 0});  // the push-out asks for 1.14 m/s at 1/60 s
+    world.gravity.setZero();
+    world.step(solver, dt, 10);
+    return ball.velocity.y();
+  };
+  for (const Real dt : {h, h / 32}) {
+    CHECK(leaves_with(FromSurface{}, dt) == Approx(0.2).epsilon(tiny));
+    CHECK(leaves_with(RelaxingSolver<Clamping, SoftContacts, RestitutionFromSurface>{}, dt) ==
+          Approx(0.2).epsilon(tiny));
+    CHECK(leaves_with(RelaxingSolver<Clamping, SoftContacts, Restitution, WarmStart>{}, dt) ==
+          Approx(0.2).epsilon(tiny));
+    CHECK(leaves_with(Solver<Clamping, Baumgarte, Slop, Restitution>{}, dt) > 1);  // the larger of the two
+  }
+}
+
+// ---- in turn ---------------------------------------------------------------------------------------------------------
+
+TEST_CASE("05: in turn, of a row of balls that touch as many leave as arrive") {
+  for (const int arriving : {1, 2, 3}) {
+    for (const Real overlap : {Real(0), Real(0.001)}) {  // within the slop: nothing pushes out
+      World world;
+      row_of_balls(world, 5, arriving, 5, 1, overlap);
+      const Real energy = kinetic_energy(world);
+      const Vec3 p = momentum(world);
+      InTurn solver;
+      world.step(solver, h, 10);
+      check_cradle(world, arriving, 5);
+      CHECK(kinetic_energy(world) == Approx(energy).epsilon(tiny));
+      CHECK((momentum(world) - p).norm() <= 1000 * eps * p.norm());
+    }
+  }
+}
+
+TEST_CASE("05: in turn, of two rows into a middle ball all pass through") {
+  World world;
+  row_of_balls(world, 5, 1, 5, 1);
+  world.bodies[4].moving({-5, 0, 0});
+  InTurn solver;
+  world.step(solver, h, 10);
+  CHECK(world.bodies[0].velocity.x() == Approx(-5).epsilon(tiny));
+  CHECK(world.bodies[4].velocity.x() == Approx(5).epsilon(tiny));
+  for (const std::size_t i : {1u, 2u, 3u}) CHECK(std::abs(world.bodies[i].velocity.x()) <= 5 * tiny);
+}
+
+TEST_CASE("05: in turn, with e < 1 energy goes and momentum stays, and no pair is left that approaches") {
+  for (const Real e : {Real(0.01), Real(0.3), Real(0.8), Real(0.99)}) {
+    World world;
+    row_of_balls(world, 6, 2, 5, e);
+    const Real energy = kinetic_energy(world);
+    const Vec3 p = momentum(world);
+    InTurn solver;
+    world.step(solver, h, 10);
+    INFO("e " << e << ": energy " << kinetic_energy(world) / energy);
+    CHECK(kinetic_energy(world) < energy);
+    CHECK((momentum(world) - p).norm() <= 1000 * eps * p.norm());
+    for (std::size_t i = 1; i < world.bodies.size(); ++i)
+      CHECK(world.bodies[i].velocity.x() - world.bodies[i - 1].velocity.x() > -solver.threshold);
+  }
+}
+
+TEST_CASE("05: in turn ends after its most rounds, and the sweeps stop what still approaches") {
+  World world;
+  row_of_balls(world, 5, 1, 5, 1);
+  std::reverse(world.bodies.begin(), world.bodies.end());  // so that a round passes the blow on by one pair only
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) world.bodies[i].index = static_cast<int>(i);
+  World enough = world;
+  InTurn one, four;
+  one.most_rounds = 1;
+  four.most_rounds = 4;
+  world.step(one, h, 200);
+  enough.step(four, h, 200);
+  for (std::size_t i = 1; i < 5; ++i)
+    CHECK(world.bodies[i - 1].velocity.x() - world.bodies[i].velocity.x() > Real(-1e-3));
+  CHECK(world.bodies[0].velocity.x() < 2);
+  CHECK(enough.bodies[0].velocity.x() == Approx(5).epsilon(tiny));
+}

@@ -1,0 +1,107 @@
+/// The ragdoll of chapter 10: how many ways it can move, and what it keeps as it falls.
+#include <Eigen/QR>
+
+#include "pushback/chapters/09_joints/jointed_solver.h"
+#include "pushback/chapters/10_limits_and_motors/ragdoll.h"
+#include "pushback/chapters/12_small_steps/small_steps.h"
+#include "pushback/common/world/measure.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+#include "tests/support/joint_jacobian.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real h = Real(1) / 60;
+
+/// Rank of the rows that hold with equality.
+long rank_of_joints(const World& world) {
+  Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> J(0, 6 * static_cast<Eigen::Index>(world.bodies.size()));
+  for (const Joint& joint : world.joints) {
+    for (const Equation& row : asked_by(joint, body_of(world, joint.a), body_of(world, joint.b))) {
+      if (row.lo == 0) continue;
+      J.conservativeResize(J.rows() + 1, J.cols());
+      J.row(J.rows() - 1).setZero();
+      J.block(J.rows() - 1, 6 * joint.a, 1, 6) << -row.jacobian.n.transpose(), -row.jacobian.ra_n.transpose();
+      J.block(J.rows() - 1, 6 * joint.b, 1, 6) << row.jacobian.n.transpose(), row.jacobian.rb_n.transpose();
+    }
+  }
+  return Eigen::ColPivHouseholderQR<decltype(J)>(J).rank();
+}
+
+}  // namespace
+
+TEST_CASE("a ragdoll has 28 ways to move: 6 as a whole, 3 in each of 6 sockets, 1 in each of 4 hinges") {
+  World world;
+  add_ragdoll(world, Vec3::Zero());
+  CHECK(world.bodies.size() == 11);
+  CHECK(66 - rank_of_joints(world) == 28);
+}
+
+TEST_CASE("however a ragdoll is turned, it is whole, within its limits, and does not touch itself") {
+  Random random(1);
+  for (int i = 0; i < 50; ++i) {
+    World world;
+    const Real angle = i == 0 ? 0 : random.between(-3, 3);
+    const Vec3 axis = random.direction();
+    const Ragdoll man = add_ragdoll(world, random.vector(3), Quat(Eigen::AngleAxis<Real>(angle, axis)));
+    CHECK(stretch(world, man) < Real(1e-15));
+    CHECK(bent_backwards(world, man) < Real(1e-15));
+    for (const Joint& joint : world.joints) {
+      for (const Equation& row : asked_by(joint, body_of(world, joint.a), body_of(world, joint.b)))
+        if (row.lo == 0) CHECK(row.error > Real(-1e-15));
+    }
+    world.find_contacts();
+    CHECK(world.contacts.empty());
+  }
+  World world;
+  const Ragdoll man = add_ragdoll(world, {0, ragdoll_hips_over, 0});
+  CHECK(std::abs(body_of(world, man.head).position.y() + Real(0.11) - ragdoll_height) < Real(0.02));
+  world.add(ground());
+  world.find_contacts();
+  for (const Contact& contact : world.contacts) CHECK(contact.depth < Real(1e-12));
+}
+
+TEST_CASE("a ragdoll falls down the stairs: it holds together, bends no knee backwards, and comes to rest") {
+  World world;
+  const Ragdoll man = down_the_stairs(world);
+  JointedSolver solver;
+  Real stretched = 0, backwards = 0;
+  for (int step = 0; step < 600; ++step) {
+    small_steps(world, solver, h, 2, 15);
+    stretched = std::max(stretched, stretch(world, man));
+    backwards = std::max(backwards, bent_backwards(world, man));
+  }
+  CAPTURE(stretched, backwards, largest_speed(world));
+  CHECK(body_of(world, man.pelvis).position.y() < 1);
+  CHECK(stretched < Real(0.03));
+  CHECK(backwards < 3 * pi / 180);
+  CHECK(largest_speed(world) < Real(0.1));
+}
+
+TEST_CASE("in small steps with soft contacts and a relaxing pass it holds together far better") {
+  World world;
+  const Ragdoll man = down_the_stairs(world);
+  RelaxingSolver<WarmJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart> solver;
+  Real stretched = 0, backwards = 0;
+  for (int step = 0; step < 300; ++step) {
+    small_steps(world, solver, h, 8);
+    stretched = std::max(stretched, stretch(world, man));
+    backwards = std::max(backwards, bent_backwards(world, man));
+  }
+  CAPTURE(stretched, backwards);
+  CHECK(stretched < Real(0.005));
+  CHECK(backwards < pi / 180);
+}
+
+TEST_CASE("stairs and ragdolls that cannot be are refused, by name") {
+  World world;
+  CHECK(complaint([&] { add_stairs(world, 0); }) == "stairs have 0 steps: 1 or more are needed");
+  CHECK(complaint([&] { add_stairs(world, 3, -1); }) == "rise of stairs is -1: a finite number above 0 is needed");
+  CHECK(complaint([&] { add_stairs(world, 3, 1, 0); }) == "run of stairs is 0: a finite number above 0 is needed");
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  CHECK(complaint([&] { add_ragdoll(world, {nan, 0, 0}); }) ==
+        "hips of a ragdoll is (nan, 0, 0): three finite numbers are needed");
+  CHECK(world.bodies.empty());
+}

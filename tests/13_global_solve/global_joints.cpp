@@ -1,0 +1,259 @@
+/// Chapter 13: the joints of a step solved at once.
+#include "pushback/chapters/13_global_solve/global_joints.h"
+#include "pushback/chapters/04_slop/slop.h"
+#include "pushback/chapters/09_joints/structures.h"
+#include "pushback/chapters/09_joints/study.h"
+#include "pushback/chapters/10_limits_and_motors/scenes.h"
+#include "pushback/chapters/12_small_steps/soft_contacts.h"
+#include "pushback/chapters/13_global_solve/scenes.h"
+#include "pushback/common/world/measure.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+#include "tests/support/with_joints.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real h = Real(1) / 60;
+constexpr bool in_double = std::numeric_limits<Real>::digits > 24;
+
+using Swept = Solver<Joints>;
+using AtOnce = Solver<GlobalJoints>;
+
+/// The largest |JV + b + gamma lambda| of the rows without limits, m/s.
+template <class JointSolver>
+Real largest_error(const JointSolver& solver) {
+  Real largest = 0;
+  for (const Row& row : solver.joint_rows())
+    if (std::isinf(row.lo) && std::isinf(row.hi))
+      largest = std::max(largest, std::abs(row.speed() + row.bias + row.softness * row.impulse));
+  return largest;
+}
+
+/// How far the bodies of one are from moving as those of the other, of the fastest, m/s or rad/s.
+Real apart(const World& one, const World& other) {
+  Real largest = 0, fastest = 0;
+  for (std::size_t i = 0; i < one.bodies.size(); ++i) {
+    const Body &a = one.bodies[i], &b = other.bodies[i];
+    largest = std::max({largest, (a.velocity - b.velocity).norm(), (a.angular_velocity - b.angular_velocity).norm()});
+    fastest = std::max({fastest, b.velocity.norm(), b.angular_velocity.norm()});
+  }
+  return largest / fastest;
+}
+
+void knock_all(World& world, Random& random) {
+  for (Body& body : world.bodies)
+    if (body.movable()) body.moving(random.direction()).spinning(random.direction());
+}
+
+void four_bars(World& world) {
+  world.add(box({Real(0.1), Real(0.5), Real(0.1)}, 1).at({0, Real(0.5), 0}));
+  world.add(box({Real(0.5), Real(0.1), Real(0.1)}, 1).at({Real(0.5), 1, 0}));
+  world.add(box({Real(0.1), Real(0.5), Real(0.1)}, 1).at({1, Real(0.5), Real(0.5)}));
+  const auto pin = [&world](int a, int b, const Vec3& at) {
+    world.joints.push_back(hinge(world, a, b, at, Vec3::UnitZ()));
+  };
+  pin(the_world, 0, {0, 0, 0});
+  pin(0, 1, {0, 1, 0});
+  pin(1, 2, {1, 1, 0});
+  pin(2, the_world, {1, 0, 0});
+}
+
+}  // namespace
+
+TEST_CASE("joints at once: fifty links and a thousand times the mass of one, after one solve") {
+  Random random(1);
+  World world;
+  loaded_chain(world, 50, 1000);
+  knock_all(world, random);
+  world.begin_step(h);
+  AtOnce solver;
+  solver.solve(world, h, 0);
+  CHECK(solver.rows_at_once().size() == solver.joint_rows().size());
+  const Real before = largest_error(solver);
+  solver.solve(world, h, 1);
+  INFO(largest_error(solver) << " of " << before);
+  CHECK(before > Real(0.5));
+  CHECK(largest_error(solver) <= (in_double ? Real(1e-10) : Real(1e-3)) * before);
+}
+
+TEST_CASE("joints at once: the speeds are those that sweeps go to") {
+  Random random(2);
+  for (int i = 0; i < 5; ++i) {
+    World one;
+    loaded_chain(one, 6, 20);
+    knock_all(one, random);
+    World other = one;
+    Swept swept;
+    AtOnce at_once;
+    one.step(at_once, h, 1);
+    other.step(swept, h, 20000);
+    CHECK(apart(one, other) < (in_double ? Real(1e-11) : Real(1e-3)));
+  }
+}
+
+TEST_CASE("joints at once: what rows that feed nothing back do to the energy is -|dV|^2 / 2, in masses, in one sweep") {
+  Random random(4);
+  for (const Real ratio : {Real(1), Real(1000)}) {
+    World world;
+    Vec3 end = Vec3::Zero();
+    for (int link = 0; link < 20; ++link) {
+      const Vec3 next = end + random.direction();
+      const Real mass = link == 19 ? ratio : random.between(1, 3);
+      world.add(sphere(Real(0.1), mass).at((end + next) / 2).moving(random.direction()));
+      world.joints.push_back(link % 2 == 0 ? ball_and_socket(world, link - 1, link, end)
+                                           : hinge(world, link - 1, link, end, random.direction()));
+      end = next;
+    }
+    AtOnce solver;
+    solver.beta = 0;
+    world.step(solver, h, 1);
+    for (int step = 0; step < 20; ++step) {
+      const std::vector<Body> before = world.bodies;
+      const Real energy = kinetic_energy(world) + potential_energy(world);
+      world.step(solver, h, 1);
+      Real loss = 0;
+      for (std::size_t k = 0; k < before.size(); ++k) {
+        const Body& body = world.bodies[k];
+        loss += (body.velocity - before[k].velocity).squaredNorm() / (2 * body.inverse_mass);
+        loss += (body.angular_velocity - before[k].angular_velocity).squaredNorm() /
+                (2 * body.principal_inverse_inertia.x());
+      }
+      const Real left = std::abs(kinetic_energy(world) + potential_energy(world) - (energy - loss));
+      INFO(ratio << ": " << left << " of " << energy);
+      REQUIRE(left < (in_double ? Real(1e-10) : Real(1e-3)) * (std::abs(energy) + loss));
+    }
+  }
+}
+
+TEST_CASE("joints at once: what is off comes back as C_0 (1 - beta)^k all along a chain, for every beta up to 1") {
+  for (const Real beta : {Real(0.2), Real(0.9), Real(1)}) {
+    World world;
+    world.gravity.setZero();
+    Vec3 at = Vec3::Zero();
+    for (int i = 0; i < 12; ++i) {
+      const Vec3 next = at - Vec3(0, 1, 0);
+      world.add(sphere(Real(0.1), i == 11 ? 1000 : 1).at(next));
+      world.joints.push_back(distance(world, i - 1, at, i, next, i % 3 == 0 ? Real(0.9) : Real(1.05)));
+      at = next;
+    }
+    auto solver = with_joint_beta<AtOnce>(beta);
+    const Real before = largest_joint_error(world);
+    for (int k = 1; k <= 100; ++k) {
+      world.step(solver, h, 1);
+      REQUIRE(largest_joint_error(world) ==
+              Approx(before * std::pow(1 - beta, k)).margin(in_double ? Real(1e-11) : Real(1e-4)));
+    }
+  }
+}
+
+TEST_CASE("joints at once: four bars say three things twice; those rows are left out, and hold") {
+  World one;
+  four_bars(one);
+  one.bodies[1].moving({2, Real(0.3), Real(0.5)}).spinning({1, 2, 3});
+  World other = one;
+  AtOnce at_once;
+  Swept swept;
+  one.step(at_once, h, 1);
+  CHECK(at_once.joint_rows().size() == 20);
+  CHECK(at_once.rows_at_once().size() == 17);
+  CHECK(largest_error(at_once) < (in_double ? Real(1e-11) : Real(1e-3)));  // of all twenty
+  other.step(swept, h, 20000);
+  CHECK(apart(one, other) < (in_double ? Real(1e-10) : Real(1e-3)));
+  Real off = 0, off_swept = 0;  // and on for five seconds, through the places where all bars are in line
+  for (int step = 0; step < 300; ++step) {
+    one.step(at_once, h, 1);
+    other.step(swept, h, 1000);
+    off = std::max(off, largest_joint_error(one));
+    off_swept = std::max(off_swept, largest_joint_error(other));
+    REQUIRE(at_once.rows_at_once().size() == 17);
+  }
+  INFO(off << " m, swept " << off_swept << " m");
+  CHECK(off < Real(1.01) * off_swept);
+  CHECK((one.bodies[1].position - other.bodies[1].position).norm() < Real(0.01));
+}
+
+TEST_CASE("joints at once: a bridge, whose planks hold each other twice over, and boxes that fall on it") {
+  World world;
+  suspension_bridge(world);
+  Solver<Clamping, Baumgarte, Slop, Friction, WarmStart, GlobalJoints> solver;
+  Real off = 0;
+  for (int step = 0; step < 300; ++step) {
+    world.step(solver, h, 10);
+    off = std::max(off, largest_joint_error(world));
+    REQUIRE(largest_error(solver) < (in_double ? Real(1e-6) : Real(1e-2)));
+    REQUIRE(solver.rows_at_once().size() <= 168 - 17);  // in each gap one row says what others have said
+  }
+  INFO("off by up to " << off << " m");
+  CHECK(off < Real(0.02));
+  CHECK(deepest_overlap(world) < Real(0.02));
+}
+
+TEST_CASE("joints at once: with contacts the two take turns, and come to what sweeps come to") {
+  World world;
+  struck_chain(world);
+  Solver<Clamping, Baumgarte, Slop, GlobalJoints> at_once;
+  for (int step = 0; world.contacts.empty() || step < 20; ++step) {
+    REQUIRE(step < 120);
+    world.step(at_once, h, 10);
+  }
+  World one = world, other = world;
+  Solver<Joints, Clamping, Baumgarte, Slop> swept;
+  one.step(at_once, h, 200);
+  other.step(swept, h, 20000);
+  CHECK(!one.contacts.empty());
+  CHECK(apart(one, other) < (in_double ? Real(1e-9) : Real(1e-3)));
+  CHECK(largest_error(at_once) < (in_double ? Real(1e-10) : Real(1e-3)));
+}
+
+TEST_CASE("joints at once: rows with limits are left to the sweeps, and springs give way as they do") {
+  for (const auto& [name, fill] :
+       {std::pair<std::string, std::function<void(World&)>>{"a stop",
+                                                            [](World& world) {
+                                                              bar_and_stop(world);
+                                                              world.joints.push_back(stop_of_bar(world));
+                                                            }},
+        {"springs", three_springs}}) {
+    World one;
+    fill(one);
+    World other = one;
+    AtOnce at_once;
+    Swept swept;
+    INFO(name);
+    Real pushed = 0;
+    for (int step = 0; step < 60; ++step) {
+      one.step(at_once, h, 300);
+      other.step(swept, h, 3000);
+      for (const Row& row : at_once.joint_rows())
+        if (std::isfinite(row.lo)) pushed = std::max(pushed, row.impulse);
+    }
+    CHECK((pushed > 0) == (name == "a stop"));
+    CHECK(apart(one, other) < (in_double ? Real(1e-7) : Real(1e-2)));
+  }
+}
+
+TEST_CASE("joints at once: a pass that relaxes solves the rows as they are by then") {
+  World world;
+  struck_chain(world);
+  RelaxingSolver<Clamping, SoftContacts, WarmStart, GlobalJoints> solver;
+  for (int step = 0; step < 60; ++step) {
+    world.step(solver, h, 4);
+    REQUIRE(largest_error(solver) < (in_double ? Real(1e-10) : Real(1e-3)));
+    for (const Row& row : solver.joint_rows()) REQUIRE(row.bias == 0);
+  }
+  CHECK(largest_joint_error(world) < Real(0.05));
+}
+
+TEST_CASE("joints at once: what a body cannot feel is not asked of it") {
+  World world;
+  world.add(sphere(Real(0.1), 1).at({1, 0, 0}));
+  world.bodies[0].principal_inverse_inertia.setZero();  // a particle: nothing turns it
+  world.bodies[0].refresh_inertia();
+  world.joints.push_back(hinge(world, the_world, 0, {1, 0, 0}, Vec3::UnitZ()));
+  AtOnce solver;
+  for (int step = 0; step < 10; ++step) world.step(solver, h, 1);
+  CHECK(solver.joint_rows().size() == 5);
+  CHECK(solver.rows_at_once().size() == 3);
+  CHECK((world.bodies[0].position - Vec3(1, 0, 0)).norm() < Real(1e-12));
+}

@@ -1,0 +1,307 @@
+/// Chapter 13: the cone of friction, the laws of contact one by one, and residuals in whatever units.
+#include <random>
+
+#include "pushback/chapters/13_global_solve/laws.h"
+#include "pushback/chapters/13_global_solve/matrix.h"
+#include "pushback/chapters/13_global_solve/methods.h"
+#include "pushback/common/world/situations.h"
+#include "tests/support/catch.h"
+
+using namespace pushback;
+
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr std::array coefficients{0.0, 1e-6, 0.1, 0.5, 1.0, 3.0, 1e6};
+
+/// Points that the projection has to tell apart, of the length 1 or so: anywhere, on the axis, and at both edges.
+std::vector<Vector3d> points(double mu, int anywhere) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-2, 2);
+  std::vector<Vector3d> all{{1, 0, 0}, {-1, 0, 0}, {0, 0, 0}, {-0.0, -0.0, 0}, {0, 1, 0}, {-0.0, 0, -1}};
+  for (int i = 0; i < anywhere; ++i) all.emplace_back(number(random), number(random), number(random));
+  for (const double angle : {0.0, 0.7, 2.0, 3.5, 5.9}) {
+    const Vector3d at_edge = Vector3d(1, mu * std::cos(angle), mu * std::sin(angle)) / std::hypot(1, mu);
+    const Vector3d of_polar = Vector3d(-mu, std::cos(angle), std::sin(angle)) / std::hypot(1, mu);
+    for (const double off : {0.0, eps, -eps, 1e-3, -1e-3}) {
+      all.push_back(at_edge + off * of_polar);
+      all.push_back(of_polar + off * at_edge);
+    }
+  }
+  return all;
+}
+
+double outside(const Vector3d& r, double mu) {  // of the cone, as the crow flies
+  return std::max({0.0, -r[0], (std::hypot(r[1], r[2]) - mu * r[0]) / std::hypot(1, mu)});
+}
+
+/// The distance from r to the nearest of many points of the cone, looked for ever closer around the best so far.
+double searched_distance(const Vector3d& r, double mu) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  Vector3d best = Vector3d::Zero();
+  for (double reach = 4; reach > 1e-6; reach *= 0.8)
+    for (int i = 0; i < 60; ++i) {
+      Vector3d tried = best + reach * Vector3d(number(random), number(random), number(random));
+      tried[0] = std::max(0.0, tried[0]);
+      const double length = std::hypot(tried[1], tried[2]), bound = mu * tried[0];
+      if (length > bound) tried.tail<2>() *= i % 3 == 0 && bound > 0 ? bound / length * 0.999 : bound / length;
+      if ((r - tried).norm() < (r - best).norm()) best = tried;
+    }
+  return (r - best).norm();
+}
+
+ContactProblem problem_with(const Eigen::MatrixXd& w, const Vector& q, double mu) {
+  return {SparseRows(w.sparseView(0, 0)), q, Vector::Constant(q.size() / 3, mu)};
+}
+
+ContactProblem sliding_stack_problem() {
+  World world;
+  stack(world, 3);
+  for (std::size_t i = 1; i < world.bodies.size(); ++i) world.bodies[i].velocity += Vec3(Real(0.4), 0, Real(0.1));
+  world.begin_step(Real(1) / 60);
+  return problem_of(world);
+}
+
+}  // namespace
+
+TEST_CASE("the projection never pulls: on the axis, behind the tip, without friction") {
+  for (const double pull : {1.0, 1e-300, 1e300, 5e-324})
+    for (const double mu : coefficients)
+      for (const double zero : {0.0, -0.0}) CHECK(projected_to_cone({-pull, zero, zero}, mu) == Vector3d::Zero());
+  CHECK(projected_to_cone({-1, 2, 3}, 0) == Vector3d::Zero());
+  CHECK(projected_to_cone({2, 3, -4}, 0) == Vector3d(2, 0, 0));
+}
+
+TEST_CASE("the projection lies in the cone, and is left where it is by a second one") {
+  for (const double mu : coefficients)
+    for (const double size : {1.0, 1e-150, 1e150, 1e-290, 1e290})
+      for (const Vector3d& point : points(mu, 300)) {
+        const Vector3d r = size * point, p = projected_to_cone(r, mu);
+        INFO(mu << ": " << r.transpose() << " to " << p.transpose());
+        CHECK(p[0] >= 0);
+        CHECK(outside(p, mu) <= 4 * eps * p.stableNorm());
+        CHECK((projected_to_cone(p, mu) - p).stableNorm() <= 4 * eps * p.stableNorm());
+        if (outside(r, mu) == 0) CHECK(p == r);
+      }
+}
+
+TEST_CASE("no point of the cone is nearer than the projection, however one searches") {
+  for (const double mu : coefficients)
+    for (const Vector3d& r : points(mu, 40)) {
+      const double distance = (r - projected_to_cone(r, mu)).norm(), searched = searched_distance(r, mu);
+      INFO(mu << ": " << r.transpose());
+      CHECK(distance <= searched + 4 * eps);
+      CHECK(searched <= distance + 2e-3);  // the search is one: it comes near
+    }
+}
+
+TEST_CASE("Moreau: what a projection takes away is the projection to the polar cone, at a right angle to it") {
+  for (const double mu : coefficients)
+    for (const Vector3d& r : points(mu, 300)) {
+      const Vector3d p = projected_to_cone(r, mu), away = r - p;
+      INFO(mu << ": " << r.transpose() << " to " << p.transpose());
+      CHECK(std::abs(away.dot(p)) <= 8 * eps * r.squaredNorm());
+      // The polar cone {away_n + mu |away_t| <= 0} is -K*; K* is a cone of friction itself, of 1 / mu.
+      CHECK(away[0] + mu * std::hypot(away[1], away[2]) <= 8 * eps * std::hypot(1, mu) * r.norm());
+      if (mu > 0) CHECK((away + projected_to_cone(-r, 1 / mu)).norm() <= 8 * eps * r.norm());
+    }
+}
+
+TEST_CASE("projections to the cone never move two points apart, and scale with them") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-2, 2);
+  for (const double mu : coefficients)
+    for (int i = 0; i < 300; ++i) {
+      const Vector3d a(number(random), number(random), number(random)),
+          b(number(random), number(random), number(random));
+      const Vector3d of_a = projected_to_cone(a, mu), of_b = projected_to_cone(b, mu);
+      CHECK((of_a - of_b).norm() <= (a - b).norm() + 8 * eps);
+      for (const int power : {-900, 900}) {
+        const double scale = std::ldexp(1, power);  // exact, so that the same bits are due
+        CHECK(projected_to_cone(scale * a, mu) == scale * of_a);
+      }
+    }
+}
+
+TEST_CASE("s is in the dual cone exactly where the normal speed is not negative") {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> number(-2, 2);
+  for (const double mu : coefficients)
+    for (int i = 0; i < 300; ++i) {
+      const Vector3d u(number(random), number(random), number(random));
+      const Vector3d s = u + mu * std::hypot(u[1], u[2]) * Vector3d::UnitX();
+      double least = 0;  // r . s over the edge of K, of which K is made
+      for (int k = 0; k < 2000; ++k)
+        least = std::min(least, s[0] + mu * (std::cos(k * M_PI / 1000) * s[1] + std::sin(k * M_PI / 1000) * s[2]));
+      if (u[0] > 0) CHECK(least > -1e-5 * (1 + mu));
+      if (u[0] < -1e-5 * (1 + mu)) CHECK(least < 0);
+    }
+}
+
+TEST_CASE("a problem that breaks one law is charged with that law alone") {
+  // Two contacts that feel each other; u is chosen, r follows, q is what makes both agree.
+  Eigen::MatrixXd w = Eigen::MatrixXd::Identity(6, 6);
+  w(0, 3) = w(3, 0) = w(1, 5) = w(5, 1) = 0.3;
+  const double mu = 0.5;
+  const auto broken = [&](const Vector3d& r, const Vector3d& u) {
+    Vector all_r(6), all_u(6);
+    all_r << r, 2, 0.1, -0.2;  // the second sticks, and breaks nothing
+    all_u << u, 0, 0, 0;
+    return broken_laws(problem_with(w, all_u - w * all_r, mu), all_r);
+  };
+  const auto list = [](const BrokenLaws& b) {
+    return std::array{b.overlap, b.pull, b.complementarity, b.cone, b.dissipation};
+  };
+  struct Case {
+    Vector3d r, u;
+    int law;  // -1: none
+  };
+  const Case cases[] = {
+      {{1, 0.1, 0.2}, {0, 0, 0}, -1},  // sticks
+      {{1, -0.5, 0}, {0, 3, 0}, -1},   // slides
+      {{0, 0, 0}, {2, 1, -1}, -1},     // parts
+      {{0, 0, 0}, {-1, 0, 0}, 0},      // goes in
+      {{1, -0.5, 0}, {-1, 3, 0}, 0},   // slides, and goes in
+      {{-1, 0, 0}, {0, 0, 0}, 1},      // is held back
+      {{-1, 0, 0}, {2, 3, 0}, 1},      // the same while it leaves
+      {{1, 0.2, 0}, {1, 0, 0}, 2},     // is pushed though it leaves
+      {{1, 0, 0.8}, {0, 0, 0}, 3},     // sticks by more friction than there is
+      {{1, 0, -0.8}, {0, 0, 2}, 3},    // slides, straight against it, with more than there is
+      {{1, -0.2, 0}, {0, 3, 0}, 4},    // slides, with less
+      {{1, 0, -0.5}, {0, 3, 0}, 4},    // slides, with friction aside
+      {{1, 0.3, -0.4}, {0, 3, 4}, 4},  // slides, with friction askew
+      {{0.5, 0.25, 0}, {0, 3, 0}, 4},  // slides, and friction drives it
+  };
+  for (const Case& c : cases) {
+    const auto by = list(broken(c.r, c.u));
+    INFO(c.r.transpose() << " with " << c.u.transpose());
+    for (int law = 0; law < 5; ++law) {
+      if (law == c.law) CHECK(by[static_cast<std::size_t>(law)] > 0.01);
+      else CHECK(by[static_cast<std::size_t>(law)] < 1e-15);
+    }
+  }
+}
+
+TEST_CASE("by how much a law is broken, in closed form") {
+  const Eigen::Matrix3d w = Vector3d(2, 4, 6).asDiagonal();  // d = 4 /kg
+  const double length = std::sqrt(3.0 * 3 + 4 * 4);
+  const ContactProblem problem = problem_with(w, Vector3d(-3, 4, 0), 0.5);
+  CHECK(broken_laws(problem, Vector3d::Zero()).overlap == Approx(3 / length));
+  CHECK(broken_laws(problem, Vector3d(-1, 0, 0)).pull == Approx(1 * 4 / length));
+  const BrokenLaws pushed = broken_laws(problem, Vector3d(2, -1, 0));  // u = (1, 0, 0)
+  CHECK(pushed.complementarity == Approx(2 * 1 * 4 / (length * length)));
+  CHECK(pushed.dissipation == 0);
+  CHECK(broken_laws(problem, Vector3d(1.5, -1, 0)).cone == Approx((1 - 0.75) * 4 / length));
+  // u_t = 4 - 4 * 0.5 = 2 with half of the friction: mu r_n u_t - |u_t| 0.5 = 1.5 - 1
+  CHECK(broken_laws(problem, Vector3d(1.5, -0.5, 0)).dissipation == Approx(0.5 * 4 / (length * length)));
+}
+
+TEST_CASE("no law is broken exactly where the residual is nothing") {
+  const ContactProblem problem = sliding_stack_problem();
+  for (const std::string& method : method_names()) {
+    const Vector r = solve(problem, method, 3000, 1e-14).r;
+    const BrokenLaws b = broken_laws(problem, r);
+    const double together = b.overlap + b.pull + b.complementarity + b.cone + b.dissipation;
+    const double residual = unitless_residual(problem, r);
+    INFO(method << ": laws " << together << ", residual " << residual);
+    CHECK((residual < 1e-9) == (together < 1e-9));
+    if (method == "pgs") CHECK(b.cone + b.dissipation > 1e-3);
+    if (method == "scaled-back") CHECK(b.cone < 1e-12);  // drawn back it is; the wrong way is what remains
+    if (method == "best") CHECK(together < 1e-12);
+  }
+}
+
+TEST_CASE("the unitless residual is the same in all units; the other is not") {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const ContactProblem problem = sliding_stack_problem();
+  Vector r = solve(problem, "cone", 3, 0).r;
+  for (double& each : r) each += number(random);  // inside, outside, pulling
+  const double unitless = unitless_residual(problem, r), relative = relative_residual(problem, r);
+  const BrokenLaws laws = broken_laws(problem, r);
+  REQUIRE(unitless > 1e-2);
+  for (const double mass : {1.0, 1e3, 0.45359237})
+    for (const double length : {1.0, 1e3, 0.3048})
+      for (const double time : {1.0, 1e3, 1 / 3600.0}) {  // how many of the new unit go into the old one
+        ContactProblem other = problem;
+        other.w = problem.w / mass;
+        other.q = problem.q * (length / time);
+        const Vector other_r = r * (mass * length / time);
+        CHECK(unitless_residual(other, other_r) == Approx(unitless).epsilon(1e-13));
+        const BrokenLaws same = broken_laws(other, other_r);
+        CHECK(same.overlap == Approx(laws.overlap).epsilon(1e-12));
+        CHECK(same.pull == Approx(laws.pull).epsilon(1e-13));
+        CHECK(same.complementarity == Approx(laws.complementarity).epsilon(1e-12));
+        CHECK(same.cone == Approx(laws.cone).epsilon(1e-13));
+        CHECK(same.dissipation == Approx(laws.dissipation).epsilon(1e-12));
+        if (mass != 1) CHECK(std::abs(relative_residual(other, other_r) / relative - 1) > 0.01);
+      }
+}
+
+TEST_CASE("the unitless residual does not see how tangents are chosen, and is that of the scaled problem") {
+  const ContactProblem problem = sliding_stack_problem();
+  const Vector r = solve(problem, "cone", 3, 0).r;
+  const double unitless = unitless_residual(problem, r);
+  const Index size = problem.q.size();
+  Eigen::MatrixXd turn = Eigen::MatrixXd::Identity(size, size);
+  for (Index c = 0; c < problem.contacts(); ++c) {
+    const double angle = 0.3 + static_cast<double>(c);
+    turn.block<2, 2>(3 * c + 1, 3 * c + 1) << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  }
+  const ContactProblem turned{SparseRows((turn * problem.w * turn.transpose()).sparseView(0, 0)), turn * problem.q,
+                              problem.mu};
+  CHECK(unitless_residual(turned, turn * r) == Approx(unitless).epsilon(1e-12));
+  Vector scale(size);
+  for (Index c = 0; c < problem.contacts(); ++c) scale.segment<3>(3 * c).setConstant(unit_scales(problem)[c]);
+  const Vector inverse = scale.cwiseInverse();
+  const ContactProblem scaled{SparseRows(inverse.asDiagonal() * problem.w * inverse.asDiagonal()),
+                              inverse.cwiseProduct(problem.q), problem.mu};
+  CHECK(relative_residual(scaled, scale.cwiseProduct(r)) == Approx(unitless).epsilon(1e-12));
+  CHECK((unit_scales(scaled) - Vector::Ones(problem.contacts())).norm() < 1e-12);
+}
+
+TEST_CASE("a contact that no impulse moves has a unit all the same") {
+  Eigen::MatrixXd w = Eigen::MatrixXd::Zero(6, 6);
+  w.topLeftCorner<3, 3>().diagonal() << 2, 4, 6;
+  Vector q(6);
+  q << -1, 0, 0, -1, 0, 0;
+  const ContactProblem problem = problem_with(w, q, 0.5);
+  CHECK(unit_scales(problem)[1] == 2);
+  CHECK(std::isfinite(unitless_residual(problem, Vector::Zero(6))));
+  CHECK(unit_scales(problem_with(0 * w, q, 0.5)) == Vector::Ones(2));
+}
+
+TEST_CASE("where W is positive definite a solution is there for any q and any friction, and best finds it") {
+  std::mt19937 random(8);
+  std::normal_distribution<double> number;
+  int missed = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Index contacts = 1 + trial % 4, size = 3 * contacts;
+    Eigen::MatrixXd g(size, size);
+    for (double& each : g.reshaped()) each = number(random);
+    Vector q(size);
+    for (double& each : q) each = number(random);
+    const double mu = std::array{0.0, 0.3, 1.0, 5.0}[static_cast<std::size_t>(trial / 4 % 4)];
+    const Eigen::MatrixXd w = g * g.transpose() + 0.05 * Eigen::MatrixXd::Identity(size, size);
+    if (!(solve_best(problem_with(w, q, mu)).residual < 1e-12)) ++missed;
+  }
+  CHECK(missed == 0);
+}
+
+TEST_CASE("a body squeezed by two that do not give way: W is singular, and for this q there is no solution") {
+  // One body of 1 kg between two contacts that push it along x and against x: u_1 + u_2 is what q makes it.
+  Eigen::MatrixXd w = Eigen::MatrixXd::Zero(6, 6);
+  for (const Index tangent : {0, 1, 2})
+    for (const Index a : {0, 3})
+      for (const Index b : {0, 3}) w(tangent + a, tangent + b) = tangent == 0 && a != b ? -1 : 1;
+  Vector q = Vector::Zero(6);
+  q[0] = q[3] = -1;  // both come closer
+  const double driven = solve_best(problem_with(w, q, 0.5), {.rounds = 2}).residual;
+  CHECK(driven > 0.5);
+  q[0] = 1;  // q = H v now: one comes, one goes, no impulse is needed but on one side
+  CHECK(solve_best(problem_with(w, q, 0.5)).residual < 1e-12);
+}

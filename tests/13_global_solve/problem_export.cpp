@@ -1,0 +1,165 @@
+/// ./course export and ./course solve: a step of a scene as a file, and what is said where that cannot be.
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "pushback/chapters/13_global_solve/matrix.h"
+#include "pushback/chapters/13_global_solve/methods.h"
+#include "pushback/chapters/13_global_solve/problem_file.h"
+#include "pushback/common/world/situations.h"
+#include "tests/support/call.h"
+#include "tests/support/catch.h"
+
+using namespace pushback;
+
+namespace {
+
+std::string in_quotes(const fs::path& file) {
+  return fmt::format("'{}'", file.string());
+}
+
+}  // namespace
+
+TEST_CASE("the first step of a scene comes out as it stands there") {
+  const Scratch scratch;
+  const fs::path file = scratch / "boxes.dat";
+  const Ended ended = call_program(EXPORT_PROGRAM, "07-ten-boxes " + in_quotes(file));
+  INFO(ended.err);
+  REQUIRE(ended.status == 0);
+  CHECK(contains(ended.out, "40 contacts of 07-ten-boxes after 0 steps"));
+  World world;
+  stack(world, 10);
+  world.begin_step(Real(1) / 60);
+  CHECK(text_of(file) == problem_text(problem_of(world)));
+}
+
+TEST_CASE("steps that go before it change it; what comes out is solved, and in the same bits again") {
+  const Scratch scratch;
+  std::string before;
+  for (const std::string& scene :
+       std::vector<std::string>{"06-slope", "07-ten-boxes", "09-bridge", "12-heavy", "13-gate"}) {
+    const fs::path file = scratch / "one.dat", other = scratch / "other.dat";
+    INFO(scene);
+    const Ended ended = call_program(EXPORT_PROGRAM, scene + " --step 60 " + in_quotes(file));
+    REQUIRE(ended.status == 0);
+    REQUIRE(call_program(EXPORT_PROGRAM, scene + " --step 60 " + in_quotes(other)).status == 0);
+    CHECK(text_of(file) == text_of(other));
+    REQUIRE(call_program(EXPORT_PROGRAM, scene + " --step 59 " + in_quotes(other)).status == 0);
+    CHECK(text_of(file) != text_of(other));
+    CHECK(contains(ended.out, "joints are not in it") == (scene == "09-bridge"));
+    const Solution found = solve_best(read_problem_file(file));
+    INFO(found.residual);
+    CHECK(found.residual < 1e-10);
+  }
+}
+
+TEST_CASE("what cannot be written is refused, and nothing is left behind") {
+  const Scratch scratch;
+  const auto refused = [&](const std::string& arguments, const std::string& said) {
+    const Ended ended = call_program(EXPORT_PROGRAM, arguments);
+    INFO(arguments << ": " << ended.out << ended.err);
+    CHECK(ended.status == 2);
+    CHECK(contains(ended.err, said));
+  };
+  const std::string file = in_quotes(scratch / "a.dat");
+  refused("", "scene is required");
+  refused("07-pyramid", "file is required");
+  refused("07-pyramd " + file, "scene is '07-pyramd': one of these is needed: 00-one-hit, ");
+  refused(file + " 07-pyramid", "scene is '");
+  refused("07-pyramid --step -1 " + file, "--step: Value -1 not in range");
+  refused("07-pyramid --step 1.5 " + file, "--step");
+  refused("07-pyramid --step many " + file, "--step");
+  refused("09-beads --step 3 " + file, "09-beads has no contacts after 3 steps");
+  refused("07-pyramid " + in_quotes(scratch / "no" / "a.dat"), "cannot be written");
+  CHECK(!fs::exists(scratch / "a.dat"));
+  const Ended help = call_program(EXPORT_PROGRAM, "--help");
+  CHECK(help.status == 0);
+  CHECK(contains(help.out, "--step"));
+  CHECK(contains(help.out, "15-ice"));
+}
+
+TEST_CASE("solve says how well it did, and what it cannot do") {
+  const Scratch scratch;
+  const std::string file = in_quotes(scratch / "a.dat");
+  REQUIRE(call_program(EXPORT_PROGRAM, "07-ten-boxes " + file).status == 0);
+  const Ended solved = call_program(SOLVE_PROGRAM, file + " --method cone --sweeps 7");
+  CHECK(solved.status == 0);
+  CHECK(contains(solved.out, "40 contacts"));
+  CHECK(contains(solved.out, "cone: 7 sweeps, 0 linear systems"));
+  CHECK(contains(solved.out, "\nresidual "));
+  const Ended table = call_program(SOLVE_PROGRAM, "--table " + file);
+  CHECK(table.status == 0);
+  const auto lines = lines_of(table.out);
+  REQUIRE(lines.size() == 3);
+  for (const std::string& line : lines) CHECK(std::count(line.begin(), line.end(), '|') == 8);
+  for (const std::string& wrong :
+       std::vector<std::string>{file + " --method guess", file + " --sweeps -1", file + " --tolerance -1",
+                                std::string("/no/such.dat"), file + " /no/such.dat", std::string()})
+    CHECK(call_program(SOLVE_PROGRAM, wrong).status == 2);
+  const Ended help = call_program(SOLVE_PROGRAM, "--help");
+  CHECK(help.status == 0);
+  for (const char* option : {"--method", "--sweeps", "--tolerance", "--table", "--laws", "--write"})
+    CHECK(contains(help.out, option));
+}
+
+TEST_CASE("solve writes r and u, so that another program can check them") {
+  const Scratch scratch;
+  const fs::path problem_file = scratch / "a.dat", solution_file = scratch / "a.txt";
+  REQUIRE(call_program(EXPORT_PROGRAM, "07-ten-boxes " + in_quotes(problem_file)).status == 0);
+  const std::string file = in_quotes(problem_file), write = " --write " + in_quotes(solution_file);
+  for (const std::string& method : method_names()) {
+    INFO(method);
+    REQUIRE(call_program(SOLVE_PROGRAM, file + " --sweeps 30 --method " + method + write).status == 0);
+    const ContactProblem problem = read_problem_file(problem_file);
+    std::ifstream in(solution_file);
+    Eigen::Index contacts = 0;
+    in >> contacts;
+    REQUIRE(contacts == problem.contacts());
+    Vector r(3 * contacts), u(3 * contacts);
+    for (Eigen::Index i = 0; i < 3 * contacts; i += 3)
+      in >> r[i] >> r[i + 1] >> r[i + 2] >> u[i] >> u[i + 1] >> u[i + 2];
+    REQUIRE(in);
+    std::string more;
+    CHECK(!(in >> more));
+    const Solution known = solve(problem, method, 30, 1e-13);
+    CHECK(r == known.r);
+    CHECK(u == problem.speeds(r));
+    CHECK(relative_residual(problem, r) == known.residual);
+  }
+}
+
+TEST_CASE("what solve cannot write is refused before anything is solved, and nothing is left behind") {
+  const Scratch scratch;
+  REQUIRE(call_program(EXPORT_PROGRAM, "07-ten-boxes " + in_quotes(scratch / "a.dat")).status == 0);
+  const std::string file = in_quotes(scratch / "a.dat"), before = text_of(scratch / "a.dat");
+  const auto refused = [&](const std::string& arguments, const std::string& said) {
+    const Ended ended = call_program(SOLVE_PROGRAM, arguments);
+    INFO(arguments << ": " << ended.err);
+    CHECK(ended.status == 2);
+    CHECK(ended.out.empty());
+    CHECK(contains(ended.err, said));
+  };
+  const std::string write = " --write " + in_quotes(scratch / "r.txt");
+  refused(file + " " + file + write, "--write with 2 problems");
+  refused(file + " --table" + write, "--write with a table");
+  refused(file + " --laws" + write, "--write with a table");
+  refused(file + " --laws --table", "--laws");
+  refused(file + " --write " + file, "the problem itself");
+  refused(file + " --write " + in_quotes(scratch / "no" / "r.txt"), "a folder that is there");
+  refused(file + " --write " + in_quotes(scratch / "."), "the name of a file");
+  std::ofstream(scratch / "bad.dat") << "3 1 oops";
+  refused(in_quotes(scratch / "bad.dat") + write, "bad.dat");
+  CHECK(text_of(scratch / "a.dat") == before);
+  for (const auto& entry : fs::directory_iterator(scratch / "."))
+    CHECK((entry.path().filename() == "a.dat" || entry.path().filename() == "bad.dat"));
+}
+
+TEST_CASE("the table of laws has a row for each method") {
+  const Scratch scratch;
+  REQUIRE(call_program(EXPORT_PROGRAM, "07-ten-boxes " + in_quotes(scratch / "a.dat")).status == 0);
+  const Ended table = call_program(SOLVE_PROGRAM, "--laws --sweeps 20 " + in_quotes(scratch / "a.dat"));
+  CHECK(table.status == 0);
+  const auto lines = lines_of(table.out);
+  REQUIRE(lines.size() == 2 + method_names().size());
+  for (const std::string& line : lines) CHECK(std::count(line.begin(), line.end(), '|') == 9);
+}

@@ -1,0 +1,697 @@
+/// Chapter 14: what is worth choosing of what was measured, the rounds in which it is measured, and what is said of it. What is
+/// measured here was made up, or printed by programs that are scripts; no test looks at a clock.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <random>
+
+#include "pushback/chapters/14_accuracy_and_time/study/limits.h"
+#include "pushback/chapters/14_accuracy_and_time/study/machine.h"
+#include "pushback/chapters/14_accuracy_and_time/study/report.h"
+#include "pushback/common/basics/input.h"
+#include "tests/support/call.h"
+#include "tests/support/catch.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Measured point(double seconds, double error) {
+  return {.engine = "motion", .method = "slim", .sweeps = 1, .error = error, .seconds = {seconds}};
+}
+/// Times and errors of few values, so that many are alike; some lost.
+Measurements some(std::mt19937& random) {
+  Measurements found;
+  for (std::size_t count = 1 + random() % 30; found.size() < count;)
+    found.push_back(
+        point(1 + static_cast<double>(random() % 8), random() % 6 == 0 ? infinite : static_cast<double>(random() % 8)));
+  return found;
+}
+bool no_worse(const Measured& one, const Measured& other) {
+  return one.median() <= other.median() && one.error <= other.error;
+}
+
+/// Of one engine, in float or not.
+Measured of(const std::string& engine, const std::string& method, int small_steps, int sweeps, double error,
+            double seconds) {
+  return {.engine = engine,
+          .method = method,
+          .small_steps = small_steps,
+          .sweeps = sweeps,
+          .error = error,
+          .row_solves = 600,
+          .seconds = {seconds}};
+}
+
+}  // namespace
+
+// ---- front -----------------------------------------------------------------------------------------------------------
+
+TEST_CASE("the front is sorted, nobody on it is worse than another, and all else is") {
+  std::mt19937 random(14);
+  for (int trial = 0; trial < 500; ++trial) {
+    const Measurements all = some(random), found = front(all);
+    for (std::size_t i = 1; i < found.size(); ++i) {
+      CHECK(found[i - 1].median() < found[i].median());
+      CHECK(found[i - 1].error > found[i].error);
+    }
+    for (const Measured& one : all) {
+      if (!std::isfinite(one.error)) continue;
+      CHECK(std::any_of(found.begin(), found.end(), [&](const Measured& other) { return no_worse(other, one); }));
+    }
+    for (const Measured& one : found) {
+      CHECK(std::isfinite(one.error));
+      for (const Measured& other : all) CHECK((!no_worse(other, one) || no_worse(one, other)));
+    }
+    Measurements turned(all.rbegin(), all.rend());
+    const Measurements again = front(turned);
+    REQUIRE(again.size() == found.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+      CHECK((no_worse(again[i], found[i]) && no_worse(found[i], again[i])));
+  }
+  CHECK(front({}).empty());
+  CHECK(front({point(1, infinite)}).empty());
+}
+
+TEST_CASE("the cheapest is the fastest of those that are near enough, and what is near the front is so by its factor") {
+  std::mt19937 random(15);
+  for (int trial = 0; trial < 500; ++trial) {
+    const Measurements all = some(random);
+    for (double error = -0.5; error < 9; ++error) {
+      double least = infinite;
+      for (const Measured& one : all)
+        if (one.error <= error) least = std::min(least, one.median());
+      const auto found = cheapest(all, error);
+      REQUIRE(found.has_value() == std::isfinite(least));
+      if (found) CHECK((found->median() == least && found->error <= error));
+    }
+    for (const Measured& one : all) {
+      for (const double slack : {1.0, 2.0, 3.5}) {
+        bool near = std::isfinite(one.error);
+        for (const Measured& other : all)
+          near = near && !(other.error <= one.error && slack * other.median() < one.median());
+        CHECK(is_near_front(one, all, slack) == near);
+      }
+    }
+  }
+  CHECK(!cheapest({}, 1));
+}
+
+TEST_CASE(
+    "how many times slower: 1 as we are, 2 where all of ours take twice as long, infinite where we never get there") {
+  std::mt19937 random(16);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Measurements all = some(random);
+    Measurements slow = all, vague = all;
+    for (Measured& one : slow) one.seconds[0] *= 2;
+    for (Measured& one : vague) one.error += 0.5;
+    if (front(all).empty()) {
+      CHECK(times_slower(all, all, 0, 100) == 0);
+      continue;
+    }
+    CHECK(times_slower(all, all, 0, 100) == 1);
+    CHECK(times_slower(slow, all, 0, 100) == 2);
+    CHECK(times_slower(all, slow, 0, 100) == 0.5);
+    CHECK(times_slower(vague, all, 0, 100) == infinite);
+    CHECK(times_slower({}, all, 0, 100) == infinite);
+    CHECK(times_slower(all, {}, 0, 100) == 0);
+  }
+  const Measurements ours{point(3, 5), point(8, 1)}, theirs{point(1, 5), point(4, 1)};
+  CHECK(times_slower(ours, theirs, 0, 10) == 3);
+  CHECK(times_slower(ours, theirs, 0, 4) == 2);  // the first is out of what is asked for
+  CHECK(times_slower(ours, theirs, 2, 10) == 3);
+  CHECK(times_slower(ours, theirs, 6, 10) == 0);
+  CHECK(times_slower(ours, theirs, 1, 5) == 3);  // ends belong to it
+}
+
+TEST_CASE("the slope of a power is its exponent") {
+  for (const double power : {-2.0, 0.0, 0.5, 3.0}) {
+    std::vector<double> x, y;
+    for (const double one : {1.0, 2.0, 7.0, 64.0}) {
+      x.push_back(one);
+      y.push_back(3 * std::pow(one, power));
+    }
+    CHECK(slope(x, y) == Approx(power).margin(1e-12));
+  }
+  CHECK(slope({1, 2, 4}, {1, 4, 4}) == Approx(1));  // by least squares: (0, 0), (1, 2), (2, 2)
+}
+
+TEST_CASE("median, quartiles and setting of a measurement") {
+  Measured one{.engine = "motion", .method = "slim", .small_steps = 8, .sweeps = 4, .seconds = {1, 2, 3, 4, 50}};
+  CHECK(one.median() == 3);
+  CHECK(one.quartile(1) == 2);
+  CHECK(one.quartile(3) == 4);
+  CHECK(one.setting() == "slim/8/4");
+  one.sweeps = 0;
+  CHECK(one.setting() == "slim/8");
+  one.seconds = {1, 2, 4, 8};  // between two of them by proportion: no timing is median and quartile at once
+  CHECK((one.quartile(1) == 1.75 && one.median() == 3 && one.quartile(3) == 5));
+  one.seconds = {7};
+  CHECK((one.median() == 7 && one.quartile(1) == 7 && one.quartile(3) == 7));
+}
+
+// ---- limits ----------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// a + b h^p at h = 1, 1/2 ... , each times 1 - noise ... 1 + noise.
+std::vector<double> errors(double a, double b, double p, int settings, double noise = 0, unsigned seed = 0) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> factor(1 - noise, 1 + noise);
+  std::vector<double> found;
+  for (int i = 0; i < settings; ++i) found.push_back((a + b * std::pow(2, -p * i)) * factor(random));
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("what remains as h goes to 0 is found, and of which order the rest is") {
+  for (const double p : {0.5, 1.0, 1.5, 2.0, 3.0}) {
+    for (const double b : {-0.5, 0.02, 1.0, 10.0}) {
+      INFO("p " << p << " b " << b);
+      const Limit limit = limit_of(errors(1, b, p, 10));
+      CHECK(limit.kind == Limit::Kind::reached);
+      CHECK(limit.least == Approx(1).epsilon(1e-6));
+      CHECK(limit.most == limit.least);
+      CHECK(limit.order == Approx(p).epsilon(1e-6));
+    }
+  }
+}
+
+TEST_CASE("what falls to 0 has no limit but a bound, which is no less than what remains") {
+  for (const double p : {0.5, 1.0, 2.0}) {
+    for (const double a : {0.0, 1e-5}) {  // of which nothing can be seen yet
+      const auto fall = errors(a, 3, p, 8);
+      const Limit limit = limit_of(fall);
+      CHECK(limit.kind == Limit::Kind::falling);
+      CHECK((limit.least == 0 && limit.most == fall.back()));
+      CHECK(limit.order == Approx(p).margin(0.05));
+    }
+  }
+  CHECK(limit_of({4, 2, 0}).most == 0);
+  // Of second order too, where an extrapolation of first order would stop short of it.
+  std::vector<double> both;
+  for (double h = 1; h > 1e-3; h /= 2) both.push_back(h + 10 * h * h);
+  CHECK(limit_of(both).kind == Limit::Kind::falling);
+}
+
+TEST_CASE("noise is not taken for a limit, nor a limit for noise") {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    INFO(seed);
+    const Limit level = limit_of(errors(1, 0.5, 1, 10, 0.05, seed));
+    CHECK(level.kind == Limit::Kind::reached);
+    CHECK(level.least == Approx(1).epsilon(0.15));
+    const auto rough = errors(0, 1, 1, 10, 0.3, seed);
+    const Limit fall = limit_of(rough);
+    CHECK(fall.kind != Limit::Kind::reached);
+    CHECK(fall.most <= *std::max_element(rough.end() - 3, rough.end()));
+  }
+}
+
+TEST_CASE("few settings, lost ones, errors that rise") {
+  CHECK(limit_of({}).kind == Limit::Kind::unknown);
+  CHECK(limit_of({1, 1}).kind == Limit::Kind::unknown);
+  CHECK(limit_of({1, 1, infinite}).kind == Limit::Kind::unknown);
+  CHECK(limit_of({1, infinite, 1, 1}).kind == Limit::Kind::unknown);
+  CHECK(limit_of({infinite, 1, 1, 1}).kind == Limit::Kind::reached);
+  CHECK(limit_of({5, 2, 1.9, 2.1}).least == 2);  // level: the median
+  const Limit rising = limit_of({1, 2, 4, 8});
+  CHECK(rising.kind == Limit::Kind::scattered);
+  CHECK((rising.least == 2 && rising.most == 8 && rising.order == 0));
+  CHECK(limit_of({1, 2, 3, 3.5, 3.75}).kind != Limit::Kind::falling);
+  // To and fro as it falls, as a ball's error does that is hit early or late in a step.
+  const Limit fall = limit_of({64, 20, 30, 8, 3, 4});
+  CHECK(fall.kind == Limit::Kind::falling);
+  CHECK(fall.most == 8);
+  CHECK(limit_of({64, 20, 30, 40, 8, 50}).kind == Limit::Kind::scattered);
+  CHECK(limit_of({10, 9, 8, 7, 12, 6}).kind == Limit::Kind::scattered);  // lower, yet not by half
+}
+
+TEST_CASE("a limit is said with two digits, and no more than can be known") {
+  CHECK(limit_of({}).text() == "–");
+  CHECK(limit_of(errors(0.3282, 0.02, 1, 6)).text() == "328 mm, order 1.0");
+  CHECK(limit_of(errors(0, 0.0032, 1, 6)).text() == "< 0.10 mm, order 1.0");
+  CHECK(limit_of(errors(0, 0.0032, 1, 6)).remains() == "< 0.10 mm");
+  CHECK(limit_of({1e-2, 1e-3, 4e-3}).text() == "1.0 to 10 mm");
+  CHECK(limit_of({1e-12, 1e-13, 4e-13}).text() == "< 0.0001 mm");
+  CHECK(limit_of({1e-2, 0, 4e-3}).text() == "0.00010 to 10 mm");
+}
+
+TEST_CASE("limits are taken of the most sweeps that five step sizes were tried with, and gaps end them") {
+  Measurements all;
+  for (int i = 0; i < 6; ++i) {
+    all.push_back(of("motion", "slim", 1 << i, 1, 7, 1));
+    if (i < 5) all.push_back(of("motion", "slim", 1 << i, 4, 1 + std::pow(2, -i), 1));
+    if (i < 4) all.push_back(of("motion", "slim", 1 << i, 16, 9, 1));
+    all.push_back(of("motion", "other", 1 << i, 16, 3, 1));
+    all.push_back(of("motion_ode", "slim", 1 << i, 64, 5, 1));
+  }
+  CHECK(limit_of(all, "motion", "slim").least == Approx(1));
+  CHECK(limit_of(all, "motion", "slim", 16).least == 9);
+  CHECK(limit_of(all, "motion_ode", "slim").least == 5);
+  CHECK(limit_of(all, "motion", "none").kind == Limit::Kind::unknown);
+  CHECK(limit_of({}, "motion", "slim", 4).kind == Limit::Kind::unknown);
+  CHECK((least_limit(all, "motion").first == "slim" && least_limit(all, "motion").second.least == Approx(1)));
+  CHECK(least_limit(all, "motion_bullet").first.empty());
+  const Measurements gap{of("motion", "a", 1, 1, 1, 1), of("motion", "a", 2, 1, 1, 1), of("motion", "a", 8, 1, 1, 1),
+                         of("motion", "a", 16, 1, 1, 1)};
+  CHECK(limit_of(gap, "motion", "a").kind == Limit::Kind::unknown);
+  std::mt19937 random(17);
+  Measurements mixed = all;
+  std::shuffle(mixed.begin(), mixed.end(), random);
+  CHECK(limit_of(mixed, "motion", "slim").text() == limit_of(all, "motion", "slim").text());
+}
+
+// ---- rounds ----------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Programs that are scripts: they write down how they are called, and print what `answers` (lines of a shell's case) say.
+class StandIns {
+ public:
+  void add(const std::string& name, const std::string& methods, const std::string& answers) {
+    const fs::path file = scratch_ / name;
+    std::ofstream(file) << "#!/bin/sh\necho \"" << name << " $*\" >>'" << log().string() << "'\nshift\n"
+                        << "if [ $# = 0 ]; then printf '" << methods << "'; exit 0; fi\n"
+                        << "for s in \"$@\"; do case $s in --*) break;; " << answers << " esac; done\nexit 0\n";
+    fs::permissions(file, fs::perms::owner_all);
+    engines_.push_back({name, "called " + name});
+  }
+  RoundOptions options(int rounds) const { return {.engines = engines_, .programs = scratch_ / ".", .rounds = rounds}; }
+  fs::path log() const { return scratch_ / "log"; }
+  std::vector<std::string> calls() const { return lines_of(text_of(log())); }
+
+ private:
+  Scratch scratch_;
+  std::vector<Engine> engines_;
+};
+
+const std::string good = "*) echo \"$s error 1e-3 seconds 2e-2 row-solves 5\";;";
+
+Motion tried(int most_small_steps, int most_sweeps, int most_passes) {
+  Motion motion = motion_named("bounce");
+  motion.most_small_steps = most_small_steps;
+  motion.most_sweeps = most_sweeps;
+  motion.most_passes = most_passes;
+  return motion;
+}
+std::string failure(const Motion& motion, const RoundOptions& options) {
+  try {
+    measure(motion, options);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the grid is all powers that the motion wants to have tried, and no others; each once where no round follows") {
+  StandIns programs;
+  programs.add("motion", "one/SMALL-STEPS/SWEEPS: first\\ntwo/SMALL-STEPS: second\\n", good);
+  for (const bool quick : {false, true}) {
+    for (const auto& [steps, sweeps, passes] : {std::array{16, 64, 64}, {256, 4, 128}, {1, 1, 1}, {5, 5, 10}}) {
+      RoundOptions options = programs.options(0);
+      options.quick = quick;
+      const Measurements all = measure(tried(steps, sweeps, passes), options);
+      std::vector<std::string> wanted, found;
+      const int most_passes = quick ? std::max(1, passes / 8) : passes,
+                most_steps = quick ? std::min(64, steps) : steps;
+      for (int n = 1; n <= most_steps; n *= quick ? 4 : 2)
+        for (int m = 1; m <= sweeps; m *= 4)
+          if (n * m <= most_passes) wanted.push_back(fmt::format("one/{}/{}", n, m));
+      for (int n = 1; n <= most_steps && n <= most_passes; n *= quick ? 4 : 2)
+        wanted.push_back(fmt::format("two/{}", n));
+      for (const Measured& one : all) {
+        found.push_back(one.setting());
+        CHECK(one.engine == "motion");
+        CHECK(one.error == 1e-3);
+        CHECK(one.seconds == std::vector<double>{2e-2});
+        CHECK(one.row_solves == 5);
+        CHECK(!one.late);
+      }
+      CHECK(found == wanted);
+    }
+  }
+}
+
+TEST_CASE(
+    "in float only what is near the front is played; rounds repeat what is near one, one whole round after the other") {
+  StandIns programs;
+  // fast and bad, slow and good, slow and bad, as slow as can be near, lost
+  const std::string answers =
+      "a/1/1) echo \"$s error 1 seconds 1 row-solves 5\";; b/1/1) echo \"$s error 0.1 seconds 10 row-solves 5\";; "
+      "c/1/1) echo \"$s error 1 seconds 9 row-solves 5\";; d/1/1) echo \"$s error 0.1 seconds 12.5 row-solves 5\";; "
+      "e/1/1) echo \"$s error lost seconds 0.1 row-solves 5\";; f/1/1) echo \"$s error late seconds 0.1 row-solves "
+      "5\";;";
+  std::string methods;
+  for (const char c : std::string("abcdef")) methods += fmt::format("{}/SMALL-STEPS/SWEEPS: method\\n", c);
+  programs.add("motion", methods, answers);
+  programs.add("motion_float", "",
+               "b/1/1) echo \"$s error 5 seconds 20 row-solves 5\";; *) echo \"$s error 1 seconds 2 row-solves 5\";;");
+  programs.add("motion_ode", "o/SMALL-STEPS: method\\n", good);
+  const Measurements all = measure(tried(1, 1, 1), programs.options(2));
+  const std::string round =
+      "motion bounce a/1/1 b/1/1 d/1/1 --at-most 5|motion_float bounce a/1/1 d/1/1 --at-most 5|"
+      "motion_ode bounce o/1 --at-most 5|";
+  std::string calls;
+  for (const std::string& call : programs.calls()) calls += call + "|";
+  CHECK(calls ==
+        "motion bounce|motion bounce a/1/1 b/1/1 c/1/1 d/1/1 e/1/1 f/1/1 --at-most 5|"
+        "motion_float bounce a/1/1 b/1/1 d/1/1 --at-most 5|motion_ode bounce|motion_ode bounce o/1 --at-most 5|" +
+            round + round);
+  REQUIRE(all.size() == 10);
+  for (const Measured& one : all) {
+    INFO(one.engine << " " << one.setting());
+    const bool ours = one.engine == "motion",
+               near = ours ? std::string("abd").find(one.method) != std::string::npos : one.error != 5;
+    CHECK(one.seconds.size() == (near ? 3 : 1));
+    CHECK(std::isfinite(one.error) == !(ours && (one.method == "e" || one.method == "f")));
+    CHECK(one.late == (one.method == "f"));
+  }
+  const auto lines = lines_of(csv_of({{"bounce", all}, {"aaa", {all[0]}}}));
+  REQUIRE(lines.size() == 12);
+  for (const std::string& line : lines) CHECK(fields_of(line).size() == fields_of(lines[0]).size());
+  CHECK(lines[1] ==
+        "aaa,motion,a,1,1,1.0000e+00,5.0000e+00,1.0000e+00,1.0000e+00,1.0000e+00,1.0000e+00 1.0000e+00 1.0000e+00");
+  CHECK(contains(lines[6], "bounce,motion,e,1,1,lost,"));
+  CHECK(contains(lines[7], "bounce,motion,f,1,1,late,"));
+  CHECK(contains(lines[11], "bounce,motion_ode,o,1,0,1.0000e-03,"));
+}
+
+TEST_CASE("times of all rounds are kept, ascending") {
+  StandIns programs;
+  programs.add(
+      "motion", "a/SMALL-STEPS/SWEEPS: method\\n",
+      "*) echo \"$s error 1 seconds $((9 - $(grep -c -e at-most '" + programs.log().string() + "'))) row-solves 5\";;");
+  const Measurements all = measure(tried(1, 1, 1), programs.options(3));
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].seconds == std::vector<double>{5, 6, 7, 8});
+}
+
+TEST_CASE("what is read back from the csv is what was written: every time, and row solves where there are any") {
+  StandIns programs;
+  programs.add(
+      "motion", "a/SMALL-STEPS/SWEEPS: method\\nb/SMALL-STEPS: method\\n",
+      "b/*) echo \"$s error late seconds 5 row-solves –\";; *) echo \"$s error 1.2345e-03 seconds $(grep -c -e "
+      "at-most '" +
+          programs.log().string() + "').1e-3 row-solves 5.6789e+03\";;");
+  programs.add("motion_ode", "c/SMALL-STEPS: method\\n", "*) echo \"$s error lost seconds 0.25 row-solves 0\";;");
+  const AllMeasured all{{"bounce", measure(tried(1, 1, 1), programs.options(3))}};
+  const std::string text = csv_of(all);
+  const AllMeasured again = read_csv(text);
+  CHECK(csv_of(again) == text);
+  REQUIRE(again.at("bounce").size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Measured &one = all.at("bounce")[i], &other = again.at("bounce")[i];
+    CHECK(one.setting() == other.setting());
+    CHECK(one.seconds == other.seconds);
+    CHECK((one.median() == other.median() && one.quartile(1) == other.quartile(1)));
+    CHECK(one.error == other.error);
+    CHECK(one.late == other.late);
+    CHECK(one.row_solves == other.row_solves);
+  }
+  CHECK(again.at("bounce")[0].seconds.size() == 4);
+  CHECK(again.at("bounce")[0].row_solves == 5678.9);
+  CHECK(!again.at("bounce")[1].row_solves);
+  CHECK(again.at("bounce")[2].row_solves == 0);
+  const std::string heading = lines_of(text)[0] + "\n", good_line = "bounce,motion,a,1,1,1e-3,5,1,1,1,1 2";
+  CHECK(read_csv(heading + good_line + "\n").at("bounce")[0].median() == 1.5);
+  for (const char* line : {"", "bounce,motion,a,1,1,1e-3,5,1,1,1,", "bounce,motion,a,1,1,1e-3,5,1,1,1,1 x",
+                           "bounce,motion,a,1,1,1e-3,x,1,1,1,1", "bounce,motion,a,1,1,soon,5,1,1,1,1",
+                           "bounce,motion,a,one,1,1e-3,5,1,1,1,1"}) {
+    INFO(line);
+    CHECK_THROWS_AS(read_csv(heading + line + "\n"), InvalidInput);
+  }
+  CHECK_THROWS_AS(read_csv(good_line), InvalidInput);
+}
+
+TEST_CASE("the table of the machine says how many settings of each engine were tried, repeated, lost and given up") {
+  Measured again = of("motion", "slim", 1, 1, 1e-3, 1), lost = of("motion", "slim", 2, 1, infinite, 1), late = lost;
+  again.seconds = {1, 2, 3};
+  late.late = true;
+  const AllMeasured all{{"bounce", {again, lost, late, of("motion_ode", "o", 1, 1, 1, 1)}}, {"chain", {again}}};
+  const std::string text = table_of_machine({.load_before = "0.25, 0.5, 1",
+                                             .load_after = "1, 1, 1",
+                                             .took = std::chrono::seconds(61),
+                                             .versions = {"Pushback 7", "ODE 8"}},
+                                            {{"motion", "ours"}, {"motion_ode", "ODE"}}, all);
+  CHECK(contains(text, "| 0.25, 0.5, 1 |"));
+  CHECK(contains(text, "2 min"));
+  CHECK(contains(text, "| ours | Pushback 7 | 4 | 2 | 1 | 1 |\n"));
+  CHECK(contains(text, "| ODE | ODE 8 | 1 | 0 | 0 | 0 |\n"));
+  CHECK(contains(processor(), " cores"));
+  const std::string load = load_now();
+  CHECK(std::count(load.begin(), load.end(), ',') == 2);
+  CHECK(contains(version_of({"motion", "ours"}, fs::path(MOTION_PROGRAM).parent_path()), "Pushback, "));
+}
+
+TEST_CASE("a program that fails, or prints what is no measurement, is named") {
+  for (const auto& [answers, part] : std::vector<std::pair<std::string, std::string>>{
+           {"*) exit 3;;", "failed"},
+           {"*) kill -9 $$;;", "failed"},
+           {"*) echo garbage;;", "garbage"},
+           {"*) echo \"$s error soon seconds 1 row-solves 5\";;", "soon"},
+           {"*) echo \"$s error 1x seconds 1 row-solves 5\";;", "1x"},
+           {"*) echo \"$s error nan seconds 1 row-solves 5\";;", "nan"},
+           {"*) echo \"$s error -1 seconds 1 row-solves 5\";;", "-1"},
+           {"*) echo \"$s error 1 seconds soon row-solves 5\";;", "soon"},
+           {"*) echo \"$s error 1 seconds -1 row-solves 5\";;", "-1"},
+           {"*) echo \"$s error 1 seconds 1\";;", "a/1/1"},
+           {"*) echo \"$s error 1 seconds 1 row-solves many\";;", "many"},
+           {"*) echo \"$s error 1 seconds 1 row-solves -1\";;", "-1"},
+           {"*) echo \"b/1/1 error 1 seconds 1 row-solves 5\";;", "b/1/1"},
+           {"a/1/1) echo \"$s error 1 seconds 1 row-solves 5\";;", "printed 1 lines for 2 settings"},
+           {"*) ;;", "printed 0 lines for 2 settings"},
+           {"*) echo; echo; echo;;", "printed 6 lines for 2 settings"}}) {
+    StandIns programs;
+    programs.add("motion_odd", "a/SMALL-STEPS/SWEEPS: method\\n", answers);
+    const std::string said = failure(tried(2, 1, 2), programs.options(0));
+    INFO(answers << ": " << said);
+    CHECK(contains(said, "motion_odd"));
+    CHECK(contains(said, part));
+  }
+  StandIns programs;
+  programs.add("motion", "", good);
+  CHECK(measure(tried(2, 1, 2), programs.options(2)).empty());  // it plays nothing of this
+  RoundOptions options = programs.options(0);
+  options.engines = {{"motion_that_is_not_there", "x"}};
+  CHECK(contains(failure(tried(2, 1, 2), options), "motion_that_is_not_there"));
+}
+
+TEST_CASE("engines are ours, and those of others that are there") {
+  StandIns programs;
+  const fs::path folder = programs.options(0).programs;
+  CHECK(engines_in(folder, false).size() == 2);
+  CHECK_THROWS_AS(engines_in(folder, true), std::runtime_error);
+  programs.add("motion_ode", "", good);
+  const auto found = engines_in(folder, true);
+  REQUIRE(found.size() == 3);
+  CHECK((found[0].program == "motion" && found[1].program == "motion_float" && found[2].program == "motion_ode"));
+}
+
+TEST_CASE("the program itself is understood") {
+  RoundOptions options;
+  options.engines = {{"motion", "ours"}};
+  options.programs = fs::path(MOTION_PROGRAM).parent_path();
+  options.rounds = 0;
+  const Measurements all = measure(tried(2, 4, 8), options);
+  REQUIRE(all.size() == 11 * 4);
+  for (const Measured& one : all) {
+    INFO(one.setting());
+    CHECK(one.error < 0.2);
+    CHECK(one.row_solves.has_value() == (one.method != "at-once"));
+    CHECK(one.row_solves.value_or(1) > 0);
+  }
+}
+
+// ---- report ----------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// 60 frames, so 0.006 s in all are 100 us a frame.
+Motion minute() {
+  Motion motion = motion_named("bounce");
+  motion.name = "stack-10";
+  motion.title = "minute";
+  motion.seconds = 1;
+  return motion;
+}
+const Motion motion_of_60 = minute();
+const std::vector<Engine> three{{"motion", "ours"}, {"motion_float", "ours, float"}, {"motion_ode", "ODE"}};
+
+std::vector<MotionMeasured> made_up() {
+  return {{&motion_of_60,
+           {of("motion", "slim", 4, 1, 5e-2, 0.003), of("motion", "slim", 4, 4, 5e-3, 0.006),
+            of("motion", "slim", 4, 16, 5e-4, 0.012), of("motion", "slim-cold", 4, 4, 1e-2, 0.003),
+            of("motion", "slim-cold", 4, 16, 2e-3, 0.003), of("motion", "soft", 1, 4, infinite, 0.001),
+            of("motion_float", "slim", 4, 4, 2.5e-3, 0.0048), of("motion_ode", "o", 1, 4, 5e-3, 0.06),
+            of("motion_ode", "o", 1, 16, 5e-4, 0.018)}}};
+}
+
+}  // namespace
+
+TEST_CASE("the table of the cheapest says which, and what it costs a frame") {
+  const auto lines = lines_of(table_of_cheapest(made_up()));
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[2] ==
+        "| minute | `slim-cold/4/4`: 50 µs (50 to 50), 10 row solves, 10 mm off, – remains "
+        "| `slim/4/16`: 200 µs (200 to 200), 10 row solves, 0.5 mm off, – remains | not reached |");
+  auto no_rows = made_up();
+  for (Measured& one : no_rows[0].all) one.row_solves.reset();
+  CHECK(contains(lines_of(table_of_cheapest(no_rows))[2],
+                 "`slim-cold/4/4`: 50 µs (50 to 50), – row solves, 10 mm off, – remains |"));
+  auto only_float = made_up();
+  only_float[0].all = {of("motion_float", "slim", 4, 4, 2.5e-3, 0.0048), of("motion_ode", "o", 1, 16, 5e-5, 0.001)};
+  CHECK(lines_of(table_of_cheapest(only_float))[2] ==
+        "| minute | `slim/4/4` in float: 80 µs (80 to 80), 10 row solves, 2.5 mm off, – remains | not reached | not "
+        "reached |");
+}
+
+TEST_CASE("the table of the others says how many times as long they take") {
+  auto all = made_up();
+  const auto others = [&] { return lines_of(table_of_others(all, three)); };
+  REQUIRE(others().size() == 3);  // none for ours
+  // Below 1 cm and 1 mm: 0.018 s against our 0.003 s and 0.012 s; for their best, 5e-4 in 0.018 s, we take 0.012 s.
+  CHECK(others()[2] ==
+        "| minute | ODE | 6 times as long | 1.5 times as long | not reached | 0.67 times its time | – | – |");
+  all[0].all.back().error = 5e-5;
+  CHECK(others()[2] ==
+        "| minute | ODE | 6 times as long | 1.5 times as long | 300 µs, we not at all | we do not reach all of it | – "
+        "| – |");
+  all[0].all.resize(7);
+  CHECK(contains(others()[2], "| it does not play this |"));
+  all[0].all.push_back(of("motion_ode", "o", 1, 1, 0.5, 1));
+  CHECK(others()[2] == "| minute | ODE | not reached | not reached | not reached | it has no such front | – | – |");
+}
+
+TEST_CASE("the table of the knobs has slopes, and what a change of method does") {
+  auto all = made_up();
+  all[0].all.push_back(of("motion", "nonlinear", 1, 4, 7, 7));  // nobody's cold sister
+  const std::string text = table_of_knobs(all);
+  // Errors as sweeps^(log4 0.1), times as sweeps^(1/2)
+  CHECK(contains(text, fmt::format("| sweeps doubled | stack-10 | times {:.2f}, slope {:.2f} | times 1.41 | – | `slim` "
+                                   "with 4 substeps, 1 to 16 |\n",
+                                   std::sqrt(0.1), std::log(0.1) / std::log(4.0))));
+  CHECK(!contains(text, "substeps doubled"));
+  // 2 times the error in half the time, and 4 times in a quarter
+  CHECK(contains(
+      text, "| `slim` without warm start | stack-10 | 2.8 times the error | 0.35 times the time | – | 2 settings |\n"));
+  CHECK(
+      contains(text, "| float for double | stack-10 | 0.5 times the error | 0.8 times the time | – | 1 settings |\n"));
+  CHECK(!contains(text, "nan"));
+  CHECK(!contains(text, "inf"));
+}
+
+TEST_CASE("each table says what remains, of which method, by which law") {
+  Measurements slim, hops;
+  for (int i = 0; i < 6; ++i) {
+    slim.push_back(of("motion", "slim", 1 << i, 4, 0.002 + 0.01 * std::pow(2, -i), 1));
+    slim.push_back(of("motion_float", "slim", 1 << i, 4, 0.5, 0.5));
+    slim.push_back(of("motion_ode", "ode", 1 << i, 4, 0.05 * std::pow(2, -i), 2));
+    hops.push_back(of("motion_mujoco", "mujoco", 1 << i, 0, 0.33, 1));
+  }
+  const std::vector<MotionMeasured> all{{&motion_of_60, slim}, {&motion_named("sliding"), hops}};
+  const std::string limits = table_of_limits(all);
+  CHECK(contains(limits, "| `slim` | slop of 0.1 mm | 2.0 mm, order 1.0 |\n"));
+  CHECK(contains(limits, "| `ode` | friction pyramid on fixed axes; softness | < 1.6 mm, order 1.0 |\n"));
+  CHECK(contains(limits, "| `mujoco` | relaxed cone; springs as hard as the step allows | 330 mm |\n"));
+  CHECK(lines_of(limits).size() == 3 + 1 + 4);  // two tables and a line between them; nothing of float
+  CHECK(contains(table_of_others(all, three), "| < 1.6 mm (`ode`) | 2.0 mm (`slim`) |\n"));
+  CHECK(contains(table_of_cheapest(all), "7 mm off, 2.0 mm remains "));
+  CHECK(lines_of(table_of_hops(all)).back() ==
+        "| a box slides and stops | 2.400 m/s | 293.6 mm | 328.2 mm | 330 mm | – |");
+  auto made = made_up();
+  made[0].all.clear();
+  for (int i = 0; i < 6; ++i) made[0].all.push_back(of("motion", "soft", 1 << i, 1, 0.002 + 0.01 * std::pow(2, -i), 1));
+  CHECK(contains(table_of_knobs(made), " | 2.0 mm | `soft` with 1 sweeps, 1 to 32 |\n"));
+}
+
+TEST_CASE("every method that plays anything has its law in the table of limits") {
+  for (const Motion& motion : all_motions()) {
+    const Ended listed = call_program(MOTION_PROGRAM, motion.name);
+    REQUIRE(listed.status == 0);
+    for (const std::string& line : lines_of(listed.out)) {
+      const std::string name = line.substr(0, line.find_first_of("/:"));
+      INFO(motion.name << " " << name);
+      const std::string text = table_of_limits({{&motion, {of("motion", name, 1, 1, 1, 1)}}});
+      CHECK(contains(text, "| `" + name + "` | "));
+      CHECK(!contains(text, "` | – |"));
+    }
+  }
+}
+
+TEST_CASE("diagrams have a curve for each engine that has something to show, and for each method") {
+  const auto all = made_up();
+  const Panel panel = work_precision(all[0], three);
+  REQUIRE(panel.curves.size() == 4);
+  CHECK(panel.curves[0].x.size() == 5);  // a dot for each of ours that is not lost
+  CHECK(panel.curves[0].style == Curve::Style::points);
+  CHECK(panel.curves[1].label == "ODE");
+  CHECK(panel.curves[2].label == "ours, float");
+  CHECK(panel.curves[3].label == "ours");
+  CHECK(panel.curves[1].x.size() == 1);  // the other is slower and worse
+  REQUIRE(panel.curves[3].x.size() == 2);
+  CHECK(panel.curves[3].x[0] == Approx(3));  // ms of wall time for a second
+  CHECK(panel.curves[3].y[0] == Approx(2e-3));
+  CHECK((panel.log_x && panel.log_y));
+  const Panel methods = fronts_of_methods(all[0]);
+  REQUIRE(methods.curves.size() == 2);
+  CHECK((methods.curves[0].label == "slim" && methods.curves[1].label == "slim-cold"));
+  CHECK(methods.curves[0].colour == methods.curves[1].colour);
+  CHECK(methods.curves[1].style == Curve::Style::dashed);
+  CHECK(methods.curves[0].x.size() == 3);
+  const auto knobs = panels_of_knobs(all);
+  REQUIRE(knobs.size() == 1);
+  CHECK(knobs[0].title == "more sweeps");
+  REQUIRE(knobs[0].curves.size() == 2);
+  CHECK(knobs[0].curves[0].label == "stack-10, slim");
+  CHECK(knobs[0].curves[0].x == std::vector<Real>{1, 4, 16});
+}
+
+TEST_CASE("an error of 0 is drawn, at the edge") {
+  const Panel panel = work_precision({&motion_of_60, {of("motion", "slim", 1, 1, 0, 1)}}, three);
+  REQUIRE(panel.curves.size() == 2);
+  CHECK(panel.curves[1].y[0] == Approx(1e-9));
+}
+
+TEST_CASE("where nothing was measured there is little to say, and nothing breaks") {
+  for (const std::vector<MotionMeasured>& all : {std::vector<MotionMeasured>{},
+                                                 {{&motion_of_60, {}}},
+                                                 {{&motion_of_60, {of("motion", "slim", 1, 1, infinite, 1)}}}}) {
+    for (const std::string& text : {table_of_cheapest(all), table_of_others(all, three), table_of_knobs(all),
+                                    table_of_limits(all), table_of_hops(all)}) {
+      CHECK((all.empty() || lines_of(text).size() >= 2));
+      CHECK(!contains(text, "nan"));
+      CHECK(!contains(text, "inf"));
+    }
+    CHECK(panels_of_knobs(all).empty());
+    for (const MotionMeasured& measured : all) {
+      CHECK(work_precision(measured, three).curves.empty());
+      CHECK(fronts_of_methods(measured).curves.empty());
+    }
+  }
+  CHECK(lines_of(csv_of({})).size() == 1);
+}
+
+// ---- the program -----------------------------------------------------------------------------------------------------
+
+TEST_CASE("the study refuses what it cannot do, before it has written anything") {
+  const Scratch scratch;
+  const std::string out = " --out '" + (scratch / "out").string() + "'";
+  for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{{"--only nothing", "'nothing'"},
+                                                                                        {"--rounds 0", "--rounds"},
+                                                                                        {"--rounds many", "--rounds"},
+                                                                                        {"--what", "--what"}}) {
+    const Ended ended = call_program(STUDY_PROGRAM, arguments + out);
+    INFO(arguments << ": " << ended.err);
+    CHECK(ended.status == 2);
+    CHECK(contains(ended.err, part));
+    CHECK(ended.out.empty());
+    CHECK(!fs::exists(scratch / "out"));
+  }
+  CHECK(call_program(STUDY_PROGRAM, "--help").status == 0);
+}

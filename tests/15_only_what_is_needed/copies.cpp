@@ -1,0 +1,175 @@
+/// A world is a value: a copy of it and of its solver goes on as the original would have, to the last bit, whatever becomes of
+/// the original. And what is refused has changed nothing.
+#include "pushback/chapters/05_restitution/in_turn.h"
+#include "pushback/chapters/10_limits_and_motors/piston.h"
+#include "pushback/chapters/11_position_correction/nonlinear_gauss_seidel.h"
+#include "pushback/chapters/11_position_correction/split_impulse.h"
+#include "pushback/chapters/13_global_solve/global_joints.h"
+#include "pushback/chapters/14_accuracy_and_time/seat.h"
+#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/15_only_what_is_needed/scenes.h"
+#include "pushback/common/world/measure.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+#include "tests/support/with_joints.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real h = Real(1) / 60;
+
+/// Moves on by a step of h.
+template <class ContactSolver>
+struct InSteps {
+  ContactSolver solver = {};
+  int count = 1, sweeps = 10;
+  void operator()(World& world) { small_steps(world, solver, h, count, sweeps); }
+};
+struct Needed {
+  OnlyWhatIsNeeded solver;
+  void operator()(World& world) { solver.step(world, h); }
+};
+
+/// Nothing in it is where it was: who still looks here gets other numbers.
+void scatter(World& world) {
+  for (Body& body : world.bodies) body.at({1000, 1000, 1000}).moving({7, 7, 7}).spinning({7, 7, 7});
+  world.bodies.shrink_to_fit();
+  world.contacts.clear();
+  world.joints.clear();
+}
+
+/// The first of so many steps after which the copy has gone another way; -1: none.
+template <class Stepper>
+int first_difference(World world, Stepper step, int before, int after) {
+  for (int i = 0; i < before; ++i) step(world);
+  auto original = std::make_unique<World>(world);
+  auto its_step = std::make_unique<Stepper>(step);
+  World copy = *original;
+  Stepper copied_step = *its_step;
+  scatter(*original);
+  original.reset();
+  its_step.reset();
+  for (int i = 0; i < after; ++i) {
+    step(world);
+    copied_step(copy);
+    if (hash_of(world) != hash_of(copy) || world.contacts.size() != copy.contacts.size()) return i;
+  }
+  return -1;
+}
+
+/// All that a step may change.
+struct State {
+  std::uint64_t bodies;
+  std::size_t contacts;
+  Real time, dt_before, impulses = 0;
+  std::vector<Vec3> pulls;
+
+  explicit State(const World& world)
+      : bodies(hash_of(world)), contacts(world.contacts.size()), time(world.time), dt_before(world.dt_before) {
+    for (const Contact& contact : world.contacts) impulses += contact.impulse.norm();
+    for (const Joint& joint : world.joints)
+      for (const Real impulse : joint.impulses) impulses += std::abs(impulse);
+    for (const Body& body : world.bodies) pulls.push_back(body.force);
+  }
+  bool operator==(const State&) const = default;
+};
+
+template <class Full>
+Full with(const std::function<void(Full&)>& spoil) {
+  Full solver;
+  spoil(solver);
+  return solver;
+}
+
+}  // namespace
+
+TEST_CASE("a copied world and its solver go on in the same bits, in every scene") {
+  std::vector<NamedScene> scenes = all_scenes_and_joints();
+  for (const NamedScene& scene : scenes) {
+    World world;
+    scene.fill(world);
+    INFO(scene.name);
+    CHECK(first_difference(world, InSteps<JointedSolver>{}, 20, 20) == -1);
+    CHECK(first_difference(world, InSteps<SteadyJointedSolver>{.count = 4, .sweeps = 1}, 10, 10) == -1);
+    CHECK(first_difference(world, Needed{OnlyWhatIsNeeded(world, JointedSolver{}, Sleep{})}, 20, 20) == -1);
+  }
+}
+
+TEST_CASE("a copied world goes on in the same bits while some sleep, and when they are woken") {
+  World world;
+  five_piles(world);
+  for (const int before : {60, 85, 120, 200}) {
+    INFO(before << " steps before");
+    CHECK(first_difference(world, Needed{OnlyWhatIsNeeded(world, JointedSolver{}, Sleep{})}, before, 120) == -1);
+  }
+}
+
+TEST_CASE("a copied world goes on in the same bits under solvers that act after the bodies have moved, or directly") {
+  World world;
+  pyramid(world, 4);
+  struck_chain(world);
+  using Split = CorrectingSolver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, FrictionCone, WarmStart>;
+  using Nonlinear =
+      CorrectingSolver<WarmJoints, Clamping, NonlinearGaussSeidel, Slop, ImpactsInTurn, Friction, WarmStart>;
+  CHECK(first_difference(world, InSteps<Split>{}, 30, 30) == -1);
+  CHECK(first_difference(world, InSteps<Nonlinear>{}, 30, 30) == -1);
+  CHECK(first_difference(world, InSteps<Solver<Clamping, Baumgarte, Slop, Friction, WarmStart, GlobalJoints>>{}, 30,
+                         30) == -1);
+}
+
+TEST_CASE("what a solver refuses has changed nothing, and names the value") {
+  World world;
+  pyramid(world, 3);
+  struck_chain(world);
+  world.bodies[2].force = {1, 2, 3};
+  JointedSolver before;
+  for (int i = 0; i < 30; ++i) world.step(before, h);
+  world.bodies[2].force = {1, 2, 3};
+  const State state(world);
+  const auto refused = [&](auto solver, const std::string& what) {
+    INFO(what);
+    CHECK(complaint([&] { world.step(solver, h); }).find(what) != std::string::npos);
+    CHECK(State(world) == state);
+    OnlyWhatIsNeeded needed(world, solver);
+    CHECK(complaint([&] { needed.step(world, h); }).find(what) != std::string::npos);
+    CHECK(State(world) == state);
+  };
+  refused(with<JointedSolver>([](auto& s) { s.Baumgarte::beta = -1; }), "beta is -1");
+  refused(with<JointedSolver>([](auto& s) { s.slop = -1; }), "slop is -1");
+  refused(with<JointedSolver>([](auto& s) { s.threshold = -1; }), "threshold is -1");
+  refused(with<JointedSolver>([](auto& s) { s.SplitJoints::beta = -1; }), "beta of the joints is -1");
+  refused(with<JointedSolver>([](auto& s) { s.passes = 0; }), "passes is 0");
+  refused(with<SteadyJointedSolver>([](auto& s) { s.hertz = 0; }), "hertz is 0");
+  refused(with<SteadyJointedSolver>([](auto& s) { s.damping_ratio = -1; }), "damping ratio is -1");
+  refused(with<SteadyJointedSolver>([](auto& s) { s.fastest_push_out = -1; }), "fastest push-out is -1");
+  refused(with<SteadyJointedSolver>([](auto& s) { s.threshold = -1; }), "threshold is -1");
+  using Split = CorrectingSolver<Joints, Clamping, SplitImpulse>;
+  using Nonlinear = CorrectingSolver<Joints, Clamping, NonlinearGaussSeidel>;
+  refused(with<Split>([](auto& s) { s.SplitImpulse::beta = 2; }), "beta is 2");
+  refused(with<Split>([](auto& s) { s.rounds = -1; }), "rounds is -1");
+  refused(with<Nonlinear>([](auto& s) { s.most = -1; }), "most is -1");
+  refused(with<Solver<Joints, Clamping, ImpactsInTurn>>([](auto& s) { s.threshold = -1; }), "threshold is -1");
+  refused(with<Solver<Joints, Clamping, Seat>>([](auto& s) { s.seat = -1; }), "seat is -1");
+  FullSolver without_joints;
+  CHECK(complaint([&] { world.step(without_joints, h); }).find("this solver holds no joints") != std::string::npos);
+  CHECK(State(world) == state);
+}
+
+TEST_CASE("a joint that asks for what cannot be has stopped the step before anything changed") {
+  World world;
+  stack(world, 3);
+  const int ball = world.add(sphere(Real(0.1), 1).at({5, 5, 0}));
+  const auto shrinking = [](Real t) { return Real(0.21) - t; };  // not above 0 after 0.21 s
+  world.joints = {piston(world, the_world, {5, Real(5.2), 0}, ball, {5, 5, 0}, shrinking)};
+  JointedSolver solver;
+  std::string said;
+  int steps = 0;
+  for (; said.empty() && steps < 60; ++steps) {
+    const State before(world);
+    said = complaint([&] { world.step(solver, h); });
+    if (!said.empty()) CHECK(State(world) == before);
+  }
+  CHECK(steps == 13);
+  CHECK(said.find("length of a piston is") != std::string::npos);
+}

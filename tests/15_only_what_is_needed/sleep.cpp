@@ -1,0 +1,618 @@
+/// Who rests is left out, and nobody sees it: islands, falling asleep, waking.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/common/world/forces.h"
+#include "pushback/common/world/measure.h"
+#include "tests/hard_cases/random_scene.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+#include "tests/support/random.h"
+#include "tests/support/with_joints.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real h = Real(1) / 60;
+constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
+using Bodies = std::vector<int>;
+
+Body cube() {
+  return box(Vec3::Constant(Real(0.5)), 100);
+}
+
+/// A world whose resting bodies sleep.
+struct Dormitory {
+  World world;
+  OnlyWhatIsNeeded solver;
+
+  explicit Dormitory(const World& start) : world(start), solver(world, FullSolver{}, Sleep{}) {}
+  Sleep& sleep() { return *solver.sleep; }
+  void step(int count = 1) {
+    for (int i = 0; i < count; ++i) solver.step(world, h);
+  }
+  Bodies asleep() const {
+    Bodies which;
+    for (const Body& body : world.bodies) {
+      if (body.asleep) which.push_back(body.index);
+    }
+    return which;
+  }
+  /// Throws if that takes more than 10 s.
+  void step_until_asleep(const Bodies& which) {
+    for (int i = 0; i < 600; ++i) {
+      step();
+      if (asleep() == which) return;
+    }
+    throw std::runtime_error("these do not fall asleep");
+  }
+};
+
+/// Boxes 1, 2, 3 on each other, and 4, 5, 6 beside them, on one ground; 1 mm deep in what they lie on.
+World two_piles() {
+  World world;
+  world.add(ground());
+  for (const Real x : {Real(0), Real(1.5)}) {
+    for (int i = 0; i < 3; ++i) world.add(cube().at({x, Real(0.499) + Real(0.999) * static_cast<Real>(i), 0}));
+  }
+  return world;
+}
+const Bodies first_pile{1, 2, 3}, second_pile{4, 5, 6}, both{1, 2, 3, 4, 5, 6};
+
+Dormitory two_sleeping_piles() {
+  Dormitory piles(two_piles());
+  piles.step_until_asleep(both);
+  return piles;
+}
+
+}  // namespace
+
+// ---- islands ---------------------------------------------------------------------------------------------------------------
+
+TEST_CASE("islands are those that a flood would find, through all that can move") {
+  Random random(1);
+  Islands islands;  // one for all: what was before must not matter
+  int alone = 0, together = 0;
+  for (int scene = 0; scene < 1000; ++scene) {
+    World world;
+    std::vector<Body>& bodies = world.bodies;
+    bodies.assign(1 + random.below(40), cube());
+    Bodies movable;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      bodies[i].index = int(i);
+      if (random.below(4) == 0) bodies[i].fixed();
+      else movable.push_back(int(i));
+    }
+    Contacts contacts(random.below(bodies.size() + 1));
+    for (Contact& contact : contacts) {
+      contact.id.body_a = static_cast<std::uint32_t>(random.below(bodies.size()));
+      contact.id.body_b = static_cast<std::uint32_t>(random.below(bodies.size()));
+    }
+    islands.separate(movable, bodies.size());
+    islands.join(contacts, world);
+
+    Bodies lowest(bodies.size());
+    std::iota(lowest.begin(), lowest.end(), 0);
+    for (bool flows = true; flows;) {
+      flows = false;
+      for (const Contact& contact : contacts) {
+        int &a = lowest[contact.id.body_a], &b = lowest[contact.id.body_b];
+        const auto [one, other] = world.bodies_of(contact);
+        if (!one.movable() || !other.movable() || a == b) continue;
+        a = b = std::min(a, b);
+        flows = true;
+      }
+    }
+    for (const int i : movable) {
+      REQUIRE(islands.island_of(i) == lowest[std::size_t(i)]);
+      ++(lowest[std::size_t(i)] == i ? alone : together);
+    }
+  }
+  CHECK(std::min(alone, together) > 1000);
+}
+
+TEST_CASE("who lies on the same ground is not joined by it") {
+  Dormitory piles = two_sleeping_piles();
+  CHECK(piles.sleep().asleep() == std::vector<Bodies>{first_pile, second_pile});
+}
+
+TEST_CASE("who is held by the same immovable body is not joined by it") {
+  World world = two_piles();
+  world.add(cube().fixed().at({5, 5, 5}));
+  const auto nothing = [](World&) {};
+  world.forces = {{nothing, "a rod", {7, 1}}, {nothing, "a rod", {7, 4}}};
+  Dormitory piles(world);
+  piles.step_until_asleep(both);
+  CHECK(piles.sleep().asleep() == std::vector<Bodies>{first_pile, second_pile});
+}
+
+TEST_CASE("whom a force joins fall asleep and wake as one") {
+  World world = two_piles();
+  world.add(cube().fixed().at({5, 5, 5}));
+  world.forces = {{[](World&) {}, "a rod", {7, 1, 4}}};
+  Dormitory piles(world);
+  piles.step_until_asleep(both);
+  CHECK(piles.sleep().asleep() == std::vector<Bodies>{both});
+  piles.sleep().wake(piles.world, 3);
+  CHECK(piles.asleep().empty());
+}
+
+// ---- falling asleep ----------------------------------------------------------------------------------------------------------
+
+TEST_CASE("who has kept its place for as long as it takes sleeps, and who has not does not") {
+  World world;
+  world.gravity.setZero();
+  const Real fast_enough = 2 * Sleep{}.place / Sleep{}.seconds;
+  world.add(sphere(1, 1));
+  world.add(sphere(1, 1).at({5, 0, 0}).moving({fast_enough, 0, 0}));
+  world.add(sphere(1, 1).at({10, 0, 0}).spinning({0, fast_enough, 0}));
+  world.add(sphere(1, 1).at({15, 0, 0}).moving({fast_enough / 3, 0, 0}));
+  Dormitory balls(world);
+  balls.step(30);  // it is seen where it is at the end of the first
+  CHECK(balls.asleep().empty());
+  balls.step(2);
+  CHECK(balls.asleep() == Bodies{0, 3});
+  CHECK(balls.world.bodies[3].velocity.isZero(0));
+  balls.step(300);
+  CHECK(balls.asleep() == Bodies{0, 3});
+}
+
+TEST_CASE("nobody sleeps on what is moving, be it ever so slowly") {
+  World world;
+  world.add(box({1, 1, 1}, 1).fixed().at({0, -1, 0}).moving({Real(1e-4), 0, 0}));
+  world.add(cube().at({0, Real(0.499), 0}));
+  Dormitory platform(world);
+  for (int i = 0; i < 300; ++i) {
+    platform.step();
+    REQUIRE(platform.asleep().empty());
+  }
+  CHECK(platform.world.bodies[1].position.x() == Approx(5 * Real(1e-4)).epsilon(Real(0.05)));
+  platform.world.bodies[0].velocity.setZero();  // it has arrived
+  platform.step(120);
+  CHECK(platform.asleep() == Bodies{1});
+
+  platform.world.bodies[0].velocity.x() = Real(1e-4);
+  platform.step();
+  CHECK(platform.asleep().empty());
+}
+
+TEST_CASE("nobody sleeps while the ground moves, or while a force acts on all") {
+  Dormitory piles = two_sleeping_piles();
+  piles.world.bodies[0].velocity = {Real(0.01), 0, 0};
+  piles.step();
+  CHECK(piles.asleep().empty());
+  CHECK(piles.world.bodies[0].position.x() > 0);
+  piles.step(120);
+  CHECK(piles.asleep().empty());
+  piles.world.bodies[0].velocity.setZero();
+  piles.step_until_asleep(both);
+
+  piles.world.forces.push_back({[](World&) {}, "wind"});
+  piles.step(120);
+  CHECK(piles.asleep().empty());
+  piles.world.forces.clear();
+  piles.step_until_asleep(both);
+}
+
+// ---- waking: as a whole, and nobody else ------------------------------------------------------------------------------------
+
+TEST_CASE("who is hit wakes with all of its island, at the moment it is hit; the pile beside it sleeps on") {
+  Dormitory piles = two_sleeping_piles();
+  const World before = piles.world;
+  piles.world.add(box({Real(0.2), Real(0.1), Real(0.2)}, 20).at({Real(-0.2), Real(3.8), 0}).moving({0, -1, 0}));
+  int steps = 0;
+  while (piles.asleep() == both && steps < 120) {
+    piles.step();
+    ++steps;
+    if (piles.asleep() == both) REQUIRE(piles.world.contacts.empty());
+  }
+  CHECK(steps > 10);  // it has to fall first
+  CHECK(piles.asleep() == second_pile);
+  CHECK(piles.world.bodies[3].velocity.norm() > 0);
+  piles.step(30);
+  CHECK(piles.asleep() == second_pile);
+  for (const int i : second_pile) {
+    const Body &was = before.bodies[std::size_t(i)], &is = piles.world.bodies[std::size_t(i)];
+    CHECK(was.position == is.position);
+    CHECK(was.orientation.coeffs() == is.orientation.coeffs());
+  }
+  piles.step_until_asleep({1, 2, 3, 4, 5, 6, 7});  // what hit them lies on them now
+}
+
+TEST_CASE("who is woken by a touch wakes whom it touches, in the same step") {
+  Dormitory piles = two_sleeping_piles();
+  // Bridges the gap: touches both piles, and is hit itself.
+  piles.world.add(box({Real(1.5), Real(0.1), Real(0.3)}, 10).at({Real(0.75), Real(3.097), 0}));
+  piles.step();
+  CHECK(piles.asleep().empty());
+  piles.step_until_asleep({1, 2, 3, 4, 5, 6, 7});
+  CHECK(piles.sleep().asleep() == std::vector<Bodies>{{1, 2, 3, 4, 5, 6, 7}});
+  piles.world.add(sphere(Real(0.1), 1).at({0, Real(0.5), Real(0.599)}));  // at the lowest box of the first pile
+  piles.step();
+  CHECK(piles.asleep().empty());
+}
+
+TEST_CASE("a touch goes from sleeper to sleeper, however many there are, in one step") {
+  World world;
+  world.gravity.setZero();
+  for (int i = 0; i < 10; ++i) world.add(sphere(1, 1).at({3 * static_cast<Real>(i), 0, 0}));
+  Dormitory balls(world);
+  balls.step_until_asleep({0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  // By hand, behind the back of Sleep: so close that they touch; but for the last two.
+  for (int i = 0; i < 8; ++i) balls.world.bodies[std::size_t(i)].position.x() = Real(1.9) * static_cast<Real>(i);
+  balls.sleep().wake(balls.world, 0);
+  balls.step();
+  CHECK(balls.asleep() == Bodies{8, 9});
+}
+
+TEST_CASE("what nobody lies on may be moved by hand, if it is said") {
+  Dormitory piles = two_sleeping_piles();
+  piles.world.add(box({1, 1, 1}, 1).fixed().at({20, 1, 0}));
+  piles.world.add(cube().at({10, Real(2.499), 0}).moving({0, 1, 0}));
+  piles.step();
+  piles.world.bodies[7].position.x() = 10;
+  piles.sleep().wake(piles.world, 7);
+  CHECK(piles.asleep() == both);
+  piles.step_until_asleep({1, 2, 3, 4, 5, 6, 8});
+  CHECK(piles.world.bodies[8].position.y() == Approx(Real(2.495)).margin(Real(0.006)));
+}
+
+TEST_CASE("an immovable body that comes to touch wakes; while it is still, it does not") {
+  World world = two_piles();
+  world.add(box(Vec3::Constant(Real(0.25)), 1).fixed().at({Real(-1), Real(0.5), 0}));
+  Dormitory piles(world);
+  piles.step_until_asleep(both);
+  piles.world.bodies[7].velocity = {Real(0.5), 0, 0};
+  int steps = 0;
+  for (; piles.asleep() == both && steps < 120; ++steps) piles.step();
+  CHECK(steps == Approx(30).margin(2));  // 0.25 m at 0.5 m/s
+  CHECK(piles.asleep() == second_pile);
+  piles.world.bodies[7].velocity.setZero();  // stuck in the box; which it pushes out, and then does not wake any more
+  piles.step_until_asleep(both);
+}
+
+TEST_CASE("a changed gravity wakes all, and so does a force that is added or taken away") {
+  Dormitory piles = two_sleeping_piles();
+  piles.world.gravity.x() = Real(0.1);
+  piles.step();
+  CHECK(piles.asleep().empty());
+  piles.step_until_asleep(both);
+  piles.world.forces.push_back(drag(1, 1));
+  piles.step();
+  CHECK(piles.asleep().empty());
+  piles.step_until_asleep(both);
+  piles.world.forces.clear();
+  piles.step();
+  CHECK(piles.asleep().empty());
+}
+
+TEST_CASE("a spring that holds as it held lets sleep, and so does drag; two of them on one body too") {
+  World world = two_piles();
+  world.forces = {spring(3, {0, 4, 0}, 50), drag(3, 10), spring(3, {Real(0.1), 3, 0}, 20), spring(6, {1, 4, 0}, 30)};
+  Dormitory piles(world);
+  piles.step_until_asleep(both);
+  const std::uint64_t before = hash_of(piles.world);
+  piles.step(200);
+  CHECK(piles.asleep() == both);
+  CHECK(hash_of(piles.world) == before);
+}
+
+TEST_CASE("a spring that starts to pull wakes the island that it pulls at, with all the forces on it") {
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 10).at({0, Real(0.499), 0}));
+  world.add(sphere(Real(0.5), 10).at({2, Real(0.499), 0}));
+  world.add(sphere(Real(0.5), 10).at({4, Real(0.499), 0}));
+  const auto pull = std::make_shared<Real>(Real(0));
+  constexpr Real press = 30;  // N
+  world.forces = {{[](World& w) { w.bodies[1].force.y() -= press; }, "a weight", {1, 2}},
+                  {[pull](World& w) { w.bodies[2].force.y() -= *pull; }, "a spring", {2}},
+                  {[](World& w) { w.bodies[3].force.y() -= press; }, "a weight", {3}}};
+  Dormitory balls(world);
+  balls.step_until_asleep({1, 2, 3});
+  balls.step(100);
+  CHECK(balls.asleep() == Bodies{1, 2, 3});
+  *pull = 5;
+  balls.step();
+  CHECK(balls.asleep() == Bodies{3});
+  REQUIRE(balls.world.contacts.size() == 2);
+  const Real fall = -balls.world.gravity.y();
+  CHECK(balls.world.contacts[0].impulse.y() ==
+        Approx(h * (10 * fall + press)));  // what pressed it down is there at once
+  CHECK(balls.world.contacts[1].impulse.y() == Approx(h * (10 * fall + 5)));
+  CHECK(balls.world.bodies[3].force.isZero(0));
+}
+
+TEST_CASE("who is told to wakes with its island; who lies on something, when that is told to") {
+  World world = two_piles();
+  world.add(box({1, 1, 1}, 1).fixed().at({10, -1, 0}));
+  world.add(cube().at({10, Real(0.499), 0}));  // not on the ground, which it does not reach
+  world.bodies[7].position.y() += 5;
+  world.bodies[8].position.y() += 5;
+  Dormitory piles(world);
+  const Bodies all{1, 2, 3, 4, 5, 6, 8};
+  piles.step_until_asleep(all);
+
+  piles.sleep().wake(piles.world, 2);
+  CHECK(piles.asleep() == Bodies{4, 5, 6, 8});
+  piles.step();
+  CHECK(piles.asleep() == Bodies{4, 5, 6, 8});
+  piles.sleep().wake(piles.world, 2);  // once more: nothing to be done
+  piles.step_until_asleep(all);
+  piles.sleep().wake(piles.world, 0);
+  CHECK(piles.asleep() == Bodies{8});
+  piles.step_until_asleep(all);
+  piles.world.bodies[7].position.y() -= 1;  // pulled away from below it
+  piles.sleep().wake(piles.world, 7);
+  CHECK(piles.asleep() == both);
+  piles.step(30);
+  CHECK(piles.world.bodies[8].position.y() < Real(5.4));
+  piles.step_until_asleep(all);
+  CHECK(piles.world.bodies[8].position.y() == Approx(Real(4.495)).margin(Real(0.006)));
+  piles.sleep().wake_all(piles.world);
+  CHECK(piles.asleep().empty());
+}
+
+// ---- nothing is to be seen ---------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Does not know what a contact carried in a step in which it looks new to the world: when its island is woken.
+struct Forgetful : FullSolver {
+  std::size_t had = 0;
+  void solve(World& world, Real dt, int sweeps) {
+    if (had == 0) world.contacts_before.clear();
+    had = world.contacts.size();
+    FullSolver::solve(world, dt, sweeps);
+  }
+};
+
+/// The speed of the fastest, m/s, in the step in which five sleeping boxes on each other are woken by `wake`.
+template <class Full>
+Real speed_of_the_woken(const Full& full, const std::function<void(World&, Sleep&)>& wake) {
+  World world;
+  stack(world, 5, Real(-0.001));
+  OnlyWhatIsNeeded solver(world, full, Sleep{});
+  for (int i = 0; i < 600 && !world.bodies[1].asleep; ++i) solver.step(world, h);
+  for (int i = 0; i < 10; ++i) solver.step(world, h);
+  REQUIRE(solver.sleep->asleep() == std::vector<Bodies>{{1, 2, 3, 4, 5}});
+  wake(world, *solver.sleep);
+  solver.step(world, h);
+  REQUIRE(solver.sleep->asleep().empty());
+  Real fastest = 0;
+  for (std::size_t i = 1; i <= 5; ++i) fastest = std::max(fastest, world.bodies[i].velocity.norm());
+  return fastest;
+}
+
+}  // namespace
+
+TEST_CASE("a woken pile does not jump: it goes on with the impulses that held it") {
+  const auto told_to = [](World& world, Sleep& sleep) { sleep.wake(world, 1); };
+  const auto touched = [](World& world, Sleep&) {
+    world.add(sphere(Real(0.1), Real(0.001)).at({Real(-0.599), Real(0.5), 0}));
+  };
+  const Real with = speed_of_the_woken(FullSolver{}, told_to), without = speed_of_the_woken(Forgetful{}, told_to);
+  const Real with_touch = speed_of_the_woken(FullSolver{}, touched),
+             without_touch = speed_of_the_woken(Forgetful{}, touched);
+  CAPTURE(with, without, with_touch, without_touch);
+  CHECK(with < Real(1e-3));
+  CHECK(with_touch < Real(1e-3));
+  CHECK(without > 10 * with);
+  CHECK(without_touch > 10 * with_touch);
+  CHECK(without > Real(1e-2));
+}
+
+namespace {
+
+/// Where sleepers may be, m from where they are without sleep: the slop.
+constexpr Real visible = Real(0.005);
+
+struct Seen {
+  bool all_sleep = false;
+  Real farthest = 0;  // m
+};
+
+/// Plays a scene with sleep and without, side by side.
+template <class Full>
+Seen compare(const World& start, const Full& its_solver, Real seconds, Real dt, int sweeps) {
+  World unslept = start, world = start;
+  Full full = its_solver;
+  OnlyWhatIsNeeded solver(world, full, Sleep{});
+  const auto sleeps = [](const Body& body) { return body.asleep; };
+  bool nobody_yet = true;
+  Seen seen;
+  for (long i = 1; i <= std::lround(seconds / dt); ++i) {
+    unslept.step(full, dt, sweeps);
+    solver.step(world, dt, sweeps);
+    nobody_yet = nobody_yet && std::none_of(world.bodies.begin(), world.bodies.end(), sleeps);
+    if (nobody_yet) REQUIRE(hash_of(world) == hash_of(unslept));
+    if (i % std::lround(10 / dt) != 0) continue;  // at 10 s, 20 s, ...
+    for (std::size_t k = 0; k < world.bodies.size(); ++k) {
+      if (!world.bodies[k].asleep) continue;
+      seen.farthest = std::max(seen.farthest, (world.bodies[k].position - unslept.bodies[k].position).norm());
+    }
+  }
+  seen.all_sleep = std::all_of(world.bodies.begin(), world.bodies.end(),
+                               [](const Body& body) { return body.asleep || !body.movable(); });
+  if (seen.all_sleep) REQUIRE(kinetic_energy(world) == 0);
+  return seen;
+}
+
+}  // namespace
+
+TEST_CASE("whoever sleeps is where it would be without, within the slop; until the first sleeps, to the bit") {
+  int at_rest = 0;
+  for (const NamedScene& scene : all_scenes_and_joints()) {
+    INFO(scene.name);
+    World world;
+    scene.fill(world);
+    const Seen seen = compare(world, JointedSolver{}, 20, h, 10);
+    CHECK(seen.farthest <= visible);
+    at_rest += seen.all_sleep ? 1 : 0;
+  }
+  CHECK(at_rest >= 17);
+}
+
+TEST_CASE("the same in small steps") {
+  for (const NamedScene& scene : all_scenes_and_joints()) {
+    World world;
+    scene.fill(world);
+    // 19200 small steps, and 20 sweeps over joints in each.
+    if (world.bodies.size() + world.joints.size() > 7) continue;
+    INFO(scene.name);
+    const Seen seen = compare(world, SteadyJointedSolver{}, 10, h / 32, 1);
+    CHECK(seen.farthest <= visible);
+  }
+}
+
+TEST_CASE("random heaps: a sleeper stays to the bit, knows its island, and touches nobody who is awake") {
+  int slept = 0, woken = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    const RandomScene scene = random_scene(seed);
+    if (scene.dt != h) continue;
+    INFO("seed " << seed);
+    World world = scene.world, again = scene.world;
+    OnlyWhatIsNeeded solver(world, FullSolver{}, Sleep{}), other(again, FullSolver{}, Sleep{});
+    World before;
+    for (int i = 0; i < 300; ++i) {
+      before = world;
+      const std::string said = complaint([&] { solver.step(world, h); });
+      REQUIRE(said == complaint([&] { other.step(again, h); }));
+      REQUIRE(hash_of(world) == hash_of(again));  // the same bits in each run
+      if (!said.empty()) break;                   // no longer finite, as without sleep
+      for (std::size_t k = 0; k < world.bodies.size(); ++k) {
+        const Body &was = before.bodies[k], &is = world.bodies[k];
+        slept += !was.asleep && is.asleep;
+        woken += was.asleep && !is.asleep;
+        if (!is.asleep) continue;
+        REQUIRE((is.velocity.isZero(0) && is.angular_velocity.isZero(0)));
+        if (was.asleep) REQUIRE((is.position == was.position && is.orientation.coeffs() == was.orientation.coeffs()));
+      }
+      for (const Contact& contact : world.contacts) {
+        const auto [a, b] = world.bodies_of(contact);
+        if (a.movable() && b.movable()) REQUIRE(a.asleep == b.asleep);
+      }
+      std::vector<int> listed(world.bodies.size(), 0);
+      for (const Bodies& island : solver.sleep->asleep()) {
+        REQUIRE(std::is_sorted(island.begin(), island.end()));
+        for (const int k : island) ++listed[std::size_t(k)];
+      }
+      for (std::size_t k = 0; k < listed.size(); ++k) REQUIRE(listed[k] == int(world.bodies[k].asleep));
+    }
+  }
+  CAPTURE(slept, woken);
+  CHECK(slept > 300);
+  CHECK(woken > 10);
+}
+
+TEST_CASE("with a time to fall asleep that nobody reaches, every scene moves in the bits of World::step") {
+  for (const NamedScene& scene : all_scenes_and_joints()) {
+    INFO(scene.name);
+    World world;
+    scene.fill(world);
+    World whole = world;
+    Sleep never;
+    never.seconds = 1000;
+    JointedSolver full;
+    OnlyWhatIsNeeded solver(world, full, never);
+    for (int i = 0; i < 300; ++i) {
+      whole.step(full, h);
+      solver.step(world, h);
+    }
+    CHECK(hash_of(world) == hash_of(whole));
+  }
+}
+
+// ---- bodies come and go; bad input --------------------------------------------------------------------------------------------
+
+TEST_CASE("a body may come while others sleep, and falls asleep like them") {
+  Dormitory piles = two_sleeping_piles();
+  piles.world.add(cube().at({5, Real(0.499), 0}));
+  piles.sleep().wake(piles.world, 7);  // no step has seen it: it is awake anyway
+  piles.step();
+  CHECK(piles.asleep() == both);
+  piles.world.add(box({1, 1, 1}, 1).fixed().at({8, 1, 0}));  // immovable ones too
+  piles.world.add(cube().at({8, Real(2.499), 0}));
+  for (int i = 0; i < 20; ++i) {
+    piles.step();
+    REQUIRE(piles.world.bodies[9].position.y() > Real(2.495));  // it is there from its first step on
+  }
+  piles.step_until_asleep({1, 2, 3, 4, 5, 6, 7, 9});
+  CHECK(piles.sleep().asleep().size() == 4);
+}
+
+TEST_CASE("a world that has lost a body is refused, and nothing has moved") {
+  Dormitory piles = two_sleeping_piles();
+  piles.world.bodies.pop_back();
+  const std::uint64_t before = hash_of(piles.world);
+  CHECK(complaint([&] { piles.step(); }).find("lost a body") != std::string::npos);
+  CHECK(hash_of(piles.world) == before);
+}
+
+TEST_CASE("a force on a body that is not there is named") {
+  for (const int body : {-1, 7}) {
+    Dormitory piles = two_sleeping_piles();
+    piles.world.forces.push_back({[](World&) {}, "a rod", {1, body}});
+    const std::string said = complaint([&] { piles.step(); });
+    CHECK(said == fmt::format("a rod acts on body {}: of 7 bodies, the first is 0", body));
+    piles.world.forces.back().bodies = {1};
+    piles.step();
+    piles.world.forces.back().bodies = {body};  // as many forces as before
+    CHECK(said == complaint([&] { piles.step(); }));
+  }
+}
+
+TEST_CASE("who cannot be woken is named, and the numbers that can") {
+  Dormitory piles = two_sleeping_piles();
+  for (const int body : {-1, 7, 1000}) {
+    const std::string said = complaint([&] { piles.sleep().wake(piles.world, body); });
+    INFO(said);
+    CHECK(said == fmt::format("body to wake is {}: a whole number from 0 to 6 is needed", body));
+  }
+  CHECK(piles.asleep() == both);
+}
+
+TEST_CASE("sleep: what cannot be simulated is refused, and nothing has moved") {
+  Dormitory piles = two_sleeping_piles();
+  piles.world.add(sphere(Real(0.2), 1).at({0, 5, 0}));
+  piles.world.add(box({1, 1, 1}, 1).fixed().at({20, 0, 0}));
+  piles.step();
+  const auto refused = [&piles](const char* named) {
+    const std::uint64_t before = hash_of(piles.world);
+    const std::string said = complaint([&] { piles.step(); });
+    INFO(named << ": " << said);
+    CHECK(said.find(named) != std::string::npos);
+    CHECK(hash_of(piles.world) == before);
+    CHECK(piles.asleep() == both);
+  };
+  const auto with = [&refused](Real& value, Real wrong, const char* named) {
+    const Real right = value;
+    value = wrong;
+    refused(named);
+    value = right;
+  };
+  with(piles.world.bodies[7].position.x(), not_a_number, "position");
+  with(piles.world.bodies[7].velocity.x(), not_a_number, "velocity");
+  with(piles.world.bodies[8].velocity.x(), not_a_number, "velocity");  // immovable, and to be moved
+  with(piles.world.bodies[0].velocity.x(), not_a_number, "velocity");  // the ground
+  with(piles.world.bodies[0].position.y(), not_a_number, "position");
+  with(piles.world.gravity.x(), not_a_number, "gravity");
+  for (const Real wrong : {Real(-1), not_a_number, std::numeric_limits<Real>::infinity()}) {
+    with(piles.sleep().seconds, wrong, "time to fall asleep");
+    with(piles.sleep().place, wrong, "place of a sleeper");
+  }
+  CHECK(complaint([&] { piles.solver.step(piles.world, 0); }).find("dt") != std::string::npos);
+  CHECK(complaint([&] { piles.solver.step(piles.world, h, -1); }).find("sweeps") != std::string::npos);
+
+  // Put on one who sleeps, it is found when that one is to wake; and nobody of its island has woken by half.
+  piles.world.bodies[3].position.x() = not_a_number;
+  CHECK(complaint([&] { piles.sleep().wake(piles.world, 1); }).find("position") != std::string::npos);
+  CHECK(piles.asleep() == both);
+  piles.world.bodies[3].position.x() = 0;
+  piles.step();
+  CHECK(complaint([&] { piles.sleep().wake(piles.world, 1); }).empty());
+  CHECK(piles.asleep() == second_pile);
+}

@@ -1,0 +1,177 @@
+// Bodies that stay where they are: the tree against asking every one.
+#include "pushback/chapters/15_only_what_is_needed/still_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "pushback/common/world/world.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+
+using namespace pushback;
+
+namespace {
+
+std::vector<int> all_of(const std::vector<Body>& bodies) {
+  std::vector<int> which(bodies.size());
+  std::iota(which.begin(), which.end(), 0);
+  return which;
+}
+
+/// What the tree finds, after what was there before.
+std::vector<int> near(const StillBodies& still, const Bounds& bounds) {
+  std::vector<int> found = {7, -5};
+  still.near(bounds, found);
+  REQUIRE(found.size() >= 2);
+  REQUIRE(std::vector<int>(found.begin(), found.begin() + 2) == std::vector<int>{7, -5});
+  return {found.begin() + 2, found.end()};
+}
+
+/// Asks the tree of these bodies who is near each query; how many it found, all queries together.
+std::size_t require_as_one_by_one(const std::vector<Body>& bodies, const std::vector<int>& which,
+                                  const std::vector<Bounds>& queries) {
+  const StillBodies still(bodies, which);
+  std::size_t count = 0;
+  for (const Bounds& query : queries) {
+    std::vector<int> expected;
+    for (const int index : which) {
+      if (bounds_of(bodies[std::size_t(index)]).overlaps(query)) expected.push_back(index);
+    }
+    REQUIRE(near(still, query) == expected);
+    count += expected.size();
+  }
+  return count;
+}
+
+std::vector<Body> random_bodies(int count, Real size, Random& random) {
+  std::vector<Body> bodies;
+  for (int i = 0; i < count; ++i) {
+    Body body = random.body(1);
+    bodies.push_back(body.at(random.vector(size)));
+  }
+  return bodies;
+}
+
+std::vector<Bounds> bounds_of_all(const std::vector<Body>& bodies) {
+  std::vector<Bounds> bounds;
+  for (const Body& body : bodies) bounds.push_back(bounds_of(body));
+  return bounds;
+}
+
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
+const Bounds everywhere = {Vec3::Constant(-infinity), Vec3::Constant(infinity)};
+
+}  // namespace
+
+TEST_CASE("nobody is near where nobody is") {
+  REQUIRE(near(StillBodies(), everywhere).empty());
+  REQUIRE(near(StillBodies({}, {}), everywhere).empty());
+  const std::vector<Body> bodies = {sphere(1, 1)};
+  REQUIRE(near(StillBodies(bodies, {}), everywhere).empty());
+}
+
+TEST_CASE("the tree finds those that asking every one finds, in ascending order") {
+  Random random(1);
+  std::size_t found = 0;
+  for (const int count : {1, 2, 3, 4, 5, 10, 50, 300}) {
+    for (const Real size : {Real(0), Real(1), Real(5), Real(20)}) {  // all at the same place, ..., far apart
+      const std::vector<Body> bodies = random_bodies(count, size, random);
+      std::vector<int> which;  // about two of three
+      for (int i = 0; i < count; ++i) {
+        if (random.below(3) > 0) which.push_back(i);
+      }
+      std::vector<Bounds> queries = bounds_of_all(random_bodies(50, size + 1, random));
+      queries.push_back(everywhere);
+      INFO(which.size() << " of " << count << " bodies within " << size << " m");
+      found += require_as_one_by_one(bodies, which, queries);
+      found += require_as_one_by_one(bodies, which, bounds_of_all(bodies));
+    }
+  }
+  REQUIRE(found > 100000);
+}
+
+TEST_CASE("a tree of thousands in a grid finds those that asking every one finds") {
+  Random random(2);
+  std::vector<Body> bodies;
+  for (int i = 0; i < 16 * 16 * 16; ++i) {  // many with the same x, y or z
+    bodies.push_back(box(Vec3::Constant(Real(0.5)), 1)
+                         .at(Real(1.1) * Vec3(Real(i % 16) - 8, Real(i / 16 % 16) - 8, Real(i / 256) - 8)));
+  }
+  const std::vector<Bounds> queries = bounds_of_all(random_bodies(200, 12, random));
+  REQUIRE(require_as_one_by_one(bodies, all_of(bodies), queries) > 500);
+  REQUIRE(near(StillBodies(bodies, all_of(bodies)), everywhere) == all_of(bodies));
+}
+
+TEST_CASE("an enormous body among small ones is found wherever it reaches, and hides none of them") {
+  Random random(3);
+  std::vector<Body> bodies = random_bodies(300, 5, random);
+  bodies[150] = box({10000, Real(0.1), 10000}, 1).at({1, 0, 2});
+  std::vector<Bounds> queries = bounds_of_all(random_bodies(200, 6, random));
+  REQUIRE(require_as_one_by_one(bodies, all_of(bodies), queries) > 500);
+  const Bounds far_out = bounds_of(sphere(1, 1).at({9000, Real(0.5), -9000}));
+  REQUIRE(near(StillBodies(bodies, all_of(bodies)), far_out) == std::vector<int>{150});
+}
+
+TEST_CASE("coordinates as large as numbers go") {
+  Random random(4);
+  const Real most = std::numeric_limits<Real>::max();
+  for (const Real size : {Real(1e9), Real(1e30), most / 4, most}) {
+    std::vector<Body> bodies;
+    for (int i = 0; i < 100; ++i) {
+      const Vec3 where = random.vector(1) * size;  // vector(most) would overflow
+      bodies.push_back(box(Vec3::Constant(random.between(Real(0.01), Real(0.5)) * size), 1).at(where));
+    }
+    bodies.push_back(
+        box(Vec3::Constant(most / 2), 1).at(Vec3::Constant(-most)));  // its bounds are infinite on one side
+    INFO(size << " m");
+    std::vector<Bounds> queries = bounds_of_all(bodies);
+    queries.push_back(everywhere);
+    REQUIRE(require_as_one_by_one(bodies, all_of(bodies), queries) > 200);
+  }
+}
+
+TEST_CASE("bounds that only just touch are near, as they are for near_pairs") {
+  const Real next = std::nextafter(Real(1), Real(2));
+  const std::vector<Body> bodies = {sphere(1, 1), sphere(1, 1).at({10, 0, 0})};
+  const StillBodies still(bodies, all_of(bodies));
+  const Bounds first = bounds_of(bodies[0]);
+  for (int axis = 0; axis < 3; ++axis) {
+    Bounds touching = {Vec3::Constant(Real(-0.5)), Vec3::Constant(Real(0.5))};
+    touching.low[axis] = first.high[axis];
+    touching.high[axis] = first.high[axis] + 1;
+    REQUIRE(near(still, touching) == std::vector<int>{0});
+    touching.low[axis] *= next;
+    REQUIRE(near(still, touching).empty());
+    touching.high[axis] = first.low[axis];
+    touching.low[axis] = first.low[axis] - 1;
+    REQUIRE(near(still, touching) == std::vector<int>{0});
+    touching.high[axis] *= next;
+    REQUIRE(near(still, touching).empty());
+  }
+}
+
+TEST_CASE("the pairs among the moving, and of these with the still ones, are all the near pairs") {
+  Random random(5);
+  std::size_t found = 0;
+  for (int scene = 0; scene < 20; ++scene) {
+    std::vector<Body> bodies = random_bodies(200, 5, random);
+    std::vector<int> moving, still;
+    for (int i = 0; i < 200; ++i) {
+      (random.below(20) == 0 ? moving : still).push_back(i);
+    }
+    for (const int index : still) bodies[std::size_t(index)].fixed();
+    std::vector<BodyPair> pairs = near_pairs(bodies, moving);
+    const StillBodies tree(bodies, still);
+    for (const int index : moving) {
+      for (const int other : near(tree, bounds_of(bodies[std::size_t(index)]))) {
+        pairs.push_back(std::minmax(index, other));
+      }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    REQUIRE(pairs == near_pairs(bodies));
+    found += pairs.size();
+  }
+  REQUIRE(found > 500);
+}

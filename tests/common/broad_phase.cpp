@@ -1,0 +1,186 @@
+// The broad phase against asking every pair.
+#include "pushback/common/collision/broad_phase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pushback/common/collision/collide.h"
+#include "pushback/common/world/world.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+
+using namespace pushback;
+
+namespace {
+
+/// A world of spheres, boxes and capsules in a cube, some of them immovable, and of a few half-spaces.
+World random_world(int count, Real size, Random& random) {
+  World world;
+  for (int i = 0; i < count; ++i) {
+    Body body = random.body(1);
+    if (i % 11 == 0 && i < 50) body = half_space(random.vector(1) + Vec3(0, Real(1.5), 0));
+    body.at(random.vector(size));
+    if (i % 4 == 0) body.fixed();
+    world.add(body);
+  }
+  return world;
+}
+
+bool is_half_space(const Body& body) {
+  return std::holds_alternative<HalfSpace>(body.shape);
+}
+
+/// Whether any corner of the bounds is on the solid side.
+bool reaches_into(const Bounds& bounds, const Body& plane) {
+  const Vec3 normal = plane.orientation * std::get<HalfSpace>(plane.shape).normal;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p((corner & 1) ? bounds.high.x() : bounds.low.x(), (corner & 2) ? bounds.high.y() : bounds.low.y(),
+                 (corner & 4) ? bounds.high.z() : bounds.low.z());
+    if (normal.dot(p - plane.position) <= 0) return true;
+  }
+  return false;
+}
+
+std::vector<BodyPair> every_near_pair(const std::vector<Body>& bodies) {
+  std::vector<BodyPair> pairs;
+  for (int i = 0; i < int(bodies.size()); ++i) {
+    for (int j = i + 1; j < int(bodies.size()); ++j) {
+      const Body &a = bodies[std::size_t(i)], &b = bodies[std::size_t(j)];
+      if (!a.movable() && !b.movable()) continue;
+      const bool near = is_half_space(a)   ? !is_half_space(b) && reaches_into(bounds_of(b), a)
+                        : is_half_space(b) ? reaches_into(bounds_of(a), b)
+                                           : bounds_of(a).overlaps(bounds_of(b));
+      if (near) pairs.emplace_back(i, j);
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("bounds are the smallest boxes along the world axes") {
+  const auto require_bounds = [](const Body& body, const Vec3& reach) {
+    const Bounds bounds = bounds_of(body);
+    for (int i = 0; i < 3; ++i) {
+      REQUIRE(bounds.low[i] == Approx(body.position[i] - reach[i]).margin(1e-5));
+      REQUIRE(bounds.high[i] == Approx(body.position[i] + reach[i]).margin(1e-5));
+      REQUIRE(bounds.low[i] <= body.position[i] - reach[i]);  // rounded outwards
+      REQUIRE(bounds.high[i] >= body.position[i] + reach[i]);
+    }
+  };
+  require_bounds(sphere(2, 1).at({1, 2, 3}), {2, 2, 2});
+  require_bounds(box({1, 2, 3}, 1).at({4, 5, 6}), {1, 2, 3});
+  const Real root = std::sqrt(Real(0.5));
+  require_bounds(box({1, 2, 3}, 1).at({4, 5, 6}).turned(pi / 4, Vec3::UnitZ()), {3 * root, 3 * root, 3});
+  require_bounds(capsule(Real(0.5), 2, 1).at({4, 5, 6}), {Real(0.5), Real(2.5), Real(0.5)});
+  require_bounds(capsule(Real(0.5), 2, 1).at({4, 5, 6}).turned(pi / 4, Vec3::UnitX()),
+                 {Real(0.5), 2 * root + Real(0.5), 2 * root + Real(0.5)});
+  const Bounds all = bounds_of(ground());
+  REQUIRE(all.low == Vec3::Constant(-std::numeric_limits<Real>::infinity()));
+  REQUIRE(all.high == Vec3::Constant(std::numeric_limits<Real>::infinity()));
+}
+
+TEST_CASE("near pairs are those that asking every pair finds, in ascending order") {
+  Random random(7);
+  std::size_t found = 0;
+  for (const int count : {0, 1, 2, 3, 10, 50, 200}) {
+    for (const Real size : {Real(0), Real(1), Real(4), Real(20)}) {
+      const World world = random_world(count, size, random);
+      const std::vector<BodyPair> pairs = near_pairs(world.bodies);
+      INFO(count << " bodies within " << size << " m");
+      REQUIRE(pairs == every_near_pair(world.bodies));
+      REQUIRE(std::is_sorted(pairs.begin(), pairs.end()));
+      REQUIRE(std::adjacent_find(pairs.begin(), pairs.end()) == pairs.end());
+      for (const auto& [first, second] : pairs) REQUIRE(first < second);
+      found += pairs.size();
+    }
+  }
+  REQUIRE(found > 10000);
+}
+
+TEST_CASE("the near pairs among some bodies are those of all near pairs that lie among them") {
+  Random random(8);
+  std::size_t found = 0;
+  for (const int count : {0, 1, 2, 10, 50, 200}) {
+    for (const std::size_t one_in : {1, 2, 5, 1000}) {  // all of them, ..., hardly any
+      const World world = random_world(count, 2, random);
+      std::vector<int> which;
+      for (int i = 0; i < count; ++i) {
+        if (random.below(one_in) == 0) which.push_back(i);
+      }
+      const auto is_among = [&](int index) { return std::binary_search(which.begin(), which.end(), index); };
+      std::vector<BodyPair> expected = near_pairs(world.bodies);
+      std::erase_if(expected, [&](const BodyPair& pair) { return !is_among(pair.first) || !is_among(pair.second); });
+      INFO(which.size() << " of " << count << " bodies");
+      REQUIRE(near_pairs(world.bodies, which) == expected);
+      if (one_in > 1) found += expected.size();
+    }
+  }
+  REQUIRE(found > 1000);
+}
+
+TEST_CASE("whatever the axis along which a scene is spread, the pairs are the same") {
+  Random random(7);
+  for (int axis = 0; axis < 3; ++axis) {
+    World world;
+    for (int i = 0; i < 300; ++i) {
+      Vec3 where = random.vector(2);
+      where[axis] *= 20;
+      world.add(box(random.vector(1).cwiseAbs() + Vec3::Constant(Real(0.1)), 1).at(where));
+    }
+    REQUIRE(near_pairs(world.bodies) == every_near_pair(world.bodies));
+  }
+}
+
+TEST_CASE("no pair that touches is missed") {
+  Random random(7);
+  for (int scene = 0; scene < 10; ++scene) {
+    World world = random_world(120, 3, random);
+    Contacts all;
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+      for (std::size_t j = i + 1; j < world.bodies.size(); ++j) collide(world.bodies[i], world.bodies[j], all);
+    }
+    world.find_contacts();
+    REQUIRE(all.size() > 100);
+    REQUIRE(world.contacts.size() == all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) REQUIRE(world.contacts[i].id == all[i].id);
+  }
+}
+
+TEST_CASE("a body pairs with a half-space once its bounds reach below the plane, and not before") {
+  World world;
+  world.add(half_space({1, 1, 0}).at({5, 5, 5}));
+  const int ball = world.add(sphere(1, 1));
+  const auto pairs_at = [&](const Vec3& where) {
+    world.bodies[std::size_t(ball)].position = where;
+    return near_pairs(world.bodies).size();
+  };
+  REQUIRE(pairs_at({0, 0, 0}) == 1);
+  REQUIRE(pairs_at({6, Real(5.9), -50}) == 1);  // the corner of its bounds is 0.1 m below, though the ball is not
+  REQUIRE(pairs_at({6, Real(6.1), -50}) == 0);
+  REQUIRE(pairs_at({100, -80, 0}) == 0);
+}
+
+TEST_CASE("boxes that only just touch are near, wherever they are") {
+  Random random(7);
+  for (int i = 0; i < 100; ++i) {
+    World world;
+    const Vec3 where = random.vector(1000);
+    world.add(box({Real(0.1), Real(0.1), Real(0.1)}, 1).at(where));
+    world.add(box({Real(0.1), Real(0.1), Real(0.1)}, 1).at(where + Vec3(0, Real(0.2), 0)));
+    REQUIRE(near_pairs(world.bodies).size() == 1);
+  }
+}
+
+TEST_CASE("two half-spaces, or two bodies that nothing moves, are never a pair") {
+  World world;
+  world.add(ground());
+  world.add(half_space(Vec3::UnitX()));
+  world.add(sphere(1, 1).fixed());
+  world.add(box({1, 1, 1}, 1).fixed());
+  REQUIRE(near_pairs(world.bodies).empty());
+  world.add(sphere(1, 1));
+  const std::vector<BodyPair> expected = {{0, 4}, {1, 4}, {2, 4}, {3, 4}};
+  REQUIRE(near_pairs(world.bodies) == expected);
+}

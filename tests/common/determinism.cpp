@@ -1,0 +1,162 @@
+/// The same program on the same machine does the same thing twice, to the last bit.
+#include "pushback/chapters/00_naive_impulses/naive.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/12_small_steps/small_steps.h"
+#include "pushback/common/experiment/experiment.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real h = Real(1) / 60;
+constexpr int steps = 600;
+
+/// A pyramid, and a pile of everything that falls onto it.
+void pyramid_under_fire(World& world) {
+  Random random(5);
+  pyramid(world, 6);
+  for (int i = 0; i < 25; ++i) {
+    const Real mass = random.over_decades(1, 100);
+    Body body = random.body(mass);
+    Vec3 place = random.vector(2);
+    place.y() = 8 + static_cast<Real>(i) * Real(0.5);
+    body.at(place).moving(random.vector(3)).spinning(random.vector(3));
+    const Real mu = random.between(0, 1), e = random.between(0, Real(0.6));
+    world.add(body.rough(mu).bouncy(e));
+  }
+}
+
+/// The hash after every step.
+template <class ContactSolver>
+std::vector<std::uint64_t> history(World& world, ContactSolver& solver) {
+  std::vector<std::uint64_t> hashes;
+  for (int step = 0; step < steps; ++step) {
+    world.step(solver, h, 10);
+    hashes.push_back(hash_of(world));
+  }
+  return hashes;
+}
+
+std::vector<std::uint64_t> fresh_history() {
+  World world;
+  pyramid_under_fire(world);
+  FullSolver solver;
+  return history(world, solver);
+}
+
+}  // namespace
+
+TEST_CASE("two runs of 600 steps are the same, step by step") {
+  const auto once = fresh_history(), again = fresh_history();
+  INFO("hash after 600 steps: " << once.back());
+  CHECK(once == again);
+  // And something happened all the while: no two steps ended alike.
+  auto sorted = once;
+  std::sort(sorted.begin(), sorted.end());
+  CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
+}
+
+TEST_CASE("a solver that was used before is as good as new: what lasts from step to step is in the world") {
+  FullSolver used;
+  World other;
+  stack(other, 4);
+  for (int step = 0; step < 50; ++step) other.step(used, h / 3, 4);
+  World world;
+  pyramid_under_fire(world);
+  CHECK(history(world, used) == fresh_history());
+}
+
+TEST_CASE("a new solver goes on where another one was: what lasts from step to step is in the world") {
+  World one;
+  stack(one, 4);
+  FullSolver solver;
+  for (int step = 0; step < 50; ++step) one.step(solver, h, 4);
+  World other = one;
+  FullSolver fresh;
+  for (int step = 0; step < 50; ++step) {
+    one.step(solver, h, 4);
+    other.step(fresh, h, 4);
+    REQUIRE(hash_of(one) == hash_of(other));
+  }
+}
+
+TEST_CASE("nothing depends on where in memory the bodies are") {
+  World elsewhere;
+  elsewhere.bodies.reserve(1000);
+  pyramid_under_fire(elsewhere);
+  FullSolver solver;
+  CHECK(history(elsewhere, solver) == fresh_history());
+
+  // The bodies move house in every step, and the world with them.
+  World world;
+  pyramid_under_fire(world);
+  FullSolver moving_house;
+  std::vector<std::uint64_t> hashes;
+  std::vector<std::vector<Body>> kept;  // so that the old place is not handed out again
+  for (int step = 0; step < steps; ++step) {
+    world.step(moving_house, h, 10);
+    hashes.push_back(hash_of(world));
+    std::vector<Body> copy = world.bodies;
+    kept.push_back(std::move(world.bodies));
+    if (kept.size() > 3) kept.erase(kept.begin());
+    world.bodies = std::move(copy);
+  }
+  CHECK(hashes == fresh_history());
+}
+
+TEST_CASE("a copy of world and solver goes on as the original does") {
+  World world;
+  pyramid_under_fire(world);
+  FullSolver solver;
+  for (int step = 0; step < 200; ++step) world.step(solver, h, 10);
+  World copy = world;
+  FullSolver copied = solver;
+  CHECK(history(copy, copied) == history(world, solver));
+}
+
+TEST_CASE("a variant in four small steps does what steps of a quarter do") {
+  const std::filesystem::path out = std::filesystem::temp_directory_path() / "pushback_small_steps";
+  std::vector<std::uint64_t> hashes;
+  Experiment e("small_steps", "");
+  const std::vector<std::string> words{"small_steps", "--no-images", "--out", out.string()};
+  std::vector<const char*> arguments;
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  REQUIRE(e.run(static_cast<int>(arguments.size()), arguments.data(), [&] {
+    e.scene({.name = "pyramid", .fill = pyramid_under_fire, .seconds = 1});
+    e.variant("small steps", FullSolver{}).in_small_steps(4).with_exactly(3);
+    e.variant("small steps, soft", SoftSolver{}).in_small_steps(4).with_exactly(3);
+    e.number("hash", "", [&](const Run& run) {
+      hashes.push_back(hash_of(run.world));
+      return Real(0);
+    });
+  }) == 0);
+  std::filesystem::remove_all(out);
+
+  const auto quarter_steps = [](auto solver) {
+    World world;
+    pyramid_under_fire(world);
+    for (int step = 0; step < 60 * 4; ++step) world.step(solver, h / 4, 3);
+    return hash_of(world);
+  };
+  CHECK(hashes == std::vector<std::uint64_t>{quarter_steps(FullSolver{}), quarter_steps(SoftSolver{})});
+}
+
+TEST_CASE("the naive solvers repeat themselves as well") {
+  for (const bool averaged : {false, true}) {
+    World worlds[2];
+    for (World& world : worlds) {
+      pyramid_under_fire(world);
+      NaiveOnce once;
+      NaiveAveraged again;
+      for (int step = 0; step < 120; ++step) {
+        if (averaged) world.step(again, h, 10);
+        else world.step(once, h, 10);
+      }
+    }
+    CHECK(hash_of(worlds[0]) == hash_of(worlds[1]));
+  }
+}

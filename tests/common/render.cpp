@@ -1,0 +1,301 @@
+// Images, text, and what can be seen in a picture.
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "pushback/common/basics/input.h"
+#include "pushback/common/render/canvas.h"
+#include "pushback/common/render/image.h"
+#include "pushback/common/render/painter.h"
+#include "pushback/common/render/palette.h"
+#include "tests/support/catch.h"
+
+using namespace pushback;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder of its own that goes away with the test.
+struct Folder {
+  fs::path path =
+      fs::temp_directory_path() / ("pushback_render_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+};
+
+int brightness(const Image& image, int x, int y) {
+  return image.at(x, y)[0] + image.at(x, y)[1] + image.at(x, y)[2];
+}
+
+/// How many pixels two images of one size do not share.
+int differences(const Image& a, const Image& b) {
+  REQUIRE(a.pixels.size() == b.pixels.size());
+  int count = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
+    if (a.pixels[i] != b.pixels[i] || a.pixels[i + 1] != b.pixels[i + 1] || a.pixels[i + 2] != b.pixels[i + 2]) ++count;
+  }
+  return count;
+}
+
+Solid floor_at_zero() {
+  return {HalfSpace{Vec3(0, 1, 0)}, Vec3::Zero(), Quat::Identity(), fixed_colour()};
+}
+
+Picture ball_in_the_air() {
+  Picture picture;
+  picture.camera = {Vec3(0, 1, 6), Vec3(0, 1, 0), Real(0.6)};
+  picture.solids.push_back({Sphere{Real(0.5)}, Vec3(0, 1, 0), Quat::Identity(), Colour{0.7f, 0.02f, 0.02f}});
+  return picture;
+}
+
+}  // namespace
+
+TEST_CASE("a PNG gives back the pixels it was given") {
+  const Folder folder;
+  Image image(37, 21);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<std::uint8_t>(i * 31 % 251);
+  const fs::path file = folder.path / "there and back.png";
+  write_png(file, image);
+  write_png(file, image);  // a second time replaces the first
+  const Image back = read_png(file);
+  CHECK(back.width == 37);
+  CHECK(back.height == 21);
+  CHECK(back.pixels == image.pixels);
+}
+
+TEST_CASE("a PNG that cannot be written leaves nothing behind") {
+  const Folder folder;
+  const Image image(4, 4);
+  CHECK_THROWS_AS(write_png(folder.path / "missing" / "a.png", image), InvalidInput);
+  CHECK_FALSE(fs::exists(folder.path / "missing"));
+  fs::create_directories(folder.path / "taken.png" / "by a folder");
+  CHECK_THROWS_AS(write_png(folder.path / "taken.png", image), InvalidInput);
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+  CHECK_THROWS_AS(write_png(folder.path / "empty.png", Image()), InvalidInput);
+}
+
+TEST_CASE("what is not a PNG is refused by name") {
+  const Folder folder;
+  const fs::path file = folder.path / "words.png";
+  std::ofstream(file) << "these are words";
+  CHECK_THROWS_AS(read_png(file), InvalidInput);
+  CHECK_THROWS_AS(read_png(folder.path / "absent.png"), InvalidInput);
+  try {
+    read_png(folder.path / "absent.png");
+  } catch (const InvalidInput& refusal) {
+    CHECK(std::string(refusal.what()).find("absent.png") != std::string::npos);
+  }
+}
+
+TEST_CASE("a PNG that stops half-way is refused") {
+  const Folder folder;
+  const fs::path file = folder.path / "cut.png";
+  Image image(64, 64);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<std::uint8_t>(i * i % 253);
+  write_png(file, image);
+  fs::resize_file(file, fs::file_size(file) / 2);
+  CHECK_THROWS_AS(read_png(file), InvalidInput);
+}
+
+TEST_CASE("impossible sizes are refused") {
+  CHECK_THROWS_AS(Image(0, 5), InvalidInput);
+  CHECK_THROWS_AS(Image(5, -1), InvalidInput);
+  CHECK_THROWS_AS(Image(16385, 5), InvalidInput);
+  CHECK_THROWS_AS(Painter(0, 100), InvalidInput);
+  CHECK_THROWS_AS(Painter(100, 8193), InvalidInput);
+  CHECK_THROWS_AS(resized(Image(3, 3), 0, 3), InvalidInput);
+}
+
+TEST_CASE("resizing averages light, and keeps an even image as it is") {
+  Image image(2, 2, 0);
+  for (int i = 0; i < 3; ++i) image.at(0, 0)[i] = image.at(1, 1)[i] = 255;
+  CHECK(resized(image, 1, 1).at(0, 0)[0] == 188);  // half the light, in sRGB
+  const Image even = resized(Image(7, 5, 97), 13, 3);
+  CHECK(even.width == 13);
+  CHECK(even.height == 3);
+  for (const std::uint8_t level : even.pixels) CHECK(level == 97);
+}
+
+TEST_CASE("pasting cuts off what sticks out") {
+  Image onto(4, 4, 0);
+  paste(Image(3, 3, 255), onto, 2, -2);
+  CHECK(onto.at(2, 0)[0] == 255);
+  CHECK(onto.at(3, 0)[0] == 255);
+  CHECK(onto.at(1, 0)[0] == 0);
+  CHECK(onto.at(2, 1)[0] == 0);
+  paste(Image(3, 3, 255), onto, -10, 50);  // nowhere at all
+  CHECK(onto.at(0, 3)[0] == 0);
+}
+
+TEST_CASE("text leaves ink where it says") {
+  Image image(200, 60);
+  write_text(image, "λₙ ≥ 0", 20, 40, 30);
+  int left = 200, right = 0, ink = 0;
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 0; x < 200; ++x) {
+      if (brightness(image, x, y) > 600) continue;
+      left = std::min(left, x);
+      right = std::max(right, x);
+      ++ink;
+    }
+  }
+  CHECK(ink > 100);
+  CHECK(left >= 19);
+  CHECK(right <= 20 + text_width("λₙ ≥ 0", 30));
+  CHECK(text_width("", 20) == 0);
+  CHECK(text_width("impulse", 20) < text_width("impulses", 20));
+  CHECK(text_width("impulse", 20) < text_width("impulse", 30));
+  CHECK(text_width("impulse", 20) < text_width("impulse", 20, true));
+  CHECK_THROWS_AS(text_width("impulse", 0), InvalidInput);
+}
+
+TEST_CASE("text off the image, or not UTF-8, does no harm") {
+  Image image(20, 20);
+  write_text(image, "off the image", -200, -10, 20);
+  write_text(image, "off the image", 500, 500, 20);
+  CHECK(differences(image, Image(20, 20)) == 0);
+  write_text(image, "\xff\xc3\xe2\x82", 0, 15, 12);
+  CHECK(differences(image, Image(20, 20)) > 0);
+}
+
+TEST_CASE("every sign that the sheets use is in the font, also in bold") {
+  const auto drawn = [](std::string_view sign, bool bold) {
+    Image image(60, 60);
+    write_text(image, sign, 15, 45, 40, {}, Align::left, bold);
+    return image;
+  };
+  for (const bool bold : {false, true}) {
+    const Image missing = drawn("\U000F0000", bold);  // of private use: surely a box
+    REQUIRE(differences(missing, Image(60, 60)) > 0);
+    for (const char* sign :
+         {"‖", "λ", "ₙ", "⁻", "⁵", "Δ", "μ", "β", "θ", "√", "°", "·", "²", "×", "≤", "≥", "±", "→", "ω", "ε"}) {
+      INFO(sign << (bold ? " in bold" : ""));
+      CHECK(differences(drawn(sign, bold), missing) > 0);
+    }
+  }
+}
+
+TEST_CASE("rectangles and discs fill what they should") {
+  Image image(20, 20);
+  fill_rectangle(image, -5, 4, 10, 3, {0, 0, 0}, 0.5f);
+  CHECK(image.at(0, 4)[0] == 128);
+  CHECK(image.at(4, 6)[1] == 128);
+  CHECK(image.at(5, 4)[0] == 255);
+  CHECK(image.at(0, 7)[0] == 255);
+  fill_disc(image, 14, 14, 4, {200, 0, 0});
+  CHECK(image.at(14, 14)[0] == 200);
+  CHECK(image.at(14, 14)[1] == 0);
+  CHECK(image.at(10, 10)[1] == 255);  // a corner of the square around it
+  fill_disc(image, 500, 500, 4, {});
+}
+
+TEST_CASE("a red ball in front of the camera is red in the middle, with the background around it") {
+  Painter painter(160, 90);
+  const Picture picture = ball_in_the_air();
+  for (const Image& image : {painter.draw(picture), painter.draw_still(picture, 4)}) {
+    const std::uint8_t* middle = image.at(80, 45);
+    CHECK(middle[0] > 120);
+    CHECK(middle[0] > 2 * middle[1]);
+    CHECK(middle[0] > 2 * middle[2]);
+    const std::uint8_t* corner = image.at(2, 2);
+    CHECK(corner[0] > 200);
+    CHECK(std::abs(corner[0] - corner[1]) < 20);
+  }
+}
+
+TEST_CASE("the floor is darker where a ball keeps the light from it") {
+  Painter painter(160, 90);
+  Picture picture;
+  picture.camera = {Vec3(0, 8, Real(0.01)), Vec3::Zero(), Real(0.8)};  // from above
+  picture.solids.push_back(floor_at_zero());
+  const Image empty = painter.draw(picture);
+  picture.solids.push_back({Sphere{Real(0.6)}, Vec3(0, Real(0.6), 0), Quat::Identity(), body_colour(0)});
+  for (const Image& image : {painter.draw(picture), painter.draw_still(picture, 4)}) {
+    int darker = 0;
+    for (int y = 0; y < 90; ++y) {
+      for (int x = 0; x < 160; ++x) {
+        const std::uint8_t* pixel = image.at(x, y);
+        const bool grey = std::abs(pixel[0] - pixel[2]) < 25;  // the floor, not the ball
+        if (grey && brightness(image, x, y) < brightness(empty, x, y) - 100) ++darker;
+      }
+    }
+    CHECK(darker > 50);
+    CHECK(std::abs(brightness(image, 5, 85) - brightness(empty, 5, 85)) < 20);  // far away it is as bright as before
+  }
+}
+
+TEST_CASE("the same picture is the same bytes, whoever draws it and whatever was drawn before") {
+  Picture picture = ball_in_the_air();
+  picture.solids.push_back(floor_at_zero());
+  picture.arrows.push_back({Vec3(0, 0, 0), Vec3(0, 2, 0), Real(0.05), normal_arrow_colour()});
+  picture.dots.push_back({Vec3(0, 0, 0), Real(0.05), contact_colour(ContactState::warm)});
+  Painter first(120, 68), second(120, 68);
+  const Image once = first.draw(picture);
+  const Image still = first.draw_still(picture, 3);
+  CHECK(differences(first.draw(picture), once) == 0);
+  CHECK(differences(second.draw(picture), once) == 0);
+  CHECK(differences(second.draw_still(picture, 3), still) == 0);
+}
+
+TEST_CASE("a dot and an arrow inside a box can be seen") {
+  Painter painter(160, 90);
+  Picture picture;
+  picture.camera = {Vec3(0, 0, 6), Vec3::Zero(), Real(0.6)};
+  picture.solids.push_back({Box{Vec3(1, 1, 1)}, Vec3::Zero(), Quat::Identity(), body_colour(0)});
+  const Image empty = painter.draw(picture);
+  Picture with_dot = picture, with_arrow = picture;
+  with_dot.dots.push_back({Vec3::Zero(), Real(0.15), contact_colour(ContactState::warm)});
+  with_arrow.arrows.push_back({Vec3(0, Real(-0.5), 0), Vec3(0, Real(0.5), 0), Real(0.1), normal_arrow_colour()});
+  const Image dot = painter.draw(with_dot), arrow = painter.draw(with_arrow);
+  CHECK(dot.at(80, 45)[0] > empty.at(80, 45)[0] + 80);
+  CHECK(brightness(arrow, 80, 45) > brightness(empty, 80, 45) + 30);
+  CHECK(brightness(arrow, 80, 45) < 650);  // faint
+  CHECK(differences(dot, empty) < 400);
+}
+
+TEST_CASE("a slanted half-space is seen from outside and not from inside") {
+  Painter painter(160, 90);
+  Picture picture;
+  picture.camera = {Vec3(0, 3, 8), Vec3::Zero(), Real(0.6)};
+  const Image empty = painter.draw(picture);
+  const Vec3 normal = Vec3(Real(-0.4), 1, 0).normalized();
+  picture.solids.push_back({HalfSpace{normal}, Vec3::Zero(), Quat::Identity(), fixed_colour()});
+  CHECK(differences(painter.draw(picture), empty) > 2000);
+  picture.solids[0] = {HalfSpace{-normal}, Vec3::Zero(), Quat::Identity(), fixed_colour()};
+  CHECK(differences(painter.draw(picture), empty) == 0);
+}
+
+TEST_CASE("a world that blew up can still be drawn") {
+  Painter painter(64, 36);
+  Picture picture = ball_in_the_air();
+  const Image before = painter.draw(picture);
+  const Real nan = std::numeric_limits<Real>::quiet_NaN(), infinite = std::numeric_limits<Real>::infinity();
+  picture.solids.push_back({Sphere{Real(0.5)}, Vec3(nan, 0, 0), Quat::Identity(), body_colour(0)});
+  picture.solids.push_back({Box{Vec3(1, 1, 1)}, Vec3(infinite, 0, 0), Quat::Identity(), body_colour(0)});
+  picture.solids.push_back({Box{Vec3(1, 1, 1)}, Vec3(0, 0, 0), Quat(nan, 0, 0, 0), body_colour(0)});
+  picture.arrows.push_back({Vec3::Zero(), Vec3(0, infinite, 0), Real(0.1), normal_arrow_colour()});
+  picture.arrows.push_back({Vec3::Zero(), Vec3::Zero(), Real(0.1), normal_arrow_colour()});
+  picture.dots.push_back({Vec3(0, nan, 0), Real(0.1), normal_arrow_colour()});
+  CHECK(differences(painter.draw(picture), before) == 0);
+}
+
+TEST_CASE("a camera that looks at nothing is refused") {
+  Painter painter(16, 9);
+  Picture picture;
+  picture.camera.target = picture.camera.eye;
+  CHECK_THROWS_AS(painter.draw(picture), InvalidInput);
+  picture.camera = {Vec3(0, std::numeric_limits<Real>::quiet_NaN(), 0), Vec3::Zero(), Real(0.6)};
+  CHECK_THROWS_AS(painter.draw(picture), InvalidInput);
+  picture.camera = {Vec3(0, 1, 1), Vec3::Zero(), 0};
+  CHECK_THROWS_AS(painter.draw(picture), InvalidInput);
+  picture.camera = Camera();
+  CHECK_THROWS_AS(painter.draw_still(picture, 0), InvalidInput);
+}

@@ -1,0 +1,338 @@
+/// The chapters' programs as a student calls them: options, messages, exit statuses, and what they leave behind.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "tests/support/call.h"
+
+/// Where the chapters' executables are, from the working directory of the tests.
+#ifndef CHAPTER_DIR
+#define CHAPTER_DIR "build/release/chapters"
+#endif
+
+namespace {
+
+Ended call(const std::string& chapter, const std::string& arguments, int seconds = 20) {
+  return call_program(fs::path(CHAPTER_DIR) / chapter, arguments, seconds);
+}
+
+/// A run without pictures, and what it wrote.
+struct Numbers {
+  std::string table;
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+  std::size_t column(const std::string& name) const {
+    const auto found = std::find(header.begin(), header.end(), name);
+    if (found == header.end()) FAIL("no column " << name);
+    return static_cast<std::size_t>(found - header.begin());
+  }
+};
+
+Numbers numbers_of(const std::string& chapter, const std::string& arguments, int seconds = 20) {
+  const Scratch scratch;
+  const Ended outcome = call(chapter, "--no-images --out '" + (scratch / "out").string() + "' " + arguments, seconds);
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const fs::path folder = scratch / "out" / chapter;
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(scratch / "out")) {
+    if (entry.is_regular_file()) files.push_back(entry.path().filename().string());
+  }
+  std::sort(files.begin(), files.end());
+  REQUIRE(files == std::vector<std::string>{"metrics.csv", "numbers.md"});  // and no picture
+  Numbers numbers{text_of(folder / "numbers.md"), {}, {}};
+  for (const std::string& line : lines_of(text_of(folder / "metrics.csv"))) {
+    if (numbers.header.empty()) numbers.header = fields_of(line);
+    else numbers.rows.push_back(fields_of(line));
+  }
+  for (const auto& row : numbers.rows) REQUIRE(row.size() == numbers.header.size());
+  return numbers;
+}
+
+const std::vector<std::string> chapters{"00_naive_impulses",
+                                        "01_velocity_constraint",
+                                        "02_clamping",
+                                        "03_baumgarte",
+                                        "04_slop",
+                                        "05_restitution",
+                                        "06_friction",
+                                        "07_warm_start",
+                                        "08_friction_cone",
+                                        "09_joints",
+                                        "11_position_correction",
+                                        "12_small_steps"};
+
+/// Options beside those that every chapter has.
+const std::map<std::string, std::vector<std::string>> own_options{
+    {"03_baumgarte", {"--beta", "--unstable"}},
+    {"04_slop", {"--slop"}},
+    {"05_restitution", {"--threshold"}},
+    {"07_warm_start", {"--sweep-counts"}},
+    {"08_friction_cone", {"--half-length"}},
+    {"09_joints", {"--beta", "--sweep-counts"}},
+    {"11_position_correction", {"--beta", "--most", "--rounds"}},
+    {"12_small_steps", {"--small-steps", "--hertz", "--damping-ratio"}}};
+
+}  // namespace
+
+TEST_CASE("option --parameters prints, as JSON, what --help says of an experiment's own") {
+  for (const auto& [chapter, options] : own_options) {
+    const Ended outcome = call(chapter, "--parameters");
+    INFO(chapter << ": " << outcome.out);
+    CHECK(outcome.status == 0);
+    std::size_t objects = 0;
+    for (std::size_t at = outcome.out.find("{\"flag\": "); at != std::string::npos;
+         at = outcome.out.find("{\"flag\": ", at + 1))
+      ++objects;
+    CHECK(objects == options.size());
+    for (const std::string& option : options) CHECK(contains(outcome.out, fmt::format("\"flag\": \"{}\"", option)));
+    CHECK(outcome.out.starts_with("[{"));
+    CHECK(outcome.out.ends_with("}]\n"));
+  }
+  CHECK(contains(call("04_slop", "--parameters").out,
+                 R"({"flag": "--slop", "symbol": "slop", "unit": "m", "what": "Overlaps to leave alone", )"
+                 R"("default": [0, 0.005, 0.02], "least": 0, "most": null, "whole": false})"));
+  CHECK(contains(call("11_position_correction", "--parameters").out,
+                 R"("default": [3], "least": 0, "most": 1000, "whole": true})"));
+}
+
+TEST_CASE("option --help names every option and ends with status 0") {
+  for (const std::string& chapter : chapters) {
+    const Ended outcome = call(chapter, "--help");
+    INFO(chapter);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.err.empty());
+    std::vector<std::string> options{"--help",   "--out", "--size",     "--seconds",   "--frames",
+                                     "--sweeps", "--dt",  "--variants", "--no-images", "--list"};
+    if (own_options.count(chapter) > 0)
+      options.insert(options.end(), own_options.at(chapter).begin(), own_options.at(chapter).end());
+    for (const std::string& option : options) {
+      INFO(option);
+      CHECK(contains(outcome.out, option));
+    }
+  }
+}
+
+TEST_CASE("option --list names scenes and variants, writes nothing, and --variants understands each of its names") {
+  for (const std::string& chapter : chapters) {
+    const Scratch scratch;
+    const Ended outcome = call(chapter, "--list --out '" + (scratch / "out").string() + "'");
+    INFO(chapter << "\n" << outcome.out);
+    CHECK(outcome.status == 0);
+    CHECK_FALSE(fs::exists(scratch / "out"));
+    int scenes = 0, variants = 0;
+    for (const std::string& line : lines_of(outcome.out)) ++(line.rfind("  ", 0) == 0 ? variants : scenes);
+    CHECK(scenes >= 1);
+    CHECK(variants >= 2);
+  }
+  for (const std::string& line : lines_of(call("04_slop", "--list").out)) {
+    if (line.rfind("  ", 0) != 0) continue;
+    const std::string name = line.substr(2, line.find(' ', 2) - 2);
+    CHECK(call("04_slop", "--list --variants " + name).status == 0);
+  }
+}
+
+TEST_CASE("a value that cannot be used: status 2, a message that names it, and nothing is written") {
+  struct Wrong {
+    std::string chapter, arguments;
+    std::vector<std::string> named;
+  };
+  for (const Wrong& wrong : std::vector<Wrong>{
+           {"03_baumgarte", "--size 0x0", {"--size", "0x0"}},
+           {"03_baumgarte", "--size banana", {"--size", "banana"}},
+           {"03_baumgarte", "--size 640x360x2", {"--size", "640x360x2"}},
+           {"03_baumgarte", "--size 4294967936x360", {"--size", "4294967936x360"}},  // 640 in 32 bits
+           {"03_baumgarte", "--size -640x360", {"--size", "-640x360"}},
+           {"03_baumgarte", "--size 99999x99999", {"--size", "99999x99999"}},
+           {"03_baumgarte", "--dt 0", {"--dt", "0"}},
+           {"03_baumgarte", "--dt -1", {"--dt", "-1"}},
+           {"03_baumgarte", "--dt nan", {"--dt", "nan"}},
+           {"03_baumgarte", "--dt inf", {"--dt", "inf"}},
+           {"03_baumgarte", "--dt banana", {"--dt", "banana"}},
+           {"03_baumgarte", "--sweeps 0", {"--sweeps", "0"}},
+           {"03_baumgarte", "--sweeps -3", {"--sweeps", "-3"}},
+           {"03_baumgarte", "--sweeps 1.5", {"--sweeps", "1.5"}},
+           {"03_baumgarte", "--frames -1", {"--frames", "-1"}},
+           {"03_baumgarte", "--seconds -1", {"--seconds", "-1"}},
+           {"03_baumgarte", "--seconds 0", {"--seconds", "0"}},
+           {"03_baumgarte", "--seconds nan", {"--seconds", "nan"}},
+           {"03_baumgarte", "--variants unknown", {"--variants", "unknown"}},
+           {"03_baumgarte", "--variants β-0.2,unknown", {"--variants", "unknown"}},
+           {"03_baumgarte", "--beta -0.1", {"beta", "-0.1"}},
+           {"03_baumgarte", "--beta 0.2,nan", {"beta", "nan"}},
+           {"03_baumgarte", "--beta banana", {"beta", "banana"}},
+           {"04_slop", "--slop -1", {"slop", "-1"}},
+           {"04_slop", "--slop nan", {"slop", "nan"}},
+           {"05_restitution", "--threshold -1", {"threshold", "-1"}},
+           {"07_warm_start", "--sweep-counts 0", {"--sweep-counts", "0"}},
+           {"08_friction_cone", "--half-length 2", {"--half-length", "2"}},
+           {"09_joints", "--beta 1.5", {"--beta", "1.5"}},
+           {"09_joints", "--beta -0.1", {"--beta", "-0.1"}},
+           {"09_joints", "--beta nan", {"beta", "nan"}},
+           {"09_joints", "--sweep-counts 0", {"--sweep-counts", "0"}},
+           {"11_position_correction", "--beta 1.5", {"--beta", "1.5"}},
+           {"11_position_correction", "--beta nan", {"beta", "nan"}},
+           {"11_position_correction", "--most -1", {"--most", "-1"}},
+           {"11_position_correction", "--rounds -1", {"--rounds", "-1"}},
+           {"12_small_steps", "--small-steps 0", {"--small-steps", "0"}},
+           {"12_small_steps", "--small-steps 1.5", {"--small-steps", "1.5"}},
+           {"12_small_steps", "--hertz 0", {"--hertz", "0"}},
+           {"12_small_steps", "--hertz nan", {"--hertz", "nan"}},
+           {"12_small_steps", "--damping-ratio -1", {"--damping-ratio", "-1"}},
+           {"03_baumgarte", "--banana", {"--banana"}},
+           {"03_baumgarte", "banana", {"banana"}},
+           // More steps than anyone could wait for.
+           {"03_baumgarte", "--seconds 1e30", {"--seconds", "1e+30"}},
+           {"03_baumgarte", "--dt 1e-30", {"--dt", "1e-30"}},
+       }) {
+    const Scratch scratch;
+    const Ended outcome =
+        call(wrong.chapter, "--no-images --out '" + (scratch / "out").string() + "' " + wrong.arguments);
+    INFO(wrong.chapter << " " << wrong.arguments << ": " << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    for (const std::string& name : wrong.named) CHECK(contains(outcome.err, name));
+    CHECK(outcome.err.size() < 300);  // to be read by a person
+    CHECK_FALSE(fs::exists(scratch / "out"));
+  }
+}
+
+TEST_CASE("an output folder that cannot be made: status 2 and a message that names it") {
+  const Scratch scratch;
+  std::ofstream(scratch / "file") << "a regular file";
+  for (const std::string& folder :
+       {std::string("/dev/null/x"), (scratch / "file").string(), (scratch / "file" / "x").string()}) {
+    const Ended outcome = call("03_baumgarte", "--no-images --out '" + folder + "'");
+    INFO(folder << ": " << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(contains(outcome.err, folder));
+    CHECK(contains(outcome.err, "--out"));
+  }
+  CHECK(text_of(scratch / "file") == "a regular file");
+}
+
+TEST_CASE("metrics.csv has the documented columns and a row for each variant and step") {
+  const Numbers numbers = numbers_of("04_slop", "--seconds 0.5 --dt 0.01 --slop 0,0.01");
+  const std::vector<std::string> documented{"scene",
+                                            "variant",
+                                            "step",
+                                            "time",
+                                            "kinetic_energy",
+                                            "potential_energy",
+                                            "px",
+                                            "py",
+                                            "pz",
+                                            "lx",
+                                            "ly",
+                                            "lz",
+                                            "deepest_overlap",
+                                            "contacts",
+                                            "found",
+                                            "lost",
+                                            "rows",
+                                            "residual",
+                                            "solver_seconds"};
+  REQUIRE(numbers.header.size() >= documented.size());
+  CHECK(std::vector<std::string>(numbers.header.begin(),
+                                 numbers.header.begin() + static_cast<std::ptrdiff_t>(documented.size())) ==
+        documented);
+  std::map<std::string, int> steps;
+  for (const auto& row : numbers.rows) {
+    const int step = ++steps[row[numbers.column("variant")]];
+    CHECK(row[numbers.column("step")] == std::to_string(step));
+    CHECK(std::stod(row[numbers.column("time")]) == Approx(0.01 * step));
+    CHECK(std::stod(row[numbers.column("solver_seconds")]) >= 0);
+  }
+  CHECK(steps == std::map<std::string, int>{{"slop = 0 mm", 50}, {"slop = 10 mm", 50}});
+  CHECK(contains(numbers.table, "| slop = 0 mm, 40 sweeps |"));
+  CHECK(contains(numbers.table, "| slop = 10 mm, 40 sweeps |"));
+}
+
+TEST_CASE("the columns mean what their names say") {
+  // A box falls freely for 0.1 s: momentum -m g t, energies that add up, no contact.
+  const Numbers numbers =
+      numbers_of("01_velocity_constraint", "--seconds 0.1 --variants it-stops-the-fall-and-keeps-the-overlap_j-v-0");
+  REQUIRE(numbers.rows.size() == 6);
+  const auto value = [&](std::size_t row, const std::string& name) {
+    return std::stod(numbers.rows[row][numbers.column(name)]);
+  };
+  for (std::size_t i = 0; i < numbers.rows.size(); ++i) {
+    const double t = value(i, "time");
+    CHECK(t == Approx(static_cast<double>(i + 1) / 60));
+    CHECK(value(i, "py") == Approx(-100 * 9.81 * t));
+    CHECK(value(i, "px") == 0);
+    CHECK(value(i, "kinetic_energy") == Approx(50 * 9.81 * 9.81 * t * t));
+    // Symplectic Euler falls g t h / 2 farther than the parabola.
+    CHECK(value(i, "potential_energy") == Approx(100 * 9.81 * (1.54 - 9.81 * t * (t + 1.0 / 60) / 2)));
+    CHECK(value(i, "contacts") == 0);
+    CHECK(value(i, "deepest_overlap") == 0);
+  }
+}
+
+// What stands on a sheet stands in numbers.md, in the same words: both are committed, so no clock may decide any of it.
+TEST_CASE("two runs of any chapter write the same, but for the time that the solver took", "[slow]") {
+  for (const std::string& chapter : chapters) {
+    INFO(chapter);
+    const int limit = 120;  // s: some chapters have studies of their own, which --seconds does not shorten
+    const Numbers once = numbers_of(chapter, "--seconds 0.1", limit),
+                  again = numbers_of(chapter, "--seconds 0.1", limit);
+    CHECK(once.table == again.table);
+    CHECK(once.header == again.header);
+    REQUIRE(once.rows.size() == again.rows.size());
+    const std::size_t clock = once.column("solver_seconds");
+    std::size_t different = 0;
+    for (std::size_t row = 0; row < once.rows.size(); ++row) {
+      for (std::size_t k = 0; k < once.header.size(); ++k)
+        different += k != clock && once.rows[row][k] != again.rows[row][k] ? 1u : 0u;
+    }
+    CHECK(different == 0);
+  }
+}
+
+TEST_CASE("options: --variants picks, --sweeps and --dt act") {
+  const Numbers all = numbers_of("04_slop", "--seconds 0.2");
+  const Numbers one = numbers_of("04_slop", "--seconds 0.2 --variants slop-5-mm");
+  const Numbers two = numbers_of("04_slop", "--seconds 0.2 --variants slop-20-mm,slop-0-mm");
+  CHECK(one.rows.size() == all.rows.size() / 3);
+  CHECK(two.rows.size() == all.rows.size() / 3 * 2);
+  for (const auto& row : one.rows) CHECK(row[one.column("variant")] == "slop = 5 mm");
+  // Alone it does what it does in company.
+  const std::size_t overlap = all.column("deepest_overlap");
+  for (std::size_t i = 0; i < one.rows.size(); ++i)
+    CHECK(one.rows[i][overlap] == all.rows[one.rows.size() + i][overlap]);
+
+  CHECK(numbers_of("04_slop", "--seconds 0.2 --dt 0.005").rows.size() == 3 * 40);
+  const Numbers quick = numbers_of("06_friction", "--seconds 0.2 --sweeps 2");
+  const Numbers thorough = numbers_of("06_friction", "--seconds 0.2 --sweeps 100");
+  const std::size_t residual = quick.column("residual");
+  double few = 0, many = 0;
+  for (std::size_t i = 0; i < quick.rows.size(); ++i) {
+    few += std::stod(quick.rows[i][residual]);
+    many += std::stod(thorough.rows[i][residual]);
+  }
+  CHECK(many < few / 10);
+}
+
+TEST_CASE("with pictures: as many frames of each variant as asked for, of the size asked for, a sheet and a plot") {
+  const Scratch scratch;
+  const Ended outcome = call("04_slop", "--seconds 0.2 --frames 3 --size 64x48 --variants slop-0-mm,slop-5-mm --out '" +
+                                            (scratch / "out").string() + "'");
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const fs::path folder = scratch / "out" / "04_slop";
+  for (const std::string name : {"sheet.png", "plot.png", "metrics.csv", "numbers.md"})
+    CHECK(fs::file_size(folder / name) > 0);
+  for (const std::string variant : {"slop-0-mm", "slop-5-mm"}) {
+    int frames = 0;
+    for (const auto& entry : fs::directory_iterator(folder / variant)) {
+      const std::string png = text_of(entry.path());
+      REQUIRE(png.size() > 24);
+      CHECK(png.substr(1, 3) == "PNG");
+      CHECK(static_cast<unsigned char>(png[19]) == 64);  // width and height: big-endian, from bytes 16 and 20 on
+      CHECK(static_cast<unsigned char>(png[23]) == 48);
+      ++frames;
+    }
+    CHECK(frames == 3);
+  }
+}

@@ -1,0 +1,164 @@
+#!/usr/bin/env bash
+# Tests of ./course itself, in a scratch copy where the package manager, CMake and the chapters are stand-ins.
+# shellcheck disable=SC2016  # the stand-ins' scripts are quoted as they are
+set -uo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failures=0
+
+mkdir -p "$scratch"/{bin,sub,home/build/release/chapters,home/build/release/tests/hard_cases,home/chapters/{03_three,04_four,10_ten}}
+cp "$root/course" "$root/CMakePresets.json" "$scratch/home"
+touch "$scratch/home/build/release/build.ninja"
+for name in 03_three 04_four 10_ten; do
+  printf '#!/bin/sh\necho "run %s: $*"\nmkdir -p renders/%s && touch renders/%s/sheet.png\n' $name $name $name \
+    >"$scratch/home/build/release/chapters/$name"
+done
+
+# The only programs ./course gets to see: these of the system, and those that a test puts beside them.
+for tool in bash cat dirname env find fold grep mkdir nproc readlink rm sed sleep sort tail touch true; do
+  ln -s "$(type -P $tool)" "$scratch/bin/$tool"
+done
+stand_in() { printf '#!/bin/sh\n%s\n' "$2" >"$scratch/bin/$1" && chmod +x "$scratch/bin/$1"; }
+printf '#!/bin/sh\necho "table: $*"\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_table"
+chmod +x "$scratch"/home/build/release/{chapters,tests/hard_cases}/*
+stand_in cmake 'echo "cmake $*"'
+stand_in ctest 'echo "ctest $*"'
+stand_in git 'echo "git $*"'
+
+course() { output=$(cd "$scratch/sub" && PATH=$scratch/bin "$scratch/home/course" "$@" </dev/null 2>&1); status=$?; }
+expect() {  # expect STATUS TEXT...: how the last call ended, and what it said
+  local text wrong=""
+  [[ $status == "$1" ]] || wrong="exit status $status instead of $1"
+  for text in "${@:2}"; do [[ $output == *"$text"* ]] || wrong+="${wrong:+; }not said: $text"; done
+  [[ $wrong ]] || return 0
+  printf '%s\n' "line ${BASH_LINENO[0]}: $wrong; the output was:" "$output" "----"
+  failures=$((failures + 1))
+}
+expect_not() { [[ $output != *"$1"* ]] || { echo "line ${BASH_LINENO[0]}: should not say: $1"; failures=$((failures + 1)); }; }
+
+# Help names every command of the table, and everything that stands in it has its function.
+course --help
+expect 0 "render [CHAPTER...]"
+mapfile -t names <<<"$(sed -n 's/^  "\([a-z-]*\)|.*/\1/p' "$root/course")"
+for name in "${names[@]}"; do
+  expect 0 "  $name "
+  grep -q "^command_${name//-/_}()" "$root/course" || { echo "no function for $name"; failures=$((failures + 1)); }
+done
+expect 0 --yes --preset "chapters: 03_three 04_four 10_ten" release sanitize
+course && expect 0 "usage: ./course"
+course help && expect 0 "usage: ./course"
+
+# Slips of the hand.
+course rendr && expect 2 "unknown command 'rendr'; did you mean 'render'?" "the commands are: render test"
+course xyzzy && expect 2 "unknown command 'xyzzy'" && expect_not "did you mean"
+course render 09 && expect 2 "unknown chapter '09'" "the chapters are: 03_three 04_four 10_ten"
+course render forr && expect 2 "unknown chapter 'forr'; did you mean 'four'?"
+course test --lng && expect 2 "unknown option '--lng'; did you mean '--long'?"
+course render --beta 1 && expect 2 "unknown option '--beta'" "./course render -- --beta"
+course render --long && expect 2 "unknown option '--long'"
+course test --preset relase && expect 2 "unknown preset 'relase'; did you mean 'release'?"
+course test --preset && expect 2 "unknown preset ''"
+course clean up && expect 2 "'clean' takes no words"
+course clean -- up && expect 2 "'clean' hands no options on"
+course --yes && expect 2 "which command?"
+
+# Where there is no apt, it goes on without. A chapter goes by its number, its name, both, or its directory.
+course render && expect 0 "1 of 3: 03_three" "2 of 3: 04_four" "3 of 3: 10_ten" "the sheets:" "renders/10_ten/sheet.png"
+expect 0 "cmake --build --preset release" "--target 03_three 04_four 10_ten"
+course render 3 four chapters/10_ten/ && expect 0 "1 of 3: 03_three" "2 of 3: 04_four" "3 of 3: 10_ten"
+# At the end stands what took how long: building, drawing, and each chapter, so that docs/speed.md can be repeated.
+printf '#!/bin/sh\nsleep 1.1\n' >"$scratch/home/build/release/chapters/10_ten"
+course render 03 10 && expect 0 "course: built in " ", drawn in " "  03_three  "
+[[ $output =~ 10_ten\ +[1-9] ]] || { echo "no time for 10_ten"; failures=$((failures + 1)); }
+course render 03 -- --beta "1.4 x" --list && expect 0 "run 03_three: --beta 1.4 x --list" "renders/03_three/sheet.png"
+expect_not 04_four
+printf '#!/bin/sh\nexit 3\n' >"$scratch/home/build/release/chapters/04_four"
+course render && expect 1 "04_four failed with exit status 3"
+
+# The hard cases: names and options go on to the program, and its exit status comes back.
+course hard-cases && expect 0 "cmake --build --preset release" "--target hard_cases_table" "table: " "took "
+course hard-cases stack-20 arch --quick -- --jobs 1 && expect 0 "table: --quick stack-20 arch --jobs 1"
+course hard-case && expect 2 "did you mean 'hard-cases'?"
+course hard-cases --quik && expect 2 "unknown option '--quik'; did you mean '--quick'?"
+printf '#!/bin/sh\nexit 2\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_table"
+course hard-cases stak && expect 2 && expect_not "took"
+
+# Tests: without the long ones unless asked for, by name, with more options for ctest.
+course test && expect 0 "ctest --preset release -j" "-LE ^long\$"
+course test --long && expect 0 "ctest --preset release" && expect_not "-LE"
+course test one two -- --verbose && expect 0 "-R one|two --verbose"
+stand_in ctest 'exit 8'
+course test && expect 8
+
+# Packages: nothing to do, apt as root, sudo, and the command to type where neither works.
+stand_in dpkg-query 'shift 3; for p; do [ "$p" = "$ABSENT" ] || printf " installed:%s " "$p"; done'
+stand_in apt-get 'echo "apt-get $*" >>../apt.log; echo "apt-get $*"'
+stand_in apt-cache 'echo "Package: $2"'
+stand_in id 'echo 0'
+export ABSENT=none
+course render 03 && expect 0 && expect_not "packages"
+export ABSENT=libfmt-dev
+course render 03 && expect 0 "these packages are missing" "  libfmt-dev" "packages installed"
+output=$(cat "$scratch/apt.log") status=0
+expect 0 " update" " install --no-install-recommends libfmt-dev"
+stand_in id 'echo 1000'
+command="apt-get update && apt-get install --no-install-recommends libfmt-dev"
+course render 03 && expect 1 "only root may install packages, and sudo does not help here" "$command"
+stand_in sudo 'exit 1'
+course render 03 && expect 1 "only root may install packages, and sudo does not help here" "$command"
+stand_in sudo '[ "$1" = -n ] && shift && exec "$@"'
+course render 03 && expect 0 "packages installed"
+stand_in apt-get 'echo "E: no network"; exit 100'
+course render 03 && expect 1 "E: no network" "apt-get failed." "$command"
+
+# Where the distribution has no OSMesa, EGL takes its place.
+stand_in id 'echo 0'
+stand_in apt-cache '[ "$2" = libosmesa6-dev ] || echo "Package: $2"'
+stand_in apt-get 'echo "apt-get $*"'
+stand_in dpkg-query 'shift 3; for p; do case $p in *mesa*|*gl*) ;; *) printf " installed:%s " "$p";; esac; done'
+course render 03 && expect 0 "  libegl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri" && expect_not libosmesa6-dev
+
+# Random scenes.
+mkdir -p "$scratch/home/build/release/tests/hard_cases"
+printf '#!/bin/sh\necho "fuzz: $*"\nexit 1\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_fuzz"
+chmod +x "$scratch/home/build/release/tests/hard_cases/hard_cases_fuzz"
+course fuzz -- --seed 7 --stage "07 warm start" && expect 1 "--target hard_cases_fuzz" "fuzz: --seed 7 --stage 07 warm start"
+course fuzz 7 && expect 2 "'fuzz' takes no words"
+
+# What scenes call for.
+printf '#!/bin/sh\necho "effects: $*"\nexit 2\n' >"$scratch/home/build/release/chapters/effects"
+chmod +x "$scratch/home/build/release/chapters/effects"
+course effects 06-slope all && expect 2 "--target effects" "effects: 06-slope all"
+
+# Contact problems: words and options go on as they are, and files are named as seen from where one stands.
+printf '#!/bin/sh\necho "solve: $* in $PWD"\nexit 2\n' >"$scratch/home/build/release/chapters/solve"
+chmod +x "$scratch/home/build/release/chapters/solve"
+course solve a.dat --method best --sweeps 5 && expect 2 "--target solve" "solve: a.dat --method best --sweeps 5 in $scratch/sub"
+course solve --preset relase a.dat && expect 2 "unknown preset 'relase'"
+printf '#!/bin/sh\necho "export: $* in $PWD"\nexit 2\n' >"$scratch/home/build/release/chapters/export_problem"
+chmod +x "$scratch/home/build/release/chapters/export_problem"
+course export 07-pyramid --step 60 a.dat && expect 2 "--target export_problem" "export: 07-pyramid --step 60 a.dat in $scratch/sub"
+# Their --help is the program's own; everywhere else it is that of ./course.
+course solve --help && expect 2 "solve: --help in" && expect_not "usage: ./course"
+course export -h && expect 2 "export: -h in" && expect_not "usage: ./course"
+course --help solve && expect 0 "usage: ./course"
+course effects --help && expect 0 "usage: ./course"
+
+# The study of accuracy and time, and the other engines, which are built only when they are asked for.
+for name in study frozen; do
+  printf '#!/bin/sh\necho "%s: $*"\n' $name >"$scratch/home/build/release/chapters/$name"
+  chmod +x "$scratch/home/build/release/chapters/$name"
+done
+course study --quick && expect 0 "--target study frozen" "study: --out renders/here --quick" "frozen: --out renders/here --quick"
+expect_not "peers"
+course study --quick -- --only bounce && expect 0 "study: --out renders/here --quick --only bounce" && expect_not "frozen:"
+course study --peers --keep
+expect 0 "-DPUSHBACK_PEERS=ON" "--target study frozen peers" "study: --out renders --peers" "frozen: --out renders"
+course study quick && expect 2 "'study' takes no words"
+
+course clean && expect 0 "git clean"
+[[ ! -e $scratch/home/build ]] || { echo "clean left build/"; failures=$((failures + 1)); }
+
+if ((failures)); then echo "$failures failures"; exit 1; fi
+echo "all as expected"

@@ -1,0 +1,227 @@
+/// What the pages say of the hard cases is what the committed table says.
+///
+/// A figure on a page is followed by a comment that names where it is from, and nobody sees:
+///
+///   449 mm<!-- stack-10; 07; drift -->        case; stage; criterion: words that one name alone contains, or the whole name
+///   449 mm<!-- stack-10; 07; drift; as it is -->   not the largest of all starts, but of the scene as it is
+///   30/30<!-- rubble; together; starts -->    how many of its starts pass
+///   42<!-- passes; together -->, 3<!-- fails; together -->, 49<!-- cases -->, Forty-nine<!-- cases in words -->
+/// PUSHBACK_WRITE_FIGURES=1 in the environment writes the figures anew.
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <regex>
+
+#include "tests/hard_cases/table.h"
+#include "tests/support/call.h"
+
+using namespace pushback;
+
+namespace {
+
+const char* const table_file = "renders/hard_cases/table.csv";
+
+struct Line {
+  std::string of_case, stage, criterion, unit;
+  Real limit;
+  bool passes;
+  std::string broken;
+  Real number, largest;
+  int starts_passed, starts;
+};
+
+const std::vector<Line>& written() {
+  static const std::vector<Line> lines = [] {
+    std::vector<Line> all;
+    const std::vector<std::string> csv = lines_of(text_of(table_file));
+    for (std::size_t i = 1; i < csv.size(); ++i) {
+      const std::vector<std::string> f = fields_of(csv[i]);
+      REQUIRE(f.size() == 11);
+      all.push_back({f[0], f[1], f[2], f[3], static_cast<Real>(std::stod(f[4])), f[6] == "1", f[7],
+                     static_cast<Real>(std::stod(f[5])), static_cast<Real>(std::stod(f[8])), std::stoi(f[9]),
+                     std::stoi(f[10])});
+    }
+    return all;
+  }();
+  return lines;
+}
+
+int cells_of(const std::string& stage, bool that_pass) {
+  std::map<std::string, bool> passed;
+  for (const Line& line : written()) {
+    if (line.stage != stage) continue;
+    const bool good = line.passes && line.broken.empty();
+    passed[line.of_case] = passed.contains(line.of_case) ? passed[line.of_case] && good : good;
+  }
+  return static_cast<int>(
+      std::count_if(passed.begin(), passed.end(), [&](const auto& one) { return one.second == that_pass; }));
+}
+
+/// The name that is `word`, or the only one that has it in it; empty where there is not exactly one.
+std::string name_with(const std::string& word, const std::vector<std::string>& names) {
+  std::string found;
+  for (const std::string& name : names) {
+    if (name == word) return name;
+    if (!contains(name, word)) continue;
+    if (!found.empty() && found != name) return {};
+    found = name;
+  }
+  return found;
+}
+
+std::string stage_with(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Stage& stage : stages()) names.push_back(stage.name);
+  return name_with(word, names);
+}
+
+std::string in_words(std::size_t count) {
+  static const std::array<const char*, 10> ones{"",      "-one", "-two",   "-three", "-four",
+                                                "-five", "-six", "-seven", "-eight", "-nine"};
+  static const std::array<const char*, 10> tens{"",      "",      "Twenty",  "Thirty", "Forty",
+                                                "Fifty", "Sixty", "Seventy", "Eighty", "Ninety"};
+  REQUIRE(count >= 20);
+  REQUIRE(count < 100);
+  return std::string(tens[count / 10]) + ones[count % 10];
+}
+
+/// What should stand before the mark; empty where the mark names nothing.
+std::string figure_of(const std::vector<std::string>& mark) {
+  if (mark[0] == "cases") return std::to_string(hard_cases().size());
+  if (mark[0] == "cases in words") return in_words(hard_cases().size());
+  const std::string stage = mark.size() > 1 ? stage_with(mark[1]) : "";
+  if (stage.empty()) return {};
+  if (mark[0] == "passes" || mark[0] == "fails") return std::to_string(cells_of(stage, mark[0] == "passes"));
+  std::vector<std::string> criteria;
+  for (const Line& line : written()) {
+    if (line.of_case == mark[0] && line.stage == stage) criteria.push_back(line.criterion);
+  }
+  for (const Line& line : written()) {
+    if (line.of_case != mark[0] || line.stage != stage || mark.size() < 3) continue;
+    if (mark[2] == "starts") return std::to_string(line.starts_passed) + "/" + std::to_string(line.starts);
+    if (line.criterion != name_with(mark[2], criteria)) continue;
+    if (mark.size() == 3) return in_short(line.largest, line.limit, line.unit);
+    if (mark[3] == "as it is") return in_short(line.number, line.limit, line.unit);
+  }
+  return {};
+}
+
+std::vector<std::string> parts_of(const std::string& mark) {
+  std::vector<std::string> parts;
+  std::istringstream in(mark);
+  for (std::string part; std::getline(in, part, ';');) {
+    const std::size_t begin = part.find_first_not_of(" \n"), end = part.find_last_not_of(" \n");
+    parts.push_back(begin == std::string::npos ? "" : part.substr(begin, end + 1 - begin));
+  }
+  return parts;
+}
+
+bool ends_with(std::string text, std::string end) {
+  const auto blank = [](std::string& s) { std::replace(s.begin(), s.end(), '\n', ' '); };
+  blank(text);
+  blank(end);
+  if (text.size() < end.size() || text.compare(text.size() - end.size(), end.size(), end) != 0) return false;
+  const char before = text.size() > end.size() ? text[text.size() - end.size() - 1] : ' ';
+  return std::isdigit(static_cast<unsigned char>(before)) == 0 && before != '.' && before != '-';
+}
+
+/// Where the figure, or the word, begins that ends at `end`.
+std::size_t start_of_figure(const std::string& text, std::size_t end, bool word) {
+  const auto is_part = [&](unsigned char c) {
+    return word ? std::isalpha(c) != 0 || c == '-'
+                : std::isdigit(c) != 0 || c == '.' || c == '/' || c == '-' || c >= 0x80;
+  };
+  for (const std::string unit : {"mm/s", "m/s", "mm", "m", "mJ", "J", "%", "degrees"}) {
+    const std::size_t size = unit.size() + 1;
+    if (word || end < size || text.compare(end - unit.size(), unit.size(), unit) != 0) continue;
+    if (text[end - size] != ' ' && text[end - size] != '\n') continue;
+    end -= size;
+    break;
+  }
+  while (end > 0 && is_part(static_cast<unsigned char>(text[end - 1]))) --end;
+  return end;
+}
+
+std::vector<fs::path> pages() {
+  std::vector<fs::path> all{"README.md"};
+  for (const auto& entry : fs::directory_iterator("docs")) {
+    if (entry.path().extension() == ".md") all.push_back(entry.path());
+  }
+  for (const auto& entry : fs::directory_iterator("chapters")) {
+    if (fs::exists(entry.path() / "README.md")) all.push_back(entry.path() / "README.md");
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("the committed table has every case under every stage, with the criteria, limits and starts of today") {
+  std::size_t line = 0;
+  for (const HardCase& hard_case : hard_cases()) {
+    for (const Stage& stage : stages()) {
+      for (const Criterion& criterion : hard_case.criteria) {
+        REQUIRE(line < written().size());
+        const Line& there = written()[line++];
+        INFO(hard_case.name << " " << stage.name);
+        REQUIRE(there.of_case == hard_case.name);
+        REQUIRE(there.stage == stage.name);
+        CHECK(there.criterion == criterion.what);
+        CHECK(there.limit == criterion.limit);
+        CHECK(there.unit == criterion.unit);
+        CHECK(there.starts == hard_case.starts);
+        CHECK(there.passes == (there.largest <= there.limit));
+      }
+    }
+  }
+  CHECK(line == written().size());
+}
+
+TEST_CASE("every figure on a page that names its cell of the table is that cell's") {
+  static const std::regex comment("<!--([^>]*)-->");
+  const bool write = std::getenv("PUSHBACK_WRITE_FIGURES") != nullptr;
+  std::map<std::string, int> seen;
+  for (const fs::path& page : pages()) {
+    const std::string text = text_of(page);
+    std::string renewed;
+    std::size_t copied = 0;
+    for (std::sregex_iterator mark(text.begin(), text.end(), comment), end; mark != end; ++mark) {
+      const std::vector<std::string> parts = parts_of((*mark)[1]);
+      if (parts.size() == 1 && parts[0] != "cases" && parts[0] != "cases in words") continue;  // of a generated table
+      const std::string figure = figure_of(parts);
+      const auto at = static_cast<std::size_t>(mark->position());
+      INFO(page << ": " << text.substr(at > 60 ? at - 60 : 0, std::min<std::size_t>(at, 60)) << (*mark)[0] << " is "
+                << figure);
+      CHECK_FALSE(figure.empty());
+      if (!write) CHECK(ends_with(text.substr(0, at), figure));
+      const std::size_t begin = start_of_figure(text, at, parts[0] == "cases in words");
+      renewed += text.substr(copied, begin - copied) + figure;
+      copied = at;
+      ++seen[parts[0]];
+    }
+    if (write && copied > 0) std::ofstream(page, std::ios::binary) << renewed << text.substr(copied);
+  }
+  CHECK(seen["cases in words"] >= 1);
+  CHECK(seen["passes"] >= 1);
+  CHECK(seen["fails"] >= 1);
+  for (const HardCase& hard_case : hard_cases()) {
+    INFO(hard_case.name);
+    CHECK(contains(text_of("docs/hard_cases.md"), "`" + hard_case.name + "`"));
+  }
+}
+
+TEST_CASE("the words by which a mark names its cell: whole, or in one name alone") {
+  CHECK(name_with("12", {"12 small steps", "12 soft contacts"}).empty());
+  CHECK(name_with("small", {"12 small steps", "12 soft contacts"}) == "12 small steps");
+  CHECK(name_with("speed", {"speed", "speed at the end"}) == "speed");
+  CHECK(in_words(47) == "Forty-seven");
+  CHECK(in_words(50) == "Fifty");
+  CHECK(ends_with("it is 0.27 mm", "0.27 mm"));
+  CHECK(ends_with("it is 0.27\nmm", "0.27 mm"));
+  CHECK_FALSE(ends_with("it is 10.27 mm", "0.27 mm"));
+  CHECK_FALSE(ends_with("it is 0.28 mm", "0.27 mm"));
+  CHECK(start_of_figure("it is 5.8·10⁻⁶ %", std::string("it is 5.8·10⁻⁶ %").size(), false) == 6);
+  CHECK(start_of_figure("by 12 mm/s", 10, false) == 3);
+  CHECK(start_of_figure("*Forty-nine", 11, true) == 1);
+}

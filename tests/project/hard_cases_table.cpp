@@ -1,0 +1,255 @@
+/// The table of hard cases: its words, its files, and the program that writes it.
+#include "tests/hard_cases/table.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "tests/support/call.h"
+
+#ifndef TABLE_PROGRAM
+#define TABLE_PROGRAM "build/release/tests/hard_cases/hard_cases_table"
+#endif
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
+
+/// A row of `marks`, P for a pass, under as many stages, of which the first `chapters` are chapters.
+Table row_of(const std::string& marks, std::size_t chapters) {
+  Table table;
+  table.cases.resize(1);
+  table.cases[0].criteria = {{"drift", "mm", 1}};
+  table.chapters = chapters;
+  for (const char mark : marks) {
+    table.stages.push_back({.name = "stage", .what = "", .begin = {}, .begin_doubled = {}});
+    table.outcomes.push_back({{mark == 'P' ? Real(0.5) : Real(2)}, "", 0});
+  }
+  return table;
+}
+
+std::set<std::string> files_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("a number is short, and never rounded to the other side of its limit") {
+  CHECK(in_short(Real(0.2795), 1, "mm/s") == "0.28 mm/s");
+  CHECK(in_short(449, 1, "mm") == "449 mm");
+  CHECK(in_short(9020, 1, "mm") == "9 m");
+  CHECK(in_short(12345, 1, "mm/s") == "12 m/s");
+  CHECK(in_short(0, 1, "mm") == "0 mm");
+  CHECK(in_short(3, 12, "") == "3");
+  CHECK(in_short(Real(1.004), 1, "mm") == "1.004 mm");
+  CHECK(in_short(Real(0.9996), 1, "mm") == "1 mm");
+  CHECK(in_short(Real(100.4), 100, "%") == "100.4 %");
+  CHECK(in_short(1000, 1000, "mm") == "1 m");
+  CHECK(in_short(Real(3.21e-7), Real(1e-4), "") == "3.2·10⁻⁷");
+  CHECK(in_short(Real(1.5e12), 1, "J") == "1.5·10¹² J");
+  CHECK(in_short(not_a_number, 1, "mm") == "–");
+  CHECK(in_short(std::numeric_limits<Real>::infinity(), 1, "mm") == "–");
+}
+
+TEST_CASE("the star stands where the chapters begin to pass for good, or else at what came after") {
+  CHECK(rescuer(row_of("FFPPPF", 4), 0) == std::size_t(2));
+  CHECK(rescuer(row_of("PFPPPF", 4), 0) == std::size_t(2));
+  CHECK(rescuer(row_of("FFFFFP", 4), 0) == std::size_t(5));
+  CHECK(rescuer(row_of("PPPFPP", 4), 0) == std::size_t(4));
+  CHECK(rescuer(row_of("FFFP", 4), 0) == std::size_t(3));
+  CHECK_FALSE(rescuer(row_of("PPPPFF", 4), 0));  // nothing is needed
+  CHECK_FALSE(rescuer(row_of("FFFFFF", 4), 0));  // nothing helps
+  CHECK_FALSE(rescuer(row_of("FPF", 3), 0));
+}
+
+TEST_CASE("what is no number fails, and so does a case whose invariant broke") {
+  Table table = row_of("PP", 2);
+  table.outcomes[0].numbers[0] = table.outcomes[0].largest[0] = not_a_number;
+  table.outcomes[1].broken = "157 J gained after 0.1 s, \"at once\"";
+  table.cases[0].name = "case";
+  CHECK_FALSE(table.passed(0, 0));
+  CHECK_FALSE(table.passed(0, 1));
+  CHECK(table_csv(table) ==
+        "case,stage,criterion,unit,limit,number,pass,broken,largest,starts_passed,starts\n"
+        "case,stage,drift,mm,1,nan,0,,nan,0,1\n"
+        "case,stage,drift,mm,1,0.5,1,\"157 J gained after 0.1 s, \"\"at once\"\"\",0.5,0,1\n");
+  CHECK(contains(table_md(table), "| ✗ – | ✗ 0.5 mm (energy) |"));
+}
+
+TEST_CASE(
+    "from several starts: the largest number counts, one start that fails is enough, and the first that breaks is "
+    "named") {
+  const Stage any{.name = "stage", .what = "", .begin = [] { return [](World&, Real) {}; }, .begin_doubled = {}};
+  HardCase c;
+  c.criteria = {{"height", "m", 1}, {"way", "m", 1}};
+  c.starts = 4;
+  std::vector<std::vector<Real>> plays{{Real(0.5), Real(0.1)}, {Real(0.25), 3}, {Real(0.75), 0}, {Real(0.125), 0}};
+  std::vector<Vec3> begun;
+  c.run = [&](Trial& trial) {
+    Play play = trial.play([](World& world) {
+      world.add(ground());
+      world.add(sphere(1, 1));
+    });
+    CHECK(play.world.bodies[0].position == Vec3::Zero());
+    begun.push_back(play.world.bodies[1].position);
+    if (begun.size() == 3) play.world.bodies[1].position.y() = not_a_number;
+    if (begun.size() == 3) play.step();
+    return plays[begun.size() - 1];
+  };
+  const Outcome outcome = outcome_of(c, any);
+  CHECK(outcome.numbers == plays[0]);
+  CHECK(std::isnan(outcome.largest[0]));  // of the third
+  CHECK(outcome.broken.find("start 3: not finite") == 0);
+  CHECK(outcome.starts_passed == 2);
+  CHECK_FALSE(outcome.passed(c));
+  CHECK(passed_of_starts(outcome) == "2/4");
+  CHECK(begun[0] == Vec3::Zero());
+  for (std::size_t i = 1; i < begun.size(); ++i) {
+    CHECK(begun[i] != begun[i - 1]);
+    CHECK(begun[i].cwiseAbs().minCoeff() > 0);
+    CHECK(begun[i].cwiseAbs().maxCoeff() <= nudge);
+  }
+
+  begun.clear();
+  c.starts = 2;
+  const Outcome both = outcome_of(c, any);
+  CHECK(both.largest == std::vector<Real>{Real(0.5), 3});
+  CHECK(both.broken.empty());
+  CHECK(both.starts_passed == 1);
+  CHECK_FALSE(both.passed(c));
+  CHECK(both.worst(c) == 1);
+
+  begun.clear();
+  c.starts = 1;
+  const Outcome first = outcome_of(c, any);
+  CHECK(first.passed(c));
+  CHECK(passed_of_starts(first).empty());
+}
+
+TEST_CASE("some cases and stages: files of their own, the same bytes whatever the number of threads", "[slow]") {
+  const Scratch scratch;
+  // The last stage takes so long that with two threads the pairs are finished in another order.
+  const std::string what = "stack-10 stack-20 --stages 01,07,soft --starts 2 --out '";
+  const Ended one = call_program(TABLE_PROGRAM, "--jobs 1 " + what + (scratch / "one").string() + "'", 100);
+  const Ended two = call_program(TABLE_PROGRAM, "--jobs 2 " + what + (scratch / "two").string() + "'", 100);
+  INFO(one.err << two.err);
+  REQUIRE(one.status == 0);
+  REQUIRE(two.status == 0);
+  const fs::path folder = scratch / "one" / "hard_cases" / "part", other = scratch / "two" / "hard_cases" / "part";
+  CHECK(files_in(scratch / "one") ==
+        std::set<std::string>{"overview.png", "table.csv", "table.md", "table.png", "times.csv"});
+  for (const std::string file : {"overview.png", "table.csv", "table.md", "table.png"}) {
+    INFO(file);
+    CHECK(text_of(folder / file).size() > 100);
+    CHECK(text_of(folder / file) == text_of(other / file));
+  }
+
+  const std::vector<std::string> csv = lines_of(text_of(folder / "table.csv"));
+  std::size_t expected = 1;
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const std::string name : {"stack-10", "stack-20"}) {
+    for (const std::string stage : {"01 velocity", "07 warm start", "12 soft contacts"}) {
+      pairs.emplace_back(name, stage);
+      expected += hard_case_named(name).criteria.size();
+    }
+  }
+  REQUIRE(csv.size() == expected);
+  std::size_t line = 1;
+  for (const auto& [name, stage] : pairs) {
+    HardCase hard_case = hard_case_named(name);
+    hard_case.starts = 2;
+    const Outcome outcome = outcome_of(hard_case, stage_named(stage));
+    for (std::size_t i = 0; i < hard_case.criteria.size(); ++i, ++line) {
+      const std::vector<std::string> fields = fields_of(csv[line]);
+      REQUIRE(fields.size() == 11);
+      CHECK(fields[0] == name);
+      CHECK(fields[1] == stage);
+      CHECK(fields[2] == hard_case.criteria[i].what);
+      CHECK(std::stod(fields[4]) == static_cast<double>(hard_case.criteria[i].limit));
+      CHECK(static_cast<Real>(std::stod(fields[5])) == outcome.numbers[i]);  // the same bits, here and there
+      CHECK(fields[6] == (outcome.largest[i] <= hard_case.criteria[i].limit ? "1" : "0"));
+      CHECK(fields[7] == outcome.broken);
+      CHECK(static_cast<Real>(std::stod(fields[8])) == outcome.largest[i]);
+      CHECK(fields[9] == std::to_string(outcome.starts_passed));
+      CHECK(fields[10] == "2");
+    }
+  }
+
+  const std::string md = text_of(folder / "table.md");
+  CHECK(contains(md, "| case | 01 velocity | 07 warm start | 12 soft contacts |"));
+  CHECK_FALSE(contains(md, "(broken)"));  // every invariant of the watcher has a word
+  CHECK(contains(text_of(folder / "times.csv"), "stack-20,07 warm start,"));
+}
+
+TEST_CASE("by what each world calls for: the same table, in a folder of its own") {
+  const Scratch scratch;
+  const std::string what = "contacts-twice bounces --quick --no-images --out '" + (scratch / "out").string() + "'";
+  const Ended direct = call_program(TABLE_PROGRAM, what, 100);
+  const Ended needed = call_program(TABLE_PROGRAM, what + " --only-what-is-needed", 100);
+  INFO(direct.err << needed.err);
+  REQUIRE(direct.status == 0);
+  REQUIRE(needed.status == 0);
+  const fs::path folder = scratch / "out" / "hard_cases";
+  for (const std::string file : {"table.csv", "table.md"}) {
+    INFO(file);
+    CHECK(text_of(folder / "part" / file).size() > 100);
+    CHECK(text_of(folder / "part" / file) == text_of(folder / "only_what_is_needed" / file));
+  }
+}
+
+TEST_CASE("without pictures there are none, and --list writes nothing") {
+  const Scratch scratch;
+  const Ended ended = call_program(
+      TABLE_PROGRAM, "stack-10 --quick --starts 1 --no-images --out '" + (scratch / "out").string() + "'", 100);
+  REQUIRE(ended.status == 0);
+  CHECK(files_in(scratch / "out") == std::set<std::string>{"table.csv", "table.md", "times.csv"});
+  const std::string csv = text_of(scratch / "out" / "hard_cases" / "part" / "table.csv");
+  CHECK(contains(csv, "stack-10,07 warm start,"));
+  CHECK_FALSE(contains(csv, "12 small steps"));
+
+  const Ended list = call_program(TABLE_PROGRAM, "--list --out '" + (scratch / "none").string() + "'");
+  CHECK(list.status == 0);
+  for (const HardCase& hard_case : hard_cases()) CHECK(contains(list.out, hard_case.name));
+  for (const Stage& stage : stages()) CHECK(contains(list.out, stage.name));
+  CHECK_FALSE(fs::exists(scratch / "none"));
+}
+
+TEST_CASE("what cannot be meant: status 2, a message that names it, and nothing is written") {
+  struct Wrong {
+    std::string arguments;
+    std::vector<std::string> named;
+  };
+  for (const Wrong& wrong : std::vector<Wrong>{
+           {"stak-20", {"unknown case 'stak-20'; did you mean 'stack-20'?", "the cases are: stack-10"}},
+           {"xyzzyxyzzy", {"unknown case 'xyzzyxyzzy'\n"}},
+           {"stack-10 ''", {"unknown case ''"}},
+           {"--stages frction", {"unknown stage 'frction'", "07 warm start"}},
+           {"--stages 07,banana", {"unknown stage 'banana'"}},
+           {"--quick --stages soft", {"unknown stage 'soft'"}},
+           {"--jobs 0", {"--jobs is 0"}},
+           {"--jobs many", {"--jobs", "many"}},
+           {"--starts 0", {"--starts is 0", "from 1 to 30"}},
+           {"--starts 31", {"--starts is 31"}},
+           {"--banana", {"--banana"}},
+       }) {
+    const Scratch scratch;
+    const Ended ended = call_program(TABLE_PROGRAM, "--out '" + (scratch / "out").string() + "' " + wrong.arguments);
+    INFO(wrong.arguments << "\n" << ended.err);
+    CHECK(ended.status == 2);
+    for (const std::string& name : wrong.named) CHECK(contains(ended.err, name));
+    CHECK_FALSE(contains(wrong.arguments == "xyzzyxyzzy" ? ended.err : "", "did you mean"));
+    CHECK(ended.out.empty());
+    CHECK_FALSE(fs::exists(scratch / "out"));
+  }
+  const Scratch scratch;
+  std::ofstream(scratch / "file") << "no folder";
+  const Ended ended = call_program(TABLE_PROGRAM, "stack-10 --stages 00 --out '" + (scratch / "file").string() + "'");
+  CHECK(ended.status == 2);
+  CHECK(contains(ended.err, "--out: folder"));
+}

@@ -1,0 +1,123 @@
+/// Each chapter's sheet against a small image of it that was looked at and stored. A picture may differ a little from one
+/// OpenGL to the next: the comparison is of averages over blocks of pixels, with a tolerance.
+///
+/// PUSHBACK_STORE_IMAGES=1 stores what the chapters draw now. Look at every one of them before you commit it.
+#include <cstdlib>
+#include <filesystem>
+
+#include "pushback/common/render/image.h"
+#include "tests/support/catch.h"
+
+using namespace pushback;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// How far two images of one size are apart: the mean over all channels, and the share of pixels that differ clearly.
+struct Difference {
+  double mean = 0, share = 0;
+};
+Difference difference(const Image& a, const Image& b) {
+  Difference d;
+  for (int y = 0; y < a.height; ++y) {
+    for (int x = 0; x < a.width; ++x) {
+      int worst = 0;
+      for (int channel = 0; channel < 3; ++channel) {
+        const int apart = std::abs(a.at(x, y)[channel] - b.at(x, y)[channel]);
+        d.mean += apart;
+        worst = std::max(worst, apart);
+      }
+      d.share += worst > 24 ? 1 : 0;
+    }
+  }
+  d.mean /= 3.0 * a.width * a.height;
+  d.share /= static_cast<double>(a.width) * a.height;
+  return d;
+}
+
+/// The sheet of a chapter, drawn small: the cells at half their size, the whole then 600 pixels wide.
+Image small_sheet(const std::string& chapter) {
+  const fs::path out = fs::temp_directory_path() / ("pushback_images_" + chapter);
+  fs::remove_all(out);
+  const std::string command =
+      std::string(CHAPTER_DIR) + "/" + chapter + " --size 176x99 --frames 0 --out " + out.string() + " > /dev/null";
+  REQUIRE(std::system(command.c_str()) == 0);
+  const Image sheet = read_png(out / chapter / "sheet.png");
+  fs::remove_all(out);
+  return resized(sheet, 600, sheet.height * 600 / sheet.width);
+}
+
+void compare(const std::string& chapter) {
+  const fs::path stored_at = fs::path("tests/images") / (chapter + ".png");
+  const Image drawn = small_sheet(chapter);
+  if (std::getenv("PUSHBACK_STORE_IMAGES") != nullptr) {
+    fs::create_directories(stored_at.parent_path());
+    write_png(stored_at, drawn);
+  }
+  const Image stored = read_png(stored_at);
+  REQUIRE(drawn.width == stored.width);
+  REQUIRE(drawn.height == stored.height);
+  const Difference d = difference(drawn, stored);
+  INFO(chapter << ": mean difference " << d.mean << " of 255, " << 100 * d.share << " % of the pixels differ clearly");
+  CHECK(d.mean < 0.5);
+  CHECK(d.share < 0.005);
+}
+
+}  // namespace
+
+TEST_CASE("the sheet of 00 looks as it did") {
+  compare("00_naive_impulses");
+}
+TEST_CASE("the sheet of 01 looks as it did") {
+  compare("01_velocity_constraint");
+}
+TEST_CASE("the sheet of 02 looks as it did") {
+  compare("02_clamping");
+}
+TEST_CASE("the sheet of 03 looks as it did") {
+  compare("03_baumgarte");
+}
+TEST_CASE("the sheet of 04 looks as it did") {
+  compare("04_slop");
+}
+TEST_CASE("the sheet of 05 looks as it did") {
+  compare("05_restitution");
+}
+TEST_CASE("the sheet of 06 looks as it did") {
+  compare("06_friction");
+}
+TEST_CASE("the sheet of 07 looks as it did", "[slow]") {
+  compare("07_warm_start");
+}
+TEST_CASE("the sheet of 08 looks as it did") {
+  compare("08_friction_cone");
+}
+TEST_CASE("the sheet of 09 looks as it did", "[slow]") {
+  compare("09_joints");
+}
+TEST_CASE("the sheet of 10 looks as it did") {
+  compare("10_limits_and_motors");
+}
+TEST_CASE("the sheet of 11 looks as it did", "[slow]") {
+  compare("11_position_correction");
+}
+TEST_CASE("the sheet of 12 looks as it did", "[slow]") {
+  compare("12_small_steps");
+}
+TEST_CASE("the sheet of 13 looks as it did", "[slow]") {
+  compare("13_global_solve");
+}
+TEST_CASE("the sheet of 14 looks as it did") {
+  compare("14_accuracy_and_time");
+}
+TEST_CASE("the sheet of 15 looks as it did") {
+  compare("15_only_what_is_needed");
+}
+
+TEST_CASE("an image that is not the same is told apart") {
+  Image white(20, 10, 255);
+  Image grey(20, 10, 200);
+  CHECK(difference(white, white).mean == 0);
+  CHECK(difference(white, grey).mean == 55);
+  CHECK(difference(white, grey).share == 1);
+}

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# A program of one's own, as README.md describes it: another project that takes this one in, in each of three ways, compiles
+# the README's program with more warnings as errors than are on here. Nothing but the libraries may come along.
+#   tests/project/own_project.sh BUILD [COMPILER [LAUNCHER]]     BUILD: where this project has been built
+# Installed, the program is linked and run. Of the ways that compile the libraries anew only the program's own object is made:
+# what they are built with is looked at instead.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+built=$(cd "$1" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+way=
+wrong() { echo "own_project, by $way: $*"; exit 1; }
+
+ln -s "$root" pushback
+awk '/^```cpp$/ { shown = 1; next } /^```$/ { shown = 0 } shown' pushback/README.md >main.cpp
+grep -q '^int main' main.cpp || wrong "README.md shows no program"
+# ccache may take objects from an earlier run, whose folder had another name. Not by the names of headers: behind the link
+# they stay the same while their contents change.
+export CCACHE_BASEDIR=$scratch CCACHE_NOHASHDIR=1 CCACHE_NODIRECT=1
+
+configure() {  # configure LINE...: the other project, with these lines of CMake
+  mkdir -p "$way"
+  cp main.cpp "$way"
+  cat >"$way/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.25)
+project(another LANGUAGES CXX)
+set(CMAKE_CXX_STANDARD 20)
+enable_testing()
+add_compile_options(-Wall -Wextra -Werror -Wconversion -Wsign-conversion)
+add_executable(my_program main.cpp)
+$(printf '%s\n' "$@")
+END
+  cmake -S "$way" -B "$way/build" -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+    ${compiler:+-DCMAKE_CXX_COMPILER="$compiler"} ${launcher:+-DCMAKE_CXX_COMPILER_LAUNCHER="$launcher"} >log 2>&1 ||
+    { cat log; wrong "it cannot be configured"; }
+}
+compiler=${2:-} launcher=${3:-}
+
+its_own_code() {  # its own warnings, no others, none of them taken back; and the one option that the same bits depend on
+  local command flags
+  command=$(grep '"command".*main.cpp' "$way/build/compile_commands.json")
+  flags=$(grep -oE -- ' -W[^ ]*' <<<"$command" | tr -d '\n')
+  [[ $flags == " -Wall -Wextra -Werror -Wconversion -Wsign-conversion" ]] || wrong "its code is compiled with$flags"
+  [[ $command == *" -ffp-contract=off "* ]] || wrong "its code, which our templates are compiled in, lacks -ffp-contract=off: $command"
+}
+
+sources() {  # sources LINE...: the libraries come along, and no test, option or program of ours
+  local targets
+  configure "$@"
+  targets=$(ninja -C "$way/build" -t targets all | sed -En 's%^([^ ]*): CXX_(STATIC_LIBRARY|EXECUTABLE)_LINKER.*%\1%p' | xargs -n 1 basename | sort | tr '\n' ' ')
+  [[ $targets == "libpushback.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a my_program " ]] ||
+    wrong "the other project builds: $targets"
+  ctest --test-dir "$way/build" -N | grep -q '^Total Tests: 0$' || wrong "the other project has tests of ours"
+  ! grep -E '^PUSHBACK_(TESTS|BENCH|PEERS|WERROR)' "$way/build/CMakeCache.txt" || wrong "it is asked for what is built only here"
+  its_own_code
+  ninja -C "$way/build" CMakeFiles/my_program.dir/main.cpp.o >log 2>&1 || { cat log; wrong "its program cannot be compiled"; }
+}
+
+ways=$(sed -n '/^```cmake$/,/^```$/ { /^```/d; p }' pushback/README.md)  # of README.md: a line each, then the one that links
+link=$(tail -n 1 <<<"$ways")
+[[ $(wc -l <<<"$ways") == 4 && $link == "target_link_libraries(my_program pushback::pushback)" ]] ||
+  wrong "README.md should show three lines of CMake and one that links, but these were found: $ways"
+
+way=add_subdirectory
+sources "$(grep -o '^add_subdirectory([^)]*)' <<<"$ways" | sed "s|pushback|$scratch/pushback pushback|")" "$link"
+way=FetchContent
+sources "include(FetchContent)" "FetchContent_Declare(pushback SOURCE_DIR $scratch/pushback)" \
+  "$(grep -o '^FetchContent_MakeAvailable([^)]*)' <<<"$ways")" "$link"
+way=find_package
+cmake --install "$built" --prefix "$scratch/prefix" >log 2>&1 || { cat log; wrong "nothing can be installed"; }
+[[ ! -e prefix/include/common ]] || wrong "headers are installed beside those of others"
+configure "$(grep -o '^find_package([^)]*)' <<<"$ways")" "$link"
+its_own_code
+! grep -q "$root" "$way/build/compile_commands.json" || wrong "its program is compiled with what is not installed"
+cmake --build "$way/build" -j 2 >log 2>&1 || { cat log; wrong "it cannot be built"; }
+"$way/build/my_program" --no-images --seconds 0.5 --out renders >log 2>&1 || { cat log; wrong "its program does not run"; }
+grep -q '^| all seven chapters | ' renders/my_experiment/numbers.md || wrong "its program left no numbers behind"
+echo "all as expected"

@@ -1,0 +1,56 @@
+/// What the pages count is so: how many scenes there are, which have joints, that each has its line in docs/speed.md, and the
+/// bytes that stand there.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pushback/chapters/01_velocity_constraint/row.h"
+#include "pushback/chapters/15_only_what_is_needed/questions.h"
+#include "pushback/chapters/catalogue.h"
+#include "tests/support/call.h"
+
+/// The root of the sources, as seen from the working directory of the tests.
+#ifndef SOURCE_DIR
+#define SOURCE_DIR "."
+#endif
+
+using namespace pushback;
+
+TEST_CASE("chapter 15's page counts the scenes and those that call for joints") {
+  const std::vector<NamedScene> scenes = all_scenes();
+  std::vector<std::string> jointed;
+  for (const NamedScene& scene : scenes) {
+    World world;
+    scene.fill(world);
+    if (Holding::in(world).yes) jointed.push_back(scene.name);
+  }
+  const auto in_09_or_10 = std::count_if(jointed.begin(), jointed.end(), [](const std::string& name) {
+    return name.starts_with("09-") || name.starts_with("10-");
+  });
+  REQUIRE(jointed.size() == static_cast<std::size_t>(in_09_or_10) + 1);
+  CHECK(jointed.back() == "13-chain");
+  const std::string page = text_of(fs::path(SOURCE_DIR) / "chapters/15_only_what_is_needed/README.md");
+  const std::string sentence = fmt::format(
+      "Of {} scenes, the {} of chapters 09 and 10 and the chain of 13 call for joints", scenes.size(), in_09_or_10);
+  INFO(sentence);
+  CHECK(contains(page, sentence));
+}
+
+TEST_CASE("docs/speed.md has a line for each scene, in their order, and no other") {
+  std::vector<std::string> wanted, shown;
+  for (const NamedScene& scene : all_scenes()) wanted.push_back(scene.name);
+  bool inside = false;
+  for (const std::string& line : lines_of(text_of(fs::path(SOURCE_DIR) / "docs/speed.md"))) {
+    if (line.starts_with("| scene |")) inside = true;
+    else if (!line.starts_with("|")) inside = false;
+    else if (inside && !line.starts_with("| ---")) shown.push_back(line.substr(2, line.find(" |", 2) - 2));
+  }
+  CHECK(shown == wanted);
+}
+
+TEST_CASE("docs/speed.md has the bytes of a contact and of a row") {
+  if (sizeof(Real) != sizeof(double)) return;  // the page is about double
+  const std::string page = text_of(fs::path(SOURCE_DIR) / "docs/speed.md");
+  CHECK(contains(page, fmt::format("| `Contact` | {} |", sizeof(Contact))));
+  CHECK(contains(page, fmt::format("| a `Row`; three with friction | {}; {} |", sizeof(Row), 3 * sizeof(Row))));
+}

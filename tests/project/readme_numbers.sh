@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# The tables of measured numbers in the chapters' READMEs, and in the page on accuracy and time, are copies of what the
+# programs wrote into renders/: this test compares them.
+#   tests/project/readme_numbers.sh           fails, with the difference, where a page is not up to date
+#   tests/project/readme_numbers.sh --write   brings every page up to date
+# A page marks the place:  <!-- numbers.md -->  table  <!-- end -->
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+
+passed=0 failed=0
+for readme in chapters/[0-9][0-9]_*/README.md docs/accuracy_and_time.md; do
+  name=$(basename "$(dirname "$readme")")
+  [[ $name != docs ]] || name=14_accuracy_and_time
+  numbers=renders/$name
+  wanted=$(awk -v folder="$numbers" '
+    /^<!-- [a-z]+\.md -->$/ { print; print ""; file = folder "/" $2; while ((getline line < file) > 0) print line; print ""; skip = 1; found = 1 }
+    /^<!-- end -->$/        { skip = 0 }
+    !skip                   { print }
+    END                     { exit found ? 0 : 1 }' "$readme") || { echo "$readme: no place for the numbers"; failed=$((failed + 1)); continue; }
+  if [[ ${1:-} == --write ]]; then
+    printf '%s\n' "$wanted" >"$readme"
+  elif ! printf "%s\n" "$wanted" | diff - "$readme"; then
+    echo "$readme differs from $numbers: run tests/project/readme_numbers.sh --write"
+    failed=$((failed + 1))
+    continue
+  fi
+  passed=$((passed + 1))
+done
+echo "$passed passed, $failed failed"
+[[ $failed == 0 ]]
