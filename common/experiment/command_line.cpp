@@ -96,10 +96,12 @@ Experiment::Experiment(std::string name, std::string question)
 Experiment::~Experiment() = default;
 
 void Experiment::parameter(const Parameter& parameter, Value where) {
-  const auto& [flag, symbol, unit, what, allowed] = parameter;
+  const std::string& symbol = parameter.symbol;
+  const std::string& unit = parameter.unit;
   const std::string known_as = symbol.empty() || unit.empty() ? symbol + unit : symbol + ", " + unit;
+  const std::string help = known_as.empty() ? parameter.what : parameter.what + " (" + known_as + ")";
   const CLI::Validator check(
-      [allowed = allowed](const std::string& word) -> std::string {
+      [allowed = parameter.allowed](const std::string& word) -> std::string {
         double value = 0;
         if (CLI::detail::lexical_cast(word, value) && allowed.holds(value)) return {};
         return fmt::format("'{}' is not allowed: {} is needed", word, allowed.in_words());
@@ -108,8 +110,7 @@ void Experiment::parameter(const Parameter& parameter, Value where) {
   std::visit(
       [&](auto* value) {
         using Held = std::decay_t<decltype(*value)>;
-        CLI::Option* added =
-            line_->app.add_option(flag, *value, known_as.empty() ? what : what + " (" + known_as + ")");
+        CLI::Option* added = line_->app.add_option(parameter.flag, *value, help);
         added->capture_default_str()->check(check)->group("This experiment");
         if constexpr (!std::is_arithmetic_v<Held>) added->delimiter(',');
         line_->parameters.push_back(
