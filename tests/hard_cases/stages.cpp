@@ -15,26 +15,39 @@ namespace {
 
 constexpr int default_sweeps = 10;
 
-/// Hands every contact to the solver twice, each under an id of its own.
+/// Hands every contact to the solver twice, each under an id of its own. In the world there is one, with the sum.
 template <class ContactSolver>
 class Doubled : public StepSolver {
  public:
   void check(World& world, Real dt) { solver_.check(world, dt); }
   void solve(World& world, Real dt, int sweeps) {
-    Contacts twice;
+    world.contacts_before = twice_;
+    twice_.clear();
     for (const Contact& contact : world.contacts) {
       for (const std::uint32_t copy : {0U, 1U}) {  // side by side: the list still ascends
-        twice.push_back(contact);
-        twice.back().id.feature = 2 * contact.id.feature + copy;
+        twice_.push_back(contact);
+        twice_.back().id.feature = 2 * contact.id.feature + copy;
       }
     }
-    world.contacts.swap(twice);
-    solver_.solve(world, dt, sweeps);
+    with_each_twice(world, [&] { solver_.solve(world, dt, sweeps); });
   }
-  void after_move(World& world, Real dt) { solver_.after_move(world, dt); }
+  void after_move(World& world, Real dt) {
+    with_each_twice(world, [&] { solver_.after_move(world, dt); });
+  }
 
  private:
+  template <class Work>
+  void with_each_twice(World& world, const Work& work) {
+    world.contacts.swap(twice_);
+    work();
+    world.contacts.swap(twice_);
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+      world.contacts[i].impulse = twice_[2 * i].impulse + twice_[2 * i + 1].impulse;
+      world.contacts[i].state = twice_[2 * i].state;
+    }
+  }
   ContactSolver solver_;
+  Contacts twice_;
 };
 
 template <class ContactSolver>
