@@ -1,4 +1,4 @@
-/// Text files, whole or not at all.
+/// Text files, whole or not at all; text in quotes.
 #pragma once
 
 #include <filesystem>
@@ -12,5 +12,7 @@ void make_writable_folder(const std::filesystem::path& folder);
 void write_text_file(const std::filesystem::path& file, const std::string& text);
 /// All of it. Throws InvalidInput, naming the file, where it cannot be read.
 std::string read_text_file(const std::filesystem::path& file);
+/// In double quotes, with quotes and backslashes escaped: as gnuplot and JSON read it.
+std::string quoted(const std::string& text);
 
 }  // namespace pushback

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pushback/common/basics/files.h"
+
 namespace pushback {
 
 namespace {
@@ -18,16 +20,6 @@ std::vector<double> as_list(const Number& value) {
 template <class Number>
 std::vector<double> as_list(const std::vector<Number>& values) {
   return {values.begin(), values.end()};
-}
-
-/// In quotes, with what JSON wants escaped.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + '"';
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ class Experiment {
 
   /// A parameter of this experiment's own, beside those that every experiment has; see parameter.h.
   void parameter(const Parameter& parameter, Value where);
-  /// Those there are. Throws nothing.
+  /// All of its own parameters, in the order in which they were added.
   const std::vector<NamedValue>& parameters() const;
 
   // ---- to be called inside `run`'s `define` --------------------------------------------------------------------------

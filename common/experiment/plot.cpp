@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 
 namespace pushback {
@@ -18,15 +19,6 @@ std::string line_colour(std::size_t index) {
 }
 
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + '"';
-}
 
 std::string drawn_as(const Curve& curve) {
   const std::string ink = "lc rgb " + quoted(curve.colour);
