@@ -4,6 +4,7 @@
 #include "pushback/chapters/03_baumgarte/baumgarte.h"
 #include "pushback/chapters/11_position_correction/correcting_solver.h"
 #include "pushback/chapters/11_position_correction/displace.h"
+#include "pushback/common/world/surface_points.h"
 
 namespace pushback {
 
@@ -32,8 +33,7 @@ struct NonlinearGaussSeidel : Effect {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       const Contact& at = step.contacts[i];
       const Row& normal = step.rows[i];
-      const Vec3 half = at.depth / 2 * at.normal;  // of B's point to A's, which is the deeper one along n
-      touching_.push_back({point_on(*normal.a, at.point + half), point_on(*normal.b, at.point - half)});
+      touching_.emplace_back(*normal.a, *normal.b, at);
       allowed_ = std::max(allowed_, at.depth + normal.separation);
       overlap_ = overlap_ || normal.separation < 0;
     }
@@ -47,10 +47,7 @@ struct NonlinearGaussSeidel : Effect {
   }
 
  private:
-  struct Touching {
-    Vec3 on_a, on_b;  // P_A and P_B, m, body axes
-  };
-  void push_apart(Row& row, const Touching& at) const {
+  void push_apart(Row& row, const SurfacePoints& at) const {
     Body &a = *row.a, &b = *row.b;
     const Vec3 on_a = point_of(a, at.on_a), on_b = point_of(b, at.on_b);
     const Real separation = (on_b - on_a).dot(row.n) + allowed_;
@@ -61,7 +58,7 @@ struct NonlinearGaussSeidel : Effect {
     displace(b, lambda * row.dvb, lambda * row.dwb);
   }
 
-  std::vector<Touching> touching_;
+  std::vector<SurfacePoints> touching_;
   Real allowed_ = 0;      // m, the greatest depth that did not count as overlap: where anything did, that is the slop
   bool overlap_ = false;  // whether anything did
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pushback/common/world/step.h"
+#include "pushback/common/world/surface_points.h"
 
 namespace pushback {
 
@@ -28,22 +29,21 @@ class CarriedContacts : public Everybody {
  private:
   struct Carried {
     Contact found;
-    Vec3 on_a, on_b;  // P_A and P_B, m, body axes
+    SurfacePoints points;
   };
   void keep(const World& world) {
     anew_ = false;
     carried_.clear();
     for (const Contact& at : world.contacts) {
       const auto [a, b] = world.bodies_of(at);
-      const Vec3 half = at.depth / 2 * at.normal;  // of B's point to A's, which is the deeper one along n
-      carried_.push_back({at, point_on(a, at.point + half), point_on(b, at.point - half)});
+      carried_.push_back({at, SurfacePoints(a, b, at)});
     }
   }
   void carry(World& world) const {
     world.contacts.clear();
     for (const Carried& each : carried_) {
       const auto [a, b] = world.bodies_of(each.found);
-      const Vec3 p_a = point_of(a, each.on_a), p_b = point_of(b, each.on_b);
+      const Vec3 p_a = point_of(a, each.points.on_a), p_b = point_of(b, each.points.on_b);
       const Real depth = (p_a - p_b).dot(each.found.normal);
       if (depth < 0) continue;
       Contact& now = world.contacts.emplace_back(each.found);
