@@ -11,10 +11,11 @@ namespace {
 
 Traced traced(const FrozenProblem& frozen, const FrozenOptions& options) {
   TraceLimits limits;
+  limits.asked.assign(tolerances.begin(), tolerances.end());
   if (options.quick) {
     limits.seconds = 0.03;
     limits.work = 1e8;
-    limits.ladder.assign(tolerances.begin(), tolerances.end());
+    limits.ladder = limits.asked;
   }
   Traced all{&frozen, {}};
   for (const std::string& method : frozen_methods()) all.traces.emplace_back(frozen.problem, method, limits);

@@ -86,6 +86,8 @@ void Trace::climb() {
   Rung rung{1, std::min(10, limits_.sweeps)};
   for (const double tolerance : limits_.ladder) {
     if (!points_.empty() && points_.back().residual <= tolerance) continue;  // met on the way to the last
+    const bool is_asked = std::find(limits_.asked.begin(), limits_.asked.end(), tolerance) != limits_.asked.end();
+    if (!is_asked && !points_.empty() && points_.back().seconds[0] > limits_.quick_run) continue;
     rung.asked = std::min(rung.asked, tolerance);
     const TracePoint point = climbed_to(rung, tolerance);
     if (!(point.residual <= tolerance) || point.seconds[0] > limits_.seconds) return;
