@@ -3,9 +3,8 @@
 ///   J = [ -n  -(r_A x n)  n  (r_B x n) ]    V = (v_A, w_A, v_B, w_B)    want: J V + b = 0
 ///   lambda = -(J V + b) / K                 K = J M^-1 J^T             then: V += M^-1 J^T lambda
 ///
-/// The same type serves contacts, friction and joints: they differ in J, in b, and in the interval [lo, hi] in which
-/// the sum of all impulses of a step has to stay.   Catto, "Modeling and Solving Constraints", GDC 2009.
-/// A row that is a spring gives way: it wants J V + b + gamma lambda = 0, and gamma joins K. For all others gamma is 0.
+/// The same type serves every constraint: they differ in J, in b, and in the interval [lo, hi] in which the sum of all
+/// impulses of a step has to stay.   Catto, "Modeling and Solving Constraints", GDC 2009.
 #pragma once
 
 #include <algorithm>
@@ -21,14 +20,13 @@ namespace pushback {
 struct Row : Jacobian {
   Body *a, *b;
   Vec3 dva, dwa, dvb, dwb;                           // M^-1 J^T: what an impulse of 1 N s adds to each velocity
-  Real effective_mass;                               // 1 / (K + gamma), kg
+  Real effective_mass;                               // 1 / K, kg
   Real separation = 0;                               // C, m: the position error that b may feed back
   Real bias = 0;                                     // b, m/s: minus the wanted separating speed
-  Real softness = 0;                                 // gamma, 1/kg: how far it gives way to its own impulse
   Real lo = -std::numeric_limits<Real>::infinity();  // limits of the accumulated impulse, N s
   Real hi = std::numeric_limits<Real>::infinity();
   Real impulse = 0;   // lambda, accumulated over the sweeps, N s
-  std::size_t owner;  // index of the contact, or of the joint, that it belongs to
+  std::size_t owner;  // index of what it belongs to: of the contact
 
   Row(Body& first, Body& second, const Jacobian& jacobian, std::size_t index)
       : Jacobian(jacobian), a(&first), b(&second), owner(index) {
@@ -70,8 +68,8 @@ struct Row : Jacobian {
     impulse = total;
     apply(change);
   }
-  /// What the sum would have to be for J V + b + gamma lambda = 0 if no other row existed.
-  Real wanted() const { return impulse - effective_mass * (speed() + (bias + softness * impulse)); }
+  /// What the sum would have to be for J V + b = 0 if no other row existed.
+  Real wanted() const { return impulse - effective_mass * (speed() + bias); }
   void solve() { reach(wanted()); }
   /// How far the row is from being solved, m/s: the change of J V that another `solve` would make.
   Real error() const { return std::abs(std::clamp(wanted(), lo, hi) - impulse) / effective_mass; }

@@ -18,10 +18,15 @@ struct Step {
   Contacts& contacts;
   Rows& rows;
   Real dt;  ///< s
+
+  /// One row, as if it were alone.
+  void solve(std::size_t i) { rows[i].solve(); }
+  /// J V + b of a row, m/s: what an impulse is to make 0.
+  Real speed_error(std::size_t i) const { return rows[i].speed() + rows[i].bias; }
 };
 
 /// The moments of a step at which an effect may act, in their order. An effect is a type that derives from this one and
-/// hides the moments that it needs. One that appends rows of its own solves them in `sweep`. Who solves rows adds them to
+/// hides the moments that it needs. One that solves normals itself asks `step.solve`. One that appends rows of its own solves them in `sweep`. Who solves rows adds them to
 /// rows_solved.
 struct Effect {
   /// Throws InvalidInput where a number cannot be used. Nothing of the step has been done yet.
@@ -40,15 +45,17 @@ struct Effect {
   void report(Step&) {}
 };
 
-/// A misspelt moment would never be called: insist that at least one is hidden.
+/// A misspelt moment would never be called: insist that at least one is hidden. One that is a template is.
 template <class E>
-concept AnEffect = std::derived_from<E, Effect> && (!std::same_as<decltype(&E::check), decltype(&Effect::check)> ||
-                                                    !std::same_as<decltype(&E::touch), decltype(&Effect::touch)> ||
-                                                    !std::same_as<decltype(&E::build), decltype(&Effect::build)> ||
-                                                    !std::same_as<decltype(&E::start), decltype(&Effect::start)> ||
-                                                    !std::same_as<decltype(&E::sweep), decltype(&Effect::sweep)> ||
-                                                    !std::same_as<decltype(&E::finish), decltype(&Effect::finish)> ||
-                                                    !std::same_as<decltype(&E::report), decltype(&Effect::report)>);
+concept AnEffect = std::derived_from<E, Effect> && !requires {
+  requires std::same_as<decltype(&E::check), decltype(&Effect::check)>;
+  requires std::same_as<decltype(&E::touch), decltype(&Effect::touch)>;
+  requires std::same_as<decltype(&E::build), decltype(&Effect::build)>;
+  requires std::same_as<decltype(&E::start), decltype(&Effect::start)>;
+  requires std::same_as<decltype(&E::sweep), decltype(&Effect::sweep)>;
+  requires std::same_as<decltype(&E::finish), decltype(&Effect::finish)>;
+  requires std::same_as<decltype(&E::report), decltype(&Effect::report)>;
+};
 
 template <class... Effects>
 class Solver : public StepSolver, public Effects... {
@@ -84,7 +91,7 @@ class Solver : public StepSolver, public Effects... {
   }
   void sweep(auto& step) {
     const std::size_t normals = step.contacts.size();
-    for (std::size_t i = 0; i < normals; ++i) rows_[i].solve();
+    for (std::size_t i = 0; i < normals; ++i) step.solve(i);
     rows_solved += normals;
     (Effects::sweep(step), ...);
   }

@@ -13,14 +13,14 @@ struct ImpactsAtOnce : RestitutionFromSurface {
   Real precision = Real(1e-6);  ///< of the fastest bounce; it ends where no row changes a speed by more
   int most_rounds = 1000;
 
-  void sweep(Step& step) {
+  void sweep(auto& step) {
     Real change = fastest_;
     for (int round = 0; round < most_rounds && change > precision * fastest_; ++round) {
       change = 0;
       for (std::size_t i = 0; i < step.contacts.size(); ++i) {
         Row& normal = step.rows[i];
         const Real before = normal.impulse;
-        normal.solve();
+        step.solve(i);
         change = std::max(change, std::abs(normal.impulse - before) / normal.effective_mass);
       }
       rows_solved += step.contacts.size();

@@ -8,20 +8,20 @@ namespace pushback {
 /// Instead of WarmStart. A blow is over in one step: to start the next one from its impulses would strike again. What the
 /// rows are to make small, and what no sweep over the normals raises, is
 ///
-///   f(lambda) = lambda . (A + Gamma) lambda / 2 + lambda . (J V + b),   A = J M^-1 J^T
+///   f(lambda) = lambda . A lambda / 2 + lambda . (J V + b),   A = J M^-1 J^T
 ///
 /// Along s lambda its slope is lambda . (J V + b) at s = 0, and at s = 1 the same with the velocities that the guess leaves;
-/// f is their mean. Where the guess is worse than none, f > 0, only the best part of it is applied: s where the slope is 0.
+/// f is their mean. (What gives way adds to A and to b.) Where the guess is worse than none, f > 0, only the best part of it is applied: s where the slope is 0.
 struct ScaledWarmStart : WarmStart {
-  void start(Step& step) {
+  void start(auto& step) {
     Rows& rows = step.rows;
     error_.clear();
-    for (const Row& row : rows) error_.push_back(row.speed() + row.bias);
+    for (std::size_t i = 0; i < rows.size(); ++i) error_.push_back(step.speed_error(i));
     WarmStart::start(step);
     Real slope_before = 0, slope_after = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       slope_before += rows[i].impulse * error_[i];
-      slope_after += rows[i].impulse * (rows[i].speed() + rows[i].bias + rows[i].softness * rows[i].impulse);
+      slope_after += rows[i].impulse * step.speed_error(i);
     }
     if (slope_before + slope_after <= 0) return;
     const Real scale = slope_before < 0 ? slope_before / (slope_before - slope_after) : 0;

@@ -1,7 +1,8 @@
 /// What joints ask for becomes rows, and rows are all that a solver knows.
 #pragma once
 
-#include "pushback/chapters/02_clamping/clamping.h"
+#include "pushback/chapters/01_velocity_constraint/solver.h"
+#include "pushback/chapters/09_joints/joint_row.h"
 #include "pushback/common/basics/input.h"
 
 namespace pushback {
@@ -27,20 +28,18 @@ struct Joints : Effect, HoldsJoints {
     for (const Asked& asked : asked_) {
       const Joint& joint = step.world.joints[asked.joint];
       for (; equation != equations_.begin() + asked.end; ++equation) {
-        Row& row = joint_rows_.emplace_back(step.world.body(joint.a), step.world.body(joint.b), equation->jacobian,
-                                            asked.joint);
+        JointRow& row = joint_rows_.emplace_back(step.world.body(joint.a), step.world.body(joint.b), equation->jacobian,
+                                                 asked.joint, equation->softness);
         row.separation = equation->error;
         row.bias = equation->bias + beta / step.dt * equation->error;
         row.lo = step.dt * equation->lo;
         row.hi = step.dt * equation->hi;
-        row.softness = equation->softness;
-        row.effective_mass /= 1 + row.softness * row.effective_mass;  // 1 / (K + gamma)
       }
     }
     asked_.clear();  // those answers are used up
   }
   void sweep(Step&) {
-    for (Row& row : joint_rows_) row.solve();
+    for (JointRow& row : joint_rows_) row.solve();
     rows_solved += joint_rows_.size();
   }
   /// Only under a solver that relaxes (chapter 12): the same equations where the bodies are now, and C is not fed back.
@@ -48,7 +47,7 @@ struct Joints : Effect, HoldsJoints {
   void moved(Step& step) {
     ask(step);
     for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
-      Row& row = joint_rows_[i];
+      JointRow& row = joint_rows_[i];
       if (row.softness != 0) continue;
       row.place(equations_[i].jacobian);
       row.bias = equations_[i].bias;
@@ -56,10 +55,10 @@ struct Joints : Effect, HoldsJoints {
     asked_.clear();
   }
   /// Those of the latest step; Row::owner is the index of the joint.
-  const Rows& joint_rows() const { return joint_rows_; }
+  const JointRows& joint_rows() const { return joint_rows_; }
 
  protected:
-  Rows joint_rows_;
+  JointRows joint_rows_;
 
  private:
   struct Asked {

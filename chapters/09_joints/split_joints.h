@@ -27,7 +27,7 @@ struct SplitJoints : WarmJoints {
     WarmJoints::build(step);
     push_.clear();
     rounds_ = 0;
-    for (Row& row : joint_rows_) {
+    for (JointRow& row : joint_rows_) {
       push_.push_back(row.softness == 0 ? beta / step.dt * row.separation : 0);
       row.bias -= push_.back();
     }

@@ -1,12 +1,25 @@
-/// A solver with one more sweep: once the bodies have moved.
+/// A solver whose contacts may give way, and with one more sweep: once the bodies have moved.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/solver.h"
 
 namespace pushback {
 
-/// What an effect asks for in `build` that needs a RelaxingSolver.
-struct RelaxingStep : Step {};
+/// What an effect asks for in `build` that needs a RelaxingSolver. A normal that has softness wants
+///
+///   J V + b + gamma lambda = 0,   and its effective mass is 1 / (K + gamma)
+struct RelaxingStep : Step {
+  std::vector<Real>& softness;  ///< gamma of the first rows, 1/kg: 0 where the step begins
+
+  Real speed_error(std::size_t i) const { return Step::speed_error(i) + yields(i); }
+  void solve(std::size_t i) {
+    Row& row = rows[i];
+    row.reach(row.impulse - row.effective_mass * (row.speed() + (row.bias + yields(i))));
+  }
+
+ private:
+  Real yields(std::size_t i) const { return i < softness.size() ? softness[i] * rows[i].impulse : 0; }
+};
 
 template <class E>
 concept RelaxingEffect = requires(E& effect, RelaxingStep& step) { effect.relax(step); };
@@ -21,6 +34,7 @@ template <class... Effects>
 class RelaxingSolver : public Solver<Effects...> {
  public:
   void solve(World& world, Real dt, int sweeps) {
+    softness_.assign(world.contacts.size(), 0);
     RelaxingStep step = step_of(world, dt);
     Solver<Effects...>::solve(step, sweeps);
   }
@@ -39,7 +53,9 @@ class RelaxingSolver : public Solver<Effects...> {
   }
 
  private:
-  RelaxingStep step_of(World& world, Real dt) { return {{world, world.contacts, this->rows_, dt}}; }
+  RelaxingStep step_of(World& world, Real dt) { return {{world, world.contacts, this->rows_, dt}, softness_}; }
+
+  std::vector<Real> softness_;  // of the normals
 };
 
 }  // namespace pushback

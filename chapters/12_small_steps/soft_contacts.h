@@ -41,7 +41,7 @@ struct SoftContacts : Effect {
     }
   }
   /// What bounces leaves by itself; all else is pushed out.
-  void start(Step& step) {
+  void start(RelaxingStep& step) {
     Rows& rows = step.rows;
     bounce_.resize(rigid_mass_.size());
     for (std::size_t i = 0; i < rigid_mass_.size(); ++i) {
@@ -50,7 +50,7 @@ struct SoftContacts : Effect {
       const Real push_out = push_out_rate_ * rows[i].separation;
       rows[i].bias = std::max(push_out, -fastest_push_out);
       if (push_out < -fastest_push_out) continue;  // rigid: a spring that may not push harder would sink for ever
-      rows[i].softness = gamma_by_K_ / rigid_mass_[i];
+      step.softness[i] = gamma_by_K_ / rigid_mass_[i];
       rows[i].effective_mass = rigid_mass_[i] / (1 + gamma_by_K_);  // 1 / (K + gamma)
     }
   }
@@ -60,10 +60,8 @@ struct SoftContacts : Effect {
   void relax(RelaxingStep& step) {
     Rows& rows = step.rows;
     for (Row& row : rows) carry(row, apart_[row.owner]);
-    for (std::size_t i = 0; i < rigid_mass_.size(); ++i) {
-      rows[i].bias = bounce_[i];
-      rows[i].softness = 0;
-    }
+    for (std::size_t i = 0; i < rigid_mass_.size(); ++i) rows[i].bias = bounce_[i];
+    std::fill(step.softness.begin(), step.softness.end(), Real(0));
   }
 
  private:

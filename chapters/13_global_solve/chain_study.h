@@ -41,15 +41,16 @@ inline ChainSolved solve_chain(int count, Real h, int most) {
   Solver<GlobalJoints> at_once;
   sweeps.solve(swept, h, 0);
   at_once.solve(exact, h, 0);
-  const Vector before = speeds_of(at_once.joint_rows());
+  const auto rows = [&at_once] { return Rows(at_once.joint_rows().begin(), at_once.joint_rows().end()); };
+  const Vector before = speeds_of(rows());
   at_once.solve(exact, h, 1);
 
-  const Eigen::SparseMatrix<double> a = matrix_of(at_once.joint_rows());
+  const Eigen::SparseMatrix<double> a = matrix_of(rows());
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(a);
   ChainSolved chain;
   chain.rows = at_once.joint_rows().size();
   chain.numbers = factors.matrixL().nestedExpression().nonZeros();
-  chain.at_once = speeds_of(at_once.joint_rows()).cwiseAbs().maxCoeff() / before.cwiseAbs().maxCoeff();
+  chain.at_once = speeds_of(rows()).cwiseAbs().maxCoeff() / before.cwiseAbs().maxCoeff();
 
   const auto error = [&] {
     Real largest = 0;

@@ -10,14 +10,18 @@ using Eigen::Index;
 using Symmetric = Eigen::SparseMatrix<double>;
 using Places = std::vector<std::size_t>;
 
-Symmetric matrix_of(const Rows& rows, const Places& places) {
+Symmetric matrix_of(const JointRows& rows, const Places& places) {
   Rows chosen;
-  for (const std::size_t place : places) chosen.push_back(rows[place]);
-  return pushback::matrix_of(chosen);
+  std::vector<Real> softness;
+  for (const std::size_t place : places) {
+    chosen.push_back(rows[place]);
+    softness.push_back(rows[place].softness);
+  }
+  return pushback::matrix_of(chosen, softness);
 }
 
 /// Of the rows at `places`, those that ask for something that the ones before them do not hold already.
-Places independent(const Rows& rows, const Places& places) {
+Places independent(const JointRows& rows, const Places& places) {
   Symmetric a = matrix_of(rows, places);
   const Vector diagonal = a.diagonal();
   // No pivot may be 0, or rounding would be divided by rounding. What is added is far below the pivots that are kept.
@@ -51,12 +55,11 @@ void GlobalJoints::solve_at_once() {
   if (at_once_.empty()) return;
   Vector error(static_cast<Index>(at_once_.size()));
   for (std::size_t i = 0; i < at_once_.size(); ++i) {
-    const Row& row = joint_rows_[at_once_[i]];
-    error[static_cast<Index>(i)] = static_cast<double>(row.speed() + row.bias + row.softness * row.impulse);
+    error[static_cast<Index>(i)] = static_cast<double>(joint_rows_[at_once_[i]].speed_error());
   }
   const Vector change = factors_->solve(-error);
   for (std::size_t i = 0; i < at_once_.size(); ++i) {
-    Row& row = joint_rows_[at_once_[i]];
+    JointRow& row = joint_rows_[at_once_[i]];
     row.reach(row.impulse + static_cast<Real>(change[static_cast<Index>(i)]));
   }
 }

@@ -27,7 +27,7 @@ struct GlobalJoints : Joints {
     factor();
   }
   void sweep(Step&) {
-    for (Row& row : joint_rows_)
+    for (JointRow& row : joint_rows_)
       if (limited(row) || (at_once_.empty() && std::isfinite(row.effective_mass))) row.solve();
     solve_at_once();
   }

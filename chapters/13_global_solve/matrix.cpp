@@ -19,7 +19,7 @@ double part(const Row& i, const Row& j, const Body* body) {
 
 }  // namespace
 
-SparseRows matrix_of(const Rows& rows) {
+SparseRows matrix_of(const Rows& rows, const std::vector<Real>& softness) {
   std::unordered_map<const Body*, std::vector<int>> touching;  // asked, never walked: its order is that of addresses
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (const Body* body : {rows[i].a, rows[i].b})
@@ -27,7 +27,7 @@ SparseRows matrix_of(const Rows& rows) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const int row = static_cast<int>(i);
-    entries.emplace_back(row, row, static_cast<double>(rows[i].softness));
+    entries.emplace_back(row, row, softness.empty() ? 0 : static_cast<double>(softness[i]));
     for (const Body* body : {rows[i].a, rows[i].b}) {
       if (!body->movable()) continue;
       for (const int j : touching[body])

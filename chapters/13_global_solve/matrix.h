@@ -8,8 +8,8 @@
 
 namespace pushback {
 
-/// 1/kg, a row and a column for each of `rows`. Softness, where a row has it, is added on the diagonal.
-SparseRows matrix_of(const Rows& rows);
+/// 1/kg, a row and a column for each of `rows`. `softness`, 1/kg, is added on the diagonal: of each row, or none.
+SparseRows matrix_of(const Rows& rows, const std::vector<Real>& softness = {});
 
 /// J V + b of each row, m/s: what A lambda has to make up for.
 Vector speeds_of(const Rows& rows);

@@ -40,7 +40,7 @@ class FittingSolver : public StepSolver {
   void solve(World& world, Real dt, int sweeps) { holder_->solve(world, dt, sweeps); }
   void after_move(World& world, Real dt) { holder_->after_move(world, dt); }
   const Rows& rows() const { return holder_->rows(); }
-  const Rows& joint_rows() const { return holder_->joint_rows(); }
+  const JointRows& joint_rows() const { return holder_->joint_rows(); }
 
  private:
   struct AnyHolder {
@@ -51,7 +51,7 @@ class FittingSolver : public StepSolver {
     virtual void solve(World& world, Real dt, int sweeps) = 0;
     virtual void after_move(World& world, Real dt) = 0;
     virtual const Rows& rows() const = 0;
-    virtual const Rows& joint_rows() const = 0;
+    virtual const JointRows& joint_rows() const = 0;
   };
   template <class Full, class ContactSolver>
   struct Holder final : AnyHolder {
@@ -63,14 +63,15 @@ class FittingSolver : public StepSolver {
     void after_move(World& world, Real dt) override { solver.after_move(world, dt); }
     const Rows& rows() const override {
       if constexpr (requires { solver.rows(); }) return solver.rows();
-      else return none();
+      else return none<Rows>();
     }
-    const Rows& joint_rows() const override {
+    const JointRows& joint_rows() const override {
       if constexpr (requires { solver.joint_rows(); }) return solver.joint_rows();
-      else return none();
+      else return none<JointRows>();
     }
-    static const Rows& none() {
-      static const Rows nothing;
+    template <class List>
+    static const List& none() {
+      static const List nothing;
       return nothing;
     }
     Full full;  // for the settings of what is left out
@@ -116,7 +117,7 @@ class OnlyWhatIsNeeded {
   void fit(const World& world);
   void step(World& world, Real dt, int sweeps = 10);
   const Rows& rows() const { return solver_.rows(); }
-  const Rows& joint_rows() const { return solver_.joint_rows(); }
+  const JointRows& joint_rows() const { return solver_.joint_rows(); }
 
  private:
   void look(const World& world);

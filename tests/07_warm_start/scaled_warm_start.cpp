@@ -16,14 +16,15 @@ constexpr Real h = Real(1) / 60;
 template <class AnyWarmStart>
 struct Weighed : AnyWarmStart {
   Real objective = 0, size = 0;  // J; the sum of the sizes of its terms
-  void start(Step& step) {
+  void start(RelaxingStep& step) {
     const Rows& rows = step.rows;
     std::vector<Real> before;
     for (const Row& row : rows) before.push_back(row.speed() + row.bias);
     AnyWarmStart::start(step);
     objective = size = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Real after = rows[i].speed() + rows[i].bias + rows[i].softness * rows[i].impulse;
+      const Real gamma = i < step.softness.size() ? step.softness[i] : 0;
+      const Real after = rows[i].speed() + rows[i].bias + gamma * rows[i].impulse;
       objective += rows[i].impulse * (before[i] + after) / 2;
       size += std::abs(rows[i].impulse) * (std::abs(before[i]) + std::abs(after)) / 2;
     }

@@ -121,6 +121,29 @@ TEST_CASE("a row of a joint, solved once, leaves no speed along itself, be it al
   }
 }
 
+TEST_CASE("a row that gives way ends at J V + b + gamma lambda = 0, wherever it starts; one with gamma = 0 is a Row") {
+  Random random(6);
+  for (int i = 0; i < 200; ++i) {
+    World world;
+    world.add(random.moving_body(2));
+    world.add(random.moving_body(3));
+    const Equation equation = asked_by(weld(world, 0, 1, random.direction()), world.bodies[0], world.bodies[1])[0];
+    Row rigid(world.bodies[0], world.bodies[1], equation.jacobian, 0);
+    const Real K = 1 / rigid.effective_mass, gamma = K * random.over_decades(Real(0.01), 100);
+    JointRow holds(world.bodies[0], world.bodies[1], equation.jacobian, 0, 0);
+    JointRow yields(world.bodies[0], world.bodies[1], equation.jacobian, 0, gamma);
+    REQUIRE(yields.effective_mass == Approx(1 / (K + gamma)));
+    rigid.bias = holds.bias = yields.bias = random.between(-3, 3);
+    rigid.impulse = holds.impulse = yields.impulse = random.between(-10, 10);
+    REQUIRE(holds.wanted() == rigid.wanted());
+    REQUIRE(holds.error() == rigid.error());
+    yields.solve();
+    const Real size = std::abs(yields.speed()) + std::abs(yields.bias) + (K + gamma) * (std::abs(yields.impulse) + 10);
+    REQUIRE(std::abs(yields.speed() + yields.bias + gamma * yields.impulse) <= 32 * eps * size);
+    REQUIRE(yields.error() <= 64 * eps * size);
+  }
+}
+
 TEST_CASE("a bead's row is the derivative of its distance from the wire, on the wire") {
   Random random(2);
   for (int i = 0; i < 200; ++i) {

@@ -25,7 +25,7 @@ using AtOnce = Solver<GlobalJoints>;
 template <class JointSolver>
 Real largest_error(const JointSolver& solver) {
   Real largest = 0;
-  for (const Row& row : solver.joint_rows())
+  for (const JointRow& row : solver.joint_rows())
     if (std::isinf(row.lo) && std::isinf(row.hi))
       largest = std::max(largest, std::abs(row.speed() + row.bias + row.softness * row.impulse));
   return largest;

@@ -88,7 +88,7 @@ void Ledger::guess_scaled(const Rows& rows) {
   Real f = after - before, size = std::max(before, after);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Row& row = rows[i];
-    const Real fed = -row.bias * row.impulse, stored = row.softness * row.impulse * row.impulse / 2;
+    const Real fed = -row.bias * row.impulse, stored = softness_of(i) * row.impulse * row.impulse / 2;
     const Real driven = -row.impulse * speed_of_immovable(row);
     f += stored - fed - driven;
     // The whole guess acted before it was scaled: every sum knows it to its rounding.
@@ -140,7 +140,7 @@ void Ledger::balance(const char* what, const Rows& rows, std::size_t begin, std:
     const Row& row = rows[i];
     const Real old = impulses_[i], change = row.impulse - old;
     const Real fed = -row.bias * change;
-    const Real stored = row.softness * (row.impulse + old) * change / 2;
+    const Real stored = softness_of(i) * (row.impulse + old) * change / 2;
     const Real k = cone && begin > 0 ? larger_eigenvalue(rows, begin + (i - begin) / 2 * 2) : 1 / row.effective_mass;
     const Real paid = change * change * k / 2;
     const Real driven = -change * speed_of_immovable(row);
@@ -160,7 +160,7 @@ void Ledger::balance(const char* what, const Rows& rows, std::size_t begin, std:
 void Ledger::finished(const Rows& rows) {
   Real fed = 0;
   for (std::size_t i = 0; i < normals; ++i) {
-    fed += -rows[i].bias * rows[i].impulse - rows[i].softness * rows[i].impulse * rows[i].impulse / 2;
+    fed += -rows[i].bias * rows[i].impulse - softness_of(i) * rows[i].impulse * rows[i].impulse / 2;
   }
   for (const Row& row : rows) fed -= row.impulse * speed_of_immovable(row);
   const Real size = std::max(opening_, now_), above = now_ - opening_ - fed;

@@ -69,11 +69,13 @@ class Ledger {
   void impacts_swept(const Rows& rows);   ///< each normal any number of times
   void tangents_swept(const Rows& rows);  ///< a sweep is over
   void finished(const Rows& rows);
-  std::size_t normals = 0;     ///< so many rows, the first ones
-  std::vector<Real> friction;  ///< mu of each contact that has tangents
-  std::vector<Real> guess;     ///< of each row, N s, before it is scaled: impulses as large as these were rounded off
+  std::size_t normals = 0;                      ///< so many rows, the first ones
+  std::vector<Real> friction;                   ///< mu of each contact that has tangents
+  const std::vector<Real>* softness = nullptr;  ///< gamma of the first rows, 1/kg; none: they hold
+  std::vector<Real> guess;  ///< of each row, N s, before it is scaled: impulses as large as these were rounded off
 
  private:
+  Real softness_of(std::size_t row) const { return softness && row < softness->size() ? (*softness)[row] : 0; }
   /// The bodies that the rows may move, once each, in the order of the world.
   void gather(const Rows& rows);
   Real energy() const;
@@ -109,7 +111,7 @@ struct Booked : OneFriction {
 /// Instead of ImpactsAtOnce.
 struct BookedImpacts : ImpactsAtOnce {
   Ledger* ledger = nullptr;
-  void sweep(Step& step) {
+  void sweep(auto& step) {
     ledger->normals_swept(step.rows);
     ImpactsAtOnce::sweep(step);
     ledger->impacts_swept(step.rows);
@@ -119,7 +121,7 @@ struct BookedImpacts : ImpactsAtOnce {
 /// Instead of ScaledWarmStart.
 struct BookedScaledWarmStart : ScaledWarmStart {
   Ledger* ledger = nullptr;
-  void start(Step& step) {
+  void start(auto& step) {
     ledger->guess.clear();
     for (const Row& row : step.rows) {
       const Real wanted = first_guess_[row.owner].dot(row.n);
@@ -139,6 +141,10 @@ struct Bookkeeper : Effect {
 };
 /// The same for a solver that relaxes.
 struct RelaxingBookkeeper : Bookkeeper {
+  void build(RelaxingStep& step) {
+    ledger->softness = &step.softness;
+    Bookkeeper::build(step);
+  }
   void relax(RelaxingStep& step) { ledger->reopened(step.rows); }
 };
 
