@@ -25,9 +25,9 @@ struct Step {
   Real speed_error(std::size_t i) const { return rows[i].speed() + rows[i].bias; }
 };
 
-/// The moments of a step at which an effect may act, in their order. An effect is a type that derives from this one and
-/// hides the moments that it needs. One that solves normals itself asks `step.solve`. One that appends rows of its own solves them in `sweep`. Who solves rows adds them to
-/// rows_solved.
+/// The hooks of a step, in their order. An effect is a type that derives from this one and defines the hooks that it needs.
+/// One that appends rows of its own solves them in `sweep`; one that solves normals asks `step.solve`. Whoever solves rows adds
+/// them to rows_solved.
 struct Effect {
   /// Throws InvalidInput where a number cannot be used. Nothing of the step has been done yet.
   void check(Step&) {}
@@ -45,7 +45,7 @@ struct Effect {
   void report(Step&) {}
 };
 
-/// A misspelt moment would never be called: insist that at least one is hidden. One that is a template is.
+/// A misspelt hook would never be called: insist that at least one is defined. (One that is a template is.)
 template <class E>
 concept AnEffect = std::derived_from<E, Effect> && !requires {
   requires std::same_as<decltype(&E::check), decltype(&Effect::check)>;
@@ -59,7 +59,7 @@ concept AnEffect = std::derived_from<E, Effect> && !requires {
 
 template <class... Effects>
 class Solver : public StepSolver, public Effects... {
-  static_assert((AnEffect<Effects> && ...), "an effect derives from Effect and hides at least one of its moments");
+  static_assert((AnEffect<Effects> && ...), "an effect derives from Effect and defines at least one of its hooks");
 
  public:
   void check(World& world, Real dt) {

@@ -1,4 +1,4 @@
-/// A solver with one more moment: the last of a step.
+/// A solver with one more hook: the last of a step.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/solver.h"

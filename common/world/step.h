@@ -8,7 +8,7 @@
 namespace pushback {
 
 /// What a solver derives from. It has  void solve(World& world, Real dt, int sweeps),  which changes the velocities of bodies
-/// and says in each contact what was done there; and hides of these what it needs.
+/// and says in each contact what was done there; and defines of these what it needs.
 struct StepSolver {
   /// Throws InvalidInput if it cannot solve what is in this world; nothing has changed yet. This one holds no joints.
   void check(World& world, Real /*dt*/) { check_no_joints(world.joints); }

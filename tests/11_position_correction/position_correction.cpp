@@ -304,7 +304,7 @@ TEMPLATE_TEST_CASE("11: with e = 0 what lands deep stays down", "", BOTH_WAYS) {
   CHECK(landed);
 }
 
-// ---- the moment, and who calls it ---------------------------------------------------------------------------------------------
+// ---- the hook, and who calls it -- ---------------------------------------------------------------------------------------------
 
 template <class E>
 concept FitsAnySolver = requires(E& effect, Step& step) { effect.build(step); };

@@ -132,7 +132,7 @@ struct BookedScaledWarmStart : ScaledWarmStart {
   }
 };
 
-/// The last effect: nothing acts after it at any moment.
+/// The last effect: nothing acts after it in any hook.
 struct Bookkeeper : Effect {
   Ledger* ledger = nullptr;
   void build(Step& step) { ledger->open(step.rows); }
