@@ -19,6 +19,12 @@ std::string title_of(const FrozenProblem& frozen) {
   return fmt::format("{}, {} contacts", name, frozen.problem.contacts());
 }
 
+/// The same: Siconos' NSN_AC.
+std::string label_of(std::string method) {
+  std::replace(method.begin(), method.end(), '_', '-');
+  return method;
+}
+
 Panel trace_panel(const Traced& of, bool against_time) {
   Panel panel{.title = title_of(*of.frozen),
               .x_label = against_time ? "time, ms" : "row solves",
@@ -33,12 +39,12 @@ Panel trace_panel(const Traced& of, bool against_time) {
     if (!against_time && !of.traces[m].counts_rows()) continue;
     const std::vector<TracePoint>& points = of.traces[m].points();
     if (points.empty()) {
-      panel.extra += fmt::format("; set label '{}: not reached' at graph 0.98,{:.2f} right", method, line);
+      panel.extra += fmt::format("; set label '{}: not reached' at graph 0.98,{:.2f} right", label_of(method), line);
       line -= 0.08;
       continue;
     }
     const bool wrong_law = method == "pgs" || method == "scaled-back", every_sweep = points[0].sweeps == 0;
-    Curve curve{method, {}, {}, line_colour(m), Curve::Style::line};
+    Curve curve{label_of(method), {}, {}, line_colour(m), Curve::Style::line};
     if (wrong_law) curve.style = Curve::Style::dashed;
     if (!every_sweep) curve.style = Curve::Style::line_and_points;
     for (const TracePoint& point : points) {
@@ -60,7 +66,7 @@ Panel profile_panel(const std::string& title, const std::string& unit, const Cos
               .log_x = true,
               .extra = "set xrange [1:1000]; set yrange [0:1.03]"};
   for (const std::size_t m : methods) {
-    Curve curve{frozen_methods()[m], {}, {}, line_colour(m), Curve::Style::line};
+    Curve curve{label_of(frozen_methods()[m]), {}, {}, line_colour(m), Curve::Style::line};
     for (int i = 0; i <= 600; ++i) {
       const double tau = std::pow(10, i / 200.0);
       curve.x.push_back(static_cast<Real>(tau));
