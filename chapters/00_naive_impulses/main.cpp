@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "pushback/chapters/00_naive_impulses/naive.h"
 #include "pushback/chapters/00_naive_impulses/scenes.h"
 #include "pushback/common/experiment/experiment.h"
@@ -44,9 +46,14 @@ void two_takes(Experiment& e) {
 
 int main(int argc, char** argv) {
   Experiment e("00_naive_impulses", "What if every contact simply gets its impulse?");
+  SparseHit hit;
+  e.parameter({"--speed", "v", "m/s", "Speed of the ball that hits the box", 0.5, 20}, &hit.speed);
+  e.parameter({"--mass-ratio", "m₁/m₂", "", "Mass of that ball, in masses of the box", 0.01, 100}, &hit.mass_ratio);
+  int boxes = 5;
+  e.parameter({"--boxes", "n", "", "Boxes of the stack", 2, 10}, &boxes);
   return e.run(argc, argv, [&] {
     e.scene({.name = "one hit in empty space",
-             .fill = sparse_hit,
+             .fill = hit,
              .camera = {{Real(0.4), 2, Real(6.2)}, {Real(0.4), Real(1.05), 0}},
              .seconds = Real(1.2)});
     two_takes(e);
@@ -66,20 +73,23 @@ int main(int argc, char** argv) {
     e.series("height of the box", "m", top);
     e.number("jitter", "m/s", jitter);
 
-    e.scene({.name = "a stack of five",
-             .fill = [](World& world) { stack(world, 5); },
-             .camera = {{8, 5, 15}, {0, Real(3.2), 0}},
+    const Real tall = static_cast<Real>(boxes), farther = tall / 5;
+    e.scene({.name = fmt::format("a stack of {}", spelled(boxes)),
+             .fill = [boxes](World& world) { stack(world, boxes); },
+             .camera = {farther * Vec3(8, 5, 15), {0, farther * Real(3.2), 0}},
              .seconds = 6,
              .instants = {0, 1, 3, 6}});
     two_takes(e);
     e.series("height of the topmost box", "m", top);
     e.number("jitter", "m/s", jitter);
-    e.series("pairs in reverse order", "of 10", pairs_in_reverse);
-    e.number("most pairs in reverse order", "of 10", [](const Run& run) {
+    const std::string of_all_pairs = fmt::format("of {}", boxes * (boxes - 1) / 2);
+    e.series("pairs in reverse order", of_all_pairs, pairs_in_reverse);
+    e.number("most pairs in reverse order", of_all_pairs, [](const Run& run) {
       const auto& pairs = run.series.at("pairs in reverse order");
       return *std::max_element(pairs.begin(), pairs.end());
     });
-    e.number("height kept", "%",
-             [](const Run& run) { return 100 * run.series.at("height of the topmost box").back() / Real(4.5); });
+    e.number("height kept", "%", [tall](const Run& run) {
+      return 100 * run.series.at("height of the topmost box").back() / (tall - Real(0.5));
+    });
   });
 }

@@ -31,12 +31,6 @@ struct RightNormals : Effect {
   }
 };
 
-/// Of a body thrown upwards from `height`, its speed falling by g h in every step.
-Real highest_point(Real height, Real speed, Real h) {
-  for (speed -= Real(9.81) * h; speed > 0; speed -= Real(9.81) * h) height += h * speed;
-  return height;
-}
-
 /// Of a body that starts at rest and gains 1 m/s in each of n steps of 1 s, m.
 Real way_of_one(Real n) {
   return n * (n + 1) / 2;
@@ -51,9 +45,6 @@ Real depth_of_lowest_corner(const World& world) {
   const Vec3 upwards = body.orientation.conjugate() * Vec3::UnitY();
   return 1000 * (upwards.cwiseAbs().sum() * Real(0.5) - body.position.y());
 }
-Real way_up(const World& world) {
-  return world.bodies.back().position.dot(Vec3(std::cos(cube_slope), std::sin(cube_slope), 0));
-}
 Real largest_error(const Run& run) {
   Real largest = 0;
   for (const Sample& sample : run.samples) largest = std::max(largest, sample.residual);
@@ -64,10 +55,16 @@ Real largest_error(const Run& run) {
 
 int main(int argc, char** argv) {
   Experiment e("01_velocity_constraint", "What does J V = 0 do, all by itself?");
+  DroppedBox dropped;
+  e.parameter({"--drop", "", "m", "How far above the slab the box is let go", 0.1, 2}, &dropped.drop);
+  LeavingBox leaving;
+  e.parameter({"--speed", "v", "m/s", "Speed of the box that is thrown upwards", 0.5, 7}, &leaving.speed);
+  CubeOnSlope cube;
+  e.parameter({"--slope", "θ", "rad", "Angle of the slope", 0, 0.6}, &cube.angle);
   return e.run(argc, argv, [&] {
     const Camera camera{{Real(0.9), Real(1.3), Real(5)}, {0, Real(0.95), 0}};
     e.scene({.name = "It stops the fall, and keeps the overlap",
-             .fill = dropped_box,
+             .fill = dropped,
              .camera = camera,
              .seconds = 1,
              .instants = {0, Real(0.3), Real(0.5), 1}});
@@ -78,8 +75,8 @@ int main(int argc, char** argv) {
              [](const Run& run) { return depth_of_lowest_corner(run.world); });
     e.number("J V after the solve", "m/s", largest_error);
 
-    e.scene({.name = "It pulls: a box thrown upwards", .fill = leaving_box, .camera = camera, .seconds = Real(0.8)});
-    e.variant("no constraint", NoSolver{}).expect("highest point", highest_point(Real(0.49), 5, e.dt()));
+    e.scene({.name = "It pulls: a box thrown upwards", .fill = leaving, .camera = camera, .seconds = Real(0.8)});
+    e.variant("no constraint", NoSolver{}).expect("highest point", leaving.highest_point(e.dt()));
     e.variant("J V = 0", Solver<>{});
     e.series("height of the box", "m", height);
     e.number("highest point", "m", [](const Run& run) {
@@ -88,15 +85,15 @@ int main(int argc, char** argv) {
     });
 
     e.scene({.name = "A reader's cube slides up the slope",
-             .fill = cube_on_slope,
+             .fill = cube,
              .camera = {{0, 2, 11}, {0, Real(0.15), 0}},
              .seconds = Real(1.4)});
     e.variant("n as it is", Solver<RightNormals>{})
         .expect("way up the slope",
-                -Real(9.81) * std::sin(cube_slope) * way_of_one(std::round(Real(1.4) / e.dt())) * e.dt() * e.dt())
-        .reference("-g sin θ t²/2", [](Real t) { return -Real(9.81) * std::sin(cube_slope) * t * t / 2; });
+                -Real(9.81) * std::sin(cube.angle) * way_of_one(std::round(Real(1.4) / e.dt())) * e.dt() * e.dt())
+        .reference("-g sin θ t²/2", [cube](Real t) { return -Real(9.81) * std::sin(cube.angle) * t * t / 2; });
     e.variant("n with x mirrored", Solver<MirroredNormals>{});
-    e.series("way up the slope", "m", way_up);
+    e.series("way up the slope", "m", [cube](const World& world) { return cube.way_up(world); });
     e.number("way up the slope", "m", [](const Run& run) { return run.series.at("way up the slope").back(); });
   });
 }

@@ -5,22 +5,43 @@
 
 namespace pushback {
 
-inline void dropped_box(World& world) {
-  slab(world);
-  world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(1.54), 0}).coloured(0));
-}
+struct DroppedBox {
+  Real drop = Real(1.04);  ///< m, above the slab
 
-inline void leaving_box(World& world) {
-  slab(world);
-  world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.49), 0}).moving({0, 5, 0}).coloured(0));
-}
+  void operator()(World& world) const {
+    slab(world);
+    world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5) + drop, 0}).coloured(0));
+  }
+};
 
-inline constexpr Real cube_slope = Real(0.35);  // rad
+struct LeavingBox {
+  Real speed = 5;  ///< m/s, upwards
 
-inline void cube_on_slope(World& world) {
-  incline(world, cube_slope);
-  const Vec3 up{-std::sin(cube_slope), std::cos(cube_slope), 0};
-  world.add(box(Vec3::Constant(Real(0.5)), 100).turned(cube_slope, Vec3::UnitZ()).at(Real(0.499) * up));
-}
+  static constexpr Real height = Real(0.49);  ///< m, of its centre: 1 cm deep in the slab
+
+  void operator()(World& world) const {
+    slab(world);
+    world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, height, 0}).moving({0, speed, 0}).coloured(0));
+  }
+  /// m, if nothing holds it: its speed falls by g h in every step.
+  Real highest_point(Real h) const {
+    Real highest = height;
+    for (Real v = speed - Real(9.81) * h; v > 0; v -= Real(9.81) * h) highest += h * v;
+    return highest;
+  }
+};
+
+struct CubeOnSlope {
+  Real angle = Real(0.35);  ///< rad
+
+  void operator()(World& world) const {
+    incline(world, angle);
+    const Vec3 up{-std::sin(angle), std::cos(angle), 0};
+    world.add(box(Vec3::Constant(Real(0.5)), 100).turned(angle, Vec3::UnitZ()).at(Real(0.499) * up));
+  }
+  Real way_up(const World& world) const {
+    return world.bodies.back().position.dot(Vec3(std::cos(angle), std::sin(angle), 0));
+  }
+};
 
 }  // namespace pushback

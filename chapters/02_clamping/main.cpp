@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/02_clamping/scenes.h"
 #include "pushback/common/experiment/experiment.h"
@@ -25,11 +27,12 @@ Real upwards(const World& world) {
 
 /// How far the velocities are from the exact ones after 1, 2, ... sweeps of the step in which the column lands.
 template <class ContactSolver>
-Curve error_after_sweeps(const std::string& label, ContactSolver solver, std::size_t colour) {
+Curve error_after_sweeps(const LandingColumn& landing, const std::string& label, ContactSolver solver,
+                         std::size_t colour) {
   Curve curve{label, {}, {}, line_colour(colour), Curve::Style::line_and_points};
   const Real dt = Real(1) / 60;
   World world;
-  landing_column(world);
+  landing(world);
   ContactSolver untouched = solver;
   while (deepest_overlap(world) == 0) {
     world.begin_step(dt);
@@ -52,6 +55,10 @@ Curve error_after_sweeps(const std::string& label, ContactSolver solver, std::si
 
 int main(int argc, char** argv) {
   Experiment e("02_clamping", "A contact must not pull: but what is it that is clamped?");
+  LandingColumn landing;
+  e.parameter({"--fall", "", "m", "How far the column falls before it lands", 0.05, 1}, &landing.fall);
+  StackedColumns columns;
+  e.parameter({"--columns", "n", "", "Columns on each other", 2, 6}, &columns.count);
   return e.run(argc, argv, [&] {
     const auto three_ways = [&](int sweeps) {
       e.variant("no limits", Solver<>{}).with_sweeps(sweeps);
@@ -59,7 +66,7 @@ int main(int argc, char** argv) {
       e.variant("their sum ≥ 0", Solver<Clamping>{}).with_sweeps(sweeps);
     };
     e.scene({.name = "a column lands flat",
-             .fill = landing_column,
+             .fill = landing,
              .camera = {{2, Real(1.7), Real(4.4)}, {0, Real(1.0), 0}},
              .seconds = Real(1.2),
              .instants = {0, Real(0.35), Real(0.6), Real(1.2)}});
@@ -67,22 +74,22 @@ int main(int argc, char** argv) {
     e.series("speed upwards", "m/s", upwards);
     e.number("rebound speed", "m/s", rebound);
 
-    e.scene({.name = "three columns on each other, dropped",
-             .fill = three_columns,
+    e.scene({.name = fmt::format("{} columns on each other, dropped", spelled(columns.count)),
+             .fill = columns,
              .camera = {{4, 3, 8}, {0, Real(1.8), 0}},
              .seconds = 2});
     three_ways(50);
     e.series("out of line", "mm", out_of_line);
     e.number("out of line after 2 s", "mm", [](const Run& run) { return out_of_line(run.world); });
 
-    e.study([&e] {
+    e.study([&e, &landing] {
       e.panel({.title = "the landing step: distance from the exact velocities",
                .x_label = "sweeps",
                .y_label = "|v| + |ω| left, m/s and rad/s",
                .log_y = true,
-               .curves = {error_after_sweeps("no limits", Solver<>{}, 0),
-                          error_after_sweeps("each correction ≥ 0", Solver<ClampingEachCorrection>{}, 1),
-                          error_after_sweeps("their sum ≥ 0", Solver<Clamping>{}, 2)}});
+               .curves = {error_after_sweeps(landing, "no limits", Solver<>{}, 0),
+                          error_after_sweeps(landing, "each correction ≥ 0", Solver<ClampingEachCorrection>{}, 1),
+                          error_after_sweeps(landing, "their sum ≥ 0", Solver<Clamping>{}, 2)}});
     });
   });
 }

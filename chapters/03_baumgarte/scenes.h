@@ -5,16 +5,15 @@
 
 namespace pushback {
 
-inline constexpr Real d0 = Real(0.06);  // m, overlap at the start
+struct SunkenBox {
+  Real depth = Real(0.06);  ///< m, overlap at the start
+  bool weightless = false;
 
-inline void sunken_box(World& world) {
-  slab(world);
-  world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5) - d0, 0}).coloured(0));
-}
-
-inline void sunken_box_without_gravity(World& world) {
-  world.gravity.setZero();
-  sunken_box(world);
-}
+  void operator()(World& world) const {
+    if (weightless) world.gravity.setZero();
+    slab(world);
+    world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5) - depth, 0}).coloured(0));
+  }
+};
 
 }  // namespace pushback

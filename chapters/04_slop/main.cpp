@@ -40,18 +40,23 @@ Real resting_depth(const Run& run) {
 int main(int argc, char** argv) {
   Experiment e("04_slop", "Why leave a little overlap alone?");
   std::vector<Real> slops{0, Real(0.005), Real(0.02)};
-  e.parameter({"--slop", "slop", "m", "Overlaps to leave alone", not_negative()}, &slops);
+  e.parameter({"--slop", "slop", "m", "Overlaps to leave alone", 0, 0.1}, &slops);
+  Real beta = Baumgarte{}.beta;
+  e.parameter({"--beta", "β", "", "How much of what exceeds the slop one step takes away", 0, 1}, &beta);
+  SmallPile pile;
+  e.parameter({"--depth", "", "m", "How deep each box is in what it lies on at the start", 0, 0.05}, &pile.depth);
   return e.run(argc, argv, [&] {
     const Real h = e.dt();
     // Consecutive steps: what flickers in the motion stands side by side here.
     e.scene({.name = "three boxes at rest",
-             .fill = small_pile,
+             .fill = pile,
              .camera = {{Real(2.6), Real(2.2), Real(4.2)}, {0, Real(0.85), 0}},
              .seconds = 4,
              .instants = {3, 3 + h, 3 + 2 * h, 3 + 3 * h}});
     for (const Real slop : slops) {
       Solver<Clamping, Baumgarte, Slop, MarkOld> solver;
       solver.slop = slop;
+      solver.beta = beta;
       e.variant(fmt::format("slop = {:.3g} mm", 1000 * slop), solver).with_sweeps(40);
     }
     e.series("contact points", "", [](const World& world) { return static_cast<Real>(world.contacts.size()); });

@@ -7,30 +7,52 @@
 
 namespace pushback {
 
-inline constexpr Real ball_radius = Real(0.3), drop = 2;  // m
-inline const std::vector<Real> bounciness{0, Real(0.5), Real(0.8), 1};
+inline constexpr Real ball_radius = Real(0.3);  // m
 
-inline void four_balls(World& world) {
-  world.add(ground().bouncy(0));
-  for (std::size_t i = 0; i < bounciness.size(); ++i) {
-    const Real x = (static_cast<Real>(i) - Real(1.5)) * Real(1.1);
-    world.add(sphere(ball_radius, 10).at({x, ball_radius + drop, 0}).bouncy(bounciness[i]));
-    // A shelf behind each, as high as the ball should come.
-    const Real apex = bounciness[i] * bounciness[i] * drop;
-    if (apex > 0) world.add(box({Real(0.5), Real(0.02), Real(0.1)}, 1).fixed().at({x, apex - Real(0.02), Real(-0.42)}));
+struct FallingBalls {
+  std::vector<Real> bounciness{0, Real(0.5), Real(0.8), 1};  ///< e of each ball
+  Real drop = 2;                                             ///< m
+
+  void operator()(World& world) const {
+    world.add(ground().bouncy(0));
+    for (std::size_t i = 0; i < bounciness.size(); ++i) {
+      const Real x = (static_cast<Real>(i) - static_cast<Real>(bounciness.size() - 1) / 2) * Real(1.1);
+      world.add(sphere(ball_radius, 10).at({x, ball_radius + drop, 0}).bouncy(bounciness[i]));
+      if (bounciness[i] > 0) {  // A shelf behind each, as high as the ball should come.
+        const Vec3 shelf(x, apex(bounciness[i], 1) - Real(0.02), Real(-0.42));
+        world.add(box({Real(0.5), Real(0.02), Real(0.1)}, 1).fixed().at(shelf));
+      }
+    }
   }
-}
 
-/// Of the ball with that e, m above where it lies on the ground. (Before it stand the ground, and two bodies for each ball but
-/// the first, which has no shelf.)
-inline Real height_of(const World& world, std::size_t ball) {
-  return world.bodies[ball == 0 ? 1 : 2 * ball].position.y() - ball_radius;
-}
+  /// m: e^2k of the drop, after the bounce number k, from 1; 0 where it arrives more slowly than `threshold`.
+  Real apex(Real e, int k, Real threshold = 0) const {
+    const Real arrives = std::sqrt(2 * Real(9.81) * drop) * std::pow(e, static_cast<Real>(k - 1));
+    return arrives > threshold ? drop * std::pow(e, static_cast<Real>(2 * k)) : 0;
+  }
+  /// s, until a ball has come up from its third bounce.
+  Real time_of_third_apex(Real e) const {
+    return std::sqrt(2 * drop / Real(9.81)) * (1 + 2 * e + 2 * e * e + e * e * e);
+  }
+  /// The ball that bounces least and yet does, by its index; 0 where none does.
+  std::size_t dullest() const {
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < bounciness.size(); ++i)
+      if (bounciness[i] > 0 && (bounciness[found] == 0 || bounciness[i] < bounciness[found])) found = i;
+    return found;
+  }
+  /// Of the ball with that index, m above where it lies on the ground. Before it stand the ground, balls and shelves.
+  Real height_of(const World& world, std::size_t ball) const {
+    const auto shelves = std::count_if(bounciness.begin(), bounciness.begin() + static_cast<std::ptrdiff_t>(ball),
+                                       [](Real e) { return e > 0; });
+    return world.bodies[1 + ball + static_cast<std::size_t>(shelves)].position.y() - ball_radius;
+  }
+};
 
-/// Highest point after the bounce number `bounce`, from 0, of the ball with index `ball`, m above the ground it rests on.
-inline std::function<Real(const Run&)> apex(std::size_t ball, std::size_t bounce = 0) {
-  return [ball, bounce](const Run& run) {
-    const auto& heights = run.series.at(fmt::format("height, e = {}", bounciness[ball]));
+/// Highest point after the bounce number `bounce`, from 0, of a series of heights, m.
+inline std::function<Real(const Run&)> apex(const std::string& series, std::size_t bounce = 0) {
+  return [series, bounce](const Run& run) {
+    const auto& heights = run.series.at(series);
     std::size_t i = 1;
     const auto down = [&] {
       while (i + 1 < heights.size() && heights[i] <= heights[i - 1]) ++i;

@@ -12,14 +12,14 @@ using After = Solver<Clamping, Baumgarte, Slop, Restitution, Friction>;  // this
 using ByWeight = Solver<Clamping, Baumgarte, Slop, Restitution, FrictionByWeight>;
 
 /// Where boxes sent out under headings of 0 to 90 degrees come to rest, seen from above.
-Curve resting_places(Real h, int sweeps) {
+Curve resting_places(const Push& push, Real h, int sweeps) {
   Curve curve{"where the boxes stop", {}, {}, line_colour(1), Curve::Style::line_and_points};
   for (int i = 0; i <= 16; ++i) {
     const Real heading = pi / 2 * static_cast<Real>(i) / 16;
     World world;
-    slide(world, {heading});
+    slide(world, {heading}, push);
     After solver;
-    for (int step = 0; step < static_cast<int>(Real(1.5) / h); ++step) world.step(solver, h, sweeps);
+    for (int step = 0; step < static_cast<int>(push.long_enough(Real(1.5)) / h); ++step) world.step(solver, h, sweeps);
     const Vec3 way = world.bodies[1].position - start_of(heading);
     curve.x.push_back(way.x());
     curve.y.push_back(-way.z());
@@ -39,15 +39,21 @@ Curve circle(Real r) {
 
 int main(int argc, char** argv) {
   Experiment e("06_friction", "What holds a box on a slope, and what stops it?");
+  BoxesOnSlope slope;
+  e.parameter({"--slope", "θ", "rad", "Angle of the slope; μ of its boxes follows", 0.05, 0.9}, &slope.theta);
+  Push push;
+  e.parameter({"--mu", "μ", "", "Friction of the boxes sent out over level ground, and of the ball", 0.3, 1.5},
+              &push.mu);
+  e.parameter({"--speed", "v₀", "m/s", "Speed of these boxes and of the ball at the start", 1, 8}, &push.v0);
   return e.run(argc, argv, [&] {
     const Real h = e.dt();
     constexpr Real seconds = Real(1.5);
-    e.scene({.name = "μ = 0.8, 1.05 and 1.5 times tan θ, θ = 40°",
+    e.scene({.name = fmt::format("μ = 0.8, 1.05 and 1.5 times tan θ, θ = {:.0f}°", slope.theta * 180 / pi),
              .fill = slope,
              .camera = {{Real(-6), Real(6.8), Real(6.3)}, {Real(1.9), Real(1.6), 0}},
              .seconds = seconds,
              .instants = {0, Real(0.4), Real(0.8), Real(1.2)}});
-    const Real a = g * (std::sin(theta) - grip[0] * std::tan(theta) * std::cos(theta));
+    const Real a = slope.acceleration(grip[0]);
     const Real steps = std::round(seconds / h);
     const auto should = [&](Variant& variant) {
       variant.expect("0.8 tan θ slides", way_of(a, h, steps)).expect("1.05 tan θ slides", 0);
@@ -57,20 +63,21 @@ int main(int argc, char** argv) {
     should(e.variant("bounded by μ Σλₙ", After{}).reference("g (sin θ − μ cos θ) t²/2", [=](Real t) {
       return a * t * t / 2;
     }));
-    e.series("way slid, μ = 0.8 tan θ", "m", [](const World& world) { return slid(world, 1); });
-    e.number("0.8 tan θ slides", "m", [](const Run& run) { return slid(run.world, 1); });
-    e.number("1.05 tan θ slides", "m", [](const Run& run) { return slid(run.world, 2); });
+    e.series("way slid, μ = 0.8 tan θ", "m", [slope](const World& world) { return slope.slid(world, 1); });
+    e.number("0.8 tan θ slides", "m", [slope](const Run& run) { return slope.slid(run.world, 1); });
+    e.number("1.05 tan θ slides", "m", [slope](const Run& run) { return slope.slid(run.world, 2); });
 
-    e.scene({.name = "5 m/s under headings of 0°, 22.5° and 45°",
-             .fill = [=](World& world) { slide_to_posts(world, three_headings, h); },
+    const Real stop = push.stopping_distance(h), sliding = push.long_enough(Real(1.2));
+    e.scene({.name = fmt::format("{:.3g} m/s under headings of 0°, 22.5° and 45°", push.v0),
+             .fill = [=](World& world) { slide_to_posts(world, three_headings, h, push); },
              .camera = {{Real(2.6), Real(5), Real(3.4)}, {Real(2.3), 0, Real(-0.95)}},
-             .seconds = Real(1.2),
-             .instants = {0, Real(0.3), Real(0.6), Real(1.2)}});
+             .seconds = sliding,
+             .instants = {0, sliding / 4, sliding / 2, sliding}});
     e.variant("pyramid: each tangent by itself", After{})
-        .expect("0°", stopping_distance(h))
-        .expect("22.5°", stopping_distance(h))
-        .expect("45°", stopping_distance(h))
-        .reference("v₀ − μ g t", [](Real t) { return std::max(Real(0), v0 - mu * g * t); });
+        .expect("0°", stop)
+        .expect("22.5°", stop)
+        .expect("45°", stop)
+        .reference("v₀ − μ g t", [push](Real t) { return std::max(Real(0), push.v0 - push.mu * g * t); });
     for (std::size_t i = 0; i < three_headings.size(); ++i) {
       const std::string name = fmt::format("{:g}°", three_headings[i] * 180 / pi);
       e.number(name, "m", [i](const Run& run) {
@@ -82,27 +89,28 @@ int main(int argc, char** argv) {
     }
 
     e.scene({.name = "a ball thrown without spin ends rolling",
-             .fill = thrown_ball,
+             .fill = [push](World& world) { thrown_ball(world, push); },
              .camera = {{0, Real(1.7), 7}, {0, Real(0.3), 0}},
              .seconds = Real(1.5),
              .instants = {0, Real(0.4), Real(0.8), Real(1.2)}});
     e.variant("frictionless", Before{});
     e.variant("friction", After{})
-        .expect("speed at the end", v0 * 5 / 7)
+        .expect("speed at the end", push.v0 * 5 / 7)
         .expect("v − ω r", 0)
-        .reference("5/7 v₀", [](Real) { return v0 * 5 / 7; });
+        .reference("5/7 v₀", [push](Real) { return push.v0 * 5 / 7; });
     e.series("speed of the ball", "m/s", [](const World& world) { return world.bodies[1].velocity.x(); });
     e.number("speed at the end", "m/s", [](const Run& run) { return run.world.bodies[1].velocity.x(); });
     e.number("v − ω r", "m/s", [](const Run& run) {
       return run.world.bodies[1].velocity.x() + run.world.bodies[1].angular_velocity.z() * Real(0.3);
     });
 
-    e.study([&e, h] {
+    e.study([&e, push, stop, h] {
+      const Real shown = std::ceil(11 * stop) / 10;
       e.panel({.title = "seen from above: the pyramid's corner",
                .x_label = "way along t₁, m",
                .y_label = "way along t₂, m",
-               .curves = {circle(stopping_distance(h)), resting_places(h, e.sweeps())},
-               .extra = "set size ratio -1\nset xrange [0:2.8]\nset yrange [0:2.8]"});
+               .curves = {circle(stop), resting_places(push, h, e.sweeps())},
+               .extra = fmt::format("set size ratio -1\nset xrange [0:{0}]\nset yrange [0:{0}]", shown)});
     });
   });
 }

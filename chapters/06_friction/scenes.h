@@ -7,7 +7,7 @@
 
 namespace pushback {
 
-inline constexpr Real g = Real(9.81), theta = Real(0.7), v0 = 5, mu = Real(0.5);
+inline constexpr Real g = Real(9.81);
 /// m from the origin: far enough for boxes under different headings not to touch.
 inline constexpr Real start = Real(1.2);
 
@@ -18,54 +18,69 @@ inline Real own_friction(Real wanted) {
 
 /// Three boxes on one slope, mu below, just above, and far above tan(theta).
 inline const std::array<Real, 3> grip{Real(0.8), Real(1.05), Real(1.5)};
-inline void slope(World& world) {
-  incline(world, theta, 1);
-  const Vec3 up{-std::sin(theta), std::cos(theta), 0};
-  const Vec3 along{std::cos(theta), std::sin(theta), 0};
-  for (std::size_t i = 0; i < grip.size(); ++i) {
-    const Vec3 begin = Real(4.2) * along + Real(0.29999) * up + Vec3(0, 0, (static_cast<Real>(i) - 1) * Real(1.2));
-    world.add(box({Real(0.4), Real(0.3), Real(0.4)}, 50)
-                  .turned(theta, Vec3::UnitZ())
-                  .at(begin)
-                  .rough(own_friction(grip[i] * std::tan(theta))));
+struct BoxesOnSlope {
+  Real theta = Real(0.7);  ///< rad
+
+  void operator()(World& world) const {
+    incline(world, theta, 1);
+    const Vec3 up{-std::sin(theta), std::cos(theta), 0};
+    const Vec3 along{std::cos(theta), std::sin(theta), 0};
+    for (std::size_t i = 0; i < grip.size(); ++i) {
+      const Vec3 begin = Real(4.2) * along + Real(0.29999) * up + Vec3(0, 0, (static_cast<Real>(i) - 1) * Real(1.2));
+      world.add(box({Real(0.4), Real(0.3), Real(0.4)}, 50)
+                    .turned(theta, Vec3::UnitZ())
+                    .at(begin)
+                    .rough(own_friction(grip[i] * std::tan(theta))));
+    }
   }
-}
-inline Real slid(const World& world, std::size_t body) {
-  const Vec3 along{std::cos(theta), std::sin(theta), 0};
-  return Real(4.2) - world.bodies[body].position.dot(along);
-}
+  /// m, of the box with that index down the slope.
+  Real slid(const World& world, std::size_t body) const {
+    const Vec3 along{std::cos(theta), std::sin(theta), 0};
+    return Real(4.2) - world.bodies[body].position.dot(along);
+  }
+  /// m/s^2, down the slope, of a box that slides.
+  Real acceleration(Real of_grip) const { return g * (std::sin(theta) - of_grip * std::tan(theta) * std::cos(theta)); }
+};
 /// Way of a body that starts at rest and gains a h in each of n steps.
 inline Real way_of(Real a, Real h, Real n) {
   return a * h * h * n * (n + 1) / 2;
 }
 
-/// The last v0 - k mu g h > 0 summed up: the discrete v0^2 / (2 mu g).
-inline Real stopping_distance(Real h) {
-  Real way = 0;
-  for (Real v = v0 - mu * g * h; v > 0; v -= mu * g * h) way += h * v;
-  return way;
-}
+/// How bodies are sent off over level ground.
+struct Push {
+  Real v0 = 5;          ///< m/s
+  Real mu = Real(0.5);  ///< between a body and the ground
 
-inline void slide(World& world, const std::vector<Real>& headings) {
+  /// m: the last v0 - k mu g h > 0 summed up, the discrete v0^2 / (2 mu g).
+  Real stopping_distance(Real h) const {
+    Real way = 0;
+    for (Real v = v0 - mu * g * h; v > 0; v -= mu * g * h) way += h * v;
+    return way;
+  }
+  /// s, in which a body stops, and some more; `least` where that is longer.
+  Real long_enough(Real least) const { return std::max(least, Real(1.1) * v0 / (mu * g)); }
+};
+
+inline void slide(World& world, const std::vector<Real>& headings, const Push& push = {}) {
   world.add(ground().rough(1));
   for (const Real heading : headings) {
     const Vec3 way{std::cos(heading), 0, -std::sin(heading)};
     world.add(box({Real(0.2), Real(0.1), Real(0.2)}, 20)
                   .turned(heading, Vec3::UnitY())
                   .at(way * start + Vec3(0, Real(0.09999), 0))
-                  .moving(v0 * way)
-                  .rough(own_friction(mu)));
+                  .moving(push.v0 * way)
+                  .rough(own_friction(push.mu)));
   }
 }
 /// The same with a post just beyond where each box should stop.
-inline void slide_to_posts(World& world, const std::vector<Real>& headings, Real h) {
-  slide(world, headings);
+inline void slide_to_posts(World& world, const std::vector<Real>& headings, Real h, const Push& push = {}) {
+  slide(world, headings, push);
   for (const Real heading : headings) {
     const Vec3 way{std::cos(heading), 0, -std::sin(heading)};
     world.add(box({Real(0.05), Real(0.25), Real(0.25)}, 1)
                   .fixed()
                   .turned(heading, Vec3::UnitY())
-                  .at(way * (start + stopping_distance(h) + Real(0.26)) + Vec3(0, Real(0.25), 0)));
+                  .at(way * (start + push.stopping_distance(h) + Real(0.26)) + Vec3(0, Real(0.25), 0)));
   }
 }
 inline const std::vector<Real> three_headings{0, pi / 8, pi / 4};
@@ -73,9 +88,9 @@ inline Vec3 start_of(Real heading) {
   return start * Vec3(std::cos(heading), 0, -std::sin(heading));
 }
 
-inline void thrown_ball(World& world) {
+inline void thrown_ball(World& world, const Push& push = {}) {
   world.add(ground().rough(1));
-  world.add(sphere(Real(0.3), 10).at({-3, Real(0.299999), 0}).moving({v0, 0, 0}).rough(own_friction(mu)));
+  world.add(sphere(Real(0.3), 10).at({-3, Real(0.299999), 0}).moving({push.v0, 0, 0}).rough(own_friction(push.mu)));
 }
 
 }  // namespace pushback

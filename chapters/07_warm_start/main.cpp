@@ -7,11 +7,14 @@ namespace {
 
 using Cold = Solver<Clamping, Baumgarte, Slop, Restitution, Friction>;
 
-/// Every contact gets what its neighbour in the list had.
+/// Every contact gets what another one had, some places on in the list.
 struct WarmStartWithWrongIds : WarmStart {
+  int places = 1;
   void build(Step& step) {
     WarmStart::build(step);
-    if (!first_guess_.empty()) std::rotate(first_guess_.begin(), first_guess_.begin() + 1, first_guess_.end());
+    if (first_guess_.empty()) return;
+    const auto middle = static_cast<std::ptrdiff_t>(static_cast<std::size_t>(places) % first_guess_.size());
+    std::rotate(first_guess_.begin(), first_guess_.begin() + middle, first_guess_.end());
   }
 };
 using WrongIds = Solver<Clamping, Baumgarte, Slop, Restitution, Friction, WarmStartWithWrongIds>;
@@ -68,9 +71,9 @@ std::function<Real(const Run&)> energy_gained(const std::function<void(World&)>&
 }
 
 /// Boxes that begin `depth` m deep in each other, the lowest in the ground.
-std::function<void(World&)> begun_in_each_other(Real depth) {
-  return [depth](World& world) {
-    stack(world, 10, -depth);
+std::function<void(World&)> begun_in_each_other(int boxes, Real depth) {
+  return [=](World& world) {
+    stack(world, boxes, -depth);
     for (Body& body : world.bodies)
       if (body.movable()) body.position.y() -= depth;
   };
@@ -89,7 +92,15 @@ ContactSolver with(Real beta, Real slop) {
 int main(int argc, char** argv) {
   Experiment e("07_warm_start", "What is last step's answer worth?");
   std::vector<int> sweep_counts{1, 2, 3, 5, 8, 10, 15, 20, 30, 50, 80, 120, 200, 400, 800};
-  e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagrams", positive()}, &sweep_counts);
+  e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagrams", 1, 10000}, &sweep_counts);
+  WrongIds wrong_ids;
+  e.parameter({"--wrong-ids", "", "", "How many places on in the list a contact finds its impulse; 0: its own", 0, 100},
+              &wrong_ids.places);
+  int boxes = 10, base = 10;
+  e.parameter({"--boxes", "n", "", "Boxes of the stacks", 1, 20}, &boxes);
+  e.parameter({"--base", "", "", "Boxes in the lowest row of the pyramid", 1, 15}, &base);
+  Real depth = Real(0.005);
+  e.parameter({"--depth", "", "m", "How deep in each other the boxes of the last stack begin", 0, 0.05}, &depth);
   return e.run(argc, argv, [&] {
     const auto scene = [&e](const std::string& name, const std::function<void(World&)>& fill, const Camera& camera,
                             const std::vector<Real>& instants) {
@@ -110,51 +121,56 @@ int main(int argc, char** argv) {
       e.number("kinetic energy, last second", "J", kinetic_in_last_second);
       e.number("energy gained", "J", energy_gained(fill));
     };
-    const auto ten_boxes = [](World& world) { stack(world, 10); };
+    const std::string tall = "a stack of " + spelled(boxes);
+    const auto stacked = [boxes](World& world) { stack(world, boxes); };
+    const Real middle = static_cast<Real>(boxes) / 10;
 
-    scene("a stack of ten in steps of h/2", ten_boxes, {{10, 6, 15}, {0, Real(4.9), 0}}, {0, 8, 12, 60});
+    scene(tall + " in steps of h/2", stacked, {middle * Vec3(10, 6, 15), {0, middle * Real(4.9), 0}}, {0, 8, 12, 60});
     e.variant("cold", Cold{}).in_small_steps(2).with_sweeps(5).coloured(0);
     e.variant("warm", FullSolver{}).in_small_steps(2).with_sweeps(5).coloured(1);
-    e.variant("warm, wrong ids", WrongIds{}).in_small_steps(2).with_sweeps(5).coloured(2);
+    e.variant("warm, wrong ids", wrong_ids).in_small_steps(2).with_sweeps(5).coloured(2);
 
-    scene("a pyramid, ten wide, in steps of h/2", [](World& world) { pyramid(world, 10); },
+    scene("a pyramid, " + spelled(base) + " wide, in steps of h/2", [base](World& world) { pyramid(world, base); },
           {{5, 7, 18}, {0, Real(4.7), 0}}, {0, 8, 12, 60});
     e.variant("cold", Cold{}).in_small_steps(2).with_sweeps(2).coloured(0);
     e.variant("warm", FullSolver{}).in_small_steps(2).with_sweeps(2).coloured(1);
-    e.variant("warm, wrong ids", WrongIds{}).in_small_steps(2).with_sweeps(2).coloured(2);
+    e.variant("warm, wrong ids", wrong_ids).in_small_steps(2).with_sweeps(2).coloured(2);
 
     // What falls although it is started warm, and what of it is to blame.
-    scene("a stack of ten in steps of h", ten_boxes, {}, {});
+    scene(tall + " in steps of h", stacked, {}, {});
     e.variant("cold", Cold{}).coloured(0);
     e.variant("warm", FullSolver{}).coloured(1);
     e.variant("warm, 20 sweeps", FullSolver{}).with_exactly(20).coloured(2);
     e.variant("warm, without slop", with<FullSolver>(Real(0.2), 0)).coloured(3);
     e.variant("warm, without push-out", with<FullSolver>(0, Real(0.005))).coloured(4);
-    scene("the same, begun 5 mm in each other", begun_in_each_other(Real(0.005)), {}, {});
+    scene(fmt::format("the same, begun {:.3g} mm in each other", 1000 * depth), begun_in_each_other(boxes, depth), {},
+          {});
     e.variant("warm", FullSolver{}).coloured(1);
 
-    e.study([&e, &sweep_counts] {
-      std::vector<Study> studies{study<Cold>("cold", sweep_counts, e.dt(), 0),
-                                 study<FullSolver>("warm", sweep_counts, e.dt(), 1),
-                                 study<WrongIds>("warm, wrong ids", sweep_counts, e.dt(), 2)};
-      Panel residual{.title = "a stack of ten, at rest",
+    e.study([&, tall] {
+      const auto study_of = [&](const std::string& name, const auto& solver, std::size_t colour) {
+        return study(name, solver, boxes, sweep_counts, e.dt(), colour);
+      };
+      std::vector<Study> studies{study_of("cold", Cold{}, 0), study_of("warm", FullSolver{}, 1),
+                                 study_of("warm, wrong ids", wrong_ids, 2)};
+      Panel residual{.title = tall + ", at rest",
                      .x_label = "sweeps",
                      .y_label = "residual, m/s",
                      .log_x = true,
                      .log_y = true,
                      .extra = "set arrow from graph 0, first 1e-3 to graph 1, first 1e-3 nohead dt 2 lc rgb '#888888'"};
-      Panel depth{.title = "a stack of ten, at rest",
-                  .x_label = "sweeps",
-                  .y_label = "deepest overlap, mm",
-                  .log_x = true,
-                  .log_y = true};
+      Panel overlap{.title = tall + ", at rest",
+                    .x_label = "sweeps",
+                    .y_label = "deepest overlap, mm",
+                    .log_x = true,
+                    .log_y = true};
       for (Study& s : studies) {
         residual.curves.push_back(std::move(s.residual));
-        depth.curves.push_back(std::move(s.depth));
+        overlap.curves.push_back(std::move(s.depth));
         e.remark(s.verdict);
       }
       e.panel(residual);
-      e.panel(depth);
+      e.panel(overlap);
     });
   });
 }

@@ -1,4 +1,4 @@
-/// A stack of ten at rest: how well it is solved, and how deep it has sunk, with so many sweeps.
+/// A stack at rest: how well it is solved, and how deep it has sunk, with so many sweeps.
 #pragma once
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
@@ -13,12 +13,11 @@ struct Rest {
   Real depth = 0;     ///< m, likewise
 };
 
-/// How well a stack of ten rests with so many sweeps.
+/// How well a stack rests with so many sweeps. `solver`: one that has not solved anything yet
 template <class ContactSolver>
-Rest rest_of_stack(Real dt, int sweeps) {
+Rest rest_of_stack(ContactSolver solver, int boxes, Real dt, int sweeps) {
   World world;
-  stack(world, 10);
-  ContactSolver solver;
+  stack(world, boxes);
   Rest rest;
   const int steps = static_cast<int>(std::lround(5 / dt));
   const int last = std::max(1, static_cast<int>(std::lround(1 / dt)));
@@ -39,13 +38,14 @@ struct Study {
 };
 
 template <class ContactSolver>
-Study study(const std::string& name, const std::vector<int>& sweep_counts, Real dt, std::size_t colour) {
+Study study(const std::string& name, const ContactSolver& solver, int boxes, const std::vector<int>& sweep_counts,
+            Real dt, std::size_t colour) {
   Study s{{name, {}, {}, line_colour(colour), Curve::Style::line_and_points},
           {name, {}, {}, line_colour(colour), Curve::Style::line_and_points},
           name + ": no number of sweeps tried leaves a residual below 1e-3 m/s"};
   bool found = false;
   for (const int sweeps : sweep_counts) {
-    const Rest rest = rest_of_stack<ContactSolver>(dt, sweeps);
+    const Rest rest = rest_of_stack(solver, boxes, dt, sweeps);
     s.residual.x.push_back(static_cast<Real>(sweeps));
     s.residual.y.push_back(std::max(rest.residual, Real(1e-12)));
     if (!found && rest.residual < Real(1e-3)) {

@@ -17,15 +17,15 @@ struct Wheel {
   Curve from_above, distance;
 };
 template <class ContactSolver>
-Wheel turn_wheel(const std::string& name, std::size_t colour, Real half_length, Real h, int sweeps) {
+Wheel turn_wheel(const std::string& name, std::size_t colour, Real half_length, const Push& push, Real h, int sweeps) {
   const Curve empty{name, {}, {}, line_colour(colour), Curve::Style::line_and_points};
   Wheel wheel{empty, empty};
   for (int degrees = 0; degrees <= 360; degrees += 5) {
     World world;
     world.add(ground().rough(1));
-    world.add(plank(half_length, Vec3::Zero(), static_cast<Real>(degrees) * pi / 180));
+    world.add(plank(half_length, Vec3::Zero(), static_cast<Real>(degrees) * pi / 180, push));
     ContactSolver solver;
-    for (int step = 0; step < static_cast<int>(Real(1.5) / h); ++step) world.step(solver, h, sweeps);
+    for (int step = 0; step < static_cast<int>(push.long_enough(Real(1.5)) / h); ++step) world.step(solver, h, sweeps);
     const Vec3& stop = world.bodies[1].position;
     wheel.from_above.x.push_back(stop.x());
     wheel.from_above.y.push_back(-stop.z());
@@ -35,8 +35,8 @@ Wheel turn_wheel(const std::string& name, std::size_t colour, Real half_length, 
   return wheel;
 }
 /// What should have become of them.
-Wheel closed_form(Real h) {
-  const Real r = stopping_distance(h);
+Wheel closed_form(const Push& push, Real h) {
+  const Real r = push.stopping_distance(h);
   Wheel wheel;
   wheel.from_above = {"where they should", {}, {}, "#222222", Curve::Style::dashed};
   wheel.distance = {"v₀²/(2μg) − v₀h/2", {0, 360}, {r, r}, "#222222", Curve::Style::dashed};
@@ -49,10 +49,10 @@ Wheel closed_form(Real h) {
 
 /// One contact, solved until nothing changes: degrees by which friction is off, against the direction of the slip.
 template <class ContactSolver>
-Curve directions(const std::string& name, std::size_t colour) {
+Curve directions(const std::string& name, std::size_t colour, const Push& push) {
   std::vector<std::pair<Real, Real>> found;
   for (int degrees = 0; degrees < 360; ++degrees) {
-    Stick stick(static_cast<Real>(degrees) * pi / 180);
+    Stick stick(static_cast<Real>(degrees) * pi / 180, push);
     ContactSolver solver;
     solver.solve(stick.world, Real(1) / 60, 200);
     const Vec3 slip = stick.slip();
@@ -104,17 +104,20 @@ Real mean(const Run& run, const std::string& series, Real until) {
 int main(int argc, char** argv) {
   Experiment e("08_friction_cone", "Does friction know north from east?");
   Real half_length = longest_half;
-  e.parameter({"--half-length", "", "m", "Half a plank's length; its half width is 0.1",
-               between(0.05, static_cast<double>(longest_half))},
+  e.parameter({"--half-length", "", "m", "Half a plank's length; its half width is 0.1", 0.05,
+               static_cast<double>(longest_half)},
               &half_length);
+  Push push;
+  e.parameter({"--mu", "μ", "", "Friction between planks and ground", 0.25, 0.65}, &push.mu);
+  e.parameter({"--speed", "v₀", "m/s", "Speed of each plank at the start", 1, 7}, &push.v0);
   return e.run(argc, argv, [&] {
-    const Real h = e.dt();
+    const Real h = e.dt(), stop = push.stopping_distance(h), sliding = push.long_enough(Real(1.2));
     const std::string off = "friction off its direction by";
     e.scene({.name = "twelve planks, and where they should stop",
-             .fill = [half_length, h](World& world) { wheel(world, half_length, h); },
+             .fill = [=](World& world) { wheel(world, half_length, h, push); },
              .camera = {{0, 12, 17}, {0, 0, Real(0.45)}, Real(0.295)},
-             .seconds = Real(1.2),
-             .instants = {0, Real(0.3), Real(0.6), Real(1.2)}});
+             .seconds = sliding,
+             .instants = {0, sliding / 4, sliding / 2, sliding}});
     const auto should = [](Variant& variant) {
       variant.expect("distance off by up to", 0).expect("carried aside by up to", 0).expect("direction off by", 0);
     };
@@ -122,26 +125,27 @@ int main(int argc, char** argv) {
     should(e.variant("2×2 solved, then scaled back", ScaledBack{}));
     should(e.variant("cone", Cone{}));
     e.series(off, "degrees", [h](const World& world) { return largest_direction_error(world, h); });
-    e.number("distance off by up to", "%", [h](const Run& run) {
-      const Real s = stopping_distance(h);
-      return 100 * worst(run.world, [s](const Way& way) { return std::hypot(way.ahead, way.aside) / s - 1; });
+    e.number("distance off by up to", "%", [stop](const Run& run) {
+      return 100 * worst(run.world, [stop](const Way& way) { return std::hypot(way.ahead, way.aside) / stop - 1; });
     });
     e.number("carried aside by up to", "mm",
              [](const Run& run) { return 1000 * worst(run.world, [](const Way& way) { return way.aside; }); });
-    e.number("direction off by", "°", [off](const Run& run) { return mean(run, off, Real(0.6)); });
+    e.number("direction off by", "°", [off, until = sliding / 2](const Run& run) { return mean(run, off, until); });
 
-    e.study([&e, half_length, h] {
+    e.study([&e, half_length, push, stop, h] {
+      const Real shown = std::ceil(11 * stop) / 10;
       Panel above{.title = "where planks stop, seen from above",
                   .x_label = "along t₁, m",
                   .y_label = "along t₂, m",
-                  .extra = "set size ratio -1\nset xrange [-3:3]\nset yrange [-3:3]"};
+                  .extra = fmt::format("set size ratio -1\nset xrange [-{0}:{0}]\nset yrange [-{0}:{0}]", shown)};
       Panel distance{.title = "how far planks come",
                      .x_label = "heading, degrees",
                      .y_label = "distance, m",
-                     .extra = "set xrange [0:360]\nset xtics 45\nset yrange [1.6:3]"};
-      for (Wheel& w : std::vector<Wheel>{turn_wheel<FullSolver>("pyramid", 0, half_length, h, e.sweeps()),
-                                         turn_wheel<ScaledBack>("scaled back", 1, half_length, h, e.sweeps()),
-                                         turn_wheel<Cone>("cone", 2, half_length, h, e.sweeps()), closed_form(h)}) {
+                     .extra = fmt::format("set xrange [0:360]\nset xtics 45\nset yrange [{}:{}]", shown / 2, shown)};
+      for (Wheel& w :
+           std::vector<Wheel>{turn_wheel<FullSolver>("pyramid", 0, half_length, push, h, e.sweeps()),
+                              turn_wheel<ScaledBack>("scaled back", 1, half_length, push, h, e.sweeps()),
+                              turn_wheel<Cone>("cone", 2, half_length, push, h, e.sweeps()), closed_form(push, h)}) {
         above.curves.push_back(std::move(w.from_above));
         distance.curves.push_back(std::move(w.distance));
       }
@@ -150,8 +154,8 @@ int main(int argc, char** argv) {
       e.panel({.title = "one contact: a stick on its foot",
                .x_label = "direction of the slip, degrees; 0: where the stick leans",
                .y_label = "friction off its direction by, degrees",
-               .curves = {directions<FullSolver>("pyramid", 0), directions<ScaledBack>("scaled back", 1),
-                          directions<Cone>("cone", 2), scaled_back_closed_form()},
+               .curves = {directions<FullSolver>("pyramid", 0, push), directions<ScaledBack>("scaled back", 1, push),
+                          directions<Cone>("cone", 2, push), scaled_back_closed_form()},
                .extra = "set xrange [0:180]\nset xtics 45\nset yrange [-1:50]"});
     });
   });

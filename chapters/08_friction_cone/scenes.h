@@ -18,11 +18,11 @@ inline Vec3 way_of_heading(Real heading) {
   return {std::cos(heading), 0, -std::sin(heading)};
 }
 /// All planks lie along x, wherever they are sent: at its corners, one is far harder to push along than across.
-inline Body plank(Real half_length, const Vec3& from, Real heading) {
+inline Body plank(Real half_length, const Vec3& from, Real heading, const Push& push) {
   return box({half_length, plank_height, plank_height}, 20)
       .at(from + Vec3(0, plank_height - Real(1e-5), 0))
-      .moving(v0 * way_of_heading(heading))
-      .rough(own_friction(mu));
+      .moving(push.v0 * way_of_heading(heading))
+      .rough(own_friction(push.mu));
 }
 /// A frame above the place where the plank should stop.
 inline void frame(World& world, Real half_length, const Vec3& at) {
@@ -34,12 +34,12 @@ inline void frame(World& world, Real half_length, const Vec3& at) {
   }
 }
 /// First the planks, then the frames.
-inline void wheel(World& world, Real half_length, Real h) {
+inline void wheel(World& world, Real half_length, Real h, const Push& push = {}) {
   world.add(ground().rough(1));
   for (int i = 0; i < headings; ++i)
-    world.add(plank(half_length, rim * way_of_heading(heading_of(i)), heading_of(i)).coloured(i % 2));
+    world.add(plank(half_length, rim * way_of_heading(heading_of(i)), heading_of(i), push).coloured(i % 2));
   for (int i = 0; i < headings; ++i)
-    frame(world, half_length, (rim + stopping_distance(h)) * way_of_heading(heading_of(i)));
+    frame(world, half_length, (rim + push.stopping_distance(h)) * way_of_heading(heading_of(i)));
 }
 
 /// Where a plank of the wheel has come from its start, m: along its heading, and to the left of it.
@@ -77,15 +77,16 @@ inline Real largest_direction_error(const World& world, Real h) {
 struct Stick {
   World world;
 
-  explicit Stick(Real slip) {
+  explicit Stick(Real slip, const Push& push = {}) {
     constexpr Real lean = Real(1.2);
     world.add(ground());
-    world.add(capsule(Real(0.02), 1, 5).turned(-lean, Vec3::UnitZ()).moving(v0 * way_of_heading(slip) - Vec3(0, 1, 0)));
+    world.add(
+        capsule(Real(0.02), 1, 5).turned(-lean, Vec3::UnitZ()).moving(push.v0 * way_of_heading(slip) - Vec3(0, 1, 0)));
     Contact contact;
     contact.id = {0, 1, 0};
     contact.point = -Vec3(std::sin(lean), std::cos(lean), 0);
     contact.normal = Vec3::UnitY();
-    contact.friction = mu;
+    contact.friction = push.mu;
     world.contacts = {contact};
   }
   Vec3 slip() const {

@@ -12,8 +12,6 @@ using Rigid = Solver<WarmJoints>;                                               
 using Warm = Solver<WarmJoints, Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart>;  // remembers the push too
 using Cold = Solver<Joints, Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart>;
 
-constexpr int small_steps = 10;
-
 Real largest(const Run& run, const std::string& series) {
   const auto& values = run.series.at(series);
   return *std::max_element(values.begin(), values.end());
@@ -40,9 +38,17 @@ Real off_the_catenary(const World& world) {
 int main(int argc, char** argv) {
   Experiment e("09_joints", "How does one row hold a bead, a door, a bridge?");
   Real beta = Real(0.2);
-  e.parameter({"--beta", "β", "", "What a step of --dt takes away of a joint's error", between(0, 1)}, &beta);
+  e.parameter({"--beta", "β", "", "What a step of --dt takes away of a joint's error", 0, 1}, &beta);
+  int small_steps = 10;
+  e.parameter({"--small-steps", "", "", "Small steps in each step, where a variant has them", 2, 32}, &small_steps);
+  Pendulums pendulums;
+  e.parameter({"--release", "θ₀", "rad", "From where the pendulums are let go; 0: hanging down", 0.1, 2.2},
+              &pendulums.released_at);
+  ChainWithWeight chain;
+  e.parameter({"--links", "", "", "Links of the chain with the weight", 1, 20}, &chain.links);
+  e.parameter({"--mass-ratio", "", "", "Mass of that weight, in masses of a link", 1, 1000}, &chain.mass_ratio);
   std::vector<int> sweep_counts{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
-  e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagram of the chain", positive()}, &sweep_counts);
+  e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagram of the chain", 1, 10000}, &sweep_counts);
   return e.run(argc, argv, [&] {
     const std::string in_one = fmt::format("one step, β = {:.3g}", beta),
                       in_small = fmt::format("{} small steps, β = {:.3g}", small_steps, beta);
@@ -62,7 +68,7 @@ int main(int argc, char** argv) {
              .seconds = 5,
              .instants = {0, 2, 5}});
     e.variant("β = 0", with_joint_beta<Rigid>(0)).with_exactly(1);
-    e.variant(fmt::format("β = {:.3g}", beta), with_joint_beta<Rigid>(beta)).with_exactly(1);
+    if (beta > 0) e.variant(fmt::format("β = {:.3g}", beta), with_joint_beta<Rigid>(beta)).with_exactly(1);
     e.series("off the wires", "mm", [](const World& world) { return 1000 * largest_joint_error(world); });
     e.series("energy of the beads", "J",
              [](const World& world) { return kinetic_energy(world) + potential_energy(world); });
@@ -83,7 +89,7 @@ int main(int argc, char** argv) {
              .camera = {{0, -Real(0.3), Real(7.6)}, {0, -Real(0.7), 0}},
              .seconds = 6,
              .instants = {0, Real(0.4), Real(0.8)}});
-    const Real ball_period = period_of_pendulum(rod_length), plank_period = period_of_pendulum(length_of_plank());
+    const Real ball_period = pendulums.period(rod_length), plank_period = pendulums.period(length_of_plank());
     e.variant(in_one, with_joint_beta<Rigid>(beta))
         .expect("period of the ball", 1000 * ball_period)
         .expect("of the plank", 1000 * plank_period);
@@ -102,20 +108,22 @@ int main(int argc, char** argv) {
     one();
     joints_off("mm, mrad");
 
-    e.scene({.name = "ten links, and a hundred times the mass of one",
-             .fill = chain_with_weight,
-             .camera = {{Real(0.6), -2, 12}, {0, -Real(2.7), 0}},
+    const Real longer = static_cast<Real>(chain.links) / 10;
+    e.scene({.name = fmt::format("{} link{}, and {} times the mass of one", spelled(chain.links),
+                                 chain.links == 1 ? "" : "s", spelled(chain.mass_ratio)),
+             .fill = chain,
+             .camera = {longer * Vec3(Real(0.6), -2, 12), {0, -longer * Real(2.7), 0}},
              .seconds = 4,
              .instants = {0, 1, 4}});
     e.variant(fmt::format("cold, 10 sweeps, β = {:.3g}", beta), with_joint_beta<Cold>(beta)).with_exactly(10);
     e.variant(fmt::format("warm, 10 sweeps, β = {:.3g}", beta), with_joint_beta<Warm>(beta)).with_exactly(10);
-    e.variant("warm, 10 sweeps, β = 0", with_joint_beta<Warm>(0)).with_exactly(10);
+    if (beta > 0) e.variant("warm, 10 sweeps, β = 0", with_joint_beta<Warm>(0)).with_exactly(10);
     e.variant(fmt::format("push apart, 10 sweeps, β = {:.3g}", beta), with_joint_beta<JointedSolver>(beta))
         .with_exactly(10);
     e.variant(fmt::format("push apart, 10 small steps of 1, β = {:.3g}", beta), with_joint_beta<JointedSolver>(beta))
         .in_small_steps(10)
         .with_exactly(1);
-    e.series("stretch", "%", [](const World& world) { return 100 * stretch_of_chain(world); });
+    e.series("stretch", "%", [chain](const World& world) { return 100 * chain.stretch(world); });
     e.number("longest", "%", [](const Run& run) { return largest(run, "stretch"); });
     e.number("at the end", "%", [](const Run& run) { return run.series.at("stretch").back(); });
 
@@ -159,7 +167,7 @@ int main(int argc, char** argv) {
       Curve drifting = curve("β = 0", 0), fed_back = curve(fmt::format("β = {:.3g}", beta), 1);
       for (const int rate : {30, 60, 120, 240, 480, 960}) {
         const Real steps = static_cast<Real>(rate), h = 1 / steps;
-        const Periods periods = measured_periods(h, beta);
+        const Periods periods = measured_periods(h, beta, pendulums);
         add(ball, steps, 100 * std::abs(periods.ball / ball_period - 1));
         add(plank, steps, 100 * std::abs(periods.plank / plank_period - 1));
         add(drifting, steps, 1000 * farthest_off_the_wires(h, 0));
@@ -178,7 +186,7 @@ int main(int argc, char** argv) {
       for (const int sweeps : sweep_counts) {
         const auto with = [&](Curve& to, auto solver, int steps, int sweeps_in_each) {
           add(to, static_cast<Real>(sweeps),
-              std::max(100 * worst_of_chain(solver, e.dt(), steps, sweeps_in_each), Real(1e-6)));
+              std::max(100 * worst_of_chain(chain, solver, e.dt(), steps, sweeps_in_each), Real(1e-6)));
         };
         with(cold, with_joint_beta<Cold>(beta), 1, sweeps);
         with(warm, with_joint_beta<Warm>(beta), 1, sweeps);
@@ -189,7 +197,8 @@ int main(int argc, char** argv) {
         with(warm_steps, with_joint_beta<Warm>(0), sweeps, 1);
         with(apart_steps, with_joint_beta<JointedSolver>(beta), sweeps, 1);
       }
-      panel("ten links and a weight, 1 s to 4 s", "sweeps in 1/60 s, or small steps of 1", "off its length by up to, %",
+      panel(fmt::format("{} links and a weight, 1 s to 4 s", spelled(chain.links)),
+            "sweeps in 1/60 s, or small steps of 1", "off its length by up to, %",
             {cold, warm, warm_only, apart, cold_steps, warm_steps, apart_steps});
     });
   });

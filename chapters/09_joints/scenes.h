@@ -57,21 +57,28 @@ inline void beads_on_wires(World& world) {
 inline constexpr Real rod_length = Real(1.5);      // m
 inline constexpr Real half_plank = Real(0.75);     // m
 inline constexpr Real plank_width = Real(0.08);    // m, half of it
-inline constexpr Real released_at = Real(1.5);     // rad from hanging down
 inline constexpr Real ball_at = -2, plank_at = 2;  // m, x of the points that they hang from
 
 /// A ball on a rod, and a plank on a hinge at its end, let go.
-inline void pendulums(World& world) {
-  const Vec3 hook(ball_at, 0, 0), pin(plank_at, 0, 0);
-  const Vec3 way(std::sin(released_at), -std::cos(released_at), 0);
-  const int ball = world.add(sphere(Real(0.2), 1).at(hook + rod_length * way));
-  const int plank = world.add(box({plank_width, half_plank, plank_width}, 1)
-                                  .turned(released_at, Vec3::UnitZ())
-                                  .at(pin + half_plank * way)
-                                  .coloured(3));
-  world.joints = {distance(world, the_world, hook, ball, hook + rod_length * way),
-                  hinge(world, the_world, plank, pin, Vec3::UnitZ())};
-}
+struct Pendulums {
+  Real released_at = Real(1.5);  ///< rad from hanging down
+
+  void operator()(World& world) const {
+    const Vec3 hook(ball_at, 0, 0), pin(plank_at, 0, 0);
+    const Vec3 way(std::sin(released_at), -std::cos(released_at), 0);
+    const int ball = world.add(sphere(Real(0.2), 1).at(hook + rod_length * way));
+    const int plank = world.add(box({plank_width, half_plank, plank_width}, 1)
+                                    .turned(released_at, Vec3::UnitZ())
+                                    .at(pin + half_plank * way)
+                                    .coloured(3));
+    world.joints = {distance(world, the_world, hook, ball, hook + rod_length * way),
+                    hinge(world, the_world, plank, pin, Vec3::UnitZ())};
+  }
+  /// 4 sqrt(L / g) K(sin(theta_0 / 2)), s. Of a body on a hinge L is I / (m d), about the hinge, d to the centre of mass.
+  Real period(Real length) const {
+    return 4 * std::sqrt(length / Real(9.81)) * std::comp_ellint_1(std::sin(released_at / 2));
+  }
+};
 /// How far it has turned from hanging straight down, rad.
 inline Real angle_of_ball(const World& world) {
   const Vec3& p = world.bodies[0].position;
@@ -81,42 +88,42 @@ inline Real angle_of_plank(const World& world) {
   const Vec3& p = world.bodies[1].position;
   return std::atan2(p.x() - plank_at, -p.y());
 }
-/// 4 sqrt(L / g) K(sin(theta_0 / 2)), s. Of a body on a hinge L is I / (m d), about the hinge, d to the centre of mass.
-inline Real period_of_pendulum(Real length) {
-  return 4 * std::sqrt(length / Real(9.81)) * std::comp_ellint_1(std::sin(released_at / 2));
-}
 inline Real length_of_plank() {
   return half_plank + (half_plank * half_plank + plank_width * plank_width) / (3 * half_plank);
 }
 
 // ---- a chain and a weight ----------------------------------------------------------------------------------------------
 
-inline constexpr int links = 10;
 inline constexpr Real link_length = Real(0.3);  // m
-inline constexpr Real weight_to_link = 100;     // masses
 inline constexpr Real weight_half = Real(0.4);  // m
 
 /// Links of 1 kg, ball and socket between them, that hang straight down from the world; at the last one a weight.
-inline void chain_with_weight(World& world) {
-  Vec3 end = Vec3::Zero();
-  int above = the_world;
-  for (int i = 0; i < links; ++i) {
-    const int here = world.add(
-        capsule(Real(0.07), link_length / 2 - Real(0.07), 1).at(end - Vec3(0, link_length / 2, 0)).coloured(i % 2));
-    world.joints.push_back(ball_and_socket(world, above, here, end));
-    end.y() -= link_length;
-    above = here;
+struct ChainWithWeight {
+  int links = 10;
+  Real mass_ratio = 100;  ///< of the weight, in masses of a link
+
+  void operator()(World& world) const {
+    Vec3 end = Vec3::Zero();
+    int above = the_world;
+    for (int i = 0; i < links; ++i) {
+      const int here = world.add(
+          capsule(Real(0.07), link_length / 2 - Real(0.07), 1).at(end - Vec3(0, link_length / 2, 0)).coloured(i % 2));
+      world.joints.push_back(ball_and_socket(world, above, here, end));
+      end.y() -= link_length;
+      above = here;
+    }
+    const int weight =
+        world.add(box(Vec3::Constant(weight_half), mass_ratio).at(end - Vec3(0, weight_half, 0)).coloured(2));
+    world.joints.push_back(ball_and_socket(world, above, weight, end));
+    for (const Real y : {Real(0), end.y() - 2 * weight_half})  // behind it: from where, and down to where it hangs
+      world.add(box({Real(1.2), Real(0.03), Real(0.03)}, 1).fixed().at({0, y, -Real(0.6)}));
   }
-  const int weight =
-      world.add(box(Vec3::Constant(weight_half), weight_to_link).at(end - Vec3(0, weight_half, 0)).coloured(2));
-  world.joints.push_back(ball_and_socket(world, above, weight, end));
-  for (const Real y : {Real(0), end.y() - 2 * weight_half})  // behind it: from where, and down to where it hangs
-    world.add(box({Real(1.2), Real(0.03), Real(0.03)}, 1).fixed().at({0, y, -Real(0.6)}));
-}
-/// How much longer the chain is than its links, of 1.
-inline Real stretch_of_chain(const World& world) {
-  return point_of(world.bodies[links], {0, weight_half, 0}).norm() / (links * link_length) - 1;
-}
+  /// How much longer the chain is than its links, of 1.
+  Real stretch(const World& world) const {
+    const Body& weight = world.bodies[static_cast<std::size_t>(links)];
+    return point_of(weight, {0, weight_half, 0}).norm() / (static_cast<Real>(links) * link_length) - 1;
+  }
+};
 
 // ---- hinge and weld ----------------------------------------------------------------------------------------------------
 

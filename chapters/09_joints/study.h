@@ -28,7 +28,7 @@ inline Real period_of(const std::vector<Real>& angles, Real dt) {
 struct Periods {
   Real ball, plank;  ///< s
 };
-inline Periods measured_periods(Real dt, Real beta) {
+inline Periods measured_periods(Real dt, Real beta, const Pendulums& pendulums = {}) {
   World world;
   pendulums(world);
   auto solver = with_joint_beta<Solver<WarmJoints>>(beta);
@@ -56,14 +56,14 @@ inline Real farthest_off_the_wires(Real dt, Real beta) {
 
 /// By how much the chain with the weight is longer or shorter than its links at the worst, from 1 s to 4 s; of 1.
 template <class JointSolver>
-Real worst_of_chain(JointSolver solver, Real dt, int small_steps, int sweeps) {
+Real worst_of_chain(const ChainWithWeight& chain, JointSolver solver, Real dt, int small_steps, int sweeps) {
   World world;
-  chain_with_weight(world);
+  chain(world);
   const Real h = dt / static_cast<Real>(small_steps);
   Real worst = 0;
   for (int step = 0; step < static_cast<int>(std::lround(4 / h)); ++step) {
     world.step(solver, h, sweeps);
-    if (world.time >= 1) worst = std::max(worst, std::abs(stretch_of_chain(world)));
+    if (world.time >= 1) worst = std::max(worst, std::abs(chain.stretch(world)));
   }
   return worst;
 }

@@ -16,7 +16,7 @@ struct Cart {
 
 inline constexpr Real cart_wheel = Real(0.25);                 // m, radius
 inline constexpr Real chassis_mass = 20, cart_wheel_mass = 2;  // kg
-inline constexpr Real slope_angle = 15 * pi / 180;             // rad
+inline constexpr Real cart_slope = 15;                         // degrees
 inline constexpr Real cart_speed = 8;                          // rad/s, of its wheels
 
 /// Wheels that are balls on hinges. Three of them: of four, nobody can say how much each carries. It stands on a plane through
@@ -56,10 +56,9 @@ inline void drive(World& world, const Cart& cart, Real speed, Real torque) {
 /// m/s^2 up the slope, as long as the wheels roll and the motors do what they can:
 ///
 ///   a = (3 tau / R - m g sin) / (m + 3 I / R^2),   I = 2/5 m_w R^2
-inline Real acceleration_of_cart(Real torque) {
+inline Real acceleration_of_cart(Real slope, Real torque) {
   const Real mass = chassis_mass + 3 * cart_wheel_mass;
-  return (3 * torque / cart_wheel - mass * Real(9.81) * std::sin(slope_angle)) /
-         (mass + 3 * Real(0.4) * cart_wheel_mass);
+  return (3 * torque / cart_wheel - mass * Real(9.81) * std::sin(slope)) / (mass + 3 * Real(0.4) * cart_wheel_mass);
 }
 
 }  // namespace pushback

@@ -19,36 +19,36 @@ inline void axle(World& world, const Vec3& at) {
 
 // ---- a bar and its stop ------------------------------------------------------------------------------------------------
 
-inline constexpr Real bar_half = Real(0.75);              // m
-inline constexpr Real bar_lifted = -80 * pi / 180;        // rad from hanging down
-inline constexpr Real bar_stop = 30 * pi / 180;           // rad
-inline constexpr Real bar_range = bar_stop - bar_lifted;  // rad, from where it starts
+inline constexpr Real bar_half = Real(0.75);        // m
+inline constexpr Real bar_lifted = -80 * pi / 180;  // rad from hanging down
+inline constexpr Real bar_stop = 30;                // degrees
 
 /// Body 0 hangs from a hinge, let go on one side. Behind it, where the stop is, a fixed plate.
-inline void bar_and_stop(World& world) {
+inline void bar_and_stop(World& world, Real stop_at = bar_stop) {
   const auto along = [](Real angle) { return Vec3(std::sin(angle), -std::cos(angle), 0); };
   const int bar = world.add(box({Real(0.07), bar_half, Real(0.07)}, 5)
                                 .turned(bar_lifted, Vec3::UnitZ())
                                 .at(bar_half * along(bar_lifted))
                                 .coloured(3));
   world.joints.push_back(hinge(world, the_world, bar, Vec3::Zero(), Vec3::UnitZ()));
-  const Vec3 across(std::cos(bar_stop), std::sin(bar_stop), 0);
+  const Real stop = stop_at * pi / 180;
+  const Vec3 across(std::cos(stop), std::sin(stop), 0);
   world.add(box({Real(0.03), Real(0.35), Real(0.15)}, 1)
                 .fixed()
-                .turned(bar_stop, Vec3::UnitZ())
-                .at(Real(1.2) * along(bar_stop) + Real(0.1) * across + Vec3(0, 0, Real(-0.3))));
+                .turned(stop, Vec3::UnitZ())
+                .at(Real(1.2) * along(stop) + Real(0.1) * across + Vec3(0, 0, Real(-0.3))));
   axle(world, Vec3::Zero());
 }
 inline Real angle_of_bar(const World& world) {  // degrees from hanging down
   const Vec3& at = world.bodies[0].position;
   return std::atan2(at.x(), -at.y()) * 180 / pi;
 }
-inline Joint stop_of_bar(const World& world) {
-  return angle_limits(world, the_world, 0, Vec3::UnitZ(), -pi / 2, bar_range);
+inline Joint stop_of_bar(const World& world, Real stop_at = bar_stop) {
+  return angle_limits(world, the_world, 0, Vec3::UnitZ(), -pi / 2, stop_at * pi / 180 - bar_lifted);
 }
 /// The mistake: within a degree of the stop, the limit without lambda >= 0.
-inline Joint stop_that_sucks(const World& world) {
-  Joint stop = stop_of_bar(world);
+inline Joint stop_that_sucks(const World& world, Real stop_at = bar_stop) {
+  Joint stop = stop_of_bar(world, stop_at);
   stop.ask = [ask = stop.ask](const Body& a, const Body& b, const Moment& now, Equations& equations) {
     ask(a, b, now, equations);
     Equation& high = equations.back();
@@ -131,10 +131,10 @@ inline int hang(World& world, int wheel, Real radius, int side, Real mass, Real 
   return load;
 }
 
-inline constexpr Real winch_radius = Real(0.25);                       // m
-inline constexpr Real winch_speed = 2;                                 // rad/s
-inline constexpr Real winch_torque = 5;                                // N m
-inline constexpr Real light_load = Real(1.5), heavy_load = Real(2.5);  // kg
+inline constexpr Real winch_radius = Real(0.25);  // m
+inline constexpr Real winch_speed = 2;            // rad/s
+inline constexpr Real winch_torque = 5;           // N m
+inline constexpr Real light_load = Real(1.5);     // kg
 
 /// A winch with its motor, body `first`, and its load, the next.
 inline void winch(World& world, Real x, Real load) {
@@ -142,63 +142,58 @@ inline void winch(World& world, Real x, Real load) {
   hang(world, wheel, winch_radius, 1, load, Real(1.4), load < 2 ? 0 : 3);
   world.joints.push_back(motor_at_speed(world, the_world, wheel, Vec3::UnitZ(), winch_speed, winch_torque));
 }
-inline void two_winches(World& world) {
-  winch(world, -1, light_load);  // bodies 0 and 1
-  winch(world, 1, heavy_load);   // bodies 2 and 3
-}
+struct TwoWinches {
+  Real heavy_load = Real(2.5);  ///< kg
 
-/// m/s^2, of a load upwards, as long as the motor does what it can:   R (torque - m g R) / (I + m R^2)
-inline Real acceleration_of_winch(Real inertia, Real load) {
-  const Real R = winch_radius;
-  return R * (winch_torque - load * Real(9.81) * R) / (inertia + load * R * R);
-}
+  void operator()(World& world) const {
+    winch(world, -1, light_load);  // bodies 0 and 1
+    winch(world, 1, heavy_load);   // bodies 2 and 3
+  }
+  /// m/s^2, of the heavy load upwards, as long as the motor does what it can:   R (torque - m g R) / (I + m R^2)
+  Real acceleration() const {
+    World world;
+    (*this)(world);
+    const Real R = winch_radius, m = heavy_load;
+    return R * (winch_torque - m * Real(9.81) * R) / (inertia_of_disc(world.bodies[2]) + m * R * R);
+  }
+};
 
 inline constexpr Real pulley_radius = Real(0.4), inner_radius = Real(0.2);  // m
-inline constexpr Real left_mass = 2, right_mass = 3;                        // kg, on Atwood's wheel
-inline constexpr Real inner_mass = 3, outer_mass = 2;                       // kg, on the stepped one
 
 /// Atwood's machine, bodies 0 to 2; and a wheel with two radii, bodies 3 to 5, where the lighter load wins.
-inline void two_pulleys(World& world) {
-  const int plain = wheel_at(world, {-1, 3, 0}, pulley_radius, 2);
-  hang(world, plain, pulley_radius, -1, left_mass, Real(1.3), 0);
-  hang(world, plain, pulley_radius, 1, right_mass, Real(1.3), 3);
-  const int stepped = wheel_at(world, {1, 3, 0}, pulley_radius, 2);
-  hang(world, stepped, inner_radius, -1, inner_mass, Real(1.3), 3, Real(0.12));
-  hang(world, stepped, pulley_radius, 1, outer_mass, Real(1.3), 0);
-}
-/// m/s^2, of the heavier load of Atwood's machine downwards:   (m1 - m2) g / (m1 + m2 + I / R^2)
-inline Real acceleration_of_atwood(Real inertia) {
-  return (right_mass - left_mass) * Real(9.81) / (right_mass + left_mass + inertia / (pulley_radius * pulley_radius));
-}
-/// m/s^2, of the load on the outer radius downwards:   R (m_o R - m_i r) g / (I + m_o R^2 + m_i r^2)
-inline Real acceleration_of_stepped(Real inertia) {
-  const Real R = pulley_radius, r = inner_radius;
-  return R * (outer_mass * R - inner_mass * r) * Real(9.81) / (inertia + outer_mass * R * R + inner_mass * r * r);
-}
+struct TwoPulleys {
+  Real light = 2, heavy = 3;  ///< kg, on each wheel; on the stepped one the heavy load hangs from the inner radius
+
+  void operator()(World& world) const {
+    const int plain = wheel_at(world, {-1, 3, 0}, pulley_radius, 2);
+    hang(world, plain, pulley_radius, -1, light, Real(1.3), 0);
+    hang(world, plain, pulley_radius, 1, heavy, Real(1.3), 3);
+    const int stepped = wheel_at(world, {1, 3, 0}, pulley_radius, 2);
+    hang(world, stepped, inner_radius, -1, heavy, Real(1.3), 3, Real(0.12));
+    hang(world, stepped, pulley_radius, 1, light, Real(1.3), 0);
+  }
+  /// m/s^2, of the heavy load of Atwood's machine downwards:   (m1 - m2) g / (m1 + m2 + I / R^2)
+  Real acceleration_of_atwood() const {
+    return (heavy - light) * Real(9.81) / (heavy + light + inertia_of_wheel(0) / (pulley_radius * pulley_radius));
+  }
+  /// m/s^2, of the load on the outer radius downwards:   R (m_o R - m_i r) g / (I + m_o R^2 + m_i r^2)
+  Real acceleration_of_stepped() const {
+    const Real R = pulley_radius, r = inner_radius;
+    return R * (light * R - heavy * r) * Real(9.81) / (inertia_of_wheel(3) + light * R * R + heavy * r * r);
+  }
+
+ private:
+  Real inertia_of_wheel(std::size_t body) const {
+    World world;
+    (*this)(world);
+    return inertia_of_disc(world.bodies[body]);
+  }
+};
 
 // ---- springs -----------------------------------------------------------------------------------------------------------
 
-inline constexpr std::array<Real, 3> damping_ratios{Real(0.1), 1, 5};
-inline constexpr Real spring_hertz = 1;
 inline constexpr Real spring_length = Real(1.2), pulled_by = Real(0.6);  // m
 
-/// Three balls, bodies 0 to 2, each pulled down on its spring, without gravity. A thin fixed bar is where they come to rest.
-inline void three_springs(World& world) {
-  world.gravity.setZero();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Real x = static_cast<Real>(i) - 1;
-    const Vec3 hook(x, 3, 0), at(x, 3 - spring_length - pulled_by, 0);
-    const int ball = world.add(sphere(Real(0.18), 2).at(at).coloured(static_cast<int>(i)));
-    const Spring spring{spring_hertz, damping_ratios[i]};
-    world.joints.push_back(soft(distance(world, the_world, hook, ball, at, spring_length), spring));
-  }
-  world.add(box({Real(1.5), Real(0.05), Real(0.15)}, 1).fixed().at({0, Real(3.05), 0}));
-  world.add(box({Real(1.5), Real(0.01), Real(0.01)}, 1).fixed().at({0, 3 - spring_length, Real(-0.3)}));
-}
-/// m, of the ball with the i-th damping ratio.
-inline Real below_its_place(const World& world, std::size_t i) {
-  return 3 - spring_length - world.bodies[i].position.y();
-}
 /// C(t) of a spring of angular frequency w that is let go at C = c0:   C'' + 2 zeta w C' + w^2 C = 0
 inline Real let_go(Real c0, Real w, Real zeta, Real t) {
   if (zeta == 1) return c0 * (1 + w * t) * std::exp(-w * t);
@@ -209,6 +204,29 @@ inline Real let_go(Real c0, Real w, Real zeta, Real t) {
   const Real root = w * std::sqrt(zeta * zeta - 1), slow = root - zeta * w, fast = -root - zeta * w;
   return c0 * (slow * std::exp(fast * t) - fast * std::exp(slow * t)) / (slow - fast);
 }
+
+/// Balls, the first bodies, each pulled down on its spring, without gravity. A thin fixed bar is where they come to rest.
+struct SpringsLetGo {
+  Real hertz = 1;
+  std::vector<Real> damping_ratios{Real(0.1), 1, 5};
+
+  void operator()(World& world) const {
+    world.gravity.setZero();
+    const Real middle = static_cast<Real>(damping_ratios.size() - 1) / 2, half = middle + Real(0.5);
+    for (std::size_t i = 0; i < damping_ratios.size(); ++i) {
+      const Real x = static_cast<Real>(i) - middle;
+      const Vec3 hook(x, 3, 0), at(x, 3 - spring_length - pulled_by, 0);
+      const int ball = world.add(sphere(Real(0.18), 2).at(at).coloured(static_cast<int>(i)));
+      const Spring spring{hertz, damping_ratios[i]};
+      world.joints.push_back(soft(distance(world, the_world, hook, ball, at, spring_length), spring));
+    }
+    world.add(box({half, Real(0.05), Real(0.15)}, 1).fixed().at({0, Real(3.05), 0}));
+    world.add(box({half, Real(0.01), Real(0.01)}, 1).fixed().at({0, 3 - spring_length, Real(-0.3)}));
+  }
+  /// m, of the ball with the i-th damping ratio.
+  Real below(const World& world, std::size_t i) const { return 3 - spring_length - world.bodies[i].position.y(); }
+  Real closed_form(std::size_t i, Real t) const { return let_go(pulled_by, 2 * pi * hertz, damping_ratios[i], t); }
+};
 
 // ---- a swing that is pumped --------------------------------------------------------------------------------------------
 

@@ -67,39 +67,40 @@ inline std::vector<Curve> reaching_a_speed(Real h) {
   return curves;
 }
 
-/// The springs that do not swing, and their closed forms: how far each ball is below its place.
-inline std::vector<Curve> springs(Real h) {
+/// All springs but the first, and their closed forms: how far each ball is below its place.
+inline std::vector<Curve> other_springs(const SpringsLetGo& springs, Real h) {
   World world;
-  three_springs(world);
+  springs(world);
+  const std::vector<Real>& ratios = springs.damping_ratios;
   std::vector<Curve> curves;
-  for (const std::size_t i : {1U, 2U}) {
-    curves.push_back({fmt::format("ζ = {}", damping_ratios[i]), {}, {}, line_colour(i), Curve::Style::line});
+  for (std::size_t i = 1; i < ratios.size(); ++i) {
+    curves.push_back({fmt::format("ζ = {}", ratios[i]), {}, {}, line_colour(i), Curve::Style::line});
     curves.push_back({i == 1 ? "closed form" : "", {}, {}, "#222222", Curve::Style::dashed});
   }
   watch(world, 3, h, [&](Real t, const JointedSolver&) {
     for (Curve& curve : curves) curve.x.push_back(t);
-    for (const std::size_t i : {1U, 2U}) {
-      curves[2 * i - 2].y.push_back(below_its_place(world, i));
-      curves[2 * i - 1].y.push_back(let_go(pulled_by, 2 * pi * spring_hertz, damping_ratios[i], t));
+    for (std::size_t i = 1; i < ratios.size(); ++i) {
+      curves[2 * i - 2].y.push_back(springs.below(world, i));
+      curves[2 * i - 1].y.push_back(springs.closed_form(i, t));
     }
   });
   return curves;
 }
-/// How far each of the three is off its closed form after 1 s, by the step.
-inline std::vector<Curve> springs_by_step() {
+/// How far each of them is off its closed form after 1 s, by the step.
+inline std::vector<Curve> springs_by_step(const SpringsLetGo& springs) {
+  const std::vector<Real>& ratios = springs.damping_ratios;
   std::vector<Curve> curves;
-  for (std::size_t i = 0; i < 3; ++i) {
-    curves.push_back({fmt::format("ζ = {}", damping_ratios[i]), {}, {}, line_colour(i), Curve::Style::line_and_points});
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    curves.push_back({fmt::format("ζ = {}", ratios[i]), {}, {}, line_colour(i), Curve::Style::line_and_points});
   }
   for (int steps = 30; steps <= 3840; steps *= 2) {
     const Real h = 1 / static_cast<Real>(steps);
     World world;
-    three_springs(world);
+    springs(world);
     watch(world, 1, h, [](Real, const JointedSolver&) {});
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Real exact = let_go(pulled_by, 2 * pi * spring_hertz, damping_ratios[i], 1);
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
       curves[i].x.push_back(h);
-      curves[i].y.push_back(std::abs(below_its_place(world, i) - exact));
+      curves[i].y.push_back(std::abs(springs.below(world, i) - springs.closed_form(i, 1)));
     }
   }
   return curves;

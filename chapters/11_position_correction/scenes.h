@@ -1,4 +1,4 @@
-/// What is too deep: a box in the ground, boxes in each other, a ball; and a stack that sinks a little in every step.
+/// What is too deep: a box in the ground, boxes in each other, a ball.
 #pragma once
 
 #include "pushback/common/world/situations.h"
@@ -6,11 +6,10 @@
 namespace pushback {
 
 inline constexpr Real very_deep = Real(0.25);  // m, of 1 m
-inline constexpr Real deep = Real(0.06);       // m
 
-inline void very_deep_box(World& world) {
+inline void very_deep_box(World& world, Real depth = very_deep) {
   slab(world);
-  world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5) - very_deep, 0}).coloured(0));
+  world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5) - depth, 0}).coloured(0));
 }
 
 /// Twelve boxes of 1 m, two by three by two of them, 0.7 m from each other.
@@ -28,18 +27,21 @@ inline void boxes_in_each_other(World& world) {
   }
 }
 
-/// Two posts behind it, to see by how much it leans.
-inline void stack_of_ten(World& world) {
-  for (const int side : {-1, 1})
-    world.add(box({Real(0.04), 10, Real(0.04)}, 1).fixed().at({static_cast<Real>(side) * Real(0.66), 0, -2}));
-  stack(world, 10);
-}
+struct WeightlessBall {
+  Real depth = Real(0.06);  ///< m
 
-inline void weightless_ball(World& world) {
-  world.gravity.setZero();
-  world.add(ground());
-  world.add(sphere(Real(0.5), 100).at({0, Real(0.5) - deep, 0}));
-}
+  void operator()(World& world) const {
+    world.gravity.setZero();
+    world.add(ground());
+    world.add(sphere(Real(0.5), 100).at({0, Real(0.5) - depth, 0}));
+  }
+  /// m: what `count` corrections leave, each by the part `beta` and by `most` at the most.
+  Real left(Real beta, Real most, long count) const {
+    Real overlap = depth;
+    for (long i = 0; i < count; ++i) overlap -= std::min(beta * overlap, most);
+    return overlap;
+  }
+};
 
 /// A ball 1 m above the ground.
 inline std::function<void(World&)> dropped_ball(Real e) {

@@ -1,32 +1,29 @@
-/// What takes many sweeps: a tall stack, heavy on light; and a ball that is too deep.
+/// What takes many sweeps: heavy on light, beside the stacks of common/world; and a ball that is too deep.
 #pragma once
 
 #include "pushback/common/world/situations.h"
 
 namespace pushback {
 
-inline constexpr int tall = 20;             // boxes in the stack
-inline constexpr Real heavy = 1000;         // times the mass of the box below
-inline constexpr Real sunken = Real(0.05);  // m
+struct HeavyOnLight {
+  Real mass_ratio = 1000;  ///< of the upper box, in masses of the lower one
 
-/// Two posts behind it, to see by how much it leans.
-inline void stack_of_twenty(World& world) {
-  for (const int side : {-1, 1})
-    world.add(box({Real(0.04), tall, Real(0.04)}, 1).fixed().at({static_cast<Real>(side) * Real(0.66), 0, -2}));
-  stack(world, tall);
-}
+  void operator()(World& world) const {
+    const Vec3 cube = Vec3::Constant(Real(0.5));  // half of 1 m
+    world.add(ground());
+    world.add(box(cube, 100).at({0, Real(0.5), 0}));
+    world.add(box(cube, 100 * mass_ratio).at({0, Real(1.5), 0}));
+  }
+};
 
-inline void heavy_on_light(World& world) {
-  const Vec3 cube = Vec3::Constant(Real(0.5));  // half of 1 m
-  world.add(ground());
-  world.add(box(cube, 100).at({0, Real(0.5), 0}));
-  world.add(box(cube, 100 * heavy).at({0, Real(1.5), 0}));
-}
+struct SunkenBall {
+  Real depth = Real(0.05);  ///< m
 
-inline void sunken_ball(World& world) {
-  world.gravity.setZero();
-  world.add(ground());
-  world.add(sphere(Real(0.5), 100).at({0, Real(0.5) - sunken, 0}));
-}
+  void operator()(World& world) const {
+    world.gravity.setZero();
+    world.add(ground());
+    world.add(sphere(Real(0.5), 100).at({0, Real(0.5) - depth, 0}));
+  }
+};
 
 }  // namespace pushback

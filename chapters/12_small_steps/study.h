@@ -1,4 +1,4 @@
-/// A stack of twenty for ten seconds, with so many small steps and so many sweeps in each.
+/// A stack for ten seconds, with so many small steps and so many sweeps in each.
 #pragma once
 
 #include <functional>
@@ -26,14 +26,14 @@ struct StackCurves {
 
 /// `along`: what a budget is drawn at.
 template <class ContactSolver>
-StackCurves study(const std::string& name, std::size_t colour, Real dt, const std::vector<Budget>& budgets,
+StackCurves study(const std::string& name, std::size_t colour, int boxes, Real dt, const std::vector<Budget>& budgets,
                   const std::function<int(const Budget&)>& along) {
   Curve empty{name, {}, {}, line_colour(colour), Curve::Style::line_and_points};
   StackCurves stood{empty, empty, empty};
   const auto steps = static_cast<int>(std::lround(10 / dt)), second = static_cast<int>(std::lround(1 / dt));
   for (const Budget& budget : budgets) {
     World world;
-    stack(world, 20);
+    stack(world, boxes);
     ContactSolver solver;
     Real fastest = 0, deepest = 0;
     for (int step = 0; step < steps; ++step) {

@@ -48,6 +48,11 @@ struct Truth {
 
 int main(int argc, char** argv) {
   Experiment e("14_accuracy_and_time", "What does accuracy cost?");
+  std::vector<int> steps_of_balls{1, 16, 256}, steps_of_chain{1, 4, 16};
+  e.parameter({"--ball-steps", "", "", "Numbers of small steps that a step is cut into, for the balls", 1, 1024},
+              &steps_of_balls);
+  e.parameter({"--chain-steps", "", "", "The same for the chain, which has 16 sweeps for all of them", 1, 16},
+              &steps_of_chain);
   return e.run(argc, argv, [&] {
     constexpr Real least_drawn = Real(1e-3);  // mm
     const auto measure_error = [&](const Truth& truth) {
@@ -72,7 +77,7 @@ int main(int argc, char** argv) {
     const Truth of_balls(billiards);
     e.motion("as it should be", of_balls).coloured(6);
     int colour = 0;
-    for (const int steps : {1, 16, 256})
+    for (const int steps : steps_of_balls)
       e.variant(counted(steps, "step") + " in 1/60 s", Solver<Clamping, Restitution>{})
           .in_small_steps(steps)
           .with_exactly(1)
@@ -88,10 +93,10 @@ int main(int argc, char** argv) {
     const Truth of_chain(chain);
     e.motion("as it should be", of_chain).coloured(6);
     colour = 0;
-    for (const Budget& budget : {Budget{1, 16}, {4, 4}, {16, 1}})
-      e.variant(counted(budget.small_steps, "step") + " of " + counted(budget.sweeps, "sweep"), Solver<Joints>{})
-          .in_small_steps(budget.small_steps)
-          .with_exactly(budget.sweeps)
+    for (const int steps : steps_of_chain)
+      e.variant(counted(steps, "step") + " of " + counted(16 / steps, "sweep"), Solver<Joints>{})
+          .in_small_steps(steps)
+          .with_exactly(16 / steps)
           .coloured(colour++);
     measure_error(of_chain);
   });

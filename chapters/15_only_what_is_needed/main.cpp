@@ -69,9 +69,12 @@ Real mean(const Run& run, Value Sample::* what) {
 int main(int argc, char** argv) {
   Experiment e("15_only_what_is_needed", "What may a scene leave out?");
   Sleep sleep;
-  e.parameter({"--still-for", "s", "s", "How long a body keeps its place before it may sleep", positive()},
+  e.parameter({"--still-for", "s", "s", "How long a body keeps its place before it may sleep", 0.01, 10},
               &sleep.seconds);
-  e.parameter({"--place", "p", "m", "How far its surface may stray in that time", positive()}, &sleep.place);
+  e.parameter({"--place", "p", "m", "How far its surface may stray in that time", 0.0001, 0.5}, &sleep.place);
+  FivePiles piles;
+  e.parameter({"--speed", "v", "m/s", "Speed of the ball that rolls towards the piles", 1, 15}, &piles.speed);
+  e.parameter({"--mass-ratio", "", "", "Mass of that ball, in masses of a box", 0.05, 50}, &piles.mass_ratio);
   return e.run(argc, argv, [&] {
     const auto three_ways = [&] {
       e.variant("everything", Everything{});
@@ -84,13 +87,13 @@ int main(int argc, char** argv) {
       e.number("apart from everything at the end", "mm", apart_from_everything(fill, e.sweeps()));
     };
     e.scene({.name = "five piles, and a ball for one of them",
-             .fill = five_piles,
+             .fill = piles,
              .camera = {{0, 6, 17}, {0, Real(1.2), 0}},
              .seconds = 6,
              .instants = {0, Real(1.2), Real(1.6), Real(2.5), 6}});
     three_ways();
     e.motion("everything, coloured by island", ColouredByIsland{});
-    measured(five_piles);
+    measured(piles);
     e.series("bodies asleep", "", [](const World& world) {
       return static_cast<Real>(
           std::count_if(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.asleep; }));

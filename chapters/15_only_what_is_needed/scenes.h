@@ -6,26 +6,32 @@
 namespace pushback {
 
 /// Five piles of six boxes, well apart. A ball rolls in from the front and hits the one in the middle, after about 1.4 s.
-inline void five_piles(World& world) {
-  world.add(ground());
-  for (int pile = 0; pile < 5; ++pile) {
-    int colour = pile;  // no two piles begin with the same
-    for (int row = 0; row < 3; ++row) {
-      for (int i = 0; i < 3 - row; ++i, ++colour) {
-        const Real x =
-            Real(3.7) * static_cast<Real>(pile - 2) + Real(1.05) * (static_cast<Real>(i) - Real(2 - row) / 2);
-        world.add(box(Vec3::Constant(Real(0.5)), 100).at({x, Real(0.5) + static_cast<Real>(row), 0}).coloured(colour));
+struct FivePiles {
+  Real speed = 8;       ///< m/s, of the ball
+  Real mass_ratio = 5;  ///< of the ball, in masses of a box
+
+  void operator()(World& world) const {
+    world.add(ground());
+    for (int pile = 0; pile < 5; ++pile) {
+      int colour = pile;  // no two piles begin with the same
+      for (int row = 0; row < 3; ++row) {
+        for (int i = 0; i < 3 - row; ++i, ++colour) {
+          const Real x =
+              Real(3.7) * static_cast<Real>(pile - 2) + Real(1.05) * (static_cast<Real>(i) - Real(2 - row) / 2);
+          world.add(
+              box(Vec3::Constant(Real(0.5)), 100).at({x, Real(0.5) + static_cast<Real>(row), 0}).coloured(colour));
+        }
       }
     }
+    constexpr Real radius = Real(0.7);
+    const Vec3 way = Vec3(-Real(0.3), 0, -1).normalized();
+    world.add(sphere(radius, 100 * mass_ratio)
+                  .at(Vec3(0, radius, 0) - Real(12.5) * way)
+                  .moving(speed * way)
+                  .spinning(speed / radius * Vec3::UnitY().cross(way))
+                  .coloured(5));
   }
-  constexpr Real radius = Real(0.7), speed = 8;
-  const Vec3 way = Vec3(-Real(0.3), 0, -1).normalized();
-  world.add(sphere(radius, 500)
-                .at(Vec3(0, radius, 0) - Real(12.5) * way)
-                .moving(speed * way)
-                .spinning(speed / radius * Vec3::UnitY().cross(way))
-                .coloured(5));
-}
+};
 
 /// Cubes that slide on ice, in a tray: nothing is rough, nothing bounces, and no inertia differs from axis to axis.
 inline void cubes_on_ice(World& world) {

@@ -2,16 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <limits>
 
 #include "pushback/common/basics/files.h"
 
 namespace pushback {
 
 namespace {
-
-constexpr double without_end = std::numeric_limits<double>::infinity();
 
 template <class Number>
 std::vector<double> as_list(const Number& value) {
@@ -24,39 +22,29 @@ std::vector<double> as_list(const std::vector<Number>& values) {
 
 }  // namespace
 
-bool Allowed::holds(double value) const {
-  return std::isfinite(value) && value <= most && (least_itself ? value >= least : value > least);
-}
-
-std::string Allowed::in_words() const {
-  if (most != without_end) return fmt::format("a number from {:g} to {:g}", least, most);
-  return least_itself ? fmt::format("a finite number, {:g} or more,", least)
-                      : fmt::format("a finite number above {:g}", least);
-}
-
-Allowed not_negative() {
-  return {0, without_end};
-}
-
-Allowed positive() {
-  return {0, without_end, false};
-}
-
-Allowed between(double least, double most) {
-  return {least, most};
-}
-
-std::string in_json(const std::vector<NamedValue>& parameters) {
+std::string in_json(const std::vector<ParameterWithDefault>& parameters) {
   std::vector<std::string> objects;
   for (const auto& [parameter, defaults, whole] : parameters) {
-    const Allowed& allowed = parameter.allowed;
     objects.push_back(fmt::format(
-        R"({{"flag": {}, "symbol": {}, "unit": {}, "what": {}, "default": [{:g}], "least": {:g}, "most": {}, "whole": {}}})",
+        R"({{"flag": {}, "symbol": {}, "unit": {}, "what": {}, "default": [{}], "least": {}, "most": {}, "whole": {}}})",
         quoted(parameter.flag), quoted(parameter.symbol), quoted(parameter.unit), quoted(parameter.what),
-        fmt::join(defaults, ", "), allowed.least,
-        allowed.most == without_end ? "null" : fmt::format("{:g}", allowed.most), whole));
+        fmt::join(defaults, ", "), parameter.least, parameter.most, whole));
   }
   return fmt::format("[{}]", fmt::join(objects, ",\n "));
+}
+
+std::string spelled(double number) {
+  static constexpr std::array below_twenty{
+      "zero", "one",    "two",    "three",    "four",     "five",    "six",     "seven",     "eight",    "nine",
+      "ten",  "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen"};
+  static constexpr std::array tens{"twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"};
+  if (number == 100) return "a hundred";
+  if (number == 1000) return "a thousand";
+  if (number != std::floor(number) || number < 0 || number > 99) return fmt::format("{:.3g}", number);
+  const auto whole = static_cast<std::size_t>(number);
+  if (whole < 20) return below_twenty.at(whole);
+  const std::string ten = tens.at(whole / 10 - 2);
+  return whole % 10 == 0 ? ten : ten + "-" + below_twenty.at(whole % 10);
 }
 
 Experiment::Experiment(std::string name, std::string question)
@@ -81,37 +69,41 @@ Experiment::Experiment(std::string name, std::string question)
     app.add_flag(name_of_it, value, help)->group("Every experiment");
   };
   flag("--no-images", no_images_, "Only the numbers: metrics.csv and numbers.md");
+  flag("--no-study", no_study_, "Leave out what is worked out beside the scenes: their variants alone are run");
   flag("--list", list_, "List the scenes and variants, and do nothing");
   flag("--parameters", list_parameters_, "Print what may be set for this experiment, as JSON, and do nothing");
 }
 
 Experiment::~Experiment() = default;
 
-void Experiment::parameter(const Parameter& parameter, Value where) {
+void Experiment::parameter(const Parameter& parameter, ParameterVariable variable) {
   const std::string& symbol = parameter.symbol;
   const std::string& unit = parameter.unit;
   const std::string known_as = symbol.empty() || unit.empty() ? symbol + unit : symbol + ", " + unit;
   const std::string help = known_as.empty() ? parameter.what : parameter.what + " (" + known_as + ")";
-  const CLI::Validator check(
-      [allowed = parameter.allowed](const std::string& word) -> std::string {
-        double value = 0;
-        if (CLI::detail::lexical_cast(word, value) && allowed.holds(value)) return {};
-        return fmt::format("'{}' is not allowed: {} is needed", word, allowed.in_words());
-      },
-      "NUMBER");
   std::visit(
       [&](auto* value) {
         using Held = std::decay_t<decltype(*value)>;
+        const bool whole = std::is_same_v<Held, int> || std::is_same_v<Held, std::vector<int>>;
+        const CLI::Validator check(
+            [whole, least = parameter.least, most = parameter.most](const std::string& word) -> std::string {
+              double number = 0;
+              if (CLI::detail::lexical_cast(word, number) && number >= least && number <= most &&
+                  (!whole || number == std::floor(number)))
+                return {};
+              return fmt::format("'{}' is not allowed: a {} from {} to {} is needed", word,
+                                 whole ? "whole number" : "number", least, most);
+            },
+            fmt::format("{}..{}", parameter.least, parameter.most));
         CLI::Option* added = line_->app.add_option(parameter.flag, *value, help);
         added->capture_default_str()->check(check)->group("This experiment");
         if constexpr (!std::is_arithmetic_v<Held>) added->delimiter(',');
-        line_->parameters.push_back(
-            {parameter, as_list(*value), std::is_same_v<Held, int> || std::is_same_v<Held, std::vector<int>>});
+        line_->parameters.push_back({parameter, as_list(*value), whole});
       },
-      where);
+      variable);
 }
 
-const std::vector<NamedValue>& Experiment::parameters() const {
+const std::vector<ParameterWithDefault>& Experiment::parameters() const {
   return line_->parameters;
 }
 

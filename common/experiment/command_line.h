@@ -9,7 +9,7 @@ namespace pushback {
 
 struct Experiment::CommandLine {
   CLI::App app;
-  std::vector<NamedValue> parameters;
+  std::vector<ParameterWithDefault> parameters;
 };
 
 }  // namespace pushback

@@ -164,7 +164,9 @@ void Experiment::play() {
   std::vector<Result> results;
   for (std::size_t i = 0; i < variants_.size(); ++i) results.push_back(play(variants_[i], i, output));
   output.done();
-  for (const auto& work : studies_) work();
+  if (!no_study_) {
+    for (const auto& work : studies_) work();
+  }
   report(results, folder);
 }
 

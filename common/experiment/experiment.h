@@ -104,9 +104,9 @@ class Experiment {
   ~Experiment();
 
   /// A parameter of this experiment's own, beside those that every experiment has; see parameter.h.
-  void parameter(const Parameter& parameter, Value where);
+  void parameter(const Parameter& parameter, ParameterVariable variable);
   /// All of its own parameters, in the order in which they were added.
-  const std::vector<NamedValue>& parameters() const;
+  const std::vector<ParameterWithDefault>& parameters() const;
 
   // ---- to be called inside `run`'s `define` --------------------------------------------------------------------------
 
@@ -192,7 +192,7 @@ class Experiment {
   Real seconds_ = 0, dt_ = Real(1) / 60;
   int frames_ = 24, sweeps_ = 10;
   std::vector<std::string> only_;
-  bool no_images_ = false, list_ = false, list_parameters_ = false;
+  bool no_images_ = false, no_study_ = false, list_ = false, list_parameters_ = false;
 };
 
 /// Stands where the solver would, so that the clock runs for it alone.

@@ -16,6 +16,14 @@ void stack(World& world, int count, Real gap, Real mass) {
   }
 }
 
+void stack_before_posts(World& world, int count) {
+  for (const int side : {-1, 1}) {
+    const Vec3 at(static_cast<Real>(side) * Real(0.66), 0, -2);
+    world.add(box({Real(0.04), static_cast<Real>(count), Real(0.04)}, 1).fixed().at(at));
+  }
+  stack(world, count);
+}
+
 void pyramid(World& world, int base) {
   world.add(ground());
   for (int row = 0; row < base; ++row) {

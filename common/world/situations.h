@@ -10,6 +10,8 @@ namespace pushback {
 int slab(World& world);
 /// `count` boxes of 1 m and `mass` kg, each on the one below, `gap` m between them, on the ground.
 void stack(World& world, int count, Real gap = 0, Real mass = 100);
+/// The same stack, and two posts behind it, to see by how much it leans.
+void stack_before_posts(World& world, int count);
 /// A pyramid of boxes of 1 m and 100 kg with `base` boxes in its lowest row, standing in the plane z = 0.
 void pyramid(World& world, int base);
 /// A plane through the origin that rises by `angle` (rad) along +x, drawn as a fixed slab 12 m long, 4 m wide.

@@ -95,7 +95,7 @@ template <class ContactSolver>
 std::vector<Vec3> turned_slide(Real turn) {
   World world;
   world.add(ground().rough(1));
-  world.add(plank(Real(0.3), Vec3::Zero(), turn).turned(turn + Real(0.4), Vec3::UnitY()).spinning({0, 3, 0}));
+  world.add(plank(Real(0.3), Vec3::Zero(), turn, Push{}).turned(turn + Real(0.4), Vec3::UnitY()).spinning({0, 3, 0}));
   ContactSolver solver;
   std::vector<Vec3> path;
   const Eigen::AngleAxis<Real> back(-turn, Vec3::UnitY());
@@ -225,7 +225,7 @@ TEST_CASE("08: the slower direction of a foot that is to be held keeps 1 - k_min
     Real slip = stick.slip().norm();
     for (int sweep = 0; sweep < 5; ++sweep) {
       cone.sweep(step);
-      CHECK(std::abs(stick.slip().norm() - kept * slip) < 100 * eps * v0);
+      CHECK(std::abs(stick.slip().norm() - kept * slip) < 100 * eps * Push{}.v0);
       slip = stick.slip().norm();
     }
   }
@@ -259,13 +259,13 @@ TEST_CASE("08: under any heading a box stops where it should, however it lies") 
     world.add(box({x, y, z}, 20)
                   .turned(turn, Vec3::UnitY())
                   .at({0, y - Real(1e-5), 0})
-                  .moving(v0 * way_of_heading(heading))
-                  .rough(own_friction(mu)));
+                  .moving(Push{}.v0 * way_of_heading(heading))
+                  .rough(own_friction(Push{}.mu)));
     With<FrictionCone> solver;
     for (int step = 0; step < 90; ++step) world.step(solver, h, 10);
     const Vec3 way = way_of_heading(heading), moved = world.bodies[1].position;
     INFO("heading " << heading << ", turned by " << turn << ", half extents " << x << " " << y << " " << z);
-    CHECK(moved.dot(way) == Approx(stopping_distance(h)).epsilon(0.001));
+    CHECK(moved.dot(way) == Approx(Push{}.stopping_distance(h)).epsilon(0.001));
     CHECK(std::abs(moved.dot(Vec3::UnitY().cross(way))) < Real(0.001));
     CHECK(world.bodies[1].velocity.norm() < Real(1e-3));
   }
@@ -301,10 +301,10 @@ TEST_CASE("08: a ball thrown under any heading rolls on straight at 5/7 of its s
     const Vec3 way = way_of_heading(pi / 8 * static_cast<Real>(i) + Real(0.1));
     World world;
     world.add(ground().rough(1));
-    world.add(sphere(Real(0.3), 10).at({0, Real(0.3), 0}).moving(v0 * way).rough(own_friction(mu)));
+    world.add(sphere(Real(0.3), 10).at({0, Real(0.3), 0}).moving(Push{}.v0 * way).rough(own_friction(Push{}.mu)));
     With<FrictionCone> solver;
     for (int step = 0; step < 90; ++step) world.step(solver, h, 1);
-    CHECK(world.bodies[1].velocity.dot(way) == Approx(v0 * 5 / 7).epsilon(1e-5));
+    CHECK(world.bodies[1].velocity.dot(way) == Approx(Push{}.v0 * 5 / 7).epsilon(1e-5));
     CHECK(std::abs(world.bodies[1].position.dot(Vec3::UnitY().cross(way))) < 100 * tiny);
   }
 }

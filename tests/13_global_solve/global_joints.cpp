@@ -65,7 +65,7 @@ void four_bars(World& world) {
 TEST_CASE("joints at once: fifty links and a thousand times the mass of one, after one solve") {
   Random random(1);
   World world;
-  loaded_chain(world, 50, 1000);
+  LoadedChain{50, 1000}(world);
   knock_all(world, random);
   world.begin_step(h);
   AtOnce solver;
@@ -82,7 +82,7 @@ TEST_CASE("joints at once: the speeds are those that sweeps go to") {
   Random random(2);
   for (int i = 0; i < 5; ++i) {
     World one;
-    loaded_chain(one, 6, 20);
+    LoadedChain{6, 20}(one);
     knock_all(one, random);
     World other = one;
     Swept swept;
@@ -214,7 +214,7 @@ TEST_CASE("joints at once: rows with limits are left to the sweeps, and springs 
                                                               bar_and_stop(world);
                                                               world.joints.push_back(stop_of_bar(world));
                                                             }},
-        {"springs", three_springs}}) {
+        {"springs", SpringsLetGo{}}}) {
     World one;
     fill(one);
     World other = one;

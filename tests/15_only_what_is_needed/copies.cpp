@@ -98,7 +98,7 @@ TEST_CASE("a copied world and its solver go on in the same bits, in every scene"
 
 TEST_CASE("a copied world goes on in the same bits while some sleep, and when they are woken") {
   World world;
-  five_piles(world);
+  FivePiles{}(world);
   for (const int before : {60, 85, 120, 200}) {
     INFO(before << " steps before");
     CHECK(first_difference(world, Needed{OnlyWhatIsNeeded(world, JointedSolver{}, Sleep{})}, before, 120) == -1);

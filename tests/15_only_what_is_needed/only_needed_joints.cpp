@@ -156,7 +156,8 @@ TEST_CASE("where nothing is joined, a solver that holds joints computes the bits
 // ---- time --------------------------------------------------------------------------------------------------------------
 
 TEST_CASE("time goes on by dt in each way to step, whatever is called for") {
-  for (const auto fill : {lone_pendulum, cranked, sparse_hit, dropped_box}) {
+  for (const std::function<void(World&)>& fill :
+       std::vector<std::function<void(World&)>>{lone_pendulum, cranked, SparseHit{}, DroppedBox{}}) {
     World whole = filled(fill), needed = whole, asleep = whole;
     JointedSolver solver;
     OnlyWhatIsNeeded only(needed, solver), with_sleep(asleep, solver, Sleep{});

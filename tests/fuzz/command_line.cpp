@@ -23,9 +23,9 @@ int run(const std::vector<std::string>& words) {
   Experiment e("fuzzed", "What does it make of this?");
   Real beta = Real(0.2), mass = 1;
   std::vector<Real> masses{1, 2};
-  e.parameter({"--beta", "β", "", "0 or more", not_negative()}, &beta);
-  e.parameter({"--mass", "m", "kg", "above 0", positive()}, &mass);
-  e.parameter({"--masses", "", "kg", "a list", positive()}, &masses);
+  e.parameter({"--beta", "β", "", "0 or more", 0, 1e300}, &beta);
+  e.parameter({"--mass", "m", "kg", "above 0", 1e-300, 1e300}, &mass);
+  e.parameter({"--masses", "", "kg", "a list", 1e-300, 1e300}, &masses);
   return e.run(static_cast<int>(argv.size()), argv.data(), [&] {
     e.scene({.name = "none", .fill = [mass](World& world) { stack(world, 1, 0, mass); }, .seconds = Real(0.01)});
     for (const Real each : masses) {

@@ -48,7 +48,7 @@ std::vector<FrozenProblem> own_problems() {
       frozen("heavy on light 1:100", heavy_on(1, 100), 0),
       frozen("heavy on light 1:1000", heavy_on(1, 1000), 0),
       frozen("heavy on four 1:1000", heavy_on(4, 1000), 0),
-      frozen("small pile after 1 s", small_pile, 1),
+      frozen("small pile after 1 s", SmallPile{}, 1),
       frozen("twelve boxes in each other", boxes_in_each_other, 0),
       frozen("three boxes on a slope", slope, Real(0.3)),
       frozen(

@@ -1,0 +1,224 @@
+/// The chapters' parameters, as --parameters prints them: whatever a reader chooses between their ends, the program ends well,
+/// and the closed forms follow.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <regex>
+
+#include "tests/support/call.h"
+
+/// Where the chapters' executables are, from the working directory of the tests.
+#ifndef CHAPTER_DIR
+#define CHAPTER_DIR "build/release/chapters"
+#endif
+
+namespace {
+
+struct Slider {
+  std::string flag, least, most;
+  std::vector<double> defaults;
+  bool whole;
+};
+
+std::vector<std::string> chapters() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(CHAPTER_DIR)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_regular_file() && std::regex_match(name, std::regex("[0-9]{2}_[a-z_]+"))) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<Slider> sliders_of(const std::string& chapter) {
+  const Ended printed = call_program(fs::path(CHAPTER_DIR) / chapter, "--parameters");
+  REQUIRE(printed.status == 0);
+  static const std::regex object(
+      R"re(\{"flag": "(--[a-z-]+)", "symbol": "[^"]*", "unit": "[^"]*", "what": "[^"]+", "default": \[([^\]]+)\], )re"
+      R"re("least": ([^,]+), "most": ([^,]+), "whole": (true|false)\})re");
+  std::vector<Slider> sliders;
+  for (std::sregex_iterator at(printed.out.begin(), printed.out.end(), object), end; at != end; ++at) {
+    sliders.push_back({(*at)[1], (*at)[3], (*at)[4], {}, (*at)[5] == "true"});
+    for (const std::string& field : fields_of((*at)[2])) sliders.back().defaults.push_back(std::stod(field));
+  }
+  const auto lines = lines_of(printed.out);
+  CHECK(sliders.size() == lines.size());  // an object a line: none that was not understood
+  return sliders;
+}
+
+/// A run of the scenes, and what it wrote.
+struct Outcome {
+  int status;
+  std::string err, numbers, metrics;
+};
+Outcome run(const std::string& chapter, const std::string& arguments) {
+  const Scratch scratch;
+  const Ended ended = call_program(fs::path(CHAPTER_DIR) / chapter,
+                                   "--no-images --no-study --out '" + (scratch / "out").string() + "' " + arguments);
+  const fs::path folder = scratch / "out" / chapter;
+  if (ended.status != 0) return {ended.status, ended.err, {}, {}};
+  return {0, ended.err, text_of(folder / "numbers.md"), text_of(folder / "metrics.csv")};
+}
+
+/// How often something stands where a number should.
+std::ptrdiff_t no_numbers(const Outcome& outcome) {
+  static const std::regex word("\\b(nan|inf)\\b|–");
+  const auto count = [](const std::string& text) {
+    return std::distance(std::sregex_iterator(text.begin(), text.end(), word), std::sregex_iterator());
+  };
+  return count(outcome.numbers) + count(outcome.metrics);
+}
+
+/// What was measured, and what it should be, of a cell of numbers.md: "1.72 m (should be 1.72)".
+struct Cell {
+  double measured, expected;
+};
+std::vector<Cell> cells_of(const std::string& numbers, const std::string& variant) {
+  static const std::regex cell(R"(\| (< )?(-?[0-9.e+-]+)[^|(]*\(should be (< )?(-?[0-9.e+-]+)\))");
+  std::vector<Cell> cells;
+  for (const std::string& line : lines_of(numbers)) {
+    if (line.rfind("| " + variant, 0) != 0) continue;
+    for (std::sregex_iterator at(line.begin() + 2, line.end(), cell), end; at != end; ++at)
+      cells.push_back({(*at)[1].matched ? 0 : std::stod((*at)[2]), (*at)[3].matched ? 0 : std::stod((*at)[4])});
+  }
+  return cells;
+}
+
+}  // namespace
+
+TEST_CASE("every chapter has parameters, each with ends in order around its default") {
+  CHECK(chapters().size() == 16);
+  for (const std::string& chapter : chapters()) {
+    const std::vector<Slider> sliders = sliders_of(chapter);
+    CHECK(!sliders.empty());
+    for (const Slider& slider : sliders) {
+      INFO(chapter << " " << slider.flag << ": " << slider.least << " to " << slider.most);
+      const double least = std::stod(slider.least), most = std::stod(slider.most);
+      CHECK(std::isfinite(least));
+      CHECK(std::isfinite(most));
+      CHECK(least < most);
+      CHECK(!slider.defaults.empty());
+      for (const double value : slider.defaults) {
+        CHECK((least <= value && value <= most));
+        if (slider.whole) CHECK(value == std::floor(value));
+      }
+    }
+  }
+}
+
+TEST_CASE("beyond its ends a parameter is refused: status 2, and a message with the value and what is allowed") {
+  for (const std::string& chapter : chapters()) {
+    for (const Slider& slider : sliders_of(chapter)) {
+      const double least = std::stod(slider.least), most = std::stod(slider.most);
+      std::vector<std::string> refused{fmt::format("{}", least - 1), fmt::format("{}", 2 * most + 1), "nan", "inf",
+                                       "many"};
+      if (slider.whole) refused.push_back(fmt::format("{}", least + 0.5));
+      for (const std::string& value : refused) {
+        const Outcome outcome = run(chapter, slider.flag + "=" + value);
+        INFO(chapter << " " << slider.flag << " " << value << ": " << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(contains(outcome.err, slider.flag));
+        CHECK(contains(outcome.err, value));
+        CHECK(contains(outcome.err, fmt::format("from {} to {}", slider.least, slider.most)));
+      }
+    }
+  }
+}
+
+TEST_CASE("at both ends of each parameter a chapter ends with status 0, and with numbers where the default has them") {
+  for (const std::string& chapter : chapters()) {
+    const std::string shortly = "--seconds 0.15 ";
+    const Outcome by_default = run(chapter, shortly);
+    INFO(chapter << ": " << by_default.err);
+    REQUIRE(by_default.status == 0);
+    for (const Slider& slider : sliders_of(chapter)) {
+      for (const std::string& value : {slider.least, slider.most}) {
+        const Outcome outcome = run(chapter, shortly + slider.flag + " " + value);
+        INFO(slider.flag << " " << value << ": " << outcome.err << "\n" << outcome.numbers);
+        CHECK(outcome.status == 0);
+        CHECK(no_numbers(outcome) <= no_numbers(by_default));
+      }
+    }
+  }
+}
+
+TEST_CASE("closed forms follow the parameters of their scenes") {
+  struct Follows {
+    std::string chapter, variant;  // one that does what it should
+    double of_each, of_all;        // it may be off by that part of what it should be, and by that much
+    std::vector<std::string> arguments;
+  };
+  const std::string pendulums = "--variants a-ball-on-a-rod-a-plank-on-a-hinge_one-step-beta-0.2";
+  const auto ball = [](int millimetres) {
+    return fmt::format(
+        " --variants {0}-mm-too-deep-without-gravity_32-small-steps,"
+        "{0}-mm-too-deep-without-gravity_32-small-steps-soft-not-relaxed",
+        millimetres);
+  };
+  const auto pair = [](const std::string& ratio) {
+    return " --variants " + ratio + "-times-heavier-than-what-it-lies-on_32-small-steps-soft";
+  };
+  for (const Follows& follows : std::vector<Follows>{
+           {"01_velocity_constraint", "no constraint", 0.01, 0, {"--speed 0.5", "--speed 2.5", "--speed 7"}},
+           {"01_velocity_constraint", "n as it is", 0.01, 1e-3, {"--slope 0", "--slope 0.1", "--slope 0.6"}},
+           {"03_baumgarte", "contact, β", 0.01, 0, {"--depth 0.001", "--depth 0.2", "--beta 0.03,0.3,0.97"}},
+           {"03_baumgarte", "equality, β", 0, 1e-6, {"--depth 0.001", "--depth 0.2", "--beta 0.03,0.3,0.97"}},
+           {"05_restitution",
+            "from the surface",
+            0.02,
+            0.006,
+            {"--bounciness 1", "--bounciness 0.6 --drop 1", "--threshold 3"}},
+           {"05_restitution", "all at once", 0.01, 0, {"--gap 0.08", "--gap 0.5"}},
+           {"06_friction", "bounded by μ Σλₙ", 0.01, 0.01, {"--slope 0.05", "--slope 0.9"}},
+           {"06_friction", "friction", 0.01, 1e-4, {"--mu 0.3", "--mu 1.5", "--speed 1", "--speed 8"}},
+           {"08_friction_cone", "cone", 0, 0.01, {"--mu 0.25", "--mu 0.65", "--speed 1", "--speed 7"}},
+           {"09_joints", "one step", 0.02, 0, {pendulums + " --release 0.1", pendulums + " --release 2.2"}},
+           {"10_limits_and_motors", "3.78 kg m²", 0, 0.01, {"--torque 4", "--torque 1000"}},
+           {"10_limits_and_motors", "limit, λ ≥ 0", 0, 1e-3, {"--stop -60", "--stop 0", "--stop 60"}},
+           {"10_limits_and_motors", "1.5 kg", 0.01, 0, {"--load 2.1", "--load 10"}},
+           {"10_limits_and_motors", "2 kg and", 0.01, 1e-3, {"--heavy 2.1", "--heavy 4"}},
+           {"10_limits_and_motors", "three motors", 0.01, 0.01, {"--slope 8", "--slope 30"}},
+           {"11_position_correction", "split impulse", 0.01, 1e-6, {"--ball-depth 0.2", "--beta 0.5", "--most 0.004"}},
+           {"11_position_correction",
+            "non-linear",
+            0.01,
+            1e-6,
+            {"--ball-depth 0.2", "--beta 0.5", "--most 0.004", "--rounds 1", "--rounds 7"}},
+           {"12_small_steps", "32 small steps", 0.01, 1e-6, {"--depth 0.005" + ball(5), "--depth 0.2" + ball(200)}},
+           {"12_small_steps", "32 small steps", 0.01, 0, {"--depth 0.02 --hertz 60 --damping-ratio 1" + ball(20)}},
+           {"12_small_steps",
+            "32 small steps",
+            0.01,
+            0,
+            {"--mass-ratio 1" + pair("one"), "--mass-ratio 100" + pair("a-hundred")}},
+           {"13_global_solve", "all at once", 0, 1e-3, {"--boxes 1", "--boxes 25"}},
+           {"13_global_solve",
+            "joints at once",
+            0,
+            1e-6,
+            {"--links 1", "--links 40 --boxes 2", "--mass-ratio 10000 --boxes 2"}},
+       }) {
+    for (const std::string& arguments : follows.arguments) {
+      const Outcome outcome = run(follows.chapter, arguments);
+      INFO(follows.chapter << " " << arguments << "\n" << outcome.err << outcome.numbers);
+      REQUIRE(outcome.status == 0);
+      const std::vector<Cell> cells = cells_of(outcome.numbers, follows.variant);
+      CHECK(!cells.empty());
+      for (const auto& [measured, expected] : cells)
+        CHECK(std::abs(measured - expected) <= follows.of_each * std::abs(expected) + follows.of_all);
+    }
+  }
+}
+
+TEST_CASE("a list of impulses that is rotated by 0 places is the right one") {
+  const Outcome outcome = run("07_warm_start", "--seconds 1.1 --wrong-ids 0");
+  REQUIRE(outcome.status == 0);
+  std::vector<std::string> warm, wrong;
+  for (const std::string& line : lines_of(outcome.numbers)) {
+    const std::string numbers = line.substr(std::min(line.size(), line.find(" | ")));
+    if (contains(line, "| warm, wrong ids")) wrong.push_back(numbers);
+    else if (contains(line, "| warm, 5 sweeps") || contains(line, "| warm, 2 sweeps")) warm.push_back(numbers);
+  }
+  CHECK(wrong.size() == 2);
+  CHECK(wrong == warm);
+}
