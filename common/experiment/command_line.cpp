@@ -40,7 +40,7 @@ std::string spelled(double number) {
   static constexpr std::array tens{"twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"};
   if (number == 100) return "a hundred";
   if (number == 1000) return "a thousand";
-  if (number != std::floor(number) || number < 0 || number > 99) return fmt::format("{:.3g}", number);
+  if (number != std::floor(number) || number < 0 || number > 99) return fmt::format("{:g}", number);
   const auto whole = static_cast<std::size_t>(number);
   if (whole < 20) return below_twenty.at(whole);
   const std::string ten = tens.at(whole / 10 - 2);
