@@ -311,6 +311,9 @@ TEST_CASE("options: --variants picks, --sweeps and --dt act") {
   for (std::size_t i = 0; i < one.rows.size(); ++i)
     CHECK(one.rows[i][overlap] == all.rows[one.rows.size() + i][overlap]);
 
+  CHECK(contains(numbers_of("03_baumgarte", "--seconds 0.1").table, "the tuning rule"));
+  CHECK_FALSE(contains(numbers_of("03_baumgarte", "--seconds 0.1 --no-study").table, "the tuning rule"));
+
   CHECK(numbers_of("04_slop", "--seconds 0.2 --dt 0.005").rows.size() == 3 * 40);
   const Numbers quick = numbers_of("06_friction", "--seconds 0.2 --sweeps 2");
   const Numbers thorough = numbers_of("06_friction", "--seconds 0.2 --sweeps 100");
