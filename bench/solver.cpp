@@ -35,7 +35,7 @@ void composed(benchmark::State& state) {
   solve<FullSolver>(state, 3);
 }
 void by_hand(benchmark::State& state) {
-  solve<FlatSolver>(state, 3);
+  solve<flat_07::FlatSolver>(state, 3);
 }
 void normals_only(benchmark::State& state) {
   solve<NormalsOnly>(state, 1);
@@ -73,7 +73,7 @@ BENCHMARK(normals_only)
 void composed_against_by_hand(benchmark::State& state) {
   FrozenPyramid frozen(20);
   FullSolver composed_solver;
-  FlatSolver flat_solver;
+  flat_07::FlatSolver flat_solver;
   InTurn turns;
   for (auto _ : state)
     turns.round({[&] { return frozen.seconds(composed_solver); }, [&] { return frozen.seconds(flat_solver); }});

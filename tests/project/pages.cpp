@@ -1,5 +1,5 @@
 /// What the pages count is so: how many scenes there are, which have joints, that each has its line in docs/speed.md, and the
-/// bytes that stand there.
+/// bytes that stand there; and what they promise of the plain loops.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,4 +53,21 @@ TEST_CASE("docs/speed.md has the bytes of a contact and of a row") {
   const std::string page = text_of(fs::path(SOURCE_DIR) / "docs/speed.md");
   CHECK(contains(page, fmt::format("| `Contact` | {} |", sizeof(Contact))));
   CHECK(contains(page, fmt::format("| a `Row`; three with friction | {}; {} |", sizeof(Row), 3 * sizeof(Row))));
+}
+
+TEST_CASE("each of chapters 01 to 08 has its plain loop, of at most 180 lines, that includes no other chapter") {
+  int loops = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_DIR) / "chapters")) {
+    if (!fs::exists(entry.path() / "flat.cpp")) continue;
+    const std::string chapter = entry.path().filename().string();
+    INFO(chapter);
+    CHECK((chapter.substr(0, 2) >= "01" && chapter.substr(0, 2) <= "08"));
+    ++loops;
+    CHECK(lines_of(text_of(entry.path() / "flat.cpp")).size() <= 180);
+    for (const std::string file : {"flat.h", "flat.cpp"})
+      for (const std::string& line : lines_of(text_of(entry.path() / file)))
+        if (contains(line, "pushback/chapters/"))
+          CHECK(line == "#include \"pushback/chapters/" + chapter + "/flat.h\"");
+  }
+  CHECK(loops == 8);
 }

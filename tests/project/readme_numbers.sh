@@ -1,13 +1,25 @@
 #!/usr/bin/env bash
 # The tables of measured numbers in the chapters' READMEs, and in the page on accuracy and time, are copies of what the
-# programs wrote into renders/: this test compares them.
+# programs wrote into renders/: this test compares them. So are the differences in code, which differences.sh writes there.
 #   tests/project/readme_numbers.sh           fails, with the difference, where a page is not up to date
 #   tests/project/readme_numbers.sh --write   brings every page up to date
-# A page marks the place:  <!-- numbers.md -->  table  <!-- end -->
+# A page marks the place:  <!-- numbers.md -->  table  <!-- end -->,  and so for difference.md
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 passed=0 failed=0
+if [[ ${1:-} == --write ]]; then bash tests/project/differences.sh renders
+else
+  scratch=$(mktemp -d)
+  trap 'rm -rf "$scratch"' EXIT
+  bash tests/project/differences.sh "$scratch"
+  for made in "$scratch"/*/difference.md; do
+    shown=renders/${made#"$scratch/"}
+    diff "$made" "$shown" && continue
+    echo "$shown differs from what the sources say: run tests/project/readme_numbers.sh --write"
+    failed=$((failed + 1))
+  done
+fi
 for readme in chapters/[0-9][0-9]_*/README.md docs/accuracy_and_time.md; do
   name=$(basename "$(dirname "$readme")")
   [[ $name != docs ]] || name=14_accuracy_and_time
@@ -17,6 +29,11 @@ for readme in chapters/[0-9][0-9]_*/README.md docs/accuracy_and_time.md; do
     /^<!-- end -->$/        { skip = 0 }
     !skip                   { print }
     END                     { exit found ? 0 : 1 }' "$readme") || { echo "$readme: no place for the numbers"; failed=$((failed + 1)); continue; }
+  if [[ -e $numbers/difference.md ]] && ! grep -q '^<!-- difference.md -->$' "$readme"; then
+    echo "$readme: no place for the difference in code"
+    failed=$((failed + 1))
+    continue
+  fi
   if [[ ${1:-} == --write ]]; then
     printf '%s\n' "$wanted" >"$readme"
   elif ! printf "%s\n" "$wanted" | diff - "$readme"; then

@@ -1,0 +1,33 @@
+/// The whole solver of chapters 01 to 03 as a plain loop: no effects, no hooks, every line where it happens. A test
+/// holds it to the bits of Solver<Clamping, Baumgarte>. It leaves out what no impulse depends on: the count of rows
+/// solved.
+#pragma once
+
+#include <vector>
+
+#include "pushback/common/world/step.h"
+
+namespace pushback::flat_03 {
+
+/// One direction of one contact.   J = [ -n  -(r_A x n)  n  (r_B x n) ],   V = (v_A, w_A, v_B, w_B),   K = J M^-1 J^T
+struct Row {
+  std::size_t contact;      // index of its contact, and of that contact's normal row
+  Body *a, *b;              // n points from A to B
+  Vec3 n, ra_n, rb_n;       // J
+  Vec3 dva, dwa, dvb, dwb;  // M^-1 J^T: what an impulse of 1 N s adds to each velocity
+  Real effective_mass;      // 1 / K, kg
+  Real bias;                // 03: b, m/s: minus the wanted separating speed
+  Real impulse = 0;         // sum(lambda), N s: over all sweeps of this step
+};
+
+class FlatSolver : public StepSolver {
+ public:
+  Real beta = Real(0.2);  ///< 03: how much of the overlap one step takes away
+
+  void solve(World& world, Real dt, int sweeps);
+
+ private:
+  std::vector<Row> normals_;  // one for each contact
+};
+
+}  // namespace pushback::flat_03
