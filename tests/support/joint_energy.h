@@ -8,12 +8,13 @@
 namespace pushback {
 
 /// Spheres from the origin in any directions, held in turn by a ball and socket and by a hinge; each of 1 to 3 kg and moving.
-inline World crooked_chain(int count, Random& random) {
+/// `load`: kg, of the last, where it is above 0.
+inline World crooked_chain(int count, Random& random, Real load = 0) {
   World world;
   Vec3 end = Vec3::Zero();
   for (int link = 0; link < count; ++link) {
     const Vec3 next = end + random.direction();
-    const Real mass = random.between(1, 3);
+    const Real mass = load > 0 && link == count - 1 ? load : random.between(1, 3);
     world.add(sphere(Real(0.1), mass).at((end + next) / 2).moving(random.direction()));
     world.joints.push_back(link % 2 == 0 ? ball_and_socket(world, link - 1, link, end)
                                          : hinge(world, link - 1, link, end, random.direction()));
@@ -39,7 +40,8 @@ EnergyOfAStep energy_of_a_step(World& world, JointSolver& solver, Real dt, int s
   for (std::size_t i = 0; i < before.size(); ++i) {
     const Body& body = world.bodies[i];
     lost += (body.velocity - before[i].velocity).squaredNorm() / (2 * body.inverse_mass);
-    lost += (body.angular_velocity - before[i].angular_velocity).squaredNorm() / (2 * body.principal_inverse_inertia.x());
+    lost +=
+        (body.angular_velocity - before[i].angular_velocity).squaredNorm() / (2 * body.principal_inverse_inertia.x());
   }
   return {start, lost, std::abs(energy() - (start - lost))};
 }
