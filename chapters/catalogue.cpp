@@ -17,7 +17,6 @@
 #include "pushback/chapters/12_small_steps/scenes.h"
 #include "pushback/chapters/13_global_solve/scenes.h"
 #include "pushback/chapters/15_only_what_is_needed/scenes.h"
-#include "pushback/common/basics/input.h"
 
 namespace pushback {
 
@@ -89,18 +88,6 @@ std::vector<NamedScene> all_scenes() {
       {"15-piles", FivePiles{}},
       {"15-ice", cubes_on_ice},
   };
-}
-
-std::string names_of(const std::vector<NamedScene>& scenes) {
-  std::string names;
-  for (const NamedScene& scene : scenes) names += (names.empty() ? "" : ", ") + scene.name;
-  return names;
-}
-
-const NamedScene& scene_of(const std::vector<NamedScene>& scenes, const std::string& name) {
-  for (const NamedScene& scene : scenes)
-    if (scene.name == name) return scene;
-  throw InvalidInput(fmt::format("scene is '{}': one of these is needed: {}", name, names_of(scenes)));
 }
 
 }  // namespace pushback

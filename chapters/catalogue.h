@@ -17,9 +17,5 @@ struct NamedScene {
 /// Each scene once, under the chapter that looks at it first. Parameters are those that its experiment has by default:
 /// steps of 1/60 s among them.
 std::vector<NamedScene> all_scenes();
-/// As they are typed, for a message.
-std::string names_of(const std::vector<NamedScene>& scenes);
-/// Throws InvalidInput, naming all there are, where none has this name.
-const NamedScene& scene_of(const std::vector<NamedScene>& scenes, const std::string& name);
 
 }  // namespace pushback

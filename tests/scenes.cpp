@@ -8,23 +8,9 @@
 #include "pushback/chapters/09_joints/jointed_solver.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
+#include "tests/support/finite.h"
 
 using namespace pushback;
-
-namespace {
-
-bool finite(const World& world) {
-  for (const Body& body : world.bodies) {
-    if (!body.position.allFinite() || !body.orientation.coeffs().allFinite()) return false;
-    if (!body.velocity.allFinite() || !body.angular_velocity.allFinite()) return false;
-  }
-  for (const Contact& contact : world.contacts) {
-    if (!contact.point.allFinite() || !contact.impulse.allFinite()) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 TEST_CASE("every scene of every chapter is listed") {
   std::map<std::string, int> count;

@@ -15,12 +15,12 @@
 #include "tests/support/catch.h"
 #include "tests/support/stored_hashes.h"
 #include "tests/support/with_joints.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
 
-constexpr Real h = Real(1) / 60;
 constexpr int steps = 120;
 constexpr std::size_t few = 100;  // contacts: what solves them all directly takes no more
 

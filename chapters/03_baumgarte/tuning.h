@@ -5,6 +5,7 @@
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/common/world/steps_in.h"
 
 namespace pushback {
 
@@ -15,18 +16,16 @@ ContactSolver with_beta(Real beta) {
   return solver;
 }
 
-/// Jitter of a stack of three, m/s: the root mean square of the speed in the last of five seconds, with sweeps enough that
-/// it is beta alone which is to blame.
-inline Real jitter_of_stack(Real beta, Real dt) {
+/// Jitter of a stack of so many boxes, m/s: the root mean square of the speed in the last second.
+template <class ContactSolver>
+Real jitter_of_stack(int boxes, ContactSolver solver, Real seconds, Real dt, int sweeps) {
   World world;
-  stack(world, 3);
-  auto solver = with_beta<Solver<Clamping, Baumgarte>>(beta);
+  stack(world, boxes);
   Real sum = 0;
-  const int steps = static_cast<int>(std::lround(5 / dt));
-  const int last = std::max(1, static_cast<int>(std::lround(1 / dt)));
+  const int steps = steps_in(seconds, dt), last = steps_in(1, dt);
   for (int step = 0; step < steps; ++step) {
-    world.step(solver, dt, 30);
-    if (step >= steps - last) sum += 2 * kinetic_energy(world) / (3 * 100);
+    world.step(solver, dt, sweeps);
+    if (step >= steps - last) sum += 2 * kinetic_energy(world) / static_cast<Real>(boxes * 100);
   }
   return std::sqrt(sum / static_cast<Real>(last));
 }
@@ -36,7 +35,8 @@ struct Tuning {
   Real unstable_from = 0;  ///< the least beta that was unstable; 0: none up to 2 was
 };
 
-/// `unstable`: the jitter, m/s, from which on a motion is called so.
+/// `unstable`: the jitter of a stack of three, m/s, from which on its motion is called so; with sweeps enough that it is beta
+/// alone which is to blame.
 inline Tuning tune_beta(Real unstable, Real dt) {
   Tuning tuning{.panel = {.title = "raise β until a stack of three is unstable, use half",
                           .x_label = "β",
@@ -46,7 +46,8 @@ inline Tuning tune_beta(Real unstable, Real dt) {
   for (int i = 1; i <= 40; ++i) {
     const Real beta = static_cast<Real>(i) * Real(0.05);
     jitter.x.push_back(beta);
-    jitter.y.push_back(std::max(jitter_of_stack(beta, dt), Real(1e-9)));
+    const auto solver = with_beta<Solver<Clamping, Baumgarte>>(beta);
+    jitter.y.push_back(std::max(jitter_of_stack(3, solver, 5, dt, 30), Real(1e-9)));
     if (tuning.unstable_from == 0 && jitter.y.back() > unstable) tuning.unstable_from = beta;
   }
   tuning.panel.curves.push_back(std::move(jitter));

@@ -5,6 +5,7 @@
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/common/world/steps_in.h"
 
 namespace pushback {
 
@@ -19,8 +20,7 @@ Rest rest_of_stack(ContactSolver solver, int boxes, Real dt, int sweeps) {
   World world;
   stack(world, boxes);
   Rest rest;
-  const int steps = static_cast<int>(std::lround(5 / dt));
-  const int last = std::max(1, static_cast<int>(std::lround(1 / dt)));
+  const int steps = steps_in(5, dt), last = steps_in(1, dt);
   for (int step = 0; step < steps; ++step) {
     world.step(solver, dt, sweeps);
     if (step < steps - last) continue;

@@ -4,6 +4,7 @@
 #include "pushback/chapters/09_joints/scenes.h"
 #include "pushback/chapters/09_joints/warm_joints.h"
 #include "pushback/common/experiment/plot.h"
+#include "pushback/common/world/steps_in.h"
 
 namespace pushback {
 
@@ -33,7 +34,7 @@ inline Periods measured_periods(Real dt, Real beta, const Pendulums& pendulums =
   pendulums(world);
   auto solver = with_joint_beta<Solver<WarmJoints>>(beta);
   std::vector<Real> ball, plank;
-  for (int step = 0; step < static_cast<int>(std::lround(5 / dt)); ++step) {
+  for (int step = 0; step < steps_in(5, dt); ++step) {
     world.step(solver, dt);
     ball.push_back(angle_of_ball(world));
     plank.push_back(angle_of_plank(world));
@@ -47,7 +48,7 @@ inline Real farthest_off_the_wires(Real dt, Real beta) {
   beads_on_wires(world);
   auto solver = with_joint_beta<Solver<WarmJoints>>(beta);
   Real farthest = 0;
-  for (int step = 0; step < static_cast<int>(std::lround(5 / dt)); ++step) {
+  for (int step = 0; step < steps_in(5, dt); ++step) {
     world.step(solver, dt);
     farthest = std::max(farthest, largest_joint_error(world));
   }
@@ -61,7 +62,7 @@ Real worst_of_chain(const ChainWithWeight& chain, JointSolver solver, Real dt, i
   chain(world);
   const Real h = dt / static_cast<Real>(small_steps);
   Real worst = 0;
-  for (int step = 0; step < static_cast<int>(std::lround(4 / h)); ++step) {
+  for (int step = 0; step < steps_in(4, h); ++step) {
     world.step(solver, h, sweeps);
     if (world.time >= 1) worst = std::max(worst, std::abs(chain.stretch(world)));
   }

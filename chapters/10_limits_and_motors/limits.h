@@ -42,28 +42,26 @@ inline Angle about_the_middle(Angle angle, Real low, Real high) {
   return angle;
 }
 
-/// For a hinge: how far B may turn against A about `axis` (world axes), from where they stand now. rad.
-inline Joint angle_limits(const World& world, int a, int b, const Vec3& axis, Real low, Real high) {
-  const std::string name = "angle limits";
+/// From where the bodies stand now. `AngleBetween`: HingeAngle or TwistAngle.
+template <class AngleBetween>
+Joint limits_of(const std::string& name, const World& world, int a, int b, const Vec3& axis, Real low, Real high) {
   check_joined(world, name, a, b);
   check_limits(name, low, high);
-  const HingeAngle angle(world, a, b, unit_axis(name, axis));
+  const AngleBetween angle(world, a, b, unit_axis(name, axis));
   const auto ask = [=](const Body& first, const Body& second, const Moment& now, Equations& equations) {
     between(about_the_middle(angle.of(first, second), low, high), low, high, now.dt, equations);
   };
   return {name, a, b, ask};
 }
 
+/// For a hinge: how far B may turn against A about `axis` (world axes), from where they stand now. rad.
+inline Joint angle_limits(const World& world, int a, int b, const Vec3& axis, Real low, Real high) {
+  return limits_of<HingeAngle>("angle limits", world, a, b, axis, low, high);
+}
+
 /// For a ball and socket: how far B may twist against A about `axis` (world axes), from where they stand now. rad.
 inline Joint twist_limits(const World& world, int a, int b, const Vec3& axis, Real low, Real high) {
-  const std::string name = "twist limits";
-  check_joined(world, name, a, b);
-  check_limits(name, low, high);
-  const TwistAngle twist(world, a, b, unit_axis(name, axis));
-  const auto ask = [=](const Body& first, const Body& second, const Moment& now, Equations& equations) {
-    between(about_the_middle(twist.of(first, second), low, high), low, high, now.dt, equations);
-  };
-  return {name, a, b, ask};
+  return limits_of<TwistAngle>("twist limits", world, a, b, axis, low, high);
 }
 
 /// For a ball and socket: the direction `of_b` stays within `angle` of `of_a`, the axis of a cone. Each is carried by its

@@ -5,6 +5,7 @@
 #include "pushback/chapters/10_limits_and_motors/scenes.h"
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/common/world/steps_in.h"
 
 namespace pushback {
 
@@ -12,8 +13,7 @@ namespace pushback {
 template <class See>
 void watch(World& world, Real seconds, Real h, const See& see) {
   JointedSolver solver;
-  const auto steps = static_cast<int>(std::lround(seconds / h));
-  for (int i = 0; i < steps; ++i) {
+  for (int i = 0; i < steps_in(seconds, h); ++i) {
     world.step(solver, h);
     see(world.time, solver);
   }
@@ -131,9 +131,8 @@ inline Real stretch_on_stairs(Real h, int small_steps, int sweeps) {
   World world;
   const Ragdoll man = down_the_stairs(world);
   JointedSolver solver;
-  const auto steps = static_cast<int>(std::lround(10 / h));
   Real worst = 0;
-  for (int i = 0; i < steps; ++i) {
+  for (int i = 0; i < steps_in(10, h); ++i) {
     for (int small = 0; small < small_steps; ++small) world.step(solver, h / static_cast<Real>(small_steps), sweeps);
     worst = std::max(worst, stretch(world, man));
   }

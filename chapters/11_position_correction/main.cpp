@@ -215,9 +215,9 @@ int main(int argc, char** argv) {
                  .x_label = "β",
                  .y_label = "jitter, mm/s",
                  .log_y = true,
-                 .curves = {jitter_of_stack<Baumgarte>("Baumgarte", 0, boxes, h, slop(baumgarte)),
-                            jitter_of_stack<SplitImpulse>("split impulse", 1, boxes, h, slop(split)),
-                            jitter_of_stack<NonlinearGaussSeidel>("non-linear Gauss-Seidel", 2, boxes, h, slop(ngs))}});
+                 .curves = {jitter_curve<Baumgarte>("Baumgarte", 0, boxes, h, slop(baumgarte)),
+                            jitter_curve<SplitImpulse>("split impulse", 1, boxes, h, slop(split)),
+                            jitter_curve<NonlinearGaussSeidel>("non-linear Gauss-Seidel", 2, boxes, h, slop(ngs))}});
       }
     });
   });

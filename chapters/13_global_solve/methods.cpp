@@ -1,33 +1,46 @@
 #include "pushback/chapters/13_global_solve/methods.h"
 
 #include "pushback/chapters/13_global_solve/conjugate.h"
-#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/named.h"
 
 namespace pushback {
 
 namespace {
+
+struct Method {
+  const char* name;
+  Sweep (*sweep)(const ContactProblem&);
+};
 
 template <class TangentStep>
 Sweep sweep_by(const ContactProblem& problem) {
   return [sweeper = Sweeper<TangentStep>(problem)](Vector& r) { sweeper.sweep(r); };
 }
 
+Sweep conjugate(const ContactProblem& problem) {
+  return [sweeper = ConjugateSweeper<Cone>(problem, Vector::Zero(problem.q.size()))](Vector& r) mutable {
+    sweeper.sweep(r);
+  };
+}
+
+Sweep no_sweep(const ContactProblem&) {
+  return {};
+}
+
+constexpr Method methods[] = {{"pgs", sweep_by<Pyramid>},
+                              {"scaled-back", sweep_by<ScaledBackStep>},
+                              {"cone", sweep_by<Cone>},
+                              {"nscg", conjugate},
+                              {"best", no_sweep}};
+
 }  // namespace
 
 std::vector<std::string> method_names() {
-  return {"pgs", "scaled-back", "cone", "nscg", "best"};
+  return names_of(methods);
 }
 
 Sweep sweep_of(const ContactProblem& problem, const std::string& method) {
-  if (method == "pgs") return sweep_by<Pyramid>(problem);
-  if (method == "scaled-back") return sweep_by<ScaledBackStep>(problem);
-  if (method == "cone") return sweep_by<Cone>(problem);
-  if (method == "nscg")
-    return [sweeper = ConjugateSweeper<Cone>(problem, Vector::Zero(problem.q.size()))](Vector& r) mutable {
-      sweeper.sweep(r);
-    };
-  if (method == "best") return {};
-  throw InvalidInput(fmt::format("method is '{}': one of {} is needed", method, fmt::join(method_names(), ", ")));
+  return named("method", methods, method).sweep(problem);
 }
 
 Solution solve(const ContactProblem& problem, const std::string& method, int sweeps, double tolerance) {

@@ -1,12 +1,10 @@
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "pushback/chapters/09_joints/ball_and_socket.h"
 #include "pushback/chapters/14_accuracy_and_time/motion.h"
 #include "pushback/chapters/14_accuracy_and_time/truth.h"
-#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/named.h"
 #include "pushback/common/world/situations.h"
 
 namespace pushback {
@@ -218,12 +216,7 @@ const std::vector<Motion>& all_motions() {
 }
 
 const Motion& motion_named(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Motion& motion : all_motions()) {
-    if (motion.name == name) return motion;
-    names.push_back(motion.name);
-  }
-  throw InvalidInput(fmt::format("motion is '{}': one of {} is needed", name, fmt::join(names, ", ")));
+  return named("motion", all_motions(), name);
 }
 
 }  // namespace pushback

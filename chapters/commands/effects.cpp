@@ -1,11 +1,8 @@
 /// ./course effects: what each scene calls for, and why.
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
-
 #include "pushback/chapters/15_only_what_is_needed/questions.h"
 #include "pushback/chapters/catalogue.h"
-#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/named.h"
+#include "pushback/common/experiment/program.h"
 
 using namespace pushback;
 
@@ -40,26 +37,16 @@ int main(int argc, char** argv) {
   CLI::App app{"What a scene calls for, and why."};
   std::vector<std::string> wanted{"all"};
   app.add_option("scene", wanted, "Scenes by name, or all")->capture_default_str();
-  app.footer("The scenes: " + names_of(scenes));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? 0 : 2;
-  }
-  std::vector<NamedScene> chosen;
-  try {
-    for (const std::string& name : wanted) {
-      if (name != "all") chosen.push_back(scene_of(scenes, name));
+  app.footer(fmt::format("The scenes: {}", fmt::join(names_of(scenes), ", ")));
+  return run_program(app, argc, argv, [&] {
+    std::vector<NamedScene> chosen;
+    for (const std::string& name : wanted)
+      if (name != "all") chosen.push_back(named("scene", scenes, name));
+    if (chosen.size() < wanted.size()) chosen = scenes;
+    for (const NamedScene& scene : chosen) print(scene);
+    if (chosen.size() > 1) {
+      fmt::print("\n");
+      print_table(chosen);
     }
-  } catch (const InvalidInput& problem) {
-    fmt::print(stderr, "{}, or all\n", problem.what());
-    return 2;
-  }
-  if (std::find(wanted.begin(), wanted.end(), "all") != wanted.end()) chosen = scenes;
-  for (const NamedScene& scene : chosen) print(scene);
-  if (chosen.size() > 1) {
-    fmt::print("\n");
-    print_table(chosen);
-  }
-  return 0;
+  });
 }

@@ -5,6 +5,7 @@
 #include "pushback/chapters/15_only_what_is_needed/dispatch.h"
 #include "pushback/chapters/catalogue.h"
 #include "pushback/common/basics/files.h"
+#include "pushback/common/basics/named.h"
 #include "pushback/common/experiment/program.h"
 
 using namespace pushback;
@@ -37,10 +38,10 @@ int main(int argc, char** argv) {
   app.add_option("--step", steps, "How many steps of 1/60 s, of 10 sweeps, go before the one that is written")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
-  app.footer("The scenes: " + names_of(scenes));
+  app.footer(fmt::format("The scenes: {}", fmt::join(names_of(scenes), ", ")));
   return run_program(app, argc, argv, [&] {
     World world;
-    const ContactProblem problem = problem_after(scene_of(scenes, name), steps, world);
+    const ContactProblem problem = problem_after(named("scene", scenes, name), steps, world);
     write_text_file(file, problem_text(problem));
     fmt::print("{}: {} contacts of {} after {} steps\n", file, problem.contacts(), name, steps);
     if (!world.joints.empty())

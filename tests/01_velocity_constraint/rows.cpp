@@ -6,12 +6,12 @@
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/touching.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
 constexpr int many = 500;
 
 using RowOf12 = Eigen::Matrix<Real, 1, 12>;
@@ -35,14 +35,14 @@ Vec3 carried(const Body& body, const Vec3& point, Real t) {
   return body.position + t * body.velocity + turned;
 }
 
-/// (f(h) - f(-h)) / 2h and what it may be off by: h^2/6 times the largest third derivative, and the rounding of f.
+/// (f(t) - f(-t)) / 2t and what it may be off by: t^2/6 times the largest third derivative, and the rounding of f.
 struct Difference {
   Real value, tolerance;
 };
 template <class Function>
 Difference central_difference(const Function& f, Real largest_third_derivative, Real size) {
-  const Real h = std::cbrt(eps);  // about where the two errors are equal
-  return {(f(h) - f(-h)) / (2 * h), h * h / 6 * largest_third_derivative + 16 * eps * size / h};
+  const Real t = std::cbrt(eps);  // about where the two errors are equal
+  return {(f(t) - f(-t)) / (2 * t), t * t / 6 * largest_third_derivative + 16 * eps * size / t};
 }
 
 /// |d^3/dt^3 of R(t) r| = |w|^3 |r| at most.

@@ -5,13 +5,12 @@
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-constexpr Real h = Real(1) / 60;
 /// What thousands of sweeps leave, m/s: rounding.
 constexpr Real tiny = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-4);
 

@@ -4,26 +4,17 @@
 #include "pushback/chapters/12_small_steps/soft_contacts.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
+#include "tests/support/on_ground.h"
 
 using namespace pushback;
 
 namespace {
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-constexpr Real g = Real(9.81);
-constexpr Real h = Real(1) / 60;
-constexpr Real tiny = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(2e-4);
 
 using FromSurface = Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface>;
 using InTurn = Solver<Clamping, Baumgarte, Slop, ImpactsInTurn, Friction, WarmStart>;
 
 constexpr Real radius = Real(0.3);
-
-Body& falling_ball(World& world, Real drop, Real e) {
-  world.add(ground());
-  world.add(sphere(radius, 10).at({0, radius + drop, 0}).bouncy(e));
-  return world.bodies[1];
-}
 
 /// What free flight by v += h a, x += h v keeps, over g: the height of the apex above the surface, m.
 Real apex_ahead(const Body& ball, Real dt) {
@@ -59,7 +50,7 @@ TEST_CASE("05: reckoned from the surface a bounce leaves e^2 of the height, wher
     for (const Real dt : {h, h / 4}) {
       for (int i = 0; i < 40; ++i) {
         World world;
-        Body& ball = falling_ball(world, 2 + static_cast<Real>(i) * Real(0.0037), e);
+        Body& ball = ball_on_ground(world, -2 - static_cast<Real>(i) * Real(0.0037)).bouncy(e);
         FromSurface solver;
         const Real before = apex_ahead(ball, dt);
         for (int step = 0; step < 600 && ball.velocity.y() <= 0; ++step) world.step(solver, dt, 1);
@@ -73,7 +64,7 @@ TEST_CASE("05: reckoned from the surface a bounce leaves e^2 of the height, wher
 TEST_CASE("05: reckoned from the surface the first three apexes of steps are e^2k h0 within 1 %") {
   for (const Real e : {Real(0.5), Real(0.9), Real(1)}) {
     World world;
-    Body& ball = falling_ball(world, 2, e);
+    Body& ball = ball_on_ground(world, -2).bouncy(e);
     FromSurface solver;
     std::vector<Real> apexes;
     for (int step = 0; step < 600 && apexes.size() < 3; ++step) {
@@ -93,7 +84,7 @@ TEST_CASE("05: reckoned from the surface the first three apexes of steps are e^2
 
 TEST_CASE("05: reckoned from the surface, too, what lies still stays still") {
   World world;
-  Body& ball = falling_ball(world, Real(-0.002), Real(0.9));
+  Body& ball = ball_on_ground(world, Real(0.002)).bouncy(Real(0.9));
   FromSurface solver;
   for (int step = 0; step < 300; ++step) {
     world.step(solver, h, 1);
@@ -105,7 +96,7 @@ TEST_CASE("05: reckoned from the surface, what bounces gets no push-out on top, 
   const auto leaves_with = [](auto solver, Real dt) {
     World world;
     Body& ball =
-        falling_ball(world, Real(-0.1), Real(0.1)).moving({0, -2, 0});  // the push-out asks for 1.14 m/s at 1/60 s
+        ball_on_ground(world, Real(0.1)).bouncy(Real(0.1)).moving({0, -2, 0});  // the push-out asks for 1.14 m/s at 1/60 s
     world.gravity.setZero();
     world.step(solver, dt, 10);
     return ball.velocity.y();

@@ -5,15 +5,14 @@
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
 
-constexpr Real h = Real(1) / 60;
-constexpr bool is_double = std::numeric_limits<Real>::digits > 24;
 constexpr Real v = 5;                                    // of the blow, m/s
-constexpr Real near = (is_double ? Real(1e-5) : 1) * v;  // floats do not get to the solver's precision
+constexpr Real near = (in_double ? Real(1e-5) : 1) * v;  // floats do not get to the solver's precision
 constexpr Real radius = Real(0.3);
 
 using AtOnce = Solver<Clamping, Baumgarte, Slop, ImpactsAtOnce, Friction, ScaledWarmStart>;
@@ -88,14 +87,14 @@ TEST_CASE("05: at once, all energy of balls with e = 1 stays, while they break a
   World world = billiards();
   Solver<Clamping, ImpactsAtOnce> solver;
   solver.threshold = 0;
-  solver.precision = is_double ? Real(1e-12) : Real(1e-6);
+  solver.precision = in_double ? Real(1e-12) : Real(1e-6);
   const Real start = kinetic_energy(world);
   int touched = 0;
   for (int step = 0; step < 600; ++step) {
     world.step(solver, h, 1);
     touched += static_cast<int>(world.contacts.size());
     INFO("step " << step << ": " << kinetic_energy(world) / start - 1 << " of the energy");
-    REQUIRE(std::abs(kinetic_energy(world) / start - 1) <= (is_double ? Real(1e-9) : Real(1e-4)));
+    REQUIRE(std::abs(kinetic_energy(world) / start - 1) <= (in_double ? Real(1e-9) : Real(1e-4)));
   }
   CHECK(touched > 100);
 }

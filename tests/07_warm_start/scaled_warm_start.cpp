@@ -4,13 +4,11 @@
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
-
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-constexpr Real h = Real(1) / 60;
 
 /// f of what a warm start has applied: lambda . (A + Gamma) lambda / 2 + lambda . (J V + b), V: before it.
 template <class AnyWarmStart>

@@ -1,23 +1,19 @@
-/// What chapter 07's page says of its scenes, over a minute and from many starts.
+/// What is remembered, and for whom; and what chapter 07's page says of its scenes, over a minute and from many starts.
 #include "pushback/chapters/07_warm_start/full_solver.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
-#include <sstream>
 
 #include "pushback/common/world/measure.h"
-#include "pushback/common/world/situations.h"
-#include "tests/support/catch.h"
+#include "tests/support/call.h"
+#include "tests/support/on_ground.h"
 #include "tests/support/random.h"
 
 using namespace pushback;
 
 namespace {
-
-constexpr Real h = Real(1) / 60;  // s
 
 using Cold = Solver<Clamping, Baumgarte, Slop, Restitution, Friction>;
 
@@ -55,24 +51,18 @@ Minute minute_of(const std::function<void(World&)>& fill, Real dt, int sweeps, s
   return seen;
 }
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(path);
-  REQUIRE(file.good());
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-/// The cells of a line of CSV; a cell with commas stands in quotes.
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    else if (c == ',' && !quoted) cells.emplace_back();
-    else cells.back() += c;
+/// Mean of the largest error of a row in the last second of five, m/s.
+template <class ContactSolver>
+Real residual_of_stack(int boxes, int sweeps) {
+  World world;
+  stack(world, boxes);
+  ContactSolver solver;
+  Real sum = 0;
+  for (int step = 0; step < 300; ++step) {
+    world.step(solver, h, sweeps);
+    if (step >= 240) sum += largest_error(solver) / 60;
   }
-  return cells;
+  return sum;
 }
 
 /// The number of the hard cases' table for that case, stage and criterion.
@@ -80,14 +70,14 @@ double hard_case(const std::string& name, const std::string& stage, const std::s
   std::istringstream lines(text_of("renders/hard_cases/table.csv"));
   std::string line;
   std::getline(lines, line);
-  const std::vector<std::string> header = cells_of(line);
+  const std::vector<std::string> header = fields_of(line);
   const auto cell = [&](const std::vector<std::string>& cells, const std::string& column) {
     const auto at = std::find(header.begin(), header.end(), column);
     REQUIRE(at != header.end());
     return cells.at(static_cast<std::size_t>(at - header.begin()));
   };
   while (std::getline(lines, line)) {
-    const std::vector<std::string> cells = cells_of(line);
+    const std::vector<std::string> cells = fields_of(line);
     if (cell(cells, "case") == name && cell(cells, "stage") == stage && cell(cells, "criterion") == criterion)
       return std::stod(cell(cells, "number"));
   }
@@ -141,4 +131,95 @@ TEST_CASE("07: the page says of the hard case of ten boxes what its table has") 
   std::replace(page.begin(), page.end(), '\n', ' ');
   INFO("\"" << said << "\" is to stand there");
   CHECK(page.find(said) != std::string::npos);
+}
+
+TEST_CASE("07: started warm, the same residual in fewer sweeps") {
+  std::vector<Real> cold, warm;
+  for (const int sweeps : {3, 5, 10, 20, 40}) {
+    cold.push_back(residual_of_stack<Cold>(5, sweeps));
+    warm.push_back(residual_of_stack<FullSolver>(5, sweeps));
+    INFO("5 boxes, " << sweeps << " sweeps: cold " << cold.back() << " m/s, warm " << warm.back() << " m/s");
+    CHECK(warm.back() < cold.back() / 50);
+  }
+  CHECK(warm.front() < cold.back());  // 3 warm sweeps are worth more than 40 cold ones
+  for (const int sweeps : {10, 20, 40}) {
+    const Real ten_cold = residual_of_stack<Cold>(10, sweeps), ten_warm = residual_of_stack<FullSolver>(10, sweeps);
+    INFO("10 boxes, " << sweeps << " sweeps: cold " << ten_cold << " m/s, warm " << ten_warm << " m/s");
+    CHECK(ten_warm < ten_cold / 5);
+  }
+}
+
+TEST_CASE("07: the first guess is scaled by dt_new / dt_old") {
+  World world;
+  Body& ball = ball_on_ground(world, Real(0.002));
+  FullSolver solver;
+  world.step(solver, h, one_sweep);
+  // No sweeps at all from here on: what is left is the first guess, and it holds the ball through any change of step.
+  for (const Real dt : {h, h / 4, h / 2, h * 2, h / 7, h}) {
+    world.step(solver, dt, 0);
+    REQUIRE(world.contacts.at(0).impulse.y() == Approx(10 * g * dt).epsilon(64 * eps));
+    REQUIRE(std::abs(ball.velocity.y()) <= 64 * eps);
+    REQUIRE(world.contacts[0].state != ContactState::fresh);
+  }
+
+  // A pile at rest does not notice either: its speeds stay what they are in steady steps.
+  World pile;
+  stack(pile, 5);
+  FullSolver steady;
+  for (int step = 0; step < 600; ++step) pile.step(steady, h, 20);
+  const Real quiet = largest_speed(pile);
+  for (const Real dt : {h / 4, h, h / 2, h}) {
+    pile.step(steady, dt, 20);
+    INFO("largest speed " << largest_speed(pile) << " m/s after " << quiet);
+    CHECK(largest_speed(pile) < 10 * quiet);  // unscaled it would be some g h, 0.1 m/s
+  }
+}
+
+TEST_CASE("07: what the contacts have forgotten starts from nothing, and what they know from there") {
+  World world;
+  ball_on_ground(world, Real(0.002));
+  FullSolver solver;
+  world.step(solver, h, one_sweep);
+  world.step(solver, h, 0);
+  CHECK(world.contacts.at(0).impulse.y() == Approx(10 * g * h).epsilon(64 * eps));
+  world.contacts.clear();
+  world.step(solver, h, 0);
+  CHECK(world.contacts.at(0).impulse.isZero(0));
+  CHECK(world.contacts[0].state == ContactState::fresh);
+}
+
+TEST_CASE("07: a contact that vanishes for one step comes back with nothing") {
+  World world;
+  Body& ball = ball_on_ground(world, Real(0.002));
+  FullSolver solver;
+  world.step(solver, h, one_sweep);
+  const Vec3 place = ball.position;
+  ball.at(place + Vec3(0, Real(0.1), 0));
+  world.step(solver, h, one_sweep);
+  REQUIRE(world.contacts.empty());
+  ball.at(place).moving(Vec3::Zero());
+  world.step(solver, h, 0);
+  CHECK(world.contacts.at(0).impulse.isZero(0));
+  CHECK(world.contacts[0].state == ContactState::fresh);
+}
+
+TEST_CASE("07: the impulse of each contact goes to the same contact, though others come and go") {
+  // Three balls of different mass. The middle one leaves and returns; the outer ones keep what is theirs.
+  World world;
+  world.add(ground());
+  for (int i = 0; i < 3; ++i)
+    world.add(sphere(Real(0.3), static_cast<Real>(10 * (i + 1))).at({static_cast<Real>(i), Real(0.298), 0}));
+  FullSolver solver;
+  world.step(solver, h, one_sweep);
+  world.bodies[2].at({1, 1, 0});
+  world.step(solver, h, 0);
+  REQUIRE(world.contacts.size() == 2);
+  CHECK(world.contacts[0].impulse.y() == Approx(10 * g * h).epsilon(64 * eps));
+  CHECK(world.contacts[1].impulse.y() == Approx(30 * g * h).epsilon(64 * eps));
+  world.bodies[2].at({1, Real(0.298), 0}).moving(Vec3::Zero());
+  world.step(solver, h, 0);
+  REQUIRE(world.contacts.size() == 3);
+  CHECK(world.contacts[0].impulse.y() == Approx(10 * g * h).epsilon(64 * eps));
+  CHECK(world.contacts[1].impulse.isZero(0));
+  CHECK(world.contacts[2].impulse.y() == Approx(30 * g * h).epsilon(64 * eps));
 }

@@ -7,6 +7,7 @@
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
@@ -15,10 +16,6 @@ namespace {
 using Rigid = Solver<WarmJoints>;
 using RigidCold = Solver<Joints>;
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-constexpr Real h = Real(1) / 60;
-constexpr bool in_double = std::numeric_limits<Real>::digits > 24;
 
 Real energy(const World& world) {
   return kinetic_energy(world) + potential_energy(world);

@@ -5,12 +5,11 @@
 #include "pushback/chapters/12_small_steps/steady_solver.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
-
-constexpr Real h = Real(1) / 60;
 
 using Warm = RelaxingSolver<WarmJoints, Clamping, SoftContacts>;
 using Split = RelaxingSolver<SplitJoints, Clamping, SoftContacts>;

@@ -6,14 +6,11 @@
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/joint_jacobian.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
-
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-constexpr Real h = Real(1) / 60;
-constexpr Real g = Real(9.81);
 
 /// Two bodies somewhere, turned anyhow.
 World two_anywhere(Random& random) {

@@ -8,12 +8,11 @@
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/joint_jacobian.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
-
-constexpr Real h = Real(1) / 60;
 
 /// Rank of the rows that hold with equality.
 long rank_of_joints(const World& world) {

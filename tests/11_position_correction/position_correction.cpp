@@ -7,26 +7,13 @@
 #include "pushback/chapters/15_only_what_is_needed/dispatch.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
+#include "tests/support/on_ground.h"
 #include "tests/support/random.h"
 
 using namespace pushback;
 
 namespace {
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
-constexpr bool is_double = std::numeric_limits<Real>::digits > 24;
-constexpr Real g = Real(9.81);
-constexpr Real h = Real(1) / 60;
-
-/// A ball of 10 kg: one contact.
-Body& ball_on_ground(World& world, Real depth) {
-  world.add(ground());
-  world.add(sphere(Real(0.3), 10).at({0, Real(0.3) - depth, 0}));
-  return world.bodies[1];
-}
-Real depth_of(const Body& ball) {
-  return Real(0.3) - ball.position.y();
-}
 /// Rounds that count for the law: those of split impulse only agree with each other.
 template <class PushOut>
 int parts_taken(const PushOut& solver) {
@@ -34,6 +21,16 @@ int parts_taken(const PushOut& solver) {
 }
 Real energy(const World& world) {
   return kinetic_energy(world) + potential_energy(world);
+}
+World free_pair(Random& random) {
+  World world;
+  world.gravity.setZero();
+  for (const int side : {-1, 1}) {
+    const Real mass = random.over_decades(1, 1000);
+    const Vec3 velocity = random.vector(1), spin = random.vector(3);
+    world.add(random.body(mass).at({static_cast<Real>(side) * Real(0.2), 0, 0}).moving(velocity).spinning(spin));
+  }
+  return world;
 }
 bool same_velocities(const std::vector<Body>& before, const std::vector<Body>& now) {
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -137,8 +134,8 @@ TEMPLATE_TEST_CASE("11: a box comes up with the energy that lifting takes, and n
       world.step(solver, h, 50);
       fastest = std::max(fastest, kinetic_energy(world));
     }
-    CHECK(energy(world) - before == Approx(100 * g * (very_deep - solver.slop)).epsilon(is_double ? 1e-6 : 1e-3));
-    CHECK(fastest < (is_double ? Real(1e-9) : Real(1e-4)));  // J; Baumgarte: 432
+    CHECK(energy(world) - before == Approx(100 * g * (very_deep - solver.slop)).epsilon(in_double ? 1e-6 : 1e-3));
+    CHECK(fastest < (in_double ? Real(1e-9) : Real(1e-4)));  // J; Baumgarte: 432
   }
 }
 
@@ -147,13 +144,7 @@ TEMPLATE_TEST_CASE("11: a box comes up with the energy that lifting takes, and n
 TEMPLATE_TEST_CASE("11: the centre of mass of a free pair stays, and velocities keep every bit", "", BOTH_WAYS) {
   Random random(11);
   for (int i = 0; i < 200; ++i) {
-    World world;
-    world.gravity.setZero();
-    for (const int side : {-1, 1}) {
-      const Real mass = random.over_decades(1, 1000);
-      const Vec3 velocity = random.vector(1), spin = random.vector(3);
-      world.add(random.body(mass).at({static_cast<Real>(side) * Real(0.2), 0, 0}).moving(velocity).spinning(spin));
-    }
+    World world = free_pair(random);
     With<TestType> solver;
     solver.most = 1;
     step_without_correction(world, solver);
@@ -181,13 +172,7 @@ TEMPLATE_TEST_CASE("11: a correction turns a free pair as a whole by nothing", "
   Random random(12);
   int corrected = 0;
   for (int i = 0; i < 200; ++i) {
-    World world;
-    world.gravity.setZero();
-    for (const int side : {-1, 1}) {
-      const Real mass = random.over_decades(1, 1000);
-      const Vec3 velocity = random.vector(1), spin = random.vector(3);
-      world.add(random.body(mass).at({static_cast<Real>(side) * Real(0.2), 0, 0}).moving(velocity).spinning(spin));
-    }
+    World world = free_pair(random);
     CorrectingSolver<Clamping, TestType> solver;
     solver.rounds = 1;
     world.find_contacts();
@@ -247,9 +232,9 @@ TEST_CASE(
   const auto mean = [](const Curve& curve) {
     return std::accumulate(curve.y.begin(), curve.y.end(), Real(0)) / static_cast<Real>(curve.y.size());
   };
-  const Real baumgarte = mean(jitter_of_stack<Baumgarte>("", 0, 10, h, {}));
-  CHECK(mean(jitter_of_stack<SplitImpulse>("", 0, 10, h, {})) < baumgarte / 3);
-  CHECK(mean(jitter_of_stack<NonlinearGaussSeidel>("", 0, 10, h, {})) < baumgarte / 3);
+  const Real baumgarte = mean(jitter_curve<Baumgarte>("", 0, 10, h, {}));
+  CHECK(mean(jitter_curve<SplitImpulse>("", 0, 10, h, {})) < baumgarte / 3);
+  CHECK(mean(jitter_curve<NonlinearGaussSeidel>("", 0, 10, h, {})) < baumgarte / 3);
 }
 
 // C is reckoned along the normal that was found, at points carried along. What collision would find after it is the same up

@@ -48,7 +48,7 @@ TEST_CASE("what is born deep inside is pushed out at the fastest push-out, and k
       REQUIRE((slow.position.y() - before) <= h * fastest + 32 * eps * (std::abs(before) + 1));
       REQUIRE(std::abs(slow.velocity.y()) <= 16 * eps * fastest);
     }
-    CHECK(fast.velocity.y() == Approx(fastest).epsilon(is_double ? 1e-12 : 1e-4));
+    CHECK(fast.velocity.y() == Approx(fastest).epsilon(in_double ? 1e-12 : 1e-4));
     CHECK(std::abs(deepest_overlap(taken)) < Real(1e-6));
   }
 }
@@ -133,8 +133,8 @@ TEMPLATE_TEST_CASE("a ball that rolls over a plank is not braked by relaxing", "
   for (const Real plank : {Real(1e5), Real(100), Real(10)}) {  // kg
     const Real gained = gained_over<TestType>(plank, 16), not_relaxed = gained_over<NotRelaxed>(plank, 16);
     INFO("a plank of " << plank << " kg: " << gained << ", not relaxed " << not_relaxed);
-    CHECK(std::abs(gained - not_relaxed) <= Real(is_double ? 1e-6 : 1e-4));
-    if (plank >= 1000) CHECK(std::abs(gained) <= Real(is_double ? 1e-8 : 1e-4));
+    CHECK(std::abs(gained - not_relaxed) <= Real(in_double ? 1e-6 : 1e-4));
+    if (plank >= 1000) CHECK(std::abs(gained) <= Real(in_double ? 1e-8 : 1e-4));
   }
 }
 

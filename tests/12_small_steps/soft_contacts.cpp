@@ -76,8 +76,8 @@ TEST_CASE("a ball on a soft contact that may also pull moves as a damped spring 
         v = (v - dt * g - dt * k * C / m) / (1 + dt * c / m + dt * dt * k / m);
         C += dt * v;
         REQUIRE(C < 0);  // it never leaves the ground
-        REQUIRE(std::abs(ball.position.y() - Real(0.3) - C) <= (is_double ? Real(1e-12) : Real(1e-4)));
-        REQUIRE(std::abs(ball.velocity.y() - v) <= (is_double ? Real(1e-11) : Real(1e-3)));
+        REQUIRE(std::abs(ball.position.y() - Real(0.3) - C) <= (in_double ? Real(1e-12) : Real(1e-4)));
+        REQUIRE(std::abs(ball.velocity.y() - v) <= (in_double ? Real(1e-11) : Real(1e-3)));
       }
     }
   }
@@ -99,8 +99,8 @@ TEST_CASE("a body rests where the spring carries it: g / w^2 deep, a cube on its
       const Real w = 2 * pi * std::min(hertz, 1 / (8 * dt));
       INFO(count << " small steps, " << hertz << " hertz: " << deepest_overlap(ball) << " m and "
                  << deepest_overlap(cube) << " m, should be " << g / (w * w) << " m");
-      CHECK(deepest_overlap(ball) == Approx(g / (w * w)).epsilon(is_double ? 1e-6 : 0.05));
-      CHECK(deepest_overlap(cube) == Approx(g / (w * w)).epsilon(is_double ? 1e-6 : 0.05));
+      CHECK(deepest_overlap(ball) == Approx(g / (w * w)).epsilon(in_double ? 1e-6 : 0.05));
+      CHECK(deepest_overlap(cube) == Approx(g / (w * w)).epsilon(in_double ? 1e-6 : 0.05));
     }
   }
 }
@@ -118,7 +118,7 @@ TEST_CASE("a box that carries another M / m times as heavy rests (1 + M/m) g / w
     INFO("1 : " << heavier << ": " << deepest_overlap(world) << " m, should be " << depth << " m");
     REQUIRE(world.contacts.size() == 8);
     for (const Contact& contact : world.contacts)
-      CHECK(contact.depth == Approx(depth).epsilon(is_double ? 1e-4 : 0.05));
+      CHECK(contact.depth == Approx(depth).epsilon(in_double ? 1e-4 : 0.05));
   }
 }
 

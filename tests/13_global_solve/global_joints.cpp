@@ -8,15 +8,14 @@
 #include "pushback/chapters/13_global_solve/scenes.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
+#include "tests/support/joint_energy.h"
 #include "tests/support/random.h"
 #include "tests/support/with_joints.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
-
-constexpr Real h = Real(1) / 60;
-constexpr bool in_double = std::numeric_limits<Real>::digits > 24;
 
 using Swept = Solver<Joints>;
 using AtOnce = Solver<GlobalJoints>;
@@ -96,33 +95,14 @@ TEST_CASE("joints at once: the speeds are those that sweeps go to") {
 TEST_CASE("joints at once: what rows that feed nothing back do to the energy is -|dV|^2 / 2, in masses, in one sweep") {
   Random random(4);
   for (const Real ratio : {Real(1), Real(1000)}) {
-    World world;
-    Vec3 end = Vec3::Zero();
-    for (int link = 0; link < 20; ++link) {
-      const Vec3 next = end + random.direction();
-      const Real mass = link == 19 ? ratio : random.between(1, 3);
-      world.add(sphere(Real(0.1), mass).at((end + next) / 2).moving(random.direction()));
-      world.joints.push_back(link % 2 == 0 ? ball_and_socket(world, link - 1, link, end)
-                                           : hinge(world, link - 1, link, end, random.direction()));
-      end = next;
-    }
+    World world = crooked_chain(20, random, ratio);
     AtOnce solver;
     solver.beta = 0;
     world.step(solver, h, 1);
     for (int step = 0; step < 20; ++step) {
-      const std::vector<Body> before = world.bodies;
-      const Real energy = kinetic_energy(world) + potential_energy(world);
-      world.step(solver, h, 1);
-      Real loss = 0;
-      for (std::size_t k = 0; k < before.size(); ++k) {
-        const Body& body = world.bodies[k];
-        loss += (body.velocity - before[k].velocity).squaredNorm() / (2 * body.inverse_mass);
-        loss += (body.angular_velocity - before[k].angular_velocity).squaredNorm() /
-                (2 * body.principal_inverse_inertia.x());
-      }
-      const Real left = std::abs(kinetic_energy(world) + potential_energy(world) - (energy - loss));
-      INFO(ratio << ": " << left << " of " << energy);
-      REQUIRE(left < (in_double ? Real(1e-10) : Real(1e-3)) * (std::abs(energy) + loss));
+      const EnergyOfAStep found = energy_of_a_step(world, solver, h, 1);
+      INFO(ratio << ": " << found.off << " of " << found.energy);
+      REQUIRE(found.off < (in_double ? Real(1e-10) : Real(1e-3)) * (std::abs(found.energy) + found.lost));
     }
   }
 }

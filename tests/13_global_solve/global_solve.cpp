@@ -14,14 +14,13 @@
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
 
 using Eigen::Index;
-
-constexpr Real h = Real(1) / 60;
 
 /// The contacts of a scene, as a step would begin.
 struct Frame {
@@ -289,8 +288,7 @@ TEST_CASE("no clock stands in what solves a contact problem") {
     const fs::path& file = entry.path();
     if (file.extension() != ".h" && file.extension() != ".cpp") continue;
     if (file.filename() == "solve.cpp") continue;  // it prints how long that took
-    std::ifstream in(file);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::string text = text_of(file);
     REQUIRE(!text.empty());
     INFO(file);
     for (const char* clock : {"chrono", "clock_gettime", "std::clock", "gettimeofday", "<ctime>"})

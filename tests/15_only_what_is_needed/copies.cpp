@@ -12,12 +12,11 @@
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/with_joints.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
-
-constexpr Real h = Real(1) / 60;
 
 /// Moves on by a step of h.
 template <class ContactSolver>

@@ -5,12 +5,12 @@
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
 #include "tests/support/with_joints.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
 
-constexpr Real h = Real(1) / 60;
 constexpr Real slop = Real(0.005);  // m: so far apart may be what sleeps and what does not
 using Bodies = std::vector<int>;
 

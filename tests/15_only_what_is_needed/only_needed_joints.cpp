@@ -11,12 +11,11 @@
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/with_joints.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
-
-constexpr Real h = Real(1) / 60;
 
 void hanging_chain_of_eight(World& world) {
   hanging_chain(world);

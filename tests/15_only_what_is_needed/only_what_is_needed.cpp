@@ -14,12 +14,11 @@
 #include "tests/support/complaint.h"
 #include "tests/support/random.h"
 #include "tests/support/with_joints.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
-
-constexpr Real h = Real(1) / 60;
 
 bool same_bits(const Vec3& p, const Vec3& q) {
   return std::memcmp(p.data(), q.data(), sizeof(Vec3)) == 0;

@@ -11,12 +11,12 @@
 #include "tests/support/complaint.h"
 #include "tests/support/random.h"
 #include "tests/support/with_joints.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
 
-constexpr Real h = Real(1) / 60;
 constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 using Bodies = std::vector<int>;
 

@@ -12,12 +12,12 @@
 #include "pushback/common/world/world.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
 constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 
@@ -255,12 +255,12 @@ TEST_CASE("a step that cannot be taken is refused before anything moves") {
 
 TEST_CASE("free fall follows the closed form of symplectic Euler") {
   World world;
-  const Real h = Real(1) / 60, v0 = 3, x0 = 20;
+  const Real v0 = 3, x0 = 20;
   world.add(sphere(1, 2).at({0, x0, 0}).moving({1, v0, 0}));
   NoSolver none;
   for (int n = 1; n <= 100; ++n) {
     world.step(none, h);
-    const Real g = Real(9.81), steps = Real(n);
+    const Real steps = Real(n);
     REQUIRE(world.bodies[0].velocity.y() == Approx(v0 - steps * h * g));
     REQUIRE(world.bodies[0].position.y() == Approx(x0 + steps * h * v0 - g * h * h * steps * (steps + 1) / 2));
     REQUIRE(world.bodies[0].position.x() == Approx(steps * h));
@@ -283,7 +283,7 @@ TEST_CASE("a force and a torque act for one step") {
 TEST_CASE("a spring swings with the period 2 pi sqrt(m/k), short by O(h^2)") {
   const Real mass = 2, stiffness = 50;
   const Real period = 2 * pi * std::sqrt(mass / stiffness);
-  const auto measured_period = [&](Real h) {
+  const auto measured_period = [&](Real dt) {
     World world;
     world.gravity.setZero();
     const int body = world.add(sphere(Real(0.1), mass).at({3, 0, 0}));
@@ -292,36 +292,36 @@ TEST_CASE("a spring swings with the period 2 pi sqrt(m/k), short by O(h^2)") {
     Real first = -1, last = -1, before = 1;
     int passes = 0;
     for (int n = 1; passes < 11; ++n) {  // times at which it passes the anchor on the way down, between two steps
-      world.step(none, h);
+      world.step(none, dt);
       const Real now = world.bodies[0].position.x() - 2;
       if (before > 0 && now <= 0) {
-        last = h * (Real(n) - now / (now - before));
+        last = dt * (Real(n) - now / (now - before));
         if (passes++ == 0) first = last;
       }
       before = now;
     }
     return (last - first) / 10;
   };
-  // Symplectic Euler turns by 2 asin(w h / 2) a step instead of w h: the period is short by (w h)^2 / 24 of it.
+  // Symplectic Euler turns by 2 asin(w dt / 2) a step instead of w dt: the period is short by (w dt)^2 / 24 of it.
   const Real w = std::sqrt(stiffness / mass);
-  for (const Real h : {Real(0.02), Real(0.01)}) {
-    const Real exact = pi * h / std::asin(w * h / 2);
-    INFO("h " << h << ": " << measured_period(h) << ", true period " << period);
-    REQUIRE(measured_period(h) == Approx(exact).epsilon(1e-4));
-    REQUIRE(std::abs(measured_period(h) - period) < period * (w * h) * (w * h) / 20);
+  for (const Real dt : {Real(0.02), Real(0.01)}) {
+    const Real exact = pi * dt / std::asin(w * dt / 2);
+    INFO("dt " << dt << ": " << measured_period(dt) << ", true period " << period);
+    REQUIRE(measured_period(dt) == Approx(exact).epsilon(1e-4));
+    REQUIRE(std::abs(measured_period(dt) - period) < period * (w * dt) * (w * dt) / 20);
   }
 }
 
 TEST_CASE("drag slows a body by the factor 1 - c h / m a step") {
   World world;
   world.gravity.setZero();
-  const Real mass = 4, c = 3, h = Real(0.05);
+  const Real mass = 4, c = 3, dt = Real(0.05);
   const int body = world.add(sphere(1, mass).moving({10, -20, 5}));
   world.forces.push_back(drag(body, c));
   NoSolver none;
   for (int n = 1; n <= 60; ++n) {
-    world.step(none, h);
-    const Real factor = std::pow(1 - c * h / mass, Real(n));
+    world.step(none, dt);
+    const Real factor = std::pow(1 - c * dt / mass, Real(n));
     REQUIRE(world.bodies[0].velocity.x() == Approx(10 * factor));
     REQUIRE(world.bodies[0].velocity.y() == Approx(-20 * factor));
   }
@@ -330,7 +330,7 @@ TEST_CASE("drag slows a body by the factor 1 - c h / m a step") {
 }
 
 TEST_CASE("a box spun about its middle axis keeps momentum and energy, and flips as often as a much finer motion") {
-  const auto flips = [](Real h, int steps, bool examine) {
+  const auto flips = [](Real dt, int steps, bool examine) {
     World world;
     world.gravity.setZero();
     world.add(tumbling_box());
@@ -341,7 +341,7 @@ TEST_CASE("a box spun about its middle axis keeps momentum and energy, and flips
     bool upright = true;
     Real worst_momentum = 0, worst_energy = 0;
     for (int i = 0; i < steps; ++i) {
-      world.step(none, h, 0);
+      world.step(none, dt, 0);
       worst_momentum = std::max(worst_momentum, (angular_momentum(world) - momentum).norm() / momentum.norm());
       worst_energy = std::max(worst_energy, std::abs(kinetic_energy(world) - energy) / energy);
       const Real along = (world.bodies[0].orientation * Vec3::UnitY()).y();

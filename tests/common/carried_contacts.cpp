@@ -6,13 +6,11 @@
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
-
-constexpr Real h = Real(1) / 60;
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
 
 template <class ContactSolver>
 void frame(World& world, ContactSolver& solver, CarriedContacts& carried, int count, int sweeps) {

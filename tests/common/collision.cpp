@@ -10,6 +10,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/contacts_of.h"
 #include "tests/support/random.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
@@ -17,7 +18,6 @@ namespace {
 
 // ---- tools --------------------------------------------------------------------------------------------------------
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
 constexpr Real tight = 1000 * eps;  // 2e-13 in double, 1e-4 in float: for lengths of about 1 m
 
 constexpr std::uint64_t seed = 20240607;

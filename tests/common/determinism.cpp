@@ -7,12 +7,12 @@
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
 
-constexpr Real h = Real(1) / 60;
 constexpr int steps = 600;
 
 /// A pyramid, and a pile of everything that falls onto it.

@@ -21,6 +21,7 @@
 #include "tests/support/complaint.h"
 #include "tests/support/contacts_of.h"
 #include "tests/support/random.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
@@ -28,7 +29,6 @@ namespace {
 
 // ---- tools --------------------------------------------------------------------------------------------------------
 
-constexpr Real eps = std::numeric_limits<Real>::epsilon();
 constexpr Real tight = 5000 * eps;  // 1e-12 in double, 6e-4 in float: for lengths of about 1 m
 
 using Points = std::vector<Vec3>;

@@ -3,23 +3,15 @@
 
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/standing.h"
+#include "tests/support/sliding.h"
 
 namespace pushback {
 
 namespace {
 
-constexpr Real g = Real(9.81);
-
-/// A flat box that lies on a slope, 0.01 mm deep: all four corners touch from the start.
-void box_on_slope(World& world, Real theta, Real mu) {
-  const Vec3 up{-std::sin(theta), std::cos(theta), 0};
-  world.add(half_space(up).rough(mu));
-  world.add(box({Real(0.2), Real(0.05), Real(0.2)}, 20).turned(theta, Vec3::UnitZ()).at(Real(0.04999) * up).rough(mu));
-}
-
-/// It sticks if and only if tan(theta) < mu; else it slides, and moves by steps of h as far as
+/// It sticks if and only if tan(theta) < mu; else it slides, and moves by steps of dt as far as
 ///
-///   a h^2 n (n + 1) / 2,   a = g (sin(theta) - mu cos(theta)),   n h = 2 s        h: the stage's own small step
+///   a dt^2 n (n + 1) / 2,   a = g (sin(theta) - mu cos(theta)),   n dt = 2 s      dt: the stage's own small step
 std::vector<Real> slopes(Trial& trial) {
   Real creep = 0, off = 0;
   for (const int degrees : {5, 15, 25, 35, 45}) {
@@ -35,29 +27,12 @@ std::vector<Real> slopes(Trial& trial) {
       const Vec3 end = play.world.bodies[1].position;
       if (part > 1) creep = std::max(creep, (end - after_1_s).norm());
       if (part > 1) continue;
-      const Real h = trial.small_step(), n = std::round(2 / h);
-      const Real way = g * (std::sin(theta) - mu * std::cos(theta)) * h * h * n * (n + 1) / 2;
+      const Real dt = trial.small_step(), n = std::round(2 / dt);
+      const Real way = g * (std::sin(theta) - mu * std::cos(theta)) * dt * dt * n * (n + 1) / 2;
       off = std::max(off, std::abs((end - start).dot(down) / way - 1));
     }
   }
   return {1000 * creep, 100 * off};
-}
-
-/// The same on the level, sent off under `heading`, its sides along its way.
-void sliding_box(World& world, Real mu, Real speed, Real heading) {
-  world.add(ground().rough(mu));
-  world.add(box({Real(0.2), Real(0.05), Real(0.2)}, 20)
-                .turned(heading, Vec3::UnitY())
-                .at({0, Real(0.04999), 0})
-                .moving(speed * Vec3(std::cos(heading), 0, -std::sin(heading)))
-                .rough(mu));
-}
-
-/// The sum of h (v0 - k mu g h) as far as that is positive: what v0^2 / (2 mu g) is in steps of h.
-Real discrete_distance(Real mu, Real speed, Real h) {
-  Real way = 0;
-  for (Real v = speed - mu * g * h; v > 0; v -= mu * g * h) way += h * v;
-  return way;
 }
 
 /// Where it has got to when it should have stopped half a second ago.

@@ -2,6 +2,7 @@
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/12_small_steps/small_steps.h"
+#include "pushback/common/basics/named.h"
 #include "pushback/common/world/measure.h"
 #include "tests/hard_cases/watcher.h"
 
@@ -111,19 +112,28 @@ class Watched {
   ContactSolver solver_;
 };
 
+template <class ContactSolver, int small_steps, int sweeps>
+Finding watched(const RandomScene& scene, bool log) {
+  return Watched<ContactSolver>(scene, small_steps, sweeps, log).run();
+}
+
+struct FuzzedStage {
+  const char* name;
+  Finding (*watched)(const RandomScene& scene, bool log);
+};
+constexpr FuzzedStage stages_with_books[] = {{"07 warm start", watched<BookedFullSolver, 1, 10>},
+                                             {"12 small steps", watched<BookedFullSolver, 32, 1>},
+                                             {"12 soft contacts", watched<BookedSoftSolver, 32, 1>},
+                                             {"all together", watched<BookedAllTogether, 32, 1>}};
+
 }  // namespace
 
-const std::vector<std::string>& fuzzed_stages() {
-  static const std::vector<std::string> names{"07 warm start", "12 small steps", "12 soft contacts", "all together"};
-  return names;
+std::vector<std::string> fuzzed_stages() {
+  return names_of(stages_with_books);
 }
 
 Finding fuzz(const RandomScene& scene, const std::string& stage, bool log) {
-  if (stage == fuzzed_stages()[0]) return Watched<BookedFullSolver>(scene, 1, 10, log).run();
-  if (stage == fuzzed_stages()[1]) return Watched<BookedFullSolver>(scene, 32, 1, log).run();
-  if (stage == fuzzed_stages()[2]) return Watched<BookedSoftSolver>(scene, 32, 1, log).run();
-  if (stage == fuzzed_stages()[3]) return Watched<BookedAllTogether>(scene, 32, 1, log).run();
-  throw InvalidInput(fmt::format("stage is '{}': one of {} is needed", stage, fmt::join(fuzzed_stages(), ", ")));
+  return named("stage", stages_with_books, stage).watched(scene, log);
 }
 
 }  // namespace pushback

@@ -14,7 +14,7 @@ struct Finding {
 };
 
 /// The stages that fuzz() can watch from inside.
-const std::vector<std::string>& fuzzed_stages();
+std::vector<std::string> fuzzed_stages();
 
 /// 60 steps of a scene. Throws InvalidInput for a stage that is not one of fuzzed_stages(). `log`: the scene and
 /// every step are printed.

@@ -1,9 +1,7 @@
 /// ./course fuzz: random scenes, or one of them step by step.
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
 #include <set>
 
+#include "pushback/common/experiment/program.h"
 #include "tests/hard_cases/fuzz.h"
 
 using namespace pushback;
@@ -37,37 +35,32 @@ int main(int argc, char** argv) {
   bool no_room = false;
   app.add_flag("--no-room", no_room, "Half-spaces may leave no room for anything; this is expected to fail");
   CLI::Option* one = app.add_option("--seed", seed, "Only this scene, and print every step");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& problem) {
-    fmt::print(stderr, "fuzz: {}\n", problem.what());
-    return 2;
-  }
-  const bool replay = one->count() > 0;
-  if (replay) {
-    first = seed;
-    scenes = 1;
-  }
-  std::uint64_t failed = 0;
-  for (const std::string& stage : only) {
-    Account account;
-    for (std::uint64_t i = 0; i < scenes; ++i) {
-      if (replay) fmt::print("scene {}, {}\n", first + i, stage);
-      const Finding finding = fuzz(random_scene(first + i, no_room), stage, replay);
-      account.add(finding.account);
-      const bool broke = !finding.broken.empty(), expected = known.contains(first + i);
-      if (broke != expected) ++failed;
-      if (broke) {
-        fmt::print("scene {}, {}, step {}: {}{}\n  ./course fuzz -- --seed {} --stage '{}'\n", first + i, stage,
-                   finding.step, finding.broken, expected ? " (known)" : "", first + i, stage);
-      } else if (expected) {
-        fmt::print("scene {}, {}: known to fail, and did not\n", first + i, stage);
-      }
+  return run_program(app, argc, argv, [&] {
+    const bool replay = one->count() > 0;
+    if (replay) {
+      first = seed;
+      scenes = 1;
     }
-    print_account(stage, account);
-  }
-  fmt::print("{} of {} runs were not as expected\n", failed, scenes * only.size());
-  return failed == 0 ? 0 : 1;
+    std::uint64_t failed = 0;
+    for (const std::string& stage : only) {
+      Account account;
+      for (std::uint64_t i = 0; i < scenes; ++i) {
+        if (replay) fmt::print("scene {}, {}\n", first + i, stage);
+        const Finding finding = fuzz(random_scene(first + i, no_room), stage, replay);
+        account.add(finding.account);
+        const bool broke = !finding.broken.empty(), expected = known.contains(first + i);
+        if (broke != expected) ++failed;
+        if (broke) {
+          fmt::print("scene {}, {}, step {}: {}{}\n  ./course fuzz -- --seed {} --stage '{}'\n", first + i, stage,
+                     finding.step, finding.broken, expected ? " (known)" : "", first + i, stage);
+        } else if (expected) {
+          fmt::print("scene {}, {}: known to fail, and did not\n", first + i, stage);
+        }
+      }
+      print_account(stage, account);
+    }
+    const std::string summary = fmt::format("{} of {} runs were not as expected", failed, scenes * only.size());
+    if (failed > 0) throw std::runtime_error(summary);
+    fmt::print("{}\n", summary);
+  });
 }

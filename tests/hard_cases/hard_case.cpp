@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/named.h"
 #include "tests/hard_cases/cases.h"
 #include "tests/support/random.h"
 
@@ -136,12 +136,7 @@ const std::vector<HardCase>& hard_cases() {
 }
 
 const HardCase& hard_case_named(const std::string& name) {
-  std::string names;
-  for (const HardCase& hard_case : hard_cases()) {
-    if (hard_case.name == name) return hard_case;
-    names += (names.empty() ? "" : ", ") + hard_case.name;
-  }
-  throw InvalidInput(fmt::format("hard case is '{}': one of these is needed: {}", name, names));
+  return named("hard case", hard_cases(), name);
 }
 
 }  // namespace pushback

@@ -1,14 +1,13 @@
 /// ./course hard-cases: every case under every stage, as files and as a picture.
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <numeric>
 #include <thread>
 
 #include "pushback/common/basics/files.h"
-#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/named.h"
+#include "pushback/common/experiment/program.h"
 #include "tests/hard_cases/table.h"
 #include "tests/hard_cases/table_picture.h"
 
@@ -49,10 +48,9 @@ std::vector<Named> chosen(const std::string& kind, const std::vector<Named>& all
     };
     if (mark([&](const std::string& name) { return name == word; })) continue;
     if (!word.empty() && mark([&](const std::string& name) { return name.find(word) != std::string::npos; })) continue;
-    std::string names, nearest;
+    std::string nearest;
     std::size_t least = word.size() / 2 + 1;
     for (const Named& one : all) {
-      names += (names.empty() ? "" : ", ") + one.name;
       const std::size_t d = distance(word, one.name);
       if (d < least) {
         least = d;
@@ -60,7 +58,8 @@ std::vector<Named> chosen(const std::string& kind, const std::vector<Named>& all
       }
     }
     throw InvalidInput(fmt::format("unknown {} '{}'{}\nthe {}s are: {}", kind, word,
-                                   nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), kind, names));
+                                   nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), kind,
+                                   fmt::join(names_of(all), ", ")));
   }
   std::vector<Named> list;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -121,15 +120,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--no-images", no_images, "Only table.csv, table.md and times.csv");
   app.add_flag("--list", list, "List the cases and the stages, and do nothing");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& problem) {
-    fmt::print(stderr, "hard_cases_table: {}\n", problem.what());
-    return 2;
-  }
-  try {
+  return run_program(app, argc, argv, [&] {
     if (jobs < 1 || jobs > 256)
       throw InvalidInput(fmt::format("--jobs is {}: a whole number from 1 to 256 is needed", jobs));
     if (starts < 1 || starts > many_starts)
@@ -144,7 +135,7 @@ int main(int argc, char** argv) {
       for (const HardCase& c : cases) fmt::print("{:<24}{}: {}\n", c.name, c.title, c.stresses);
       fmt::print("\n");
       for (const Stage& stage : columns) fmt::print("{:<24}{}\n", stage.name, stage.what);
-      return 0;
+      return;
     }
     const bool whole =
         cases.size() == hard_cases().size() && columns.size() == stages().size() && starts == many_starts;
@@ -171,12 +162,5 @@ int main(int argc, char** argv) {
       write_png(folder / "overview.png", draw_overview(table));
     }
     fmt::print("\n{}\n", (folder / (no_images ? "table.md" : "table.png")).string());
-    return 0;
-  } catch (const InvalidInput& problem) {
-    fmt::print(stderr, "hard_cases_table: {}\n", problem.what());
-    return 2;
-  } catch (const std::exception& problem) {
-    fmt::print(stderr, "hard_cases_table: {}\n", problem.what());
-    return 1;
-  }
+  });
 }

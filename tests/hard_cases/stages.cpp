@@ -6,7 +6,7 @@
 #include "pushback/chapters/11_position_correction/split_impulse.h"
 #include "pushback/chapters/13_global_solve/global_joints.h"
 #include "pushback/chapters/15_only_what_is_needed/dispatch.h"
-#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/named.h"
 #include "tests/support/with_joints.h"
 
 namespace pushback {
@@ -135,12 +135,7 @@ Stage only_what_is_needed(Stage stage) {
 }
 
 const Stage& stage_named(const std::string& name) {
-  std::string names;
-  for (const Stage& stage : stages()) {
-    if (stage.name == name) return stage;
-    names += (names.empty() ? "" : ", ") + stage.name;
-  }
-  throw InvalidInput(fmt::format("stage is '{}': one of these is needed: {}", name, names));
+  return named("stage", stages(), name);
 }
 
 }  // namespace pushback

@@ -34,14 +34,35 @@ HardCase must_stand(const StandingCase& what) {
   c.name = what.name;
   c.title = what.title;
   c.stresses = what.stresses;
-  c.criteria = {{"drift after 10 s", "mm", what.drift_limit},
+  const bool anywhere = what.moved_limit > 0;
+  c.criteria = {anywhere ? Criterion{"largest displacement after 10 s", "mm", what.moved_limit}
+                         : Criterion{"drift after 10 s", "mm", what.drift_limit},
                 {"deeper than the slop", "mm", what.beyond_limit},
                 {"speed in the last second", "mm/s", 1}};
   c.scene = {.name = what.title, .fill = what.fill, .camera = what.camera, .seconds = 10};
-  c.run = [fill = what.fill](Trial& trial) -> std::vector<Real> {
+  c.run = [fill = what.fill, anywhere](Trial& trial) -> std::vector<Real> {
     Play play = trial.play(fill, standing);
     const Stood s = stand(play, 10);
-    return {1000 * s.drift, 1000 * s.beyond, 1000 * s.jitter};
+    return {1000 * (anywhere ? s.moved : s.drift), 1000 * s.beyond, 1000 * s.jitter};
+  };
+  return c;
+}
+
+HardCase must_settle(const SettlingCase& what) {
+  HardCase c;
+  c.name = what.name;
+  c.title = what.title;
+  c.stresses = what.stresses;
+  c.criteria = {{"speed in the last second", "mm/s", 1}, {"overlap after 10 s", "mm", 6}};  // the slop and 1 mm
+  c.scene = {.name = what.title, .fill = what.fill, .camera = what.camera, .seconds = what.seconds};
+  c.run = [fill = what.fill, overlap = what.overlap](Trial& trial) -> std::vector<Real> {
+    Play play = trial.play(fill, [overlap](const World& world) {
+      Allowance allowance = standing(world);
+      allowance.overlap = overlap;
+      return allowance;
+    });
+    const Stood s = stand(play, 10);
+    return {1000 * s.jitter, 1000 * deepest_overlap(play.world)};
   };
   return c;
 }

@@ -28,10 +28,21 @@ struct StandingCase {
   std::string name, title, stresses;
   std::function<void(World&)> fill;
   Camera camera;
-  Real drift_limit = 1;   ///< mm
+  Real drift_limit = 1;   ///< mm, sideways
+  Real moved_limit = 0;   ///< mm, in any direction; 0: the drift counts, above 0: this in its place
   Real beyond_limit = 1;  ///< mm
 };
 HardCase must_stand(const StandingCase& what);
+
+/// A case in which what falls comes to rest within ten seconds: speed in mm/s, overlap in mm, the slop and 1 mm.
+struct SettlingCase {
+  std::string name, title, stresses;
+  std::function<void(World&)> fill;
+  Camera camera;
+  Real seconds;  ///< when its picture is taken
+  Real overlap;  ///< m, as deep as it may strike
+};
+HardCase must_settle(const SettlingCase& what);
 
 /// Sees what is `size` m across and high round `centre`, from the front, a little from the right and above.
 Camera view(const Vec3& centre, Real size);

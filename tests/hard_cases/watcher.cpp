@@ -6,21 +6,11 @@
 #include <cmath>
 
 #include "pushback/common/world/measure.h"
+#include "tests/support/finite.h"
 
 namespace pushback {
 
 namespace {
-
-bool finite(const World& world) {
-  for (const Body& body : world.bodies) {
-    if (!body.position.allFinite() || !body.orientation.coeffs().allFinite()) return false;
-    if (!body.velocity.allFinite() || !body.angular_velocity.allFinite()) return false;
-  }
-  for (const Contact& contact : world.contacts) {
-    if (!contact.impulse.allFinite()) return false;
-  }
-  return true;
-}
 
 constexpr Real rounding = 1e5 * std::numeric_limits<Real>::epsilon();  // 2e-11 in double
 

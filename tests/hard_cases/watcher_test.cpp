@@ -6,12 +6,12 @@
 #include "tests/hard_cases/stages.h"
 #include "tests/hard_cases/watcher.h"
 #include "tests/support/catch.h"
+#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
 namespace {
 
-constexpr Real h = Real(1) / 60;
 constexpr Real small = Real(1e-6);  // of a whole: far above rounding, far below what an eye would see
 
 void ball_on_ground(World& world) {

@@ -88,7 +88,11 @@ course hard-cases stak && expect 2 && expect_not "took"
 course test && expect 0 "ctest --preset release -j" "-LE ^long\$"
 course test --long && expect 0 "ctest --preset release" && expect_not "-LE"
 course test one two -- --verbose && expect 0 "-R one|two --verbose"
-course test 04 && expect 0 "--target test_closed_forms" "-R closed_forms:04: "
+mkdir -p "$scratch/home/tests/04_four"
+touch "$scratch/home/tests/04_four/"{four,not_built}.cpp
+echo "build tests/test_four: link" >"$scratch/home/build/release/build.ninja"
+course test 04 && expect 0 "--target test_four" "-R ^four:" && expect_not "not_built"
+course test 03 && expect 1 "no tests belong to 03" && expect_not "ctest"
 course test 99 && expect 2 "unknown chapter '99'" "the chapters are: 03_three 04_four 10_ten"
 stand_in ctest 'exit 8'
 course test && expect 8

@@ -18,7 +18,7 @@
 
 #include "pushback/chapters/13_global_solve/problem_file.h"
 #include "pushback/chapters/14_accuracy_and_time/stopwatch.h"
-#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/named.h"
 
 namespace pushback {
 
@@ -66,9 +66,7 @@ bool drive(FrictionContactProblem* problem, double* r, double* u, SolverOptions*
 }  // namespace
 
 std::vector<std::string> siconos_methods() {
-  std::vector<std::string> names;
-  for (const Method& method : methods) names.emplace_back(method.name);
-  return names;
+  return names_of(methods);
 }
 
 namespace {
@@ -126,11 +124,7 @@ void solve_and_send(int pipe, const ContactProblem& problem, int id, double tole
 // is none left.
 SiconosAnswer solve_by_siconos(const ContactProblem& problem, const std::string& method, double tolerance,
                                int iterations) {
-  const Method* asked = nullptr;
-  for (const Method& each : methods)
-    if (each.name == method) asked = &each;
-  if (asked == nullptr)
-    throw InvalidInput(fmt::format("method is '{}': one of {} is needed", method, fmt::join(siconos_methods(), ", ")));
+  const Method& asked = named("method", methods, method);
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe to a process for Siconos");
   std::fflush(nullptr);  // or what waits there would be printed twice
@@ -140,7 +134,7 @@ SiconosAnswer solve_by_siconos(const ContactProblem& problem, const std::string&
     close(ends[0]);
     int status = 0;
     try {
-      solve_and_send(ends[1], problem, asked->id, tolerance, iterations);
+      solve_and_send(ends[1], problem, asked.id, tolerance, iterations);
     } catch (...) {
       status = 1;
     }
