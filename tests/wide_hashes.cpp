@@ -9,7 +9,7 @@
 #include "pushback/chapters/13_global_solve/global_joints.h"
 #include "pushback/chapters/13_global_solve/global_solve.h"
 #include "pushback/chapters/14_accuracy_and_time/warm_global_solve.h"
-#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/catalogue/solvers.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
@@ -26,14 +26,12 @@ constexpr std::size_t few = 100;  // contacts: what solves them all directly tak
 
 using Stepper = std::function<void(World&)>;
 
-template <class ContactSolver>
-Stepper steps_by(int count, int sweeps) {
-  return [=, solver = ContactSolver{}](World& world) mutable { small_steps(world, solver, h, count, sweeps); };
+Stepper steps_by(AnySolver solver, int count = 1, int sweeps = 10) {
+  return [=](World& world) mutable { small_steps(world, solver, h, count, sweeps); };
 }
 
-template <class Full>
-Stepper needed(const World& world, std::optional<Sleep> sleep) {
-  return [solver = OnlyWhatIsNeeded(world, Full{}, std::move(sleep))](World& world_now) mutable {
+Stepper needed(const char* name, const World& world, std::optional<Sleep> sleep) {
+  return [solver = solver_named(name).fitting(world, std::move(sleep))](World& world_now) mutable {
     solver.step(world_now, h);
   };
 }
@@ -47,36 +45,34 @@ struct Way {
 
 // Friction as a cone beside what needs it, and a warm start wherever one may be: each way takes all of a step's memory along.
 const Way ways[] = {
-    {"07 with joints", [](const World&) { return steps_by<JointedSolver>(1, 10); }},
-    {"07 with warm joints", [](const World&) { return steps_by<WithJoints<WarmJoints, FullSolver>>(1, 10); }},
-    {"all together", [](const World&) { return steps_by<SteadyJointedSolver>(8, 1); }},
+    {"07 with joints", [](const World&) { return steps_by(solver_named("07 warm start").solver); }},
+    {"07 with warm joints", [](const World&) { return steps_by(WithJoints<WarmJoints, FullSolver>{}); }},
+    {"all together", [](const World&) { return steps_by(solver_named("all together").solver, 8, 1); }},
     {"split impulse",
      [](const World&) {
-       return steps_by<
-           CorrectingSolver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, FrictionCone, WarmStart>>(1, 10);
+       return steps_by(
+           CorrectingSolver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, FrictionCone, WarmStart>{});
      }},
     {"non-linear Gauss-Seidel",
      [](const World&) {
-       return steps_by<
-           CorrectingSolver<SplitJoints, Clamping, NonlinearGaussSeidel, Slop, Restitution, FrictionCone, WarmStart>>(
-           1, 10);
+       return steps_by(
+           CorrectingSolver<SplitJoints, Clamping, NonlinearGaussSeidel, Slop, Restitution, FrictionCone, WarmStart>{});
      }},
     {"joints solved directly",
      [](const World&) {
-       return steps_by<Solver<Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart, GlobalJoints>>(1, 10);
+       return steps_by(Solver<Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart, GlobalJoints>{});
      }},
     {"contacts solved directly",
-     [](const World&) { return steps_by<Solver<Clamping, Baumgarte, Slop, FrictionCone, GlobalSolve>>(1, 10); }, false,
+     [](const World&) { return steps_by(Solver<Clamping, Baumgarte, Slop, FrictionCone, GlobalSolve>{}); }, false,
      true},
     {"contacts solved directly, warm",
      [](const World&) {
-       return steps_by<Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart, WarmGlobalSolve>>(1, 10);
+       return steps_by(Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart, WarmGlobalSolve>{});
      },
      false, true},
-    {"dispatch", [](const World& world) { return needed<JointedSolver>(world, {}); }},
-    {"dispatch and sleep", [](const World& world) { return needed<JointedSolver>(world, Sleep{}); }},
-    {"dispatch of all together, and sleep",
-     [](const World& world) { return needed<SteadyJointedSolver>(world, Sleep{}); }},
+    {"dispatch", [](const World& world) { return needed("07 warm start", world, {}); }},
+    {"dispatch and sleep", [](const World& world) { return needed("07 warm start", world, Sleep{}); }},
+    {"dispatch of all together, and sleep", [](const World& world) { return needed("all together", world, Sleep{}); }},
 };
 
 /// Of the states after every tenth step: what comes to rest where it would have come to rest anyway is seen on its way.

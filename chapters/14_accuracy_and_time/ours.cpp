@@ -6,6 +6,7 @@
 #include "pushback/chapters/13_global_solve/global_joints.h"
 #include "pushback/chapters/14_accuracy_and_time/play.h"
 #include "pushback/chapters/14_accuracy_and_time/warm_global_solve.h"
+#include "pushback/common/world/any_solver.h"
 
 using namespace pushback;
 
@@ -21,50 +22,51 @@ using Soft = RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, W
 using SteadyCold = RelaxingSolver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone>;
 using AtOnce = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmGlobalSolve>;
 
-template <class ContactSolver>
 class Ours : public Player {
  public:
-  Ours(const Motion& motion, const Setting& setting) : dt_(static_cast<Real>(setting.dt())), sweeps_(setting.sweeps) {
+  Ours(const Motion& motion, const Setting& setting, AnySolver solver, bool counts_rows)
+      : solver_(std::move(solver)),
+        dt_(static_cast<Real>(setting.dt())),
+        sweeps_(setting.sweeps),
+        counts_rows_(counts_rows) {
     motion.begin(world_);
-    if constexpr (std::is_same_v<ContactSolver, Slim> || std::is_same_v<ContactSolver, SlimCold>)
-      solver_.slop = Real(1e-4);
-    // Bounces are compared at every speed.
-    if constexpr (requires { solver_.threshold; }) solver_.threshold = 0;
   }
   void small_step() override {
     const std::size_t before = rows_solved;
     world_.step(solver_, dt_, sweeps_);
     rows_solved_ += rows_solved - before;
   }
-  Eigen::Vector3d place(std::size_t body) const override {
-    return world_.bodies[body].position.template cast<double>();
-  }
+  Eigen::Vector3d place(std::size_t body) const override { return world_.bodies[body].position.cast<double>(); }
   std::optional<double> row_solves() const override {
-    if (solves_systems) return {};
+    if (!counts_rows_) return {};
     return static_cast<double>(rows_solved_);
   }
 
  private:
-  static constexpr bool solves_systems =
-      std::derived_from<ContactSolver, WarmGlobalSolve> || std::derived_from<ContactSolver, GlobalJoints>;
-
   World world_;
-  ContactSolver solver_;
+  AnySolver solver_;
   Real dt_;
   int sweeps_;
+  bool counts_rows_;
   std::size_t rows_solved_ = 0;  // by this player's steps
 };
 
 template <class ContactSolver>
 Method method(const std::string& name, const std::string& title) {
+  const bool solves_systems =
+      std::derived_from<ContactSolver, WarmGlobalSolve> || std::derived_from<ContactSolver, GlobalJoints>;
+  ContactSolver solver;
+  if constexpr (std::is_same_v<ContactSolver, Slim> || std::is_same_v<ContactSolver, SlimCold>)
+    solver.slop = Real(1e-4);
+  // Bounces are compared at every speed.
+  if constexpr (requires { solver.threshold; }) solver.threshold = 0;
   return {
       .name = name,
       .title = title,
       .plays =
           [](const Motion& motion) { return motion.pins.empty() == !std::derived_from<ContactSolver, HoldsJoints>; },
-      .begin = [](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-        return std::make_unique<Ours<ContactSolver>>(motion, setting);
-      }};
+      .begin = [any = AnySolver(solver), solves_systems](const Motion& motion, const Setting& setting)
+          -> std::unique_ptr<Player> { return std::make_unique<Ours>(motion, setting, any, !solves_systems); }};
 }
 
 }  // namespace

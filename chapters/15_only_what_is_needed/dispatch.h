@@ -8,15 +8,25 @@
 
 namespace pushback {
 
-/// Calls `use(CalledFor<...>{})` with those of the questions to which the scene answers yes. Every combination is compiled.
+/// Whether the answer can be yes where those of `Called` are.
+template <class Question, class Called>
+constexpr bool possible = true;
+template <class Question, class Called>
+  requires requires { typename Question::only_if; }
+constexpr bool possible<Question, Called> = Called::template has<typename Question::only_if>;
+
+/// Calls `use(CalledFor<...>{})` with those of the questions to which the scene answers yes. Every possible
+/// combination is compiled.
 template <class Use, class... Yes>
 void with_answers(const World&, const Use& use, CalledFor<>, CalledFor<Yes...> called) {
   use(called);
 }
 template <class Use, class Question, class... Rest, class... Yes>
 void with_answers(const World& world, const Use& use, CalledFor<Question, Rest...>, CalledFor<Yes...>) {
-  if (Question::in(world).yes) with_answers(world, use, CalledFor<Rest...>{}, CalledFor<Yes..., Question>{});
-  else with_answers(world, use, CalledFor<Rest...>{}, CalledFor<Yes...>{});
+  if constexpr (possible<Question, CalledFor<Yes...>>) {
+    if (Question::in(world).yes) return with_answers(world, use, CalledFor<Rest...>{}, CalledFor<Yes..., Question>{});
+  }
+  with_answers(world, use, CalledFor<Rest...>{}, CalledFor<Yes...>{});
 }
 
 /// Of a solver what a scene calls for. To call it is an indirect call a step; its sweeps are compiled as ever.

@@ -1,7 +1,8 @@
 /// What a scene calls for, read off what is in it.
 ///
 /// Each question is a type, so that a program can be made of the answers. Whoever adds an effect adds its question here, or
-/// in a header of its own, and one word to EveryQuestion.
+/// in a header of its own, and one word to EveryQuestion. `only_if`: another question, before it there, without a yes to which
+/// the answer is no.
 #pragma once
 
 #include <string>
@@ -28,11 +29,13 @@ struct Holding {
 };
 /// Does a pair that can touch have e > 0?
 struct Bouncing {
+  using only_if = Touching;
   static constexpr const char* name = "restitution";
   static Answer in(const World& world);
 };
 /// Does a pair that can touch have mu > 0?
 struct Rubbing {
+  using only_if = Touching;
   static constexpr const char* name = "friction";
   static Answer in(const World& world);
 };

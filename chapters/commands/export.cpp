@@ -1,9 +1,8 @@
 /// ./course export: the contacts of one step of a scene, as a problem in a file for ./course solve.
-#include "pushback/chapters/09_joints/jointed_solver.h"
 #include "pushback/chapters/13_global_solve/matrix.h"
 #include "pushback/chapters/13_global_solve/problem_file.h"
-#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
 #include "pushback/chapters/catalogue.h"
+#include "pushback/chapters/catalogue/solvers.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/common/experiment/program.h"
@@ -17,7 +16,7 @@ constexpr Real dt = Real(1) / 60;
 /// `steps` steps with what the scene calls for; then the contacts of the next, as its solver would find them.
 ContactProblem problem_after(const NamedScene& scene, int steps, World& world) {
   scene.fill(world);
-  OnlyWhatIsNeeded needed(world, JointedSolver{});
+  OnlyWhatIsNeeded needed = solver_named("07 warm start").fitting(world, {});
   for (int step = 0; step < steps; ++step) needed.step(world, dt);
   world.begin_step(dt);
   if (world.contacts.empty())

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 
@@ -75,6 +76,45 @@ Variant& Experiment::add_variant(const std::string& name) {
   Variant& added = variants_.emplace_back();
   added.name = name;
   added.scene = acts_.size() - 1;
+  return added;
+}
+
+namespace {
+
+/// Stands where the solver would, so that the clock runs for it alone.
+struct Watched : StepSolver {
+  AnySolver& solver;
+  Sample& sample;
+
+  Watched(AnySolver& its_solver, Sample& its_sample) : solver(its_solver), sample(its_sample) {}
+  void check(World& world, Real dt) { solver.check(world, dt); }
+  void solve(World& world, Real dt, int sweeps) {
+    timed([&] { solver.solve(world, dt, sweeps); });
+    const AnySolver::Solved solved = solver.solved();
+    sample.rows = solved.rows;
+    sample.residual = solved.residual;
+  }
+  void after_move(World& world, Real dt) {
+    timed([&] { solver.after_move(world, dt); });
+  }
+
+  template <class Work>
+  void timed(const Work& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    sample.solver_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+};
+
+}  // namespace
+
+Variant& Experiment::variant(const std::string& name, AnySolver solver) {
+  Variant& added = add_variant(name);
+  added.check = [solver](World& world, Real dt) mutable { solver.check(world, dt); };
+  added.step = [solver](World& world, Real dt, int sweeps, Sample& sample) mutable {
+    Watched watched(solver, sample);
+    world.step(watched, dt, sweeps);
+  };
   return added;
 }
 

@@ -14,8 +14,6 @@
 /// SCENE_VARIANT/frame_0000.png and on.
 #pragma once
 
-#include <algorithm>
-#include <chrono>
 #include <deque>
 #include <filesystem>
 #include <functional>
@@ -28,6 +26,7 @@
 #include "pushback/common/experiment/parameter.h"
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/experiment/scene.h"
+#include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 
@@ -113,8 +112,7 @@ class Experiment {
   /// What follows, up to the next scene, belongs to this one.
   void scene(Scene scene);
   /// A solver to watch on the latest scene: anything that World::step takes.
-  template <std::derived_from<StepSolver> ContactSolver>
-  Variant& variant(const std::string& name, ContactSolver solver);
+  Variant& variant(const std::string& name, AnySolver solver);
   /// What moves the scene's bodies on in a way of its own, and returns how many rows that took. A copy of it plays the scene.
   Variant& motion(const std::string& name, std::function<std::size_t(World&, Real dt, int sweeps)> step);
   /// A quantity to record after every step and to plot against time, for the latest scene. The first is the one that
@@ -194,48 +192,5 @@ class Experiment {
   std::vector<std::string> only_;
   bool no_images_ = false, no_study_ = false, list_ = false, list_parameters_ = false;
 };
-
-/// Stands where the solver would, so that the clock runs for it alone.
-template <class ContactSolver>
-struct Watched : StepSolver {
-  ContactSolver& solver;
-  Sample& sample;
-
-  Watched(ContactSolver& its_solver, Sample& its_sample) : solver(its_solver), sample(its_sample) {}
-  void check(World& world, Real dt) { solver.check(world, dt); }
-  void solve(World& world, Real dt, int sweeps) {
-    timed([&] { solver.solve(world, dt, sweeps); });
-    if constexpr (requires { solver.rows(); }) {
-      sample.rows = static_cast<int>(solver.rows().size());
-      sample.residual = 0;
-      for (const auto& row : solver.rows()) sample.residual = std::max(sample.residual, row.error());
-    }
-    if constexpr (requires { solver.joint_rows(); }) {
-      sample.rows += static_cast<int>(solver.joint_rows().size());
-      for (const auto& row : solver.joint_rows()) sample.residual = std::max(sample.residual, row.error());
-    }
-  }
-  void after_move(World& world, Real dt) {
-    timed([&] { solver.after_move(world, dt); });
-  }
-
-  template <class Work>
-  void timed(const Work& work) {
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    sample.solver_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  }
-};
-
-template <std::derived_from<StepSolver> ContactSolver>
-Variant& Experiment::variant(const std::string& name, ContactSolver solver) {
-  Variant& added = add_variant(name);
-  added.check = [solver](World& world, Real dt) mutable { solver.check(world, dt); };
-  added.step = [solver](World& world, Real dt, int sweeps, Sample& sample) mutable {
-    Watched<ContactSolver> watched(solver, sample);
-    world.step(watched, dt, sweeps);
-  };
-  return added;
-}
 
 }  // namespace pushback

@@ -71,10 +71,29 @@ sources "include(FetchContent)" "FetchContent_Declare(pushback SOURCE_DIR $scrat
 way=find_package
 cmake --install "$built" --prefix "$scratch/prefix" >log 2>&1 || { cat log; wrong "nothing can be installed"; }
 [[ ! -e prefix/include/common ]] || wrong "headers are installed beside those of others"
-configure "$(grep -o '^find_package([^)]*)' <<<"$ways")" "$link"
+mkdir "$way"
+cat >"$way/chapters.cpp" <<END  # what the libraries of chapters 07, 13 and 15 have to say of a stack
+#include "pushback/chapters/07_warm_start/flat.h"
+#include "pushback/chapters/13_global_solve/best.h"
+#include "pushback/chapters/13_global_solve/matrix.h"
+#include "pushback/chapters/15_only_what_is_needed/questions.h"
+#include "pushback/common/world/situations.h"
+using namespace pushback;
+int main() {
+  World world;
+  stack(world, 3);
+  FlatSolver solver;
+  for (int i = 0; i < 60; ++i) world.step(solver, Real(1) / 60);
+  world.begin_step(Real(1) / 60);
+  return solve_best(problem_of(world)).residual < 1e-9 && Rubbing::in(world).yes ? 0 : 1;
+}
+END
+configure "$(grep -o '^find_package([^)]*)' <<<"$ways")" "$link" "add_executable(chapters chapters.cpp)" \
+  "target_link_libraries(chapters pushback::flat_solver pushback::global_solve pushback::only_what_is_needed)"
 its_own_code
 ! grep -q "$root" "$way/build/compile_commands.json" || wrong "its program is compiled with what is not installed"
 cmake --build "$way/build" -j 2 >log 2>&1 || { cat log; wrong "it cannot be built"; }
 "$way/build/my_program" --no-images --seconds 0.5 --out renders >log 2>&1 || { cat log; wrong "its program does not run"; }
+"$way/build/chapters" || wrong "a stack of three is not solved, or nothing rubs in it"
 grep -q '^| all seven chapters | ' renders/my_experiment/numbers.md || wrong "its program left no numbers behind"
 echo "all as expected"

@@ -1,0 +1,84 @@
+#include "pushback/chapters/catalogue/solvers.h"
+
+#include <cxxabi.h>
+#include <fmt/format.h>
+
+#include "pushback/chapters/00_naive_impulses/naive.h"
+#include "pushback/chapters/05_restitution/in_turn.h"
+#include "pushback/chapters/11_position_correction/nonlinear_gauss_seidel.h"
+#include "pushback/chapters/11_position_correction/split_impulse.h"
+#include "pushback/chapters/12_small_steps/steady_solver.h"
+#include "pushback/chapters/13_global_solve/global_joints.h"
+#include "pushback/chapters/catalogue/compiled.h"
+#include "pushback/common/basics/input.h"
+
+namespace pushback {
+
+namespace {
+
+template <class ContactSolver>
+NamedSolver sweeping(const char* name, const char* what) {
+  return {name, what, 1, 10, Compiled<ContactSolver>::solver(), Compiled<ContactSolver>::fitting};
+}
+template <class ContactSolver>
+NamedSolver stepping(const char* name, const char* what) {
+  return {name, what, 32, 1, Compiled<ContactSolver>::solver(), Compiled<ContactSolver>::fitting};
+}
+
+}  // namespace
+
+// Before warm starting, joints have none either; from there on they keep their push apart. Scenes without joints move in
+// the same bits as without the effect.
+const std::vector<NamedSolver>& all_solvers() {
+  static const std::vector<NamedSolver> all{
+      sweeping<NaiveAveraged>("00 naive", "one impulse a pair, no sums"),
+      sweeping<Solver<Joints>>("01 velocity", "J V = 0 for contacts and joints, 10 sweeps"),
+      sweeping<Solver<Joints, Clamping>>("02 clamping", "+ the sum never pulls"),
+      sweeping<Solver<Joints, Clamping, Baumgarte>>("03 Baumgarte", "+ overlap fed back"),
+      sweeping<Solver<Joints, Clamping, Baumgarte, Slop>>("04 slop", "+ 5 mm left alone"),
+      sweeping<Solver<Joints, Clamping, Baumgarte, Slop, Restitution>>("05 restitution", "+ bounce"),
+      sweeping<Solver<Joints, Clamping, Baumgarte, Slop, Restitution, Friction>>("06 friction", "+ friction"),
+      sweeping<JointedSolver>("07 warm start", "+ last step's impulses: the full solver; joints keep their push apart"),
+      sweeping<Solver<SplitJoints, Clamping, Baumgarte, Slop, RestitutionFromSurface, Friction, WarmStart>>(
+          "05 from surface", "the full solver, bounces reckoned from the surface"),
+      sweeping<Solver<SplitJoints, Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>(
+          "08 friction cone", "the full solver with a cone of friction"),
+      sweeping<CorrectingSolver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, Friction, WarmStart>>(
+          "11 split impulse", "the full solver, overlap corrected by pseudo-velocities in the place of Baumgarte"),
+      sweeping<CorrectingSolver<SplitJoints, Clamping, NonlinearGaussSeidel, Slop, Restitution, Friction, WarmStart>>(
+          "11 non-linear Gauss-Seidel", "the full solver, positions corrected contact by contact, not by Baumgarte"),
+      stepping<JointedSolver>("12 small steps", "the full solver, 32 small steps of one sweep"),
+      stepping<Solver<SplitJoints, Clamping, Baumgarte, Slop, ImpactsInTurn, Friction, ScaledWarmStart>>(
+          "05 in turn", "12 small steps with impacts in turn and a scaled guess"),
+      stepping<RelaxingSolver<SplitJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>(
+          "12 soft contacts", "soft contacts and a relaxing pass, 32 small steps of one sweep"),
+      stepping<RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>(
+          "12 joints 20 times", "12 soft contacts with 20 passes over the joints in each sweep"),
+      stepping<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, GlobalJoints>>(
+          "13 direct joint solve", "12 soft contacts with all joints solved at once in each sweep, without a guess"),
+      stepping<SteadyJointedSolver>(
+          "all together",
+          "soft contacts, a cone, impacts at once, a scaled guess; 32 small steps of one sweep, 20 over joints"),
+  };
+  return all;
+}
+
+std::string NamedSolver::made_of() const {
+  const std::unique_ptr<char, decltype(&std::free)> type(
+      abi::__cxa_demangle(solver.type().name(), nullptr, nullptr, nullptr), std::free);
+  std::string words = type.get();
+  const std::string ours = "pushback::";
+  for (std::size_t at = 0; (at = words.find(ours, at)) != std::string::npos;) words.erase(at, ours.size());
+  return words;
+}
+
+const NamedSolver& solver_named(const std::string& name) {
+  std::string names;
+  for (const NamedSolver& solver : all_solvers()) {
+    if (solver.name == name) return solver;
+    names += (names.empty() ? "" : ", ") + solver.name;
+  }
+  throw InvalidInput(fmt::format("solver is '{}': one of these is needed: {}", name, names));
+}
+
+}  // namespace pushback
