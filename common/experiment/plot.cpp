@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <stdexcept>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/common/basics/process.h"
 
 namespace pushback {
 
@@ -79,11 +79,10 @@ void write_plot(const std::filesystem::path& file, const std::vector<Panel>& pan
   for (std::size_t i = 0; i < panels.size(); ++i) script += script_of(panels[i], i);
   script += "unset multiplot\nset output\n";
 
-  std::FILE* gnuplot = popen("gnuplot", "w");
-  if (gnuplot == nullptr)
-    throw std::runtime_error("gnuplot could not be started: is the package gnuplot-nox installed?");
-  std::fwrite(script.data(), 1, script.size(), gnuplot);
-  if (pclose(gnuplot) != 0) throw std::runtime_error(fmt::format("gnuplot could not draw {}", file.string()));
+  const Ended gnuplot = run_program({"gnuplot"}, 120, script);
+  if (gnuplot.status == 127) throw std::runtime_error("gnuplot is not found: is the package gnuplot-nox installed?");
+  if (gnuplot.status != 0)
+    throw std::runtime_error(fmt::format("gnuplot could not draw {}: {}", file.string(), gnuplot.err));
   std::error_code error;
   std::filesystem::rename(unfinished, file, error);
   if (error) throw InvalidInput(fmt::format("plot '{}' cannot be written: {}", file.string(), error.message()));

@@ -38,21 +38,6 @@ int height_of(const SheetGroup& group) {
 
 }  // namespace
 
-std::vector<std::string> wrapped(std::string text, float size, int width, bool bold) {
-  std::vector<std::string> lines;
-  while (!text.empty()) {
-    std::size_t end = text.size();
-    while (end > 0 && text_width(text.substr(0, end), size, bold) > width) {
-      const std::size_t space = text.rfind(' ', end - 1);
-      if (space == std::string::npos || space == 0) break;
-      end = space;
-    }
-    lines.push_back(text.substr(0, end));
-    text.erase(0, std::min(text.size(), end + 1));
-  }
-  return lines;
-}
-
 Image make_thumbnail(const SheetGroup& group) {
   constexpr int between = 4;
   const Image& first = group.rows.front().cells.back();
@@ -61,8 +46,8 @@ Image make_thumbnail(const SheetGroup& group) {
   const int count = static_cast<int>(std::min<std::size_t>(group.rows.size(), 3));
   Image thumbnail(3 * wide + 2 * between, high, 255);
   for (int i = 0; i < count; ++i) {
-    const Image cell = resized(group.rows[static_cast<std::size_t>(i)].cells.back(), wide, high);
-    paste(cell, thumbnail, i * (wide + between) + (3 - count) * (wide + between) / 2, 0);
+    const int x = i * (wide + between) + (3 - count) * (wide + between) / 2;
+    paste(group.rows[static_cast<std::size_t>(i)].cells.back(), thumbnail, x, 0, wide, high);
   }
   return thumbnail;
 }

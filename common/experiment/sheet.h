@@ -33,9 +33,6 @@ struct SheetLegend {
   std::string text;
 };
 
-/// `text` broken at spaces into lines of `width` pixels; a word that is longer stays whole.
-std::vector<std::string> wrapped(std::string text, float size, int width, bool bold = false);
-
 /// The sheet in brief, for a table of contents: how each of the first three variants ends, side by side.
 Image make_thumbnail(const SheetGroup& group);
 

@@ -1,190 +1,183 @@
 #include "pushback/common/render/canvas.h"
 
-#include <stb/stb_truetype.h>
+#include <fontconfig/fontconfig.h>
+#include <pango/pangocairo.h>
+#include <pango/pangofc-fontmap.h>
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
-#include <fstream>
-#include <iterator>
+#include <memory>
+#include <numbers>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "pushback/common/basics/input.h"
 
 namespace pushback {
 namespace {
 
-/// Text looks too heavy where coverage is mixed in sRGB levels and too thin where it is mixed in linear light: this
-/// lies between the two.
-constexpr float text_gamma = 1.4f;
+template <auto free>
+struct Freeing {
+  void operator()(auto* what) const { free(what); }
+};
+template <class T, auto free = g_object_unref>
+using Held = std::unique_ptr<T, Freeing<free>>;
+using Pen = Held<cairo_t, cairo_destroy>;
+using Surface = Held<cairo_surface_t, cairo_surface_destroy>;
 
-class Font {
- public:
-  explicit Font(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    bytes_.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-    const auto* start = reinterpret_cast<const unsigned char*>(bytes_.data());
-    if (bytes_.empty() || !stbtt_InitFont(&info, start, stbtt_GetFontOffsetForIndex(start, 0))) {
-      throw std::runtime_error("the font " + file + " cannot be read");
+// Cairo's pixels are blue, green, red and a byte without meaning, ours begin with red. It treats colours alike, so it may
+// take one for the other as long as all of them, those of inks as well, are given to it in our order.
+static_assert(std::endian::native == std::endian::little);
+
+/// On the image's own pixels; cairo has no surface that cannot be drawn on, and so takes none that is const.
+Surface surface_of(const Image& image) {
+  return Surface(cairo_image_surface_create_for_data(const_cast<unsigned char*>(image.pixels.data()),
+                                                     CAIRO_FORMAT_RGB24, image.width, image.height, 4 * image.width));
+}
+
+Pen pen_on(Image& image, Ink ink = {}, double opacity = 1) {
+  Pen pen(cairo_create(surface_of(image).get()));
+  cairo_set_source_rgba(pen.get(), ink.blue / 255.0, ink.green / 255.0, ink.red / 255.0, opacity);
+  return pen;
+}
+
+// ---- text ------------------------------------------------------------------------------------------------------------
+
+/// DejaVu Sans in two weights from the files of its package: what else is installed or set up on a machine, and which
+/// language it speaks, changes no letter.
+PangoContext* typesetter() {
+  static const Held<PangoContext> context = [] {
+    const Held<FcConfig, FcConfigDestroy> fonts(FcConfigCreate());
+    std::string bold = PUSHBACK_FONT;
+    bold.insert(bold.rfind('.'), "-Bold");
+    for (const std::string& file : {std::string(PUSHBACK_FONT), bold}) {
+      if (!FcConfigAppFontAddFile(fonts.get(), reinterpret_cast<const FcChar8*>(file.c_str())))
+        throw std::runtime_error("the font " + file + " cannot be read");
     }
-  }
-  Font(const Font&) = delete;
-  Font& operator=(const Font&) = delete;
-
-  stbtt_fontinfo info{};
-
- private:
-  std::vector<char> bytes_;  // `info` points into them
-};
-
-const Font& font(bool bold) {
-  if (bold) {
-    static const Font heavy = [] {
-      std::string file = PUSHBACK_FONT;
-      file.insert(file.rfind('.'), "-Bold");
-      return Font(file);
-    }();
-    return heavy;
-  }
-  static const Font regular(PUSHBACK_FONT);
-  return regular;
+    const Held<PangoFontMap> map(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
+    pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map.get()), fonts.get());
+    Held<PangoContext> made(pango_font_map_create_context(map.get()));
+    const Held<cairo_font_options_t, cairo_font_options_destroy> options(cairo_font_options_create());
+    cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+    pango_cairo_context_set_font_options(made.get(), options.get());
+    pango_context_set_round_glyph_positions(made.get(), FALSE);
+    pango_context_set_language(made.get(), pango_language_from_string("en"));
+    return made;
+  }();
+  return context.get();
 }
 
-/// Takes one character off the front; what is not UTF-8 gives U+FFFD, a byte at a time.
-int next_character(std::string_view& text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  const unsigned lead = byte(0);
-  const std::size_t length = lead < 0x80 ? 1 : lead >> 5 == 0x6 ? 2 : lead >> 4 == 0xE ? 3 : lead >> 3 == 0x1E ? 4 : 0;
-  unsigned character = length == 1 ? lead : lead & (0x7Fu >> length);
-  bool valid = length > 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    valid = valid && byte(i) >> 6 == 0x2;
-    character = character << 6 | (byte(i) & 0x3Fu);
-  }
-  constexpr std::array<unsigned, 5> least = {0, 0, 0x80, 0x800, 0x10000};  // fewer bytes would have done: not UTF-8
-  valid = valid && character >= least[length] && character <= 0x10FFFF;
-  text.remove_prefix(valid ? length : 1);
-  return valid ? static_cast<int>(character) : 0xFFFD;
-}
-
-struct Glyph {
-  int index;
-  float x;  // pixels from the start of the text
-};
-
-struct Line {
-  std::vector<Glyph> glyphs;
-  float width = 0;  // pixels
-};
-
-Line set_line(const stbtt_fontinfo& info, std::string_view text, float scale) {
-  Line line;
-  int previous = -1;
-  while (!text.empty()) {
-    const int glyph = stbtt_FindGlyphIndex(&info, next_character(text));  // 0, a box, where the font lacks it
-    int advance = 0, bearing = 0;
-    stbtt_GetGlyphHMetrics(&info, glyph, &advance, &bearing);
-    if (previous >= 0) line.width += scale * static_cast<float>(stbtt_GetGlyphKernAdvance(&info, previous, glyph));
-    line.glyphs.push_back({glyph, line.width});
-    line.width += scale * static_cast<float>(advance);
-    previous = glyph;
-  }
-  return line;
-}
-
-float scale_of(const stbtt_fontinfo& info, float size) {
+Held<PangoLayout> laid_out(std::string_view text, float size, bool bold) {
   if (!(size > 0) || !(size <= 4096))
     throw InvalidInput(fmt::format("text of {} pixels is asked for: more than 0 and at most 4096", size));
-  return stbtt_ScaleForPixelHeight(&info, size);
+  constexpr double ems = 2384.0 / 2048;  // from ascender to descender
+  Held<PangoLayout> layout(pango_layout_new(typesetter()));
+  const Held<PangoFontDescription, pango_font_description_free> font(
+      pango_font_description_from_string(bold ? "DejaVu Sans Bold" : "DejaVu Sans"));
+  pango_font_description_set_absolute_size(font.get(), size / ems * PANGO_SCALE);
+  pango_layout_set_font_description(layout.get(), font.get());
+  const Held<char, g_free> valid(g_utf8_make_valid(text.data(), static_cast<gssize>(text.size())));
+  pango_layout_set_text(layout.get(), valid.get(), -1);
+  return layout;
 }
 
-std::array<std::uint8_t, 3> levels(Ink ink) {
-  return {ink.red, ink.green, ink.blue};
-}
-
-void mix_level(std::uint8_t& below, std::uint8_t above, float share) {
-  below = static_cast<std::uint8_t>(static_cast<float>(below) +
-                                    share * (static_cast<float>(above) - static_cast<float>(below)) + 0.5f);
-}
-
-void mix_text(std::uint8_t& below, std::uint8_t above, float share) {
-  const float a = std::pow(static_cast<float>(below) / 255, text_gamma),
-              b = std::pow(static_cast<float>(above) / 255, text_gamma);
-  below = static_cast<std::uint8_t>(255 * std::pow(a + share * (b - a), 1 / text_gamma) + 0.5f);
-}
-
-bool inside(const Image& image, int x, int y) {
-  return x >= 0 && y >= 0 && x < image.width && y < image.height;
+double width_of(const Held<PangoLayout>& layout) {
+  int width = 0;
+  pango_layout_get_size(layout.get(), &width, nullptr);
+  return static_cast<double>(width) / PANGO_SCALE;
 }
 
 }  // namespace
 
 void write_text(Image& image, std::string_view text, int x, int y, float size, Ink ink, Align align, bool bold) {
-  const stbtt_fontinfo& info = font(bold).info;
-  const float scale = scale_of(info, size);
-  const Line line = set_line(info, text, scale);
-  const float start = static_cast<float>(x) - (align == Align::left     ? 0
-                                               : align == Align::centre ? line.width / 2
-                                                                        : line.width);
-  const std::array<std::uint8_t, 3> above = levels(ink);
-  std::vector<unsigned char> coverage;
-  for (const Glyph& glyph : line.glyphs) {
-    const float place = start + glyph.x;
-    const float whole = std::floor(place);
-    int left = 0, top = 0, right = 0, bottom = 0;
-    stbtt_GetGlyphBitmapBoxSubpixel(&info, glyph.index, scale, scale, place - whole, 0, &left, &top, &right, &bottom);
-    const int width = right - left, height = bottom - top;
-    if (width <= 0 || height <= 0) continue;  // a space
-    coverage.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-    stbtt_MakeGlyphBitmapSubpixel(&info, coverage.data(), width, height, width, scale, scale, place - whole, 0,
-                                  glyph.index);
-    for (int row = 0; row < height; ++row) {
-      for (int column = 0; column < width; ++column) {
-        const int to_x = static_cast<int>(whole) + left + column, to_y = y + top + row;
-        const unsigned char share = coverage[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                                             static_cast<std::size_t>(column)];
-        if (share == 0 || !inside(image, to_x, to_y)) continue;
-        std::uint8_t* pixel = image.at(to_x, to_y);
-        for (std::size_t i = 0; i < 3; ++i) mix_text(pixel[i], above[i], static_cast<float>(share) / 255);
-      }
-    }
-  }
+  const auto layout = laid_out(text, size, bold);
+  const double before = align == Align::left ? 0 : align == Align::centre ? width_of(layout) / 2 : width_of(layout);
+  const Pen pen = pen_on(image, ink);
+  cairo_move_to(pen.get(), x - before, y);
+  // As outlines: glyphs would be moved to whole pixels, and the gaps between them be uneven.
+  pango_cairo_layout_line_path(pen.get(), pango_layout_get_line_readonly(layout.get(), 0));
+  cairo_fill(pen.get());
 }
 
 int text_width(std::string_view text, float size, bool bold) {
-  const stbtt_fontinfo& info = font(bold).info;
-  return static_cast<int>(std::ceil(set_line(info, text, scale_of(info, size)).width));
+  return static_cast<int>(std::ceil(width_of(laid_out(text, size, bold))));
 }
 
-void fill_rectangle(Image& image, int x, int y, int width, int height, Ink ink, float opacity) {
-  const float share = std::clamp(opacity, 0.0f, 1.0f);
-  const std::array<std::uint8_t, 3> above = levels(ink);
-  const long long right = std::min<long long>(image.width, static_cast<long long>(x) + width);
-  const long long bottom = std::min<long long>(image.height, static_cast<long long>(y) + height);
-  for (int row = std::max(0, y); row < bottom; ++row) {
-    for (int column = std::max(0, x); column < right; ++column) {
-      for (std::size_t i = 0; i < 3; ++i) mix_level(image.at(column, row)[i], above[i], share);
-    }
+std::vector<std::string> wrapped(std::string_view text, float size, int width, bool bold) {
+  const auto layout = laid_out(text, size, bold);
+  pango_layout_set_width(layout.get(), width * PANGO_SCALE);
+  std::vector<std::string> lines;
+  for (int i = 0; !text.empty() && i < pango_layout_get_line_count(layout.get()); ++i) {
+    const PangoLayoutLine* line = pango_layout_get_line_readonly(layout.get(), i);
+    lines.emplace_back(pango_layout_get_text(layout.get()) + line->start_index, line->length);
+    if (lines.back().ends_with(' ')) lines.back().pop_back();
   }
+  return lines;
+}
+
+int missing_characters(std::string_view text, bool bold) {
+  return pango_layout_get_unknown_glyphs_count(laid_out(text, 20, bold).get());
+}
+
+// ---- shapes ----------------------------------------------------------------------------------------------------------
+
+void fill_rectangle(Image& image, int x, int y, int width, int height, Ink ink, float opacity) {
+  const Pen pen = pen_on(image, ink, opacity);
+  cairo_rectangle(pen.get(), x, y, width, height);
+  cairo_fill(pen.get());
 }
 
 void fill_disc(Image& image, float x, float y, float radius, Ink ink) {
-  if (!(radius > 0) || !std::isfinite(x) || !std::isfinite(y)) return;
-  const std::array<std::uint8_t, 3> above = levels(ink);
-  const auto clamp_to = [](float value, int side) {
-    return static_cast<int>(std::clamp(value, 0.0f, static_cast<float>(side)));
-  };
-  const int left = clamp_to(x - radius - 1, image.width), right = clamp_to(x + radius + 2, image.width);
-  const int top = clamp_to(y - radius - 1, image.height), bottom = clamp_to(y + radius + 2, image.height);
-  for (int row = top; row < bottom; ++row) {
-    for (int column = left; column < right; ++column) {
-      const float distance = std::hypot(static_cast<float>(column) + 0.5f - x, static_cast<float>(row) + 0.5f - y);
-      const float share = std::clamp(radius - distance + 0.5f, 0.0f, 1.0f);  // the edge is one pixel wide
-      for (std::size_t i = 0; i < 3; ++i) mix_text(image.at(column, row)[i], above[i], share);
-    }
-  }
+  const Pen pen = pen_on(image, ink);
+  cairo_arc(pen.get(), x, y, radius, 0, 2 * std::numbers::pi);
+  cairo_fill(pen.get());
+}
+
+void draw_line(Image& image, Spot from, Spot to, float width, Ink ink) {
+  const Pen pen = pen_on(image, ink);
+  cairo_set_line_width(pen.get(), width);
+  cairo_move_to(pen.get(), from.x, from.y);
+  cairo_line_to(pen.get(), to.x, to.y);
+  cairo_stroke(pen.get());
+}
+
+void draw_arrow(Image& image, Spot from, Spot to, float width, Ink ink) {
+  const double along = std::hypot(to.x - from.x, to.y - from.y);
+  const double head = std::min(5.0 * width, along);
+  if (!(along > 0)) return;
+  const Pen pen = pen_on(image, ink);
+  cairo_translate(pen.get(), from.x, from.y);
+  cairo_rotate(pen.get(), std::atan2(to.y - from.y, to.x - from.x));
+  cairo_rectangle(pen.get(), 0, -width / 2, along - head, width);
+  cairo_move_to(pen.get(), along, 0);
+  cairo_line_to(pen.get(), along - head, 0.4 * head);
+  cairo_line_to(pen.get(), along - head, -0.4 * head);
+  cairo_fill(pen.get());
+}
+
+// ---- other images ----------------------------------------------------------------------------------------------------
+
+void paste(const Image& from, Image& onto, int x, int y, int width, int height, float opacity) {
+  const Pen pen = pen_on(onto);
+  cairo_rectangle(pen.get(), x, y, width, height);
+  cairo_clip(pen.get());
+  cairo_translate(pen.get(), x, y);
+  cairo_scale(pen.get(), static_cast<double>(width) / from.width, static_cast<double>(height) / from.height);
+  cairo_set_source_surface(pen.get(), surface_of(from).get(), 0, 0);
+  cairo_pattern_set_extend(cairo_get_source(pen.get()), CAIRO_EXTEND_PAD);  // or the edges would pale
+  cairo_paint_with_alpha(pen.get(), opacity);
+}
+
+void paste(const Image& from, Image& onto, int x, int y) {
+  paste(from, onto, x, y, from.width, from.height);
+}
+
+Image resized(const Image& image, int width, int height) {
+  Image result(width, height);
+  paste(image, result, 0, 0, width, height);
+  return result;
 }
 
 }  // namespace pushback

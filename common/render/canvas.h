@@ -1,7 +1,9 @@
-/// Text and simple shapes on an image.
+/// Text, shapes and other images on an image, by Cairo and Pango.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "pushback/common/render/image.h"
 
@@ -12,6 +14,11 @@ struct Ink {
   std::uint8_t red = 30, green = 34, blue = 42;
 };
 
+/// Pixels from the top left corner of the image, to the right and down.
+struct Spot {
+  double x = 0, y = 0;
+};
+
 enum class Align { left, centre, right };
 
 /// Writes one line of UTF-8 text in DejaVu Sans with its baseline at (x, y), `size` pixels from ascender to descender;
@@ -20,7 +27,22 @@ void write_text(Image& image, std::string_view text, int x, int y, float size, I
                 bool bold = false);
 /// Width in pixels that write_text would cover.
 int text_width(std::string_view text, float size, bool bold = false);
+/// `text` in lines of `width` pixels, broken where words end; a word that is longer stays whole.
+std::vector<std::string> wrapped(std::string_view text, float size, int width, bool bold = false);
+/// How many characters the font lacks.
+int missing_characters(std::string_view text, bool bold = false);
+
 void fill_rectangle(Image& image, int x, int y, int width, int height, Ink ink, float opacity = 1);
 void fill_disc(Image& image, float x, float y, float radius, Ink ink);
+void draw_line(Image& image, Spot from, Spot to, float width, Ink ink);
+/// Its head ends at `to`.
+void draw_arrow(Image& image, Spot from, Spot to, float width, Ink ink);
+
+/// Draws `from` on `onto`, its top left corner at (x, y), scaled to a width and a height; what sticks out is cut off.
+void paste(const Image& from, Image& onto, int x, int y, int width, int height, float opacity = 1);
+/// In the size that it has.
+void paste(const Image& from, Image& onto, int x, int y);
+/// The image at another size.
+Image resized(const Image& image, int width, int height);
 
 }  // namespace pushback

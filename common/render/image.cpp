@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <climits>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -13,7 +12,6 @@
 #include <system_error>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/common/render/light.h"
 
 namespace pushback {
 namespace {
@@ -56,36 +54,19 @@ class Draft {
   bool kept_ = false;
 };
 
-/// Which old pixels a new one covers along one axis, and how much of it each of them makes up.
-struct Cover {
-  int first = 0;
-  std::vector<float> shares;  // their sum is 1
-};
-
-std::vector<Cover> covers(int before, int after) {
-  std::vector<Cover> all(static_cast<std::size_t>(after));
-  const double step = static_cast<double>(before) / after;
-  for (int i = 0; i < after; ++i) {
-    const double low = i * step, high = (i + 1) * step;
-    Cover& cover = all[static_cast<std::size_t>(i)];
-    cover.first = std::min(static_cast<int>(low), before - 1);
-    for (int k = cover.first; k < before && (k < high || cover.shares.empty()); ++k) {
-      const double share = (std::min<double>(high, k + 1) - std::max<double>(low, k)) / step;
-      cover.shares.push_back(static_cast<float>(std::max(share, 0.0)));
-    }
-  }
-  return all;
-}
-
 }  // namespace
 
 Image::Image(int wide, int high, std::uint8_t level) : width(wide), height(high) {
   require_size(wide, high);
-  pixels.assign(3 * static_cast<std::size_t>(wide) * static_cast<std::size_t>(high), level);
+  pixels.assign(4 * static_cast<std::size_t>(wide) * static_cast<std::size_t>(high), level);
 }
 
 void write_png(const std::filesystem::path& file, const Image& image) {
   require_size(image.width, image.height);
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(image.pixels.size() / 4 * 3);
+  for (auto pixel = image.pixels.begin(); pixel != image.pixels.end(); pixel += 4)
+    rgb.insert(rgb.end(), pixel, pixel + 3);
   stbi_write_force_png_filter = 0;  // half the time for a few percent more bytes
   std::vector<char> bytes;
   const auto gather = [](void* to, void* data, int count) {
@@ -93,7 +74,7 @@ void write_png(const std::filesystem::path& file, const Image& image) {
     auto& all = *static_cast<std::vector<char>*>(to);
     all.insert(all.end(), start, start + count);
   };
-  if (!stbi_write_png_to_func(gather, &bytes, image.width, image.height, 3, image.pixels.data(), 3 * image.width)) {
+  if (!stbi_write_png_to_func(gather, &bytes, image.width, image.height, 3, rgb.data(), 3 * image.width)) {
     throw std::bad_alloc();
   }
   Draft draft(file);
@@ -116,48 +97,10 @@ Image read_png(const std::filesystem::path& file) {
   }
   Image image(width, height);
   const std::unique_ptr<unsigned char, void (*)(void*)> levels(
-      stbi_load_from_memory(start, length, &width, &height, &channels, 3), stbi_image_free);
+      stbi_load_from_memory(start, length, &width, &height, &channels, 4), stbi_image_free);
   if (!levels) throw InvalidInput(fmt::format("{} cannot be read: {}", file.string(), stbi_failure_reason()));
   std::copy_n(levels.get(), image.pixels.size(), image.pixels.begin());
   return image;
-}
-
-Image resized(const Image& image, int width, int height) {
-  require_size(image.width, image.height);
-  Image result(width, height);
-  const std::vector<Cover> columns = covers(image.width, width), rows = covers(image.height, height);
-  std::vector<float> line(3 * static_cast<std::size_t>(image.width));  // the covered rows, averaged
-  for (int y = 0; y < height; ++y) {
-    std::fill(line.begin(), line.end(), 0.0f);
-    const Cover& row = rows[static_cast<std::size_t>(y)];
-    for (std::size_t k = 0; k < row.shares.size(); ++k) {
-      const std::uint8_t* from = image.at(0, row.first + static_cast<int>(k));
-      for (std::size_t i = 0; i < line.size(); ++i) line[i] += row.shares[k] * linear_of(from[i]);
-    }
-    for (int x = 0; x < width; ++x) {
-      const Cover& column = columns[static_cast<std::size_t>(x)];
-      for (std::size_t channel = 0; channel < 3; ++channel) {
-        float light = 0;
-        for (std::size_t k = 0; k < column.shares.size(); ++k) {
-          light += column.shares[k] * line[3 * (static_cast<std::size_t>(column.first) + k) + channel];
-        }
-        result.at(x, y)[channel] = level_of(light);
-      }
-    }
-  }
-  return result;
-}
-
-void paste(const Image& from, Image& onto, int x, int y) {
-  const int left = std::max(0, x),
-            right = static_cast<int>(std::min<long long>(onto.width, static_cast<long long>(x) + from.width));
-  if (left >= right) return;
-  for (int row = 0; row < from.height; ++row) {
-    const long long target = static_cast<long long>(y) + row;
-    if (target < 0 || target >= onto.height) continue;
-    std::memcpy(onto.at(left, static_cast<int>(target)), from.at(left - x, row),
-                3 * static_cast<std::size_t>(right - left));
-  }
 }
 
 }  // namespace pushback

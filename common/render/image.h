@@ -7,18 +7,18 @@
 
 namespace pushback {
 
-/// 8 bits each of red, green and blue (sRGB), rows from the top, no padding.
+/// 8 bits each of red, green and blue (sRGB) and 8 that mean nothing, rows from the top, no padding.
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> pixels;  ///< 3 * width * height
+  std::vector<std::uint8_t> pixels;  ///< 4 * width * height
 
   Image() = default;
   /// Filled with one grey level; white unless told. Throws InvalidInput where a side is below 1 or above 16384.
   Image(int wide, int high, std::uint8_t level = 255);
   std::uint8_t* at(int x, int y) {
     return pixels.data() +
-           3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+           4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
   }
   const std::uint8_t* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
 };
@@ -27,9 +27,5 @@ struct Image {
 void write_png(const std::filesystem::path& file, const Image& image);
 /// Throws InvalidInput, naming the file, where it cannot be read.
 Image read_png(const std::filesystem::path& file);
-/// The image at another size: an average over the pixels that each new one covers.
-Image resized(const Image& image, int width, int height);
-/// Copies `from` into `onto`, its top left corner at (x, y); what sticks out is cut off.
-void paste(const Image& from, Image& onto, int x, int y);
 
 }  // namespace pushback

@@ -301,12 +301,9 @@ Image Painter::draw(const Picture& picture) {
   glBlitFramebuffer(0, 0, state.width, state.height, 0, 0, state.width, state.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   state.read(state.levels);
   Image image(state.width, state.height);
-  for (int y = 0; y < state.height; ++y) {
-    const std::uint8_t* from =
-        &state.levels[4 * static_cast<std::size_t>(state.height - 1 - y) * static_cast<std::size_t>(state.width)];
-    std::uint8_t* to = image.at(0, y);
-    for (int x = 0; x < state.width; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
-  }
+  const std::size_t row = 4 * static_cast<std::size_t>(state.width);
+  for (int y = 0; y < state.height; ++y)
+    std::copy_n(&state.levels[row * static_cast<std::size_t>(state.height - 1 - y)], row, image.at(0, y));
   return image;
 }
 
@@ -326,7 +323,7 @@ Image Painter::draw_still(const Picture& picture, int passes) {
     float* to = light.data();
     for (int y = state.height - 1; y >= 0; --y) {
       const std::uint8_t* from = &state.levels[4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(state.width)];
-      for (int x = 0; x < state.width; ++x, from += 4, to += 3) {
+      for (int x = 0; x < state.width; ++x, from += 4, to += 4) {
         for (int i = 0; i < 3; ++i) to[i] += linear_of(from[i]);
       }
     }

@@ -1,5 +1,6 @@
 // Images, text, and what can be seen in a picture.
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -7,7 +8,8 @@
 #include <iterator>
 #include <limits>
 #include <string>
-#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/render/canvas.h"
@@ -39,7 +41,7 @@ int brightness(const Image& image, int x, int y) {
 int differences(const Image& a, const Image& b) {
   REQUIRE(a.pixels.size() == b.pixels.size());
   int count = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
+  for (std::size_t i = 0; i < a.pixels.size(); i += 4) {
     if (a.pixels[i] != b.pixels[i] || a.pixels[i + 1] != b.pixels[i + 1] || a.pixels[i + 2] != b.pixels[i + 2]) ++count;
   }
   return count;
@@ -68,7 +70,7 @@ TEST_CASE("a PNG gives back the pixels it was given") {
   const Image back = read_png(file);
   CHECK(back.width == 37);
   CHECK(back.height == 21);
-  CHECK(back.pixels == image.pixels);
+  CHECK(differences(back, image) == 0);
 }
 
 TEST_CASE("a PNG that cannot be written leaves nothing behind") {
@@ -114,14 +116,31 @@ TEST_CASE("impossible sizes are refused") {
   CHECK_THROWS_AS(resized(Image(3, 3), 0, 3), InvalidInput);
 }
 
-TEST_CASE("resizing averages light, and keeps an even image as it is") {
-  Image image(2, 2, 0);
-  for (int i = 0; i < 3; ++i) image.at(0, 0)[i] = image.at(1, 1)[i] = 255;
-  CHECK(resized(image, 1, 1).at(0, 0)[0] == 188);  // half the light, in sRGB
-  const Image even = resized(Image(7, 5, 97), 13, 3);
-  CHECK(even.width == 13);
-  CHECK(even.height == 3);
-  for (const std::uint8_t level : even.pixels) CHECK(level == 97);
+TEST_CASE("resizing averages levels, in each colour, and keeps an even image as it is") {
+  Image image(120, 80, 0);
+  for (int y = 0; y < 80; ++y) {
+    for (int x = 0; x < 120; ++x) {
+      image.at(x, y)[0] = (x + y) % 2 == 0 ? 255 : 0;
+      image.at(x, y)[1] = x < 60 ? 90 : 200;
+    }
+  }
+  const Image small = resized(image, 40, 30);
+  for (const int x : {0, 7, 18, 21, 39}) {
+    CHECK(small.at(x, 11)[0] == Approx(127.5).margin(20));
+    CHECK(small.at(x, 11)[1] == (x < 20 ? 90 : 200));
+    CHECK(small.at(x, 11)[2] == 0);
+  }
+  CHECK(differences(resized(Image(7, 5, 97), 13, 3), Image(13, 3, 97)) == 0);
+  CHECK(differences(resized(image, 120, 80), image) == 0);
+}
+
+TEST_CASE("an image drawn half through shows as much of what was there before") {
+  Image onto(20, 10, 100);
+  paste(Image(3, 3, 200), onto, 4, 2, 10, 6, 0.5f);
+  CHECK(onto.at(9, 5)[0] == Approx(150).margin(1));
+  CHECK(onto.at(4, 2)[2] == Approx(150).margin(1));  // up to its edges
+  CHECK(onto.at(13, 7)[1] == Approx(150).margin(1));
+  for (const auto& [x, y] : {std::pair(3, 5), {14, 5}, {9, 1}, {9, 8}}) CHECK(onto.at(x, y)[0] == 100);
 }
 
 TEST_CASE("pasting cuts off what sticks out") {
@@ -167,27 +186,66 @@ TEST_CASE("text off the image, or not UTF-8, does no harm") {
 }
 
 TEST_CASE("every sign that the sheets use is in the font, also in bold") {
-  const auto drawn = [](std::string_view sign, bool bold) {
-    Image image(60, 60);
-    write_text(image, sign, 15, 45, 40, {}, Align::left, bold);
-    return image;
-  };
   for (const bool bold : {false, true}) {
-    const Image missing = drawn("\U000F0000", bold);  // of private use: surely a box
-    REQUIRE(differences(missing, Image(60, 60)) > 0);
-    for (const char* sign :
-         {"‖", "λ", "ₙ", "⁻", "⁵", "Δ", "μ", "β", "θ", "√", "°", "·", "²", "×", "≤", "≥", "±", "→", "ω", "ε"}) {
+    CHECK(missing_characters("a\U000F0000", bold) == 1);  // of private use
+    for (const char* sign : {"‖", "λ", "ₙ", "⁻", "⁵", "Δ", "μ", "β", "θ", "√", "°", "·",
+                             "²", "×", "≤", "≥", "±", "→", "ω", "ε", "–", "✓", "✗", "★"}) {
       INFO(sign << (bold ? " in bold" : ""));
-      CHECK(differences(drawn(sign, bold), missing) > 0);
+      CHECK(missing_characters(sign, bold) == 0);
     }
   }
+}
+
+TEST_CASE("wrapped text is the same text, in lines that are as long as they may be") {
+  const std::string text = "each correction ≥ 0, a Donaudampfschiffahrtsgesellschaftskapitän, and the sum of it all";
+  for (const bool bold : {false, true}) {
+    for (const int width : {60, 150, 300, 2000}) {
+      std::string again;
+      const std::vector<std::string> lines = wrapped(text, 20, width, bold);
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        INFO(width << ": " << lines[i]);
+        again += (i == 0 ? "" : " ") + lines[i];
+        CHECK((text_width(lines[i], 20, bold) <= width || lines[i].find(' ') == std::string::npos));
+        if (i + 1 == lines.size()) continue;
+        const std::string next = lines[i + 1].substr(0, lines[i + 1].find(' '));
+        CHECK(text_width(lines[i] + " " + next, 20, bold) > width);
+      }
+      CHECK(again == text);
+    }
+  }
+  CHECK(wrapped("", 20, 100).empty());
+}
+
+TEST_CASE("text is written where its alignment says, also between pixels") {
+  const int width = text_width("impulse", 20);
+  const auto ink = [](const Image& image) {  // left, right, and all of it
+    std::array<double, 3> found{1e9, 0, 0};
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        const int dark = 765 - brightness(image, x, y);
+        if (dark > 60) found = {std::min<double>(found[0], x), std::max<double>(found[1], x), found[2]};
+        found[2] += dark;
+      }
+    }
+    return found;
+  };
+  std::vector<std::array<double, 3>> all;
+  for (const Align align : {Align::left, Align::centre, Align::right}) {
+    Image image(300, 40);
+    write_text(image, "impulse", 150, 30, 20, {}, align);
+    all.push_back(ink(image));
+    CHECK(all.back()[2] == Approx(all[0][2]).epsilon(0.01));  // outlines, not moved to whole pixels
+  }
+  CHECK(all[0][0] - all[1][0] == Approx(width / 2.0).margin(1));
+  CHECK(all[0][1] - all[2][1] == Approx(width).margin(1));
+  CHECK(all[2][1] <= 150);
 }
 
 TEST_CASE("rectangles and discs fill what they should") {
   Image image(20, 20);
   fill_rectangle(image, -5, 4, 10, 3, {0, 0, 0}, 0.5f);
-  CHECK(image.at(0, 4)[0] == 128);
-  CHECK(image.at(4, 6)[1] == 128);
+  CHECK(image.at(0, 4)[0] == Approx(127.5).margin(1));
+  CHECK(image.at(4, 6)[1] == Approx(127.5).margin(1));
   CHECK(image.at(5, 4)[0] == 255);
   CHECK(image.at(0, 7)[0] == 255);
   fill_disc(image, 14, 14, 4, {200, 0, 0});
@@ -195,6 +253,37 @@ TEST_CASE("rectangles and discs fill what they should") {
   CHECK(image.at(14, 14)[1] == 0);
   CHECK(image.at(10, 10)[1] == 255);  // a corner of the square around it
   fill_disc(image, 500, 500, 4, {});
+}
+
+TEST_CASE("a line and an arrow go from one point to the other, in their colour") {
+  Image image(40, 40);
+  draw_line(image, {4, 10}, {30, 10}, 2, {0, 100, 200});
+  for (const int x : {4, 17, 29}) {
+    CHECK((image.at(x, 10)[0] == 0 && image.at(x, 9)[1] == 100 && image.at(x, 10)[2] == 200));
+    CHECK((brightness(image, x, 8) == 765 && brightness(image, x, 11) == 765));
+  }
+  CHECK((brightness(image, 3, 10) == 765 && brightness(image, 30, 10) == 765));
+
+  // Down: shaft and head alike on both sides, the head wider, nothing behind its tip.
+  Image arrow(40, 40);
+  draw_arrow(arrow, {20, 4}, {20, 34}, 2, {0, 0, 0});
+  const auto dark = [&](int y) {
+    double sum = 0;
+    for (int x = 0; x < 40; ++x) sum += (765 - brightness(arrow, x, y)) / 765.0;
+    return sum;
+  };
+  CHECK(dark(3) == 0);
+  CHECK(dark(4) == Approx(2).margin(0.1));
+  CHECK(dark(20) == Approx(2).margin(0.1));
+  CHECK(dark(25) > 6);
+  CHECK((dark(33) > 0 && dark(33) < 1));
+  CHECK(dark(34) == 0);
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 20; ++x) CHECK(std::abs(brightness(arrow, x, y) - brightness(arrow, 39 - x, y)) <= 6);
+  }
+  Image none(9, 9);
+  draw_arrow(none, {4, 4}, {4, 4}, 2, {});
+  CHECK(differences(none, Image(9, 9)) == 0);
 }
 
 TEST_CASE("a red ball in front of the camera is red in the middle, with the background around it") {

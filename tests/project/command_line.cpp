@@ -328,8 +328,8 @@ TEST_CASE("options: --variants picks, --sweeps and --dt act") {
 
 TEST_CASE("with pictures: as many frames of each variant as asked for, of the size asked for, a sheet and a plot") {
   const Scratch scratch;
-  const Ended outcome = call("04_slop", "--seconds 0.2 --frames 3 --size 64x48 --variants slop-0-mm,slop-5-mm --out '" +
-                                            (scratch / "out").string() + "'");
+  const std::string asked = "--seconds 0.2 --frames 3 --size 64x48 --variants slop-0-mm,slop-5-mm --out ";
+  const Ended outcome = call("04_slop", asked + (scratch / "out").string());
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   const fs::path folder = scratch / "out" / "04_slop";
@@ -346,5 +346,14 @@ TEST_CASE("with pictures: as many frames of each variant as asked for, of the si
       ++frames;
     }
     CHECK(frames == 3);
+  }
+  // The same bytes again, whatever languages and fonts the machine is set up for.
+  const std::string program = (fs::path(CHAPTER_DIR) / "04_slop").string();
+  REQUIRE(call_program("/usr/bin/env", "LC_ALL=tr_TR.UTF-8 PANGO_LANGUAGE=ja FONTCONFIG_FILE=/dev/null '" + program +
+                                           "' " + asked + (scratch / "again").string())
+              .status == 0);
+  for (const std::string name : {"sheet.png", "thumbnail.png", "slop-5-mm/frame_0001.png"}) {
+    INFO(name);
+    CHECK(text_of(folder / name) == text_of(scratch / "again" / "04_slop" / name));
   }
 }

@@ -5,7 +5,7 @@ set -uo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-failures=0
+failures=0 listed=""
 
 mkdir -p "$scratch"/{bin,sub,home/build/release/chapters,home/build/release/tests/hard_cases,home/chapters/{03_three,04_four,10_ten}}
 cp "$root/course" "$root/CMakePresets.json" "$scratch/home"
@@ -19,7 +19,10 @@ done
 for tool in bash cat dirname env find fold grep mkdir nproc readlink rm sed sleep sort tail touch true; do
   ln -s "$(type -P $tool)" "$scratch/bin/$tool"
 done
-stand_in() { printf '#!/bin/sh\n%s\n' "$2" >"$scratch/bin/$1" && chmod +x "$scratch/bin/$1"; }
+stand_in() {  # removed first: writing through a link would change the system's own program
+  rm -f "$scratch/bin/$1"
+  printf '#!/bin/sh\n%s\n' "$2" >"$scratch/bin/$1" && chmod +x "$scratch/bin/$1"
+}
 printf '#!/bin/sh\necho "table: $*"\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_table"
 chmod +x "$scratch"/home/build/release/{chapters,tests/hard_cases}/*
 stand_in cmake 'echo "cmake $*"'
@@ -50,14 +53,15 @@ course && expect 0 "usage: ./course"
 course help && expect 0 "usage: ./course"
 
 # Slips of the hand.
-course rendr && expect 2 "unknown command 'rendr'; did you mean 'render'?" "the commands are: render test"
-course xyzzy && expect 2 "unknown command 'xyzzy'" && expect_not "did you mean"
+course rendr && expect 2 "unknown command 'rendr'" "the commands are: render test hard-cases"
 course render 09 && expect 2 "unknown chapter '09'" "the chapters are: 03_three 04_four 10_ten"
-course render forr && expect 2 "unknown chapter 'forr'; did you mean 'four'?"
-course test --lng && expect 2 "unknown option '--lng'; did you mean '--long'?"
+course render forr && expect 2 "unknown chapter 'forr'" "the chapters are: 03_three 04_four 10_ten"
+course test --lng && expect 2 "unknown option '--lng'" "the options are: --yes --preset --help --long" "./course test -- --lng"
 course render --beta 1 && expect 2 "unknown option '--beta'" "./course render -- --beta"
 course render --long && expect 2 "unknown option '--long'"
-course test --preset relase && expect 2 "unknown preset 'relase'; did you mean 'release'?"
+course study --quik && expect 2 "the options are: --yes --preset --help --quick --peers --keep"
+course clean --all && expect 2 "unknown option '--all'" && expect_not "handed on"
+course test --preset relase && expect 2 "unknown preset 'relase'" "the presets are: release debug sanitize ci clang odr"
 course test --preset && expect 2 "unknown preset ''"
 course clean up && expect 2 "'clean' takes no words"
 course clean -- up && expect 2 "'clean' hands no options on"
@@ -79,8 +83,7 @@ course render && expect 1 "04_four failed with exit status 3"
 # The hard cases: names and options go on to the program, and its exit status comes back.
 course hard-cases && expect 0 "cmake --build --preset release" "--target hard_cases_table" "table: " "took "
 course hard-cases stack-20 arch --quick -- --jobs 1 && expect 0 "table: --quick stack-20 arch --jobs 1"
-course hard-case && expect 2 "did you mean 'hard-cases'?"
-course hard-cases --quik && expect 2 "unknown option '--quik'; did you mean '--quick'?"
+course hard-cases --quik && expect 2 "unknown option '--quik'" "--quick"
 printf '#!/bin/sh\nexit 2\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_table"
 course hard-cases stak && expect 2 && expect_not "took"
 
@@ -96,6 +99,44 @@ course test 03 && expect 1 "no tests belong to 03" && expect_not "ctest"
 course test 99 && expect 2 "unknown chapter '99'" "the chapters are: 03_three 04_four 10_ten"
 stand_in ctest 'exit 8'
 course test && expect 8
+
+# The presets are those of CMakePresets.json.
+for name in $(cd "$root" && cmake --list-presets | sed -n 's/^  "\([^"]*\)".*/\1/p'); do
+  listed+=" $name"
+  course test --preset "$name" && expect_not "unknown preset"
+done
+course --help && expect 0 "another preset:$listed"$'\n'
+
+# clang-tidy: on what changed since a commit, for headers on a file that includes them; what changed last comes first.
+for tool in awk date git wc xargs; do ln -sf "$(type -P $tool)" "$scratch/bin/$tool"; done
+stand_in ninja 'for f in common/*/*.cpp chapters/*/main.cpp; do echo "$PWD/$f"; done'
+stand_in clang-tidy-19 'for last; do :; done; if grep "a finding" "$last"; then exit 1; fi'
+(
+  cd "$scratch/home" && mkdir -p common/a && export GIT_CONFIG_GLOBAL=/dev/null
+  git init -q -b main && git config user.name x && git config user.email x@x
+  commit() { git add common chapters && git commit -qm "$1"; }
+  for name in one two other; do touch common/a/$name.cpp common/a/$name.h; done
+  echo '#include "pushback/common/a/deep.h"' >common/a/one.h
+  echo '#include "pushback/common/a/one.h"' >chapters/04_four/main.cpp
+  touch common/a/deep.h chapters/03_three/main.cpp && commit first
+  git checkout -qb mine
+  echo "// 1" >>common/a/two.cpp && commit second
+  echo "// 2" >>common/a/deep.h && commit third
+  echo "// a finding" >>common/a/other.cpp
+)
+course tidy && expect 1 "3 files to look at for what changed since " "// a finding" "common/a/two.cpp: fine" "chapters/04_four/main.cpp: fine" "has found something"
+expect_not 03_three && expect_not "common/a/one.cpp"
+course tidy HEAD~1 && expect 1 "2 files to look at for what changed since HEAD~1" "// a finding" && expect_not "common/a/two.cpp"
+course tidy nowhere && expect 2 "unknown commit 'nowhere'"
+course tidy HEAD HEAD && expect 2 "'tidy' takes no words, but was given 'HEAD'"
+PUSHBACK_TIDY_SECONDS=0 course tidy && expect 0 "common/a/other.cpp: not looked at, for want of time" "./course check looks at all"
+[[ $output =~ other.cpp:.*04_four/main.cpp:.*two.cpp: ]] || { echo "not the newest first: $output"; failures=$((failures + 1)); }
+(cd "$scratch/home" && git checkout -q common && git checkout -q main)
+course tidy && expect 0 "5 files; ./course check" "03_three" "common/a/one.cpp: fine"  # nothing to compare with: all
+rm "$scratch"/bin/clang-tidy-19
+course tidy && expect 0 "there is no clang-tidy-19 here"
+rm -rf "$scratch/home/.git" "$scratch/home/common" "$scratch"/home/chapters/*/main.cpp
+stand_in git 'echo "git $*"'
 
 # Packages: nothing to do, apt as root, sudo, and the command to type where neither works.
 stand_in dpkg-query 'shift 3; for p; do [ "$p" = "$ABSENT" ] || printf " installed:%s " "$p"; done'

@@ -3,13 +3,11 @@
 ///
 /// PUSHBACK_STORE_IMAGES=1 stores what the chapters draw now. Look at every one of them before you commit it.
 #include <cstdlib>
-#include <filesystem>
 
-#include "pushback/common/render/image.h"
-#include "tests/support/catch.h"
+#include "pushback/common/render/canvas.h"
+#include "tests/support/call.h"
 
 using namespace pushback;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -37,13 +35,10 @@ Difference difference(const Image& a, const Image& b) {
 
 /// The sheet of a chapter, drawn small: the cells at half their size, the whole then 600 pixels wide.
 Image small_sheet(const std::string& chapter) {
-  const fs::path out = fs::temp_directory_path() / ("pushback_images_" + chapter);
-  fs::remove_all(out);
-  const std::string command =
-      std::string(CHAPTER_DIR) + "/" + chapter + " --size 176x99 --frames 0 --out " + out.string() + " > /dev/null";
-  REQUIRE(std::system(command.c_str()) == 0);
+  const Scratch out;
+  REQUIRE(call_program(fs::path(CHAPTER_DIR) / chapter, "--size 176x99 --frames 0 --out " + (out / "").string(), 0)
+              .status == 0);
   const Image sheet = read_png(out / chapter / "sheet.png");
-  fs::remove_all(out);
   return resized(sheet, 600, sheet.height * 600 / sheet.width);
 }
 

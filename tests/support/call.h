@@ -1,17 +1,17 @@
 /// Programs as they are called from a shell, and what they leave behind.
 #pragma once
 
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "pushback/common/basics/process.h"
 #include "tests/support/catch.h"
 
 namespace fs = std::filesystem;
@@ -42,32 +42,20 @@ class Scratch {
   fs::path folder_;
 };
 
-/// How a program ended.
-struct Ended {
-  int status = -1;  ///< as the shell would show it; -1 if something killed the program
-  std::string out, err;
-};
+using pushback::Ended;
+using pushback::lines_of;
 
-/// Runs a program. `arguments` are a line of shell, so quote what needs it. Nothing here may take `seconds`.
+/// Runs a program. `arguments` are divided at spaces; what stands in 'quotes' stays whole. Nothing here may take `seconds`.
 inline Ended call_program(const fs::path& program, const std::string& arguments, int seconds = 20) {
   if (!fs::exists(program)) FAIL("there is no program " << program.string() << ": build it first");
-  const Scratch scratch;
-  const std::string command = "timeout " + std::to_string(seconds) + " '" + program.string() + "' " + arguments +
-                              " >'" + (scratch / "out").string() + "' 2>'" + (scratch / "err").string() +
-                              "' </dev/null";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(scratch / "out"), text_of(scratch / "err")};
+  std::vector<std::string> command{program.string()};
+  std::istringstream in(arguments);
+  for (std::string word; in >> std::quoted(word, '\'');) command.push_back(word);
+  return pushback::run_program(command, seconds);
 }
 
 inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
-}
-
-inline std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
 }
 
 /// The fields of a line of CSV; names may be quoted, and hold commas then.

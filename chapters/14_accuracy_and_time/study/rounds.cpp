@@ -6,12 +6,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "pushback/common/basics/input.h"
+#include "pushback/common/basics/process.h"
 
 namespace pushback {
 
@@ -19,16 +19,10 @@ namespace {
 
 constexpr double slack = 1.25;  // times as slow as the front, and still timed again
 
-std::vector<std::string> lines_of(const std::string& command) {
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error(fmt::format("'{}' could not be started", command));
-  std::string text;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
-  if (pclose(pipe) != 0) throw std::runtime_error(fmt::format("'{}' failed", command));
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
+std::vector<std::string> said_by(const std::vector<std::string>& command) {
+  const Ended ended = run_program(command);
+  if (ended.status != 0) throw std::runtime_error(fmt::format("'{}' failed: {}", fmt::join(command, " "), ended.err));
+  return lines_of(ended.out);
 }
 
 bool read_number(const std::string& word, double& into) {
@@ -66,7 +60,7 @@ class Asking {
   /// Everything that the engine offers, on the grid.
   Measurements grid(const std::string& engine) const {
     Measurements all;
-    for (const std::string& line : lines_of(command(engine))) {
+    for (const std::string& line : said_by(command(engine))) {
       const std::string method = line.substr(0, line.find_first_of("/:"));
       const bool sweeps = line.find("/SWEEPS") < line.find(':');
       for (int small_steps = 1; small_steps <= most_small_steps(); small_steps *= options_.quick ? 4 : 2) {
@@ -82,11 +76,12 @@ class Asking {
   void play(Measurements& all, const Indices& which) const {
     for (std::size_t first = 0; first < which.size();) {  // those of one engine in one call
       const std::string engine = all[which[first]].engine;
-      std::string settings;
+      std::vector<std::string> asked = command(engine);
       std::size_t last = first;
       for (; last < which.size() && all[which[last]].engine == engine; ++last)
-        settings += fmt::format(" {}", all[which[last]].setting());
-      const std::vector<std::string> lines = lines_of(command(engine) + settings + patience());
+        asked.push_back(all[which[last]].setting());
+      for (const std::string& word : patience()) asked.push_back(word);
+      const std::vector<std::string> lines = said_by(asked);
       if (lines.size() != last - first)
         throw std::runtime_error(
             fmt::format("{} printed {} lines for {} settings", engine, lines.size(), last - first));
@@ -100,9 +95,12 @@ class Asking {
     return options_.quick ? std::min(64, motion_.most_small_steps) : motion_.most_small_steps;
   }
   int most_passes() const { return options_.quick ? std::max(1, motion_.most_passes / 8) : motion_.most_passes; }
-  std::string patience() const { return options_.quick ? " --at-least 0 --at-most 0.15" : " --at-most 5"; }
-  std::string command(const std::string& engine) const {
-    return fmt::format("'{}' {}", (options_.programs / engine).string(), motion_.name);
+  std::vector<std::string> command(const std::string& engine) const {
+    return {(options_.programs / engine).string(), motion_.name};
+  }
+  std::vector<std::string> patience() const {
+    if (options_.quick) return {"--at-least", "0", "--at-most", "0.15"};
+    return {"--at-most", "5"};
   }
   static void read(const std::string& line, Measured& into) {
     std::istringstream in(line);
@@ -147,7 +145,7 @@ std::vector<Engine> engines_in(const std::filesystem::path& programs, bool other
 }
 
 std::string version_of(const Engine& engine, const std::filesystem::path& programs) {
-  const auto lines = lines_of(fmt::format("'{}' --version", (programs / engine.program).string()));
+  const auto lines = said_by({(programs / engine.program).string(), "--version"});
   if (lines.size() != 1) throw std::runtime_error(fmt::format("{} does not say its version", engine.program));
   return lines[0];
 }

@@ -1,0 +1,65 @@
+#include "pushback/common/basics/process.h"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+namespace pushback {
+
+namespace {
+
+/// A file without a name for what goes in or comes out: unlike a pipe, it never makes one side wait for the other.
+class Passage {
+ public:
+  Passage() : file_(std::tmpfile(), std::fclose) {
+    if (!file_) throw std::runtime_error("no file for what goes to a program and comes from it");
+  }
+  int number() const { return fileno(file_.get()); }
+  void fill(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), file_.get());
+    std::rewind(file_.get());
+  }
+  std::string text() {
+    std::rewind(file_.get());
+    std::string all;
+    std::array<char, 4096> part{};
+    while (const std::size_t count = std::fread(part.data(), 1, part.size(), file_.get()))
+      all.append(part.data(), count);
+    return all;
+  }
+
+ private:
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+};
+
+}  // namespace
+
+Ended run_program(std::vector<std::string> command, double seconds, std::string_view input) {
+  // In the foreground: who interrupts us interrupts the program as well.
+  command.insert(command.begin(), {"timeout", "--foreground", fmt::format("{}", seconds)});
+  std::vector<char*> words;
+  for (std::string& word : command) words.push_back(word.data());
+  words.push_back(nullptr);
+  std::array<Passage, 3> passages;
+  passages[0].fill(input);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  for (int i = 0; i < 3; ++i)
+    posix_spawn_file_actions_adddup2(&actions, passages[static_cast<std::size_t>(i)].number(), i);
+  pid_t child = 0;
+  const int failure = posix_spawnp(&child, words[0], &actions, nullptr, words.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) throw std::runtime_error(fmt::format("'{}' could not be started", fmt::join(command, " ")));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, passages[1].text(), passages[2].text()};
+}
+
+}  // namespace pushback

@@ -1,0 +1,31 @@
+// Other programs: what goes in, what comes out, how they end.
+#include "pushback/common/basics/process.h"
+
+#include <chrono>
+
+#include "tests/support/catch.h"
+
+using namespace pushback;
+
+TEST_CASE("a program gets its words and its input as they are, and what it says comes back") {
+  const Ended words = run_program({"printf", "%s\n", "two words", "$HOME", "'quoted'", "a;b", ""});
+  CHECK(words.status == 0);
+  CHECK(lines_of(words.out) == std::vector<std::string>{"two words", "$HOME", "'quoted'", "a;b", ""});
+  CHECK(words.err.empty());
+  std::string much(3'000'000, 'x');
+  much += std::string("\0 end", 5);
+  CHECK(run_program({"cat"}, 20, much).out == much);
+  CHECK(run_program({"cat"}).out.empty());  // no input is an end, and not a wait
+}
+
+TEST_CASE("how a program ended is told: its status, what it said, no such program, a signal, too long") {
+  const Ended failed = run_program({"sh", "-c", "echo out; echo err >&2; exit 7"});
+  CHECK(failed.status == 7);
+  CHECK(failed.out == "out\n");
+  CHECK(failed.err == "err\n");
+  CHECK(run_program({"no-such-program"}).status == 127);
+  CHECK(run_program({"sh", "-c", "kill -ABRT $$"}).status == -1);
+  const auto before = std::chrono::steady_clock::now();
+  CHECK(run_program({"sleep", "60"}, 0.2).status == 124);
+  CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(30));
+}
