@@ -108,6 +108,7 @@ TEMPLATE_TEST_CASE("11: no contact asks for more than the cap in a step", "", BO
 
 // A ball on the ground, which has all of the impulse, and 60 mm deep in a slope. Out of that it goes, off the ground.
 TEMPLATE_TEST_CASE("11: a correction never pulls: what others lift off is let go", "", BOTH_WAYS) {
+  const Real deep = WeightlessBall{}.depth;
   World world;
   ball_on_ground(world, Real(0.003));
   const Vec3 slope = Vec3(1, 1, 0).normalized(), place = world.bodies[1].position;

@@ -50,7 +50,7 @@ std::vector<FrozenProblem> own_problems() {
       frozen("heavy on four 1:1000", heavy_on(4, 1000), 0),
       frozen("small pile after 1 s", SmallPile{}, 1),
       frozen("twelve boxes in each other", boxes_in_each_other, 0),
-      frozen("three boxes on a slope", slope, Real(0.3)),
+      frozen("three boxes on a slope", BoxesOnSlope{}, Real(0.3)),
       frozen(
           "twelve planks sliding", [](World& world) { wheel(world, longest_half, h); }, Real(0.2)),
       frozen("stack sliding", sliding_stack, 0),
