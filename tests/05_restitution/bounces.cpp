@@ -10,7 +10,6 @@ using namespace pushback;
 
 namespace {
 
-
 using FromSurface = Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface>;
 using InTurn = Solver<Clamping, Baumgarte, Slop, ImpactsInTurn, Friction, WarmStart>;
 
@@ -95,8 +94,9 @@ TEST_CASE("05: reckoned from the surface, too, what lies still stays still") {
 TEST_CASE("05: reckoned from the surface, what bounces gets no push-out on top, nor instead") {
   const auto leaves_with = [](auto solver, Real dt) {
     World world;
-    Body& ball =
-        ball_on_ground(world, Real(0.1)).bouncy(Real(0.1)).moving({0, -2, 0});  // the push-out asks for 1.14 m/s at 1/60 s
+    Body& ball = ball_on_ground(world, Real(0.1))
+                     .bouncy(Real(0.1))
+                     .moving({0, -2, 0});  // the push-out asks for 1.14 m/s at 1/60 s
     world.gravity.setZero();
     world.step(solver, dt, 10);
     return ball.velocity.y();

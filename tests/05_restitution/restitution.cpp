@@ -1,6 +1,6 @@
 /// How high a ball bounces, and three ways to get it wrong.
-#include "pushback/chapters/05_restitution/mistakes.h"
 #include "pushback/chapters/05_restitution/restitution.h"
+#include "pushback/chapters/05_restitution/mistakes.h"
 #include "tests/support/catch.h"
 #include "tests/support/on_ground.h"
 
