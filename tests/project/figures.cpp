@@ -214,6 +214,14 @@ TEST_CASE("each figure stands on a page, with words for who cannot see it") {
     const std::size_t begin = pages.rfind("![", at) + 2, end = pages.find("](", begin);
     CHECK(end < at);
     CHECK(end - begin > 80);
+    const std::string told = pages.substr(begin, end - begin);
+    for (const Label& label : labels_in(Reader(text_of(folder / figure.file)).document())) {
+      const std::size_t off = label.words.find("° off"),
+                        number = off == std::string::npos ? off : label.words.rfind(' ', off);
+      if (off == std::string::npos || label.words[number + 1] == '0') continue;
+      INFO(label.words);
+      CHECK(contains(told, label.words.substr(number + 1, off - number)));
+    }
   }
 }
 

@@ -54,3 +54,21 @@ TEST_CASE("docs/speed.md has the bytes of a contact and of a row") {
   CHECK(contains(page, fmt::format("| `Contact` | {} |", sizeof(Contact))));
   CHECK(contains(page, fmt::format("| a `Row`; three with friction | {}; {} |", sizeof(Row), 3 * sizeof(Row))));
 }
+
+TEST_CASE("the page before chapter 00 shows lines of chapter 04's numbers, and has at most 1,200 words") {
+  const std::vector<std::string> printed = lines_of(text_of(fs::path(SOURCE_DIR) / "renders/04_slop/numbers.md"));
+  int rows = 0, words = 0;
+  for (const std::string& line : lines_of(text_of(fs::path(SOURCE_DIR) / "docs/before_you_start.md"))) {
+    INFO(line);
+    if (line.starts_with("|")) {
+      CHECK(std::find(printed.begin(), printed.end(), line) != printed.end());
+      ++rows;
+    } else if (!line.starts_with("![") && !line.starts_with("[![") && !line.starts_with("$$")) {
+      std::istringstream in(line);
+      for (std::string word; in >> word;) ++words;
+    }
+  }
+  CHECK(rows == 4);
+  CHECK(words > 800);
+  CHECK(words <= 1200);
+}

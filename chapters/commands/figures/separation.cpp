@@ -131,7 +131,7 @@ std::string slop_along_separation() {
   draw_wanted(d, without, -Real(0.021), {hue::grey, 2, true});
   draw_wanted(d, with_slop, -Real(0.021), {hue::vermilion, 4});
   d.svg.text(d.to(-14.6, 0.22), "without slop: $−b = −(β/h)C$", {.size = 16, .colour = hue::grey});
-  d.svg.text(d.to(-21, 0.022), "$−b = −(β/h)min(0, C + slop)$", {.size = 16, .colour = hue::vermilion});
+  d.svg.text(d.to(-21, 0.022), "$−b = −(β/h) min(0, C + slop)$", {.size = 16, .colour = hue::vermilion});
   d.svg.text(d.at(0, Real(0.26)) + Place(12, 0), "wanted speed $−b$", {.size = 16});
   d.svg.text(d.at(-slop / 2, Real(0.2)), "slop: $b = 0$", {at_middle, 15, hue::green, true});
   d.svg.line(d.at(-slop, 0) + Place(0, 82), d.at(-slop, 0) + Place(0, 122), {hue::green, 1.5, true});
