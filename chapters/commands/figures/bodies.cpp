@@ -18,7 +18,7 @@ struct View {
 std::vector<Place> outline_of(const Body& body, const View& view) {
   const Vec3& half = std::get<Box>(body.shape).half_extents;
   std::vector<Place> corners;
-  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+  for (const auto& [x, y] : {std::pair<Real, Real>{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
     corners.push_back(view(body.position + body.orientation * Vec3(x * half.x(), y * half.y(), 0)));
   return corners;
 }

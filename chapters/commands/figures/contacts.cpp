@@ -28,7 +28,7 @@ struct FromAbove {
 std::vector<Place> outline_of(const Body& body, const FromAbove& view) {
   const Vec3& half = std::get<Box>(body.shape).half_extents;
   std::vector<Place> corners;
-  for (const auto& [x, z] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+  for (const auto& [x, z] : {std::pair<Real, Real>{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
     corners.push_back(view(body.position + body.orientation * Vec3(x * half.x(), -half.y(), z * half.z())));
   return corners;
 }

@@ -79,7 +79,10 @@ void draw_in_space(Svg& svg, const Place& apex) {
   const Place tip = at(0, 0, 0);
   const std::vector<Place> square{at(-1, -1, 1), at(1, -1, 1), at(1, 1, 1), at(-1, 1, 1)};
   std::vector<Place> rim;
-  for (int i = 0; i < 72; ++i) rim.push_back(at(std::cos(pi * i / 36), std::sin(pi * i / 36), 1));
+  for (int i = 0; i < 72; ++i) {
+    const double angle = std::numbers::pi * i / 36;
+    rim.push_back(at(std::cos(angle), std::sin(angle), 1));
+  }
   // The cone's outline: the rim's two points that are seen farthest to the sides from its tip.
   const auto side = [&](const Place& p, const Place& q) {
     return (p.x() - tip.x()) * (tip.y() - q.y()) < (q.x() - tip.x()) * (tip.y() - p.y());
