@@ -49,12 +49,10 @@ std::string complementarity() {
   row.lo = 0;
   const Real before = row.speed();
   row.solve();
-  const auto point = [&](const Row& solved) {
-    return to(double(solved.speed()), double(solved.impulse / arriving.unit()));
-  };
+  const auto point = [&](const Row& solved) { return to(double(solved.speed()), double(solved.impulse)); };
   const Place hit = point(row);
   // The start is far to the left: its line enters where the diagram begins.
-  const double slope = double(row.impulse / arriving.unit() / (row.speed() - before));
+  const double slope = double(row.impulse / (row.speed() - before));
   svg.line(to(-0.42, slope * (-0.42 - double(before))), hit, {hue::blue, 2.2, true});
   svg.circle(hit, 6.5, hue::blue, {hue::white, 1.5});
   svg.text(hit + Place(14, -18), "one row, solved", {.size = 15, .colour = hue::blue});

@@ -180,12 +180,15 @@ std::string graph_and_islands() {
     svg.text({(low.x() + high.x()) / 2, low.y() - 12}, asleep ? "asleep" : "awake",
              {at_middle, 17, asleep ? hue::grey : hue::ink, true});
   }
-  std::map<std::pair<int, int>, int> pairs;  // with the number of their points
-  for (const Contact& contact : before.contacts) ++pairs[{int(contact.id.body_a), int(contact.id.body_b)}];
-  for (const auto& [pair, points] : pairs) {
-    if (before.bodies[std::size_t(pair.first)].movable()) svg.line(at(pair.first), at(pair.second), {hue::ink, 2.5});
-    else svg.line(at(pair.second), {at(pair.second).x(), ground_y}, {hue::grey, 2, true});
+  std::set<std::pair<int, int>> pairs;
+  std::set<int> on_ground;
+  for (const Contact& contact : before.contacts) {  // several points of one pair: the same line
+    const int a = int(contact.id.body_a), b = int(contact.id.body_b);
+    if (before.bodies[std::size_t(a)].movable()) pairs.emplace(a, b);
+    else on_ground.insert(b);
   }
+  for (const auto& [a, b] : pairs) svg.line(at(a), at(b), {hue::ink, 2.5});
+  for (const int b : on_ground) svg.line(at(b), {at(b).x(), ground_y}, {hue::grey, 2, true});
   for (const int i : movable) {
     const Body& body = world.bodies[std::size_t(i)];
     svg.circle(at(i), i == ball ? 20 : 13, body.asleep ? hue::pale_grey : hue::amber, {hue::ink, 2});

@@ -16,7 +16,7 @@ using Place = Eigen::Vector2d;
 /// Okabe and Ito's colours, which the colour-blind can tell apart, as in the plots; and greys.
 namespace hue {
 inline constexpr const char *blue = "#0072b2", *vermilion = "#d55e00", *green = "#009e73", *purple = "#a3488a",
-                            *amber = "#e69f00", *sky = "#56b4e9", *yellow = "#ffe600";
+                            *amber = "#e69f00", *yellow = "#ffe600";
 inline constexpr const char *ink = "#1c202a", *grey = "#5b6270", *pale_grey = "#c3c9d2", *haze = "#eef1f4",
                             *white = "#ffffff", *none = "none";
 inline constexpr const char *pale_blue = "#d3e6f3", *pale_vermilion = "#fbe2d2", *pale_green = "#d3efe6",

@@ -23,8 +23,6 @@ struct TwoPointColumn {
     }
   }
   Body& column() { return world.bodies[1]; }
-  /// m v, N s.
-  Real unit() const { return 1; }
   Row row(std::size_t i) { return row_of(world, world.contacts[i], world.contacts[i].normal, i); }
   /// K_ij = J_i M^-1 J_j^T, 1/kg.
   Real coupling(std::size_t i, std::size_t j) const {
