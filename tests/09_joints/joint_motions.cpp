@@ -25,7 +25,7 @@ Real energy(const World& world) {
 Matrix effect_of_rows(World& world) {
   RigidCold solver;
   solver.solve(world, h, 0);
-  const Rows& rows = solver.joint_rows();
+  const JointRows& rows = solver.joint_rows();
   Matrix a(rows.size(), rows.size());
   for (std::size_t j = 0; j < rows.size(); ++j) {
     for (Body& body : world.bodies) body.velocity = body.angular_velocity = Vec3::Zero();

@@ -155,7 +155,8 @@ TEST_CASE("relaxing places a row at one point for both bodies, and there it read
     contact.point = random.vector(2);
     world.contacts = {contact};
     Rows rows = {row_of(world, contact, random.direction(), 0), row_of(world, contact, random.direction(), 0)};
-    RelaxingStep step{{world, world.contacts, rows, h}};
+    std::vector<Real> softness(1, 0);
+    RelaxingStep step{{world, world.contacts, rows, h}, softness};
     SoftContacts soft;
     soft.build(step);
     soft.start(step);

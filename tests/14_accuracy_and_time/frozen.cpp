@@ -19,7 +19,7 @@ namespace {
 
 /// As far as `sweeps` go, however long that takes.
 TraceLimits limited_to(int sweeps) {
-  return {.sweeps = sweeps, .seconds = 1e9, .enough = 0, .ladder = {1e-6}};
+  return {.sweeps = sweeps, .seconds = 1e9, .enough = 0, .ladder = {1e-6}, .asked = {1e-6}};
 }
 
 const std::vector<FrozenProblem>& ours() {

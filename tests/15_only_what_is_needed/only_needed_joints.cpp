@@ -21,15 +21,15 @@ void hanging_chain_of_eight(World& world) {
   hanging_chain(world);
 }
 
-World filled(void (*fill)(World&)) {
+World filled(const std::function<void(World&)>& fill) {
   World world;
   fill(world);
   return world;
 }
 
-std::vector<Real> impulses_of(const Rows& rows) {
+std::vector<Real> impulses_of(const JointRows& rows) {
   std::vector<Real> impulses;
-  for (const Row& row : rows) impulses.push_back(row.impulse);
+  for (const JointRow& row : rows) impulses.push_back(row.impulse);
   return impulses;
 }
 

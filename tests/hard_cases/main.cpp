@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
     std::vector<HardCase> cases = chosen("case", hard_cases(), names);
     for (HardCase& c : cases) c.starts = std::min(c.starts, starts);
     std::vector<Stage> all = stages();
-    if (quick) all.resize(chapter_stages);
+    if (quick) all.erase(all.begin() + chapter_stages, all.end());
     std::vector<Stage> columns = chosen("stage", all, stage_names);
     if (only_needed) std::transform(columns.begin(), columns.end(), columns.begin(), only_what_is_needed);
     if (list) {

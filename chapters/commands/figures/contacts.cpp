@@ -139,7 +139,7 @@ std::string ids_from_step_to_step() {
 
 std::string graph_and_islands() {
   World world, before;
-  five_piles(world);
+  FivePiles{}(world);
   FullSolver solver;
   Sleep sleep;
   const int ball = int(world.bodies.size()) - 1;
