@@ -82,7 +82,7 @@ using namespace pushback;
 int main() {
   World world;
   stack(world, 3);
-  FlatSolver solver;
+  flat_07::FlatSolver solver;
   for (int i = 0; i < 60; ++i) world.step(solver, Real(1) / 60);
   world.begin_step(Real(1) / 60);
   return solve_best(problem_of(world)).residual < 1e-9 && Rubbing::in(world).yes ? 0 : 1;
