@@ -5,10 +5,10 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/frozen.h"
-#include "pushback/chapters/09_joints/ball_and_socket.h"
-#include "pushback/chapters/09_joints/jointed_solver.h"
-#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
-#include "pushback/chapters/15_only_what_is_needed/everything.h"
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/20_only_what_is_needed/everything.h"
 
 using namespace pushback;
 

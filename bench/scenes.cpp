@@ -4,8 +4,8 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/in_turn.h"
-#include "pushback/chapters/09_joints/jointed_solver.h"
-#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/chapters/catalogue.h"
 
 using namespace pushback;

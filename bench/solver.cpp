@@ -7,8 +7,8 @@
 #include "bench/frozen.h"
 #include "pushback/chapters/07_warm_start/flat.h"
 #include "pushback/chapters/08_friction_cone/scaled_back.h"
-#include "pushback/chapters/11_position_correction/study.h"
-#include "pushback/chapters/12_small_steps/steady_solver.h"
+#include "pushback/chapters/10_position_correction/study.h"
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/common/world/situations.h"
 
 using namespace pushback;
@@ -108,7 +108,7 @@ BENCHMARK(pyramid_of_friction)->ArgName("sweeps")->Arg(10)->Arg(100)->Iterations
 BENCHMARK(scaled_back)->ArgName("sweeps")->Arg(10)->Arg(100)->Iterations(200)->Unit(benchmark::kMicrosecond);
 BENCHMARK(friction_cone)->ArgName("sweeps")->Arg(10)->Arg(100)->Iterations(200)->Unit(benchmark::kMicrosecond);
 
-/// What chapter 11's ways to undo overlap cost beside chapter 03's, on the same contacts, in turn. With a slop of 0 every
+/// What chapter 10's ways to undo overlap cost beside chapter 03's, on the same contacts, in turn. With a slop of 0 every
 /// contact is too deep, with one of 20 mm none.
 template <class PushOut>
 void against_baumgarte(benchmark::State& state) {
@@ -141,15 +141,15 @@ BENCHMARK(step_of_pyramid)->Unit(benchmark::kMicrosecond);
 
 /// A whole step of 1/60 s, cut into small ones: contacts, rows and sweeps in each. The table of chapter 12.
 template <class ContactSolver>
-void small_steps_of(benchmark::State& state) {
+void substeps_of(benchmark::State& state) {
   const int count = static_cast<int>(state.range(0)), sweeps = static_cast<int>(state.range(1));
   const int tall = static_cast<int>(state.range(2));
   World world;
   if (tall > 0) stack(world, tall);
   else pyramid(world, 20);
   ContactSolver solver;
-  for (int step = 0; step < 60; ++step) small_steps(world, solver, dt, count, sweeps);
-  for (auto _ : state) small_steps(world, solver, dt, count, sweeps);
+  for (int step = 0; step < 60; ++step) substeps(world, solver, dt, count, sweeps);
+  for (auto _ : state) substeps(world, solver, dt, count, sweeps);
   state.counters["contacts"] = static_cast<double>(world.contacts.size());
 }
 void many_sweeps(benchmark::internal::Benchmark* bench) {
@@ -162,9 +162,9 @@ void many_steps(benchmark::internal::Benchmark* bench) {
   bench->ArgNames({"steps", "sweeps", "stack"})->Unit(benchmark::kMillisecond);
   for (const int tall : {20, 40, 0}) bench->Args({32, 1, tall});
 }
-BENCHMARK(small_steps_of<FullSolver>)->Apply(many_sweeps)->Apply(many_steps);
-BENCHMARK(small_steps_of<SoftSolver>)->Apply(many_steps);
-BENCHMARK(small_steps_of<SteadySolver>)->Apply(many_steps);
+BENCHMARK(substeps_of<FullSolver>)->Apply(many_sweeps)->Apply(many_steps);
+BENCHMARK(substeps_of<SoftSolver>)->Apply(many_steps);
+BENCHMARK(substeps_of<SteadySolver>)->Apply(many_steps);
 
 /// A thousand boxes that fell into a heap: 10 x 10 columns, each box turned a little.
 void heap(World& world) {

@@ -8,15 +8,15 @@
 #include "pushback/chapters/05_restitution/scenes.h"
 #include "pushback/chapters/06_friction/scenes.h"
 #include "pushback/chapters/08_friction_cone/scenes.h"
-#include "pushback/chapters/09_joints/scenes.h"
-#include "pushback/chapters/09_joints/structures.h"
-#include "pushback/chapters/10_limits_and_motors/cart.h"
-#include "pushback/chapters/10_limits_and_motors/ragdoll.h"
-#include "pushback/chapters/10_limits_and_motors/scenes.h"
-#include "pushback/chapters/11_position_correction/scenes.h"
-#include "pushback/chapters/12_small_steps/scenes.h"
-#include "pushback/chapters/13_global_solve/scenes.h"
-#include "pushback/chapters/15_only_what_is_needed/scenes.h"
+#include "pushback/chapters/13_joints/scenes.h"
+#include "pushback/chapters/14_joints_under_load/structures.h"
+#include "pushback/chapters/15_limits_motors_springs/cart.h"
+#include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
+#include "pushback/chapters/15_limits_motors_springs/scenes.h"
+#include "pushback/chapters/10_position_correction/scenes.h"
+#include "pushback/chapters/12_soft_contacts/scenes.h"
+#include "pushback/chapters/16_whole_problem/scenes.h"
+#include "pushback/chapters/20_only_what_is_needed/scenes.h"
 
 namespace pushback {
 
@@ -38,55 +38,55 @@ std::vector<NamedScene> all_scenes() {
       {"04-small-pile", SmallPile{}},
       {"05-four-balls", FallingBalls{}},
       {"05-at-rest", at_rest},
-      {"05-with-gaps", five_in_a_row(Real(0.08))},
-      {"05-touching", five_in_a_row(0)},
+      {"09-with-gaps", five_in_a_row(Real(0.08))},
+      {"09-touching", five_in_a_row(0)},
       {"06-slope", BoxesOnSlope{}},
       {"06-slide", [](World& world) { slide_to_posts(world, three_headings, h); }},
       {"06-thrown-ball", [](World& world) { thrown_ball(world); }},
       {"07-ten-boxes", stack_of(10)},
       {"07-pyramid", [](World& world) { pyramid(world, 10); }},
       {"08-wheel", [](World& world) { wheel(world, longest_half, h); }},
-      {"09-beads", beads_on_wires},
-      {"09-pendulums", Pendulums{}},
-      {"09-door", door_and_weld},
-      {"09-chain", ChainWithWeight{}},
-      {"09-bridge", suspension_bridge},
-      {"09-ropes", ropes},
-      {"09-cloth", cloth_over_ball},
-      {"10-stop",
+      {"13-beads", beads_on_wires},
+      {"13-pendulums", Pendulums{}},
+      {"13-door", door_and_weld},
+      {"14-chain", ChainWithWeight{}},
+      {"14-bridge", suspension_bridge},
+      {"14-ropes", ropes},
+      {"14-cloth", cloth_over_ball},
+      {"15-stop",
        [](World& world) {
          bar_and_stop(world);
          world.joints.push_back(stop_of_bar(world));
        }},
-      {"10-pointers",
+      {"15-pointers",
        [](World& world) {
          pointers(world, follow_torque);
          weigh_pointer(world, light_pointer);
        }},
-      {"10-winches", TwoWinches{}},
-      {"10-pulleys", TwoPulleys{}},
-      {"10-springs", SpringsLetGo{}},
-      {"10-swing", [](World& world) { pumped_swing(world, Real(0.05)); }},
-      {"10-cart",
+      {"15-winches", TwoWinches{}},
+      {"15-pulleys", TwoPulleys{}},
+      {"15-springs", SpringsLetGo{}},
+      {"15-swing", [](World& world) { pumped_swing(world, Real(0.05)); }},
+      {"15-cart",
        [](World& world) {
          const Real slope = cart_slope * pi / 180;
          incline(world, slope, 1);
          drive(world, add_cart(world, slope, 0), cart_speed, 7);
        }},
-      {"10-stairs", [](World& world) { down_the_stairs(world); }},
-      {"11-deep", [](World& world) { very_deep_box(world); }},
-      {"11-twelve-boxes", boxes_in_each_other},
-      {"11-stack", [](World& world) { stack_before_posts(world, 10); }},
-      {"11-weightless", WeightlessBall{}},
-      {"11-bounce", dropped_ball(1)},
-      {"12-twenty-boxes", [](World& world) { stack_before_posts(world, 20); }},
-      {"12-heavy", HeavyOnLight{}},
+      {"15-stairs", [](World& world) { down_the_stairs(world); }},
+      {"10-deep", [](World& world) { very_deep_box(world); }},
+      {"10-twelve-boxes", boxes_in_each_other},
+      {"10-stack", [](World& world) { stack_before_posts(world, 10); }},
+      {"10-weightless", WeightlessBall{}},
+      {"10-bounce", dropped_ball(1)},
+      {"11-twenty-boxes", [](World& world) { stack_before_posts(world, 20); }},
+      {"11-heavy", HeavyOnLight{}},
       {"12-forty-boxes", stack_of(40)},
       {"12-sunken-ball", SunkenBall{}},
-      {"13-gate", StackInGate{}},
-      {"13-chain", LoadedChain{}},
-      {"15-piles", FivePiles{}},
-      {"15-ice", cubes_on_ice},
+      {"17-gate", StackInGate{}},
+      {"18-chain", LoadedChain{}},
+      {"20-piles", FivePiles{}},
+      {"20-ice", cubes_on_ice},
   };
 }
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/chapters/09_joints/ball_and_socket.h"
+#include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/catalogue/solvers.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
@@ -44,7 +44,7 @@ TEST_CASE("named solvers: each has a name of its own, and says what it is made o
   CHECK(solver_named("00 naive").made_of() == "NaiveAveraged");
   CHECK(solver_named("03 Baumgarte").made_of() == "Solver<Joints, Clamping, Baumgarte>");
   CHECK(solver_named("all together").made_of() ==
-        "RelaxingSolver<SteadyJoints, Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, ScaledWarmStart>");
+        "RelaxingSolver<SteadyJoints, Clamping, SoftContacts, SimultaneousImpacts, FrictionCone, ScaledWarmStart>");
 }
 
 TEST_CASE("named solvers: a name that there is not is refused with those that there are") {

@@ -5,7 +5,7 @@
 #include <regex>
 #include <set>
 
-#include "pushback/chapters/09_joints/jointed_solver.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/finite.h"

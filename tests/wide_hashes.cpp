@@ -4,11 +4,11 @@
 
 #include <map>
 
-#include "pushback/chapters/11_position_correction/nonlinear_gauss_seidel.h"
-#include "pushback/chapters/11_position_correction/split_impulse.h"
-#include "pushback/chapters/13_global_solve/global_joints.h"
-#include "pushback/chapters/13_global_solve/global_solve.h"
-#include "pushback/chapters/14_accuracy_and_time/warm_global_solve.h"
+#include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
+#include "pushback/chapters/10_position_correction/split_impulse.h"
+#include "pushback/chapters/18_direct_joints/direct_joints.h"
+#include "pushback/chapters/17_direct_contacts/direct_contacts.h"
+#include "pushback/chapters/19_accuracy_and_time/warm_direct_contacts.h"
 #include "pushback/chapters/catalogue/solvers.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/world/measure.h"
@@ -27,7 +27,7 @@ constexpr std::size_t few = 100;  // contacts: what solves them all directly tak
 using Stepper = std::function<void(World&)>;
 
 Stepper steps_by(AnySolver solver, int count = 1, int sweeps = 10) {
-  return [=](World& world) mutable { small_steps(world, solver, h, count, sweeps); };
+  return [=](World& world) mutable { substeps(world, solver, h, count, sweeps); };
 }
 
 Stepper needed(const char* name, const World& world, std::optional<Sleep> sleep) {
@@ -60,14 +60,14 @@ const Way ways[] = {
      }},
     {"joints solved directly",
      [](const World&) {
-       return steps_by(Solver<Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart, GlobalJoints>{});
+       return steps_by(Solver<Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart, DirectJoints>{});
      }},
     {"contacts solved directly",
-     [](const World&) { return steps_by(Solver<Clamping, Baumgarte, Slop, FrictionCone, GlobalSolve>{}); }, false,
+     [](const World&) { return steps_by(Solver<Clamping, Baumgarte, Slop, FrictionCone, DirectContacts>{}); }, false,
      true},
     {"contacts solved directly, warm",
      [](const World&) {
-       return steps_by(Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart, WarmGlobalSolve>{});
+       return steps_by(Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart, WarmDirectContacts>{});
      },
      false, true},
     {"dispatch", [](const World& world) { return needed("07 warm start", world, {}); }},

@@ -1,7 +1,7 @@
 #include <set>
 
-#include "pushback/chapters/05_restitution/at_once.h"
-#include "pushback/chapters/05_restitution/in_turn.h"
+#include "pushback/chapters/09_impacts/simultaneous.h"
+#include "pushback/chapters/09_impacts/sequential.h"
 #include "pushback/chapters/05_restitution/mistakes.h"
 #include "pushback/chapters/05_restitution/scenes.h"
 
@@ -87,9 +87,9 @@ int main(int argc, char** argv) {
     });
 
     const Camera from_the_side{{1, Real(2.2), 8}, {1, Real(0.3), 0}};
-    Solver<Clamping, Baumgarte, Slop, ImpactsInTurn> in_turn;
+    Solver<Clamping, Baumgarte, Slop, SequentialImpacts> in_turn;
     in_turn.threshold = threshold;
-    Solver<Clamping, Baumgarte, Slop, ImpactsAtOnce> at_once;
+    Solver<Clamping, Baumgarte, Slop, SimultaneousImpacts> at_once;
     at_once.threshold = threshold;
     const auto row_of_balls = [&](const std::string& title, Real between) {
       e.scene({.name = title,

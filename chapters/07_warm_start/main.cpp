@@ -126,15 +126,15 @@ int main(int argc, char** argv) {
     const Real middle = static_cast<Real>(boxes) / 10;
 
     scene(tall + " in steps of h/2", stacked, {middle * Vec3(10, 6, 15), {0, middle * Real(4.9), 0}}, {0, 8, 12, 60});
-    e.variant("cold", Cold{}).in_small_steps(2).with_sweeps(5).coloured(0);
-    e.variant("warm", FullSolver{}).in_small_steps(2).with_sweeps(5).coloured(1);
-    e.variant("warm, wrong ids", wrong_ids).in_small_steps(2).with_sweeps(5).coloured(2);
+    e.variant("cold", Cold{}).in_substeps(2).with_sweeps(5).coloured(0);
+    e.variant("warm", FullSolver{}).in_substeps(2).with_sweeps(5).coloured(1);
+    e.variant("warm, wrong ids", wrong_ids).in_substeps(2).with_sweeps(5).coloured(2);
 
     scene("a pyramid, " + spelled(base) + " wide, in steps of h/2", [base](World& world) { pyramid(world, base); },
           {{5, 7, 18}, {0, Real(4.7), 0}}, {0, 8, 12, 60});
-    e.variant("cold", Cold{}).in_small_steps(2).with_sweeps(2).coloured(0);
-    e.variant("warm", FullSolver{}).in_small_steps(2).with_sweeps(2).coloured(1);
-    e.variant("warm, wrong ids", wrong_ids).in_small_steps(2).with_sweeps(2).coloured(2);
+    e.variant("cold", Cold{}).in_substeps(2).with_sweeps(2).coloured(0);
+    e.variant("warm", FullSolver{}).in_substeps(2).with_sweeps(2).coloured(1);
+    e.variant("warm, wrong ids", wrong_ids).in_substeps(2).with_sweeps(2).coloured(2);
 
     // What falls although it is started warm, and what of it is to blame.
     scene(tall + " in steps of h", stacked, {}, {});

@@ -10,7 +10,7 @@ namespace pushback {
 ///
 /// Simultaneous and sequential impacts both obey Newton's rule, and differ. A ball that hits a row of equal ones sends off all
 /// of them if the impacts are simultaneous, and only the last if they are sequential. Steel balls are closer to sequential.
-struct ImpactsInTurn : Effect {
+struct SequentialImpacts : Effect {
   Real threshold = Real(0.1);  ///< m/s; what arrives slower stays
   int most_rounds = 1000;      ///< then the sweeps have to do with what is left
 

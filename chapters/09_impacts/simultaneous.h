@@ -1,15 +1,15 @@
 /// Impacts all at once, solved until nothing changes any more.
 #pragma once
 
-#include "pushback/chapters/05_restitution/from_surface.h"
+#include "pushback/chapters/09_impacts/from_surface.h"
 
 namespace pushback {
 
 /// Like RestitutionFromSurface; but in a step in which something bounces, each sweep goes over the normals as often as it
 /// takes. A blow lasts one step: what its sweeps leave unsolved, no later step makes up for. In the list before Friction.
 ///
-/// The counterpart of ImpactsInTurn: a row of equal balls that touch, hit with 5 m/s, leaves with -3, 2, 2, 2, 2 m/s.
-struct ImpactsAtOnce : RestitutionFromSurface {
+/// The counterpart of SequentialImpacts: a row of equal balls that touch, hit with 5 m/s, leaves with -3, 2, 2, 2, 2 m/s.
+struct SimultaneousImpacts : RestitutionFromSurface {
   Real precision = Real(1e-6);  ///< of the fastest bounce; it ends where no row changes a speed by more
   int most_rounds = 1000;
 

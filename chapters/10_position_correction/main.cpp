@@ -1,5 +1,5 @@
-#include "pushback/chapters/11_position_correction/scenes.h"
-#include "pushback/chapters/11_position_correction/study.h"
+#include "pushback/chapters/10_position_correction/scenes.h"
+#include "pushback/chapters/10_position_correction/study.h"
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
@@ -48,7 +48,7 @@ Real first_apex(const Run& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment e("11_position_correction", "Can an overlap be undone without a velocity?");
+  Experiment e("10_position_correction", "Can an overlap be undone without a velocity?");
   With<Baumgarte> baumgarte;
   With<SplitImpulse> split;
   With<NonlinearGaussSeidel> ngs;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "pushback/chapters/03_baumgarte/baumgarte.h"
-#include "pushback/chapters/11_position_correction/correcting_solver.h"
-#include "pushback/chapters/11_position_correction/displace.h"
+#include "pushback/chapters/10_position_correction/correcting_solver.h"
+#include "pushback/chapters/10_position_correction/displace.h"
 #include "pushback/common/world/surface_points.h"
 
 namespace pushback {

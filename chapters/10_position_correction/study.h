@@ -3,8 +3,8 @@
 
 #include "pushback/chapters/03_baumgarte/tuning.h"
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/chapters/11_position_correction/nonlinear_gauss_seidel.h"
-#include "pushback/chapters/11_position_correction/split_impulse.h"
+#include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
+#include "pushback/chapters/10_position_correction/split_impulse.h"
 
 namespace pushback {
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "pushback/chapters/12_small_steps/small_steps.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
@@ -17,7 +17,7 @@ inline Real drift_of_top(const World& world) {
 }
 
 struct Budget {
-  int small_steps, sweeps;  ///< in each step of dt; in each small step
+  int substeps, sweeps;  ///< in each step of dt; in each small step
 };
 
 struct StackCurves {
@@ -37,7 +37,7 @@ StackCurves study(const std::string& name, std::size_t colour, int boxes, Real d
     ContactSolver solver;
     Real fastest = 0, deepest = 0;
     for (int step = 0; step < steps; ++step) {
-      small_steps(world, solver, dt, budget.small_steps, budget.sweeps);
+      substeps(world, solver, dt, budget.substeps, budget.sweeps);
       deepest = std::max(deepest, deepest_overlap(world));
       if (step >= steps - second) fastest = std::max(fastest, largest_speed(world));
     }

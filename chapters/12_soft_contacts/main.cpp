@@ -1,6 +1,6 @@
-#include "pushback/chapters/12_small_steps/scenes.h"
-#include "pushback/chapters/12_small_steps/steady_solver.h"
-#include "pushback/chapters/12_small_steps/study.h"
+#include "pushback/chapters/12_soft_contacts/scenes.h"
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/chapters/11_substeps/study.h"
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
@@ -32,10 +32,10 @@ struct Unrelaxed : SoftSolver {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment e("12_small_steps", "Many sweeps, or many small steps?");
+  Experiment e("12_soft_contacts", "Many sweeps, or many small steps?");
   int count = 32;
   SoftContacts spring;
-  e.parameter({"--small-steps", "", "", "Small steps in each step", 1, 128}, &count);
+  e.parameter({"--substeps", "", "", "Small steps in each step", 1, 128}, &count);
   e.parameter({"--hertz", "", "Hz",
                "Frequency of the soft contacts' springs; an eighth of the small steps' frequency at most", 30, 2000},
               &spring.hertz);
@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
       return e.variant(fmt::format("one step, {} sweeps", sweeps), FullSolver{}).with_exactly(sweeps);
     };
     const auto small = [&](const std::string& what, auto solver) -> Variant& {
-      return e.variant(fmt::format("{} small steps{}", count, what), solver).in_small_steps(count).with_exactly(1);
+      return e.variant(fmt::format("{} small steps{}", count, what), solver).in_substeps(count).with_exactly(1);
     };
 
     const Real top = static_cast<Real>(tall);
@@ -128,9 +128,9 @@ int main(int argc, char** argv) {
     e.number("exit speed", "m/s", [](const Run& run) { return run.world.bodies[1].velocity.y(); });
 
     e.study([&e, tall] {
-      const auto steps = [](const Budget& budget) { return budget.small_steps; };
-      const auto all_sweeps = [](const Budget& budget) { return budget.small_steps * budget.sweeps; };
-      const auto and_relaxing = [](const Budget& budget) { return budget.small_steps * (budget.sweeps + 1); };
+      const auto steps = [](const Budget& budget) { return budget.substeps; };
+      const auto all_sweeps = [](const Budget& budget) { return budget.substeps * budget.sweeps; };
+      const auto and_relaxing = [](const Budget& budget) { return budget.substeps * (budget.sweeps + 1); };
       const std::vector<Budget> same{{1, 32}, {2, 16}, {4, 8}, {8, 4}, {16, 2}, {32, 1}};
       const StackCurves hard_same = study<FullSolver>("hard", 0, tall, e.dt(), same, steps),
                         soft_same = study<SoftSolver>("soft", 1, tall, e.dt(), same, steps);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pushback/chapters/07_warm_start/warm_start.h"
-#include "pushback/chapters/12_small_steps/relaxing_solver.h"
+#include "pushback/chapters/12_soft_contacts/relaxing_solver.h"
 
 namespace pushback {
 

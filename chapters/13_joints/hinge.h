@@ -1,7 +1,7 @@
 /// A point and an axis in common: five rows, and one way to turn is left.
 #pragma once
 
-#include "pushback/chapters/09_joints/ball_and_socket.h"
+#include "pushback/chapters/13_joints/ball_and_socket.h"
 
 namespace pushback {
 

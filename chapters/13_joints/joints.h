@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/solver.h"
-#include "pushback/chapters/09_joints/joint_row.h"
+#include "pushback/chapters/13_joints/joint_row.h"
 #include "pushback/common/basics/input.h"
 
 namespace pushback {

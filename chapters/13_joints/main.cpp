@@ -1,7 +1,7 @@
-#include "pushback/chapters/09_joints/jointed_solver.h"
-#include "pushback/chapters/09_joints/scenes.h"
-#include "pushback/chapters/09_joints/structures.h"
-#include "pushback/chapters/09_joints/study.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
+#include "pushback/chapters/13_joints/scenes.h"
+#include "pushback/chapters/14_joints_under_load/structures.h"
+#include "pushback/chapters/14_joints_under_load/study.h"
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
@@ -36,11 +36,11 @@ Real off_the_catenary(const World& world) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment e("09_joints", "How does one row hold a bead, a door, a bridge?");
+  Experiment e("13_joints", "How does one row hold a bead, a door, a bridge?");
   Real beta = Real(0.2);
   e.parameter({"--beta", "β", "", "What a step of --dt takes away of a joint's error", 0, 1}, &beta);
-  int small_steps = 10;
-  e.parameter({"--small-steps", "", "", "Small steps in each step, where a variant has them", 2, 32}, &small_steps);
+  int substeps = 10;
+  e.parameter({"--substeps", "", "", "Small steps in each step, where a variant has them", 2, 32}, &substeps);
   Pendulums pendulums;
   e.parameter({"--release", "θ₀", "rad", "From where the pendulums are let go; 0: hanging down", 0.1, 2.2},
               &pendulums.released_at);
@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagram of the chain", 1, 10000}, &sweep_counts);
   return e.run(argc, argv, [&] {
     const std::string in_one = fmt::format("one step, β = {:.3g}", beta),
-                      in_small = fmt::format("{} small steps, β = {:.3g}", small_steps, beta);
+                      in_small = fmt::format("{} small steps, β = {:.3g}", substeps, beta);
     const auto joints_off = [&](const std::string& unit) {
       e.series("joints off by", unit, [](const World& world) { return 1000 * largest_joint_error(world); }, true);
       e.number("joints off by up to", unit, [](const Run& run) { return largest(run, "joints off by"); });
@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
     };
     const auto one = [&] { e.variant(in_one, with_joint_beta<JointedSolver>(beta)).with_exactly(10); };
     const auto small = [&]() -> Variant& {
-      return e.variant(in_small, with_joint_beta<JointedSolver>(beta)).in_small_steps(small_steps).with_exactly(4);
+      return e.variant(in_small, with_joint_beta<JointedSolver>(beta)).in_substeps(substeps).with_exactly(4);
     };
 
     e.scene({.name = "beads on wires",
@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
     e.variant(fmt::format("push apart, 10 sweeps, β = {:.3g}", beta), with_joint_beta<JointedSolver>(beta))
         .with_exactly(10);
     e.variant(fmt::format("push apart, 10 small steps of 1, β = {:.3g}", beta), with_joint_beta<JointedSolver>(beta))
-        .in_small_steps(10)
+        .in_substeps(10)
         .with_exactly(1);
     e.series("stretch", "%", [chain](const World& world) { return 100 * chain.stretch(world); });
     e.number("longest", "%", [](const Run& run) { return largest(run, "stretch"); });

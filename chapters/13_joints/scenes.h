@@ -1,9 +1,9 @@
 /// Beads on wires, pendulums, a weight on a chain, a door. The larger ones are in structures.h.
 #pragma once
 
-#include "pushback/chapters/09_joints/distance.h"
-#include "pushback/chapters/09_joints/weld.h"
-#include "pushback/chapters/09_joints/wire.h"
+#include "pushback/chapters/13_joints/distance.h"
+#include "pushback/chapters/13_joints/weld.h"
+#include "pushback/chapters/13_joints/wire.h"
 #include "pushback/common/world/situations.h"
 
 namespace pushback {

@@ -1,7 +1,7 @@
 /// Two bodies as one: six rows, and nothing is left.
 #pragma once
 
-#include "pushback/chapters/09_joints/hinge.h"
+#include "pushback/chapters/13_joints/hinge.h"
 
 namespace pushback {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/chapters/09_joints/split_joints.h"
+#include "pushback/chapters/14_joints_under_load/split_joints.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
 /// What closes gaps is kept apart from what holds, and not remembered.
 #pragma once
 
-#include "pushback/chapters/09_joints/warm_joints.h"
+#include "pushback/chapters/14_joints_under_load/warm_joints.h"
 
 namespace pushback {
 

@@ -1,8 +1,8 @@
 /// What many joints make: ropes, a cloth, a bridge.
 #pragma once
 
-#include "pushback/chapters/09_joints/ball_and_socket.h"
-#include "pushback/chapters/09_joints/distance.h"
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/13_joints/distance.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/situations.h"
 

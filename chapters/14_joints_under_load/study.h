@@ -1,8 +1,8 @@
 /// Against theory: the period of a pendulum, the drift off a wire; and what a chain does with so many sweeps.
 #pragma once
 
-#include "pushback/chapters/09_joints/scenes.h"
-#include "pushback/chapters/09_joints/warm_joints.h"
+#include "pushback/chapters/13_joints/scenes.h"
+#include "pushback/chapters/14_joints_under_load/warm_joints.h"
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/world/steps_in.h"
 
@@ -57,10 +57,10 @@ inline Real farthest_off_the_wires(Real dt, Real beta) {
 
 /// By how much the chain with the weight is longer or shorter than its links at the worst, from 1 s to 4 s; of 1.
 template <class JointSolver>
-Real worst_of_chain(const ChainWithWeight& chain, JointSolver solver, Real dt, int small_steps, int sweeps) {
+Real worst_of_chain(const ChainWithWeight& chain, JointSolver solver, Real dt, int substeps, int sweeps) {
   World world;
   chain(world);
-  const Real h = dt / static_cast<Real>(small_steps);
+  const Real h = dt / static_cast<Real>(substeps);
   Real worst = 0;
   for (int step = 0; step < steps_in(4, h); ++step) {
     world.step(solver, h, sweeps);

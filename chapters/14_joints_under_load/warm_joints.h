@@ -1,7 +1,7 @@
 /// Joints that start from where the last step ended, as contacts do in chapter 07.
 #pragma once
 
-#include "pushback/chapters/09_joints/joints.h"
+#include "pushback/chapters/13_joints/joints.h"
 
 namespace pushback {
 

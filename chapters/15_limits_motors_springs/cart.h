@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "pushback/chapters/09_joints/hinge.h"
-#include "pushback/chapters/10_limits_and_motors/motor.h"
+#include "pushback/chapters/13_joints/hinge.h"
+#include "pushback/chapters/15_limits_motors_springs/motor.h"
 #include "pushback/common/world/situations.h"
 
 namespace pushback {

@@ -1,7 +1,7 @@
 /// As far, and no farther: inequalities between turns.
 #pragma once
 
-#include "pushback/chapters/10_limits_and_motors/angle.h"
+#include "pushback/chapters/15_limits_motors_springs/angle.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
-#include "pushback/chapters/10_limits_and_motors/cart.h"
-#include "pushback/chapters/10_limits_and_motors/ragdoll.h"
-#include "pushback/chapters/10_limits_and_motors/scenes.h"
-#include "pushback/chapters/10_limits_and_motors/study.h"
+#include "pushback/chapters/15_limits_motors_springs/cart.h"
+#include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
+#include "pushback/chapters/15_limits_motors_springs/scenes.h"
+#include "pushback/chapters/15_limits_motors_springs/study.h"
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
@@ -20,7 +20,7 @@ Real largest(const Run& run, const std::string& series) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment e("10_limits_and_motors", "How far may it turn, and who turns it?");
+  Experiment e("15_limits_motors_springs", "How far may it turn, and who turns it?");
   Real torque = follow_torque;
   e.parameter({"--torque", "", "N m", "Torque of the motor that is to follow sin t", 0, 1000}, &torque);
   Real stop_at = bar_stop;
@@ -196,12 +196,12 @@ int main(int argc, char** argv) {
       panel("a swing, pumped and not", "degrees", swings(h, pump));
       e.remark(fmt::format("the winch: work of the motor {:.6g} J, energy gained {:.6g} J", winch.work.y.back(),
                            winch.energy.y.back()));
-      for (const auto& [small_steps, sweeps] :
+      for (const auto& [substeps, sweeps] :
            {std::pair(1, 10), std::pair(1, 30), std::pair(8, 2), std::pair(32, 1)}) {
         e.remark(fmt::format("the ragdoll, {} in 1/{:.0f} s with {}: stretched by up to {:.2g} %",
-                             small_steps == 1 ? "one step" : fmt::format("{} small steps", small_steps), 1 / h,
+                             substeps == 1 ? "one step" : fmt::format("{} small steps", substeps), 1 / h,
                              sweeps == 1 ? "one sweep" : fmt::format("{} sweeps", sweeps),
-                             100 * stretch_on_stairs(h, small_steps, sweeps)));
+                             100 * stretch_on_stairs(h, substeps, sweeps)));
       }
     });
   });

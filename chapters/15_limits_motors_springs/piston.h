@@ -11,7 +11,7 @@ namespace pushback {
 ///
 ///   C = |P_B - P_A| - L(t),   C' = J V + b,   b = -(L(t + h) - L(t)) / h
 ///
-/// J is that of a distance (chapter 09). `force`: the largest, N; Catto, GDC 2009, "Modeling Time Dependence".
+/// J is that of a distance (chapter 13). `force`: the largest, N; Catto, GDC 2009, "Modeling Time Dependence".
 inline Joint piston(const World& world, int a, const Vec3& point_a, int b, const Vec3& point_b,
                     std::function<Real(Real)> length_at, Real force = std::numeric_limits<Real>::infinity()) {
   const std::string name = "a piston";

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "pushback/chapters/09_joints/hinge.h"
-#include "pushback/chapters/10_limits_and_motors/limits.h"
+#include "pushback/chapters/13_joints/hinge.h"
+#include "pushback/chapters/15_limits_motors_springs/limits.h"
 
 namespace pushback {
 

@@ -1,13 +1,13 @@
 /// A bar and its stop, a bar that is to follow sin t, two winches, three springs, two pulleys, a swing.
 #pragma once
 
-#include "pushback/chapters/09_joints/hinge.h"
-#include "pushback/chapters/09_joints/jointed_solver.h"
-#include "pushback/chapters/10_limits_and_motors/limits.h"
-#include "pushback/chapters/10_limits_and_motors/motor.h"
-#include "pushback/chapters/10_limits_and_motors/piston.h"
-#include "pushback/chapters/10_limits_and_motors/spring.h"
-#include "pushback/chapters/10_limits_and_motors/wound_rope.h"
+#include "pushback/chapters/13_joints/hinge.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
+#include "pushback/chapters/15_limits_motors_springs/limits.h"
+#include "pushback/chapters/15_limits_motors_springs/motor.h"
+#include "pushback/chapters/15_limits_motors_springs/piston.h"
+#include "pushback/chapters/15_limits_motors_springs/spring.h"
+#include "pushback/chapters/15_limits_motors_springs/wound_rope.h"
 #include "pushback/common/world/situations.h"
 
 namespace pushback {

@@ -1,8 +1,8 @@
 /// A spring with a damper: an equation that gives way.
 #pragma once
 
-#include "pushback/chapters/09_joints/distance.h"
-#include "pushback/chapters/10_limits_and_motors/angle.h"
+#include "pushback/chapters/13_joints/distance.h"
+#include "pushback/chapters/15_limits_motors_springs/angle.h"
 
 namespace pushback {
 

@@ -1,8 +1,8 @@
 /// What is worked out beside the sheet: a motor's work, how it reaches its speed, springs and the pumped swing.
 #pragma once
 
-#include "pushback/chapters/10_limits_and_motors/ragdoll.h"
-#include "pushback/chapters/10_limits_and_motors/scenes.h"
+#include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
+#include "pushback/chapters/15_limits_motors_springs/scenes.h"
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/steps_in.h"
@@ -127,13 +127,13 @@ inline std::vector<Curve> swings(Real h, Real pump) {
 }
 
 /// How far the joints of the ragdoll part in ten seconds from the top of the stairs: at worst, as a part of his height.
-inline Real stretch_on_stairs(Real h, int small_steps, int sweeps) {
+inline Real stretch_on_stairs(Real h, int substeps, int sweeps) {
   World world;
   const Ragdoll man = down_the_stairs(world);
   JointedSolver solver;
   Real worst = 0;
   for (int i = 0; i < steps_in(10, h); ++i) {
-    for (int small = 0; small < small_steps; ++small) world.step(solver, h / static_cast<Real>(small_steps), sweeps);
+    for (int small = 0; small < substeps; ++small) world.step(solver, h / static_cast<Real>(substeps), sweeps);
     worst = std::max(worst, stretch(world, man));
   }
   return worst;

@@ -1,7 +1,7 @@
 /// A rope wound on a wheel: it pulls, and what one end gives the other gets.
 #pragma once
 
-#include "pushback/chapters/10_limits_and_motors/limits.h"
+#include "pushback/chapters/15_limits_motors_springs/limits.h"
 
 namespace pushback {
 

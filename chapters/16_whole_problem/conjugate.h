@@ -8,7 +8,7 @@
 /// M. Silcowitz, S. Niebe, K. Erleben, 2009 and 2010. Theirs sweeps the pyramid; here it is any of the three.
 #pragma once
 
-#include "pushback/chapters/13_global_solve/sweeps.h"
+#include "pushback/chapters/16_whole_problem/sweeps.h"
 
 namespace pushback {
 

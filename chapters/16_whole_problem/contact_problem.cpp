@@ -1,4 +1,4 @@
-#include "pushback/chapters/13_global_solve/contact_problem.h"
+#include "pushback/chapters/16_whole_problem/contact_problem.h"
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 ///
 /// K* is the dual cone of K: all s with r . s >= 0 for every r in K. As s_t = u_t, s in K* says u_n >= 0 and nothing else.
 /// Where W is positive definite, an r exists for every q and every mu, not always a single one. Where W is singular, it
-/// depends on q whether any does: chapter 13's page says on what.
+/// depends on q whether any does: chapter 16's page says on what.
 /// r and u have three numbers a contact: along the normal, and along two tangents. N s and m/s.
 ///   De Saxce, Feng, 1998: with mu |u_t| added to the normal speed, Coulomb's law is one complementarity of two cones.
 /// All in double, whatever Real is: residuals of 1e-12 are asked for.

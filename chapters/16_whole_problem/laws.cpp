@@ -1,8 +1,8 @@
-#include "pushback/chapters/13_global_solve/laws.h"
+#include "pushback/chapters/16_whole_problem/laws.h"
 
 #include <cmath>
 
-#include "pushback/chapters/13_global_solve/sweeps.h"
+#include "pushback/chapters/16_whole_problem/sweeps.h"
 
 namespace pushback {
 

@@ -1,9 +1,9 @@
 #include "pushback/chapters/04_slop/slop.h"
-#include "pushback/chapters/09_joints/split_joints.h"
-#include "pushback/chapters/13_global_solve/chain_study.h"
-#include "pushback/chapters/13_global_solve/global_solve.h"
-#include "pushback/chapters/13_global_solve/scenes.h"
-#include "pushback/chapters/13_global_solve/study.h"
+#include "pushback/chapters/14_joints_under_load/split_joints.h"
+#include "pushback/chapters/18_direct_joints/chain_study.h"
+#include "pushback/chapters/17_direct_contacts/direct_contacts.h"
+#include "pushback/chapters/16_whole_problem/scenes.h"
+#include "pushback/chapters/16_whole_problem/study.h"
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
@@ -11,17 +11,17 @@ using namespace pushback;
 namespace {
 
 using Cold = Solver<Clamping, Baumgarte, Slop, FrictionCone>;
-using AtOnce = Solver<Clamping, Baumgarte, Slop, FrictionCone, GlobalSolve>;  // this chapter
+using AtOnce = Solver<Clamping, Baumgarte, Slop, FrictionCone, DirectContacts>;  // this chapter
 
-using SweptJoints = Solver<SplitJoints>;    // chapter 09's best, warm
-using JointsAtOnce = Solver<GlobalJoints>;  // this chapter
+using SweptJoints = Solver<SplitJoints>;    // chapter 13's best, warm
+using JointsAtOnce = Solver<DirectJoints>;  // this chapter
 
 using Fill = std::function<void(World&)>;
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment e("13_global_solve", "Sweep, or solve all at once?");
+  Experiment e("16_whole_problem", "Sweep, or solve all at once?");
   StackInGate gate;
   e.parameter({"--boxes", "n", "", "Boxes of the stack", 1, 30}, &gate.boxes);
   LoadedChain chain;

@@ -1,4 +1,4 @@
-#include "pushback/chapters/13_global_solve/matrix.h"
+#include "pushback/chapters/16_whole_problem/matrix.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
-#include "pushback/chapters/13_global_solve/contact_problem.h"
+#include "pushback/chapters/16_whole_problem/contact_problem.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "pushback/chapters/13_global_solve/problem_file.h"
+#include "pushback/chapters/16_whole_problem/problem_file.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
 /// A stack of twenty, whose sweeps begin from nothing; a chain that carries a heavy load.
 #pragma once
 
-#include "pushback/chapters/09_joints/ball_and_socket.h"
+#include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/common/world/situations.h"
 
 namespace pushback {

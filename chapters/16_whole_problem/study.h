@@ -1,9 +1,9 @@
 /// What sweeps leave undone, and what they say of it themselves.
 #pragma once
 
-#include "pushback/chapters/13_global_solve/matrix.h"
-#include "pushback/chapters/13_global_solve/methods.h"
-#include "pushback/chapters/13_global_solve/pivoting.h"
+#include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/chapters/17_direct_contacts/methods.h"
+#include "pushback/chapters/17_direct_contacts/pivoting.h"
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/world/situations.h"
 

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-#include "pushback/chapters/13_global_solve/contact_problem.h"
+#include "pushback/chapters/16_whole_problem/contact_problem.h"
 
 namespace pushback {
 

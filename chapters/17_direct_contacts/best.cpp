@@ -1,10 +1,10 @@
-#include "pushback/chapters/13_global_solve/best.h"
+#include "pushback/chapters/17_direct_contacts/best.h"
 
 #include <numeric>
 #include <random>
 
-#include "pushback/chapters/13_global_solve/conjugate.h"
-#include "pushback/chapters/13_global_solve/proximal_newton.h"
+#include "pushback/chapters/16_whole_problem/conjugate.h"
+#include "pushback/chapters/17_direct_contacts/proximal_newton.h"
 
 namespace pushback {
 

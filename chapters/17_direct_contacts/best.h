@@ -2,7 +2,7 @@
 /// then Newton's method.
 #pragma once
 
-#include "pushback/chapters/13_global_solve/contact_problem.h"
+#include "pushback/chapters/16_whole_problem/contact_problem.h"
 
 namespace pushback {
 

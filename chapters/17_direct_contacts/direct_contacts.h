@@ -2,15 +2,15 @@
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
-#include "pushback/chapters/13_global_solve/best.h"
-#include "pushback/chapters/13_global_solve/matrix.h"
+#include "pushback/chapters/17_direct_contacts/best.h"
+#include "pushback/chapters/16_whole_problem/matrix.h"
 
 namespace pushback {
 
 /// Beside Clamping and FrictionCone, last.   l = what solves u = W l + q with the law of each contact, all at once
 ///
 /// What no method brings below `tolerance` is left to the sweeps, from the best point met.
-struct GlobalSolve : Effect {
+struct DirectContacts : Effect {
   double tolerance = 1e-10;  ///< of relative_residual
 
   void start(Step& step) {

@@ -1,6 +1,6 @@
-#include "pushback/chapters/13_global_solve/methods.h"
+#include "pushback/chapters/17_direct_contacts/methods.h"
 
-#include "pushback/chapters/13_global_solve/conjugate.h"
+#include "pushback/chapters/16_whole_problem/conjugate.h"
 #include "pushback/common/basics/named.h"
 
 namespace pushback {

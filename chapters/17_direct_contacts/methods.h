@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pushback/chapters/13_global_solve/best.h"
+#include "pushback/chapters/17_direct_contacts/best.h"
 
 namespace pushback {
 

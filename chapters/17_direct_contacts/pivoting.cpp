@@ -1,4 +1,4 @@
-#include "pushback/chapters/13_global_solve/pivoting.h"
+#include "pushback/chapters/17_direct_contacts/pivoting.h"
 
 #include <Eigen/QR>
 #include <cmath>

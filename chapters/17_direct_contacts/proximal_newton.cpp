@@ -1,10 +1,10 @@
-#include "pushback/chapters/13_global_solve/proximal_newton.h"
+#include "pushback/chapters/17_direct_contacts/proximal_newton.h"
 
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 
-#include "pushback/chapters/13_global_solve/sweeps.h"
+#include "pushback/chapters/16_whole_problem/sweeps.h"
 
 namespace pushback {
 

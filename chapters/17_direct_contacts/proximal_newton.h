@@ -9,7 +9,7 @@
 ///   Acary, Bremond, Huber, "On solving contact problems with Coulomb friction", 2018, compare such methods.
 #pragma once
 
-#include "pushback/chapters/13_global_solve/contact_problem.h"
+#include "pushback/chapters/16_whole_problem/contact_problem.h"
 
 namespace pushback {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "pushback/chapters/09_joints/ball_and_socket.h"
-#include "pushback/chapters/13_global_solve/global_joints.h"
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/common/world/situations.h"
 
 namespace pushback {
@@ -38,7 +38,7 @@ inline ChainSolved solve_chain(int count, Real h, int most) {
   World exact = swept;
   for (World* world : {&swept, &exact}) world->begin_step(h);
   Solver<Joints> sweeps;
-  Solver<GlobalJoints> at_once;
+  Solver<DirectJoints> at_once;
   sweeps.solve(swept, h, 0);
   at_once.solve(exact, h, 0);
   const auto rows = [&at_once] { return Rows(at_once.joint_rows().begin(), at_once.joint_rows().end()); };

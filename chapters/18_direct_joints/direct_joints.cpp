@@ -1,4 +1,4 @@
-#include "pushback/chapters/13_global_solve/global_joints.h"
+#include "pushback/chapters/18_direct_joints/direct_joints.h"
 
 #include <cmath>
 
@@ -25,7 +25,7 @@ Places independent(const JointRows& rows, const Places& places) {
   Symmetric a = matrix_of(rows, places);
   const Vector diagonal = a.diagonal();
   // No pivot may be 0, or rounding would be divided by rounding. What is added is far below the pivots that are kept.
-  const double little = std::pow(static_cast<double>(GlobalJoints::least_pivot), 1.5);
+  const double little = std::pow(static_cast<double>(DirectJoints::least_pivot), 1.5);
   for (Index i = 0; i < a.rows(); ++i) a.coeffRef(i, i) *= 1 + little;
   const Eigen::SimplicialLDLT<Symmetric> factors(a);
   Places kept;
@@ -33,7 +33,7 @@ Places independent(const JointRows& rows, const Places& places) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto row = static_cast<Index>(i);
     const Index permuted = factors.permutationP().indices()[row];
-    if (factors.vectorD()[permuted] > static_cast<double>(GlobalJoints::least_pivot) * diagonal[row])
+    if (factors.vectorD()[permuted] > static_cast<double>(DirectJoints::least_pivot) * diagonal[row])
       kept.push_back(places[i]);
   }
   return kept;
@@ -41,7 +41,7 @@ Places independent(const JointRows& rows, const Places& places) {
 
 }  // namespace
 
-void GlobalJoints::factor() {
+void DirectJoints::factor() {
   at_once_.clear();
   for (std::size_t i = 0; i < joint_rows_.size(); ++i)
     if (!limited(joint_rows_[i]) && std::isfinite(joint_rows_[i].effective_mass)) at_once_.push_back(i);
@@ -51,7 +51,7 @@ void GlobalJoints::factor() {
   if (factors_->info() != Eigen::Success) at_once_.clear();  // D was left unfinished: not to be read
 }
 
-void GlobalJoints::solve_at_once() {
+void DirectJoints::solve_at_once() {
   if (at_once_.empty()) return;
   Vector error(static_cast<Index>(at_once_.size()));
   for (std::size_t i = 0; i < at_once_.size(); ++i) {

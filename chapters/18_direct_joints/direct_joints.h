@@ -4,8 +4,8 @@
 #include <Eigen/SparseCholesky>
 #include <memory>
 
-#include "pushback/chapters/09_joints/joints.h"
-#include "pushback/chapters/13_global_solve/matrix.h"
+#include "pushback/chapters/13_joints/joints.h"
+#include "pushback/chapters/16_whole_problem/matrix.h"
 
 namespace pushback {
 
@@ -19,7 +19,7 @@ namespace pushback {
 ///
 /// Joints may ask for the same thing twice, and A is singular then. 1 / D_i is the mass that row i feels while the rows before
 /// it hold, 1 / A_ii what it feels alone. A row that feels 1 / least_pivot times as much gets no impulse: the others hold it.
-struct GlobalJoints : Joints {
+struct DirectJoints : Joints {
   static constexpr Real least_pivot = Real(std::numeric_limits<Real>::digits > 24 ? 1e-8 : 3e-4);  ///< of D_i / A_ii
 
   void build(Step& step) {

@@ -1,7 +1,7 @@
 #include "pushback/chapters/05_restitution/restitution.h"
-#include "pushback/chapters/09_joints/joints.h"
-#include "pushback/chapters/12_small_steps/study.h"
-#include "pushback/chapters/14_accuracy_and_time/motion.h"
+#include "pushback/chapters/13_joints/joints.h"
+#include "pushback/chapters/11_substeps/study.h"
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
@@ -47,7 +47,7 @@ struct Truth {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment e("14_accuracy_and_time", "What does accuracy cost?");
+  Experiment e("19_accuracy_and_time", "What does accuracy cost?");
   std::vector<int> steps_of_balls{1, 16, 256}, steps_of_chain{1, 4, 16};
   e.parameter({"--ball-steps", "", "", "Numbers of small steps that a step is cut into, for the balls", 1, 1024},
               &steps_of_balls);
@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
     int colour = 0;
     for (const int steps : steps_of_balls)
       e.variant(counted(steps, "step") + " in 1/60 s", Solver<Clamping, Restitution>{})
-          .in_small_steps(steps)
+          .in_substeps(steps)
           .with_exactly(1)
           .coloured(colour++);
     measure_error(of_balls);
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     colour = 0;
     for (const int steps : steps_of_chain)
       e.variant(counted(steps, "step") + " of " + counted(16 / steps, "sweep"), Solver<Joints>{})
-          .in_small_steps(steps)
+          .in_substeps(steps)
           .with_exactly(16 / steps)
           .coloured(colour++);
     measure_error(of_chain);

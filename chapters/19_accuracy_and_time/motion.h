@@ -29,7 +29,7 @@ struct Motion {
   double seconds;                                 ///< how long it is compared
   std::function<std::vector<Places>(int)> truth;  ///< where all bodies are after 1, 2 ... frames, so many of them
   std::vector<Pin> pins = {};                     ///< pinned pairs do not collide
-  int most_small_steps = 64;                      ///< in a frame, worth trying
+  int most_substeps = 64;                      ///< in a frame, worth trying
   int most_sweeps = 64;                           ///< in a small step
   int most_passes = 256;                          ///< small steps times sweeps
 

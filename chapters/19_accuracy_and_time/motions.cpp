@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pushback/chapters/09_joints/ball_and_socket.h"
-#include "pushback/chapters/14_accuracy_and_time/motion.h"
-#include "pushback/chapters/14_accuracy_and_time/truth.h"
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/chapters/19_accuracy_and_time/truth.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/common/world/situations.h"
 
@@ -56,7 +56,7 @@ Motion bounce() {
           .fill = fill,
           .seconds = 2.5,
           .truth = along(fill, Eigen::Vector3d::UnitY(), way),
-          .most_small_steps = 2048,
+          .most_substeps = 2048,
           .most_sweeps = 4,
           .most_passes = 2048};
 }
@@ -78,7 +78,7 @@ Motion on_a_slope() {
           .fill = fill,
           .seconds = 1.5,
           .truth = along(fill, down, [=](double t) { return a * t * t / 2; }),
-          .most_small_steps = 1024,
+          .most_substeps = 1024,
           .most_sweeps = 16,
           .most_passes = 2048};
 }
@@ -96,7 +96,7 @@ Motion sliding() {
           .fill = fill,
           .seconds = 2,
           .truth = along(fill, ahead.cast<double>(), way),
-          .most_small_steps = 1024,
+          .most_substeps = 1024,
           .most_sweeps = 16,
           .most_passes = 2048};
 }
@@ -114,7 +114,7 @@ Motion rolling() {
           .fill = fill,
           .seconds = 2,
           .truth = along(fill, ahead.cast<double>(), way),
-          .most_small_steps = 1024,
+          .most_substeps = 1024,
           .most_sweeps = 4,
           .most_passes = 2048};
 }
@@ -160,7 +160,7 @@ Motion hanging(const std::string& name, const std::string& title, int links, Rea
           .seconds = 2,
           .truth = [=](int frames) { return truth::places_of_hanging(bodies, static_cast<double>(angle), frames); },
           .pins = pins,
-          .most_small_steps = links == 0 ? 2048 : 256,
+          .most_substeps = links == 0 ? 2048 : 256,
           .most_sweeps = links == 0 ? 4 : 64,
           .most_passes = links == 0 ? 4096 : 1024};
 }
@@ -193,7 +193,7 @@ Motion billiard_break() {
           .fill = fill,
           .seconds = 0.6,
           .truth = truth,
-          .most_small_steps = 4096,
+          .most_substeps = 4096,
           .most_sweeps = 4,
           .most_passes = 4096};
 }

@@ -1,11 +1,11 @@
 /// The program `motion`: our own solvers play motions. Built twice, with Real = double and with Real = float.
-#include "pushback/chapters/05_restitution/at_once.h"
-#include "pushback/chapters/11_position_correction/nonlinear_gauss_seidel.h"
-#include "pushback/chapters/11_position_correction/split_impulse.h"
-#include "pushback/chapters/12_small_steps/steady_solver.h"
-#include "pushback/chapters/13_global_solve/global_joints.h"
-#include "pushback/chapters/14_accuracy_and_time/play.h"
-#include "pushback/chapters/14_accuracy_and_time/warm_global_solve.h"
+#include "pushback/chapters/09_impacts/simultaneous.h"
+#include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
+#include "pushback/chapters/10_position_correction/split_impulse.h"
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/chapters/18_direct_joints/direct_joints.h"
+#include "pushback/chapters/19_accuracy_and_time/play.h"
+#include "pushback/chapters/19_accuracy_and_time/warm_direct_contacts.h"
 #include "pushback/common/world/any_solver.h"
 
 using namespace pushback;
@@ -19,8 +19,8 @@ using NoSlop = Solver<Clamping, Baumgarte, Restitution, FrictionCone, WarmStart>
 using Split = CorrectingSolver<Clamping, SplitImpulse, Restitution, FrictionCone, WarmStart>;
 using Nonlinear = CorrectingSolver<Clamping, NonlinearGaussSeidel, Restitution, FrictionCone, WarmStart>;
 using Soft = RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>;
-using SteadyCold = RelaxingSolver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone>;
-using AtOnce = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmGlobalSolve>;
+using SteadyCold = RelaxingSolver<Clamping, SoftContacts, SimultaneousImpacts, FrictionCone>;
+using AtOnce = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmDirectContacts>;
 
 class Ours : public Player {
  public:
@@ -54,7 +54,7 @@ class Ours : public Player {
 template <class ContactSolver>
 Method method(const std::string& name, const std::string& title) {
   const bool solves_systems =
-      std::derived_from<ContactSolver, WarmGlobalSolve> || std::derived_from<ContactSolver, GlobalJoints>;
+      std::derived_from<ContactSolver, WarmDirectContacts> || std::derived_from<ContactSolver, DirectJoints>;
   ContactSolver solver;
   if constexpr (std::is_same_v<ContactSolver, Slim> || std::is_same_v<ContactSolver, SlimCold>)
     solver.slop = Real(1e-4);
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
       method<Solver<WarmJoints>>("warm-joints", "joints, warm"),
       method<Solver<SplitJoints>>("split-joints", "joints, push kept apart"),
       method<Solver<SteadyJoints>>("steady-joints", "joints, twenty passes"),
-      method<Solver<GlobalJoints>>("global-joints", "all joints at once"),
+      method<Solver<DirectJoints>>("global-joints", "all joints at once"),
   };
   const std::string version =
       fmt::format("Pushback, {}; {}", std::is_same_v<Real, float> ? "float" : "double", built_by());

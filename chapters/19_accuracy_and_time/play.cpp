@@ -1,4 +1,4 @@
-#include "pushback/chapters/14_accuracy_and_time/play.h"
+#include "pushback/chapters/19_accuracy_and_time/play.h"
 
 #include <fmt/ranges.h>
 
@@ -6,7 +6,7 @@
 #include <charconv>
 #include <chrono>
 
-#include "pushback/chapters/14_accuracy_and_time/stopwatch.h"
+#include "pushback/chapters/19_accuracy_and_time/stopwatch.h"
 #include "pushback/common/basics/quantile.h"
 #include "pushback/common/experiment/program.h"
 
@@ -35,7 +35,7 @@ struct Playing {
     try {
       for (Places& frame : places) {
         own.go();
-        for (int step = 0; step < setting.small_steps; ++step) player->small_step();
+        for (int step = 0; step < setting.substeps; ++step) player->small_step();
         own.stop();
         for (std::size_t body = 0; body < bodies; ++body) frame[body] = player->place(body);
         if (seconds_since(begin) > at_most) {
@@ -54,7 +54,7 @@ struct Playing {
 /// Plays once more, and does nothing else: where a frame takes a microsecond, a stopwatch that stops at each is felt.
 double seconds_of(const Motion& motion, const Method& method, const Setting& setting) {
   const std::unique_ptr<Player> player = method.begin(motion, setting);
-  const int steps = motion.frames() * setting.small_steps;
+  const int steps = motion.frames() * setting.substeps;
   Stopwatch own;
   own.go();
   try {
@@ -132,7 +132,7 @@ Asked read(const std::string& asked, const Motion& motion, const std::vector<Met
     if (words.size() != 1 + numbers)
       throw InvalidInput(
           fmt::format("'{}': {}/SMALL-STEPS{} is needed", asked, method.name, method.sweeps ? "/SWEEPS" : ""));
-    Asked read{&method, {.small_steps = number_in(words[1], asked, 1 << 16)}};
+    Asked read{&method, {.substeps = number_in(words[1], asked, 1 << 16)}};
     if (method.sweeps) read.setting.sweeps = number_in(words[2], asked, 1 << 20);
     return read;
   }
@@ -140,7 +140,7 @@ Asked read(const std::string& asked, const Motion& motion, const std::vector<Met
 }
 
 bool is_more_work(const Asked& one, const Asked& than) {
-  return one.method == than.method && one.setting.small_steps >= than.setting.small_steps &&
+  return one.method == than.method && one.setting.substeps >= than.setting.substeps &&
          one.setting.sweeps >= than.setting.sweeps;
 }
 

@@ -5,16 +5,16 @@
 #include <memory>
 #include <optional>
 
-#include "pushback/chapters/14_accuracy_and_time/motion.h"
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
 
 namespace pushback {
 
-/// The knobs. A small step is 1 / (60 small_steps) s, so this is the time step and the number of sub-steps in one.
+/// The knobs. A small step is 1 / (60 substeps) s, so this is the time step and the number of sub-steps in one.
 struct Setting {
-  int small_steps = 1;  ///< in a frame of 1/60 s
+  int substeps = 1;  ///< in a frame of 1/60 s
   int sweeps = 10;      ///< or iterations, in each small step
 
-  double dt() const { return 1.0 / (frames_per_second * small_steps); }
+  double dt() const { return 1.0 / (frames_per_second * substeps); }
 };
 
 /// An engine with a motion in it, about to begin.

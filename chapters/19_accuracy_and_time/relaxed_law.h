@@ -19,7 +19,7 @@
 #include <cmath>
 #include <optional>
 
-#include "pushback/chapters/14_accuracy_and_time/truth.h"
+#include "pushback/chapters/19_accuracy_and_time/truth.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
 /// Closed forms, and equations of motion of their own, for the motions of this chapter. None of it knows contacts or rows.
 #pragma once
 
-#include "pushback/chapters/14_accuracy_and_time/motion.h"
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
 
 namespace pushback::truth {
 

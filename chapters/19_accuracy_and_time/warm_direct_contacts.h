@@ -3,15 +3,15 @@
 
 #include <limits>
 
-#include "pushback/chapters/13_global_solve/global_solve.h"
-#include "pushback/chapters/13_global_solve/proximal_newton.h"
-#include "pushback/chapters/14_accuracy_and_time/seat.h"
+#include "pushback/chapters/17_direct_contacts/direct_contacts.h"
+#include "pushback/chapters/17_direct_contacts/proximal_newton.h"
+#include "pushback/chapters/19_accuracy_and_time/seat.h"
 
 namespace pushback {
 
-/// In the place of GlobalSolve, after WarmStart, whose guess it goes on from: what rests is one linear system away from its
+/// In the place of DirectContacts, after WarmStart, whose guess it goes on from: what rests is one linear system away from its
 /// solution, or none. Only where Newton's method does not get there in `rounds` it is solved from nothing.
-struct WarmGlobalSolve : Effect {
+struct WarmDirectContacts : Effect {
   double tolerance = 1e-5;  ///< of relative_residual
   double too_far = 1e-3;    ///< of the same, and solved from nothing
   int rounds = 3;           ///< of Newton's method, see NewtonLimits

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "pushback/chapters/15_only_what_is_needed/only.h"
-#include "pushback/chapters/15_only_what_is_needed/sleep.h"
+#include "pushback/chapters/20_only_what_is_needed/only.h"
+#include "pushback/chapters/20_only_what_is_needed/sleep.h"
 
 namespace pushback {
 

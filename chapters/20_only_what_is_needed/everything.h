@@ -1,7 +1,7 @@
 /// What a solver costs that does everything everywhere; to be compared.
 #pragma once
 
-#include "pushback/chapters/09_joints/jointed_solver.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
-#include "pushback/chapters/15_only_what_is_needed/everything.h"
-#include "pushback/chapters/15_only_what_is_needed/scenes.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/20_only_what_is_needed/everything.h"
+#include "pushback/chapters/20_only_what_is_needed/scenes.h"
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
@@ -67,7 +67,7 @@ Real mean(const Run& run, Value Sample::* what) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment e("15_only_what_is_needed", "What may a scene leave out?");
+  Experiment e("20_only_what_is_needed", "What may a scene leave out?");
   Sleep sleep;
   e.parameter({"--still-for", "s", "s", "How long a body keeps its place before it may sleep", 0.01, 10},
               &sleep.seconds);

@@ -1,12 +1,12 @@
 /// The solver with those effects that a scene calls for, and nothing else in the program.
 #pragma once
 
-#include "pushback/chapters/05_restitution/from_surface.h"
-#include "pushback/chapters/05_restitution/in_turn.h"
+#include "pushback/chapters/09_impacts/from_surface.h"
+#include "pushback/chapters/09_impacts/sequential.h"
 #include "pushback/chapters/06_friction/friction.h"
-#include "pushback/chapters/09_joints/joints.h"
-#include "pushback/chapters/12_small_steps/relaxing_solver.h"
-#include "pushback/chapters/15_only_what_is_needed/questions.h"
+#include "pushback/chapters/13_joints/joints.h"
+#include "pushback/chapters/12_soft_contacts/relaxing_solver.h"
+#include "pushback/chapters/20_only_what_is_needed/questions.h"
 
 namespace pushback {
 
@@ -31,7 +31,7 @@ struct DependsOn<E> {
 };
 template <class E>
   requires std::derived_from<E, Restitution> || std::derived_from<E, RestitutionFromSurface> ||
-           std::derived_from<E, ImpactsInTurn>
+           std::derived_from<E, SequentialImpacts>
 struct DependsOn<E> {
   using questions = CalledFor<Bouncing>;
 };

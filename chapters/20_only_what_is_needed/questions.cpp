@@ -1,4 +1,4 @@
-#include "pushback/chapters/15_only_what_is_needed/questions.h"
+#include "pushback/chapters/20_only_what_is_needed/questions.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "pushback/chapters/15_only_what_is_needed/sleep.h"
+#include "pushback/chapters/20_only_what_is_needed/sleep.h"
 
 #include <algorithm>
 #include <map>

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "pushback/chapters/15_only_what_is_needed/islands.h"
-#include "pushback/chapters/15_only_what_is_needed/questions.h"
-#include "pushback/chapters/15_only_what_is_needed/still_bodies.h"
+#include "pushback/chapters/20_only_what_is_needed/islands.h"
+#include "pushback/chapters/20_only_what_is_needed/questions.h"
+#include "pushback/chapters/20_only_what_is_needed/still_bodies.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "pushback/chapters/15_only_what_is_needed/still_bodies.h"
+#include "pushback/chapters/20_only_what_is_needed/still_bodies.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,7 +1,7 @@
 /// A solver, and its dispatch, compiled in a file of its own choice: a dozen in one file take a minute.
 #pragma once
 
-#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/common/world/any_solver.h"
 
 namespace pushback {

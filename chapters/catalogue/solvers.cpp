@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include "pushback/chapters/00_naive_impulses/naive.h"
-#include "pushback/chapters/05_restitution/in_turn.h"
-#include "pushback/chapters/11_position_correction/nonlinear_gauss_seidel.h"
-#include "pushback/chapters/11_position_correction/split_impulse.h"
-#include "pushback/chapters/12_small_steps/steady_solver.h"
-#include "pushback/chapters/13_global_solve/global_joints.h"
+#include "pushback/chapters/09_impacts/sequential.h"
+#include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
+#include "pushback/chapters/10_position_correction/split_impulse.h"
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/catalogue/compiled.h"
 #include "pushback/common/basics/input.h"
 
@@ -40,22 +40,22 @@ const std::vector<NamedSolver>& all_solvers() {
       sweeping<Solver<Joints, Clamping, Baumgarte, Slop, Restitution, Friction>>("06 friction", "+ friction"),
       sweeping<JointedSolver>("07 warm start", "+ last step's impulses: the full solver; joints keep their push apart"),
       sweeping<Solver<SplitJoints, Clamping, Baumgarte, Slop, RestitutionFromSurface, Friction, WarmStart>>(
-          "05 from surface", "the full solver, bounces reckoned from the surface"),
+          "09 from surface", "the full solver, bounces reckoned from the surface"),
       sweeping<Solver<SplitJoints, Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>(
           "08 friction cone", "the full solver with a cone of friction"),
       sweeping<CorrectingSolver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, Friction, WarmStart>>(
-          "11 split impulse", "the full solver, overlap corrected by pseudo-velocities in the place of Baumgarte"),
+          "10 split impulse", "the full solver, overlap corrected by pseudo-velocities in the place of Baumgarte"),
       sweeping<CorrectingSolver<SplitJoints, Clamping, NonlinearGaussSeidel, Slop, Restitution, Friction, WarmStart>>(
-          "11 non-linear Gauss-Seidel", "the full solver, positions corrected contact by contact, not by Baumgarte"),
-      stepping<JointedSolver>("12 small steps", "the full solver, 32 small steps of one sweep"),
-      stepping<Solver<SplitJoints, Clamping, Baumgarte, Slop, ImpactsInTurn, Friction, ScaledWarmStart>>(
-          "05 in turn", "12 small steps with impacts in turn and a scaled guess"),
+          "10 non-linear Gauss-Seidel", "the full solver, positions corrected contact by contact, not by Baumgarte"),
+      stepping<JointedSolver>("11 substeps", "the full solver, 32 small steps of one sweep"),
+      stepping<Solver<SplitJoints, Clamping, Baumgarte, Slop, SequentialImpacts, Friction, ScaledWarmStart>>(
+          "09 sequential", "11 substeps with impacts in turn and a scaled guess"),
       stepping<RelaxingSolver<SplitJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>(
           "12 soft contacts", "soft contacts and a relaxing pass, 32 small steps of one sweep"),
       stepping<RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>(
-          "12 joints 20 times", "12 soft contacts with 20 passes over the joints in each sweep"),
-      stepping<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, GlobalJoints>>(
-          "13 direct joint solve", "12 soft contacts with all joints solved at once in each sweep, without a guess"),
+          "14 joints 20 times", "12 soft contacts with 20 passes over the joints in each sweep"),
+      stepping<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, DirectJoints>>(
+          "18 direct joint solve", "12 soft contacts with all joints solved at once in each sweep, without a guess"),
       stepping<SteadyJointedSolver>(
           "all together",
           "soft contacts, a cone, impacts at once, a scaled guess; 32 small steps of one sweep, 20 over joints"),

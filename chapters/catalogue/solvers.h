@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/common/world/any_solver.h"
 
 namespace pushback {
@@ -14,7 +14,7 @@ namespace pushback {
 struct NamedSolver {
   std::string name;  ///< the chapter that it ends in, and a word or two: "07 warm start"
   std::string what;  ///< in a line: what it adds to the one before it, or how it steps
-  int small_steps;   ///< into how many it divides a step
+  int substeps;   ///< into how many it divides a step
   int sweeps;        ///< in each of them
   AnySolver solver;  ///< with the settings that it has by itself; to be copied
   std::function<OnlyWhatIsNeeded(const World&, std::optional<Sleep>)> fitting;  ///< of it, what the world calls for

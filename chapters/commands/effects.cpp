@@ -1,5 +1,5 @@
 /// ./course effects: what each scene calls for, and why.
-#include "pushback/chapters/15_only_what_is_needed/questions.h"
+#include "pushback/chapters/20_only_what_is_needed/questions.h"
 #include "pushback/chapters/catalogue.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/common/experiment/program.h"

@@ -1,6 +1,6 @@
 /// ./course export: the contacts of one step of a scene, as a problem in a file for ./course solve.
-#include "pushback/chapters/13_global_solve/matrix.h"
-#include "pushback/chapters/13_global_solve/problem_file.h"
+#include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/chapters/catalogue.h"
 #include "pushback/chapters/catalogue/solvers.h"
 #include "pushback/common/basics/files.h"

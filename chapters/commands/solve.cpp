@@ -1,9 +1,9 @@
 /// ./course solve: contact problems from files, by any of the methods; or a table of all.
 #include <chrono>
 
-#include "pushback/chapters/13_global_solve/laws.h"
-#include "pushback/chapters/13_global_solve/methods.h"
-#include "pushback/chapters/13_global_solve/problem_file.h"
+#include "pushback/chapters/16_whole_problem/laws.h"
+#include "pushback/chapters/17_direct_contacts/methods.h"
+#include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/program.h"
 

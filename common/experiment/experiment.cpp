@@ -28,8 +28,8 @@ Variant& Variant::with_sweeps(int count) {
   return *this;
 }
 
-Variant& Variant::in_small_steps(int count) {
-  small_steps = count;
+Variant& Variant::in_substeps(int count) {
+  substeps = count;
   return *this;
 }
 
@@ -179,7 +179,7 @@ void Experiment::check() const {
   for (const Variant& variant : variants_) {
     World world;
     fill(world, variant);
-    variant.check(world, dt_ / static_cast<Real>(variant.small_steps));
+    variant.check(world, dt_ / static_cast<Real>(variant.substeps));
   }
 }
 

@@ -73,7 +73,7 @@ struct Variant {
   std::function<void(World&, Real dt, int sweeps, Sample&)> step;
   std::function<void(World&, Real dt)> check;  ///< throws InvalidInput where a value cannot be used
   std::function<void(World&)> change;          ///< what this variant does to the scene before it begins; empty: nothing
-  int small_steps = 1;                         ///< into how many each step of --dt is cut
+  int substeps = 1;                         ///< into how many each step of --dt is cut
   int sweeps = 0;                              ///< 0: what --sweeps says
   bool exactly = false;                        ///< whether --sweeps has no say
   int colour = -1;                             ///< line_colour's index; -1: its place among all variants
@@ -81,7 +81,7 @@ struct Variant {
   std::vector<Reference> references;
 
   /// Each step of --dt as so many steps of the `count`th part; numbers of points found and lost are then of the last one.
-  Variant& in_small_steps(int count);
+  Variant& in_substeps(int count);
   /// What this variant does to the scene before it begins: variants may differ in their joints.
   Variant& changing(std::function<void(World&)> how);
   /// Instead of the ten that all have; --sweeps overrides it.

@@ -73,7 +73,7 @@ Experiment::Result Experiment::play(const Variant& variant, std::size_t index, O
   fill(world, variant);
   // The impulses that a picture shows are those of the latest small step.
   const Real arrow =
-      static_cast<Real>(variant.small_steps) * (scene.arrow > 0 ? scene.arrow : fitting_arrow(world, dt_));
+      static_cast<Real>(variant.substeps) * (scene.arrow > 0 ? scene.arrow : fitting_arrow(world, dt_));
 
   std::vector<Real> instants = scene.instants;
   if (instants.empty() || seconds_ > 0) instants = {0, seconds / 3, 2 * seconds / 3, seconds};
@@ -123,8 +123,8 @@ Experiment::Result Experiment::play(const Variant& variant, std::size_t index, O
   for (std::size_t step = 1; step <= steps; ++step) {
     Sample sample;
     try {
-      for (int i = 0; i < variant.small_steps; ++i) {
-        step_once(world, dt_ / static_cast<Real>(variant.small_steps), sweeps_of(variant), sample);
+      for (int i = 0; i < variant.substeps; ++i) {
+        step_once(world, dt_ / static_cast<Real>(variant.substeps), sweeps_of(variant), sample);
       }
     } catch (const InvalidInput& problem) {
       result.mishap =

@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include "pushback/chapters/01_velocity_constraint/rows_solved.h"
-#include "pushback/chapters/05_restitution/in_turn.h"
+#include "pushback/chapters/09_impacts/sequential.h"
 #include "pushback/chapters/06_friction/by_weight.h"
 #include "pushback/chapters/08_friction_cone/scaled_back.h"
-#include "pushback/chapters/09_joints/ball_and_socket.h"
-#include "pushback/chapters/11_position_correction/nonlinear_gauss_seidel.h"
-#include "pushback/chapters/11_position_correction/split_impulse.h"
-#include "pushback/chapters/12_small_steps/steady_solver.h"
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
+#include "pushback/chapters/10_position_correction/split_impulse.h"
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;
@@ -119,21 +119,21 @@ TEST_CASE("what relaxes sweeps once more, joints in all their passes") {
 }
 
 TEST_CASE("impacts at once: as many rounds as the same impact takes in numbers alone") {
-  CHECK(counted<Solver<Clamping, ImpactsAtOnce>>(row_of(2), 1) == 2);  // solved by the sweep, and seen to be
+  CHECK(counted<Solver<Clamping, SimultaneousImpacts>>(row_of(2), 1) == 2);  // solved by the sweep, and seen to be
   for (const int balls : {2, 3, 5, 8}) {
     for (const int sweeps : {1, 3}) {
       INFO(balls << " balls, " << sweeps << " sweeps");
-      CHECK(counted<Solver<Clamping, ImpactsAtOnce>>(row_of(balls), sweeps) == solved_in_numbers(balls - 1, sweeps));
+      CHECK(counted<Solver<Clamping, SimultaneousImpacts>>(row_of(balls), sweeps) == solved_in_numbers(balls - 1, sweeps));
     }
   }
   World still = row_of(5);
   still.bodies[0].velocity.setZero();
-  CHECK(counted<Solver<Clamping, ImpactsAtOnce>>(still, 3) == 4 * 3);
+  CHECK(counted<Solver<Clamping, SimultaneousImpacts>>(still, 3) == 4 * 3);
 }
 
 TEST_CASE("impacts in turn: one for each ball that passes its speed on, then the sweeps") {
-  CHECK(counted<Solver<Clamping, ImpactsInTurn>>(row_of(5), 0) == 4);
-  CHECK(counted<Solver<Clamping, ImpactsInTurn>>(row_of(5), 3) == 4 + 4 * 3);
+  CHECK(counted<Solver<Clamping, SequentialImpacts>>(row_of(5), 0) == 4);
+  CHECK(counted<Solver<Clamping, SequentialImpacts>>(row_of(5), 3) == 4 + 4 * 3);
 }
 
 TEST_CASE("positions: each contact in each round, where anything overlaps") {

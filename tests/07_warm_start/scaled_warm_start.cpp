@@ -1,5 +1,5 @@
 /// ScaledWarmStart: never a guess that is worse than none.
-#include "pushback/chapters/12_small_steps/steady_solver.h"
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
@@ -29,7 +29,7 @@ struct Weighed : AnyWarmStart {
   }
 };
 template <class AnyWarmStart>
-using Weighing = RelaxingSolver<Clamping, SoftContacts, ImpactsAtOnce, FrictionCone, Weighed<AnyWarmStart>>;
+using Weighing = RelaxingSolver<Clamping, SoftContacts, SimultaneousImpacts, FrictionCone, Weighed<AnyWarmStart>>;
 
 /// Bodies on the ground and above it, some of them fast, some bouncing.
 World random_scene(Random& random) {

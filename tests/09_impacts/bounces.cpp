@@ -1,7 +1,7 @@
 /// Two further ways to bounce of chapter 05: reckoned from the surface, and one impact after the other.
-#include "pushback/chapters/05_restitution/from_surface.h"
-#include "pushback/chapters/05_restitution/in_turn.h"
-#include "pushback/chapters/12_small_steps/soft_contacts.h"
+#include "pushback/chapters/09_impacts/from_surface.h"
+#include "pushback/chapters/09_impacts/sequential.h"
+#include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/on_ground.h"
@@ -11,7 +11,7 @@ using namespace pushback;
 namespace {
 
 using FromSurface = Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface>;
-using InTurn = Solver<Clamping, Baumgarte, Slop, ImpactsInTurn, Friction, WarmStart>;
+using InTurn = Solver<Clamping, Baumgarte, Slop, SequentialImpacts, Friction, WarmStart>;
 
 constexpr Real radius = Real(0.3);
 

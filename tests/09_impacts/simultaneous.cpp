@@ -1,7 +1,7 @@
 /// Chapter 05's third way to bounce: all impacts at once, solved until nothing changes.
 #include <numeric>
 
-#include "pushback/chapters/12_small_steps/steady_solver.h"
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
@@ -15,7 +15,7 @@ constexpr Real v = 5;                                    // of the blow, m/s
 constexpr Real near = (in_double ? Real(1e-5) : 1) * v;  // floats do not get to the solver's precision
 constexpr Real radius = Real(0.3);
 
-using AtOnce = Solver<Clamping, Baumgarte, Slop, ImpactsAtOnce, Friction, ScaledWarmStart>;
+using AtOnce = Solver<Clamping, Baumgarte, Slop, SimultaneousImpacts, Friction, ScaledWarmStart>;
 
 /// Equal balls that touch, along x; the first comes.
 World row_of_five() {
@@ -75,7 +75,7 @@ TEST_CASE("05: at once, a row of five in small steps of one sweep, with soft con
   World world = row_of_five();
   SteadySolver solver;
   for (int step = 0; step < 30; ++step) {
-    small_steps(world, solver, h, 32);
+    substeps(world, solver, h, 32);
     INFO("step " << step << ": off by " << off(world) << " m/s");
     CHECK(off(world) <= Real(0.02));
   }
@@ -85,7 +85,7 @@ TEST_CASE("05: at once, a row of five in small steps of one sweep, with soft con
 // (0.02 % with the default threshold), and so would a contact that opens on its own.
 TEST_CASE("05: at once, all energy of balls with e = 1 stays, while they break and as they bounce on") {
   World world = billiards();
-  Solver<Clamping, ImpactsAtOnce> solver;
+  Solver<Clamping, SimultaneousImpacts> solver;
   solver.threshold = 0;
   solver.precision = in_double ? Real(1e-12) : Real(1e-6);
   const Real start = kinetic_energy(world);

@@ -1,10 +1,10 @@
-/// Chapter 11: split impulse and non-linear Gauss-Seidel. They move bodies, and leave their velocities alone.
+/// Chapter 10: split impulse and non-linear Gauss-Seidel. They move bodies, and leave their velocities alone.
 #include <Eigen/LU>
 #include <numeric>
 
-#include "pushback/chapters/11_position_correction/scenes.h"
-#include "pushback/chapters/11_position_correction/study.h"
-#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/10_position_correction/scenes.h"
+#include "pushback/chapters/10_position_correction/study.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/on_ground.h"

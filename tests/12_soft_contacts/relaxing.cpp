@@ -1,6 +1,6 @@
 /// The relaxing pass of soft contacts: what it takes back, and what it leaves alone.
-#include "pushback/chapters/12_small_steps/steady_solver.h"
-#include "tests/12_small_steps/soft_contacts.h"
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "tests/12_soft_contacts/soft_contacts.h"
 
 using namespace pushback;
 
@@ -43,8 +43,8 @@ TEST_CASE("what is born deep inside is pushed out at the fastest push-out, and k
     without.fastest_push_out = with.fastest_push_out = fastest;
     for (int step = 0; step < 60; ++step) {
       const Real before = slow.position.y();
-      small_steps(kept, without, h, 32);
-      small_steps(taken, with, h, 32);
+      substeps(kept, without, h, 32);
+      substeps(taken, with, h, 32);
       REQUIRE((slow.position.y() - before) <= h * fastest + 32 * eps * (std::abs(before) + 1));
       REQUIRE(std::abs(slow.velocity.y()) <= 16 * eps * fastest);
     }
@@ -99,7 +99,7 @@ struct Roller {
   Real speed() const { return world.bodies.back().velocity.x() - world.bodies[below].velocity.x(); }
   template <class ContactSolver>
   void roll(ContactSolver& solver, Real seconds, int steps) {
-    for (int step = 0; step < static_cast<int>(seconds * 60); ++step) small_steps(world, solver, h, steps);
+    for (int step = 0; step < static_cast<int>(seconds * 60); ++step) substeps(world, solver, h, steps);
   }
 };
 /// The part of its speed that it gains from the first second to the third.

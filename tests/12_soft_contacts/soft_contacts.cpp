@@ -1,5 +1,5 @@
 /// Soft contacts: the spring that they are. What the relaxing pass leaves is in relaxing.cpp.
-#include "tests/12_small_steps/soft_contacts.h"
+#include "tests/12_soft_contacts/soft_contacts.h"
 
 using namespace pushback;
 
@@ -93,8 +93,8 @@ TEST_CASE("a body rests where the spring carries it: g / w^2 deep, a cube on its
       SoftSolver under_ball, under_cube;
       under_ball.hertz = under_cube.hertz = hertz;
       for (int step = 0; step < 300; ++step) {
-        small_steps(ball, under_ball, h, count);
-        small_steps(cube, under_cube, h, count);
+        substeps(ball, under_ball, h, count);
+        substeps(cube, under_cube, h, count);
       }
       const Real w = 2 * pi * std::min(hertz, 1 / (8 * dt));
       INFO(count << " small steps, " << hertz << " hertz: " << deepest_overlap(ball) << " m and "
@@ -113,7 +113,7 @@ TEST_CASE("a box that carries another M / m times as heavy rests (1 + M/m) g / w
     world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5), 0}));
     world.add(box(Vec3::Constant(Real(0.5)), 100 * heavier).at({0, Real(1.5), 0}));
     SoftSolver solver;
-    for (int step = 0; step < 600; ++step) small_steps(world, solver, h, 32);
+    for (int step = 0; step < 600; ++step) substeps(world, solver, h, 32);
     const Real depth = (1 + heavier) * g / (w * w);
     INFO("1 : " << heavier << ": " << deepest_overlap(world) << " m, should be " << depth << " m");
     REQUIRE(world.contacts.size() == 8);

@@ -1,7 +1,7 @@
 /// What the tests of soft contacts share: no relaxing pass, and a pair that is free.
 #pragma once
 
-#include "pushback/chapters/12_small_steps/small_steps.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/on_ground.h"

@@ -1,9 +1,9 @@
-/// Chapter 09 in motion: what beads, pendulums, chains and ropes do against closed forms.
+/// Chapter 13 in motion: what beads, pendulums, chains and ropes do against closed forms.
 #include <Eigen/LU>
 
-#include "pushback/chapters/09_joints/jointed_solver.h"
-#include "pushback/chapters/09_joints/structures.h"
-#include "pushback/chapters/09_joints/study.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
+#include "pushback/chapters/14_joints_under_load/structures.h"
+#include "pushback/chapters/14_joints_under_load/study.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"

@@ -1,10 +1,10 @@
 /// Joints: their Jacobians, their freedoms, what their impulses leave alone, and what is refused.
 #include <Eigen/QR>
 
-#include "pushback/chapters/09_joints/distance.h"
-#include "pushback/chapters/09_joints/jointed_solver.h"
-#include "pushback/chapters/09_joints/weld.h"
-#include "pushback/chapters/09_joints/wire.h"
+#include "pushback/chapters/13_joints/distance.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
+#include "pushback/chapters/13_joints/weld.h"
+#include "pushback/chapters/13_joints/wire.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"

@@ -1,8 +1,8 @@
 /// Joints of which the push is kept apart: it closes gaps, leaves no speed, and is not remembered.
-#include "pushback/chapters/09_joints/split_joints.h"
+#include "pushback/chapters/14_joints_under_load/split_joints.h"
 
-#include "pushback/chapters/09_joints/ball_and_socket.h"
-#include "pushback/chapters/12_small_steps/steady_solver.h"
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
@@ -33,7 +33,7 @@ Real most_gained() {
   const Real start = kinetic_energy(world) + potential_energy(world);
   Real gained = 0;
   for (int i = 0; i < 600; ++i) {
-    small_steps(world, solver, h, 32);
+    substeps(world, solver, h, 32);
     gained = std::max(gained, kinetic_energy(world) + potential_energy(world) - start);
   }
   return gained;

@@ -1,7 +1,7 @@
-/// Limits, motors, pistons and springs of chapter 10: Jacobians, laws, bounds, and what is refused.
+/// Limits, motors, pistons and springs of chapter 15: Jacobians, laws, bounds, and what is refused.
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/chapters/10_limits_and_motors/cart.h"
-#include "pushback/chapters/10_limits_and_motors/scenes.h"
+#include "pushback/chapters/15_limits_motors_springs/cart.h"
+#include "pushback/chapters/15_limits_motors_springs/scenes.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"

@@ -1,9 +1,9 @@
-/// The ragdoll of chapter 10: how many ways it can move, and what it keeps as it falls.
+/// The ragdoll of chapter 15: how many ways it can move, and what it keeps as it falls.
 #include <Eigen/QR>
 
-#include "pushback/chapters/09_joints/jointed_solver.h"
-#include "pushback/chapters/10_limits_and_motors/ragdoll.h"
-#include "pushback/chapters/12_small_steps/small_steps.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
+#include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -68,7 +68,7 @@ TEST_CASE("a ragdoll falls down the stairs: it holds together, bends no knee bac
   JointedSolver solver;
   Real stretched = 0, backwards = 0;
   for (int step = 0; step < 600; ++step) {
-    small_steps(world, solver, h, 2, 15);
+    substeps(world, solver, h, 2, 15);
     stretched = std::max(stretched, stretch(world, man));
     backwards = std::max(backwards, bent_backwards(world, man));
   }
@@ -85,7 +85,7 @@ TEST_CASE("in small steps with soft contacts and a relaxing pass it holds togeth
   RelaxingSolver<WarmJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart> solver;
   Real stretched = 0, backwards = 0;
   for (int step = 0; step < 300; ++step) {
-    small_steps(world, solver, h, 8);
+    substeps(world, solver, h, 8);
     stretched = std::max(stretched, stretch(world, man));
     backwards = std::max(backwards, bent_backwards(world, man));
   }

@@ -1,9 +1,9 @@
-/// Chapter 13: the cone of friction, the laws of contact one by one, and residuals in whatever units.
+/// Chapter 16: the cone of friction, the laws of contact one by one, and residuals in whatever units.
 #include <random>
 
-#include "pushback/chapters/13_global_solve/laws.h"
-#include "pushback/chapters/13_global_solve/matrix.h"
-#include "pushback/chapters/13_global_solve/methods.h"
+#include "pushback/chapters/16_whole_problem/laws.h"
+#include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/chapters/17_direct_contacts/methods.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
 

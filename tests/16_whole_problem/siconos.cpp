@@ -1,11 +1,11 @@
-/// Chapter 13's residual and chapter 14's frozen problems, held against Siconos. Skipped where it is not built in.
+/// Chapter 16's residual and chapter 19's frozen problems, held against Siconos. Skipped where it is not built in.
 #include <filesystem>
 #include <random>
 #include <set>
 
-#include "pushback/chapters/13_global_solve/matrix.h"
-#include "pushback/chapters/13_global_solve/problem_file.h"
-#include "pushback/chapters/14_accuracy_and_time/frozen/methods.h"
+#include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/chapters/16_whole_problem/problem_file.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/methods.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"

@@ -1,15 +1,15 @@
-/// Chapter 13: contact problems, their files, and what solves them.
+/// Chapter 16: contact problems, their files, and what solves them.
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <set>
 
 #include "pushback/chapters/06_friction/friction.h"
-#include "pushback/chapters/13_global_solve/conjugate.h"
-#include "pushback/chapters/13_global_solve/global_solve.h"
-#include "pushback/chapters/13_global_solve/methods.h"
-#include "pushback/chapters/13_global_solve/pivoting.h"
-#include "pushback/chapters/13_global_solve/problem_file.h"
+#include "pushback/chapters/16_whole_problem/conjugate.h"
+#include "pushback/chapters/17_direct_contacts/direct_contacts.h"
+#include "pushback/chapters/17_direct_contacts/methods.h"
+#include "pushback/chapters/17_direct_contacts/pivoting.h"
+#include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
@@ -172,7 +172,7 @@ TEST_CASE("the relative residual is the natural map's error, of the length of q"
 TEST_CASE("a step that starts from its solution leaves the sweeps nothing to do") {
   Frame frame([](World& world) { stack(world, 8); });
   const auto first = frame.world.bodies;
-  Solver<Clamping, FrictionCone, GlobalSolve> none, some;
+  Solver<Clamping, FrictionCone, DirectContacts> none, some;
   const std::size_t top = frame.world.bodies.size() - 1;
   none.solve(frame.world, h, 0);
   const Vec3 at_once = frame.world.bodies[top].velocity;
@@ -208,7 +208,7 @@ TEST_CASE("what is pushed out of an overlap leaves by beta of it a step, solved 
     world.add(ground());
     world.add(sphere(Real(0.5), 100).at({0, Real(0.45), 0}));
   });
-  Solver<Clamping, Baumgarte, FrictionCone, GlobalSolve> solver;
+  Solver<Clamping, Baumgarte, FrictionCone, DirectContacts> solver;
   solver.solve(frame.world, h, 0);
   CHECK(frame.world.bodies[1].velocity.y() == Approx(solver.Baumgarte::beta * Real(0.05) / h).epsilon(1e-5));
 }
@@ -284,7 +284,7 @@ TEST_CASE("best stops after counted work, in the same bits, and never worse for 
 }
 
 TEST_CASE("no clock stands in what solves a contact problem") {
-  for (const auto& entry : fs::directory_iterator("chapters/13_global_solve")) {
+  for (const auto& entry : fs::directory_iterator("chapters/16_whole_problem")) {
     const fs::path& file = entry.path();
     if (file.extension() != ".h" && file.extension() != ".cpp") continue;
     if (file.filename() == "solve.cpp") continue;  // it prints how long that took

@@ -1,8 +1,8 @@
-/// Chapter 13: contacts without friction, solved by pivoting, beside what CGAL finds in rational numbers.
+/// Chapter 16: contacts without friction, solved by pivoting, beside what CGAL finds in rational numbers.
 #include <random>
 
-#include "pushback/chapters/13_global_solve/matrix.h"
-#include "pushback/chapters/13_global_solve/pivoting.h"
+#include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/chapters/17_direct_contacts/pivoting.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
 

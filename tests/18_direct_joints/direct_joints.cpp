@@ -1,11 +1,11 @@
-/// Chapter 13: the joints of a step solved at once.
-#include "pushback/chapters/13_global_solve/global_joints.h"
+/// Chapter 16: the joints of a step solved at once.
+#include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/04_slop/slop.h"
-#include "pushback/chapters/09_joints/structures.h"
-#include "pushback/chapters/09_joints/study.h"
-#include "pushback/chapters/10_limits_and_motors/scenes.h"
-#include "pushback/chapters/12_small_steps/soft_contacts.h"
-#include "pushback/chapters/13_global_solve/scenes.h"
+#include "pushback/chapters/14_joints_under_load/structures.h"
+#include "pushback/chapters/14_joints_under_load/study.h"
+#include "pushback/chapters/15_limits_motors_springs/scenes.h"
+#include "pushback/chapters/12_soft_contacts/soft_contacts.h"
+#include "pushback/chapters/16_whole_problem/scenes.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/joint_energy.h"
@@ -18,7 +18,7 @@ using namespace pushback;
 namespace {
 
 using Swept = Solver<Joints>;
-using AtOnce = Solver<GlobalJoints>;
+using AtOnce = Solver<DirectJoints>;
 
 /// The largest |JV + b + gamma lambda| of the rows without limits, m/s.
 template <class JointSolver>
@@ -157,7 +157,7 @@ TEST_CASE("joints at once: four bars say three things twice; those rows are left
 TEST_CASE("joints at once: a bridge, whose planks hold each other twice over, and boxes that fall on it") {
   World world;
   suspension_bridge(world);
-  Solver<Clamping, Baumgarte, Slop, Friction, WarmStart, GlobalJoints> solver;
+  Solver<Clamping, Baumgarte, Slop, Friction, WarmStart, DirectJoints> solver;
   Real off = 0;
   for (int step = 0; step < 300; ++step) {
     world.step(solver, h, 10);
@@ -173,7 +173,7 @@ TEST_CASE("joints at once: a bridge, whose planks hold each other twice over, an
 TEST_CASE("joints at once: with contacts the two take turns, and come to what sweeps come to") {
   World world;
   struck_chain(world);
-  Solver<Clamping, Baumgarte, Slop, GlobalJoints> at_once;
+  Solver<Clamping, Baumgarte, Slop, DirectJoints> at_once;
   for (int step = 0; world.contacts.empty() || step < 20; ++step) {
     REQUIRE(step < 120);
     world.step(at_once, h, 10);
@@ -216,7 +216,7 @@ TEST_CASE("joints at once: rows with limits are left to the sweeps, and springs 
 TEST_CASE("joints at once: a pass that relaxes solves the rows as they are by then") {
   World world;
   struck_chain(world);
-  RelaxingSolver<Clamping, SoftContacts, WarmStart, GlobalJoints> solver;
+  RelaxingSolver<Clamping, SoftContacts, WarmStart, DirectJoints> solver;
   for (int step = 0; step < 60; ++step) {
     world.step(solver, h, 4);
     REQUIRE(largest_error(solver) < (in_double ? Real(1e-10) : Real(1e-3)));

@@ -1,12 +1,12 @@
-/// Chapter 14: frozen problems, what is traced on them, and performance profiles. Nothing here depends on a clock.
+/// Chapter 19: frozen problems, what is traced on them, and performance profiles. Nothing here depends on a clock.
 #include <filesystem>
 #include <random>
 #include <set>
 
-#include "pushback/chapters/13_global_solve/matrix.h"
-#include "pushback/chapters/14_accuracy_and_time/frozen/frozen.h"
-#include "pushback/chapters/14_accuracy_and_time/frozen/methods.h"
-#include "pushback/chapters/14_accuracy_and_time/frozen/traced.h"
+#include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/frozen.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/methods.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/traced.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/call.h"

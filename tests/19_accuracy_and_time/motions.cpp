@@ -1,4 +1,4 @@
-/// Chapter 14: motions whose every position is known, what is known of them, and the programs that play them. One test
+/// Chapter 19: motions whose every position is known, what is known of them, and the programs that play them. One test
 /// looks at a clock: where nothing is done, hardly any time passes.
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 #include <random>
 #include <set>
 
-#include "pushback/chapters/05_restitution/at_once.h"
+#include "pushback/chapters/09_impacts/simultaneous.h"
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
-#include "pushback/chapters/09_joints/scenes.h"
-#include "pushback/chapters/14_accuracy_and_time/play.h"
-#include "pushback/chapters/14_accuracy_and_time/truth.h"
-#include "pushback/chapters/14_accuracy_and_time/warm_global_solve.h"
+#include "pushback/chapters/13_joints/scenes.h"
+#include "pushback/chapters/19_accuracy_and_time/play.h"
+#include "pushback/chapters/19_accuracy_and_time/truth.h"
+#include "pushback/chapters/19_accuracy_and_time/warm_direct_contacts.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
@@ -324,9 +324,9 @@ TEST_CASE("every motion has a name of its own, its bodies, its joints, and a pla
     for (const Places& frame : places) REQUIRE(frame.size() == world.bodies.size());
     for (const Places& frame : places)
       for (const Eigen::Vector3d& place : frame) REQUIRE(place.allFinite());
-    CHECK(motion.most_small_steps >= 1);
+    CHECK(motion.most_substeps >= 1);
     CHECK(motion.most_sweeps >= 1);
-    CHECK(motion.most_passes >= motion.most_small_steps);
+    CHECK(motion.most_passes >= motion.most_substeps);
   }
   CHECK(names.size() == 10);
   const std::string said = complaint([] { motion_named(nowhere); });
@@ -404,7 +404,7 @@ Motion ten_frames() {
   const auto truth = [](int frames) { return std::vector<Places>(static_cast<std::size_t>(frames), {{0, 0, 0}}); };
   return {.name = "ten", .title = "ten frames", .fill = fill, .seconds = 10.0 / frames_per_second, .truth = truth};
 }
-Played played_by(const std::function<Eigen::Vector3d(int)>& place_after, int small_steps, const Patience& patience) {
+Played played_by(const std::function<Eigen::Vector3d(int)>& place_after, int substeps, const Patience& patience) {
   const Method method{.name = "stands",
                       .title = "stands",
                       .plays = [](const Motion&) { return true; },
@@ -414,7 +414,7 @@ Played played_by(const std::function<Eigen::Vector3d(int)>& place_after, int sma
                         return player;
                       }};
   const Motion motion = ten_frames();
-  return play(motion, motion.truth(motion.frames()), method, {.small_steps = small_steps, .sweeps = 1}, patience);
+  return play(motion, motion.truth(motion.frames()), method, {.substeps = substeps, .sweeps = 1}, patience);
 }
 constexpr Patience once{.at_least = 0, .at_most = 600};
 
@@ -628,8 +628,8 @@ TEST_CASE("joints come closer to the truth with smaller steps") {
 TEST_CASE("half the step is half the error: of what slides, and of what swings") {
   const auto halves = [](const std::string& motion, const std::string& method, const std::string& sweeps) {
     std::vector<std::string> settings;
-    for (const char* small_steps : {"8", "16", "32", "64"})
-      settings.push_back(method + "/" + small_steps + "/" + sweeps);
+    for (const char* substeps : {"8", "16", "32", "64"})
+      settings.push_back(method + "/" + substeps + "/" + sweeps);
     const auto errors = errors_in(motion, settings);
     for (std::size_t i = 1; i < errors.size(); ++i) {
       INFO(motion << ", " << settings[i] << ": " << errors[i - 1] << ", then " << errors[i] << " m");
@@ -687,7 +687,7 @@ struct Watch : Effect {
  private:
   ContactProblem problem_;
 };
-using AtOnce = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, Watch, WarmStart, WarmGlobalSolve>;
+using AtOnce = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, Watch, WarmStart, WarmDirectContacts>;
 
 constexpr Real h = Real(1) / 60;
 

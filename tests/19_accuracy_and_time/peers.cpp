@@ -1,8 +1,8 @@
-// Other engines in the motions of chapter 14, built only with PUSHBACK_PEERS, once for each engine: what is ours is the
+// Other engines in the motions of chapter 19, built only with PUSHBACK_PEERS, once for each engine: what is ours is the
 // conversion, so it is looked at where an engine has hardly a way to be wrong.
-#include "pushback/chapters/14_accuracy_and_time/peers/peer.h"
-#include "pushback/chapters/14_accuracy_and_time/relaxed_law.h"
-#include "pushback/chapters/14_accuracy_and_time/truth.h"
+#include "pushback/chapters/19_accuracy_and_time/peers/peer.h"
+#include "pushback/chapters/19_accuracy_and_time/relaxed_law.h"
+#include "pushback/chapters/19_accuracy_and_time/truth.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;
@@ -11,8 +11,8 @@ namespace {
 
 constexpr Patience once{.at_least = 0, .at_most = 600};
 
-double error_of(const Method& method, const Motion& motion, int small_steps) {
-  return play(motion, motion.truth(motion.frames()), method, {.small_steps = small_steps, .sweeps = 16}, once).error;
+double error_of(const Method& method, const Motion& motion, int substeps) {
+  return play(motion, motion.truth(motion.frames()), method, {.substeps = substeps, .sweeps = 16}, once).error;
 }
 
 /// A turned box and a ball beside it fall for 0.4 s, and are still above the ground.
@@ -41,10 +41,10 @@ TEST_CASE("What falls keeps its velocity and gets that of gravity: half a step l
   for (const Method& method : peer_methods()) {
     if (!method.plays(falling)) continue;
     INFO(method.name);
-    for (const int small_steps : {1, 4, 16}) {
+    for (const int substeps : {1, 4, 16}) {
       // v += h g, x += h v:   x errs by g h t / 2
-      const double late = truth::g * falling.seconds / (2 * frames_per_second * small_steps);
-      CHECK(error_of(method, falling, small_steps) == Approx(late).margin(2e-5));  // margin: of float
+      const double late = truth::g * falling.seconds / (2 * frames_per_second * substeps);
+      CHECK(error_of(method, falling, substeps) == Approx(late).margin(2e-5));  // margin: of float
     }
   }
 }
@@ -52,8 +52,8 @@ TEST_CASE("What falls keeps its velocity and gets that of gravity: half a step l
 TEST_CASE("A pinned ball swings as the truth does, the closer the smaller the step") {
   for (const Method& method : peer_methods()) {
     INFO(method.name);
-    for (const int small_steps : {1, 4, 16})
-      CHECK(error_of(method, motion_named("pendulum"), small_steps) < 0.013 / small_steps);
+    for (const int substeps : {1, 4, 16})
+      CHECK(error_of(method, motion_named("pendulum"), substeps) < 0.013 / substeps);
   }
 }
 
@@ -110,9 +110,9 @@ TEST_CASE("MuJoCo's hard contacts lift a sliding body off, as fast and as high a
       motion.fill(world);
       const Body& body = world.bodies.back();
       const Eigen::Vector3d begin = body.position.cast<double>(), way = body.velocity.cast<double>().normalized();
-      for (const int small_steps : {1, 4, 16, 64}) {
-        INFO(name << ", " << small_steps << " small steps");
-        const Setting setting{.small_steps = small_steps};
+      for (const int substeps : {1, 4, 16, 64}) {
+        INFO(name << ", " << substeps << " small steps");
+        const Setting setting{.substeps = substeps};
         const auto player = method.begin(motion, setting);
         const double k = std::holds_alternative<Sphere>(body.shape) ? 3.5 : 1;
         Hopping wanted{.h = setting.dt(),
@@ -136,11 +136,11 @@ TEST_CASE("MuJoCo's hard contacts lift a sliding body off, as fast and as high a
             wanted_second_top = std::max(wanted_second_top, wanted.y);
           }
         }
-        CHECK(first_top == Approx(hop.height).epsilon(0.06 / small_steps + 0.002));
+        CHECK(first_top == Approx(hop.height).epsilon(0.06 / substeps + 0.002));
         // The depth of the landing step is pushed out, and depends on when in the step it lands: 1e-4 m of height are a quarter of
         // a step with 64 of them.
         CHECK(second_top == Approx(wanted_second_top).epsilon(0.1));
-        CHECK(error_of(method, motion, small_steps) == Approx(hop.error).epsilon(0.08 / small_steps + 0.002));
+        CHECK(error_of(method, motion, substeps) == Approx(hop.error).epsilon(0.08 / substeps + 0.002));
       }
     }
   }
@@ -153,9 +153,9 @@ TEST_CASE("MuJoCo's own contacts, of a time constant of 0.02 s, lift a sliding b
     World world;
     motion.fill(world);
     const double start = static_cast<double>(world.bodies.back().position.y());
-    for (const int small_steps : {4, 16, 64, 256}) {
-      INFO(small_steps);
-      const Setting setting{.small_steps = small_steps};
+    for (const int substeps : {4, 16, 64, 256}) {
+      INFO(substeps);
+      const Setting setting{.substeps = substeps};
       const auto player = method.begin(motion, setting);
       // Its reference takes h b of the slip away in a step, b = 2 / (0.95 * 0.02 s), and what it allows is soft.
       const double b = 2 / (0.95 * 0.02), bound = 0.5 * setting.dt() * b * 6 / 1.25;
@@ -176,8 +176,8 @@ TEST_CASE("Restitution of a pair is that of its bodies, where an engine bounces 
   for (const Method& method : peer_methods()) {
     if (method.name.find("-split") == std::string::npos && method.name.find("ode") != 0) continue;
     INFO(method.name);
-    for (const int small_steps : {4, 16})
-      CHECK(error_of(method, motion_named("bounce"), small_steps) < 0.15 / small_steps);
+    for (const int substeps : {4, 16})
+      CHECK(error_of(method, motion_named("bounce"), substeps) < 0.15 / substeps);
   }
 }
 
@@ -188,7 +188,7 @@ TEST_CASE("Row solves: three rows a pin and iteration, where rows are what is so
     INFO(method.name);
     const auto truth = pendulum.truth(pendulum.frames());
     const auto solved = [&](int sweeps) {
-      return play(pendulum, truth, method, {.small_steps = 2, .sweeps = sweeps}, once).row_solves;
+      return play(pendulum, truth, method, {.substeps = 2, .sweeps = sweeps}, once).row_solves;
     };
     const bool is_bullet =
         method.name == "bullet" || method.name == "bullet-double" || method.name.find("-nncg") != std::string::npos;
@@ -218,7 +218,7 @@ TEST_CASE("Row solves: a ball on the ground has one row, and two tangents where 
     };
     const Motion resting{.name = "rest", .title = "a ball rests", .fill = fill, .seconds = 10.0 / 60, .truth = truth};
     for (const Method& method : peer_methods()) {
-      const Played played = play(resting, truth(10), method, {.small_steps = 1, .sweeps = 1}, once);
+      const Played played = play(resting, truth(10), method, {.substeps = 1, .sweeps = 1}, once);
       INFO(method.name << ", mu " << mu);
       if (method.name == "ode") CHECK(played.row_solves.value_or(-1) == 10 * (mu > 0 ? 3 : 1));
       if (method.name == "bullet" || method.name == "bullet-double") CHECK(played.row_solves.value_or(-1) == 10 * 3);

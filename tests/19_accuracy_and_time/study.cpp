@@ -1,13 +1,13 @@
-/// Chapter 14: what is worth choosing of what was measured, the rounds in which it is measured, and what is said of it. What is
+/// Chapter 19: what is worth choosing of what was measured, the rounds in which it is measured, and what is said of it. What is
 /// measured here was made up, or printed by programs that are scripts; no test looks at a clock.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <random>
 
-#include "pushback/chapters/14_accuracy_and_time/study/limits.h"
-#include "pushback/chapters/14_accuracy_and_time/study/machine.h"
-#include "pushback/chapters/14_accuracy_and_time/study/report.h"
+#include "pushback/chapters/19_accuracy_and_time/study/limits.h"
+#include "pushback/chapters/19_accuracy_and_time/study/machine.h"
+#include "pushback/chapters/19_accuracy_and_time/study/report.h"
 #include "pushback/common/basics/input.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
@@ -34,11 +34,11 @@ bool no_worse(const Measured& one, const Measured& other) {
 }
 
 /// Of one engine, in float or not.
-Measured of(const std::string& engine, const std::string& method, int small_steps, int sweeps, double error,
+Measured of(const std::string& engine, const std::string& method, int substeps, int sweeps, double error,
             double seconds) {
   return {.engine = engine,
           .method = method,
-          .small_steps = small_steps,
+          .substeps = substeps,
           .sweeps = sweeps,
           .error = error,
           .row_solves = 600,
@@ -139,7 +139,7 @@ TEST_CASE("the slope of a power is its exponent") {
 }
 
 TEST_CASE("median, quartiles and setting of a measurement") {
-  Measured one{.engine = "motion", .method = "slim", .small_steps = 8, .sweeps = 4, .seconds = {1, 2, 3, 4, 50}};
+  Measured one{.engine = "motion", .method = "slim", .substeps = 8, .sweeps = 4, .seconds = {1, 2, 3, 4, 50}};
   CHECK(one.median() == 3);
   CHECK(one.quartile(1) == 2);
   CHECK(one.quartile(3) == 4);
@@ -290,9 +290,9 @@ class StandIns {
 
 const std::string good = "*) echo \"$s error 1e-3 seconds 2e-2 row-solves 5\";;";
 
-Motion tried(int most_small_steps, int most_sweeps, int most_passes) {
+Motion tried(int most_substeps, int most_sweeps, int most_passes) {
   Motion motion = motion_named("bounce");
-  motion.most_small_steps = most_small_steps;
+  motion.most_substeps = most_substeps;
   motion.most_sweeps = most_sweeps;
   motion.most_passes = most_passes;
   return motion;

@@ -1,13 +1,13 @@
 /// A world is a value: a copy of it and of its solver goes on as the original would have, to the last bit, whatever becomes of
 /// the original. And what is refused has changed nothing.
-#include "pushback/chapters/05_restitution/in_turn.h"
-#include "pushback/chapters/10_limits_and_motors/piston.h"
-#include "pushback/chapters/11_position_correction/nonlinear_gauss_seidel.h"
-#include "pushback/chapters/11_position_correction/split_impulse.h"
-#include "pushback/chapters/13_global_solve/global_joints.h"
-#include "pushback/chapters/14_accuracy_and_time/seat.h"
-#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
-#include "pushback/chapters/15_only_what_is_needed/scenes.h"
+#include "pushback/chapters/09_impacts/sequential.h"
+#include "pushback/chapters/15_limits_motors_springs/piston.h"
+#include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
+#include "pushback/chapters/10_position_correction/split_impulse.h"
+#include "pushback/chapters/18_direct_joints/direct_joints.h"
+#include "pushback/chapters/19_accuracy_and_time/seat.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/20_only_what_is_needed/scenes.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -23,7 +23,7 @@ template <class ContactSolver>
 struct InSteps {
   ContactSolver solver = {};
   int count = 1, sweeps = 10;
-  void operator()(World& world) { small_steps(world, solver, h, count, sweeps); }
+  void operator()(World& world) { substeps(world, solver, h, count, sweeps); }
 };
 struct Needed {
   OnlyWhatIsNeeded solver;
@@ -110,10 +110,10 @@ TEST_CASE("a copied world goes on in the same bits under solvers that act after 
   struck_chain(world);
   using Split = CorrectingSolver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, FrictionCone, WarmStart>;
   using Nonlinear =
-      CorrectingSolver<WarmJoints, Clamping, NonlinearGaussSeidel, Slop, ImpactsInTurn, Friction, WarmStart>;
+      CorrectingSolver<WarmJoints, Clamping, NonlinearGaussSeidel, Slop, SequentialImpacts, Friction, WarmStart>;
   CHECK(first_difference(world, InSteps<Split>{}, 30, 30) == -1);
   CHECK(first_difference(world, InSteps<Nonlinear>{}, 30, 30) == -1);
-  CHECK(first_difference(world, InSteps<Solver<Clamping, Baumgarte, Slop, Friction, WarmStart, GlobalJoints>>{}, 30,
+  CHECK(first_difference(world, InSteps<Solver<Clamping, Baumgarte, Slop, Friction, WarmStart, DirectJoints>>{}, 30,
                          30) == -1);
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("what a solver refuses has changed nothing, and names the value") {
   refused(with<Split>([](auto& s) { s.SplitImpulse::beta = 2; }), "beta is 2");
   refused(with<Split>([](auto& s) { s.rounds = -1; }), "rounds is -1");
   refused(with<Nonlinear>([](auto& s) { s.most = -1; }), "most is -1");
-  refused(with<Solver<Joints, Clamping, ImpactsInTurn>>([](auto& s) { s.threshold = -1; }), "threshold is -1");
+  refused(with<Solver<Joints, Clamping, SequentialImpacts>>([](auto& s) { s.threshold = -1; }), "threshold is -1");
   refused(with<Solver<Joints, Clamping, Seat>>([](auto& s) { s.seat = -1; }), "seat is -1");
   FullSolver without_joints;
   CHECK(complaint([&] { world.step(without_joints, h); }).find("this solver holds no joints") != std::string::npos);

@@ -1,6 +1,6 @@
 /// Joined bodies rest together: one island, which joints put to sleep no sooner, and wake as a whole.
-#include "pushback/chapters/09_joints/distance.h"
-#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/13_joints/distance.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "pushback/chapters/00_naive_impulses/naive.h"
-#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
-#include "pushback/chapters/15_only_what_is_needed/everything.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/20_only_what_is_needed/everything.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
 #include "tests/hard_cases/random_scene.h"
@@ -92,13 +92,13 @@ RandomScene varied_scene(std::uint64_t seed) {
 
 /// Plays the seeds, and counts how often each combination of answers came up.
 template <class Full>
-std::map<std::string, int> play_seeds(std::uint64_t first, std::uint64_t last, int steps, int small_steps, int sweeps) {
+std::map<std::string, int> play_seeds(std::uint64_t first, std::uint64_t last, int steps, int substeps, int sweeps) {
   std::map<std::string, int> occurred;
   for (std::uint64_t seed = first; seed <= last; ++seed) {
     const RandomScene scene = varied_scene(seed);
     ++occurred[yes_to(scene.world, EveryQuestion{})];
     INFO("seed " << seed);
-    REQUIRE(first_difference(scene.world, Full{}, {scene.dt / static_cast<Real>(small_steps), steps, sweeps}) == -1);
+    REQUIRE(first_difference(scene.world, Full{}, {scene.dt / static_cast<Real>(substeps), steps, sweeps}) == -1);
   }
   return occurred;
 }
@@ -126,10 +126,10 @@ static_assert(std::same_as<Only<FullSolver, CalledFor<Tumbling, Pulling>>, Solve
 static_assert(
     std::same_as<Only<SteadySolver, CalledFor<Touching>>, RelaxingSolver<Clamping, SoftContacts, ScaledWarmStart>>);
 static_assert(std::same_as<Only<SteadySolver, CalledFor<Touching, Bouncing>>,
-                           RelaxingSolver<Clamping, SoftContacts, ImpactsAtOnce, ScaledWarmStart>>);
+                           RelaxingSolver<Clamping, SoftContacts, SimultaneousImpacts, ScaledWarmStart>>);
 static_assert(std::same_as<Only<SteadySolver, CalledFor<Touching, Rubbing>>,
                            RelaxingSolver<Clamping, SoftContacts, FrictionCone, ScaledWarmStart>>);
-static_assert(std::same_as<Only<Solver<Clamping, ImpactsInTurn>, CalledFor<Touching>>, Solver<Clamping>>);
+static_assert(std::same_as<Only<Solver<Clamping, SequentialImpacts>, CalledFor<Touching>>, Solver<Clamping>>);
 static_assert(std::same_as<Only<JointedSolver, EveryQuestion>, JointedSolver>);
 static_assert(std::same_as<Only<JointedSolver, CalledFor<Touching, Bouncing, Rubbing>>, FullSolver>);
 static_assert(std::same_as<Only<JointedSolver, CalledFor<Holding>>, Solver<SplitJoints>>);

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "pushback/chapters/15_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
 #include "tests/hard_cases/random_scene.h"

@@ -1,7 +1,7 @@
 /// One detection for several small steps: the contacts between are those that detection would have found.
 #include "pushback/common/world/carried_contacts.h"
 
-#include "pushback/chapters/12_small_steps/steady_solver.h"
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
@@ -87,7 +87,7 @@ TEST_CASE("a stack of ten stands on one detection for eight small steps as it do
   CarriedContacts carried;
   for (int i = 0; i < 300; ++i) {
     frame(once, of_once, carried, 8, 1);
-    small_steps(each, of_each, h, 8);
+    substeps(each, of_each, h, 8);
   }
   for (std::size_t i = 1; i < once.bodies.size(); ++i) {
     const Vec3& place = once.bodies[i].position;

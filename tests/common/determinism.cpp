@@ -1,7 +1,7 @@
 /// The same program on the same machine does the same thing twice, to the last bit.
 #include "pushback/chapters/00_naive_impulses/naive.h"
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/chapters/12_small_steps/small_steps.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
@@ -119,16 +119,16 @@ TEST_CASE("a copy of world and solver goes on as the original does") {
 }
 
 TEST_CASE("a variant in four small steps does what steps of a quarter do") {
-  const std::filesystem::path out = std::filesystem::temp_directory_path() / "pushback_small_steps";
+  const std::filesystem::path out = std::filesystem::temp_directory_path() / "pushback_substeps";
   std::vector<std::uint64_t> hashes;
-  Experiment e("small_steps", "");
-  const std::vector<std::string> words{"small_steps", "--no-images", "--out", out.string()};
+  Experiment e("substeps", "");
+  const std::vector<std::string> words{"substeps", "--no-images", "--out", out.string()};
   std::vector<const char*> arguments;
   for (const std::string& word : words) arguments.push_back(word.c_str());
   REQUIRE(e.run(static_cast<int>(arguments.size()), arguments.data(), [&] {
     e.scene({.name = "pyramid", .fill = pyramid_under_fire, .seconds = 1});
-    e.variant("small steps", FullSolver{}).in_small_steps(4).with_exactly(3);
-    e.variant("small steps, soft", SoftSolver{}).in_small_steps(4).with_exactly(3);
+    e.variant("small steps", FullSolver{}).in_substeps(4).with_exactly(3);
+    e.variant("small steps, soft", SoftSolver{}).in_substeps(4).with_exactly(3);
     e.number("hash", "", [&](const Run& run) {
       hashes.push_back(hash_of(run.world));
       return Real(0);

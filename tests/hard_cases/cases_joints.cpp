@@ -1,7 +1,7 @@
 /// What is joined: long chains of rows with a load at the end that outweighs each of them by far.
 #include <cmath>
 
-#include "pushback/chapters/10_limits_and_motors/ragdoll.h"
+#include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
 #include "tests/hard_cases/cases.h"

@@ -1,7 +1,7 @@
 #include "tests/hard_cases/fuzz.h"
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/chapters/12_small_steps/small_steps.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/common/world/measure.h"
 #include "tests/hard_cases/watcher.h"
@@ -112,9 +112,9 @@ class Watched {
   ContactSolver solver_;
 };
 
-template <class ContactSolver, int small_steps, int sweeps>
+template <class ContactSolver, int substeps, int sweeps>
 Finding watched(const RandomScene& scene, bool log) {
-  return Watched<ContactSolver>(scene, small_steps, sweeps, log).run();
+  return Watched<ContactSolver>(scene, substeps, sweeps, log).run();
 }
 
 struct FuzzedStage {
@@ -122,7 +122,7 @@ struct FuzzedStage {
   Finding (*watched)(const RandomScene& scene, bool log);
 };
 constexpr FuzzedStage stages_with_books[] = {{"07 warm start", watched<BookedFullSolver, 1, 10>},
-                                             {"12 small steps", watched<BookedFullSolver, 32, 1>},
+                                             {"11 substeps", watched<BookedFullSolver, 32, 1>},
                                              {"12 soft contacts", watched<BookedSoftSolver, 32, 1>},
                                              {"all together", watched<BookedAllTogether, 32, 1>}};
 

@@ -35,10 +35,10 @@
 
 #include <string>
 
-#include "pushback/chapters/05_restitution/at_once.h"
+#include "pushback/chapters/09_impacts/simultaneous.h"
 #include "pushback/chapters/07_warm_start/scaled.h"
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
-#include "pushback/chapters/12_small_steps/relaxing_solver.h"
+#include "pushback/chapters/12_soft_contacts/relaxing_solver.h"
 
 namespace pushback {
 
@@ -108,12 +108,12 @@ struct Booked : OneFriction {
   }
 };
 
-/// Instead of ImpactsAtOnce.
-struct BookedImpacts : ImpactsAtOnce {
+/// Instead of SimultaneousImpacts.
+struct BookedImpacts : SimultaneousImpacts {
   Ledger* ledger = nullptr;
   void sweep(auto& step) {
     ledger->normals_swept(step.rows);
-    ImpactsAtOnce::sweep(step);
+    SimultaneousImpacts::sweep(step);
     ledger->impacts_swept(step.rows);
   }
 };

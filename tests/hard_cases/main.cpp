@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
       ->delimiter(',');
   app.add_flag("--quick", quick, "Only the chapters' stages, without the small steps that came after");
   app.add_flag("--only-what-is-needed", only_needed,
-               "Through the dispatch of chapter 15: each world by what it calls for. The same numbers, in the folder "
+               "Through the dispatch of chapter 20: each world by what it calls for. The same numbers, in the folder "
                "hard_cases/only_what_is_needed");
   app.add_option("--out", out,
                  "Folder in which the folder hard_cases is made; what is not the whole table goes to hard_cases/part")

@@ -1,6 +1,6 @@
 #include "tests/hard_cases/stages.h"
 
-#include "pushback/chapters/12_small_steps/small_steps.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/common/basics/named.h"
 
 namespace pushback {
@@ -43,7 +43,7 @@ class Doubled : public StepSolver {
 };
 
 Stepper steps_by(AnySolver solver, int count, int sweeps) {
-  return [solver, count, sweeps](World& world, Real dt) mutable { small_steps(world, solver, dt, count, sweeps); };
+  return [solver, count, sweeps](World& world, Real dt) mutable { substeps(world, solver, dt, count, sweeps); };
 }
 
 /// `choose` sees the world before its first step.
@@ -58,14 +58,14 @@ Stepper needed_steps_by(const Choose& choose, int count, int sweeps) {
 }  // namespace
 
 Stepper Stage::begin() const {
-  if (!only_needed) return steps_by(solver, small_steps, sweeps);
-  return needed_steps_by([choose = fitting](const World& world) { return choose(world, {}); }, small_steps, sweeps);
+  if (!only_needed) return steps_by(solver, substeps, sweeps);
+  return needed_steps_by([choose = fitting](const World& world) { return choose(world, {}); }, substeps, sweeps);
 }
 
 Stepper Stage::begin_doubled() const {
   const Doubled doubled(solver);
-  if (!only_needed) return steps_by(doubled, small_steps, sweeps);
-  return needed_steps_by([doubled](const World& world) { return OnlyWhatIsNeeded(world, doubled); }, small_steps,
+  if (!only_needed) return steps_by(doubled, substeps, sweeps);
+  return needed_steps_by([doubled](const World& world) { return OnlyWhatIsNeeded(world, doubled); }, substeps,
                          sweeps);
 }
 

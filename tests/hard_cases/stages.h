@@ -13,7 +13,7 @@ namespace pushback {
 using Stepper = std::function<void(World&, Real dt)>;
 
 struct Stage : NamedSolver {
-  /// Through the dispatch of chapter 15: with what the world calls for when the stepper first sees it.
+  /// Through the dispatch of chapter 20: with what the world calls for when the stepper first sees it.
   bool only_needed = false;
 
   Stepper begin() const;

@@ -67,7 +67,7 @@ void Watcher::breaks(const std::string& how) {
   broken_at_ = steps_;
 }
 
-void Watcher::look(const World& world, Real dt, int small_steps) {
+void Watcher::look(const World& world, Real dt, int substeps) {
   time_ += dt;
   ++steps_;
   if (!finite(world)) return breaks("not finite");
@@ -76,7 +76,7 @@ void Watcher::look(const World& world, Real dt, int small_steps) {
   const Real energy = kinetic_energy(world) + potential_energy(world);
   const Real along_gravity = world.gravity.dot(momentum(world));
   // The change of T + U + h/2 g . P, which v += h g, x += h v keeps.
-  gained_ += energy - energy_ + dt / static_cast<Real>(2 * small_steps) * (along_gravity - along_gravity_);
+  gained_ += energy - energy_ + dt / static_cast<Real>(2 * substeps) * (along_gravity - along_gravity_);
   energy_ = energy;
   along_gravity_ = along_gravity;
   energy_gained_ = std::max(energy_gained_, gained_);

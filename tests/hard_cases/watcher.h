@@ -28,8 +28,8 @@ class Watcher {
  public:
   Watcher(const World& start, const Allowance& allowance);
 
-  /// After a step of dt, which was `small_steps` of dt / small_steps.
-  void look(const World& world, Real dt, int small_steps = 1);
+  /// After a step of dt, which was `substeps` of dt / substeps.
+  void look(const World& world, Real dt, int substeps = 1);
 
   /// Within a step, after a pass that another will take back: its numbers were this large, and were rounded so.
   void feel(const World& world);

@@ -89,15 +89,15 @@ TEST_CASE("watcher: energy gained, as speed, as spin or as height") {
 }
 
 TEST_CASE("watcher: free flight keeps its energy whatever the steps, whole, changing or divided") {
-  for (const int small_steps : {1, 4, 32}) {
+  for (const int substeps : {1, 4, 32}) {
     World world;
     ball_in_the_air(world);
     Watcher watcher(world, {});
     FullSolver solver;
     for (int step = 0; step < 120; ++step) {
       const Real dt = step % 3 == 0 ? h : step % 3 == 1 ? h / 4 : h * 2;
-      for (int i = 0; i < small_steps; ++i) world.step(solver, dt / static_cast<Real>(small_steps));
-      watcher.look(world, dt, small_steps);
+      for (int i = 0; i < substeps; ++i) world.step(solver, dt / static_cast<Real>(substeps));
+      watcher.look(world, dt, substeps);
       REQUIRE(watcher.broken() == "");
     }
     CHECK(watcher.energy_gained() < 1e5 * std::numeric_limits<Real>::epsilon() * 10 * Real(9.81) * 200);
@@ -172,7 +172,7 @@ TEST_CASE("watcher: an overlap deeper than allowed") {
 }
 
 TEST_CASE("stages: a ball at rest is held by the same sum, though its contact is given twice") {
-  for (const std::string name : {"07 warm start", "12 small steps", "12 soft contacts"}) {
+  for (const std::string name : {"07 warm start", "11 substeps", "12 soft contacts"}) {
     const Stage& stage = stage_named(name);
     World world;
     ball_on_ground(world);
@@ -180,7 +180,7 @@ TEST_CASE("stages: a ball at rest is held by the same sum, though its contact is
     for (int i = 0; i < 60; ++i) step(world, h);
     INFO(name);
     REQUIRE(world.contacts.size() == 1);
-    const Real weight = 10 * Real(9.81) * h / static_cast<Real>(stage.small_steps);
+    const Real weight = 10 * Real(9.81) * h / static_cast<Real>(stage.substeps);
     CHECK(world.contacts[0].impulse.y() == Approx(weight).epsilon(Real(1e-3)));
     CHECK(std::abs(world.bodies[1].velocity.y()) < Real(1e-6));
   }

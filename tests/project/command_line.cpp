@@ -59,9 +59,9 @@ const std::vector<std::string> chapters{"00_naive_impulses",
                                         "06_friction",
                                         "07_warm_start",
                                         "08_friction_cone",
-                                        "09_joints",
-                                        "11_position_correction",
-                                        "12_small_steps"};
+                                        "13_joints",
+                                        "10_position_correction",
+                                        "12_soft_contacts"};
 
 /// Options beside those that every chapter has.
 const std::map<std::string, std::vector<std::string>> own_options{
@@ -74,14 +74,14 @@ const std::map<std::string, std::vector<std::string>> own_options{
     {"06_friction", {"--slope", "--mu", "--speed"}},
     {"07_warm_start", {"--sweep-counts", "--wrong-ids", "--boxes", "--base", "--depth"}},
     {"08_friction_cone", {"--half-length", "--mu", "--speed"}},
-    {"09_joints", {"--beta", "--small-steps", "--release", "--links", "--mass-ratio", "--sweep-counts"}},
-    {"10_limits_and_motors",
+    {"13_joints", {"--beta", "--substeps", "--release", "--links", "--mass-ratio", "--sweep-counts"}},
+    {"15_limits_motors_springs",
      {"--torque", "--stop", "--load", "--heavy", "--hertz", "--damping-ratio", "--slope", "--pump"}},
-    {"11_position_correction", {"--beta", "--most", "--rounds", "--depth", "--boxes", "--ball-depth"}},
-    {"12_small_steps", {"--small-steps", "--hertz", "--damping-ratio", "--boxes", "--mass-ratio", "--depth"}},
-    {"13_global_solve", {"--boxes", "--links", "--mass-ratio"}},
-    {"14_accuracy_and_time", {"--ball-steps", "--chain-steps"}},
-    {"15_only_what_is_needed", {"--still-for", "--place", "--speed", "--mass-ratio"}}};
+    {"10_position_correction", {"--beta", "--most", "--rounds", "--depth", "--boxes", "--ball-depth"}},
+    {"12_soft_contacts", {"--substeps", "--hertz", "--damping-ratio", "--boxes", "--mass-ratio", "--depth"}},
+    {"16_whole_problem", {"--boxes", "--links", "--mass-ratio"}},
+    {"19_accuracy_and_time", {"--ball-steps", "--chain-steps"}},
+    {"20_only_what_is_needed", {"--still-for", "--place", "--speed", "--mass-ratio"}}};
 
 }  // namespace
 
@@ -102,7 +102,7 @@ TEST_CASE("option --parameters prints, as JSON, what --help says of an experimen
   CHECK(contains(call("04_slop", "--parameters").out,
                  R"({"flag": "--slop", "symbol": "slop", "unit": "m", "what": "Overlaps to leave alone", )"
                  R"("default": [0, 0.005, 0.02], "least": 0, "most": 0.1, "whole": false})"));
-  CHECK(contains(call("11_position_correction", "--parameters").out,
+  CHECK(contains(call("10_position_correction", "--parameters").out,
                  R"("default": [3], "least": 0, "most": 100, "whole": true})"));
 }
 
@@ -176,19 +176,19 @@ TEST_CASE("a value that cannot be used: status 2, a message that names it, and n
            {"05_restitution", "--threshold -1", {"threshold", "-1"}},
            {"07_warm_start", "--sweep-counts 0", {"--sweep-counts", "0"}},
            {"08_friction_cone", "--half-length 2", {"--half-length", "2"}},
-           {"09_joints", "--beta 1.5", {"--beta", "1.5"}},
-           {"09_joints", "--beta -0.1", {"--beta", "-0.1"}},
-           {"09_joints", "--beta nan", {"beta", "nan"}},
-           {"09_joints", "--sweep-counts 0", {"--sweep-counts", "0"}},
-           {"11_position_correction", "--beta 1.5", {"--beta", "1.5"}},
-           {"11_position_correction", "--beta nan", {"beta", "nan"}},
-           {"11_position_correction", "--most -1", {"--most", "-1"}},
-           {"11_position_correction", "--rounds -1", {"--rounds", "-1"}},
-           {"12_small_steps", "--small-steps 0", {"--small-steps", "0"}},
-           {"12_small_steps", "--small-steps 1.5", {"--small-steps", "1.5"}},
-           {"12_small_steps", "--hertz 0", {"--hertz", "0"}},
-           {"12_small_steps", "--hertz nan", {"--hertz", "nan"}},
-           {"12_small_steps", "--damping-ratio -1", {"--damping-ratio", "-1"}},
+           {"13_joints", "--beta 1.5", {"--beta", "1.5"}},
+           {"13_joints", "--beta -0.1", {"--beta", "-0.1"}},
+           {"13_joints", "--beta nan", {"beta", "nan"}},
+           {"13_joints", "--sweep-counts 0", {"--sweep-counts", "0"}},
+           {"10_position_correction", "--beta 1.5", {"--beta", "1.5"}},
+           {"10_position_correction", "--beta nan", {"beta", "nan"}},
+           {"10_position_correction", "--most -1", {"--most", "-1"}},
+           {"10_position_correction", "--rounds -1", {"--rounds", "-1"}},
+           {"12_soft_contacts", "--substeps 0", {"--substeps", "0"}},
+           {"12_soft_contacts", "--substeps 1.5", {"--substeps", "1.5"}},
+           {"12_soft_contacts", "--hertz 0", {"--hertz", "0"}},
+           {"12_soft_contacts", "--hertz nan", {"--hertz", "nan"}},
+           {"12_soft_contacts", "--damping-ratio -1", {"--damping-ratio", "-1"}},
            {"03_baumgarte", "--banana", {"--banana"}},
            {"03_baumgarte", "banana", {"banana"}},
            // More steps than anyone could wait for.

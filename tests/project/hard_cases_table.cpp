@@ -27,7 +27,7 @@ struct Idle : StepSolver {
 Stage a_stage(const std::function<bool()>& spoils) {
   Idle idle;
   idle.spoils = spoils;
-  return {{.name = "stage", .what = "", .small_steps = 1, .sweeps = 1, .solver = idle, .fitting = {}}};
+  return {{.name = "stage", .what = "", .substeps = 1, .sweeps = 1, .solver = idle, .fitting = {}}};
 }
 
 /// A row of `marks`, P for a pass, under as many stages, of which the first `chapters` are chapters.
@@ -223,7 +223,7 @@ TEST_CASE("without pictures there are none, and --list writes nothing") {
   CHECK(files_in(scratch / "out") == std::set<std::string>{"table.csv", "table.md", "times.csv"});
   const std::string csv = text_of(scratch / "out" / "hard_cases" / "part" / "table.csv");
   CHECK(contains(csv, "stack-10,07 warm start,"));
-  CHECK_FALSE(contains(csv, "12 small steps"));
+  CHECK_FALSE(contains(csv, "11 substeps"));
 
   const Ended list = call_program(TABLE_PROGRAM, "--list --out '" + (scratch / "none").string() + "'");
   CHECK(list.status == 0);

@@ -88,25 +88,25 @@ TEST_CASE("the sheet of 08 looks as it did") {
   compare("08_friction_cone");
 }
 TEST_CASE("the sheet of 09 looks as it did", "[slow]") {
-  compare("09_joints");
+  compare("13_joints");
 }
 TEST_CASE("the sheet of 10 looks as it did") {
-  compare("10_limits_and_motors");
+  compare("15_limits_motors_springs");
 }
 TEST_CASE("the sheet of 11 looks as it did", "[slow]") {
-  compare("11_position_correction");
+  compare("10_position_correction");
 }
 TEST_CASE("the sheet of 12 looks as it did", "[slow]") {
-  compare("12_small_steps");
+  compare("12_soft_contacts");
 }
 TEST_CASE("the sheet of 13 looks as it did", "[slow]") {
-  compare("13_global_solve");
+  compare("16_whole_problem");
 }
 TEST_CASE("the sheet of 14 looks as it did") {
-  compare("14_accuracy_and_time");
+  compare("19_accuracy_and_time");
 }
 TEST_CASE("the sheet of 15 looks as it did") {
-  compare("15_only_what_is_needed");
+  compare("20_only_what_is_needed");
 }
 
 TEST_CASE("an image that is not the same is told apart") {

@@ -151,12 +151,12 @@ TEST_CASE("closed forms follow the parameters of their scenes") {
   const std::string pendulums = "--variants a-ball-on-a-rod-a-plank-on-a-hinge_one-step-beta-0.2";
   const auto ball = [](int millimetres) {
     return fmt::format(
-        " --variants {0}-mm-too-deep-without-gravity_32-small-steps,"
-        "{0}-mm-too-deep-without-gravity_32-small-steps-soft-not-relaxed",
+        " --variants {0}-mm-too-deep-without-gravity_32-substeps,"
+        "{0}-mm-too-deep-without-gravity_32-substeps-soft-not-relaxed",
         millimetres);
   };
   const auto pair = [](const std::string& ratio) {
-    return " --variants " + ratio + "-times-heavier-than-what-it-lies-on_32-small-steps-soft";
+    return " --variants " + ratio + "-times-heavier-than-what-it-lies-on_32-substeps-soft";
   };
   for (const Follows& follows : std::vector<Follows>{
            {"01_velocity_constraint", "no constraint", 0.01, 0, {"--speed 0.5", "--speed 2.5", "--speed 7"}},
@@ -172,27 +172,27 @@ TEST_CASE("closed forms follow the parameters of their scenes") {
            {"06_friction", "bounded by μ Σλₙ", 0.01, 0.01, {"--slope 0.05", "--slope 0.9"}},
            {"06_friction", "friction", 0.01, 1e-4, {"--mu 0.3", "--mu 1.5", "--speed 1", "--speed 8"}},
            {"08_friction_cone", "cone", 0, 0.01, {"--mu 0.25", "--mu 0.65", "--speed 1", "--speed 7"}},
-           {"09_joints", "one step", 0.02, 0, {pendulums + " --release 0.1", pendulums + " --release 2.2 --dt 0.004"}},
-           {"10_limits_and_motors", "3.78 kg m²", 0, 0.01, {"--torque 4", "--torque 1000"}},
-           {"10_limits_and_motors", "limit, λ ≥ 0", 0, 1e-3, {"--stop -60", "--stop 0", "--stop 60"}},
-           {"10_limits_and_motors", "1.5 kg", 0.01, 0, {"--load 2.1", "--load 10"}},
-           {"10_limits_and_motors", "2 kg and", 0.01, 1e-3, {"--heavy 2.1", "--heavy 4"}},
-           {"10_limits_and_motors", "three motors", 0.01, 0.01, {"--slope 8", "--slope 30"}},
-           {"11_position_correction", "split impulse", 0.01, 1e-6, {"--ball-depth 0.2", "--beta 0.5", "--most 0.004"}},
-           {"11_position_correction",
+           {"13_joints", "one step", 0.02, 0, {pendulums + " --release 0.1", pendulums + " --release 2.2 --dt 0.004"}},
+           {"15_limits_motors_springs", "3.78 kg m²", 0, 0.01, {"--torque 4", "--torque 1000"}},
+           {"15_limits_motors_springs", "limit, λ ≥ 0", 0, 1e-3, {"--stop -60", "--stop 0", "--stop 60"}},
+           {"15_limits_motors_springs", "1.5 kg", 0.01, 0, {"--load 2.1", "--load 10"}},
+           {"15_limits_motors_springs", "2 kg and", 0.01, 1e-3, {"--heavy 2.1", "--heavy 4"}},
+           {"15_limits_motors_springs", "three motors", 0.01, 0.01, {"--slope 8", "--slope 30"}},
+           {"10_position_correction", "split impulse", 0.01, 1e-6, {"--ball-depth 0.2", "--beta 0.5", "--most 0.004"}},
+           {"10_position_correction",
             "non-linear",
             0.01,
             1e-6,
             {"--ball-depth 0.2", "--beta 0.5", "--most 0.004", "--rounds 1", "--rounds 7"}},
-           {"12_small_steps", "32 small steps", 0.01, 1e-6, {"--depth 0.005" + ball(5), "--depth 0.2" + ball(200)}},
-           {"12_small_steps", "32 small steps", 0.01, 0, {"--depth 0.02 --hertz 60 --damping-ratio 1" + ball(20)}},
-           {"12_small_steps",
+           {"12_soft_contacts", "32 small steps", 0.01, 1e-6, {"--depth 0.005" + ball(5), "--depth 0.2" + ball(200)}},
+           {"12_soft_contacts", "32 small steps", 0.01, 0, {"--depth 0.02 --hertz 60 --damping-ratio 1" + ball(20)}},
+           {"12_soft_contacts",
             "32 small steps",
             0.01,
             0,
             {"--mass-ratio 1" + pair("one"), "--mass-ratio 100" + pair("a-hundred")}},
-           {"13_global_solve", "all at once", 0, 1e-3, {"--boxes 1", "--boxes 12"}},
-           {"13_global_solve",
+           {"16_whole_problem", "all at once", 0, 1e-3, {"--boxes 1", "--boxes 12"}},
+           {"16_whole_problem",
             "joints at once",
             0,
             1e-6,

@@ -22,7 +22,7 @@ else
 fi
 for readme in chapters/[0-9][0-9]_*/README.md docs/accuracy_and_time.md; do
   name=$(basename "$(dirname "$readme")")
-  [[ $name != docs ]] || name=14_accuracy_and_time
+  [[ $name != docs ]] || name=19_accuracy_and_time
   numbers=renders/$name
   wanted=$(awk -v folder="$numbers" '
     /^<!-- [a-z]+\.md -->$/ { print; print ""; file = folder "/" $2; while ((getline line < file) > 0) print line; print ""; skip = 1; found = 1 }

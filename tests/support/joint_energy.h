@@ -1,7 +1,7 @@
 /// What joints that feed nothing back do to the energy.
 #pragma once
 
-#include "pushback/chapters/09_joints/hinge.h"
+#include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/random.h"
 

@@ -1,9 +1,9 @@
 /// Any solver that is composed of effects, with joints before them; and scenes in which something is joined.
 #pragma once
 
-#include "pushback/chapters/09_joints/hinge.h"
-#include "pushback/chapters/09_joints/jointed_solver.h"
-#include "pushback/chapters/12_small_steps/steady_solver.h"
+#include "pushback/chapters/13_joints/hinge.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/chapters/catalogue.h"
 #include "pushback/common/world/situations.h"
 

@@ -1,9 +1,9 @@
-#include "pushback/chapters/14_accuracy_and_time/frozen/frozen.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/frozen.h"
 
 #include <algorithm>
 
-#include "pushback/chapters/14_accuracy_and_time/frozen/methods.h"
-#include "pushback/chapters/14_accuracy_and_time/frozen/traced.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/methods.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/traced.h"
 
 namespace pushback {
 

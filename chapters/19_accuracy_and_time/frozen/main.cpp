@@ -1,6 +1,6 @@
 /// What accuracy costs on one problem at a time: pictures, a table and all numbers.
-#include "pushback/chapters/14_accuracy_and_time/frozen/frozen.h"
-#include "pushback/chapters/14_accuracy_and_time/frozen/problems.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/frozen.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/problems.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/program.h"
 
@@ -13,13 +13,13 @@ int main(int argc, char** argv) {
   app.add_flag("--quick", options.quick, "Seconds instead of minutes");
   app.add_option("--problems", folder, "A folder of contact problems (*.dat) to solve beside our own")
       ->envname("PUSHBACK_PROBLEMS");
-  app.add_option("--out", out, "Where the folder 14_accuracy_and_time is written to")->capture_default_str();
+  app.add_option("--out", out, "Where the folder 19_accuracy_and_time is written to")->capture_default_str();
   return run_program(app, argc, argv, [&] {
     if (!folder.empty()) {
       options.folder = folder;
       foreign_problems(folder);  // a bad one is said before anything is written
     }
-    const std::filesystem::path to = std::filesystem::path(out) / "14_accuracy_and_time";
+    const std::filesystem::path to = std::filesystem::path(out) / "19_accuracy_and_time";
     make_writable_folder(to);
     const FrozenStudy study = study_frozen(options);
     std::string page;

@@ -1,12 +1,12 @@
 /// Who is held against whom on frozen problems.
 #pragma once
 
-#include "pushback/chapters/13_global_solve/methods.h"
-#include "pushback/chapters/14_accuracy_and_time/frozen/siconos.h"
+#include "pushback/chapters/17_direct_contacts/methods.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/siconos.h"
 
 namespace pushback {
 
-/// Those of chapter 13, then those of Siconos where it is built in.
+/// Those of chapter 16, then those of Siconos where it is built in.
 inline std::vector<std::string> frozen_methods() {
   std::vector<std::string> names = method_names();
   for (const std::string& name : siconos_methods()) names.push_back(name);

@@ -1,5 +1,5 @@
 /// Where Siconos is not built in.
-#include "pushback/chapters/14_accuracy_and_time/frozen/siconos.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/siconos.h"
 #include "pushback/common/basics/input.h"
 
 namespace pushback {

@@ -1,4 +1,4 @@
-#include "pushback/chapters/14_accuracy_and_time/frozen/problems.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/problems.h"
 
 #include <algorithm>
 #include <functional>
@@ -6,11 +6,11 @@
 #include "pushback/chapters/04_slop/scenes.h"
 #include "pushback/chapters/06_friction/scenes.h"
 #include "pushback/chapters/08_friction_cone/scenes.h"
-#include "pushback/chapters/11_position_correction/scenes.h"
-#include "pushback/chapters/12_small_steps/steady_solver.h"
-#include "pushback/chapters/13_global_solve/matrix.h"
-#include "pushback/chapters/13_global_solve/problem_file.h"
-#include "pushback/chapters/14_accuracy_and_time/frozen/scenes.h"
+#include "pushback/chapters/10_position_correction/scenes.h"
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/chapters/16_whole_problem/problem_file.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/scenes.h"
 #include "pushback/common/basics/input.h"
 
 namespace pushback {
@@ -24,7 +24,7 @@ FrozenProblem frozen(const std::string& name, const std::function<void(World&)>&
   World world;
   fill(world);
   SteadySolver solver;
-  for (int step = 0; static_cast<Real>(step) * h < seconds; ++step) small_steps(world, solver, h, 32);
+  for (int step = 0; static_cast<Real>(step) * h < seconds; ++step) substeps(world, solver, h, 32);
   world.begin_step(h);
   return {name, problem_of(world)};
 }

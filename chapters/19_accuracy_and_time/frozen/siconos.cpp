@@ -1,4 +1,4 @@
-#include "pushback/chapters/14_accuracy_and_time/frozen/siconos.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/siconos.h"
 
 #include <FrictionContactProblem.h>
 #include <Friction_cst.h>
@@ -16,8 +16,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "pushback/chapters/13_global_solve/problem_file.h"
-#include "pushback/chapters/14_accuracy_and_time/stopwatch.h"
+#include "pushback/chapters/16_whole_problem/problem_file.h"
+#include "pushback/chapters/19_accuracy_and_time/stopwatch.h"
 #include "pushback/common/basics/named.h"
 
 namespace pushback {

@@ -1,10 +1,10 @@
-#include "pushback/chapters/14_accuracy_and_time/frozen/trace.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/trace.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "pushback/chapters/14_accuracy_and_time/frozen/methods.h"
-#include "pushback/chapters/14_accuracy_and_time/stopwatch.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/methods.h"
+#include "pushback/chapters/19_accuracy_and_time/stopwatch.h"
 #include "pushback/common/basics/quantile.h"
 
 namespace pushback {

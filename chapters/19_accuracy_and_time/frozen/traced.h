@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "pushback/chapters/14_accuracy_and_time/frozen/problems.h"
-#include "pushback/chapters/14_accuracy_and_time/frozen/profile.h"
-#include "pushback/chapters/14_accuracy_and_time/frozen/trace.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/problems.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/profile.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/trace.h"
 #include "pushback/common/experiment/plot.h"
 
 namespace pushback {

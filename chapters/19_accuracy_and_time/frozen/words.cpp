@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "pushback/chapters/14_accuracy_and_time/frozen/methods.h"
-#include "pushback/chapters/14_accuracy_and_time/frozen/traced.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/methods.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/traced.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/quantile.h"
 

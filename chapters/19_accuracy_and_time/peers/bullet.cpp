@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "pushback/chapters/14_accuracy_and_time/peers/peer.h"
+#include "pushback/chapters/19_accuracy_and_time/peers/peer.h"
 
 namespace pushback {
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "pushback/chapters/14_accuracy_and_time/peers/peer.h"
+#include "pushback/chapters/19_accuracy_and_time/peers/peer.h"
 #include "pushback/common/basics/input.h"
 
 namespace pushback {

@@ -1,7 +1,7 @@
 /// Another engine plays motions. Each engine's source defines this, and a program is linked with one of them.
 #pragma once
 
-#include "pushback/chapters/14_accuracy_and_time/play.h"
+#include "pushback/chapters/19_accuracy_and_time/play.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "pushback/chapters/14_accuracy_and_time/study/front.h"
+#include "pushback/chapters/19_accuracy_and_time/study/front.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ double Measured::quartile(int which) const {
   return quantile(seconds, 0.25 * which);
 }
 std::string Measured::setting() const {
-  return sweeps == 0 ? fmt::format("{}/{}", method, small_steps) : fmt::format("{}/{}/{}", method, small_steps, sweeps);
+  return sweeps == 0 ? fmt::format("{}/{}", method, substeps) : fmt::format("{}/{}/{}", method, substeps, sweeps);
 }
 
 Measurements front(Measurements all) {

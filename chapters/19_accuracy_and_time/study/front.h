@@ -12,7 +12,7 @@ namespace pushback {
 struct Measured {
   std::string engine;                     ///< "motion", or "motion_bullet": the program that played
   std::string method;                     ///< "steady"
-  int small_steps = 1;                    ///< in a frame of 1/60 s
+  int substeps = 1;                    ///< in a frame of 1/60 s
   int sweeps = 0;                         ///< in a small step; 0: the method has no such knob
   double error = 0;                       ///< m; infinite: lost, or given up
   bool late = false;                      ///< given up

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pushback/chapters/14_accuracy_and_time/study/limits.h"
-#include "pushback/chapters/14_accuracy_and_time/study/report.h"
+#include "pushback/chapters/19_accuracy_and_time/study/limits.h"
+#include "pushback/chapters/19_accuracy_and_time/study/report.h"
 
 namespace pushback {
 
@@ -14,7 +14,7 @@ namespace {
 struct Turned {
   const char* motion;
   const char* method;
-  int small_steps, sweeps;  // 0: the one that is turned
+  int substeps, sweeps;  // 0: the one that is turned
 };
 constexpr Turned turned[] = {{"bounce", "slim", 0, 1},          {"sliding", "slim", 0, 4},
                              {"incline", "slim", 0, 4},         {"rolling", "slim", 0, 1},
@@ -37,10 +37,10 @@ Line line_of(const Measurements& all, const Turned& how) {
   std::vector<const Measured*> found;
   for (const Measured& one : all)
     if (one.engine == "motion" && one.method == how.method && one.error > 0 &&
-        one.error < (how.small_steps == 0 ? near_enough : near_enough_for_sweeps) &&
-        (how.small_steps == 0 || one.small_steps == how.small_steps) && (how.sweeps == 0 || one.sweeps == how.sweeps))
+        one.error < (how.substeps == 0 ? near_enough : near_enough_for_sweeps) &&
+        (how.substeps == 0 || one.substeps == how.substeps) && (how.sweeps == 0 || one.sweeps == how.sweeps))
       found.push_back(&one);
-  const auto knob = [&](const Measured& one) { return how.small_steps == 0 ? one.small_steps : one.sweeps; };
+  const auto knob = [&](const Measured& one) { return how.substeps == 0 ? one.substeps : one.sweeps; };
   std::sort(found.begin(), found.end(), [&](const Measured* a, const Measured* b) { return knob(*a) < knob(*b); });
   Line line;
   for (const Measured* one : found) {
@@ -70,7 +70,7 @@ Ratio ratio(const Measurements& all, const Other& is_other_of) {
   for (const Measured& one : all) {
     for (const Measured& other : all) {
       if (!is_other_of(one, other) || !std::isfinite(one.error) || !std::isfinite(other.error)) continue;
-      if (one.small_steps != other.small_steps || one.sweeps != other.sweeps || one.error * other.error == 0) continue;
+      if (one.substeps != other.substeps || one.sweeps != other.sweeps || one.error * other.error == 0) continue;
       mean.error += std::log(other.error / one.error);
       mean.seconds += std::log(other.median() / one.median());
       ++mean.settings;
@@ -95,13 +95,13 @@ std::string table_of_knobs(const std::vector<MotionMeasured>& all) {
   for (const Turned& how : turned) {
     const Line line = line_of(measured_of(all, how.motion), how);
     if (line.knob.size() < 3) continue;
-    const bool small = how.small_steps == 0;
+    const bool small = how.substeps == 0;
     text += fmt::format(
         "| {} doubled | {} | times {:.2f}, slope {:.2f} | times {:.2f} | {} | `{}` with {} {}, {:g} to {:g} |\n",
         small ? "substeps" : "sweeps", how.motion, std::pow(2, slope(line.knob, line.error)),
         slope(line.knob, line.error), std::pow(2, slope(line.knob, line.seconds)),
         small ? limit_of(measured_of(all, how.motion), "motion", how.method, how.sweeps).remains() : "–", how.method,
-        small ? how.sweeps : how.small_steps, small ? "sweeps" : "substeps", line.knob.front(), line.knob.back());
+        small ? how.sweeps : how.substeps, small ? "sweeps" : "substeps", line.knob.front(), line.knob.back());
   }
   for (const MotionMeasured& measured : all) {
     for (const std::string method : {"full", "slim", "steady"})
@@ -129,7 +129,7 @@ std::vector<Panel> panels_of_knobs(const std::vector<MotionMeasured>& all) {
                 .log_y = true};
     std::size_t colour = 0;
     for (const Turned& how : turned) {
-      if ((how.small_steps == 0) != small) continue;
+      if ((how.substeps == 0) != small) continue;
       const Line line = line_of(measured_of(all, how.motion), how);
       Curve curve{fmt::format("{}, {}", how.motion, how.method),
                   {},

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "pushback/chapters/14_accuracy_and_time/relaxed_law.h"
-#include "pushback/chapters/14_accuracy_and_time/study/limits.h"
-#include "pushback/chapters/14_accuracy_and_time/study/report.h"
+#include "pushback/chapters/19_accuracy_and_time/relaxed_law.h"
+#include "pushback/chapters/19_accuracy_and_time/study/limits.h"
+#include "pushback/chapters/19_accuracy_and_time/study/report.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "pushback/chapters/14_accuracy_and_time/study/limits.h"
+#include "pushback/chapters/19_accuracy_and_time/study/limits.h"
 
 #include <fmt/format.h>
 
@@ -92,7 +92,7 @@ Limit limit_of(const std::vector<double>& errors) {
 Limit limit_of(const Measurements& all, const std::string& engine, const std::string& method, int sweeps) {
   std::map<int, double> by_steps;
   for (const Measured& one : all)
-    if (one.engine == engine && one.method == method && one.sweeps == sweeps) by_steps[one.small_steps] = one.error;
+    if (one.engine == engine && one.method == method && one.sweeps == sweeps) by_steps[one.substeps] = one.error;
   if (by_steps.empty()) return {};
   std::vector<double> errors;
   for (int steps = 1; steps <= by_steps.rbegin()->first; steps *= 2) {
@@ -105,7 +105,7 @@ Limit limit_of(const Measurements& all, const std::string& engine, const std::st
 Limit limit_of(const Measurements& all, const std::string& engine, const std::string& method) {
   std::map<int, std::set<int>> steps_of;  // by sweeps
   for (const Measured& one : all)
-    if (one.engine == engine && one.method == method) steps_of[one.sweeps].insert(one.small_steps);
+    if (one.engine == engine && one.method == method) steps_of[one.sweeps].insert(one.substeps);
   if (steps_of.empty()) return {};
   int sweeps = steps_of.begin()->first;
   for (const auto& [number, steps] : steps_of)

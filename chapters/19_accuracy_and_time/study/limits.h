@@ -1,7 +1,7 @@
 /// The two errors of a method: what remains as h -> 0, which is its law's, and what smaller steps remove.
 #pragma once
 
-#include "pushback/chapters/14_accuracy_and_time/study/front.h"
+#include "pushback/chapters/19_accuracy_and_time/study/front.h"
 
 namespace pushback {
 

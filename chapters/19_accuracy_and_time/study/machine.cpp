@@ -1,4 +1,4 @@
-#include "pushback/chapters/14_accuracy_and_time/study/machine.h"
+#include "pushback/chapters/19_accuracy_and_time/study/machine.h"
 
 #include <fmt/format.h>
 

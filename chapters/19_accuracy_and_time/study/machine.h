@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "pushback/chapters/14_accuracy_and_time/study/rounds.h"
+#include "pushback/chapters/19_accuracy_and_time/study/rounds.h"
 
 namespace pushback {
 

@@ -1,8 +1,8 @@
 /// ./course study: every motion in every setting by every engine, the diagrams and tables of docs/accuracy_and_time.md.
 #include <fmt/ranges.h>
 
-#include "pushback/chapters/14_accuracy_and_time/study/machine.h"
-#include "pushback/chapters/14_accuracy_and_time/study/report.h"
+#include "pushback/chapters/19_accuracy_and_time/study/machine.h"
+#include "pushback/chapters/19_accuracy_and_time/study/report.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/program.h"
 
@@ -45,7 +45,7 @@ void study(const Asked& asked, const std::filesystem::path& programs) {
   for (const Motion& motion : all_motions())
     if (asked.only.empty()) motions.push_back(&motion);
   for (const std::string& name : asked.only) motions.push_back(&motion_named(name));
-  const std::filesystem::path folder = std::filesystem::path(asked.out) / "14_accuracy_and_time";
+  const std::filesystem::path folder = std::filesystem::path(asked.out) / "19_accuracy_and_time";
   make_writable_folder(folder);
   const std::vector<Engine> engines = engines_in(programs, asked.others);
   if (asked.redraw) {

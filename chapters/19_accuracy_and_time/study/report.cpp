@@ -1,11 +1,11 @@
-#include "pushback/chapters/14_accuracy_and_time/study/report.h"
+#include "pushback/chapters/19_accuracy_and_time/study/report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "pushback/chapters/14_accuracy_and_time/study/limits.h"
+#include "pushback/chapters/19_accuracy_and_time/study/limits.h"
 
 namespace pushback {
 

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "pushback/chapters/14_accuracy_and_time/study/rounds.h"
+#include "pushback/chapters/19_accuracy_and_time/study/rounds.h"
 #include "pushback/common/experiment/plot.h"
 
 namespace pushback {

@@ -1,4 +1,4 @@
-#include "pushback/chapters/14_accuracy_and_time/study/rounds.h"
+#include "pushback/chapters/19_accuracy_and_time/study/rounds.h"
 
 #include <fmt/ranges.h>
 
@@ -63,9 +63,9 @@ class Asking {
     for (const std::string& line : said_by(command(engine))) {
       const std::string method = line.substr(0, line.find_first_of("/:"));
       const bool sweeps = line.find("/SWEEPS") < line.find(':');
-      for (int small_steps = 1; small_steps <= most_small_steps(); small_steps *= options_.quick ? 4 : 2) {
-        for (int n = 1; n <= motion_.most_sweeps && n * small_steps <= most_passes(); n *= 4) {
-          all.push_back({.engine = engine, .method = method, .small_steps = small_steps, .sweeps = sweeps ? n : 0});
+      for (int substeps = 1; substeps <= most_substeps(); substeps *= options_.quick ? 4 : 2) {
+        for (int n = 1; n <= motion_.most_sweeps && n * substeps <= most_passes(); n *= 4) {
+          all.push_back({.engine = engine, .method = method, .substeps = substeps, .sweeps = sweeps ? n : 0});
           if (!sweeps) break;
         }
       }
@@ -91,8 +91,8 @@ class Asking {
   }
 
  private:
-  int most_small_steps() const {
-    return options_.quick ? std::min(64, motion_.most_small_steps) : motion_.most_small_steps;
+  int most_substeps() const {
+    return options_.quick ? std::min(64, motion_.most_substeps) : motion_.most_substeps;
   }
   int most_passes() const { return options_.quick ? std::max(1, motion_.most_passes / 8) : motion_.most_passes; }
   std::vector<std::string> command(const std::string& engine) const {
@@ -185,7 +185,7 @@ Measurements measure(const Motion& motion, const RoundOptions& options) {
 namespace {
 
 constexpr const char* csv_heading =
-    "motion,engine,method,small_steps,sweeps,error_m,row_solves,median_s,quartile1_s,quartile3_s,all_s";
+    "motion,engine,method,substeps,sweeps,error_m,row_solves,median_s,quartile1_s,quartile3_s,all_s";
 
 }  // namespace
 
@@ -194,7 +194,7 @@ std::string csv_of(const AllMeasured& all) {
   for (const auto& [motion, measured] : all)
     for (const Measured& one : measured)
       text += fmt::format("{},{},{},{},{},{},{},{:.4e},{:.4e},{:.4e},{:.4e}\n", motion, one.engine, one.method,
-                          one.small_steps, one.sweeps,
+                          one.substeps, one.sweeps,
                           one.late                   ? "late"
                           : std::isfinite(one.error) ? fmt::format("{:.4e}", one.error)
                                                      : "lost",
@@ -216,7 +216,7 @@ AllMeasured read_csv(const std::string& text) {
     std::string motion, error, row_solves;
     Measured one;
     std::array<double, 3> of_all{};  // median and quartiles: for who draws by other means
-    words >> motion >> one.engine >> one.method >> one.small_steps >> one.sweeps >> error >> row_solves >> of_all[0] >>
+    words >> motion >> one.engine >> one.method >> one.substeps >> one.sweeps >> error >> row_solves >> of_all[0] >>
         of_all[1] >> of_all[2];
     const auto found = error_in(error);
     bool understood = !words.fail() && found && read_row_solves(row_solves, one);

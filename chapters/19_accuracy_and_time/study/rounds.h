@@ -5,8 +5,8 @@
 #include <functional>
 #include <map>
 
-#include "pushback/chapters/14_accuracy_and_time/motion.h"
-#include "pushback/chapters/14_accuracy_and_time/study/front.h"
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/chapters/19_accuracy_and_time/study/front.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-// Chapters 07 and 15: what contact points are called, and who feels whom.
+// Chapters 07 and 20: what contact points are called, and who feels whom.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 #include <set>
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/chapters/15_only_what_is_needed/scenes.h"
-#include "pushback/chapters/15_only_what_is_needed/sleep.h"
+#include "pushback/chapters/20_only_what_is_needed/scenes.h"
+#include "pushback/chapters/20_only_what_is_needed/sleep.h"
 #include "pushback/chapters/commands/figures/figures.h"
 #include "pushback/chapters/commands/figures/svg.h"
 #include "pushback/common/collision/collide_outline.h"
@@ -135,7 +135,7 @@ std::string ids_from_step_to_step() {
   return svg.str();
 }
 
-// ---- chapter 15 ------------------------------------------------------------------------------------------------------
+// ---- chapter 20 ------------------------------------------------------------------------------------------------------
 
 std::string graph_and_islands() {
   World world, before;
