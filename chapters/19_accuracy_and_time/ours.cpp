@@ -53,8 +53,13 @@ class Ours : public Player {
 
 template <class ContactSolver>
 Method method(const std::string& name, const std::string& title) {
+<<<<<<< HEAD:chapters/19_accuracy_and_time/ours.cpp
   const bool solves_systems =
       std::derived_from<ContactSolver, WarmDirectContacts> || std::derived_from<ContactSolver, DirectJoints>;
+=======
+  constexpr bool solves_systems =
+      std::derived_from<ContactSolver, WarmGlobalSolve> || std::derived_from<ContactSolver, GlobalJoints>;
+>>>>>>> merge:chapters/14_accuracy_and_time/ours.cpp
   ContactSolver solver;
   if constexpr (std::is_same_v<ContactSolver, Slim> || std::is_same_v<ContactSolver, SlimCold>)
     solver.slop = Real(1e-4);
@@ -65,8 +70,9 @@ Method method(const std::string& name, const std::string& title) {
       .title = title,
       .plays =
           [](const Motion& motion) { return motion.pins.empty() == !std::derived_from<ContactSolver, HoldsJoints>; },
-      .begin = [any = AnySolver(solver), solves_systems](const Motion& motion, const Setting& setting)
-          -> std::unique_ptr<Player> { return std::make_unique<Ours>(motion, setting, any, !solves_systems); }};
+      .begin = [any = AnySolver(solver)](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
+        return std::make_unique<Ours>(motion, setting, any, !solves_systems);
+      }};
 }
 
 }  // namespace

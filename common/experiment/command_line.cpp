@@ -84,9 +84,9 @@ void Experiment::parameter(const Parameter& parameter, ParameterVariable variabl
   std::visit(
       [&](auto* value) {
         using Held = std::decay_t<decltype(*value)>;
-        const bool whole = std::is_same_v<Held, int> || std::is_same_v<Held, std::vector<int>>;
+        constexpr bool whole = std::is_same_v<Held, int> || std::is_same_v<Held, std::vector<int>>;
         const CLI::Validator check(
-            [whole, least = parameter.least, most = parameter.most](const std::string& word) -> std::string {
+            [least = parameter.least, most = parameter.most](const std::string& word) -> std::string {
               double number = 0;
               if (CLI::detail::lexical_cast(word, number) && number >= least && number <= most &&
                   (!whole || number == std::floor(number)))

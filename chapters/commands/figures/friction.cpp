@@ -28,8 +28,8 @@ Rubbed rubbed(Real heading) {
   const auto [t1, t2] = tangents_of(stick.contact().normal);
   const TangentBlock k(row_of(stick.world, stick.contact(), t1, 0), row_of(stick.world, stick.contact(), t2, 0));
   solver.solve(stick.world, Real(1) / 60, 200);
-  const Vec3 slip = stick.slip(),
-             friction = stick.friction() / (stick.contact().friction * stick.contact().impulse.dot(stick.contact().normal));
+  const Vec3 slip = stick.slip(), friction = stick.friction() / (stick.contact().friction *
+                                                                 stick.contact().impulse.dot(stick.contact().normal));
   const Real u1 = slip.dot(t1), u2 = slip.dot(t2);
   Rubbed found;
   found.slip = Place(double(u1), double(u2)).normalized();
