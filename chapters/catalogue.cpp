@@ -8,13 +8,13 @@
 #include "pushback/chapters/05_restitution/scenes.h"
 #include "pushback/chapters/06_friction/scenes.h"
 #include "pushback/chapters/08_friction_cone/scenes.h"
+#include "pushback/chapters/10_position_correction/scenes.h"
+#include "pushback/chapters/12_soft_contacts/scenes.h"
 #include "pushback/chapters/13_joints/scenes.h"
 #include "pushback/chapters/14_joints_under_load/structures.h"
 #include "pushback/chapters/15_limits_motors_springs/cart.h"
 #include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
 #include "pushback/chapters/15_limits_motors_springs/scenes.h"
-#include "pushback/chapters/10_position_correction/scenes.h"
-#include "pushback/chapters/12_soft_contacts/scenes.h"
 #include "pushback/chapters/16_whole_problem/scenes.h"
 #include "pushback/chapters/20_only_what_is_needed/scenes.h"
 
@@ -38,14 +38,23 @@ std::vector<NamedScene> all_scenes() {
       {"04-small-pile", SmallPile{}},
       {"05-four-balls", FallingBalls{}},
       {"05-at-rest", at_rest},
-      {"09-with-gaps", five_in_a_row(Real(0.08))},
-      {"09-touching", five_in_a_row(0)},
       {"06-slope", BoxesOnSlope{}},
       {"06-slide", [](World& world) { slide_to_posts(world, three_headings, h); }},
       {"06-thrown-ball", [](World& world) { thrown_ball(world); }},
       {"07-ten-boxes", stack_of(10)},
       {"07-pyramid", [](World& world) { pyramid(world, 10); }},
       {"08-wheel", [](World& world) { wheel(world, longest_half, h); }},
+      {"09-with-gaps", five_in_a_row(Real(0.08))},
+      {"09-touching", five_in_a_row(0)},
+      {"10-deep", [](World& world) { very_deep_box(world); }},
+      {"10-twelve-boxes", boxes_in_each_other},
+      {"10-stack", [](World& world) { stack_before_posts(world, 10); }},
+      {"10-weightless", WeightlessBall{}},
+      {"10-bounce", dropped_ball(1)},
+      {"11-twenty-boxes", [](World& world) { stack_before_posts(world, 20); }},
+      {"11-heavy", HeavyOnLight{}},
+      {"12-forty-boxes", stack_of(40)},
+      {"12-sunken-ball", SunkenBall{}},
       {"13-beads", beads_on_wires},
       {"13-pendulums", Pendulums{}},
       {"13-door", door_and_weld},
@@ -74,15 +83,6 @@ std::vector<NamedScene> all_scenes() {
          drive(world, add_cart(world, slope, 0), cart_speed, 7);
        }},
       {"15-stairs", [](World& world) { down_the_stairs(world); }},
-      {"10-deep", [](World& world) { very_deep_box(world); }},
-      {"10-twelve-boxes", boxes_in_each_other},
-      {"10-stack", [](World& world) { stack_before_posts(world, 10); }},
-      {"10-weightless", WeightlessBall{}},
-      {"10-bounce", dropped_ball(1)},
-      {"11-twenty-boxes", [](World& world) { stack_before_posts(world, 20); }},
-      {"11-heavy", HeavyOnLight{}},
-      {"12-forty-boxes", stack_of(40)},
-      {"12-sunken-ball", SunkenBall{}},
       {"17-gate", StackInGate{}},
       {"18-chain", LoadedChain{}},
       {"20-piles", FivePiles{}},

@@ -31,7 +31,7 @@ class Ours : public Player {
         counts_rows_(counts_rows) {
     motion.begin(world_);
   }
-  void small_step() override {
+  void substep() override {
     const std::size_t before = rows_solved;
     world_.step(solver_, dt_, sweeps_);
     rows_solved_ += rows_solved - before;
