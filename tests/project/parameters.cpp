@@ -163,6 +163,7 @@ TEST_CASE("closed forms follow the parameters of their scenes") {
            {"01_velocity_constraint", "n as it is", 0.01, 1e-3, {"--slope 0", "--slope 0.1", "--slope 0.6"}},
            {"03_baumgarte", "contact, β", 0.01, 0, {"--depth 0.001", "--depth 0.2", "--beta 0.03,0.3,0.97"}},
            {"03_baumgarte", "equality, β", 0, 1e-6, {"--depth 0.001", "--depth 0.2", "--beta 0.03,0.3,0.97"}},
+           {"05_restitution", "the larger", 0.01, 0, {"--bounciness 1", "--bounciness 1 --drop 1 --threshold 3"}},
            {"06_friction", "bounded by μ Σλₙ", 0.01, 0.01, {"--slope 0.05", "--slope 0.9"}},
            {"06_friction", "friction", 0.01, 1e-4, {"--mu 0.3", "--mu 1.5", "--speed 1", "--speed 8"}},
            {"08_friction_cone", "cone", 0, 0.01, {"--mu 0.25", "--mu 0.65", "--speed 1", "--speed 7"}},
