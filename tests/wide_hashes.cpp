@@ -40,7 +40,7 @@ struct Way {
   const char* name;
   Stepper (*begin)(const World&);
   bool joints = true;   // it holds them
-  bool direct = false;  // it solves all contacts at once
+  bool direct = false;  // it solves all contacts directly
 };
 
 // Friction as a cone beside what needs it, and a warm start wherever one may be: each way takes all of a step's memory along.

@@ -1,6 +1,6 @@
 #include "pushback/chapters/05_restitution/restitution.h"
-#include "pushback/chapters/13_joints/joints.h"
 #include "pushback/chapters/11_substeps/study.h"
+#include "pushback/chapters/13_joints/joints.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
 #include "pushback/common/experiment/experiment.h"
 
@@ -49,7 +49,7 @@ struct Truth {
 int main(int argc, char** argv) {
   Experiment e("19_accuracy_and_time", "What does accuracy cost?");
   std::vector<int> steps_of_balls{1, 16, 256}, steps_of_chain{1, 4, 16};
-  e.parameter({"--ball-steps", "", "", "Numbers of small steps that a step is cut into, for the balls", 1, 1024},
+  e.parameter({"--ball-steps", "", "", "Numbers of substeps that a step is cut into, for the balls", 1, 1024},
               &steps_of_balls);
   e.parameter({"--chain-steps", "", "", "The same for the chain, which has 16 sweeps for all of them", 1, 16},
               &steps_of_chain);

@@ -29,9 +29,9 @@ struct Motion {
   double seconds;                                 ///< how long it is compared
   std::function<std::vector<Places>(int)> truth;  ///< where all bodies are after 1, 2 ... frames, so many of them
   std::vector<Pin> pins = {};                     ///< pinned pairs do not collide
-  int most_substeps = 64;                      ///< in a frame, worth trying
-  int most_sweeps = 64;                           ///< in a small step
-  int most_passes = 256;                          ///< small steps times sweeps
+  int most_substeps = 64;                         ///< in a frame, worth trying
+  int most_sweeps = 64;                           ///< in a substep
+  int most_passes = 256;                          ///< substeps times sweeps
 
   int frames() const;
   /// The bodies, and the pins as joints.

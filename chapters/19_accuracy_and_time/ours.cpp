@@ -31,7 +31,7 @@ class Ours : public Player {
         counts_rows_(counts_rows) {
     motion.begin(world_);
   }
-  void small_step() override {
+  void substep() override {
     const std::size_t before = rows_solved;
     world_.step(solver_, dt_, sweeps_);
     rows_solved_ += rows_solved - before;
@@ -89,12 +89,12 @@ int main(int argc, char** argv) {
       method<Soft>("soft", "soft contacts, cone"),
       method<SteadySolver>("steady", "all together"),
       method<SteadyCold>("steady-cold", "all together, cold"),
-      method<AtOnce>("at-once", "all contacts at once, on a seat"),
+      method<AtOnce>("at-once", "all contacts solved directly, on a seat"),
       method<Solver<Joints>>("joints", "joints, cold"),
       method<Solver<WarmJoints>>("warm-joints", "joints, warm"),
-      method<Solver<SplitJoints>>("split-joints", "joints, push kept apart"),
+      method<Solver<SplitJoints>>("split-joints", "joints, split impulse"),
       method<Solver<SteadyJoints>>("steady-joints", "joints, twenty passes"),
-      method<Solver<DirectJoints>>("global-joints", "all joints at once"),
+      method<Solver<DirectJoints>>("global-joints", "all joints solved directly"),
   };
   const std::string version =
       fmt::format("Pushback, {}; {}", std::is_same_v<Real, float> ? "float" : "double", built_by());

@@ -35,7 +35,7 @@ struct Playing {
     try {
       for (Places& frame : places) {
         own.go();
-        for (int step = 0; step < setting.substeps; ++step) player->small_step();
+        for (int step = 0; step < setting.substeps; ++step) player->substep();
         own.stop();
         for (std::size_t body = 0; body < bodies; ++body) frame[body] = player->place(body);
         if (seconds_since(begin) > at_most) {
@@ -58,7 +58,7 @@ double seconds_of(const Motion& motion, const Method& method, const Setting& set
   Stopwatch own;
   own.go();
   try {
-    for (int step = 0; step < steps; ++step) player->small_step();
+    for (int step = 0; step < steps; ++step) player->substep();
   } catch (const InvalidInput&) {  // where it was lost before
   }
   own.stop();

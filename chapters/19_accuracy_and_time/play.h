@@ -9,10 +9,10 @@
 
 namespace pushback {
 
-/// The knobs. A small step is 1 / (60 substeps) s, so this is the time step and the number of sub-steps in one.
+/// The knobs. A substep is 1 / (60 substeps) s, so this is the time step and the number of substeps in one.
 struct Setting {
   int substeps = 1;  ///< in a frame of 1/60 s
-  int sweeps = 10;      ///< or iterations, in each small step
+  int sweeps = 10;   ///< or iterations, in each substep
 
   double dt() const { return 1.0 / (frames_per_second * substeps); }
 };
@@ -21,10 +21,10 @@ struct Setting {
 class Player {
  public:
   virtual ~Player() = default;
-  virtual void small_step() = 0;
+  virtual void substep() = 0;
   /// Of the centre of mass of the body with this index in the motion's world, m.
   virtual Eigen::Vector3d place(std::size_t body) const = 0;
-  /// In all small steps so far; nothing where an engine does not say, or solves linear systems, and rows are no measure.
+  /// In all substeps so far; nothing where an engine does not say, or solves linear systems, and rows are no measure.
   virtual std::optional<double> row_solves() const { return {}; }
 };
 
@@ -52,7 +52,7 @@ struct Patience {
   double at_most = 60;     ///< s: after which it is given up; looked at after each frame
 };
 
-/// Plays the motion, once in any case. Only small steps are in the time: not the making of a world, not asking where bodies
+/// Plays the motion, once in any case. Only substeps are in the time: not the making of a world, not asking where bodies
 /// are (for which MuJoCo has kinematics to do), and not the comparing. `truth`: motion.truth(motion.frames()).
 Played play(const Motion& motion, const std::vector<Places>& truth, const Method& method, const Setting& setting,
             const Patience& patience = {});

@@ -27,7 +27,7 @@ NamedSolver stepping(const char* name, const char* what) {
 
 }  // namespace
 
-// Before warm starting, joints have none either; from there on they keep their push apart. Scenes without joints move in
+// Before warm starting, joints have none either; from there on split impulses. Scenes without joints move in
 // the same bits as without the effect.
 const std::vector<NamedSolver>& all_solvers() {
   static const std::vector<NamedSolver> all{
@@ -35,30 +35,30 @@ const std::vector<NamedSolver>& all_solvers() {
       sweeping<Solver<Joints>>("01 velocity", "J V = 0 for contacts and joints, 10 sweeps"),
       sweeping<Solver<Joints, Clamping>>("02 clamping", "+ the sum never pulls"),
       sweeping<Solver<Joints, Clamping, Baumgarte>>("03 Baumgarte", "+ overlap fed back"),
-      sweeping<Solver<Joints, Clamping, Baumgarte, Slop>>("04 slop", "+ 5 mm left alone"),
+      sweeping<Solver<Joints, Clamping, Baumgarte, Slop>>("04 slop", "+ a slop of 5 mm"),
       sweeping<Solver<Joints, Clamping, Baumgarte, Slop, Restitution>>("05 restitution", "+ bounce"),
       sweeping<Solver<Joints, Clamping, Baumgarte, Slop, Restitution, Friction>>("06 friction", "+ friction"),
-      sweeping<JointedSolver>("07 warm start", "+ last step's impulses: the full solver; joints keep their push apart"),
+      sweeping<JointedSolver>("07 warm start", "+ last step's impulses: the full solver; joints with split impulses"),
       sweeping<Solver<SplitJoints, Clamping, Baumgarte, Slop, RestitutionFromSurface, Friction, WarmStart>>(
-          "09 from surface", "the full solver, bounces reckoned from the surface"),
+          "09 from surface", "the full solver, bounces computed from the surface"),
       sweeping<Solver<SplitJoints, Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>(
-          "08 friction cone", "the full solver with a cone of friction"),
+          "08 friction cone", "the full solver with a friction cone"),
       sweeping<CorrectingSolver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, Friction, WarmStart>>(
-          "10 split impulse", "the full solver, overlap corrected by pseudo-velocities in the place of Baumgarte"),
+          "10 split impulse", "the full solver, positions corrected by pseudo-velocities, not by Baumgarte"),
       sweeping<CorrectingSolver<SplitJoints, Clamping, NonlinearGaussSeidel, Slop, Restitution, Friction, WarmStart>>(
           "10 non-linear Gauss-Seidel", "the full solver, positions corrected contact by contact, not by Baumgarte"),
-      stepping<JointedSolver>("11 substeps", "the full solver, 32 small steps of one sweep"),
+      stepping<JointedSolver>("11 substeps", "the full solver, 32 substeps of one sweep"),
       stepping<Solver<SplitJoints, Clamping, Baumgarte, Slop, SequentialImpacts, Friction, ScaledWarmStart>>(
-          "09 sequential", "11 substeps with impacts in turn and a scaled guess"),
+          "09 sequential", "11 substeps with sequential impacts and a scaled guess"),
       stepping<RelaxingSolver<SplitJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>(
-          "12 soft contacts", "soft contacts and a relaxing pass, 32 small steps of one sweep"),
+          "12 soft contacts", "soft contacts and a relaxing pass, 32 substeps of one sweep"),
       stepping<RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>(
           "14 joints 20 times", "12 soft contacts with 20 passes over the joints in each sweep"),
       stepping<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, DirectJoints>>(
-          "18 direct joint solve", "12 soft contacts with all joints solved at once in each sweep, without a guess"),
-      stepping<SteadyJointedSolver>(
-          "all together",
-          "soft contacts, a cone, impacts at once, a scaled guess; 32 small steps of one sweep, 20 over joints"),
+          "18 direct joint solve", "12 soft contacts with all joints solved directly in each sweep, without a guess"),
+      stepping<SteadyJointedSolver>("all together",
+                                    "soft contacts, a friction cone, simultaneous impacts, a scaled guess; 32 substeps "
+                                    "of one sweep, 20 over joints"),
   };
   return all;
 }

@@ -71,9 +71,8 @@ Experiment::Result Experiment::play(const Variant& variant, std::size_t index, O
 
   World world;
   fill(world, variant);
-  // The impulses that a picture shows are those of the latest small step.
-  const Real arrow =
-      static_cast<Real>(variant.substeps) * (scene.arrow > 0 ? scene.arrow : fitting_arrow(world, dt_));
+  // The impulses that a picture shows are those of the latest substep.
+  const Real arrow = static_cast<Real>(variant.substeps) * (scene.arrow > 0 ? scene.arrow : fitting_arrow(world, dt_));
 
   std::vector<Real> instants = scene.instants;
   if (instants.empty() || seconds_ > 0) instants = {0, seconds / 3, 2 * seconds / 3, seconds};

@@ -1,4 +1,4 @@
-/// One detection for several small steps.
+/// One detection for several substeps.
 #pragma once
 
 #include "pushback/common/world/step.h"

@@ -51,7 +51,7 @@ struct Switched : ScaledWarmStart {
   void start(Step& step) { scales ? ScaledWarmStart::start(step) : WarmStart::start(step); }
 };
 
-/// Plays a row of five balls that touch, the first with 5 m/s, in small steps of `sweeps`. Returns the largest gain of
+/// Plays a row of five balls that touch, the first with 5 m/s, in substeps of `sweeps`. Returns the largest gain of
 /// energy in one of them, as a part of what there was at first.
 template <class AnyWarmStart>
 Real energy_struck_up(int sweeps) {

@@ -8,8 +8,8 @@
 #include <random>
 #include <set>
 
-#include "pushback/chapters/09_impacts/simultaneous.h"
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
+#include "pushback/chapters/09_impacts/simultaneous.h"
 #include "pushback/chapters/13_joints/scenes.h"
 #include "pushback/chapters/19_accuracy_and_time/play.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
@@ -395,7 +395,7 @@ namespace {
 struct Stands : Player {
   std::function<Eigen::Vector3d(int)> place_after;
   int steps = 0;
-  void small_step() override { ++steps; }
+  void substep() override { ++steps; }
   Eigen::Vector3d place(std::size_t) const override { return place_after(steps); }
   std::optional<double> row_solves() const override { return 7 * steps; }
 };
@@ -420,8 +420,7 @@ constexpr Patience once{.at_least = 0, .at_most = 600};
 
 }  // namespace
 
-TEST_CASE(
-    "the error is the farthest in any frame, looked at after all its small steps; row solves are of all of them") {
+TEST_CASE("the error is the farthest in any frame, looked at after all its substeps; row solves are of all of them") {
   const auto away = [](int steps) { return Eigen::Vector3d(0, steps == 15 ? -3 : 0, steps == 17 ? 99 : 0); };
   for (const double at_least : {0.0, 1e-4}) {
     const Played played = played_by(away, 5, {.at_least = at_least, .at_most = 600});  // 17 is between two frames
@@ -556,8 +555,7 @@ TEST_CASE("row solves of a motion: three rows a pin and sweep, twice where the p
   CHECK(counts[4].row_solves == "–");  // a linear system
 }
 
-TEST_CASE(
-    "only small steps are timed: who is asked for places takes no time, and again for the times is asked for none") {
+TEST_CASE("only substeps are timed: who is asked for places takes no time, and again for the times is asked for none") {
   int asked = 0;
   const auto place = [&](int) {
     ++asked;
@@ -628,8 +626,7 @@ TEST_CASE("joints come closer to the truth with smaller steps") {
 TEST_CASE("half the step is half the error: of what slides, and of what swings") {
   const auto halves = [](const std::string& motion, const std::string& method, const std::string& sweeps) {
     std::vector<std::string> settings;
-    for (const char* substeps : {"8", "16", "32", "64"})
-      settings.push_back(method + "/" + substeps + "/" + sweeps);
+    for (const char* substeps : {"8", "16", "32", "64"}) settings.push_back(method + "/" + substeps + "/" + sweeps);
     const auto errors = errors_in(motion, settings);
     for (std::size_t i = 1; i < errors.size(); ++i) {
       INFO(motion << ", " << settings[i] << ": " << errors[i - 1] << ", then " << errors[i] << " m");

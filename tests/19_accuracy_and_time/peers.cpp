@@ -83,7 +83,7 @@ struct Hopping {
   double h, mu, k, along;  // s, 1, 1, m/s
   double up = 0, x = 0, y = 0;
 
-  void small_step() {
+  void substep() {
     constexpr double d = 0.9999, margin = 1e-6;
     const double before = up;
     up -= truth::g * h;
@@ -111,7 +111,7 @@ TEST_CASE("MuJoCo's hard contacts lift a sliding body off, as fast and as high a
       const Body& body = world.bodies.back();
       const Eigen::Vector3d begin = body.position.cast<double>(), way = body.velocity.cast<double>().normalized();
       for (const int substeps : {1, 4, 16, 64}) {
-        INFO(name << ", " << substeps << " small steps");
+        INFO(name << ", " << substeps << " substeps");
         const Setting setting{.substeps = substeps};
         const auto player = method.begin(motion, setting);
         const double k = std::holds_alternative<Sphere>(body.shape) ? 3.5 : 1;
@@ -123,8 +123,8 @@ TEST_CASE("MuJoCo's hard contacts lift a sliding body off, as fast and as high a
         const Hop hop = *hop_of(motion);
         const double landing = 2 * hop.speed / truth::g;  // s; give or take two steps
         for (int step = 1; step * setting.dt() < 1.8 * landing; ++step) {
-          player->small_step();
-          wanted.small_step();
+          player->substep();
+          wanted.substep();
           const Eigen::Vector3d moved = player->place(1) - begin;
           if (step == 1) CHECK(moved.y() / setting.dt() == Approx(wanted.up).epsilon(1e-4));
           if (step * setting.dt() < 0.9 * landing) {
@@ -161,7 +161,7 @@ TEST_CASE("MuJoCo's own contacts, of a time constant of 0.02 s, lift a sliding b
       const double b = 2 / (0.95 * 0.02), bound = 0.5 * setting.dt() * b * 6 / 1.25;
       double before = start, fastest = 0;
       for (int step = 0; step < 3; ++step) {
-        player->small_step();
+        player->substep();
         const double y = player->place(1).y();
         fastest = std::max(fastest, (y - before) / setting.dt());
         before = y;
@@ -176,8 +176,7 @@ TEST_CASE("Restitution of a pair is that of its bodies, where an engine bounces 
   for (const Method& method : peer_methods()) {
     if (method.name.find("-split") == std::string::npos && method.name.find("ode") != 0) continue;
     INFO(method.name);
-    for (const int substeps : {4, 16})
-      CHECK(error_of(method, motion_named("bounce"), substeps) < 0.15 / substeps);
+    for (const int substeps : {4, 16}) CHECK(error_of(method, motion_named("bounce"), substeps) < 0.15 / substeps);
   }
 }
 

@@ -112,7 +112,7 @@ TEMPLATE_TEST_CASE("scenes with joints move in the same bits, rows and time incl
     Both<TestType>(world).step(300);
   }
 }
-TEST_CASE("scenes with joints move in the same bits in small steps, relaxed or not") {
+TEST_CASE("scenes with joints move in the same bits in substeps, relaxed or not") {
   for (const NamedScene& scene : joint_scenes()) {
     INFO(scene.name);
     World world;

@@ -182,7 +182,7 @@ TEST_CASE("random scenes move in the same bits, whatever they call for") {
     }
   }
 }
-TEST_CASE("random scenes move in the same bits in small steps") {
+TEST_CASE("random scenes move in the same bits in substeps") {
   play_seeds<SteadyJointedSolver>(1, 160, 64, 32, 1);
 }
 TEST_CASE("more random scenes", "[long]") {

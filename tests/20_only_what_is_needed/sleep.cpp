@@ -456,11 +456,11 @@ TEST_CASE("whoever sleeps is where it would be without, within the slop; until t
   CHECK(at_rest >= 17);
 }
 
-TEST_CASE("the same in small steps") {
+TEST_CASE("the same in substeps") {
   for (const NamedScene& scene : all_scenes_and_joints()) {
     World world;
     scene.fill(world);
-    // 19200 small steps, and 20 sweeps over joints in each.
+    // 19200 substeps, and 20 sweeps over joints in each.
     if (world.bodies.size() + world.joints.size() > 7) continue;
     INFO(scene.name);
     const Seen seen = compare(world, SteadyJointedSolver{}, 10, h / 32, 1);

@@ -1,4 +1,4 @@
-/// One detection for several small steps: the contacts between are those that detection would have found.
+/// One detection for several substeps: the contacts between are those that detection would have found.
 #include "pushback/common/world/carried_contacts.h"
 
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
@@ -20,7 +20,7 @@ void frame(World& world, ContactSolver& solver, CarriedContacts& carried, int co
 
 }  // namespace
 
-TEST_CASE("with one small step for each detection the bits are those of World::step") {
+TEST_CASE("with one substep for each detection the bits are those of World::step") {
   World one, other;
   pyramid(one, 5);
   pyramid(other, 5);
@@ -79,7 +79,7 @@ TEST_CASE("what parts between two detections is left out, and is there again whe
   CHECK(world.contacts[0].depth == Approx(0.005));
 }
 
-TEST_CASE("a stack of ten stands on one detection for eight small steps as it does on eight") {
+TEST_CASE("a stack of ten stands on one detection for eight substeps as it does on eight") {
   World once, each;
   stack(once, 10);
   stack(each, 10);

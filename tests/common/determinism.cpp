@@ -118,7 +118,7 @@ TEST_CASE("a copy of world and solver goes on as the original does") {
   CHECK(history(copy, copied) == history(world, solver));
 }
 
-TEST_CASE("a variant in four small steps does what steps of a quarter do") {
+TEST_CASE("a variant in four substeps does what steps of a quarter do") {
   const std::filesystem::path out = std::filesystem::temp_directory_path() / "pushback_substeps";
   std::vector<std::uint64_t> hashes;
   Experiment e("substeps", "");
@@ -127,8 +127,8 @@ TEST_CASE("a variant in four small steps does what steps of a quarter do") {
   for (const std::string& word : words) arguments.push_back(word.c_str());
   REQUIRE(e.run(static_cast<int>(arguments.size()), arguments.data(), [&] {
     e.scene({.name = "pyramid", .fill = pyramid_under_fire, .seconds = 1});
-    e.variant("small steps", FullSolver{}).in_substeps(4).with_exactly(3);
-    e.variant("small steps, soft", SoftSolver{}).in_substeps(4).with_exactly(3);
+    e.variant("substeps", FullSolver{}).in_substeps(4).with_exactly(3);
+    e.variant("substeps, soft", SoftSolver{}).in_substeps(4).with_exactly(3);
     e.number("hash", "", [&](const Run& run) {
       hashes.push_back(hash_of(run.world));
       return Real(0);

@@ -27,7 +27,7 @@ std::vector<Real> apexes(Trial& trial, Real drop, Real e) {
   Real before = 0;
   play.run(6, frame, [&](const World& world) {
     const Body& ball = world.bodies[1];
-    const Real v = ball.velocity.y(), middle = v - g * trial.small_step() / 2;
+    const Real v = ball.velocity.y(), middle = v - g * trial.substep() / 2;
     if (before > 0 && v <= 0) found.push_back(ball.position.y() + middle * middle / (2 * g) - radius);
     before = v;
   });
@@ -50,7 +50,7 @@ std::vector<Real> bounces(Trial& trial) {
 }
 
 /// No gravity, 5 m from the ground but for a micrometre, 10 m/s towards it: touches just before its 30th step ends,
-/// whichever small steps that is made of, and is back after the 60th.
+/// whichever substeps that is made of, and is back after the 60th.
 void there_and_back(World& world) {
   world.gravity.setZero();
   ball_over_ground(world, 5 - Real(1e-6), 1);

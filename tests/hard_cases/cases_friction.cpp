@@ -11,7 +11,7 @@ namespace {
 
 /// It sticks if and only if tan(theta) < mu; else it slides, and moves by steps of dt as far as
 ///
-///   a dt^2 n (n + 1) / 2,   a = g (sin(theta) - mu cos(theta)),   n dt = 2 s      dt: the stage's own small step
+///   a dt^2 n (n + 1) / 2,   a = g (sin(theta) - mu cos(theta)),   n dt = 2 s      dt: the stage's own substep
 std::vector<Real> slopes(Trial& trial) {
   Real creep = 0, off = 0;
   for (const int degrees : {5, 15, 25, 35, 45}) {
@@ -27,7 +27,7 @@ std::vector<Real> slopes(Trial& trial) {
       const Vec3 end = play.world.bodies[1].position;
       if (part > 1) creep = std::max(creep, (end - after_1_s).norm());
       if (part > 1) continue;
-      const Real dt = trial.small_step(), n = std::round(2 / dt);
+      const Real dt = trial.substep(), n = std::round(2 / dt);
       const Real way = g * (std::sin(theta) - mu * std::cos(theta)) * dt * dt * n * (n + 1) / 2;
       off = std::max(off, std::abs((end - start).dot(down) / way - 1));
     }
@@ -48,7 +48,7 @@ std::vector<Real> stopping_distances(Trial& trial) {
   for (const Real mu : {Real(0.2), Real(0.5), Real(0.8)}) {
     for (const Real speed : {Real(3), Real(10)}) {
       const Real way = way_of(trial, mu, speed, 0).x();
-      off = std::max(off, std::abs(way / discrete_distance(mu, speed, trial.small_step()) - 1));
+      off = std::max(off, std::abs(way / discrete_distance(mu, speed, trial.substep()) - 1));
     }
   }
   return {100 * off};
@@ -63,7 +63,7 @@ std::vector<Real> all_headings(Trial& trial) {
     const Real heading = 2 * pi * static_cast<Real>(i) / headings;
     const Vec3 way = way_of(trial, mu, speed, heading);
     const Vec3 ahead{std::cos(heading), 0, -std::sin(heading)}, aside{std::sin(heading), 0, std::cos(heading)};
-    const Real should = discrete_distance(mu, speed, trial.small_step());
+    const Real should = discrete_distance(mu, speed, trial.substep());
     off = std::max(off, std::abs(way.dot(ahead) / should - 1));
     astray = std::max(astray, std::abs(way.dot(aside)) / should);
   }

@@ -101,7 +101,7 @@ HardCase heavy_chain() {
 
 // A step turns the speed v of what goes round by w h and keeps the part of it that the chain allows, v cos(w h): of the
 // kinetic energy T it takes w^2 h T a second. Let go from the horizontal, a pendulum of length L has a mean of w^2 T of
-// 2 g / (3 L) m g L: in 10 s and small steps of 1/1920 s, 0.63 %, and in steps of 1/60 s 20 %.
+// 2 g / (3 L) m g L: in 10 s and substeps of 1/1920 s, 0.63 %, and in steps of 1/60 s 20 %.
 HardCase ball_and_chain() {
   HardCase c;
   c.name = "ball-and-chain";

@@ -56,7 +56,7 @@ std::vector<Real> painleve(Trial& trial) {
   play.run(frame);
   const Body& rod = play.world.bodies[1];
   // A step solves J V = 0 for the rod as it lay before it was moved: turned back by that much, its tip stands still.
-  const Real back = rod.angular_velocity.norm() * trial.small_step();
+  const Real back = rod.angular_velocity.norm() * trial.substep();
   const Vec3 axis = rod.angular_velocity.norm() > 0 ? rod.angular_velocity.normalized() : Vec3::UnitZ();
   const Vec3 arm = Eigen::AngleAxis<Real>(-back, axis) * (tip_of(play.world) - rod.position);
   const Real tip = rod.velocity_at(rod.position + arm).norm();

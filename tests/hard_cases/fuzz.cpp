@@ -58,7 +58,7 @@ class Watched {
     for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
       for (int i = 0; i < count_ && finding.broken.empty(); ++i) {
         const Real dt = scene_.dt / static_cast<Real>(count_);
-        finding.broken = small_step(dt, watcher);
+        finding.broken = substep(dt, watcher);
         watcher.look(world_, dt);
         if (finding.broken.empty()) finding.broken = watcher.broken();
       }
@@ -76,7 +76,7 @@ class Watched {
 
  private:
   /// World::step, taken apart.
-  std::string small_step(Real dt, Watcher& watcher) {
+  std::string substep(Real dt, Watcher& watcher) {
     world_.begin_step(dt);
     solver_.solve(world_, dt, sweeps_);
     watcher.feel(world_);

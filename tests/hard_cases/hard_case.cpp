@@ -23,7 +23,7 @@ void Play::step(Real dt) {
   const auto begin = std::chrono::steady_clock::now();
   try {
     stepper_(world, dt);
-  } catch (const InvalidInput& refused) {  // joints; or between two small steps, a number was no longer finite
+  } catch (const InvalidInput& refused) {  // joints; or between two substeps, a number was no longer finite
     sound_ = false;
     said = refused.what();
   }

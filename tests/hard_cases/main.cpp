@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
   app.add_option("NAME", names, "Only these cases, by their names or a part of them");
   app.add_option("--stages", stage_names, "Only these stages, by their names or a part of them, separated by commas")
       ->delimiter(',');
-  app.add_flag("--quick", quick, "Only the chapters' stages, without the small steps that came after");
+  app.add_flag("--quick", quick, "Only the chapters' stages, without the stages that came after");
   app.add_flag("--only-what-is-needed", only_needed,
                "Through the dispatch of chapter 20: each world by what it calls for. The same numbers, in the folder "
                "hard_cases/only_what_is_needed");

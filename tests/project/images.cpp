@@ -87,25 +87,40 @@ TEST_CASE("the sheet of 07 looks as it did", "[slow]") {
 TEST_CASE("the sheet of 08 looks as it did") {
   compare("08_friction_cone");
 }
-TEST_CASE("the sheet of 09 looks as it did", "[slow]") {
-  compare("13_joints");
+TEST_CASE("the sheet of 09 looks as it did") {
+  compare("09_impacts");
 }
-TEST_CASE("the sheet of 10 looks as it did") {
-  compare("15_limits_motors_springs");
+TEST_CASE("the sheet of 10 looks as it did", "[slow]") {
+  compare("10_position_correction");
 }
 TEST_CASE("the sheet of 11 looks as it did", "[slow]") {
-  compare("10_position_correction");
+  compare("11_substeps");
 }
 TEST_CASE("the sheet of 12 looks as it did", "[slow]") {
   compare("12_soft_contacts");
 }
-TEST_CASE("the sheet of 13 looks as it did", "[slow]") {
-  compare("16_whole_problem");
+TEST_CASE("the sheet of 13 looks as it did") {
+  compare("13_joints");
 }
-TEST_CASE("the sheet of 14 looks as it did") {
-  compare("19_accuracy_and_time");
+TEST_CASE("the sheet of 14 looks as it did", "[slow]") {
+  compare("14_joints_under_load");
 }
 TEST_CASE("the sheet of 15 looks as it did") {
+  compare("15_limits_motors_springs");
+}
+TEST_CASE("the sheet of 16 looks as it did", "[slow]") {
+  compare("16_whole_problem");
+}
+TEST_CASE("the sheet of 17 looks as it did", "[slow]") {
+  compare("17_direct_contacts");
+}
+TEST_CASE("the sheet of 18 looks as it did") {
+  compare("18_direct_joints");
+}
+TEST_CASE("the sheet of 19 looks as it did") {
+  compare("19_accuracy_and_time");
+}
+TEST_CASE("the sheet of 20 looks as it did") {
   compare("20_only_what_is_needed");
 }
 

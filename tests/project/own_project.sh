@@ -72,7 +72,7 @@ way=find_package
 cmake --install "$built" --prefix "$scratch/prefix" >log 2>&1 || { cat log; wrong "nothing can be installed"; }
 [[ ! -e prefix/include/common ]] || wrong "headers are installed beside those of others"
 mkdir "$way"
-cat >"$way/chapters.cpp" <<END  # what the libraries of chapters 07, 16 and 20 have to say of a stack
+cat >"$way/chapters.cpp" <<END  # what the libraries of chapters 07, 16, 17 and 20 have to say of a stack
 #include "pushback/chapters/07_warm_start/flat.h"
 #include "pushback/chapters/17_direct_contacts/best.h"
 #include "pushback/chapters/16_whole_problem/matrix.h"

@@ -30,7 +30,7 @@ std::vector<Panel> trace_panels(const std::vector<Traced>& all);
 std::vector<Panel> profile_panels(const std::vector<Traced>& all);
 
 std::vector<std::string> tables_of(const std::vector<Traced>& all);
-/// A row a method: on how many problems it comes that far, on how many it is first there, and its time as a multiple of the
+/// A row a method: on how many problems it comes that far, on how many it is the fastest, and its time as a multiple of the
 /// fastest one's, the median of those it reaches. For each tolerance.
 std::string reached_of(const std::vector<Traced>& all);
 std::vector<std::string> remarks_of(const std::vector<Traced>& all);

@@ -70,7 +70,7 @@ std::string said_of(double tolerance, const std::vector<Traced>& all) {
     if (*first < not_reached) ++fastest[static_cast<std::size_t>(first - times[p].begin())];
     else unsolved.push_back(all[p].frozen->name);
   }
-  return fmt::format("{:.0e}: of {} problems reached on: {}; first there on: {}; nobody on: {}", tolerance, all.size(),
+  return fmt::format("{:.0e}: of {} problems reached on: {}; fastest on: {}; no method on: {}", tolerance, all.size(),
                      listed(reached), listed(fastest),
                      unsolved.empty() ? "none" : fmt::format("{}", fmt::join(unsolved, ", ")));
 }
@@ -81,7 +81,7 @@ std::string said_of_floors(std::size_t method, const std::vector<Traced>& all) {
     if (const double at = floor_of(of.traces[method]); at > 0) floors.push_back(at);
   if (floors.empty()) return fmt::format("{} stands still nowhere", frozen_methods()[method]);
   const auto [least, most] = std::minmax_element(floors.begin(), floors.end());
-  return fmt::format("{} stands still on {} of {} problems, at {:.0e} to {:.0e}, median {:.0e}",
+  return fmt::format("{} stops above 0 on {} of {} problems, at {:.0e} to {:.0e}, median {:.0e}",
                      frozen_methods()[method], floors.size(), all.size(), *least, *most, median(floors));
 }
 
@@ -136,7 +136,7 @@ std::vector<std::string> tables_of(const std::vector<Traced>& all) {
 
 std::string reached_of(const std::vector<Traced>& all) {
   std::string table = fmt::format(
-      "Of {} problems: reached, first there, and the median multiple of the fastest time:\n\n| method |", all.size());
+      "Of {} problems: reached, fastest, and the median multiple of the fastest time:\n\n| method |", all.size());
   for (const double tolerance : tolerances) table += fmt::format(" {:.0e} |", tolerance);
   table += "\n| --- |";
   for (std::size_t i = 0; i < tolerances.size(); ++i) table += " --- |";

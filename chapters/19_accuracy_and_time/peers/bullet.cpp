@@ -99,7 +99,7 @@ class Bullet : public Player {
     for (const auto& body : bodies_) dynamics_->removeRigidBody(body.get());
   }
 
-  void small_step() override { dynamics_->stepSimulation(dt_, 0); }
+  void substep() override { dynamics_->stepSimulation(dt_, 0); }
   Eigen::Vector3d place(std::size_t body) const override {
     if (bodies_[body]->isStaticObject()) return put_[body];
     const btVector3& at = bodies_[body]->getCenterOfMassPosition();

@@ -111,7 +111,7 @@ struct Release {
 };
 
 std::unique_ptr<mjModel, Release> read(const std::string& mjcf) {
-  mju_user_warning = [](const char*) {};  // its own writes a file; small_step() asks
+  mju_user_warning = [](const char*) {};  // its own writes a file; substep() asks
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
   mj_makeEmptyFileVFS(files.get(), "motion.xml", static_cast<int>(mjcf.size()));
@@ -141,7 +141,7 @@ class Mujoco : public Player {
     }
   }
 
-  void small_step() override {
+  void substep() override {
     mj_step(model_.get(), data_.get());
     moved_ = true;
     row_solves_ += static_cast<double>(data_->nefc) * data_->solver_iter;

@@ -51,7 +51,7 @@ class Ode : public Player {
   Ode(const Ode&) = delete;
   Ode& operator=(const Ode&) = delete;
 
-  void small_step() override {
+  void substep() override {
     rows_ = 3 * pins_;
     dSpaceCollide(space_, this, [](void* ode, dGeomID a, dGeomID b) { static_cast<Ode*>(ode)->collide(a, b); });
     if (choice_.exact) dWorldStep(world_, dt_);

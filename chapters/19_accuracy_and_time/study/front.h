@@ -12,8 +12,8 @@ namespace pushback {
 struct Measured {
   std::string engine;                     ///< "motion", or "motion_bullet": the program that played
   std::string method;                     ///< "steady"
-  int substeps = 1;                    ///< in a frame of 1/60 s
-  int sweeps = 0;                         ///< in a small step; 0: the method has no such knob
+  int substeps = 1;                       ///< in a frame of 1/60 s
+  int sweeps = 0;                         ///< in a substep; 0: the method has no such knob
   double error = 0;                       ///< m; infinite: lost, or given up
   bool late = false;                      ///< given up
   std::optional<double> row_solves = {};  ///< in the whole motion; nothing: no measure

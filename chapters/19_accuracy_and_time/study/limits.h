@@ -34,7 +34,7 @@ struct Limit {
 ///   else                                                                                scattered
 Limit limit_of(const std::vector<double>& errors);
 
-/// Of one method of one engine with so many sweeps. Not finite where small steps of the grid, powers of 2, are missing.
+/// Of one method of one engine with so many sweeps. Not finite where substeps of the grid, powers of 2, are missing.
 Limit limit_of(const Measurements& all, const std::string& engine, const std::string& method, int sweeps);
 
 /// With the most sweeps that were tried with five step sizes or more, so that h goes to 0 and sweeps are as many as may be;

@@ -30,7 +30,7 @@ struct RoundOptions {
 /// What the engine's program says of its version, and of how it was built.
 std::string version_of(const Engine& engine, const std::filesystem::path& programs);
 
-/// First every setting once: powers of 2 of small steps, powers of 4 of sweeps, as far as the motion wants to have them tried.
+/// First every setting once: powers of 2 of substeps, powers of 4 of sweeps, as far as the motion wants to have them tried.
 /// In float only what is near the front in double. What is then near the front of its engine is timed again, `rounds` times, all
 /// of it in every round before the next begins. Throws std::runtime_error where a program fails.
 Measurements measure(const Motion& motion, const RoundOptions& options);
