@@ -9,6 +9,7 @@
 #include "pushback/chapters/06_friction/scenes.h"
 #include "pushback/chapters/08_friction_cone/scenes.h"
 #include "pushback/chapters/13_joints/scenes.h"
+#include "pushback/chapters/14_joints_under_load/scenes.h"
 #include "pushback/chapters/14_joints_under_load/structures.h"
 #include "pushback/chapters/15_limits_motors_springs/cart.h"
 #include "pushback/chapters/15_limits_motors_springs/ragdoll.h"

@@ -1,4 +1,4 @@
-/// Beads on wires, pendulums, a weight on a chain, a door. The larger ones are in structures.h.
+/// Beads on wires, pendulums, a door.
 #pragma once
 
 #include "pushback/chapters/13_joints/distance.h"
@@ -91,39 +91,6 @@ inline Real angle_of_plank(const World& world) {
 inline Real length_of_plank() {
   return half_plank + (half_plank * half_plank + plank_width * plank_width) / (3 * half_plank);
 }
-
-// ---- a chain and a weight ----------------------------------------------------------------------------------------------
-
-inline constexpr Real link_length = Real(0.3);  // m
-inline constexpr Real weight_half = Real(0.4);  // m
-
-/// Links of 1 kg, ball and socket between them, that hang straight down from the world; at the last one a weight.
-struct ChainWithWeight {
-  int links = 10;
-  Real mass_ratio = 100;  ///< of the weight, in masses of a link
-
-  void operator()(World& world) const {
-    Vec3 end = Vec3::Zero();
-    int above = the_world;
-    for (int i = 0; i < links; ++i) {
-      const int here = world.add(
-          capsule(Real(0.07), link_length / 2 - Real(0.07), 1).at(end - Vec3(0, link_length / 2, 0)).coloured(i % 2));
-      world.joints.push_back(ball_and_socket(world, above, here, end));
-      end.y() -= link_length;
-      above = here;
-    }
-    const int weight =
-        world.add(box(Vec3::Constant(weight_half), mass_ratio).at(end - Vec3(0, weight_half, 0)).coloured(2));
-    world.joints.push_back(ball_and_socket(world, above, weight, end));
-    for (const Real y : {Real(0), end.y() - 2 * weight_half})  // behind it: from where, and down to where it hangs
-      world.add(box({Real(1.2), Real(0.03), Real(0.03)}, 1).fixed().at({0, y, -Real(0.6)}));
-  }
-  /// How much longer the chain is than its links, of 1.
-  Real stretch(const World& world) const {
-    const Body& weight = world.bodies[static_cast<std::size_t>(links)];
-    return point_of(weight, {0, weight_half, 0}).norm() / (static_cast<Real>(links) * link_length) - 1;
-  }
-};
 
 // ---- hinge and weld ----------------------------------------------------------------------------------------------------
 

@@ -1,4 +1,4 @@
-/// What closes gaps is kept apart from what holds, and not remembered.
+/// A split impulse for joints: the part that closes gaps is kept apart from the part that carries, and not remembered.
 #pragma once
 
 #include "pushback/chapters/14_joints_under_load/warm_joints.h"

@@ -199,7 +199,7 @@ int main(int argc, char** argv) {
       for (const auto& [substeps, sweeps] :
            {std::pair(1, 10), std::pair(1, 30), std::pair(8, 2), std::pair(32, 1)}) {
         e.remark(fmt::format("the ragdoll, {} in 1/{:.0f} s with {}: stretched by up to {:.2g} %",
-                             substeps == 1 ? "one step" : fmt::format("{} small steps", substeps), 1 / h,
+                             substeps == 1 ? "one step" : fmt::format("{} substeps", substeps), 1 / h,
                              sweeps == 1 ? "one sweep" : fmt::format("{} sweeps", sweeps),
                              100 * stretch_on_stairs(h, substeps, sweeps)));
       }

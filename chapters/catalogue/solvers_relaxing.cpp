@@ -1,4 +1,4 @@
-#include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/catalogue/compile.h"
 

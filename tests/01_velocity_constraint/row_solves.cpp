@@ -8,7 +8,7 @@
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
-#include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;

@@ -2,9 +2,9 @@
 #include <Eigen/QR>
 
 #include "pushback/chapters/13_joints/distance.h"
-#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/13_joints/weld.h"
 #include "pushback/chapters/13_joints/wire.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -228,24 +228,6 @@ TEST_CASE("what rows that feed nothing back do to the energy is -|dV|^2 / 2, in 
     world.step(solver, h, 3000);  // whatever velocities it starts with, a solved step has none against the joints
     for (int step = 0; step < 20; ++step) REQUIRE(energy_of_a_step(world, solver, h, 3000).off < Real(1e-9));
   }
-}
-
-TEST_CASE("joints start from the impulses of the last step: what hangs still needs no sweep") {
-  World world;
-  for (int link = 0; link < 5; ++link) {
-    world.add(capsule(Real(0.1), Real(0.3), 2).at({0, Real(-0.5) - static_cast<Real>(link), 0}));
-    world.joints.push_back(ball_and_socket(world, link - 1, link, {0, -static_cast<Real>(link), 0}));
-  }
-  Solver<WarmJoints> solver;
-  for (int step = 0; step < 200; ++step) world.step(solver, h, 50);
-  REQUIRE(largest_speed(world) < Real(1e-9));
-  world.step(solver, h, 0);
-  CHECK(largest_speed(world) < Real(1e-9));
-  world.step(solver, 2 * h, 0);  // an impulse is a force times dt
-  CHECK(largest_speed(world) < Real(1e-9));
-  for (Joint& joint : world.joints) joint.impulses.clear();
-  world.step(solver, h, 0);
-  CHECK(std::abs(largest_speed(world) - (h * Real(9.81))) < Real(1e-9));
 }
 
 TEST_CASE("joined bodies do not touch, unless asked to") {

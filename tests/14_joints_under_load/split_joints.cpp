@@ -1,8 +1,9 @@
-/// Joints of which the push is kept apart: it closes gaps, leaves no speed, and is not remembered.
+/// Joints with a split impulse: the push closes gaps, leaves no speed, and is not remembered.
 #include "pushback/chapters/14_joints_under_load/split_joints.h"
 
+#include "pushback/chapters/11_substeps/substeps.h"
+#include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/chapters/13_joints/ball_and_socket.h"
-#include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
@@ -25,7 +26,7 @@ World loaded_chain() {
   return world;
 }
 
-/// J, the most that ten seconds in small steps have above the start.
+/// J, the most that ten seconds in substeps have above the start.
 template <class ContactSolver>
 Real most_gained() {
   World world = loaded_chain();

@@ -1,9 +1,10 @@
 /// The ragdoll of chapter 15: how many ways it can move, and what it keeps as it falls.
 #include <Eigen/QR>
 
+#include "pushback/chapters/11_substeps/substeps.h"
+#include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
-#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -79,7 +80,7 @@ TEST_CASE("a ragdoll falls down the stairs: it holds together, bends no knee bac
   CHECK(largest_speed(world) < Real(0.1));
 }
 
-TEST_CASE("in small steps with soft contacts and a relaxing pass it holds together far better") {
+TEST_CASE("in substeps with soft contacts and a relaxing pass it holds together far better") {
   World world;
   const Ragdoll man = down_the_stairs(world);
   RelaxingSolver<WarmJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart> solver;

@@ -3,7 +3,7 @@
 
 #include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
-#include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "pushback/chapters/catalogue.h"
 #include "pushback/common/world/situations.h"
 

@@ -1,0 +1,16 @@
+/// Chapter 12's solver for substeps, with joints.
+#pragma once
+
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/chapters/14_joints_under_load/split_joints.h"
+
+namespace pushback {
+
+/// For 32 substeps of one sweep in 1/60 s: a chain that carries a hundred times the mass of a link.
+struct SteadyJoints : SplitJoints {
+  SteadyJoints() { passes = 20; }
+};
+using SteadyJointedSolver =
+    RelaxingSolver<SteadyJoints, Clamping, SoftContacts, SimultaneousImpacts, FrictionCone, ScaledWarmStart>;
+
+}  // namespace pushback
