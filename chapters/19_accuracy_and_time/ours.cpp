@@ -53,13 +53,8 @@ class Ours : public Player {
 
 template <class ContactSolver>
 Method method(const std::string& name, const std::string& title) {
-<<<<<<< HEAD:chapters/19_accuracy_and_time/ours.cpp
-  const bool solves_systems =
-      std::derived_from<ContactSolver, WarmDirectContacts> || std::derived_from<ContactSolver, DirectJoints>;
-=======
   constexpr bool solves_systems =
-      std::derived_from<ContactSolver, WarmGlobalSolve> || std::derived_from<ContactSolver, GlobalJoints>;
->>>>>>> merge:chapters/14_accuracy_and_time/ours.cpp
+      std::derived_from<ContactSolver, WarmDirectContacts> || std::derived_from<ContactSolver, DirectJoints>;
   ContactSolver solver;
   if constexpr (std::is_same_v<ContactSolver, Slim> || std::is_same_v<ContactSolver, SlimCold>)
     solver.slop = Real(1e-4);
