@@ -14,9 +14,9 @@ struct Snapshot {
   Rows normals;
 
   template <class Fill>
-  Snapshot(Fill fill, Real h) {
+  Snapshot(Fill fill, Real dt) {
     fill(world);
-    world.begin_step(h);
+    world.begin_step(dt);
     for (std::size_t i = 0; i < world.contacts.size(); ++i)
       normals.push_back(row_of(world, world.contacts[i], world.contacts[i].normal, i));
   }
