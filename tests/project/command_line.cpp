@@ -79,7 +79,9 @@ const std::map<std::string, std::vector<std::string>> own_options{
      {"--torque", "--stop", "--load", "--heavy", "--hertz", "--damping-ratio", "--slope", "--pump"}},
     {"10_position_correction", {"--beta", "--most", "--rounds", "--depth", "--boxes", "--ball-depth"}},
     {"12_soft_contacts", {"--substeps", "--hertz", "--damping-ratio", "--boxes", "--mass-ratio", "--depth"}},
-    {"16_whole_problem", {"--boxes", "--links", "--mass-ratio"}},
+    {"16_whole_problem", {"--boxes", "--mass-ratio"}},
+    {"17_direct_contacts", {"--boxes"}},
+    {"18_direct_joints", {"--links", "--mass-ratio"}},
     {"19_accuracy_and_time", {"--ball-steps", "--chain-steps"}},
     {"20_only_what_is_needed", {"--still-for", "--place", "--speed", "--mass-ratio"}}};
 

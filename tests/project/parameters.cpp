@@ -191,12 +191,8 @@ TEST_CASE("closed forms follow the parameters of their scenes") {
             0.01,
             0,
             {"--mass-ratio 1" + pair("one"), "--mass-ratio 100" + pair("a-hundred")}},
-           {"16_whole_problem", "all at once", 0, 1e-3, {"--boxes 1", "--boxes 12"}},
-           {"16_whole_problem",
-            "joints at once",
-            0,
-            1e-6,
-            {"--links 1 --boxes 2", "--links 40 --boxes 2", "--mass-ratio 10000 --boxes 2"}},
+           {"17_direct_contacts", "direct contact solve", 0, 1e-3, {"--boxes 1", "--boxes 12"}},
+           {"18_direct_joints", "direct joint solve", 0, 1e-6, {"--links 1", "--links 40", "--mass-ratio 10000"}},
        }) {
     for (const std::string& arguments : follows.arguments) {
       const Outcome outcome = run(follows.chapter, arguments);
