@@ -66,18 +66,14 @@ inline Signs signs(const Snapshot& snapshot, int sweeps) {
   const SparseRows a = matrix_of(snapshot.normals);
   const Vector b = speeds_of(snapshot.normals);
   const auto error = [&](const Vector& impulses) {
-    std::vector<double> speeds;
-    for (const Body& body : snapshot.world.bodies) speeds.push_back(static_cast<double>(body.velocity.y()));
+    Vector speeds(std::ssize(snapshot.world.bodies));
+    for (const Body& body : snapshot.world.bodies) speeds[body.index] = static_cast<double>(body.velocity.y());
     for (std::size_t i = 0; i < snapshot.normals.size(); ++i) {
       const Row& row = snapshot.normals[i];
-      speeds[static_cast<std::size_t>(row.a->index)] +=
-          impulses[static_cast<Eigen::Index>(i)] * static_cast<double>(row.dva.y());
-      speeds[static_cast<std::size_t>(row.b->index)] +=
-          impulses[static_cast<Eigen::Index>(i)] * static_cast<double>(row.dvb.y());
+      speeds[row.a->index] += impulses[static_cast<Eigen::Index>(i)] * static_cast<double>(row.dva.y());
+      speeds[row.b->index] += impulses[static_cast<Eigen::Index>(i)] * static_cast<double>(row.dvb.y());
     }
-    double largest = 0;
-    for (const double speed : speeds) largest = std::max(largest, std::abs(speed));
-    return largest;
+    return speeds.cwiseAbs().maxCoeff();
   };
   Vector impulses = Vector::Zero(b.size());
   const double at_start = error(impulses);
