@@ -5,6 +5,7 @@
 
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/chapters/17_direct_contacts/direct_contacts.h"
+#include "pushback/chapters/17_direct_contacts/methods.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
