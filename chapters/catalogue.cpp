@@ -17,6 +17,7 @@
 #include "pushback/chapters/10_position_correction/scenes.h"
 #include "pushback/chapters/12_soft_contacts/scenes.h"
 #include "pushback/chapters/16_whole_problem/scenes.h"
+#include "pushback/chapters/18_direct_joints/scenes.h"
 #include "pushback/chapters/20_only_what_is_needed/scenes.h"
 
 namespace pushback {

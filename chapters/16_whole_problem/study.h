@@ -2,8 +2,7 @@
 #pragma once
 
 #include "pushback/chapters/16_whole_problem/matrix.h"
-#include "pushback/chapters/17_direct_contacts/methods.h"
-#include "pushback/chapters/17_direct_contacts/pivoting.h"
+#include "pushback/chapters/16_whole_problem/sweeping_methods.h"
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/world/situations.h"
 
@@ -15,9 +14,9 @@ struct Snapshot {
   Rows normals;
 
   template <class Fill>
-  Snapshot(Fill fill, Real h) {
+  Snapshot(Fill fill, Real dt) {
     fill(world);
-    world.begin_step(h);
+    world.begin_step(dt);
     for (std::size_t i = 0; i < world.contacts.size(); ++i)
       normals.push_back(row_of(world, world.contacts[i], world.contacts[i].normal, i));
   }
@@ -50,44 +49,43 @@ inline Curve convergence(const ContactProblem& problem, const std::string& metho
   Curve curve{name, {}, {}, line_colour(colour), Curve::Style::line};
   for (const int sweeps : sweep_counts(3000)) {
     curve.x.push_back(static_cast<Real>(sweeps));
-    curve.y.push_back(static_cast<Real>(std::max(solve(problem, method, sweeps, 0).residual, 1e-17)));
+    curve.y.push_back(static_cast<Real>(std::max(solve_by_sweeps(problem, method, sweeps, 0).residual, 1e-17)));
   }
   return curve;
 }
 
-/// What can be asked after each sweep, and what one would like to know; each as a part of what it is at the start or the end.
+/// What can be asked after each sweep, and what one would like to know; each as a part of its full size.
 struct Signs {
-  std::vector<double> correction;  ///< largest corrective impulse of the sweep, of the largest impulse of the solution
+  std::vector<double> correction;  ///< largest corrective impulse of the sweep, of the largest impulse after the last
   std::vector<double> speed;       ///< largest speed that a contact still closes with, of the largest at the start
-  std::vector<double> error;  ///< largest speed that a body is still wrong by, of the largest it has to be changed by
+  std::vector<double> error;  ///< largest speed that a body still has up or down, of what gravity has given it, g h
 };
 
-/// Contacts without friction, solved at once by pivoting; and swept, `sweeps` times.
+/// Contacts without friction, of bodies that were at rest before this step, swept `sweeps` times.
 inline Signs signs(const Snapshot& snapshot, int sweeps) {
   const SparseRows a = matrix_of(snapshot.normals);
   const Vector b = speeds_of(snapshot.normals);
-  const auto exact = solve_by_pivoting(a, b);
-  if (!exact) throw std::runtime_error("no solution was found by pivoting");
-  // What impulses change the heights of the bodies by is what is asked of them.
-  const auto change = [&](const Vector& impulses) {
-    Vector of_bodies = Vector::Zero(std::ssize(snapshot.world.bodies));
+  const auto error = [&](const Vector& impulses) {
+    Vector speeds(std::ssize(snapshot.world.bodies));
+    for (const Body& body : snapshot.world.bodies) speeds[body.index] = static_cast<double>(body.velocity.y());
     for (std::size_t i = 0; i < snapshot.normals.size(); ++i) {
       const Row& row = snapshot.normals[i];
-      of_bodies[row.a->index] += impulses[static_cast<Eigen::Index>(i)] * static_cast<double>(row.dva.y());
-      of_bodies[row.b->index] += impulses[static_cast<Eigen::Index>(i)] * static_cast<double>(row.dvb.y());
+      speeds[row.a->index] += impulses[static_cast<Eigen::Index>(i)] * static_cast<double>(row.dva.y());
+      speeds[row.b->index] += impulses[static_cast<Eigen::Index>(i)] * static_cast<double>(row.dvb.y());
     }
-    return of_bodies;
+    return speeds.cwiseAbs().maxCoeff();
   };
-  const Vector wanted = change(exact->impulses);
   Vector impulses = Vector::Zero(b.size());
+  const double at_start = error(impulses);
   Signs found;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const Vector before = impulses;
     for (Eigen::Index i = 0; i < b.size(); ++i) project(a, b, i, 0, 1e300, impulses);
-    found.correction.push_back((impulses - before).cwiseAbs().maxCoeff() / exact->impulses.maxCoeff());
+    found.correction.push_back((impulses - before).cwiseAbs().maxCoeff());
     found.speed.push_back(std::max(0.0, -(a * impulses + b).minCoeff()) / -b.minCoeff());
-    found.error.push_back((change(impulses) - wanted).cwiseAbs().maxCoeff() / wanted.cwiseAbs().maxCoeff());
+    found.error.push_back(error(impulses) / at_start);
   }
+  for (double& correction : found.correction) correction /= impulses.maxCoeff();
   return found;
 }
 

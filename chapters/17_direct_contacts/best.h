@@ -2,17 +2,9 @@
 /// then Newton's method.
 #pragma once
 
-#include "pushback/chapters/16_whole_problem/contact_problem.h"
+#include "pushback/chapters/16_whole_problem/sweeping_methods.h"
 
 namespace pushback {
-
-struct Solution {
-  Vector r;             ///< N s
-  double residual = 0;  ///< relative_residual
-  int sweeps = 0;       ///< over all contacts
-  int systems = 0;      ///< linear systems solved
-  double work = 0;      ///< multiplications, counted by `best` only
-};
 
 struct Effort {
   double tolerance = 1e-13;  ///< of relative_residual: below this nothing more is done

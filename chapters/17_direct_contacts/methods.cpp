@@ -1,60 +1,16 @@
 #include "pushback/chapters/17_direct_contacts/methods.h"
 
-#include "pushback/chapters/16_whole_problem/conjugate.h"
-#include "pushback/common/basics/named.h"
-
 namespace pushback {
 
-namespace {
-
-struct Method {
-  const char* name;
-  Sweep (*sweep)(const ContactProblem&);
-};
-
-template <class TangentStep>
-Sweep sweep_by(const ContactProblem& problem) {
-  return [sweeper = Sweeper<TangentStep>(problem)](Vector& r) { sweeper.sweep(r); };
-}
-
-Sweep conjugate(const ContactProblem& problem) {
-  return [sweeper = ConjugateSweeper<Cone>(problem, Vector::Zero(problem.q.size()))](Vector& r) mutable {
-    sweeper.sweep(r);
-  };
-}
-
-Sweep no_sweep(const ContactProblem&) {
-  return {};
-}
-
-constexpr Method methods[] = {{"pgs", sweep_by<Pyramid>},
-                              {"scaled-back", sweep_by<ScaledBackStep>},
-                              {"cone", sweep_by<Cone>},
-                              {"nscg", conjugate},
-                              {"best", no_sweep}};
-
-}  // namespace
-
 std::vector<std::string> method_names() {
-  return names_of(methods);
-}
-
-Sweep sweep_of(const ContactProblem& problem, const std::string& method) {
-  return named("method", methods, method).sweep(problem);
+  std::vector<std::string> names = sweeping_method_names();
+  names.emplace_back("best");
+  return names;
 }
 
 Solution solve(const ContactProblem& problem, const std::string& method, int sweeps, double tolerance) {
-  const Sweep sweep = sweep_of(problem, method);
-  if (!sweep) return solve_best(problem, {.tolerance = tolerance});
-  Solution solution{.r = Vector::Zero(problem.q.size())};
-  solution.residual = relative_residual(problem, solution.r);
-  while (solution.sweeps < sweeps && solution.residual > tolerance) {
-    sweep(solution.r);
-    ++solution.sweeps;
-    if (solution.sweeps % 10 == 0 || solution.sweeps == sweeps)
-      solution.residual = relative_residual(problem, solution.r);
-  }
-  return solution;
+  if (method == "best") return solve_best(problem, {.tolerance = tolerance});
+  return solve_by_sweeps(problem, method, sweeps, tolerance);
 }
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// Chapter 16: contacts without friction, solved by pivoting, beside what CGAL finds in rational numbers.
+/// Chapter 17: contacts without friction, solved by pivoting, beside what CGAL finds in rational numbers.
 #include <random>
 
 #include "pushback/chapters/16_whole_problem/matrix.h"

@@ -1,11 +1,11 @@
-/// Chapter 16: the joints of a step solved at once.
+/// Chapter 18: the joints of a step solved at once.
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/04_slop/slop.h"
+#include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/chapters/13_joints/study.h"
 #include "pushback/chapters/14_joints_under_load/structures.h"
 #include "pushback/chapters/15_limits_motors_springs/scenes.h"
-#include "pushback/chapters/12_soft_contacts/soft_contacts.h"
-#include "pushback/chapters/16_whole_problem/scenes.h"
+#include "pushback/chapters/18_direct_joints/scenes.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/joint_energy.h"

@@ -6,7 +6,7 @@
 
 namespace pushback {
 
-/// Those of chapter 16, then those of Siconos where it is built in.
+/// Those of chapters 16 and 17, then those of Siconos where it is built in.
 inline std::vector<std::string> frozen_methods() {
   std::vector<std::string> names = method_names();
   for (const std::string& name : siconos_methods()) names.push_back(name);

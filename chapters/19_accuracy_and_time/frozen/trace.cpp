@@ -19,8 +19,8 @@ Trace::Trace(const ContactProblem& problem, const std::string& method, const Tra
 }
 
 void Trace::again() {
-  if (counts_rows() && sweep_of(problem_, method_)) sweep_along();
-  else climb();
+  if (is_siconos(method_) || method_ == "best") climb();
+  else sweep_along();
 }
 
 bool Trace::counts_rows() const {

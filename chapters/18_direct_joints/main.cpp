@@ -1,0 +1,55 @@
+#include "pushback/chapters/14_joints_under_load/split_joints.h"
+#include "pushback/chapters/16_whole_problem/study.h"
+#include "pushback/chapters/18_direct_joints/chain_study.h"
+#include "pushback/chapters/18_direct_joints/scenes.h"
+#include "pushback/common/experiment/experiment.h"
+
+using namespace pushback;
+
+namespace {
+
+using Swept = Solver<SplitJoints>;    // chapter 14's best, warm
+using Direct = Solver<DirectJoints>;  // this chapter
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment e("18_direct_joints", "What does a heavy chain cost, iterated or solved directly?");
+  LoadedChain chain;
+  e.parameter({"--links", "", "", "Links of the chain with the load", 1, 40}, &chain.links);
+  e.parameter({"--mass-ratio", "", "", "Mass of the load, in masses of a link", 1, 10000}, &chain.load);
+  return e.run(argc, argv, [&] {
+    e.scene({.name = fmt::format("{} link{}, and {} times the mass of one", spelled(chain.links),
+                                 chain.links == 1 ? "" : "s", spelled(chain.load)),
+             .fill = chain,
+             .camera = {{Real(0.6), -2, 9}, {0, -Real(2.3), 0}},
+             .seconds = 2,
+             .instants = {0, Real(0.5), 1, 2}});
+    e.variant("joints, 10 sweeps", Swept{}).with_exactly(10).expect("longest", 0);
+    e.variant("joints, 100 sweeps", Swept{}).with_exactly(100).expect("longest", 0);
+    e.variant("direct joint solve", Direct{}).with_exactly(1).expect("longest", 0);
+    e.series("longer than its links by", "%", [chain](const World& world) { return 100 * chain.stretch(world); });
+    e.number("longest", "%", [](const Run& run) {
+      const auto& stretch = run.series.at("longer than its links by");
+      return *std::max_element(stretch.begin(), stretch.end());
+    });
+
+    e.study([&e] {
+      std::vector<Curve> chains;
+      for (const int count : {10, 20, 40, 80}) {
+        const ChainSolved solved = solve_chain(count, e.dt(), 40000);
+        chains.push_back(curve_of(solved.left, fmt::format("{} links", count), chains.size()));
+        const int sweeps = first_below(solved.left, 1e-2);
+        e.remark(fmt::format(
+            "a chain of {} links: below 1 % after {} sweeps, {} row solves; at once, {} numbers in L, {:.0e}", count,
+            sweeps, static_cast<std::size_t>(sweeps) * solved.rows, solved.numbers, solved.at_once));
+      }
+      e.panel({.title = "chains let go at 45°",
+               .x_label = "sweeps",
+               .y_label = "true error of a link's speed",
+               .log_x = true,
+               .log_y = true,
+               .curves = chains});
+    });
+  });
+}
