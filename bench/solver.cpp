@@ -8,6 +8,7 @@
 #include "pushback/chapters/07_warm_start/flat.h"
 #include "pushback/chapters/08_friction_cone/scaled_back.h"
 #include "pushback/chapters/10_position_correction/study.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/common/world/situations.h"
 
@@ -139,7 +140,7 @@ void step_of_pyramid(benchmark::State& state) {
 }
 BENCHMARK(step_of_pyramid)->Unit(benchmark::kMicrosecond);
 
-/// A whole step of 1/60 s, cut into small ones: contacts, rows and sweeps in each. The table of chapter 12.
+/// A whole step of 1/60 s, cut into substeps: contacts, rows and sweeps in each. The tables of chapters 11 and 12.
 template <class ContactSolver>
 void substeps_of(benchmark::State& state) {
   const int count = static_cast<int>(state.range(0)), sweeps = static_cast<int>(state.range(1));
