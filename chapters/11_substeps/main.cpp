@@ -16,15 +16,16 @@ int main(int argc, char** argv) {
     const auto sweeping = [&](int sweeps) -> Variant& {
       return e.variant(fmt::format("one step, {} sweeps", sweeps), FullSolver{}).with_exactly(sweeps);
     };
-    const auto as_many = [&] {
-      if (count != 10) sweeping(count).coloured(1);
+    const auto stepping = [&] {
       e.variant(fmt::format("{} substeps", count), FullSolver{}).in_substeps(count).with_exactly(1).coloured(2);
     };
     scene_of_stack(e, tall);
     sweeping(10).coloured(0);
-    as_many();
+    if (count != 10) sweeping(count).coloured(1);
+    stepping();
     scene_of_heavy(e, heavy);
-    as_many();
+    sweeping(count).coloured(1);
+    stepping();
 
     e.study([&e, tall] {
       const auto in = [&](const std::string& name, std::size_t colour, const std::vector<Budget>& budgets,
