@@ -8,6 +8,7 @@
 #include "pushback/chapters/07_warm_start/flat.h"
 #include "pushback/chapters/08_friction_cone/scaled_back.h"
 #include "pushback/chapters/10_position_correction/study.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/common/world/situations.h"
 

@@ -6,8 +6,8 @@
 
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
-#include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/17_direct_contacts/direct_contacts.h"
+#include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/19_accuracy_and_time/warm_direct_contacts.h"
 #include "pushback/chapters/catalogue/solvers.h"
 #include "pushback/common/basics/input.h"

@@ -1,7 +1,5 @@
 #include <set>
 
-#include "pushback/chapters/09_impacts/simultaneous.h"
-#include "pushback/chapters/09_impacts/sequential.h"
 #include "pushback/chapters/05_restitution/mistakes.h"
 #include "pushback/chapters/05_restitution/scenes.h"
 
@@ -15,8 +13,6 @@ int main(int argc, char** argv) {
   e.parameter({"--bounciness", "e", "", "Restitution of the balls that are dropped, each another", 0, 1},
               &balls.bounciness);
   e.parameter({"--drop", "h₀", "m", "How far these balls fall", 0.1, 2}, &balls.drop);
-  Real gap = Real(0.08);
-  e.parameter({"--gap", "", "m", "Gap between the five balls that do not touch", 0.08, 0.5}, &gap);
   return e.run(argc, argv, [&] {
     Solver<Clamping, Baumgarte, Restitution> larger;
     larger.threshold = threshold;
@@ -45,25 +41,6 @@ int main(int argc, char** argv) {
       e.number(fmt::format("first apex, e = {}", bounciness[ball]), "m", apex(height));
     }
 
-    const std::array<const char*, 3> apexes{"first apex", "second apex", "third apex"};
-    const std::size_t again = balls.dullest();
-    e.scene({.name = fmt::format("the ball with e = {} again, three bounces", bounciness[again]),
-             .fill = balls,
-             .camera = {},
-             .seconds = std::max(Real(2), Real(1.1) * balls.time_of_third_apex(bounciness[again])),
-             .pictures = false});
-    const auto three_bounces = [&](Variant& variant) {
-      for (std::size_t k = 0; k < apexes.size(); ++k)
-        variant.expect(apexes[k], balls.apex(bounciness[again], static_cast<int>(k) + 1, threshold));
-    };
-    Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface> from_surface;
-    from_surface.threshold = threshold;
-    three_bounces(e.variant("from where it was found", larger));
-    three_bounces(e.variant("from the surface", from_surface));
-    const std::string height = fmt::format("height, e = {}", bounciness[again]);
-    e.series(height, "m", [=](const World& world) { return balls.height_of(world, again); });
-    for (std::size_t k = 0; k < apexes.size(); ++k) e.number(apexes[k], "m", apex(height, k));
-
     e.scene({.name = "boxes with e = 0.8 dropped by 20 mm",
              .fill = at_rest,
              .camera = {},
@@ -85,35 +62,5 @@ int main(int argc, char** argv) {
       for (const Sample& sample : run.last(Real(0.5))) sum = std::max(sum, 2 * sample.kinetic_energy / 300);
       return std::sqrt(sum);
     });
-
-    const Camera from_the_side{{1, Real(2.2), 8}, {1, Real(0.3), 0}};
-    Solver<Clamping, Baumgarte, Slop, SequentialImpacts> in_turn;
-    in_turn.threshold = threshold;
-    Solver<Clamping, Baumgarte, Slop, SimultaneousImpacts> at_once;
-    at_once.threshold = threshold;
-    const auto row_of_balls = [&](const std::string& title, Real between) {
-      e.scene({.name = title,
-               .fill = five_in_a_row(between),
-               .camera = from_the_side,
-               .seconds = Real(1.2),
-               .instants = {0, Real(0.5), Real(0.8), Real(1.2)}});
-      const auto expect = [threshold](Variant& variant, Real speed) {
-        if (threshold < 4) variant.expect("speed of the last ball", speed);  // else they do not bounce
-      };
-      expect(e.variant("all at once", larger), between > 0 ? 4 : Real(1.6));
-      if (between == 0) {
-        expect(e.variant("all at once, until nothing changes", at_once), Real(1.6));
-        expect(e.variant("one after the other", in_turn), 4);
-      }
-      e.series("speed of the last ball", "m/s", [](const World& world) { return world.bodies[4].velocity.x(); });
-      e.number("momentum gained", "N s",
-               [](const Run& run) { return (run.samples.back().momentum - run.samples.front().momentum).norm(); });
-      e.number("energy kept", "%", [](const Run& run) {
-        return 100 * run.samples.back().kinetic_energy / run.samples.front().kinetic_energy;
-      });
-      e.number("speed of the last ball", "m/s", [](const Run& run) { return run.world.bodies[4].velocity.x(); });
-    };
-    row_of_balls(fmt::format("five balls with {:.3g} cm between them, e = 1", 100 * gap), gap);
-    row_of_balls("five balls that touch, e = 1", 0);
   });
 }

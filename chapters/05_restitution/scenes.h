@@ -1,4 +1,4 @@
-/// What bounces: balls of different e, boxes that hardly move, five balls in a row.
+/// What bounces: balls of different e, and boxes that hardly move.
 #pragma once
 
 #include <fmt/format.h>
@@ -29,17 +29,6 @@ struct FallingBalls {
   Real apex(Real e, int k, Real threshold = 0) const {
     const Real arrives = std::sqrt(2 * Real(9.81) * drop) * std::pow(e, static_cast<Real>(k - 1));
     return arrives > threshold ? drop * std::pow(e, static_cast<Real>(2 * k)) : 0;
-  }
-  /// s, until a ball has come up from its third bounce.
-  Real time_of_third_apex(Real e) const {
-    return std::sqrt(2 * drop / Real(9.81)) * (1 + 2 * e + 2 * e * e + e * e * e);
-  }
-  /// The ball that bounces least and yet does, by its index; 0 where none does.
-  std::size_t dullest() const {
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < bounciness.size(); ++i)
-      if (bounciness[i] > 0 && (bounciness[found] == 0 || bounciness[i] < bounciness[found])) found = i;
-    return found;
   }
   /// Of the ball with that index, m above where it lies on the ground. Before it stand the ground, balls and shelves.
   Real height_of(const World& world, std::size_t ball) const {
@@ -76,17 +65,6 @@ inline void at_rest(World& world) {
     world.add(box({Real(0.4), Real(0.4), Real(0.4)}, 100)
                   .at({(static_cast<Real>(i) - 1) * Real(1.2), Real(0.42), 0})
                   .bouncy(Real(0.8)));
-}
-
-/// The first of five equal balls runs into the other four, which rest `gap` m from each other.
-inline std::function<void(World&)> five_in_a_row(Real gap) {
-  return [gap](World& world) {
-    world.gravity.setZero();
-    for (int i = 0; i < 5; ++i) {
-      const Real x = i == 0 ? Real(-2.4) : static_cast<Real>(i - 1) * (2 * ball_radius + gap);
-      world.add(sphere(ball_radius, 10).at({x, ball_radius, 0}).moving({i == 0 ? Real(4) : 0, 0, 0}).bouncy(1));
-    }
-  };
 }
 
 }  // namespace pushback

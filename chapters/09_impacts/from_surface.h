@@ -1,4 +1,4 @@
-/// A bounce found late is a bounce found deep: reckon from the surface.
+/// A body is detected below the surface: its bounce, computed as if from the surface.
 #pragma once
 
 #include "pushback/chapters/05_restitution/restitution.h"

@@ -1,4 +1,4 @@
-/// Impacts one after the other: what hits passes its speed on before the next pair is looked at.
+/// Sequential impacts: each pair passes its speed on before the next pair is solved.
 #pragma once
 
 #include "pushback/chapters/05_restitution/restitution.h"

@@ -1,4 +1,4 @@
-/// Impacts all at once, solved until nothing changes any more.
+/// Simultaneous impacts, solved to the end.
 #pragma once
 
 #include "pushback/chapters/09_impacts/from_surface.h"
@@ -6,7 +6,7 @@
 namespace pushback {
 
 /// Like RestitutionFromSurface; but in a step in which something bounces, each sweep goes over the normals as often as it
-/// takes. A blow lasts one step: what its sweeps leave unsolved, no later step makes up for. In the list before Friction.
+/// takes. An impact lasts one step: what its sweeps leave unsolved, no later step makes up for. In the list before Friction.
 ///
 /// The counterpart of SequentialImpacts: a row of equal balls that touch, hit with 5 m/s, leaves with -3, 2, 2, 2, 2 m/s.
 struct SimultaneousImpacts : RestitutionFromSurface {

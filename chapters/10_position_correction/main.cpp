@@ -54,10 +54,11 @@ int main(int argc, char** argv) {
   With<NonlinearGaussSeidel> ngs;
   Real beta = baumgarte.beta, most = split.most;
   int rounds = ngs.rounds;
-  e.parameter({"--beta", "β", "", "How much of an overlap one step takes away; of the third way, one round", 0, 1},
-              &beta);
+  e.parameter(
+      {"--beta", "β", "", "How much of an overlap one step takes away; of non-linear Gauss-Seidel, one round", 0, 1},
+      &beta);
   e.parameter({"--most", "", "m", "What a contact may ask for in one step; Baumgarte has no such bound", 0, 1}, &most);
-  e.parameter({"--rounds", "", "", "Rounds of the third way", 0, 100}, &rounds);
+  e.parameter({"--rounds", "", "", "Rounds of non-linear Gauss-Seidel", 0, 100}, &rounds);
   Real depth = very_deep;
   e.parameter({"--depth", "", "m", "How deep the box is in the ground", 0.01, 0.4}, &depth);
   int boxes = 10;

@@ -27,7 +27,7 @@ concept RelaxingEffect = requires(E& effect, RelaxingStep& step) { effect.relax(
 /// After the bodies have moved it calls, of the effects that have them,
 ///
 ///   void relax(RelaxingStep&)   the rows are to ask for something else: for no push-out any more
-///   void moved(Step&)           the rows have been placed anew, and what was made of them is to be made again
+///   void moved(Step&)           the rows' geometry has changed: recompute anything derived from it
 ///
 /// and then sweeps once more, and reports again.
 template <class... Effects>

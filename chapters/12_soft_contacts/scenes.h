@@ -1,20 +1,9 @@
-/// What takes many sweeps: heavy on light, beside the stacks of common/world; and a ball that is too deep.
+/// A ball that is too deep, beside the scenes of chapter 11.
 #pragma once
 
-#include "pushback/common/world/situations.h"
+#include "pushback/chapters/11_substeps/scenes.h"
 
 namespace pushback {
-
-struct HeavyOnLight {
-  Real mass_ratio = 1000;  ///< of the upper box, in masses of the lower one
-
-  void operator()(World& world) const {
-    const Vec3 cube = Vec3::Constant(Real(0.5));  // half of 1 m
-    world.add(ground());
-    world.add(box(cube, 100).at({0, Real(0.5), 0}));
-    world.add(box(cube, 100 * mass_ratio).at({0, Real(1.5), 0}));
-  }
-};
 
 struct SunkenBall {
   Real depth = Real(0.05);  ///< m

@@ -1,7 +1,7 @@
 /// An overlap as a spring with a damper, and a relaxing pass that takes the push-out's speed back.
 #pragma once
 
-#include "pushback/chapters/07_warm_start/warm_start.h"
+#include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/12_soft_contacts/relaxing_solver.h"
 
 namespace pushback {
@@ -86,5 +86,8 @@ struct SoftContacts : Effect {
   std::vector<Real> bounce_;      // b without the push-out, m/s
   std::vector<Vec3> apart_;       // x_B - x_A when the rows were made, m
 };
+
+/// FullSolver with soft contacts in the place of Baumgarte and Slop.
+using SoftSolver = RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart>;
 
 }  // namespace pushback

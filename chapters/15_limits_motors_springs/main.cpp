@@ -196,8 +196,7 @@ int main(int argc, char** argv) {
       panel("a swing, pumped and not", "degrees", swings(h, pump));
       e.remark(fmt::format("the winch: work of the motor {:.6g} J, energy gained {:.6g} J", winch.work.y.back(),
                            winch.energy.y.back()));
-      for (const auto& [substeps, sweeps] :
-           {std::pair(1, 10), std::pair(1, 30), std::pair(8, 2), std::pair(32, 1)}) {
+      for (const auto& [substeps, sweeps] : {std::pair(1, 10), std::pair(1, 30), std::pair(8, 2), std::pair(32, 1)}) {
         e.remark(fmt::format("the ragdoll, {} in 1/{:.0f} s with {}: stretched by up to {:.2g} %",
                              substeps == 1 ? "one step" : fmt::format("{} substeps", substeps), 1 / h,
                              sweeps == 1 ? "one sweep" : fmt::format("{} sweeps", sweeps),

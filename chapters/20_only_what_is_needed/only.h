@@ -1,11 +1,11 @@
 /// The solver with those effects that a scene calls for, and nothing else in the program.
 #pragma once
 
+#include "pushback/chapters/06_friction/friction.h"
 #include "pushback/chapters/09_impacts/from_surface.h"
 #include "pushback/chapters/09_impacts/sequential.h"
-#include "pushback/chapters/06_friction/friction.h"
-#include "pushback/chapters/13_joints/joints.h"
 #include "pushback/chapters/12_soft_contacts/relaxing_solver.h"
+#include "pushback/chapters/13_joints/joints.h"
 #include "pushback/chapters/20_only_what_is_needed/questions.h"
 
 namespace pushback {

@@ -1,7 +1,7 @@
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
-#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/catalogue/compile.h"
 
 namespace pushback {

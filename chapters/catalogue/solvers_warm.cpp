@@ -1,5 +1,5 @@
-#include "pushback/chapters/09_impacts/sequential.h"
 #include "pushback/chapters/07_warm_start/scaled.h"
+#include "pushback/chapters/09_impacts/sequential.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/catalogue/compile.h"
 

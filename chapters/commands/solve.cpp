@@ -2,8 +2,8 @@
 #include <chrono>
 
 #include "pushback/chapters/16_whole_problem/laws.h"
-#include "pushback/chapters/17_direct_contacts/methods.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
+#include "pushback/chapters/17_direct_contacts/methods.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/program.h"
 

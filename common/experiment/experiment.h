@@ -73,7 +73,7 @@ struct Variant {
   std::function<void(World&, Real dt, int sweeps, Sample&)> step;
   std::function<void(World&, Real dt)> check;  ///< throws InvalidInput where a value cannot be used
   std::function<void(World&)> change;          ///< what this variant does to the scene before it begins; empty: nothing
-  int substeps = 1;                         ///< into how many each step of --dt is cut
+  int substeps = 1;                            ///< into how many each step of --dt is cut
   int sweeps = 0;                              ///< 0: what --sweeps says
   bool exactly = false;                        ///< whether --sweeps has no say
   int colour = -1;                             ///< line_colour's index; -1: its place among all variants

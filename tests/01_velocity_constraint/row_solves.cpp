@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include "pushback/chapters/01_velocity_constraint/rows_solved.h"
-#include "pushback/chapters/09_impacts/sequential.h"
 #include "pushback/chapters/06_friction/by_weight.h"
 #include "pushback/chapters/08_friction_cone/scaled_back.h"
-#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/09_impacts/sequential.h"
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
+#include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "tests/support/catch.h"
 
@@ -123,7 +123,8 @@ TEST_CASE("impacts at once: as many rounds as the same impact takes in numbers a
   for (const int balls : {2, 3, 5, 8}) {
     for (const int sweeps : {1, 3}) {
       INFO(balls << " balls, " << sweeps << " sweeps");
-      CHECK(counted<Solver<Clamping, SimultaneousImpacts>>(row_of(balls), sweeps) == solved_in_numbers(balls - 1, sweeps));
+      CHECK(counted<Solver<Clamping, SimultaneousImpacts>>(row_of(balls), sweeps) ==
+            solved_in_numbers(balls - 1, sweeps));
     }
   }
   World still = row_of(5);

@@ -1,4 +1,4 @@
-/// Two further ways to bounce of chapter 05: reckoned from the surface, and one impact after the other.
+/// A bounce from the surface, and sequential impacts. Simultaneous ones are in simultaneous.cpp.
 #include "pushback/chapters/09_impacts/from_surface.h"
 #include "pushback/chapters/09_impacts/sequential.h"
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
@@ -11,7 +11,7 @@ using namespace pushback;
 namespace {
 
 using FromSurface = Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface>;
-using InTurn = Solver<Clamping, Baumgarte, Slop, SequentialImpacts, Friction, WarmStart>;
+using Sequential = Solver<Clamping, Baumgarte, Slop, SequentialImpacts, Friction, WarmStart>;
 
 constexpr Real radius = Real(0.3);
 
@@ -44,7 +44,7 @@ void check_cradle(const World& world, int arriving, Real v) {
 
 // ---- from the surface ------------------------------------------------------------------------------------------------
 
-TEST_CASE("05: reckoned from the surface a bounce leaves e^2 of the height, wherever the ball was found") {
+TEST_CASE("09: from the surface, a bounce leaves e^2 of the height, wherever the ball was detected") {
   for (const Real e : {Real(0.2), Real(0.5), Real(0.9), Real(1)}) {
     for (const Real dt : {h, h / 4}) {
       for (int i = 0; i < 40; ++i) {
@@ -53,14 +53,14 @@ TEST_CASE("05: reckoned from the surface a bounce leaves e^2 of the height, wher
         FromSurface solver;
         const Real before = apex_ahead(ball, dt);
         for (int step = 0; step < 600 && ball.velocity.y() <= 0; ++step) world.step(solver, dt, 1);
-        INFO("e " << e << ", dt " << dt << ", found " << world.contacts.at(0).depth << " m deep");
+        INFO("e " << e << ", dt " << dt << ", detected " << world.contacts.at(0).depth << " m deep");
         REQUIRE(apex_ahead(ball, dt) == Approx(e * e * before).epsilon(tiny));
       }
     }
   }
 }
 
-TEST_CASE("05: reckoned from the surface the first three apexes of steps are e^2k h0 within 1 %") {
+TEST_CASE("09: from the surface, the first three apexes of steps are e^2k h0 within 1 %") {
   for (const Real e : {Real(0.5), Real(0.9), Real(1)}) {
     World world;
     Body& ball = ball_on_ground(world, -2).bouncy(e);
@@ -81,7 +81,7 @@ TEST_CASE("05: reckoned from the surface the first three apexes of steps are e^2
   }
 }
 
-TEST_CASE("05: reckoned from the surface, too, what lies still stays still") {
+TEST_CASE("09: from the surface, too, a resting ball stays at rest") {
   World world;
   Body& ball = ball_on_ground(world, Real(0.002)).bouncy(Real(0.9));
   FromSurface solver;
@@ -91,7 +91,7 @@ TEST_CASE("05: reckoned from the surface, too, what lies still stays still") {
   }
 }
 
-TEST_CASE("05: reckoned from the surface, what bounces gets no push-out on top, nor instead") {
+TEST_CASE("09: from the surface, a bouncing ball gets no push-out on top, nor instead") {
   const auto leaves_with = [](auto solver, Real dt) {
     World world;
     Body& ball = ball_on_ground(world, Real(0.1))
@@ -111,16 +111,16 @@ TEST_CASE("05: reckoned from the surface, what bounces gets no push-out on top, 
   }
 }
 
-// ---- in turn ---------------------------------------------------------------------------------------------------------
+// ---- sequential ------------------------------------------------------------------------------------------------------
 
-TEST_CASE("05: in turn, of a row of balls that touch as many leave as arrive") {
+TEST_CASE("09: sequential, of a row of balls that touch as many leave as arrive") {
   for (const int arriving : {1, 2, 3}) {
     for (const Real overlap : {Real(0), Real(0.001)}) {  // within the slop: nothing pushes out
       World world;
       row_of_balls(world, 5, arriving, 5, 1, overlap);
       const Real energy = kinetic_energy(world);
       const Vec3 p = momentum(world);
-      InTurn solver;
+      Sequential solver;
       world.step(solver, h, 10);
       check_cradle(world, arriving, 5);
       CHECK(kinetic_energy(world) == Approx(energy).epsilon(tiny));
@@ -129,24 +129,24 @@ TEST_CASE("05: in turn, of a row of balls that touch as many leave as arrive") {
   }
 }
 
-TEST_CASE("05: in turn, of two rows into a middle ball all pass through") {
+TEST_CASE("09: sequential, of two rows into a middle ball all pass through") {
   World world;
   row_of_balls(world, 5, 1, 5, 1);
   world.bodies[4].moving({-5, 0, 0});
-  InTurn solver;
+  Sequential solver;
   world.step(solver, h, 10);
   CHECK(world.bodies[0].velocity.x() == Approx(-5).epsilon(tiny));
   CHECK(world.bodies[4].velocity.x() == Approx(5).epsilon(tiny));
   for (const std::size_t i : {1u, 2u, 3u}) CHECK(std::abs(world.bodies[i].velocity.x()) <= 5 * tiny);
 }
 
-TEST_CASE("05: in turn, with e < 1 energy goes and momentum stays, and no pair is left that approaches") {
+TEST_CASE("09: sequential, with e < 1 energy falls and momentum is conserved, and no pair is left that approaches") {
   for (const Real e : {Real(0.01), Real(0.3), Real(0.8), Real(0.99)}) {
     World world;
     row_of_balls(world, 6, 2, 5, e);
     const Real energy = kinetic_energy(world);
     const Vec3 p = momentum(world);
-    InTurn solver;
+    Sequential solver;
     world.step(solver, h, 10);
     INFO("e " << e << ": energy " << kinetic_energy(world) / energy);
     CHECK(kinetic_energy(world) < energy);
@@ -156,13 +156,13 @@ TEST_CASE("05: in turn, with e < 1 energy goes and momentum stays, and no pair i
   }
 }
 
-TEST_CASE("05: in turn ends after its most rounds, and the sweeps stop what still approaches") {
+TEST_CASE("09: sequential impacts end after their most rounds, and the sweeps stop what still approaches") {
   World world;
   row_of_balls(world, 5, 1, 5, 1);
-  std::reverse(world.bodies.begin(), world.bodies.end());  // so that a round passes the blow on by one pair only
+  std::reverse(world.bodies.begin(), world.bodies.end());  // so that a round passes the impact on by one pair only
   for (std::size_t i = 0; i < world.bodies.size(); ++i) world.bodies[i].index = static_cast<int>(i);
   World enough = world;
-  InTurn one, four;
+  Sequential one, four;
   one.most_rounds = 1;
   four.most_rounds = 4;
   world.step(one, h, 200);

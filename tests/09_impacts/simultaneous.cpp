@@ -1,4 +1,4 @@
-/// Chapter 05's third way to bounce: all impacts at once, solved until nothing changes.
+/// Simultaneous impacts, solved until no row changes a speed any more.
 #include <numeric>
 
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
@@ -11,11 +11,11 @@ using namespace pushback;
 
 namespace {
 
-constexpr Real v = 5;                                    // of the blow, m/s
+constexpr Real v = 5;                                    // of the impact, m/s
 constexpr Real near = (in_double ? Real(1e-5) : 1) * v;  // floats do not get to the solver's precision
 constexpr Real radius = Real(0.3);
 
-using AtOnce = Solver<Clamping, Baumgarte, Slop, SimultaneousImpacts, Friction, ScaledWarmStart>;
+using Simultaneous = Solver<Clamping, Baumgarte, Slop, SimultaneousImpacts, Friction, ScaledWarmStart>;
 
 /// Equal balls that touch, along x; the first comes.
 World row_of_five() {
@@ -56,11 +56,11 @@ World billiards() {
 
 }  // namespace
 
-TEST_CASE("05: at once, a row of five leaves with -3, 2, 2, 2, 2, whatever the step") {
+TEST_CASE("09: simultaneous, a row of five leaves with -3, 2, 2, 2, 2, whatever the step") {
   for (const Real dt : {h, h / 32, Real(1e-5)}) {
     for (const int sweeps : {1, 10}) {
       World world = row_of_five();
-      AtOnce solver;
+      Simultaneous solver;
       world.step(solver, dt, sweeps);
       INFO("dt " << dt << ", " << sweeps << " sweeps: off by " << off(world) << " m/s");
       CHECK(off(world) <= near);
@@ -71,7 +71,7 @@ TEST_CASE("05: at once, a row of five leaves with -3, 2, 2, 2, 2, whatever the s
   }
 }
 
-TEST_CASE("05: at once, a row of five in small steps of one sweep, with soft contacts, within 20 mm/s") {
+TEST_CASE("09: simultaneous, a row of five in substeps of one sweep, with soft contacts, within 20 mm/s") {
   World world = row_of_five();
   SteadySolver solver;
   for (int step = 0; step < 30; ++step) {
@@ -83,7 +83,7 @@ TEST_CASE("05: at once, a row of five in small steps of one sweep, with soft con
 
 // Where nothing but what bounces, or lies without moving, is touched. A slow approach that may not bounce takes some energy
 // (0.02 % with the default threshold), and so would a contact that opens on its own.
-TEST_CASE("05: at once, all energy of balls with e = 1 stays, while they break and as they bounce on") {
+TEST_CASE("09: simultaneous, all energy of balls with e = 1 is conserved, while they break and as they bounce on") {
   World world = billiards();
   Solver<Clamping, SimultaneousImpacts> solver;
   solver.threshold = 0;
@@ -99,10 +99,10 @@ TEST_CASE("05: at once, all energy of balls with e = 1 stays, while they break a
   CHECK(touched > 100);
 }
 
-TEST_CASE("05: at once, it does not matter in which order the bodies were added") {
+TEST_CASE("09: simultaneous, it does not matter in which order the bodies were added") {
   Random random(1);
   World first = billiards();
-  AtOnce solver;
+  Simultaneous solver;
   first.step(solver, h, 1);
   REQUIRE(first.contacts.size() > 30);
   for (int i = 0; i < 20; ++i) {
@@ -113,22 +113,23 @@ TEST_CASE("05: at once, it does not matter in which order the bodies were added"
     World world;
     world.gravity.setZero();
     for (const std::size_t k : order) world.add(fresh.bodies[k]);
-    AtOnce other;
+    Simultaneous other;
     world.step(other, h, 1);
     for (std::size_t k = 0; k < order.size(); ++k)
       REQUIRE((world.bodies[k].velocity - first.bodies[order[k]].velocity).norm() <= near);
   }
 }
 
-TEST_CASE("05: at once ends after its most rounds, and without any is RestitutionFromSurface to the bit") {
+TEST_CASE(
+    "09: simultaneous impacts end after their most rounds, and without any are RestitutionFromSurface to the bit") {
   World world = row_of_five();
-  AtOnce never_content;
+  Simultaneous never_content;
   never_content.precision = 0;
   world.step(never_content, h, 1);
   CHECK(off(world) <= near);
 
   World few = row_of_five(), from_surface = row_of_five();
-  AtOnce without_rounds;
+  Simultaneous without_rounds;
   without_rounds.most_rounds = 0;
   Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface, Friction, ScaledWarmStart> sweeps_only;
   few.step(without_rounds, h, 3);

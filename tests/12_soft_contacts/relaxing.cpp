@@ -122,7 +122,7 @@ TEMPLATE_TEST_CASE("a ball that rolls over the ground keeps its speed, in steps 
     Roller ball(0);
     TestType solver;
     ball.roll(solver, 3, steps);
-    INFO(steps << " small steps");
+    INFO(steps << " substeps");
     CHECK(std::abs(ball.speed() / (Real(6) * 5 / 7) - 1) <= 1000 * eps);
   }
 }

@@ -97,8 +97,8 @@ TEST_CASE("a body rests where the spring carries it: g / w^2 deep, a cube on its
         substeps(cube, under_cube, h, count);
       }
       const Real w = 2 * pi * std::min(hertz, 1 / (8 * dt));
-      INFO(count << " small steps, " << hertz << " hertz: " << deepest_overlap(ball) << " m and "
-                 << deepest_overlap(cube) << " m, should be " << g / (w * w) << " m");
+      INFO(count << " substeps, " << hertz << " hertz: " << deepest_overlap(ball) << " m and " << deepest_overlap(cube)
+                 << " m, should be " << g / (w * w) << " m");
       CHECK(deepest_overlap(ball) == Approx(g / (w * w)).epsilon(in_double ? 1e-6 : 0.05));
       CHECK(deepest_overlap(cube) == Approx(g / (w * w)).epsilon(in_double ? 1e-6 : 0.05));
     }

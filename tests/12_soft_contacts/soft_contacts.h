@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pushback/chapters/11_substeps/substeps.h"
+#include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/on_ground.h"

@@ -1,9 +1,9 @@
 /// A world is a value: a copy of it and of its solver goes on as the original would have, to the last bit, whatever becomes of
 /// the original. And what is refused has changed nothing.
 #include "pushback/chapters/09_impacts/sequential.h"
-#include "pushback/chapters/15_limits_motors_springs/piston.h"
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
+#include "pushback/chapters/15_limits_motors_springs/piston.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/19_accuracy_and_time/seat.h"
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"

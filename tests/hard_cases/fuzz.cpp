@@ -2,6 +2,7 @@
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/11_substeps/substeps.h"
+#include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/common/world/measure.h"
 #include "tests/hard_cases/watcher.h"

@@ -35,9 +35,9 @@
 
 #include <string>
 
-#include "pushback/chapters/09_impacts/simultaneous.h"
 #include "pushback/chapters/07_warm_start/scaled.h"
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
+#include "pushback/chapters/09_impacts/simultaneous.h"
 #include "pushback/chapters/12_soft_contacts/relaxing_solver.h"
 
 namespace pushback {

@@ -65,8 +65,7 @@ Stepper Stage::begin() const {
 Stepper Stage::begin_doubled() const {
   const Doubled doubled(solver);
   if (!only_needed) return steps_by(doubled, substeps, sweeps);
-  return needed_steps_by([doubled](const World& world) { return OnlyWhatIsNeeded(world, doubled); }, substeps,
-                         sweeps);
+  return needed_steps_by([doubled](const World& world) { return OnlyWhatIsNeeded(world, doubled); }, substeps, sweeps);
 }
 
 const std::vector<Stage>& stages() {

@@ -182,6 +182,8 @@ TEST_CASE("a value that cannot be used: status 2, a message that names it, and n
            {"04_slop", "--slop -1", {"slop", "-1"}},
            {"04_slop", "--slop nan", {"slop", "nan"}},
            {"05_restitution", "--threshold -1", {"threshold", "-1"}},
+           {"09_impacts", "--threshold -1", {"threshold", "-1"}},
+           {"11_substeps", "--substeps 0", {"--substeps", "0"}},
            {"07_warm_start", "--sweep-counts 0", {"--sweep-counts", "0"}},
            {"08_friction_cone", "--half-length 2", {"--half-length", "2"}},
            {"09_impacts", "--threshold -1", {"threshold", "-1"}},

@@ -91,9 +91,7 @@ class Asking {
   }
 
  private:
-  int most_substeps() const {
-    return options_.quick ? std::min(64, motion_.most_substeps) : motion_.most_substeps;
-  }
+  int most_substeps() const { return options_.quick ? std::min(64, motion_.most_substeps) : motion_.most_substeps; }
   int most_passes() const { return options_.quick ? std::max(1, motion_.most_passes / 8) : motion_.most_passes; }
   std::vector<std::string> command(const std::string& engine) const {
     return {(options_.programs / engine).string(), motion_.name};
