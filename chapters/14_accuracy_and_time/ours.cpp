@@ -66,7 +66,8 @@ Method method(const std::string& name, const std::string& title) {
       .plays =
           [](const Motion& motion) { return motion.pins.empty() == !std::derived_from<ContactSolver, HoldsJoints>; },
       .begin = [any = AnySolver(solver)](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-        return std::make_unique<Ours>(motion, setting, any, !solves_systems);
+        const bool counts_rows = !solves_systems;
+        return std::make_unique<Ours>(motion, setting, any, counts_rows);
       }};
 }
 
