@@ -23,11 +23,12 @@ class Passage {
   }
   int number() const { return fileno(file_.get()); }
   void fill(std::string_view text) {
-    std::fwrite(text.data(), 1, text.size(), file_.get());
-    std::rewind(file_.get());
+    if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size())
+      throw std::runtime_error("no place for what goes to a program");
+    to_begin();
   }
   std::string text() {
-    std::rewind(file_.get());
+    to_begin();
     std::string all;
     std::array<char, 4096> part{};
     while (const std::size_t count = std::fread(part.data(), 1, part.size(), file_.get()))
@@ -36,6 +37,9 @@ class Passage {
   }
 
  private:
+  void to_begin() {
+    if (std::fseek(file_.get(), 0, SEEK_SET) != 0) throw std::runtime_error("no way back in a file of a program");
+  }
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
