@@ -59,7 +59,9 @@ double seconds_of(const Motion& motion, const Method& method, const Setting& set
   own.go();
   try {
     for (int step = 0; step < steps; ++step) player->substep();
-  } catch (const InvalidInput&) {  // where it was lost before
+  } catch (const InvalidInput&) {
+    own.stop();  // where it was lost before
+    return own.seconds();
   }
   own.stop();
   return own.seconds();
