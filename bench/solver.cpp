@@ -13,6 +13,8 @@
 #include "pushback/common/world/situations.h"
 
 using namespace pushback;
+using namespace pushback::baumgarte_scenes;
+using namespace pushback::position_correction_scenes;
 
 namespace {
 

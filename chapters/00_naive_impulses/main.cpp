@@ -5,6 +5,7 @@
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
+using namespace pushback::naive_impulses_scenes;
 
 namespace {
 

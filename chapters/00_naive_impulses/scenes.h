@@ -3,7 +3,7 @@
 
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::naive_impulses_scenes {
 
 struct SparseHit {
   Real speed = 4;               ///< m/s, of the ball
@@ -16,4 +16,4 @@ struct SparseHit {
   }
 };
 
-}  // namespace pushback
+}  // namespace pushback::naive_impulses_scenes

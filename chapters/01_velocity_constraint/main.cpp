@@ -4,6 +4,7 @@
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
+using namespace pushback::velocity_constraint_scenes;
 
 namespace {
 
@@ -90,8 +91,8 @@ int main(int argc, char** argv) {
              .seconds = Real(1.4)});
     e.variant("n as it is", Solver<RightNormals>{})
         .expect("way up the slope",
-                -Real(9.81) * std::sin(cube.angle) * way_of_one(std::round(Real(1.4) / e.dt())) * e.dt() * e.dt())
-        .reference("-g sin θ t²/2", [cube](Real t) { return -Real(9.81) * std::sin(cube.angle) * t * t / 2; });
+                -World::g * std::sin(cube.angle) * way_of_one(std::round(Real(1.4) / e.dt())) * e.dt() * e.dt())
+        .reference("-g sin θ t²/2", [cube](Real t) { return -World::g * std::sin(cube.angle) * t * t / 2; });
     e.variant("n with x mirrored", Solver<MirroredNormals>{});
     e.series("way up the slope", "m", [cube](const World& world) { return cube.way_up(world); });
     e.number("way up the slope", "m", [](const Run& run) { return run.series.at("way up the slope").back(); });

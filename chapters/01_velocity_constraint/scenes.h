@@ -3,7 +3,7 @@
 
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::velocity_constraint_scenes {
 
 struct DroppedBox {
   Real drop = Real(1.04);  ///< m, above the slab
@@ -26,7 +26,7 @@ struct LeavingBox {
   /// m, if nothing holds it: its speed falls by g h in every step.
   Real highest_point(Real h) const {
     Real highest = height;
-    for (Real v = speed - Real(9.81) * h; v > 0; v -= Real(9.81) * h) highest += h * v;
+    for (Real v = speed - World::g * h; v > 0; v -= World::g * h) highest += h * v;
     return highest;
   }
 };
@@ -44,4 +44,4 @@ struct CubeOnSlope {
   }
 };
 
-}  // namespace pushback
+}  // namespace pushback::velocity_constraint_scenes

@@ -5,6 +5,7 @@
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
+using namespace pushback::clamping_scenes;
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::clamping_scenes {
 
 /// A column that lands flat: four points at once, close together for its height, so that an impulse at one of them is
 /// felt by the others.
@@ -27,4 +27,4 @@ struct StackedColumns {
   }
 };
 
-}  // namespace pushback
+}  // namespace pushback::clamping_scenes

@@ -3,7 +3,7 @@
 
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::baumgarte_scenes {
 
 struct SunkenBox {
   Real depth = Real(0.06);  ///< m, overlap at the start
@@ -16,4 +16,4 @@ struct SunkenBox {
   }
 };
 
-}  // namespace pushback
+}  // namespace pushback::baumgarte_scenes

@@ -7,7 +7,7 @@
 #include "pushback/common/world/situations.h"
 #include "pushback/common/world/steps_in.h"
 
-namespace pushback {
+namespace pushback::baumgarte_scenes {
 
 template <class ContactSolver>
 ContactSolver with_beta(Real beta) {
@@ -64,4 +64,4 @@ inline Tuning tune_beta(Real unstable, Real dt) {
   return tuning;
 }
 
-}  // namespace pushback
+}  // namespace pushback::baumgarte_scenes

@@ -3,6 +3,7 @@
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
+using namespace pushback::slop_scenes;
 
 namespace {
 

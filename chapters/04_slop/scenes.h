@@ -3,7 +3,7 @@
 
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::slop_scenes {
 
 /// Three boxes on each other, the upper ones turned a little so that every point counts.
 struct SmallPile {
@@ -19,4 +19,4 @@ struct SmallPile {
   }
 };
 
-}  // namespace pushback
+}  // namespace pushback::slop_scenes

@@ -4,6 +4,7 @@
 #include "pushback/chapters/05_restitution/scenes.h"
 
 using namespace pushback;
+using namespace pushback::restitution_scenes;
 
 int main(int argc, char** argv) {
   Experiment e("05_restitution", "How high does it bounce, and how high should it?");

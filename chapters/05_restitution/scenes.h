@@ -5,7 +5,7 @@
 
 #include "pushback/common/experiment/experiment.h"
 
-namespace pushback {
+namespace pushback::restitution_scenes {
 
 inline constexpr Real ball_radius = Real(0.3);  // m
 
@@ -27,7 +27,7 @@ struct FallingBalls {
 
   /// m: e^2k of the drop, after the bounce number k, from 1; 0 where it arrives more slowly than `threshold`.
   Real apex(Real e, int k, Real threshold = 0) const {
-    const Real arrives = std::sqrt(2 * Real(9.81) * drop) * std::pow(e, static_cast<Real>(k - 1));
+    const Real arrives = std::sqrt(2 * World::g * drop) * std::pow(e, static_cast<Real>(k - 1));
     return arrives > threshold ? drop * std::pow(e, static_cast<Real>(2 * k)) : 0;
   }
   /// Of the ball with that index, m above where it lies on the ground. Before it stand the ground, balls and shelves.
@@ -67,4 +67,4 @@ inline void at_rest(World& world) {
                   .bouncy(Real(0.8)));
 }
 
-}  // namespace pushback
+}  // namespace pushback::restitution_scenes

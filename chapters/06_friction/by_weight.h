@@ -18,7 +18,7 @@ struct FrictionByWeight : Friction {
       const auto points = static_cast<Real>(std::count_if(step.contacts.begin(), step.contacts.end(), same_pair));
       const auto [a, b] = step.world.bodies_of(contact);
       const Real mass = 1 / std::max(a.inverse_mass, b.inverse_mass);
-      bound.push_back(contact.friction * mass / points * Real(9.81) * step.dt);
+      bound.push_back(contact.friction * mass / points * World::g * step.dt);
     }
   }
   void sweep(Step& step) {

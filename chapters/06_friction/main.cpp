@@ -3,6 +3,7 @@
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
+using namespace pushback::friction_scenes;
 
 namespace {
 
@@ -77,7 +78,7 @@ int main(int argc, char** argv) {
         .expect("0°", stop)
         .expect("22.5°", stop)
         .expect("45°", stop)
-        .reference("v₀ − μ g t", [push](Real t) { return std::max(Real(0), push.v0 - push.mu * g * t); });
+        .reference("v₀ − μ g t", [push](Real t) { return std::max(Real(0), push.v0 - push.mu * World::g * t); });
     for (std::size_t i = 0; i < three_headings.size(); ++i) {
       const std::string name = fmt::format("{:g}°", three_headings[i] * 180 / pi);
       e.number(name, "m", [i](const Run& run) {

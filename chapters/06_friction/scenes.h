@@ -5,9 +5,8 @@
 
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::friction_scenes {
 
-inline constexpr Real g = Real(9.81);
 /// m from the origin: far enough for boxes under different headings not to touch.
 inline constexpr Real start = Real(1.2);
 
@@ -39,7 +38,9 @@ struct BoxesOnSlope {
     return Real(4.2) - world.bodies[body].position.dot(along);
   }
   /// m/s^2, down the slope, of a box that slides.
-  Real acceleration(Real of_grip) const { return g * (std::sin(theta) - of_grip * std::tan(theta) * std::cos(theta)); }
+  Real acceleration(Real of_grip) const {
+    return World::g * (std::sin(theta) - of_grip * std::tan(theta) * std::cos(theta));
+  }
 };
 /// Way of a body that starts at rest and gains a h in each of n steps.
 inline Real way_of(Real a, Real h, Real n) {
@@ -54,11 +55,11 @@ struct Push {
   /// m: the last v0 - k mu g h > 0 summed up, the discrete v0^2 / (2 mu g).
   Real stopping_distance(Real h) const {
     Real way = 0;
-    for (Real v = v0 - mu * g * h; v > 0; v -= mu * g * h) way += h * v;
+    for (Real v = v0 - mu * World::g * h; v > 0; v -= mu * World::g * h) way += h * v;
     return way;
   }
   /// s, in which a body stops, and some more; `least` where that is longer.
-  Real long_enough(Real least) const { return std::max(least, Real(1.1) * v0 / (mu * g)); }
+  Real long_enough(Real least) const { return std::max(least, Real(1.1) * v0 / (mu * World::g)); }
 };
 
 inline void slide(World& world, const std::vector<Real>& headings, const Push& push = {}) {
@@ -93,4 +94,4 @@ inline void thrown_ball(World& world, const Push& push = {}) {
   world.add(sphere(Real(0.3), 10).at({-3, Real(0.299999), 0}).moving({push.v0, 0, 0}).rough(own_friction(push.mu)));
 }
 
-}  // namespace pushback
+}  // namespace pushback::friction_scenes

@@ -2,6 +2,7 @@
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
+using namespace pushback::warm_start_scenes;
 
 namespace {
 

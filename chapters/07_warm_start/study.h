@@ -7,7 +7,7 @@
 #include "pushback/common/world/situations.h"
 #include "pushback/common/world/steps_in.h"
 
-namespace pushback {
+namespace pushback::warm_start_scenes {
 
 struct Rest {
   Real residual = 0;  ///< m/s, mean of the last second of five
@@ -58,4 +58,4 @@ Study study(const std::string& name, const ContactSolver& solver, int boxes, con
   return s;
 }
 
-}  // namespace pushback
+}  // namespace pushback::warm_start_scenes

@@ -4,6 +4,8 @@
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
+using namespace pushback::friction_cone_scenes;
+using namespace pushback::friction_scenes;
 
 namespace {
 

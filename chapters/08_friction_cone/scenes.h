@@ -3,7 +3,10 @@
 
 #include "pushback/chapters/06_friction/scenes.h"
 
-namespace pushback {
+namespace pushback::friction_cone_scenes {
+
+using friction_scenes::own_friction;
+using friction_scenes::Push;
 
 inline constexpr int headings = 12;
 inline constexpr Real rim = Real(1.6);            ///< m from the origin: far enough for the planks not to touch
@@ -97,4 +100,4 @@ struct Stick {
   const Contact& contact() const { return world.contacts[0]; }
 };
 
-}  // namespace pushback
+}  // namespace pushback::friction_cone_scenes

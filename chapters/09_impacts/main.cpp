@@ -3,12 +3,14 @@
 #include "pushback/chapters/09_impacts/simultaneous.h"
 
 using namespace pushback;
+using namespace pushback::impacts_scenes;
+using namespace pushback::restitution_scenes;
 
 namespace {
 
 /// s, until a ball that falls from `drop` (m) has come up from its third bounce.
 Real time_of_third_apex(Real drop, Real e) {
-  return std::sqrt(2 * drop / Real(9.81)) * (1 + 2 * e + 2 * e * e + e * e * e);
+  return std::sqrt(2 * drop / World::g) * (1 + 2 * e + 2 * e * e + e * e * e);
 }
 
 }  // namespace

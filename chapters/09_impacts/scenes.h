@@ -3,7 +3,9 @@
 
 #include "pushback/chapters/05_restitution/scenes.h"
 
-namespace pushback {
+namespace pushback::impacts_scenes {
+
+using restitution_scenes::ball_radius;
 
 /// The first of five equal balls runs into the other four, which rest `gap` m from each other.
 inline std::function<void(World&)> five_in_a_row(Real gap) {
@@ -16,4 +18,4 @@ inline std::function<void(World&)> five_in_a_row(Real gap) {
   };
 }
 
-}  // namespace pushback
+}  // namespace pushback::impacts_scenes

@@ -3,6 +3,8 @@
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
+using namespace pushback::baumgarte_scenes;
+using namespace pushback::position_correction_scenes;
 
 namespace {
 

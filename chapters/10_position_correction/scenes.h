@@ -3,7 +3,7 @@
 
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::position_correction_scenes {
 
 inline constexpr Real very_deep = Real(0.25);  // m, of 1 m
 
@@ -51,4 +51,4 @@ inline std::function<void(World&)> dropped_ball(Real e) {
   };
 }
 
-}  // namespace pushback
+}  // namespace pushback::position_correction_scenes

@@ -6,7 +6,7 @@
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
 
-namespace pushback {
+namespace pushback::position_correction_scenes {
 
 /// FullSolver, if it is Baumgarte.
 template <class PushOut>
@@ -19,9 +19,9 @@ Curve jitter_curve(const std::string& name, std::size_t colour, int boxes, Real 
   for (const Real beta : {Real(0.05), Real(0.1), Real(0.2), Real(0.4), Real(0.6), Real(0.8), Real(1)}) {
     solver.beta = beta;
     jitter.x.push_back(beta);
-    jitter.y.push_back(1000 * jitter_of_stack(boxes, solver, 10, dt, 10));
+    jitter.y.push_back(1000 * baumgarte_scenes::jitter_of_stack(boxes, solver, 10, dt, 10));
   }
   return jitter;
 }
 
-}  // namespace pushback
+}  // namespace pushback::position_correction_scenes

@@ -2,6 +2,7 @@
 #include "pushback/chapters/11_substeps/study.h"
 
 using namespace pushback;
+using namespace pushback::substeps_scenes;
 
 int main(int argc, char** argv) {
   Experiment e("11_substeps", "Many iterations, or many substeps?");

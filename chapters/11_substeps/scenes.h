@@ -3,7 +3,7 @@
 
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::substeps_scenes {
 
 struct HeavyOnLight {
   Real mass_ratio = 1000;  ///< of the upper box, in masses of the lower one
@@ -16,4 +16,4 @@ struct HeavyOnLight {
   }
 };
 
-}  // namespace pushback
+}  // namespace pushback::substeps_scenes

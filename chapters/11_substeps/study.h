@@ -6,7 +6,7 @@
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/world/measure.h"
 
-namespace pushback {
+namespace pushback::substeps_scenes {
 
 /// How far its top body is from where it was, sideways, m. It started over the origin.
 inline Real drift_of_top(const World& world) {
@@ -99,4 +99,4 @@ inline Panel study_panel(const std::string& title, const std::string& x, const s
   return {.title = title, .x_label = x, .y_label = y, .log_x = true, .log_y = true, .curves = curves};
 }
 
-}  // namespace pushback
+}  // namespace pushback::substeps_scenes

@@ -3,10 +3,10 @@
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 
 using namespace pushback;
+using namespace pushback::soft_contacts_scenes;
+using namespace pushback::substeps_scenes;
 
 namespace {
-
-constexpr Real g = Real(9.81);
 
 /// m/s, of a body alone that is `depth` (m) too deep, after `seconds` in steps of h, where no pass relaxes it.
 ///
@@ -66,7 +66,9 @@ int main(int argc, char** argv) {
     const auto soft = [&]() -> Variant& { return springy("soft", 1, SoftSolver{}); };
     const auto not_relaxed = [&]() -> Variant& { return springy("soft, not relaxed", 2, Unrelaxed{}); };
 
-    const auto overlap_of_stack = [w](int boxes) { return 1000 * 2 * static_cast<Real>(boxes - 1) * g / (w * w); };
+    const auto overlap_of_stack = [w](int boxes) {
+      return 1000 * 2 * static_cast<Real>(boxes - 1) * World::g / (w * w);
+    };
     scene_of_stack(e, tall);
     hard();
     soft().expect("overlap at the end", overlap_of_stack(tall));
@@ -74,7 +76,7 @@ int main(int argc, char** argv) {
     scene_of_heavy(e, heavy);
     hard();
     not_relaxed();
-    soft().expect("overlap at the end", 1000 * (1 + heavy.mass_ratio) * g / (w * w));
+    soft().expect("overlap at the end", 1000 * (1 + heavy.mass_ratio) * World::g / (w * w));
 
     e.scene({.name = "a stack of " + spelled(2 * tall),
              .fill = [tall](World& world) { stack(world, 2 * tall); },

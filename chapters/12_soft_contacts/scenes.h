@@ -3,7 +3,7 @@
 
 #include "pushback/chapters/11_substeps/scenes.h"
 
-namespace pushback {
+namespace pushback::soft_contacts_scenes {
 
 struct SunkenBall {
   Real depth = Real(0.05);  ///< m
@@ -15,4 +15,4 @@ struct SunkenBall {
   }
 };
 
-}  // namespace pushback
+}  // namespace pushback::soft_contacts_scenes

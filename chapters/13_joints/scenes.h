@@ -6,7 +6,7 @@
 #include "pushback/chapters/13_joints/wire.h"
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::joints_scenes {
 
 // ---- beads on wires ----------------------------------------------------------------------------------------------------
 
@@ -76,7 +76,7 @@ struct Pendulums {
   }
   /// 4 sqrt(L / g) K(sin(theta_0 / 2)), s. Of a body on a hinge L is I / (m d), about the hinge, d to the centre of mass.
   Real period(Real length) const {
-    return 4 * std::sqrt(length / Real(9.81)) * std::comp_ellint_1(std::sin(released_at / 2));
+    return 4 * std::sqrt(length / World::g) * std::comp_ellint_1(std::sin(released_at / 2));
   }
 };
 /// How far it has turned from hanging straight down, rad.
@@ -130,4 +130,4 @@ inline Real largest_joint_error(const World& world) {
   return largest;
 }
 
-}  // namespace pushback
+}  // namespace pushback::joints_scenes

@@ -5,7 +5,7 @@
 #include "pushback/chapters/13_joints/scenes.h"
 #include "pushback/common/world/steps_in.h"
 
-namespace pushback {
+namespace pushback::joints_scenes {
 
 /// The part of an error that joints feed back in one step is theirs, where contacts have one of the same name, too.
 template <class JointSolver>
@@ -54,4 +54,4 @@ inline Real farthest_off_the_wires(Real dt, Real beta) {
   return farthest;
 }
 
-}  // namespace pushback
+}  // namespace pushback::joints_scenes

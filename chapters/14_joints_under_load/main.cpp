@@ -5,6 +5,8 @@
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
+using namespace pushback::joints_scenes;
+using namespace pushback::joints_under_load_scenes;
 
 namespace {
 

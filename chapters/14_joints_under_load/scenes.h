@@ -3,7 +3,7 @@
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 
-namespace pushback {
+namespace pushback::joints_under_load_scenes {
 
 inline constexpr Real link_length = Real(0.3);  // m
 inline constexpr Real weight_half = Real(0.4);  // m
@@ -36,4 +36,4 @@ struct ChainWithWeight {
   }
 };
 
-}  // namespace pushback
+}  // namespace pushback::joints_under_load_scenes

@@ -6,7 +6,7 @@
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::joints_under_load_scenes {
 
 /// A ball that does not turn. Joined at their centres, balls would roll on what they touch, and no friction would hold them.
 inline Body particle(Real radius, Real mass) {
@@ -184,4 +184,4 @@ inline void suspension_bridge(World& world) {
                   .coloured(4));
 }
 
-}  // namespace pushback
+}  // namespace pushback::joints_under_load_scenes

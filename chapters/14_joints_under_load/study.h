@@ -4,7 +4,7 @@
 #include "pushback/chapters/14_joints_under_load/scenes.h"
 #include "pushback/common/world/steps_in.h"
 
-namespace pushback {
+namespace pushback::joints_under_load_scenes {
 
 /// By how much the chain with the weight is longer or shorter than its links at the worst, from 1 s to 4 s; of 1.
 template <class JointSolver>
@@ -20,4 +20,4 @@ Real worst_of_chain(const ChainWithWeight& chain, JointSolver solver, Real dt, i
   return worst;
 }
 
-}  // namespace pushback
+}  // namespace pushback::joints_under_load_scenes

@@ -7,7 +7,7 @@
 #include "pushback/chapters/15_limits_motors_springs/motor.h"
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::limits_motors_springs_scenes {
 
 struct Cart {
   int chassis;
@@ -58,7 +58,7 @@ inline void drive(World& world, const Cart& cart, Real speed, Real torque) {
 ///   a = (3 tau / R - m g sin) / (m + 3 I / R^2),   I = 2/5 m_w R^2
 inline Real acceleration_of_cart(Real slope, Real torque) {
   const Real mass = chassis_mass + 3 * cart_wheel_mass;
-  return (3 * torque / cart_wheel - mass * Real(9.81) * std::sin(slope)) / (mass + 3 * Real(0.4) * cart_wheel_mass);
+  return (3 * torque / cart_wheel - mass * World::g * std::sin(slope)) / (mass + 3 * Real(0.4) * cart_wheel_mass);
 }
 
-}  // namespace pushback
+}  // namespace pushback::limits_motors_springs_scenes

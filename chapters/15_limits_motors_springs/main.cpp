@@ -5,6 +5,7 @@
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
+using namespace pushback::limits_motors_springs_scenes;
 
 namespace {
 
@@ -87,7 +88,7 @@ int main(int argc, char** argv) {
              .seconds = Real(1.5),
              .instants = {0, Real(0.75), Real(1.5)}});
     const Real sinking = winches.acceleration(), load = winches.heavy_load;
-    e.variant(fmt::format("1.5 kg (3.7 N m), {:.2g} kg ({:.2g} N m)", load, load * Real(9.81) * winch_radius),
+    e.variant(fmt::format("1.5 kg (3.7 N m), {:.2g} kg ({:.2g} N m)", load, load * World::g * winch_radius),
               JointedSolver{})
         .reference("closed form", [sinking](Real t) { return sinking * t; })
         .expect("speed of the light load", winch_speed * winch_radius)

@@ -7,7 +7,7 @@
 #include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/15_limits_motors_springs/limits.h"
 
-namespace pushback {
+namespace pushback::limits_motors_springs_scenes {
 
 /// Indices in World::bodies and World::joints. Of two, the first is the one at -z where he looks along +x.
 struct Ragdoll {
@@ -124,4 +124,4 @@ inline Ragdoll down_the_stairs(World& world) {
   return man;
 }
 
-}  // namespace pushback
+}  // namespace pushback::limits_motors_springs_scenes

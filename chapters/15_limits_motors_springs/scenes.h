@@ -10,7 +10,7 @@
 #include "pushback/chapters/15_limits_motors_springs/wound_rope.h"
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::limits_motors_springs_scenes {
 
 /// A fixed ball at the end of each axle, to be seen only: nothing gets there.
 inline void axle(World& world, const Vec3& at) {
@@ -154,7 +154,7 @@ struct TwoWinches {
     World world;
     (*this)(world);
     const Real R = winch_radius, m = heavy_load;
-    return R * (winch_torque - m * Real(9.81) * R) / (inertia_of_disc(world.bodies[2]) + m * R * R);
+    return R * (winch_torque - m * World::g * R) / (inertia_of_disc(world.bodies[2]) + m * R * R);
   }
 };
 
@@ -174,12 +174,12 @@ struct TwoPulleys {
   }
   /// m/s^2, of the heavy load of Atwood's machine downwards:   (m1 - m2) g / (m1 + m2 + I / R^2)
   Real acceleration_of_atwood() const {
-    return (heavy - light) * Real(9.81) / (heavy + light + inertia_of_wheel(0) / (pulley_radius * pulley_radius));
+    return (heavy - light) * World::g / (heavy + light + inertia_of_wheel(0) / (pulley_radius * pulley_radius));
   }
   /// m/s^2, of the load on the outer radius downwards:   R (m_o R - m_i r) g / (I + m_o R^2 + m_i r^2)
   Real acceleration_of_stepped() const {
     const Real R = pulley_radius, r = inner_radius;
-    return R * (light * R - heavy * r) * Real(9.81) / (inertia_of_wheel(3) + light * R * R + heavy * r * r);
+    return R * (light * R - heavy * r) * World::g / (inertia_of_wheel(3) + light * R * R + heavy * r * r);
   }
 
  private:
@@ -230,9 +230,9 @@ struct SpringsLetGo {
 
 // ---- a swing that is pumped --------------------------------------------------------------------------------------------
 
-inline constexpr Real swing_length = 2;                                    // m
-inline constexpr Real swing_start = Real(0.05);                            // rad
-inline const Real swing_frequency = std::sqrt(Real(9.81) / swing_length);  // rad/s
+inline constexpr Real swing_length = 2;                                  // m
+inline constexpr Real swing_start = Real(0.05);                          // rad
+inline const Real swing_frequency = std::sqrt(World::g / swing_length);  // rad/s
 
 /// Body 0, a ball on a rod that is shortened and lengthened by the part `pump` of it, twice in a swing:
 ///
@@ -249,4 +249,4 @@ inline Real angle_of_swing(const World& world) {  // rad from hanging down
   return std::atan2(at.x(), -at.y());
 }
 
-}  // namespace pushback
+}  // namespace pushback::limits_motors_springs_scenes

@@ -7,7 +7,7 @@
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/steps_in.h"
 
-namespace pushback {
+namespace pushback::limits_motors_springs_scenes {
 
 /// Calls `see(t)` after each of the steps of a world under JointedSolver.
 template <class See>
@@ -139,4 +139,4 @@ inline Real stretch_on_stairs(Real h, int substeps, int sweeps) {
   return worst;
 }
 
-}  // namespace pushback
+}  // namespace pushback::limits_motors_springs_scenes

@@ -3,7 +3,7 @@
 
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::whole_problem_scenes {
 
 /// A gate around it shows where it should stand, and how high.
 struct StackInGate {
@@ -27,4 +27,4 @@ struct StackInGate {
   }
 };
 
-}  // namespace pushback
+}  // namespace pushback::whole_problem_scenes

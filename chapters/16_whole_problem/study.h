@@ -6,7 +6,7 @@
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::whole_problem_scenes {
 
 /// The contacts of a scene as a step begins, and their normals as rows.
 struct Snapshot {
@@ -105,4 +105,4 @@ inline Curve curve_of(const std::vector<double>& values, const std::string& name
   return curve;
 }
 
-}  // namespace pushback
+}  // namespace pushback::whole_problem_scenes

@@ -7,7 +7,7 @@
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::direct_joints_scenes {
 
 /// Links of 1 kg, 3 m in all, that hang from the origin at 45 degrees, and are let go.
 inline void slanting_chain(World& world, int count) {
@@ -68,4 +68,4 @@ inline ChainSolved solve_chain(int count, Real h, int most) {
   return chain;
 }
 
-}  // namespace pushback
+}  // namespace pushback::direct_joints_scenes

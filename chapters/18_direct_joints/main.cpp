@@ -5,6 +5,8 @@
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
+using namespace pushback::direct_joints_scenes;
+using namespace pushback::whole_problem_scenes;
 
 namespace {
 

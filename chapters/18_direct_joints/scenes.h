@@ -3,7 +3,7 @@
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 
-namespace pushback {
+namespace pushback::direct_joints_scenes {
 
 /// Links of 1 kg, ball and socket between them, that hang straight down from the origin; at the last one a box.
 /// Behind it two bars: from where, and down to where it should hang.
@@ -36,4 +36,4 @@ struct LoadedChain {
   }
 };
 
-}  // namespace pushback
+}  // namespace pushback::direct_joints_scenes

@@ -5,7 +5,7 @@
 
 namespace pushback::truth {
 
-/// g of every motion, m/s^2.
+/// g of every motion, m/s^2: in double, also where Real is float.
 inline constexpr double g = 9.81;
 
 /// m, of a ball that is dropped with its lowest point this high (m):   h - g t^2 / 2, then after each hit e v

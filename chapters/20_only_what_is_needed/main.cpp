@@ -5,6 +5,7 @@
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
+using namespace pushback::only_what_is_needed_scenes;
 
 namespace {
 

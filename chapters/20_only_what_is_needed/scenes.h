@@ -3,7 +3,7 @@
 
 #include "pushback/common/world/world.h"
 
-namespace pushback {
+namespace pushback::only_what_is_needed_scenes {
 
 /// Five piles of six boxes, well apart. A ball rolls in from the front and hits the one in the middle, after about 1.4 s.
 struct FivePiles {
@@ -52,4 +52,4 @@ inline void cubes_on_ice(World& world) {
   }
 }
 
-}  // namespace pushback
+}  // namespace pushback::only_what_is_needed_scenes

@@ -4,6 +4,7 @@
 #include "pushback/common/experiment/program.h"
 
 using namespace pushback;
+using namespace pushback::figures;
 
 int main(int argc, char** argv) {
   CLI::App app{"Draws the figures of the pages."};

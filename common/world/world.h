@@ -25,11 +25,13 @@ struct Force {
 /// A value: what a copy goes on to do is what the original would have done, to the last bit.
 class World {
  public:
+  static constexpr Real g = Real(9.81);  ///< m/s^2: what a world has, unless it is changed
+
   std::vector<Body> bodies;
-  Vec3 gravity{0, Real(-9.81), 0};  ///< m/s^2
-  std::vector<Force> forces;        ///< see forces.h
-  std::vector<Joint> joints;        ///< each with what it bore in the latest step
-  Real time = 0;                    ///< s, simulated so far
+  Vec3 gravity{0, -g, 0};     ///< m/s^2
+  std::vector<Force> forces;  ///< see forces.h
+  std::vector<Joint> joints;  ///< each with what it bore in the latest step
+  Real time = 0;              ///< s, simulated so far
   /// What touched in the latest step, in ascending order of id, with what the solver did there.
   Contacts contacts;
   /// Those of the step before it; and, until they are solved, of those asleep that have just been woken.

@@ -11,6 +11,8 @@
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
+using namespace pushback::friction_cone_scenes;
+using namespace pushback::friction_scenes;
 
 namespace {
 

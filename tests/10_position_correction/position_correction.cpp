@@ -11,6 +11,8 @@
 #include "tests/support/random.h"
 
 using namespace pushback;
+using namespace pushback::baumgarte_scenes;
+using namespace pushback::position_correction_scenes;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
+using namespace pushback::joints_scenes;
 
 namespace {
 

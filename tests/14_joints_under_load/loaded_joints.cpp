@@ -10,6 +10,8 @@
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
+using namespace pushback::joints_scenes;
+using namespace pushback::joints_under_load_scenes;
 
 namespace {
 
@@ -97,7 +99,7 @@ TEST_CASE("14: joints start from the impulses of the last step: what hangs still
   CHECK(largest_speed(world) < Real(1e-9));
   for (Joint& joint : world.joints) joint.impulses.clear();
   world.step(solver, h, 0);
-  CHECK(std::abs(largest_speed(world) - (h * Real(9.81))) < Real(1e-9));
+  CHECK(std::abs(largest_speed(world) - (h * World::g)) < Real(1e-9));
 }
 
 TEST_CASE("14: warm starting and feedback: two weights settle where beta < (1 - rho) / rho, and else do not") {
@@ -178,7 +180,7 @@ TEST_CASE("14: a rope at rest hangs as the catenary of its links") {
   for (std::size_t i = 0; i < closed.places.size(); ++i)
     CHECK((world.bodies[i + 1].position - closed.places[i]).norm() < (in_double ? Real(1e-6) : Real(1e-3)));
   // It is one: the pull is the same all along, and each link is steeper than the one before by a particle's weight.
-  const Real weight = Real(0.1) * Real(9.81);
+  const Real weight = Real(0.1) * World::g;
   for (std::size_t i = 0; i + 1 < closed.places.size(); ++i) {
     const Vec3 way = closed.places[i + 1] - closed.places[i];
     CHECK(way.norm() == Approx(rope_link).epsilon(1000 * eps));

@@ -9,6 +9,7 @@
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
+using namespace pushback::limits_motors_springs_scenes;
 
 namespace {
 

@@ -11,6 +11,7 @@
 #include "tests/support/frame.h"
 
 using namespace pushback;
+using namespace pushback::whole_problem_scenes;
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include "tests/support/complaint.h"
 
 using namespace pushback;
+using namespace pushback::frozen;
 
 namespace {
 

@@ -14,6 +14,10 @@
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
+using namespace pushback::direct_joints_scenes;
+using namespace pushback::joints_scenes;
+using namespace pushback::joints_under_load_scenes;
+using namespace pushback::limits_motors_springs_scenes;
 
 namespace {
 

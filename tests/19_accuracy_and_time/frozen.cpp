@@ -14,6 +14,7 @@
 #include "tests/support/complaint.h"
 
 using namespace pushback;
+using namespace pushback::frozen;
 
 namespace {
 

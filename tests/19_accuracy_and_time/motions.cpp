@@ -20,6 +20,7 @@
 #include "tests/support/complaint.h"
 
 using namespace pushback;
+using namespace pushback::joints_scenes;
 
 namespace {
 

@@ -13,6 +13,7 @@
 #include "tests/support/catch.h"
 
 using namespace pushback;
+using namespace pushback::study;
 
 namespace {
 

@@ -15,6 +15,7 @@
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
+using namespace pushback::only_what_is_needed_scenes;
 
 namespace {
 

@@ -14,6 +14,8 @@
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
+using namespace pushback::naive_impulses_scenes;
+using namespace pushback::velocity_constraint_scenes;
 
 namespace {
 

@@ -192,7 +192,7 @@ TEST_CASE("more random scenes", "[long]") {
 
 TEST_CASE("a zero with a minus sign stays as it would") {
   World world;
-  world.gravity = -Vec3(0, Real(9.81), 0);
+  world.gravity = -Vec3(0, World::g, 0);
   world.add(sphere(1, 1).moving(-Vec3(1, 0, 0)).spinning(-Vec3(0, 2, 0)));
   CHECK(first_difference(world, FullSolver{}, {}) == -1);
 }

@@ -176,6 +176,7 @@ HardCase loaded_bridge() {
 // ---- a ragdoll -----------------------------------------------------------------------------------------------------------
 
 HardCase ragdoll_on_stairs() {
+  using namespace limits_motors_springs_scenes;
   HardCase c;
   c.name = "ragdoll";
   c.title = "ragdoll on stairs";

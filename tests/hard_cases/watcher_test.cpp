@@ -100,7 +100,7 @@ TEST_CASE("watcher: free flight keeps its energy whatever the steps, whole, chan
       watcher.look(world, dt, substeps);
       REQUIRE(watcher.broken() == "");
     }
-    CHECK(watcher.energy_gained() < 1e5 * std::numeric_limits<Real>::epsilon() * 10 * Real(9.81) * 200);
+    CHECK(watcher.energy_gained() < 1e5 * std::numeric_limits<Real>::epsilon() * 10 * World::g * 200);
   }
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("stages: a ball at rest is held by the same sum, though its contact is
     for (int i = 0; i < 60; ++i) step(world, h);
     INFO(name);
     REQUIRE(world.contacts.size() == 1);
-    const Real weight = 10 * Real(9.81) * h / static_cast<Real>(stage.substeps);
+    const Real weight = 10 * World::g * h / static_cast<Real>(stage.substeps);
     CHECK(world.contacts[0].impulse.y() == Approx(weight).epsilon(Real(1e-3)));
     CHECK(std::abs(world.bodies[1].velocity.y()) < Real(1e-6));
   }

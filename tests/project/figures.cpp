@@ -15,6 +15,7 @@
 #endif
 
 using namespace pushback;
+using namespace pushback::figures;
 
 namespace {
 

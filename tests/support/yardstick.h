@@ -3,9 +3,9 @@
 
 #include <limits>
 
-#include "pushback/common/basics/types.h"
+#include "pushback/common/world/world.h"
 
 inline constexpr pushback::Real h = pushback::Real(1) / 60;  ///< s
-inline constexpr pushback::Real g = pushback::Real(9.81);    ///< m/s^2
+inline constexpr pushback::Real g = pushback::World::g;      ///< m/s^2
 inline constexpr pushback::Real eps = std::numeric_limits<pushback::Real>::epsilon();
 inline constexpr bool in_double = std::numeric_limits<pushback::Real>::digits > 24;

@@ -5,7 +5,7 @@
 #include "pushback/chapters/19_accuracy_and_time/frozen/methods.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/traced.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 namespace {
 
@@ -44,4 +44,4 @@ FrozenStudy study_frozen(const FrozenOptions& options) {
   return study;
 }
 
-}  // namespace pushback
+}  // namespace pushback::frozen

@@ -8,7 +8,7 @@
 
 #include "pushback/common/experiment/plot.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 struct FrozenOptions {
   bool quick = false;                                ///< a thirtieth of a second for each, fewer tolerances
@@ -29,4 +29,4 @@ struct FrozenStudy {
 /// InvalidInput where the folder is not one of problems.
 FrozenStudy study_frozen(const FrozenOptions& options);
 
-}  // namespace pushback
+}  // namespace pushback::frozen

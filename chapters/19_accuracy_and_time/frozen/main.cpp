@@ -5,6 +5,7 @@
 #include "pushback/common/experiment/program.h"
 
 using namespace pushback;
+using namespace pushback::frozen;
 
 int main(int argc, char** argv) {
   CLI::App app{"Every method on every frozen problem: how far it comes in what time."};

@@ -4,7 +4,7 @@
 #include "pushback/chapters/17_direct_contacts/methods.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/siconos.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 /// Those of chapters 16 and 17, then those of Siconos where it is built in.
 inline std::vector<std::string> frozen_methods() {
@@ -17,4 +17,4 @@ inline bool is_siconos(const std::string& method) {
   return method.starts_with("Siconos ");
 }
 
-}  // namespace pushback
+}  // namespace pushback::frozen

@@ -2,7 +2,7 @@
 #include "pushback/chapters/19_accuracy_and_time/frozen/siconos.h"
 #include "pushback/common/basics/input.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 std::vector<std::string> siconos_methods() {
   return {};
@@ -16,4 +16,4 @@ double siconos_error(const ContactProblem&, const Vector&) {
   throw InvalidInput("Siconos' error: a build with PUSHBACK_SICONOS is needed");
 }
 
-}  // namespace pushback
+}  // namespace pushback::frozen

@@ -5,7 +5,7 @@
 #include "pushback/chapters/19_accuracy_and_time/frozen/traced.h"
 #include "pushback/common/basics/input.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 namespace {
 
@@ -111,4 +111,4 @@ std::vector<Panel> profile_panels(const std::vector<Traced>& all) {
   return panels;
 }
 
-}  // namespace pushback
+}  // namespace pushback::frozen

@@ -13,7 +13,7 @@
 #include "pushback/chapters/19_accuracy_and_time/frozen/scenes.h"
 #include "pushback/common/basics/input.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 namespace {
 
@@ -48,11 +48,12 @@ std::vector<FrozenProblem> own_problems() {
       frozen("heavy on light 1:100", heavy_on(1, 100), 0),
       frozen("heavy on light 1:1000", heavy_on(1, 1000), 0),
       frozen("heavy on four 1:1000", heavy_on(4, 1000), 0),
-      frozen("small pile after 1 s", SmallPile{}, 1),
-      frozen("twelve boxes in each other", boxes_in_each_other, 0),
-      frozen("three boxes on a slope", BoxesOnSlope{}, Real(0.3)),
+      frozen("small pile after 1 s", slop_scenes::SmallPile{}, 1),
+      frozen("twelve boxes in each other", position_correction_scenes::boxes_in_each_other, 0),
+      frozen("three boxes on a slope", friction_scenes::BoxesOnSlope{}, Real(0.3)),
       frozen(
-          "twelve planks sliding", [](World& world) { wheel(world, longest_half, h); }, Real(0.2)),
+          "twelve planks sliding",
+          [](World& world) { friction_cone_scenes::wheel(world, friction_cone_scenes::longest_half, h); }, Real(0.2)),
       frozen("stack sliding", sliding_stack, 0),
       frozen("blow on a stack", blow_on_stack, 0),
       frozen("card house", card_house, 0),
@@ -78,4 +79,4 @@ std::vector<FrozenProblem> foreign_problems(const std::filesystem::path& folder)
   return problems;
 }
 
-}  // namespace pushback
+}  // namespace pushback::frozen

@@ -7,7 +7,7 @@
 
 #include "pushback/chapters/16_whole_problem/contact_problem.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 struct FrozenProblem {
   std::string name;  ///< a few words, no comma
@@ -22,4 +22,4 @@ std::vector<FrozenProblem> own_problems();
 /// Every .dat file of the folder, by name. Throws InvalidInput where there is no such folder, none in it, or a bad one.
 std::vector<FrozenProblem> foreign_problems(const std::filesystem::path& folder);
 
-}  // namespace pushback
+}  // namespace pushback::frozen

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace pushback {
+namespace pushback::frozen {
 
 inline constexpr double not_reached = std::numeric_limits<double>::infinity();
 
@@ -27,4 +27,4 @@ inline double part_within(const Costs& costs, std::size_t method, double tau) {
   return costs.empty() ? 0 : static_cast<double>(within) / static_cast<double>(costs.size());
 }
 
-}  // namespace pushback
+}  // namespace pushback::frozen

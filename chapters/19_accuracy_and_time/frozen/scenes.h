@@ -5,7 +5,7 @@
 
 #include "pushback/common/world/situations.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 inline constexpr Real into_each_other = Real(1e-4);  // m, so that neighbours touch whatever rounding says
 
@@ -120,4 +120,4 @@ inline void shapes_over_tray(World& world) {
   }
 }
 
-}  // namespace pushback
+}  // namespace pushback::frozen

@@ -20,7 +20,7 @@
 #include "pushback/chapters/19_accuracy_and_time/stopwatch.h"
 #include "pushback/common/basics/named.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 namespace {
 
@@ -165,4 +165,4 @@ double siconos_error(const ContactProblem& problem, const Vector& r) {
   return error;
 }
 
-}  // namespace pushback
+}  // namespace pushback::frozen

@@ -9,7 +9,7 @@
 
 #include "pushback/chapters/16_whole_problem/contact_problem.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 /// "Siconos NSGS": non-smooth Gauss-Seidel, each contact's own problem solved exactly in turn; "Siconos NSN_AC": Newton's
 /// method on Alart's and Curnier's function; "Siconos ADMM": alternating directions. Empty where Siconos is not built in.
@@ -37,4 +37,4 @@ inline double siconos_unit(const ContactProblem& problem, const Vector& r) {
   return std::max({q > 0 ? q : 1, r.norm(), problem.speeds(r).norm()});
 }
 
-}  // namespace pushback
+}  // namespace pushback::frozen

@@ -7,7 +7,7 @@
 #include "pushback/chapters/19_accuracy_and_time/stopwatch.h"
 #include "pushback/common/basics/quantile.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 double TracePoint::time(double part) const {
   return quantile(seconds, part);
@@ -96,4 +96,4 @@ void Trace::climb() {
   }
 }
 
-}  // namespace pushback
+}  // namespace pushback::frozen

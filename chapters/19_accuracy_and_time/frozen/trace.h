@@ -6,7 +6,7 @@
 
 #include "pushback/chapters/16_whole_problem/contact_problem.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 struct TraceLimits {
   int sweeps = 100000;  ///< at most
@@ -73,4 +73,4 @@ class Trace {
   std::vector<Reached> rungs_;  // of the ladder, those that points_ are of
 };
 
-}  // namespace pushback
+}  // namespace pushback::frozen

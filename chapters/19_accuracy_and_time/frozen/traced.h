@@ -10,7 +10,7 @@
 #include "pushback/chapters/19_accuracy_and_time/frozen/trace.h"
 #include "pushback/common/experiment/plot.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 inline constexpr std::array tolerances{1e-3, 1e-6, 1e-10};  ///< of relative_residual: what is asked for
 
@@ -36,4 +36,4 @@ std::string reached_of(const std::vector<Traced>& all);
 std::vector<std::string> remarks_of(const std::vector<Traced>& all);
 std::vector<std::string> csv_of(const std::vector<Traced>& all);
 
-}  // namespace pushback
+}  // namespace pushback::frozen

@@ -6,7 +6,7 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/quantile.h"
 
-namespace pushback {
+namespace pushback::frozen {
 
 namespace {
 
@@ -196,4 +196,4 @@ std::vector<std::string> csv_of(const std::vector<Traced>& all) {
   return lines;
 }
 
-}  // namespace pushback
+}  // namespace pushback::frozen

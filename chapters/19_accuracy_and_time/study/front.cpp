@@ -8,7 +8,7 @@
 
 #include "pushback/common/basics/quantile.h"
 
-namespace pushback {
+namespace pushback::study {
 
 double Measured::median() const {
   return pushback::median(seconds);
@@ -65,4 +65,4 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
   return xy / xx;
 }
 
-}  // namespace pushback
+}  // namespace pushback::study

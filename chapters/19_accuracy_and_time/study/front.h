@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pushback {
+namespace pushback::study {
 
 /// A motion played in one setting, as often as it was timed.
 struct Measured {
@@ -42,4 +42,4 @@ double times_slower(const Measurements& ours, const Measurements& theirs, double
 /// The slope of the straight line through (log x, log y), by least squares. All above 0, two or more different x.
 double slope(const std::vector<double>& x, const std::vector<double>& y);
 
-}  // namespace pushback
+}  // namespace pushback::study

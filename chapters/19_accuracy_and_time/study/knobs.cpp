@@ -6,7 +6,7 @@
 #include "pushback/chapters/19_accuracy_and_time/study/limits.h"
 #include "pushback/chapters/19_accuracy_and_time/study/report.h"
 
-namespace pushback {
+namespace pushback::study {
 
 namespace {
 
@@ -148,4 +148,4 @@ std::vector<Panel> panels_of_knobs(const std::vector<MotionMeasured>& all) {
   return panels;
 }
 
-}  // namespace pushback
+}  // namespace pushback::study

@@ -6,7 +6,7 @@
 #include "pushback/chapters/19_accuracy_and_time/study/limits.h"
 #include "pushback/chapters/19_accuracy_and_time/study/report.h"
 
-namespace pushback {
+namespace pushback::study {
 
 namespace {
 
@@ -116,4 +116,4 @@ std::string table_of_hops(const std::vector<MotionMeasured>& all) {
   return text;
 }
 
-}  // namespace pushback
+}  // namespace pushback::study

@@ -9,7 +9,7 @@
 
 #include "pushback/common/basics/quantile.h"
 
-namespace pushback {
+namespace pushback::study {
 
 namespace {
 
@@ -127,4 +127,4 @@ std::pair<std::string, Limit> least_limit(const Measurements& all, const std::st
   return best;
 }
 
-}  // namespace pushback
+}  // namespace pushback::study

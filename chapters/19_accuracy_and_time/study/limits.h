@@ -3,7 +3,7 @@
 
 #include "pushback/chapters/19_accuracy_and_time/study/front.h"
 
-namespace pushback {
+namespace pushback::study {
 
 /// What errors tend to as the step is halved again and again.
 struct Limit {
@@ -44,4 +44,4 @@ Limit limit_of(const Measurements& all, const std::string& engine, const std::st
 /// The method of this engine of which the least remains, by `most`; the first of equals. An empty name: nothing is known.
 std::pair<std::string, Limit> least_limit(const Measurements& all, const std::string& engine);
 
-}  // namespace pushback
+}  // namespace pushback::study

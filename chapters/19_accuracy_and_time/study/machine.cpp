@@ -6,7 +6,7 @@
 #include <fstream>
 #include <thread>
 
-namespace pushback {
+namespace pushback::study {
 
 std::string load_now() {
   std::ifstream file("/proc/loadavg");
@@ -50,4 +50,4 @@ std::string table_of_machine(const MachineReport& run, const std::vector<Engine>
   return text;
 }
 
-}  // namespace pushback
+}  // namespace pushback::study

@@ -5,7 +5,7 @@
 
 #include "pushback/chapters/19_accuracy_and_time/study/rounds.h"
 
-namespace pushback {
+namespace pushback::study {
 
 /// Of /proc/loadavg: how many programs wanted to run, in the mean of the last 1, 5 and 15 minutes. "unknown" where it is not there.
 std::string load_now();
@@ -23,4 +23,4 @@ struct MachineReport {
 /// Markdown: the machine and the engines, and how many settings of each were tried.
 std::string table_of_machine(const MachineReport& run, const std::vector<Engine>& engines, const AllMeasured& all);
 
-}  // namespace pushback
+}  // namespace pushback::study

@@ -7,6 +7,7 @@
 #include "pushback/common/experiment/program.h"
 
 using namespace pushback;
+using namespace pushback::study;
 
 namespace {
 
@@ -40,7 +41,7 @@ void report(const AllMeasured& all, const std::vector<Engine>& engines, const st
   }
 }
 
-void study(const Asked& asked, const std::filesystem::path& programs) {
+void measure_and_draw(const Asked& asked, const std::filesystem::path& programs) {
   std::vector<const Motion*> motions;
   for (const Motion& motion : all_motions())
     if (asked.only.empty()) motions.push_back(&motion);
@@ -83,5 +84,5 @@ int main(int argc, char** argv) {
   app.add_option("--only", asked.only, "These motions");
   app.add_option("--out", asked.out, "The folder to write to")->capture_default_str();
   return run_program(app, argc, argv,
-                     [&] { study(asked, std::filesystem::canonical("/proc/self/exe").parent_path()); });
+                     [&] { measure_and_draw(asked, std::filesystem::canonical("/proc/self/exe").parent_path()); });
 }

@@ -7,7 +7,7 @@
 
 #include "pushback/chapters/19_accuracy_and_time/study/limits.h"
 
-namespace pushback {
+namespace pushback::study {
 
 namespace {
 
@@ -148,4 +148,4 @@ std::string table_of_others(const std::vector<MotionMeasured>& all, const std::v
   return text;
 }
 
-}  // namespace pushback
+}  // namespace pushback::study

@@ -6,7 +6,7 @@
 #include "pushback/chapters/19_accuracy_and_time/study/rounds.h"
 #include "pushback/common/experiment/plot.h"
 
-namespace pushback {
+namespace pushback::study {
 
 struct MotionMeasured {
   const Motion* motion;
@@ -41,4 +41,4 @@ std::string table_of_hops(const std::vector<MotionMeasured>& all);
 /// Error against the two knobs that are numbers, in the rows of table_of_knobs.
 std::vector<Panel> panels_of_knobs(const std::vector<MotionMeasured>& all);
 
-}  // namespace pushback
+}  // namespace pushback::study

@@ -13,7 +13,7 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
 
-namespace pushback {
+namespace pushback::study {
 
 namespace {
 
@@ -228,4 +228,4 @@ AllMeasured read_csv(const std::string& text) {
   return all;
 }
 
-}  // namespace pushback
+}  // namespace pushback::study

@@ -8,7 +8,7 @@
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
 #include "pushback/chapters/19_accuracy_and_time/study/front.h"
 
-namespace pushback {
+namespace pushback::study {
 
 /// How an engine is called in diagrams, by the name of its program.
 struct Engine {
@@ -43,4 +43,4 @@ using AllMeasured = std::map<std::string, Measurements>;
 std::string csv_of(const AllMeasured& all);
 AllMeasured read_csv(const std::string& text);
 
-}  // namespace pushback
+}  // namespace pushback::study

@@ -4,7 +4,7 @@
 #include "pushback/common/collision/collide.h"
 #include "pushback/common/world/world.h"
 
-namespace pushback {
+namespace pushback::figures {
 
 namespace {
 
@@ -132,4 +132,4 @@ std::string one_step() {
   return svg.str();
 }
 
-}  // namespace pushback
+}  // namespace pushback::figures

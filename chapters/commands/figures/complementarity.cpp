@@ -6,7 +6,7 @@
 #include "pushback/chapters/commands/figures/svg.h"
 #include "pushback/chapters/commands/figures/two_point_column.h"
 
-namespace pushback {
+namespace pushback::figures {
 
 namespace {
 
@@ -150,4 +150,4 @@ std::string two_points() {
   return svg.str();
 }
 
-}  // namespace pushback
+}  // namespace pushback::figures

@@ -12,7 +12,7 @@
 #include "pushback/chapters/commands/figures/svg.h"
 #include "pushback/common/collision/collide_outline.h"
 
-namespace pushback {
+namespace pushback::figures {
 
 namespace {
 
@@ -139,7 +139,7 @@ std::string ids_from_step_to_step() {
 
 std::string graph_and_islands() {
   World world, before;
-  FivePiles{}(world);
+  only_what_is_needed_scenes::FivePiles{}(world);
   FullSolver solver;
   Sleep sleep;
   const int ball = int(world.bodies.size()) - 1;
@@ -200,4 +200,4 @@ std::string graph_and_islands() {
   return svg.str();
 }
 
-}  // namespace pushback
+}  // namespace pushback::figures

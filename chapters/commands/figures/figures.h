@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace pushback {
+namespace pushback::figures {
 
 /// A body A and a body B that overlap, with all that a row is made of.
 std::string two_bodies();
@@ -47,4 +47,4 @@ inline const std::vector<Figure>& all_figures() {
   return figures;
 }
 
-}  // namespace pushback
+}  // namespace pushback::figures

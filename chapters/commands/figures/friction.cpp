@@ -8,7 +8,7 @@
 #include "pushback/chapters/commands/figures/figures.h"
 #include "pushback/chapters/commands/figures/svg.h"
 
-namespace pushback {
+namespace pushback::figures {
 
 namespace {
 
@@ -22,7 +22,7 @@ struct Rubbed {
 
 template <class FrictionEffect>
 Rubbed rubbed(Real heading) {
-  Stick stick(heading);
+  friction_cone_scenes::Stick stick(heading);
   stick.world.bodies[1].velocity.y() = -Real(1e-4);  // a touch: friction hardly changes the slip
   Solver<Clamping, FrictionEffect> solver;
   const auto [t1, t2] = tangents_of(stick.contact().normal);
@@ -34,7 +34,7 @@ Rubbed rubbed(Real heading) {
   Rubbed found;
   found.slip = Place(double(u1), double(u2)).normalized();
   found.friction = Place(double(friction.dot(t1)), double(friction.dot(t2)));
-  found.off = double(direction_error(slip, friction));
+  found.off = double(friction_cone_scenes::direction_error(slip, friction));
   found.near_miss = Place(double(k.k22 * u1 - k.k12 * u2), double(k.k11 * u2 - k.k12 * u1)).normalized();
   return found;
 }
@@ -156,4 +156,4 @@ std::string friction_of_three() {
   return svg.str();
 }
 
-}  // namespace pushback
+}  // namespace pushback::figures

@@ -5,7 +5,7 @@
 #include "pushback/chapters/commands/figures/figures.h"
 #include "pushback/chapters/commands/figures/svg.h"
 
-namespace pushback {
+namespace pushback::figures {
 
 namespace {
 
@@ -144,4 +144,4 @@ std::string slop_along_separation() {
   return d.svg.str();
 }
 
-}  // namespace pushback
+}  // namespace pushback::figures

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace pushback {
+namespace pushback::figures {
 
 namespace {
 
@@ -207,4 +207,4 @@ std::string Svg::str() const {
          "\n" + body_ + "</svg>\n";
 }
 
-}  // namespace pushback
+}  // namespace pushback::figures

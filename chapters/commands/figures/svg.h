@@ -8,7 +8,7 @@
 
 #include "pushback/common/basics/types.h"
 
-namespace pushback {
+namespace pushback::figures {
 
 /// A place on a figure, pixels to the right and down; or a way on it.
 using Place = Eigen::Vector2d;
@@ -81,4 +81,4 @@ struct Axes {
   Place operator()(double to_the_right, double up) const { return origin + Place(to_the_right * x, -up * y); }
 };
 
-}  // namespace pushback
+}  // namespace pushback::figures

@@ -5,7 +5,7 @@
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
 
-namespace pushback {
+namespace pushback::figures {
 
 struct TwoPointColumn {
   World world;
@@ -58,4 +58,4 @@ inline TwoPointColumn::Solved solved_in_turn(bool each_correction) {
   return solved;
 }
 
-}  // namespace pushback
+}  // namespace pushback::figures
