@@ -9,8 +9,8 @@
 ///     });
 ///   }
 ///
-/// leaves in OUT/my_experiment/: sheet.png (a row per variant, a column per instant) and thumbnail.png, plot.png,
-/// metrics.csv (a row per variant and step), numbers.md (the measured numbers beside what they should be), and
+/// leaves in OUT/my_experiment/: sheet.png (a row per variant, a column per instant) and thumbnail.png, plot.png (and
+/// plot_2.png and on, where there are more than four diagrams), metrics.csv (a row per variant and step), numbers.md (the measured numbers beside what they should be), and
 /// SCENE_VARIANT/frame_0000.png and on.
 #pragma once
 

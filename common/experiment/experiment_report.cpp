@@ -68,6 +68,22 @@ std::string Experiment::colour_of(const Variant& variant, std::size_t place) {
   return line_colour(variant.colour < 0 ? place : static_cast<std::size_t>(variant.colour));
 }
 
+namespace {
+
+/// A motion that dies out ends at rounding noise: the axis ends before.
+constexpr Real decades_of_a_series = 7;
+
+Real floor_of(const Panel& panel) {
+  Real largest = 0;
+  for (const Curve& curve : panel.curves) {
+    for (const Real y : curve.y) largest = std::isfinite(y) ? std::max(largest, y) : largest;
+  }
+  return largest > 0 ? std::pow(Real(10), std::ceil(std::log10(largest)) - decades_of_a_series) : 0;
+}
+
+}  // namespace
+
+/// One curve with nothing to compare it with is left out where the scene has a number: it says as much.
 std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const {
   std::vector<Panel> all;
   for (std::size_t a = 0; a < acts_.size(); ++a) {
@@ -84,7 +100,7 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
       for (std::size_t r = 0; r < results.size(); ++r) {
         const Result& result = results[r];
         if (result.variant->scene != a) continue;
-        Curve curve{shown_name(*result.variant), {}, {}, colour_of(*result.variant, r), Curve::Style::line};
+        Curve curve{result.variant->name, {}, {}, colour_of(*result.variant, r), Curve::Style::line};
         for (std::size_t i = 0; i < result.samples.size(); ++i) {
           curve.x.push_back(result.samples[i].time);
           curve.y.push_back(act.series.empty() ? 1000 * result.samples[i].overlap
@@ -102,7 +118,9 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
           }
         }
       }
-      if (!panel.curves.empty()) all.push_back(std::move(panel));
+      if (panel.log_y) panel.floor = floor_of(panel);
+      const bool alone = panel.curves.size() == 1 && !act.numbers.empty() && only_.empty();
+      if (!panel.curves.empty() && !alone) all.push_back(std::move(panel));
     }
   }
   all.insert(all.end(), own_panels_.begin(), own_panels_.end());
@@ -204,8 +222,8 @@ void Experiment::report(std::vector<Result>& results, const fs::path& folder) co
   }
   if (no_images_) return;
   draw_sheet(results, folder);
-  write_plot(folder / "plot.png", panels(results));
-  fmt::print("\n{}\n{}\n", (folder / "sheet.png").string(), (folder / "plot.png").string());
+  fmt::print("\n{}\n", (folder / "sheet.png").string());
+  for (const fs::path& plot : write_plot(folder / "plot.png", panels(results))) fmt::print("{}\n", plot.string());
 }
 
 void Experiment::draw_sheet(std::vector<Result>& results, const fs::path& folder) const {
