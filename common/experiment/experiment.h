@@ -10,8 +10,9 @@
 ///   }
 ///
 /// leaves in OUT/my_experiment/: sheet.png (a row per variant, a column per instant; of each further scene sheet_KEY.png)
-/// and thumbnail.png, plot.png, metrics.csv (a row per variant and step) and numbers.md (the measured numbers beside what
-/// they should be); with --frames COUNT also SCENE_VARIANT/frame_0000.png and on.
+/// and thumbnail.png, plot.png (plot_2.png and on, where there are more than four diagrams), metrics.csv (a row per variant
+/// and step) and numbers.md (the measured numbers beside what they should be); with --frames COUNT also
+/// SCENE_VARIANT/frame_0000.png and on.
 #pragma once
 
 #include <deque>
@@ -78,7 +79,7 @@ struct Variant {
   int substeps = 1;                            ///< into how many each step of --dt is cut
   int sweeps = 0;                              ///< 0: what --sweeps says
   bool exactly = false;                        ///< whether --sweeps has no say
-  int colour = -1;                             ///< index of line_colour and marker_of; -1: one for its name
+  int colour = -1;                             ///< index of line_colour and line_marker; -1: one for its name
   std::map<std::string, Real> expected;        ///< by the name of a number
   std::vector<Reference> references;
 

@@ -37,8 +37,9 @@ class Experiment::Output {
   const std::filesystem::path& folder() const { return folder_; }
   bool images() const { return images_; }
   Size frame() const { return frame_; }
-  /// A cell of the sheet: as wide as the sheet has it or, for a quick look, as a smaller frame is.
-  Size cell() const;
+  /// A cell of the sheet: as wide as the sheet has it or, for a quick look, as a smaller frame is. `height`: for one that is
+  /// cell_width wide; 0: in the frame's proportions.
+  Size cell(int height = 0) const;
   /// A picture as wide as the sheet's content, drawn as coarsely as the cells are.
   Size strip(int height) const;
   Painter& painter(Size size);

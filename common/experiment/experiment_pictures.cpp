@@ -51,7 +51,8 @@ Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& s
   if (!frames_.empty()) fs::create_directories(folder_);
   const bool first = std::none_of(of.variants_.begin(), of.variants_.begin() + static_cast<std::ptrdiff_t>(index),
                                   [&](const Variant& one) { return one.scene == variant_.scene; });
-  if (first && scene_.start_shown && !scene_.strobe) result_.start = still(picture(start, 0), output.cell());
+  if (first && scene_.start_shown && !scene_.strobe)
+    result_.start = still(picture(start, 0), output.cell(scene_.cell_height));
   take(start, 0);
 }
 
@@ -94,7 +95,7 @@ void Experiment::Shots::take(const World& world, std::size_t step) {
     marked_ = drawn;
     marked_at_ = time;
   } else {
-    result_.cells.push_back(still(picture(world, step), output_.cell()));
+    result_.cells.push_back(still(picture(world, step), output_.cell(scene_.cell_height)));
     result_.cell_notes.push_back(fmt::format("t = {:.3g} s", time) + how_magnified());
   }
 }

@@ -23,9 +23,9 @@ Experiment::Output::Output(fs::path folder, bool images, Size frame, std::size_t
       frame_(std::move(frame)),
       variants_(variants) {}
 
-Experiment::Output::Size Experiment::Output::cell() const {
+Experiment::Output::Size Experiment::Output::cell(int height) const {
   const int width = std::min(frame_.first, cell_width);
-  return {width, std::max(1, width * frame_.second / frame_.first)};
+  return {width, std::max(1, height > 0 ? width * height / cell_width : width * frame_.second / frame_.first)};
 }
 
 Experiment::Output::Size Experiment::Output::strip(int height) const {

@@ -7,7 +7,6 @@
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/experiment_parts.h"
-#include "pushback/common/experiment/marker.h"
 #include "pushback/common/experiment/sheet.h"
 #include "pushback/common/render/palette.h"
 
@@ -69,6 +68,22 @@ std::string Experiment::shown_name(const Variant& variant) const {
   return said ? variant.name : fmt::format("{}, {} sweeps", variant.name, sweeps_of(variant));
 }
 
+namespace {
+
+/// A motion that dies out ends at rounding noise: the axis ends before.
+constexpr Real decades_of_a_series = 7;
+
+Real floor_of(const Panel& panel) {
+  Real largest = 0;
+  for (const Curve& curve : panel.curves) {
+    for (const Real y : curve.y) largest = std::isfinite(y) ? std::max(largest, y) : largest;
+  }
+  return largest > 0 ? std::pow(Real(10), std::ceil(std::log10(largest)) - decades_of_a_series) : 0;
+}
+
+}  // namespace
+
+/// One curve with nothing to compare it with is left out where the scene has a number: it says as much.
 std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const {
   std::vector<Panel> all;
   for (std::size_t a = 0; a < acts_.size(); ++a) {
@@ -84,7 +99,7 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
       panel.log_y = !act.series.empty() && act.series[q].log_y;
       for (const Result& result : results) {
         if (result.variant->scene != a) continue;
-        Curve curve{shown_name(*result.variant),
+        Curve curve{result.variant->name,
                     {},
                     {},
                     line_colour(static_cast<std::size_t>(result.variant->colour)),
@@ -106,7 +121,9 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
           }
         }
       }
-      if (!panel.curves.empty()) all.push_back(std::move(panel));
+      if (panel.log_y) panel.floor = floor_of(panel);
+      const bool alone = panel.curves.size() == 1 && !act.numbers.empty() && only_.empty();
+      if (!panel.curves.empty() && !alone) all.push_back(std::move(panel));
     }
   }
   all.insert(all.end(), own_panels_.begin(), own_panels_.end());
@@ -126,7 +143,7 @@ std::string Experiment::numbers_table(const std::vector<Result>& results) const 
     std::string body;
     for (const Result& result : results) {
       if (result.variant->scene != a) continue;
-      body += fmt::format("| {} {} |", marker_of(static_cast<std::size_t>(result.variant->colour)),
+      body += fmt::format("| {} {} |", line_marker(static_cast<std::size_t>(result.variant->colour)),
                           shown_name(*result.variant));
       for (std::size_t i = 0; i < act.numbers.size(); ++i) {
         body += fmt::format(" {}", in_words(result.numbers[i], act.numbers[i].unit));
@@ -191,8 +208,8 @@ void Experiment::report(std::vector<Result>& results, const fs::path& folder) co
   }
   if (no_images_) return;
   draw_sheets(results, folder);
-  write_plot(folder / "plot.png", panels(results));
-  fmt::print("\n{}\n", (folder / "plot.png").string());
+  fmt::print("\n");
+  for (const fs::path& plot : write_plot(folder / "plot.png", panels(results))) fmt::print("{}\n", plot.string());
 }
 
 std::string Experiment::sheet_file(std::size_t act) const {
@@ -232,6 +249,7 @@ std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& 
               .legend = {},
               .raster = scene.raster,
               .wide = scene.strobe.has_value(),
+              .side_by_side = scene.side_by_side,
               .rows = {}};
   Legend legend;
   for (Result& result : results) {
@@ -239,7 +257,7 @@ std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& 
     const Variant& variant = *result.variant;
     legend.add(result.legend);
     if (result.start) sheet.start = std::move(result.start);
-    SheetRow row{marker_of(static_cast<std::size_t>(variant.colour)),
+    SheetRow row{line_marker(static_cast<std::size_t>(variant.colour)),
                  shown_name(variant),
                  ink_of(line_colour(static_cast<std::size_t>(variant.colour))),
                  {},

@@ -49,6 +49,8 @@ struct Scene {
   std::function<void(Picture&, const World&, Real time)> marks = {};
   std::optional<Strobe> strobe = {};  ///< instead of the columns
   std::optional<Raster> raster = {};  ///< under each row
+  int cell_height = 0;                ///< pixels, of a cell 500 wide; 0: as --size has it, which is 281
+  bool side_by_side = false;          ///< a column per variant and a row per instant: for at most three variants
 };
 
 }  // namespace pushback

@@ -25,18 +25,45 @@ class Drawing {
 
   int draw(const Sheet& sheet) {
     head(sheet);
-    for (const SheetRow& row : sheet.rows) {
-      fill_rectangle(image_, margin, y_, strip_width, 2, pale);
-      y_ += 14;
-      label(row);
-      cells(row, sheet.wide);
-      if (sheet.raster && !row.raster.empty()) y_ = draw_raster(image_, *sheet.raster, row.raster, margin, y_ + 8);
-      y_ += 24;
-    }
+    if (sheet.side_by_side) columns(sheet);
+    else rows(sheet);
     return y_ + margin - 24;
   }
 
  private:
+  void rows(const Sheet& sheet) {
+    for (const SheetRow& row : sheet.rows) {
+      fill_rectangle(image_, margin, y_, strip_width, 2, pale);
+      y_ += 14;
+      label(row, margin, strip_width, false);
+      cells(row, sheet.wide);
+      if (sheet.raster && !row.raster.empty()) y_ = draw_raster(image_, *sheet.raster, row.raster, margin, y_ + 8);
+      y_ += 24;
+    }
+  }
+
+  void columns(const Sheet& sheet) {
+    fill_rectangle(image_, margin, y_, strip_width, 2, pale);
+    const int top = y_ + 14;
+    int lowest = top;
+    for (std::size_t c = 0; c < sheet.rows.size(); ++c) {
+      y_ = top;
+      label(sheet.rows[c], column(c), cell_width, true);
+      lowest = std::max(lowest, y_);
+    }
+    for (std::size_t c = 0; c < sheet.rows.size(); ++c) {
+      const SheetRow& row = sheet.rows[c];
+      y_ = lowest;
+      for (std::size_t i = 0; i < row.cells.size(); ++i) {
+        cell(row.cells[i], column(c), y_, cell_width, row.cell_notes[i]);
+        y_ += high(row.cells[i], cell_width) + gap;
+      }
+    }
+    y_ += 24 - gap;
+  }
+
+  static int column(std::size_t index) { return margin + static_cast<int>(index) * (cell_width + gap); }
+
   /// Lines of text from the height of their top on.
   void lines(const std::string& text, float size, Ink ink, int width, bool bold, int after) {
     const int line = static_cast<int>(std::lround(size * 1.22F));
@@ -88,17 +115,17 @@ class Drawing {
     y_ += line + 4;
   }
 
-  /// The name, and the numbers behind it, in as many lines as they take.
-  void label(const SheetRow& row) {
+  /// The name, and the numbers behind it or, `below` each other, under it, in as many lines as they take.
+  void label(const SheetRow& row, int from, int width, bool below) {
     constexpr int line = 36;
-    const int left = margin + 34;
-    write_text(image_, row.marker, margin + 12, y_ + 26, 30, row.colour, Align::centre);
+    const int left = from + 34, right = from + width;
+    write_text(image_, row.marker, from + 12, y_ + 26, 30, row.colour, Align::centre);
     write_text(image_, row.name, left, y_ + 26, 28, dark, Align::left, true);
     int x = left + text_width(row.name, 28, true) + 32;
     for (const SheetNumber& number : row.numbers) {
       const std::string expected = number.expected.empty() ? "" : fmt::format(" ({})", number.expected);
       const int first = text_width(number.text, 22), wide = first + text_width(expected, 22);
-      if (x > left && x + wide > right_edge) {
+      if (x > left && (below || x + wide > right)) {
         x = left;
         y_ += line;
       }
@@ -111,8 +138,7 @@ class Drawing {
 
   void cells(const SheetRow& row, bool wide) {
     const int width = wide ? strip_width : cell_width;
-    for (std::size_t i = 0; i < row.cells.size(); ++i)
-      cell(row.cells[i], margin + static_cast<int>(i) * (width + gap), y_, width, row.cell_notes[i]);
+    for (std::size_t i = 0; i < row.cells.size(); ++i) cell(row.cells[i], column(i), y_, width, row.cell_notes[i]);
     y_ += high(row.cells.front(), width);
   }
 
@@ -138,15 +164,12 @@ Image make_sheet(const Sheet& sheet) {
 }
 
 Image make_thumbnail(const Sheet& sheet) {
-  constexpr int between = 4, width = 234;
-  const Image& first = sheet.rows.front().cells.back();
-  if (sheet.wide) return resized(first, 3 * width + 2 * between, high(first, 3 * width + 2 * between));
-  const int count = static_cast<int>(std::min<std::size_t>(sheet.rows.size(), 3));
-  Image thumbnail(3 * width + 2 * between, high(first, width));
-  for (int i = 0; i < count; ++i) {
-    const int x = i * (width + between) + (3 - count) * (width + between) / 2;
-    paste(sheet.rows[static_cast<std::size_t>(i)].cells.back(), thumbnail, x, 0, width, thumbnail.height);
-  }
+  constexpr int between = 4, width = 320;
+  const Image& last = sheet.rows.back().cells.back();
+  if (sheet.wide) return resized(last, 2 * width + between, high(last, 2 * width + between));
+  Image thumbnail(2 * width + between, high(last, width), 255);
+  paste(sheet.rows.front().cells.back(), thumbnail, 0, 0, width, thumbnail.height);
+  paste(last, thumbnail, width + between, 0, width, thumbnail.height);
   return thumbnail;
 }
 

@@ -35,12 +35,13 @@ struct Sheet {
   std::vector<LegendEntry> legend;
   std::optional<Raster> raster;  ///< what the rows' are
   bool wide = false;             ///< the cells are strips
+  bool side_by_side = false;     ///< rows stand as columns: three at most
   std::vector<SheetRow> rows;
 };
 
 Image make_sheet(const Sheet& sheet);
 
-/// The sheet in brief, for a table of contents: how each of the first three variants ends, side by side; of strips the first.
+/// The sheet in brief, for a table of contents: how the first and the last variant end, side by side; of strips the last.
 Image make_thumbnail(const Sheet& sheet);
 
 }  // namespace pushback

@@ -31,16 +31,13 @@ Panel trace_panel(const Traced& of, bool against_time) {
               .y_label = "relative residual",
               .log_x = true,
               .log_y = true,
-              .key = "bottom left",
-              .extra = "set yrange [3e-14:*]; set ytics 1e3; set grid"};
-  double line = 0.95;
+              .floor = 1e-13};
   for (std::size_t m = of.traces.size(); m-- > 0;) {  // the first on top: dashed, they show what they coincide with
     const std::string method = frozen_methods()[m];
     if (!against_time && !of.traces[m].counts_rows()) continue;
     const std::vector<TracePoint>& points = of.traces[m].points();
     if (points.empty()) {
-      panel.extra += fmt::format("; set label '{}: not reached' at graph 0.98,{:.2f} right", label_of(method), line);
-      line -= 0.08;
+      panel.curves.push_back({label_of(method) + ": not reached", {}, {}, line_colour(m)});
       continue;
     }
     const bool wrong_law = method == "pgs" || method == "scaled-back", every_sweep = points[0].sweeps == 0;
@@ -64,7 +61,7 @@ Panel profile_panel(const std::string& title, const std::string& unit, const Cos
               .x_label = "times the " + unit + " of the cheapest",
               .y_label = "part of all problems",
               .log_x = true,
-              .extra = "set xrange [1:1000]; set yrange [0:1.03]"};
+              .x_range = {1, 1000}};
   for (const std::size_t m : methods) {
     Curve curve{label_of(frozen_methods()[m]), {}, {}, line_colour(m), Curve::Style::line};
     for (int i = 0; i <= 600; ++i) {
