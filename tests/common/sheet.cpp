@@ -1,6 +1,8 @@
 // The comparison sheet: its measures, its files, one colour for one name.
 #include "pushback/common/experiment/sheet.h"
 
+#include <array>
+
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/plot.h"
 #include "tests/support/call.h"
@@ -49,6 +51,7 @@ Sheet sheet_of(int rows) {
               .legend = {},
               .raster = {},
               .wide = false,
+              .side_by_side = false,
               .rows = {}};
   for (int i = 0; i < rows; ++i) {
     sheet.rows.push_back({line_marker(static_cast<std::size_t>(i)), "warm", green, {}, {}, {}, {}});
@@ -99,6 +102,30 @@ TEST_CASE("a sheet is 1600 wide, and its cells stand on it three in a row, pixel
     }
     CHECK(line_with(image, y, red, 1500) == -1);
   }
+}
+
+TEST_CASE("side by side, a variant is a column, and its instants stand below each other") {
+  Sheet sheet = sheet_of(3);
+  sheet.side_by_side = true;
+  const std::array inks{red, green, blue};
+  sheet.start.reset();
+  for (std::size_t i = 0; i < 3; ++i) sheet.rows[i].cells.assign(2, filled(500, 400, inks[i]));
+  sheet.rows[1].numbers.assign(4, {"overlap: 1 mm", "should be 0 mm"});  // the highest label moves all pictures down
+  const Image image = make_sheet(sheet);
+  CHECK(image.width == 1600);
+  int y = 0;
+  for (int instant = 0; instant < 2; ++instant) {
+    y = line_with(image, y, red, 500);
+    REQUIRE(y > 0);
+    for (int c = 0; c < 3; ++c) {
+      const Ink ink = inks[static_cast<std::size_t>(c)];
+      CHECK(runs(image, y, ink) == std::vector<std::pair<int, int>>{{40 + 510 * c, 500}});
+      CHECK(is(image, 40 + 510 * c, y + 399, ink));
+    }
+    CHECK(runs(image, y + 400, red).empty());
+    y += 400;
+  }
+  CHECK(line_with(image, y, red, 500) == -1);
 }
 
 TEST_CASE("cells that were drawn smaller stand on the sheet as large as the others") {

@@ -150,6 +150,27 @@ TEST_CASE("option --list names scenes and variants, writes nothing, and --varian
   }
 }
 
+TEST_CASE("no sheet has more than four rows, and no chapter more than three sheets") {
+  for (const std::string& chapter : chapters) {
+    int sheets = 0, rows = 0;
+    bool drawn = false;
+    for (const std::string& line : lines_of(call(chapter, "--list").out)) {
+      const bool scene = line.rfind("  ", 0) != 0;
+      if (scene) {
+        drawn = contains(line, "sheet");
+        sheets += drawn ? 1 : 0;
+        rows = 0;
+      } else if (drawn) {
+        ++rows;
+      }
+      INFO(chapter << ": " << line);
+      CHECK(rows <= 4);
+      CHECK(sheets <= 3);
+    }
+    CHECK(sheets >= 1);
+  }
+}
+
 TEST_CASE("a value that cannot be used: status 2, a message that names it, and nothing is written") {
   struct Wrong {
     std::string chapter, arguments;
