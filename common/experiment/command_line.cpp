@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "pushback/common/basics/files.h"
+#include "pushback/common/experiment/film.h"
 
 namespace pushback {
 
@@ -59,7 +60,13 @@ Experiment::Experiment(std::string name, std::string question)
   common("--size", size_, "Pixels of a frame, WIDTHxHEIGHT; the sheet's pictures have its shape");
   app.add_option("--seconds", seconds_, "Simulated time of every variant; each scene's own unless given")
       ->group("Every experiment");
-  common("--frames", frames_, "Frames of each variant for a film, evenly spread over its time");
+  CLI::Option* frames = common("--frames", frames_, "Frames of each variant to keep, evenly spread over its time");
+  app.add_option("--film", film_, "A film of each scene, its variants side by side: film.mp4, or of another ending")
+      ->expected(0, 1)
+      ->default_str("mp4")
+      ->check(CLI::IsMember(film_formats()))
+      ->excludes(frames)
+      ->group("Every experiment");
   common("--sweeps", sweeps_, "Sweeps over the rows in each step, also where a variant has a number of its own");
   common("--dt", dt_, "Time step, s");
   app.add_option("--variants", only_, "Only these variants, by the names that --list prints, separated by commas")

@@ -11,6 +11,7 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/experiment_parts.h"
+#include "pushback/common/experiment/film.h"
 
 namespace pushback {
 
@@ -256,6 +257,8 @@ int Experiment::run(int argc, const char* const* argv, const std::function<void(
       throw InvalidInput(fmt::format("--sweeps is {}: a whole number from 1 to 1000000 is needed", sweeps_));
     if (frames_ < 0 || frames_ > 100000)
       throw InvalidInput(fmt::format("--frames is {}: a whole number from 0 to 100000 is needed", frames_));
+    if (!film_.empty() && no_images_) throw InvalidInput("--film and --no-images exclude each other");
+    if (!film_.empty()) require_ffmpeg();
     define();
     refuse_twins();
     choose_colours();

@@ -177,6 +177,8 @@ class Experiment {
   void report(std::vector<Result>& results, const std::filesystem::path& folder) const;
   void draw_sheets(std::vector<Result>& results, const std::filesystem::path& folder) const;
   std::string sheet_file(std::size_t act) const;
+  std::string frames_folder(const Variant& variant) const;
+  void make_films(const std::filesystem::path& folder) const;
   std::optional<Sheet> sheet_of(std::size_t act, std::vector<Result>& results) const;
   std::size_t steps_of(const Scene& scene) const;
   int sweeps_of(const Variant& variant) const;
@@ -195,6 +197,7 @@ class Experiment {
   int width_ = 0, height_ = 0;
   Real seconds_ = 0, dt_ = Real(1) / 60;
   int frames_ = 0, sweeps_ = 10;
+  std::string film_;  ///< ending of the films; empty: none
   std::vector<std::string> only_;
   bool no_images_ = false, no_study_ = false, list_ = false, list_parameters_ = false;
 };

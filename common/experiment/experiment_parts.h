@@ -82,7 +82,8 @@ class Experiment::Shots {
   Result& result_;
   Real arrow_ = 0;
   std::filesystem::path folder_;  ///< of the frames
-  std::set<std::size_t> cells_, frames_;
+  std::set<std::size_t> cells_;
+  std::multiset<std::size_t> frames_;  ///< a step that lasts longer than a frame of a film has several
   std::size_t frames_drawn_ = 0;
   std::optional<Picture> strobe_;
   World marked_;  ///< of the strobe picture's last instant

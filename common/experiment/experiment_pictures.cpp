@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pushback/common/experiment/experiment_parts.h"
+#include "pushback/common/experiment/film.h"
 #include "pushback/common/experiment/picture_of.h"
 
 namespace pushback {
@@ -40,13 +41,16 @@ Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& s
     if (*cells_.rbegin() > 0) cells_.erase(0);
     while (cells_.size() > 3) cells_.erase(cells_.begin());
   }
+  if (!of.film_.empty()) {
+    for (int f = 0; f < seconds * frames_per_second; ++f)
+      frames_.insert(step_at(static_cast<Real>(f) / frames_per_second));
+  }
   for (int f = 0; f < of.frames_; ++f) {
     frames_.insert(of.frames_ == 1 ? steps
                                    : static_cast<std::size_t>(std::lround(
                                          static_cast<double>(f) * static_cast<double>(steps) / (of.frames_ - 1))));
   }
-  folder_ =
-      output.folder() / (of.acts_.size() > 1 ? slug(scene_.name) + "_" + slug(variant_.name) : slug(variant_.name));
+  folder_ = output.folder() / of.frames_folder(variant_);
   fs::remove_all(folder_);  // frames of an earlier run, which may have had more of them
   if (!frames_.empty()) fs::create_directories(folder_);
   const bool first = std::none_of(of.variants_.begin(), of.variants_.begin() + static_cast<std::ptrdiff_t>(index),
@@ -54,6 +58,27 @@ Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& s
   if (first && scene_.start_shown && !scene_.strobe)
     result_.start = still(picture(start, 0), output.cell(scene_.cell_height));
   take(start, 0);
+}
+
+std::string Experiment::frames_folder(const Variant& variant) const {
+  const std::string own = slug(variant.name);
+  return acts_.size() > 1 ? slug(acts_[variant.scene].scene.name) + "_" + own : own;
+}
+
+/// One a scene that has pictures, named as its sheet is; the frames go once they are in it.
+void Experiment::make_films(const fs::path& folder) const {
+  for (std::size_t a = 0; a < acts_.size(); ++a) {
+    std::vector<fs::path> frames;
+    for (const Variant& variant : variants_) {
+      if (variant.scene == a && acts_[a].scene.pictures) frames.push_back(folder / frames_folder(variant));
+    }
+    if (frames.empty()) continue;
+    std::string name = sheet_file(a).replace(0, std::string("sheet").size(), "film");
+    const fs::path film = folder / fs::path(name).replace_extension(film_);
+    write_film(film, frames, static_cast<double>(static_cast<Real>(steps_of(acts_[a].scene)) * dt_));
+    for (const fs::path& used : frames) fs::remove_all(used);
+    fmt::print("{}\n", film.string());
+  }
 }
 
 std::size_t Experiment::Shots::step_at(Real time) const {
@@ -82,7 +107,8 @@ void Experiment::Shots::take(const World& world, std::size_t step) {
     Image frame = output_.painter(output_.frame()).draw(picture(world, step));
     write_text(frame, variant_.name, 14, 30, 20, {}, Align::left, true);
     write_text(frame, fmt::format("t = {:.3f} s", time), 14, frame.height - 14, 18);
-    write_png(folder_ / fmt::format("frame_{:04}.png", frames_drawn_++), frame);
+    for (std::size_t n = frames_.count(step); n > 0; --n)
+      write_png(folder_ / fmt::format("frame_{:04}.png", frames_drawn_++), frame);
     output_.progress(experiment_.name_, index_, variant_.name, frames_drawn_, frames_.size());
   }
   if (scene_.raster && step > 0 && output_.images() && scene_.pictures)

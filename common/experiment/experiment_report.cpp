@@ -207,6 +207,7 @@ void Experiment::report(std::vector<Result>& results, const fs::path& folder) co
     if (!result.mishap.empty()) fmt::print("{}: {}\n", result.variant->name, result.mishap);
   }
   if (no_images_) return;
+  if (!film_.empty()) make_films(folder);
   draw_sheets(results, folder);
   fmt::print("\n");
   for (const fs::path& plot : write_plot(folder / "plot.png", panels(results))) fmt::print("{}\n", plot.string());

@@ -51,6 +51,7 @@ class Drawing {
       label(sheet.rows[c], column(c), cell_width, true);
       lowest = std::max(lowest, y_);
     }
+    if (sheet.start && start_beside(sheet)) start(sheet, column(sheet.rows.size()), lowest);
     for (std::size_t c = 0; c < sheet.rows.size(); ++c) {
       const SheetRow& row = sheet.rows[c];
       y_ = lowest;
@@ -75,19 +76,26 @@ class Drawing {
   }
 
   void head(const Sheet& sheet) {
-    const int width = sheet.start ? 2 * cell_width + gap - 20 : strip_width;
+    const bool here = sheet.start && !start_beside(sheet);
+    const int width = here ? 2 * cell_width + gap - 20 : strip_width;
     y_ = margin - 4;
     lines(sheet.question, 40, dark, width, true, 10);
     lines(sheet.scene, 28, dark, width, true, 6);
     lines(sheet.caption, 24, dark_grey, width, false, 10);
     legend(sheet.legend, margin + width);
     lines(sheet.foot, 18, grey, width, false, 0);
-    if (sheet.start) {
-      cell(*sheet.start, right_edge - cell_width, margin, cell_width,
-           sheet.rows.size() > 1 ? "t = 0: all rows start like this" : "t = 0");
+    if (here) {
+      start(sheet, right_edge - cell_width, margin);
       y_ = std::max(y_, margin + high(*sheet.start, cell_width));
     }
     y_ += 20;
+  }
+
+  /// Where two stand side by side, there is room beside them.
+  static bool start_beside(const Sheet& sheet) { return sheet.side_by_side && sheet.rows.size() < 3; }
+
+  void start(const Sheet& sheet, int x, int y) {
+    cell(*sheet.start, x, y, cell_width, sheet.rows.size() > 1 ? "t = 0: all start like this" : "t = 0");
   }
 
   void legend(const std::vector<LegendEntry>& entries, int right) {
