@@ -504,7 +504,7 @@ TEST_CASE("the program itself is understood") {
   for (const Measured& one : all) {
     INFO(one.setting());
     CHECK(one.error < 0.2);
-    CHECK(one.row_solves.has_value() == (one.method != "at-once"));
+    CHECK(one.row_solves.has_value() == (one.method != "direct-contacts"));
     CHECK(one.row_solves.value_or(1) > 0);
   }
 }
