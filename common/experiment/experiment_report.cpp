@@ -7,6 +7,7 @@
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/experiment_parts.h"
+#include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/sheet.h"
 #include "pushback/common/render/palette.h"
 
@@ -237,10 +238,10 @@ void Experiment::draw_sheet(std::vector<Result>& results, const fs::path& folder
     }
     if (!group.rows.empty()) groups.push_back(std::move(group));
   }
-  write_png(folder / "sheet.png",
-            make_sheet(fmt::format("{}  ·  step {:.4g} s, {} sweeps unless said", name_, dt_, sweeps_), question_,
-                       groups, legend(states, sleepers)));
-  if (!groups.empty()) write_png(folder / "thumbnail.png", make_thumbnail(groups.front()));
+  keep_picture(folder / "sheet.png",
+               make_sheet(fmt::format("{}  ·  step {:.4g} s, {} sweeps unless said", name_, dt_, sweeps_), question_,
+                          groups, legend(states, sleepers)));
+  if (!groups.empty()) keep_picture(folder / "thumbnail.png", make_thumbnail(groups.front()));
 }
 
 }  // namespace pushback

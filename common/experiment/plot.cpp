@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "pushback/common/basics/files.h"
-#include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
+#include "pushback/common/experiment/kept_picture.h"
 
 namespace pushback {
 
@@ -65,7 +65,7 @@ std::string script_of(const Panel& panel, std::size_t index) {
 }  // namespace
 
 void write_plot(const std::filesystem::path& file, const std::vector<Panel>& panels) {
-  // Drawn beside its final place and moved there when whole.
+  // Drawn beside its final place.
   std::filesystem::path unfinished = file;
   unfinished += ".part";
   const std::size_t columns = panels.size() == 4 ? 2 : std::min<std::size_t>(panels.size(), 3);
@@ -83,9 +83,9 @@ void write_plot(const std::filesystem::path& file, const std::vector<Panel>& pan
   if (gnuplot.status == 127) throw std::runtime_error("gnuplot is not found: is the package gnuplot-nox installed?");
   if (gnuplot.status != 0)
     throw std::runtime_error(fmt::format("gnuplot could not draw {}: {}", file.string(), gnuplot.err));
-  std::error_code error;
-  std::filesystem::rename(unfinished, file, error);
-  if (error) throw InvalidInput(fmt::format("plot '{}' cannot be written: {}", file.string(), error.message()));
+  const Image drawn = read_png(unfinished);
+  std::filesystem::remove(unfinished);
+  keep_picture(file, drawn);
 }
 
 }  // namespace pushback
