@@ -7,6 +7,7 @@
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/experiment_parts.h"
+#include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/sheet.h"
 #include "pushback/common/render/palette.h"
 
@@ -224,8 +225,8 @@ void Experiment::draw_sheets(std::vector<Result>& results, const fs::path& folde
     const std::optional<Sheet> sheet = sheet_of(a, results);
     if (!sheet) continue;
     const fs::path file = folder / sheet_file(a);
-    write_png(file, make_sheet(*sheet));
-    if (file.filename() == "sheet.png") write_png(folder / "thumbnail.png", make_thumbnail(*sheet));
+    keep_picture(file, make_sheet(*sheet));
+    if (file.filename() == "sheet.png") keep_picture(folder / "thumbnail.png", make_thumbnail(*sheet));
     drawn.insert(file);
     fmt::print("\n{}", file.string());
   }

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "pushback/common/basics/files.h"
-#include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
+#include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/plot_layout.h"
 
 namespace pushback {
@@ -212,7 +212,7 @@ class PanelScript {
 };
 
 void draw_figure(const std::filesystem::path& file, const std::vector<Panel>& panels) {
-  // Drawn beside its final place and moved there when whole.
+  // Drawn beside its final place.
   std::filesystem::path unfinished = file;
   unfinished += ".part";
   const FigureLayout figure = lay_out(panels);
@@ -230,8 +230,9 @@ void draw_figure(const std::filesystem::path& file, const std::vector<Panel>& pa
   if (gnuplot.status == 127) throw std::runtime_error("gnuplot is not found: is the package gnuplot-nox installed?");
   if (gnuplot.status != 0)
     throw std::runtime_error(fmt::format("gnuplot could not draw {}: {}", file.string(), gnuplot.err));
-  std::filesystem::rename(unfinished, file, error);
-  if (error) throw InvalidInput(fmt::format("plot '{}' cannot be written: {}", file.string(), error.message()));
+  const Image drawn = read_png(unfinished);
+  std::filesystem::remove(unfinished);
+  keep_picture(file, drawn);
 }
 
 std::filesystem::path numbered(const std::filesystem::path& file, std::size_t number) {

@@ -7,6 +7,7 @@
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/named.h"
+#include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/program.h"
 #include "tests/hard_cases/table.h"
 #include "tests/hard_cases/table_picture.h"
@@ -158,8 +159,8 @@ int main(int argc, char** argv) {
     write_text_file(folder / "table.md", table_md(table));
     write_text_file(folder / "times.csv", times_csv(table));
     if (!no_images) {
-      write_png(folder / "table.png", draw_table(table, portraits(table, ends)));
-      write_png(folder / "overview.png", draw_overview(table));
+      keep_picture(folder / "table.png", draw_table(table, portraits(table, ends)));
+      keep_picture(folder / "overview.png", draw_overview(table));
     }
     fmt::print("\n{}\n", (folder / (no_images ? "table.md" : "table.png")).string());
   });
