@@ -56,10 +56,10 @@ Experiment::Experiment(std::string name, std::string question)
     return app.add_option(flag, value, help)->capture_default_str()->group("Every experiment");
   };
   common("--out", out_, "Folder in which the folder of this experiment is made");
-  common("--size", size_, "Pixels of a frame, WIDTHxHEIGHT");
+  common("--size", size_, "Pixels of a frame, WIDTHxHEIGHT; the sheet's pictures have its shape");
   app.add_option("--seconds", seconds_, "Simulated time of every variant; each scene's own unless given")
       ->group("Every experiment");
-  common("--frames", frames_, "Pictures of each variant, evenly spread over its time");
+  common("--frames", frames_, "Frames of each variant for a film, evenly spread over its time");
   common("--sweeps", sweeps_, "Sweeps over the rows in each step, also where a variant has a number of its own");
   common("--dt", dt_, "Time step, s");
   app.add_option("--variants", only_, "Only these variants, by the names that --list prints, separated by commas")

@@ -145,8 +145,15 @@ int Experiment::sweeps_of(const Variant& variant) const {
   return variant.sweeps > 0 && (variant.exactly || !told("--sweeps")) ? variant.sweeps : sweeps_;
 }
 
-/// Two of one name would share a folder.
+/// Two of one name would share a folder; two scenes of one key, a sheet.
 void Experiment::refuse_twins() const {
+  for (std::size_t a = 0; a < acts_.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      if (key_of(acts_[a].scene) == key_of(acts_[b].scene))
+        throw InvalidInput(
+            fmt::format("two scenes have the key '{}': each needs one of its own", key_of(acts_[a].scene)));
+    }
+  }
   for (auto one = variants_.begin(); one != variants_.end(); ++one) {
     for (auto other = variants_.begin(); other != one; ++other) {
       if (one->scene == other->scene && slug(one->name) == slug(other->name)) {
@@ -154,6 +161,25 @@ void Experiment::refuse_twins() const {
             fmt::format("two variants are called '{}': each needs a name, and so a value, of its own", one->name));
       }
     }
+  }
+}
+
+/// One for each name, in the order of their coming, beside those that variants were given.
+void Experiment::choose_colours() {
+  std::map<std::string, int> of_name;
+  std::set<int> taken;
+  for (const Variant& variant : variants_) {
+    if (variant.colour < 0) continue;
+    of_name.emplace(variant.name, variant.colour);
+    taken.insert(variant.colour);
+  }
+  int next = 0;
+  for (Variant& variant : variants_) {
+    if (variant.colour >= 0) continue;
+    while (taken.contains(next)) ++next;
+    const auto [known, is_new] = of_name.emplace(variant.name, next);
+    if (is_new) ++next;
+    variant.colour = known->second;
   }
 }
 
@@ -190,7 +216,8 @@ void Experiment::fill(World& world, const Variant& variant) const {
 
 void Experiment::list() const {
   for (std::size_t a = 0; a < acts_.size(); ++a) {
-    fmt::print("{} ({:.3g} s)\n", acts_[a].scene.name, acts_[a].scene.seconds);
+    fmt::print("{} ({:.3g} s, {})\n", acts_[a].scene.name, acts_[a].scene.seconds,
+               acts_[a].scene.pictures ? sheet_file(a) : "no pictures");
     for (const Variant& variant : variants_) {
       if (variant.scene == a) fmt::print("  {:<32} {}\n", slug(variant.name), variant.name);
     }
@@ -200,9 +227,9 @@ void Experiment::list() const {
 void Experiment::play() {
   const fs::path folder = fs::path(out_) / name_;
   make_writable_folder(folder);
-  Output output(folder, !no_images_, width_, height_, variants_.size());
+  Output output(folder, !no_images_, {width_, height_}, variants_.size());
   std::vector<Result> results;
-  for (std::size_t i = 0; i < variants_.size(); ++i) results.push_back(play(variants_[i], i, output));
+  for (std::size_t i = 0; i < variants_.size(); ++i) results.push_back(play(i, output));
   output.done();
   if (!no_study_) {
     for (const auto& work : studies_) work();
@@ -231,6 +258,7 @@ int Experiment::run(int argc, const char* const* argv, const std::function<void(
       throw InvalidInput(fmt::format("--frames is {}: a whole number from 0 to 100000 is needed", frames_));
     define();
     refuse_twins();
+    choose_colours();
     if (list_) {
       list();
       return 0;

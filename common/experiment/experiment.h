@@ -9,9 +9,9 @@
 ///     });
 ///   }
 ///
-/// leaves in OUT/my_experiment/: sheet.png (a row per variant, a column per instant) and thumbnail.png, plot.png,
-/// metrics.csv (a row per variant and step), numbers.md (the measured numbers beside what they should be), and
-/// SCENE_VARIANT/frame_0000.png and on.
+/// leaves in OUT/my_experiment/: sheet.png (a row per variant, a column per instant; of each further scene sheet_KEY.png)
+/// and thumbnail.png, plot.png, metrics.csv (a row per variant and step) and numbers.md (the measured numbers beside what
+/// they should be); with --frames COUNT also SCENE_VARIANT/frame_0000.png and on.
 #pragma once
 
 #include <deque>
@@ -31,6 +31,8 @@
 #include "pushback/common/world/situations.h"
 
 namespace pushback {
+
+struct Sheet;
 
 /// What is read off the world after every step.
 struct Sample {
@@ -76,7 +78,7 @@ struct Variant {
   int substeps = 1;                            ///< into how many each step of --dt is cut
   int sweeps = 0;                              ///< 0: what --sweeps says
   bool exactly = false;                        ///< whether --sweeps has no say
-  int colour = -1;                             ///< line_colour's index; -1: its place among all variants
+  int colour = -1;                             ///< index of line_colour and marker_of; -1: one for its name
   std::map<std::string, Real> expected;        ///< by the name of a number
   std::vector<Reference> references;
 
@@ -88,7 +90,7 @@ struct Variant {
   Variant& with_sweeps(int count);
   /// The number of sweeps is what this variant is about: --sweeps leaves it alone.
   Variant& with_exactly(int count);
-  /// For one that several scenes have: the same colour in all of them.
+  /// Instead of the colour and the marker that its name would have in all scenes.
   Variant& coloured(int which);
   /// What the number of that name should be, from a closed form; shown beside it.
   Variant& expect(const std::string& number, Real value);
@@ -155,26 +157,29 @@ class Experiment {
   };
   struct Result;
   class Output;
+  class Shots;
 
   Variant& add_variant(const std::string& name);
   std::optional<int> read_command_line(int argc, const char* const* argv);
   bool told(const std::string& flag) const;
   void refuse_twins() const;
+  void choose_colours();
   void choose_variants();
   void check() const;
   void fill(World& world, const Variant& variant) const;
   void list() const;
   void play();
-  Result play(const Variant& variant, std::size_t index, Output& output) const;
+  Result play(std::size_t index, Output& output) const;
   std::vector<Panel> panels(const std::vector<Result>& results) const;
   std::string numbers_table(const std::vector<Result>& results) const;
   std::string metrics(const std::vector<Result>& results) const;
   void report(std::vector<Result>& results, const std::filesystem::path& folder) const;
-  void draw_sheet(std::vector<Result>& results, const std::filesystem::path& folder) const;
+  void draw_sheets(std::vector<Result>& results, const std::filesystem::path& folder) const;
+  std::string sheet_file(std::size_t act) const;
+  std::optional<Sheet> sheet_of(std::size_t act, std::vector<Result>& results) const;
   std::size_t steps_of(const Scene& scene) const;
   int sweeps_of(const Variant& variant) const;
   std::string shown_name(const Variant& variant) const;
-  static std::string colour_of(const Variant& variant, std::size_t place);
 
   std::string name_, question_;
   struct CommandLine;
@@ -188,7 +193,7 @@ class Experiment {
   std::string out_ = "renders", size_ = "640x360";
   int width_ = 0, height_ = 0;
   Real seconds_ = 0, dt_ = Real(1) / 60;
-  int frames_ = 24, sweeps_ = 10;
+  int frames_ = 0, sweeps_ = 10;
   std::vector<std::string> only_;
   bool no_images_ = false, no_study_ = false, list_ = false, list_parameters_ = false;
 };

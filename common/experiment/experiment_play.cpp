@@ -1,4 +1,4 @@
-/// Watching one variant: its steps, its samples, its pictures.
+/// Watching one variant: its steps and its samples.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,16 +10,33 @@
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/experiment_parts.h"
-#include "pushback/common/experiment/picture_of.h"
-#include "pushback/common/render/canvas.h"
+#include "pushback/common/experiment/sheet.h"
 
 namespace pushback {
 
 namespace fs = std::filesystem;
 
-Experiment::Output::Output(fs::path folder, bool images, int width, int height, std::size_t variants)
-    : folder_(std::move(folder)), terminal_(isatty(fileno(stdout)) == 1), variants_(variants) {
-  if (images) painter_.emplace(width, height);
+Experiment::Output::Output(fs::path folder, bool images, Size frame, std::size_t variants)
+    : folder_(std::move(folder)),
+      images_(images),
+      terminal_(isatty(fileno(stdout)) == 1),
+      frame_(std::move(frame)),
+      variants_(variants) {}
+
+Experiment::Output::Size Experiment::Output::cell() const {
+  const int width = std::min(frame_.first, cell_width);
+  return {width, std::max(1, width * frame_.second / frame_.first)};
+}
+
+Experiment::Output::Size Experiment::Output::strip(int height) const {
+  const int width = cell().first;
+  return {width * strip_width / cell_width, std::max(1, width * height / cell_width)};
+}
+
+Painter& Experiment::Output::painter(Size size) {
+  std::unique_ptr<Painter>& one = painters_[size];
+  if (one == nullptr) one = std::make_unique<Painter>(size.first, size.second);
+  return *one;
 }
 
 void Experiment::Output::progress(const std::string& name, std::size_t index, const std::string& variant,
@@ -63,62 +80,19 @@ std::size_t Experiment::steps_of(const Scene& scene) const {
   return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(seconds / dt_)));
 }
 
-Experiment::Result Experiment::play(const Variant& variant, std::size_t index, Output& output) const {
+Experiment::Result Experiment::play(std::size_t index, Output& output) const {
+  const Variant& variant = variants_[index];
   const Act& act = acts_[variant.scene];
-  const Scene& scene = act.scene;
-  const std::size_t steps = steps_of(scene);
-  const Real seconds = static_cast<Real>(steps) * dt_;
+  const std::size_t steps = steps_of(act.scene);
 
   World world;
   fill(world, variant);
-  // The impulses that a picture shows are those of the latest substep.
-  const Real arrow = static_cast<Real>(variant.substeps) * (scene.arrow > 0 ? scene.arrow : fitting_arrow(world, dt_));
-
-  std::vector<Real> instants = scene.instants;
-  if (instants.empty() || seconds_ > 0) instants = {0, seconds / 3, 2 * seconds / 3, seconds};
-  std::multiset<std::size_t> columns;
-  for (const Real t : instants) columns.insert(std::min(steps, static_cast<std::size_t>(std::lround(t / dt_))));
-  std::set<std::size_t> frames;
-  for (int f = 0; f < (scene.pictures ? frames_ : 0); ++f) {
-    frames.insert(frames_ == 1 ? steps
-                               : static_cast<std::size_t>(
-                                     std::lround(static_cast<double>(f) * static_cast<double>(steps) / (frames_ - 1))));
-  }
-
   Result result;
   result.variant = &variant;
-  const fs::path folder =
-      output.folder() / (acts_.size() > 1 ? slug(scene.name) + "_" + slug(variant.name) : slug(variant.name));
-  if (output.images()) {
-    fs::remove_all(folder);  // frames of an earlier run, which may have had more of them
-    if (!frames.empty()) fs::create_directories(folder);
-  }
-  std::size_t frames_drawn = 0;
-  const auto draw = [&](std::size_t step) {
-    if (!output.images() || !scene.pictures) return;
-    if (frames.count(step) > 0) {
-      Image frame = output.painter().draw(picture_of(world, scene.camera, arrow));
-      write_text(frame, variant.name, 14, 30, 20, {}, Align::left, true);
-      write_text(frame, fmt::format("t = {:.3f} s", static_cast<double>(step) * static_cast<double>(dt_)), 14,
-                 frame.height - 14, 18);
-      write_png(folder / fmt::format("frame_{:04}.png", frames_drawn++), frame);
-      output.progress(name_, index, variant.name, frames_drawn, frames.size());
-    }
-    if (columns.count(step) > 0) {
-      for (const Contact& contact : world.contacts) result.states.insert(contact.state);
-      for (const Body& body : world.bodies) result.sleepers = result.sleepers || body.asleep;
-      const Image still = output.painter().draw_still(picture_of(world, scene.camera, arrow), 16);
-      for (std::size_t n = columns.count(step); n > 0; --n) {
-        result.cells.push_back(resized(still, 352, 352 * height_ / width_));
-        result.cell_notes.push_back(fmt::format("t = {:.3g} s", static_cast<double>(step) * static_cast<double>(dt_)));
-      }
-    }
-  };
-
-  output.progress(name_, index, variant.name, 0, frames.size());
+  output.progress(name_, index, variant.name, 0, static_cast<std::size_t>(frames_));
+  Shots shots(*this, index, world, output, result);
   auto step_once = variant.step;  // a copy: the solver's memory starts empty
   std::vector<ContactId> before;
-  draw(0);
   for (std::size_t step = 1; step <= steps; ++step) {
     Sample sample;
     try {
@@ -143,12 +117,9 @@ Experiment::Result Experiment::play(const Variant& variant, std::size_t index, O
     before = std::move(now);
     result.samples.push_back(sample);
     for (const Quantity& quantity : act.series) result.series[quantity.name].push_back(quantity.of(world));
-    draw(step);
+    shots.take(world, step);
   }
-  while (!result.cells.empty() && result.cells.size() < columns.size()) {  // after a mishap
-    result.cells.push_back(result.cells.back());
-    result.cell_notes.emplace_back("no longer a number");
-  }
+  shots.end();
   const Run run{world, dt_, result.samples, result.series};
   for (const Number& number : act.numbers)
     result.numbers.push_back(result.mishap.empty() ? number.of(run) : std::numeric_limits<Real>::quiet_NaN());

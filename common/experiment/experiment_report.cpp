@@ -7,6 +7,7 @@
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/experiment_parts.h"
+#include "pushback/common/experiment/marker.h"
 #include "pushback/common/experiment/sheet.h"
 #include "pushback/common/render/palette.h"
 
@@ -56,16 +57,16 @@ std::string slug(std::string name) {
   return out;
 }
 
+std::string key_of(const Scene& scene) {
+  return slug(scene.key.empty() ? scene.name : scene.key);
+}
+
 // ---- diagrams and tables -------------------------------------------------------------------------------------------
 
 /// Where a variant has a number of sweeps of its own, its name says so.
 std::string Experiment::shown_name(const Variant& variant) const {
   const bool said = sweeps_of(variant) == sweeps_ || variant.exactly;
   return said ? variant.name : fmt::format("{}, {} sweeps", variant.name, sweeps_of(variant));
-}
-
-std::string Experiment::colour_of(const Variant& variant, std::size_t place) {
-  return line_colour(variant.colour < 0 ? place : static_cast<std::size_t>(variant.colour));
 }
 
 std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const {
@@ -81,10 +82,13 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
                                          : fmt::format("{}{}{}", act.series[q].name,
                                                        act.series[q].unit.empty() ? "" : ", ", act.series[q].unit);
       panel.log_y = !act.series.empty() && act.series[q].log_y;
-      for (std::size_t r = 0; r < results.size(); ++r) {
-        const Result& result = results[r];
+      for (const Result& result : results) {
         if (result.variant->scene != a) continue;
-        Curve curve{shown_name(*result.variant), {}, {}, colour_of(*result.variant, r), Curve::Style::line};
+        Curve curve{shown_name(*result.variant),
+                    {},
+                    {},
+                    line_colour(static_cast<std::size_t>(result.variant->colour)),
+                    Curve::Style::line};
         for (std::size_t i = 0; i < result.samples.size(); ++i) {
           curve.x.push_back(result.samples[i].time);
           curve.y.push_back(act.series.empty() ? 1000 * result.samples[i].overlap
@@ -122,7 +126,8 @@ std::string Experiment::numbers_table(const std::vector<Result>& results) const 
     std::string body;
     for (const Result& result : results) {
       if (result.variant->scene != a) continue;
-      body += fmt::format("| {} |", shown_name(*result.variant));
+      body += fmt::format("| {} {} |", marker_of(static_cast<std::size_t>(result.variant->colour)),
+                          shown_name(*result.variant));
       for (std::size_t i = 0; i < act.numbers.size(); ++i) {
         body += fmt::format(" {}", in_words(result.numbers[i], act.numbers[i].unit));
         const auto should = result.variant->expected.find(act.numbers[i].name);
@@ -141,24 +146,6 @@ std::string Experiment::numbers_table(const std::vector<Result>& results) const 
 }
 
 namespace {
-
-/// What the dots, arrows and colours mean, as far as the pictures have them.
-std::vector<SheetLegend> legend(const std::set<ContactState>& seen, bool sleepers) {
-  const bool friction = seen.count(ContactState::sticking) + seen.count(ContactState::sliding) > 0;
-  const bool memory = seen.count(ContactState::warm) > 0 || (friction && seen.count(ContactState::fresh) > 0);
-  std::vector<SheetLegend> entries;
-  const auto add = [&](ContactState state, const std::string& text) {
-    if (seen.count(state) > 0) entries.push_back({contact_ink(state), text});
-  };
-  add(ContactState::fresh, memory ? "contact point: new in this step" : "contact point");
-  add(ContactState::warm, "contact point: kept from the step before");
-  add(ContactState::sticking, "contact point: sticking");
-  add(ContactState::sliding, "contact point: sliding");
-  if (!seen.empty()) entries.push_back({normal_arrow_ink(), "arrow: normal impulse"});
-  if (friction) entries.push_back({friction_arrow_ink(), "arrow: friction impulse"});
-  if (sleepers) entries.push_back({asleep_ink(), "body: asleep"});
-  return entries;
-}
 
 std::string sample_line(const Sample& s) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", s.time, s.kinetic_energy, s.potential_energy,
@@ -203,44 +190,74 @@ void Experiment::report(std::vector<Result>& results, const fs::path& folder) co
     if (!result.mishap.empty()) fmt::print("{}: {}\n", result.variant->name, result.mishap);
   }
   if (no_images_) return;
-  draw_sheet(results, folder);
+  draw_sheets(results, folder);
   write_plot(folder / "plot.png", panels(results));
-  fmt::print("\n{}\n{}\n", (folder / "sheet.png").string(), (folder / "plot.png").string());
+  fmt::print("\n{}\n", (folder / "plot.png").string());
 }
 
-void Experiment::draw_sheet(std::vector<Result>& results, const fs::path& folder) const {
-  std::set<ContactState> states;
-  bool sleepers = false;
-  for (const Result& result : results) {
-    states.insert(result.states.begin(), result.states.end());
-    sleepers = sleepers || result.sleepers;
-  }
-  std::vector<SheetGroup> groups;
+std::string Experiment::sheet_file(std::size_t act) const {
+  const bool first = std::none_of(acts_.begin(), acts_.begin() + static_cast<std::ptrdiff_t>(act),
+                                  [](const Act& earlier) { return earlier.scene.pictures; });
+  return first ? "sheet.png" : fmt::format("sheet_{}.png", key_of(acts_[act].scene));
+}
+
+void Experiment::draw_sheets(std::vector<Result>& results, const fs::path& folder) const {
+  std::set<fs::path> drawn;
   for (std::size_t a = 0; a < acts_.size(); ++a) {
-    SheetGroup group{acts_.size() > 1 ? acts_[a].scene.name : "", {}};
-    for (std::size_t r = 0; r < results.size(); ++r) {
-      Result& result = results[r];
-      if (result.variant->scene != a || result.cells.empty()) continue;
-      SheetRow row{shown_name(*result.variant),
-                   ink_of(colour_of(*result.variant, r)),
-                   {},
-                   std::move(result.cells),
-                   std::move(result.cell_notes)};
-      for (std::size_t i = 0; i < acts_[a].numbers.size(); ++i) {
-        const Number& number = acts_[a].numbers[i];
-        const auto should = result.variant->expected.find(number.name);
-        row.numbers.push_back(
-            {fmt::format("{}: {}", number.name, in_words(result.numbers[i], number.unit)),
-             should == result.variant->expected.end() ? "" : "should be " + in_words(should->second, number.unit)});
-      }
-      group.rows.push_back(std::move(row));
-    }
-    if (!group.rows.empty()) groups.push_back(std::move(group));
+    const std::optional<Sheet> sheet = sheet_of(a, results);
+    if (!sheet) continue;
+    const fs::path file = folder / sheet_file(a);
+    write_png(file, make_sheet(*sheet));
+    if (file.filename() == "sheet.png") write_png(folder / "thumbnail.png", make_thumbnail(*sheet));
+    drawn.insert(file);
+    fmt::print("\n{}", file.string());
   }
-  write_png(folder / "sheet.png",
-            make_sheet(fmt::format("{}  ·  step {:.4g} s, {} sweeps unless said", name_, dt_, sweeps_), question_,
-                       groups, legend(states, sleepers)));
-  if (!groups.empty()) write_png(folder / "thumbnail.png", make_thumbnail(groups.front()));
+  if (!only_.empty()) return;
+  std::vector<fs::path> stale;  // of scenes that there were
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().filename().string().starts_with("sheet_") && !drawn.contains(entry.path()))
+      stale.push_back(entry.path());
+  }
+  for (const fs::path& file : stale) fs::remove(file);
+}
+
+/// None where the scene has no pictures.
+std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& results) const {
+  const Scene& scene = acts_[act].scene;
+  Sheet sheet{.question = question_,
+              .scene = acts_.size() > 1 ? scene.name : "",
+              .caption = scene.caption,
+              .foot = fmt::format("{} · step {:.4g} s, {} sweeps unless said", name_, dt_, sweeps_),
+              .start = {},
+              .legend = {},
+              .raster = scene.raster,
+              .wide = scene.strobe.has_value(),
+              .rows = {}};
+  Legend legend;
+  for (Result& result : results) {
+    if (result.variant->scene != act || result.cells.empty()) continue;
+    const Variant& variant = *result.variant;
+    legend.add(result.legend);
+    if (result.start) sheet.start = std::move(result.start);
+    SheetRow row{marker_of(static_cast<std::size_t>(variant.colour)),
+                 shown_name(variant),
+                 ink_of(line_colour(static_cast<std::size_t>(variant.colour))),
+                 {},
+                 std::move(result.cells),
+                 std::move(result.cell_notes),
+                 std::move(result.raster)};
+    for (std::size_t i = 0; i < acts_[act].numbers.size(); ++i) {
+      const Number& number = acts_[act].numbers[i];
+      const auto should = variant.expected.find(number.name);
+      row.numbers.push_back(
+          {fmt::format("{}: {}", number.name, in_words(result.numbers[i], number.unit)),
+           should == variant.expected.end() ? "" : "should be " + in_words(should->second, number.unit)});
+    }
+    sheet.rows.push_back(std::move(row));
+  }
+  if (sheet.rows.empty()) return {};
+  sheet.legend = legend.entries();
+  return sheet;
 }
 
 }  // namespace pushback

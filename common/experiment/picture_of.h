@@ -6,8 +6,17 @@
 
 namespace pushback {
 
-/// `arrow`: metres to draw for an impulse of 1 N s; arrows longer than 1.5 times the body's size are cut to it.
+/// `arrow`: metres to draw for an impulse of 1 N s; arrows longer than 1.5 times the body's size are cut to it, and those
+/// that would be lost under their contact's dot are left out. Dots and shafts have one size on the picture, wherever they
+/// are, unless that were large beside a typical body.
 Picture picture_of(const World& world, const Camera& camera, Real arrow);
+
+/// Adds what moves in another world, with its joints, contacts and arrows, all of it moved by `shift`, m.
+void add_moving(Picture& picture, const World& world, Real arrow, const Vec3& shift);
+
+/// The world, each movable body displaced and turned `times` as far from where it is in `start` as it is. Contact points
+/// move with the body A that they lie on, or with B where A cannot move.
+World magnified(const World& world, const World& start, Real times);
 
 /// Metres for 1 N s such that the impulse which holds an average body against gravity for `dt` seconds is drawn about
 /// as long as that body; where there is no gravity, such that it fits a speed of 1 m/s.

@@ -1,103 +1,153 @@
 #include "pushback/common/experiment/sheet.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+
+#include "pushback/common/experiment/sheet_raster.h"
 
 namespace pushback {
 
 namespace {
 
-constexpr int margin = 36, gap = 10, label_width = 480, title_height = 112, group_height = 62, legend_height = 66;
-constexpr Ink dark{28, 32, 40}, grey{104, 112, 124}, pale{222, 226, 232};
+constexpr int margin = 40, gap = 10, right_edge = margin + strip_width;
+constexpr Ink dark{28, 32, 40}, dark_grey{66, 72, 84}, grey{104, 112, 124}, pale{222, 226, 232}, white{255, 255, 255};
 
-int write_wrapped(Image& sheet, const std::string& text, int x, int y, float size, Ink ink, int width, bool bold) {
-  for (const std::string& line : wrapped(text, size, width, bold)) {
-    write_text(sheet, line, x, y, size, ink, Align::left, bold);
-    y += static_cast<int>(size * 1.22F);
+int high(const Image& image, int wide) {
+  return image.height * wide / image.width;
+}
+
+/// Draws from the top down. Whoever wants to know how high a sheet will be draws it on an image of one pixel.
+class Drawing {
+ public:
+  explicit Drawing(Image& onto) : image_(onto) {}
+
+  int draw(const Sheet& sheet) {
+    head(sheet);
+    for (const SheetRow& row : sheet.rows) {
+      fill_rectangle(image_, margin, y_, strip_width, 2, pale);
+      y_ += 14;
+      label(row);
+      cells(row, sheet.wide);
+      if (sheet.raster && !row.raster.empty()) y_ = draw_raster(image_, *sheet.raster, row.raster, margin, y_ + 8);
+      y_ += 24;
+    }
+    return y_ + margin - 24;
   }
-  return y;
-}
 
-void draw_label(Image& sheet, const SheetRow& row, int y) {
-  fill_disc(sheet, margin + 9.0F, static_cast<float>(y) + 19.0F, 8, row.colour);
-  int line = write_wrapped(sheet, row.name, margin + 28, y + 26, 24, dark, label_width - 44, true) + 4;
-  for (const SheetNumber& number : row.numbers) {
-    const int used = text_width(number.text, 20) + 12;
-    const bool beside = used + text_width(number.expected, 18) <= label_width - 44;
-    if (beside) write_text(sheet, number.expected, margin + 28 + used, line, 18, grey);
-    line = write_wrapped(sheet, number.text, margin + 28, line, 20, dark, label_width - 44, false);
-    if (!beside) line = write_wrapped(sheet, number.expected, margin + 28, line, 18, grey, label_width - 44, false);
-    line += 6;
+ private:
+  /// Lines of text from the height of their top on.
+  void lines(const std::string& text, float size, Ink ink, int width, bool bold, int after) {
+    const int line = static_cast<int>(std::lround(size * 1.22F));
+    for (const std::string& one : wrapped(text, size, width, bold)) {
+      write_text(image_, one, margin, y_ + static_cast<int>(size * 0.86F), size, ink, Align::left, bold);
+      y_ += line;
+    }
+    if (!text.empty()) y_ += after;
   }
-}
 
-int height_of(const SheetGroup& group) {
-  int height = group.title.empty() ? 0 : group_height;
-  for (const SheetRow& row : group.rows) height += row.cells.front().height + gap;
-  return height;
-}
+  void head(const Sheet& sheet) {
+    const int width = sheet.start ? 2 * cell_width + gap - 20 : strip_width;
+    y_ = margin - 4;
+    lines(sheet.question, 40, dark, width, true, 10);
+    lines(sheet.scene, 28, dark, width, true, 6);
+    lines(sheet.caption, 24, dark_grey, width, false, 10);
+    legend(sheet.legend, margin + width);
+    lines(sheet.foot, 18, grey, width, false, 0);
+    if (sheet.start) {
+      cell(*sheet.start, right_edge - cell_width, margin, cell_width,
+           sheet.rows.size() > 1 ? "t = 0: all rows start like this" : "t = 0");
+      y_ = std::max(y_, margin + high(*sheet.start, cell_width));
+    }
+    y_ += 20;
+  }
+
+  void legend(const std::vector<LegendEntry>& entries, int right) {
+    if (entries.empty()) return;
+    constexpr int line = 32;
+    int x = margin;
+    for (const LegendEntry& entry : entries) {
+      const int sign = entry.kind == LegendEntry::Kind::arrow ? 44 : 26, wide = sign + text_width(entry.text, 20);
+      if (x > margin && x + wide > right) {
+        x = margin;
+        y_ += line;
+      }
+      const float middle = static_cast<float>(y_) + 14, left = static_cast<float>(x);
+      if (entry.kind == LegendEntry::Kind::arrow) {
+        draw_arrow(image_, {left, middle}, {left + 34, middle}, 4.5F, entry.colour);
+      } else if (entry.kind == LegendEntry::Kind::body) {
+        fill_rectangle(image_, x, y_ + 5, 18, 18, entry.colour);
+      } else {
+        fill_disc(image_, left + 9, middle, 9, dark);  // a rim, since one of the colours is white
+        fill_disc(image_, left + 9, middle, 7.2F, entry.colour);
+      }
+      write_text(image_, entry.text, x + sign, y_ + 21, 20, dark);
+      x += wide + 30;
+    }
+    y_ += line + 4;
+  }
+
+  /// The name, and the numbers behind it, in as many lines as they take.
+  void label(const SheetRow& row) {
+    constexpr int line = 36;
+    const int left = margin + 34;
+    write_text(image_, row.marker, margin + 12, y_ + 26, 30, row.colour, Align::centre);
+    write_text(image_, row.name, left, y_ + 26, 28, dark, Align::left, true);
+    int x = left + text_width(row.name, 28, true) + 32;
+    for (const SheetNumber& number : row.numbers) {
+      const std::string expected = number.expected.empty() ? "" : fmt::format(" ({})", number.expected);
+      const int first = text_width(number.text, 22), wide = first + text_width(expected, 22);
+      if (x > left && x + wide > right_edge) {
+        x = left;
+        y_ += line;
+      }
+      write_text(image_, number.text, x, y_ + 26, 22, dark);
+      write_text(image_, expected, x + first + 6, y_ + 26, 22, grey);
+      x += wide + 6 + 32;
+    }
+    y_ += line + 6;
+  }
+
+  void cells(const SheetRow& row, bool wide) {
+    const int width = wide ? strip_width : cell_width;
+    for (std::size_t i = 0; i < row.cells.size(); ++i)
+      cell(row.cells[i], margin + static_cast<int>(i) * (width + gap), y_, width, row.cell_notes[i]);
+    y_ += high(row.cells.front(), width);
+  }
+
+  void cell(const Image& picture, int x, int y, int width, const std::string& note) {
+    const int height = high(picture, width);
+    if (picture.width == width) paste(picture, image_, x, y);
+    else paste(picture, image_, x, y, width, height);
+    fill_rectangle(image_, x + 8, y + height - 36, text_width(note, 20) + 16, 28, white, 0.72F);
+    write_text(image_, note, x + 16, y + height - 15, 20, dark);
+  }
+
+  Image& image_;
+  int y_ = 0;
+};
 
 }  // namespace
 
-Image make_thumbnail(const SheetGroup& group) {
-  constexpr int between = 4;
-  const Image& first = group.rows.front().cells.back();
-  const int wide = first.width * 2 / 3;
-  const int high = first.height * 2 / 3;
-  const int count = static_cast<int>(std::min<std::size_t>(group.rows.size(), 3));
-  Image thumbnail(3 * wide + 2 * between, high, 255);
-  for (int i = 0; i < count; ++i) {
-    const int x = i * (wide + between) + (3 - count) * (wide + between) / 2;
-    paste(group.rows[static_cast<std::size_t>(i)].cells.back(), thumbnail, x, 0, wide, high);
-  }
-  return thumbnail;
+Image make_sheet(const Sheet& sheet) {
+  Image nothing(1, 1);
+  Image image(2 * margin + strip_width, Drawing(nothing).draw(sheet));
+  Drawing(image).draw(sheet);
+  return image;
 }
 
-Image make_sheet(const std::string& title, const std::string& question, const std::vector<SheetGroup>& groups,
-                 const std::vector<SheetLegend>& legend) {
-  int width = 0;
-  int height = title_height + legend_height;
-  for (const SheetGroup& group : groups) {
-    height += height_of(group);
-    for (const SheetRow& row : group.rows) {
-      const int columns = static_cast<int>(row.cells.size());
-      width = std::max(width, 2 * margin + label_width + columns * (row.cells.front().width + gap) - gap);
-    }
+Image make_thumbnail(const Sheet& sheet) {
+  constexpr int between = 4, width = 234;
+  const Image& first = sheet.rows.front().cells.back();
+  if (sheet.wide) return resized(first, 3 * width + 2 * between, high(first, 3 * width + 2 * between));
+  const int count = static_cast<int>(std::min<std::size_t>(sheet.rows.size(), 3));
+  Image thumbnail(3 * width + 2 * between, high(first, width));
+  for (int i = 0; i < count; ++i) {
+    const int x = i * (width + between) + (3 - count) * (width + between) / 2;
+    paste(sheet.rows[static_cast<std::size_t>(i)].cells.back(), thumbnail, x, 0, width, thumbnail.height);
   }
-  Image sheet(width, height, 255);
-  write_text(sheet, question, margin, 56, 38, dark, Align::left, true);
-  write_text(sheet, title, margin, 92, 21, grey);
-
-  int y = title_height;
-  for (const SheetGroup& group : groups) {
-    if (!group.title.empty()) {
-      fill_rectangle(sheet, margin, y + 6, width - 2 * margin, 2, pale);
-      write_text(sheet, group.title, margin, y + 42, 27, dark, Align::left, true);
-      y += group_height;
-    }
-    for (const SheetRow& row : group.rows) {
-      draw_label(sheet, row, y);
-      for (std::size_t column = 0; column < row.cells.size(); ++column) {
-        const Image& cell = row.cells[column];
-        const int x = margin + label_width + static_cast<int>(column) * (cell.width + gap);
-        paste(cell, sheet, x, y);
-        const std::string& note = row.cell_notes[column];
-        fill_rectangle(sheet, x + 6, y + cell.height - 30, text_width(note, 18) + 12, 24, {255, 255, 255}, 0.7F);
-        write_text(sheet, note, x + 12, y + cell.height - 12, 18, dark);
-      }
-      y += row.cells.front().height + gap;
-    }
-  }
-
-  int x = margin;
-  for (const SheetLegend& entry : legend) {
-    const float centre = static_cast<float>(height) - 31;
-    fill_disc(sheet, static_cast<float>(x) + 8, centre, 8.5F, dark);  // a rim, since one of the colours is white
-    fill_disc(sheet, static_cast<float>(x) + 8, centre, 7, entry.colour);
-    x += 24;
-    write_text(sheet, entry.text, x, height - 25, 19, grey);
-    x += text_width(entry.text, 19) + 30;
-  }
-  return sheet;
+  return thumbnail;
 }
 
 }  // namespace pushback

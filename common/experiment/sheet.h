@@ -1,42 +1,46 @@
-/// The comparison sheet: a row per variant, a column per instant, the measured numbers beside each row.
+/// The comparison sheet of one scene, 1600 pixels wide: the question and what to look for, then a row per variant, its
+/// measured numbers above its pictures.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "pushback/common/render/canvas.h"
+#include "pushback/common/experiment/legend.h"
+#include "pushback/common/experiment/scene.h"
 #include "pushback/common/render/image.h"
 
 namespace pushback {
 
+inline constexpr int cell_width = 500;    ///< pixels; three stand in a row
+inline constexpr int strip_width = 1520;  ///< of what takes a whole row
+
 struct SheetNumber {
-  std::string text;      ///< "rebound speed  0.31 m/s"
-  std::string expected;  ///< "should be 0", or empty
+  std::string text;      ///< "rebound speed: 0.31 m/s"
+  std::string expected;  ///< "should be 0 m/s", or empty
 };
 
 struct SheetRow {
-  std::string name;
+  std::string marker, name;
   Ink colour;  ///< of the variant, as in the plot
   std::vector<SheetNumber> numbers;
-  std::vector<Image> cells;             ///< all of one size
-  std::vector<std::string> cell_notes;  ///< "t = 0.50 s"
+  std::vector<Image> cells;              ///< all of one size; pasted cell_width wide
+  std::vector<std::string> cell_notes;   ///< "t = 0.50 s"
+  std::vector<std::vector<int>> raster;  ///< a column per step, as Raster::of gives it
 };
 
-/// Rows that share a scene.
-struct SheetGroup {
-  std::string title;
+struct Sheet {
+  std::string question, scene, caption, foot;  ///< each but the question may be empty
+  std::optional<Image> start;                  ///< a cell
+  std::vector<LegendEntry> legend;
+  std::optional<Raster> raster;  ///< what the rows' are
+  bool wide = false;             ///< the cells are strips
   std::vector<SheetRow> rows;
 };
 
-struct SheetLegend {
-  Ink colour;
-  std::string text;
-};
+Image make_sheet(const Sheet& sheet);
 
-/// The sheet in brief, for a table of contents: how each of the first three variants ends, side by side.
-Image make_thumbnail(const SheetGroup& group);
-
-Image make_sheet(const std::string& title, const std::string& question, const std::vector<SheetGroup>& groups,
-                 const std::vector<SheetLegend>& legend);
+/// The sheet in brief, for a table of contents: how each of the first three variants ends, side by side; of strips the first.
+Image make_thumbnail(const Sheet& sheet);
 
 }  // namespace pushback

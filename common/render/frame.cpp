@@ -39,6 +39,13 @@ float phase_of(Real metres) {
   return static_cast<float>(std::remainder(static_cast<double>(metres), static_cast<double>(checker_period)));
 }
 
+/// The turn of y onto a unit vector, by the half-way quaternion (1 + y . d, y x d).
+std::array<float, 4> turn_onto(const Vector3f& direction) {
+  Eigen::Quaternionf turn(1 + direction.y(), direction.z(), 0, -direction.x());
+  turn = direction.y() < -0.9999f ? Eigen::Quaternionf(0, 1, 0, 0) : turn.normalized();
+  return {turn.x(), turn.y(), turn.z(), turn.w()};
+}
+
 bool drawable(const Solid& solid) {
   // A simulation that blew up is still to be looked at: what has left for infinity is left out.
   constexpr Real limit = Real(1e9);
@@ -67,6 +74,7 @@ Frame::Frame(const Picture& picture) {
   for (const Solid& solid : picture.solids) {
     if (drawable(solid)) add(solid, camera.eye);
   }
+  for (const Line& line : picture.lines) add(line, camera.eye);
   for (const Arrow& arrow : picture.arrows) add(arrow, camera.eye);
   for (const Dot& dot : picture.dots) {
     if (!dot.position.allFinite()) continue;
@@ -114,6 +122,14 @@ void Frame::add(const Solid& solid, const Vec3& eye) {
   }
 }
 
+void Frame::add(const Line& line, const Vec3& eye) {
+  const Vector3f middle = ((line.from + line.to) / 2 - eye).cast<float>(), way = (line.to - line.from).cast<float>();
+  const float length = way.norm(), radius = static_cast<float>(line.thickness) / 2;
+  if (!(length > 0) || !std::isfinite(length) || !middle.allFinite() || !(radius > 0)) return;
+  // A little longer at both ends, so that two that meet at a corner close it.
+  shafts.push_back({middle, 0, turn_onto(way / length), {radius, length / 2 + radius / 2, radius}, rgb(line.colour)});
+}
+
 void Frame::add(const Arrow& arrow, const Vec3& eye) {
   const Vector3f tail = (arrow.tail - eye).cast<float>(), shaft = (arrow.tip - arrow.tail).cast<float>();
   const float length = shaft.norm();
@@ -123,10 +139,7 @@ void Frame::add(const Arrow& arrow, const Vec3& eye) {
   constexpr float base = 1.25f;  // radius of the head's base over the shaft's diameter
   const float thickness = std::min(static_cast<float>(arrow.thickness), length / (1.5f * base * head_slimness));
   const float head = base * head_slimness * thickness;
-  // The turn of y onto the direction, by the half-way quaternion (1 + y . d, y x d).
-  Eigen::Quaternionf turn(1 + direction.y(), direction.z(), 0, -direction.x());
-  turn = direction.y() < -0.9999f ? Eigen::Quaternionf(0, 1, 0, 0) : turn.normalized();
-  const std::array<float, 4> turned = {turn.x(), turn.y(), turn.z(), turn.w()};
+  const std::array<float, 4> turned = turn_onto(direction);
   const float rest = (length - head) / 2;
   shafts.push_back({tail + rest * direction, 0, turned, {thickness / 2, rest, thickness / 2}, rgb(arrow.colour)});
   heads.push_back({tail + (length - head / 2) * direction,
@@ -184,7 +197,7 @@ void Frame::choose_depths() {
       farthest = std::max(farthest, depth + reach);
     }
   };
-  for (const auto* solids : {&boxes, &balls, &heads, &dots}) include(*solids);
+  for (const auto* solids : {&boxes, &balls, &shafts, &heads, &dots}) include(*solids);
   for (const HullInstances& hull : hulls) include(hull.instances);
   for (const Plane& plane : planes) farthest = std::max(farthest, 3 * plane.fade);
   near = std::clamp(0.9f * nearest, 0.01f * scale, 0.5f * scale);

@@ -54,6 +54,7 @@ struct Frame {
 
  private:
   void add(const Solid& solid, const Vec3& eye);
+  void add(const Line& line, const Vec3& eye);
   void add(const Arrow& arrow, const Vec3& eye);
   void add_plane(const Vec3& normal, const Vec3& point);
   void choose_depths();

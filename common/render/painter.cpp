@@ -202,7 +202,8 @@ void Painter::State::draw_marks(const Frame& frame) const {
   // What is only a few pixels wide needs few corners.
   const auto widest = [&](const std::vector<Instance>& marks) {
     float radius = 0;
-    for (const Instance& one : marks) radius = std::max(radius, one.radius / one.position.norm());
+    for (const Instance& one : marks)
+      radius = std::max(radius, (one.radius + one.half_extents.x()) / one.position.norm());
     return radius * static_cast<float>(height) / frame.field_of_view;
   };
   const float dot_radius = widest(frame.dots);

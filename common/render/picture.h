@@ -1,6 +1,8 @@
 /// What is to be drawn, said without a word of OpenGL.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "pushback/common/basics/types.h"
@@ -11,12 +13,21 @@ namespace pushback {
 /// Linear light, each channel from 0 to 1.
 struct Colour {
   float red = 0, green = 0, blue = 0;
+  bool operator==(const Colour&) const = default;
 };
 
 struct Camera {
   Vec3 eye{6, 4, 8};               ///< m
   Vec3 target{0, 1, 0};            ///< m, what it looks at
   Real field_of_view = Real(0.6);  ///< rad, from the bottom of the picture to its top
+
+  /// m, from the bottom of the picture to its top at the depth of a point: what is to have one size on the picture is a
+  /// fraction of this. Of a point beside or behind the eye, that of one just before it.
+  Real height_at(const Vec3& point) const {
+    const Vec3 ahead = target - eye;
+    const Real depth = std::max(Real(0.01) * ahead.norm(), ahead.normalized().dot(point - eye));
+    return 2 * depth * std::tan(field_of_view / 2);
+  }
 };
 
 /// A solid at a place. The shape is that of the body; a half-space is drawn as the checker floor (cells of 1 m), or, where
@@ -35,6 +46,13 @@ struct Arrow {
   Colour colour;
 };
 
+/// A thin line (m, world axes); drawn without a shadow, and faintly through the bodies.
+struct Line {
+  Vec3 from, to;
+  Real thickness;  ///< m
+  Colour colour;
+};
+
 /// A small ball that marks a contact point; drawn without a shadow, and visible through the bodies.
 struct Dot {
   Vec3 position;
@@ -45,6 +63,7 @@ struct Dot {
 struct Picture {
   Camera camera;
   std::vector<Solid> solids;
+  std::vector<Line> lines;
   std::vector<Arrow> arrows;
   std::vector<Dot> dots;
 };

@@ -188,8 +188,8 @@ TEST_CASE("text off the image, or not UTF-8, does no harm") {
 TEST_CASE("every sign that the sheets use is in the font, also in bold") {
   for (const bool bold : {false, true}) {
     CHECK(missing_characters("a\U000F0000", bold) == 1);  // of private use
-    for (const char* sign : {"‖", "λ", "ₙ", "⁻", "⁵", "Δ", "μ", "β", "θ", "√", "°", "·",
-                             "²", "×", "≤", "≥", "±", "→", "ω", "ε", "–", "✓", "✗", "★"}) {
+    for (const char* sign : {"‖", "λ", "ₙ", "⁻", "⁵", "Δ", "μ", "β", "θ", "√", "°", "·", "²", "×", "≤",
+                             "≥", "±", "→", "ω", "ε", "–", "✓", "✗", "★", "●", "■", "▲", "◆", "▼", "✚"}) {
       INFO(sign << (bold ? " in bold" : ""));
       CHECK(missing_characters(sign, bold) == 0);
     }

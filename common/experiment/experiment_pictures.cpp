@@ -1,0 +1,119 @@
+/// The pictures of one variant: frames, the cells of its row, or one wide picture of many instants.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pushback/common/experiment/experiment_parts.h"
+#include "pushback/common/experiment/picture_of.h"
+
+namespace pushback {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int passes = 16;
+
+}  // namespace
+
+Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& start, Output& output, Result& result)
+    : experiment_(of),
+      variant_(of.variants_[index]),
+      scene_(of.acts_[variant_.scene].scene),
+      index_(index),
+      start_(start),
+      output_(output),
+      result_(result) {
+  const std::size_t steps = of.steps_of(scene_);
+  const Real seconds = static_cast<Real>(steps) * of.dt_;
+  // The impulses that a picture shows are those of the latest substep.
+  arrow_ = static_cast<Real>(variant_.substeps) * (scene_.arrow > 0 ? scene_.arrow : fitting_arrow(start, of.dt_));
+  if (!output.images() || !scene_.pictures) return;
+
+  const bool of_its_own = !scene_.instants.empty() && of.seconds_ == 0;
+  if (scene_.strobe) {
+    for (Real t = scene_.strobe->from; t <= seconds + of.dt_ / 2; t += scene_.strobe->every) cells_.insert(step_at(t));
+  } else {
+    for (const Real t : of_its_own ? scene_.instants : std::vector<Real>{seconds / 3, 2 * seconds / 3, seconds})
+      cells_.insert(std::min(steps, step_at(t)));
+    if (*cells_.rbegin() > 0) cells_.erase(0);
+    while (cells_.size() > 3) cells_.erase(cells_.begin());
+  }
+  for (int f = 0; f < of.frames_; ++f) {
+    frames_.insert(of.frames_ == 1 ? steps
+                                   : static_cast<std::size_t>(std::lround(
+                                         static_cast<double>(f) * static_cast<double>(steps) / (of.frames_ - 1))));
+  }
+  folder_ =
+      output.folder() / (of.acts_.size() > 1 ? slug(scene_.name) + "_" + slug(variant_.name) : slug(variant_.name));
+  fs::remove_all(folder_);  // frames of an earlier run, which may have had more of them
+  if (!frames_.empty()) fs::create_directories(folder_);
+  const bool first = std::none_of(of.variants_.begin(), of.variants_.begin() + static_cast<std::ptrdiff_t>(index),
+                                  [&](const Variant& one) { return one.scene == variant_.scene; });
+  if (first && scene_.start_shown && !scene_.strobe) result_.start = still(picture(start, 0), output.cell());
+  take(start, 0);
+}
+
+std::size_t Experiment::Shots::step_at(Real time) const {
+  return static_cast<std::size_t>(std::lround(time / experiment_.dt_));
+}
+
+World Experiment::Shots::as_drawn(const World& world) const {
+  return scene_.magnified == 1 ? world : magnified(world, start_, scene_.magnified);
+}
+
+Picture Experiment::Shots::picture(const World& world, std::size_t step) const {
+  const World drawn = as_drawn(world);
+  Picture made = picture_of(drawn, scene_.camera, arrow_);
+  if (scene_.marks) scene_.marks(made, drawn, static_cast<Real>(step) * experiment_.dt_);
+  return made;
+}
+
+Image Experiment::Shots::still(const Picture& of, Output::Size size) {
+  result_.legend.see(of);
+  return output_.painter(size).draw_still(of, passes);
+}
+
+void Experiment::Shots::take(const World& world, std::size_t step) {
+  const Real time = static_cast<Real>(step) * experiment_.dt_;
+  if (frames_.contains(step)) {
+    Image frame = output_.painter(output_.frame()).draw(picture(world, step));
+    write_text(frame, variant_.name, 14, 30, 20, {}, Align::left, true);
+    write_text(frame, fmt::format("t = {:.3f} s", time), 14, frame.height - 14, 18);
+    write_png(folder_ / fmt::format("frame_{:04}.png", frames_drawn_++), frame);
+    output_.progress(experiment_.name_, index_, variant_.name, frames_drawn_, frames_.size());
+  }
+  if (scene_.raster && step > 0 && output_.images() && scene_.pictures)
+    result_.raster.push_back(scene_.raster->of(world));
+  if (!cells_.contains(step)) return;
+  if (scene_.strobe) {
+    const World drawn = as_drawn(world);
+    if (strobe_) add_moving(*strobe_, drawn, arrow_, scene_.strobe->shift_per_second * (time - scene_.strobe->from));
+    else strobe_ = picture_of(drawn, scene_.camera, arrow_);
+    marked_ = drawn;
+    marked_at_ = time;
+  } else {
+    result_.cells.push_back(still(picture(world, step), output_.cell()));
+    result_.cell_notes.push_back(fmt::format("t = {:.3g} s", time) + how_magnified());
+  }
+}
+
+std::string Experiment::Shots::how_magnified() const {
+  return scene_.magnified == 1 ? "" : fmt::format(" · displacements × {:g}", scene_.magnified);
+}
+
+void Experiment::Shots::end() {
+  if (strobe_) {
+    if (scene_.marks) scene_.marks(*strobe_, marked_, marked_at_);
+    result_.cells.push_back(still(*strobe_, output_.strip(scene_.strobe->height)));
+    result_.cell_notes.push_back(fmt::format("every {:.3g} s, up to t = {:.3g} s", scene_.strobe->every, marked_at_) +
+                                 how_magnified());
+  }
+  while (!scene_.strobe && !result_.cells.empty() && result_.cells.size() < cells_.size()) {  // after a mishap
+    result_.cells.push_back(result_.cells.back());
+    result_.cell_notes.emplace_back("no longer a number");
+  }
+}
+
+}  // namespace pushback

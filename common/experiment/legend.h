@@ -1,0 +1,34 @@
+/// What dots, arrows and colours mean: as far as pictures have them.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "pushback/common/collision/contact.h"
+#include "pushback/common/render/canvas.h"
+#include "pushback/common/render/picture.h"
+
+namespace pushback {
+
+struct LegendEntry {
+  enum class Kind { dot, arrow, body };
+
+  Kind kind;
+  Ink colour;
+  std::string text;
+};
+
+class Legend {
+ public:
+  void see(const Picture& picture);
+  void add(const Legend& other);
+  /// Of what was seen.
+  std::vector<LegendEntry> entries() const;
+
+ private:
+  std::set<ContactState> dots_;
+  bool normal_arrows_ = false, friction_arrows_ = false, sleepers_ = false;
+};
+
+}  // namespace pushback

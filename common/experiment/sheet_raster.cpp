@@ -1,0 +1,65 @@
+#include "pushback/common/experiment/sheet_raster.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pushback/common/experiment/sheet.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr Ink dark{28, 32, 40}, grey{104, 112, 124}, empty{244, 246, 248};
+
+/// 1, 2 or 5 times a power of ten: about eight ticks on so many steps.
+int tick_of(int steps) {
+  const double rough = std::max(1.0, steps / 8.0), power = std::pow(10, std::floor(std::log10(rough)));
+  const double factor = rough / power;
+  return static_cast<int>(power * (factor <= 1 ? 1 : factor <= 2 ? 2 : factor <= 5 ? 5 : 10));
+}
+
+}  // namespace
+
+int draw_raster(Image& image, const Raster& raster, const std::vector<std::vector<int>>& columns, int x, int y) {
+  write_text(image, raster.label, x, y + 18, 20, dark);
+  int right = x + strip_width;
+  for (auto one = raster.meaning.rbegin(); one != raster.meaning.rend(); ++one) {
+    right -= text_width(one->second, 20);
+    write_text(image, one->second, right, y + 18, 20, dark);
+    right -= 26;
+    fill_rectangle(image, right, y + 3, 18, 18, one->first);
+    right -= 26;
+  }
+  y += 28;
+
+  std::size_t rows = 1;
+  for (const std::vector<int>& column : columns) rows = std::max(rows, column.size());
+  const int cell = std::clamp(120 / static_cast<int>(rows), 2, 20), height = static_cast<int>(rows) * cell;
+  const int steps = static_cast<int>(columns.size());
+  const auto edge = [&](int step) { return x + static_cast<int>(static_cast<long long>(step) * strip_width / steps); };
+  fill_rectangle(image, x, y, strip_width, height, empty);
+  for (int step = 0; step < steps; ++step) {
+    const std::vector<int>& column = columns[static_cast<std::size_t>(step)];
+    const int wide = std::max(1, edge(step + 1) - edge(step));
+    for (std::size_t row = 0; row < column.size(); ++row) {
+      if (column[row] < 0) continue;
+      const Ink ink = raster.meaning.at(static_cast<std::size_t>(column[row])).first;
+      fill_rectangle(image, edge(step), y + static_cast<int>(row) * cell, wide, cell, ink);
+    }
+  }
+  y += height;
+
+  const int tick = tick_of(steps);
+  for (int step = tick; step <= steps; step += tick) {
+    const int at = (edge(step - 1) + edge(step)) / 2;
+    fill_rectangle(image, at, y, 2, 6, grey);
+    const std::string text = step == tick ? fmt::format("step {}", step) : fmt::format("{}", step);
+    const bool last = at + text_width(text, 18) / 2 > x + strip_width;
+    write_text(image, text, last ? x + strip_width : at, y + 23, 18, grey, last ? Align::right : Align::centre);
+  }
+  return y + 26;
+}
+
+}  // namespace pushback
