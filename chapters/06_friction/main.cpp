@@ -111,7 +111,9 @@ int main(int argc, char** argv) {
                .x_label = "way along t₁, m",
                .y_label = "way along t₂, m",
                .curves = {circle(stop), resting_places(push, h, e.sweeps())},
-               .extra = fmt::format("set size ratio -1\nset xrange [0:{0}]\nset yrange [0:{0}]", shown)});
+               .x_range = {0, shown},
+               .y_range = {0, shown},
+               .equal_units = true});
     });
   });
 }

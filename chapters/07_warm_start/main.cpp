@@ -159,7 +159,7 @@ int main(int argc, char** argv) {
                      .y_label = "residual, m/s",
                      .log_x = true,
                      .log_y = true,
-                     .extra = "set arrow from graph 0, first 1e-3 to graph 1, first 1e-3 nohead dt 2 lc rgb '#888888'"};
+                     .lines = {{Real(1e-3), "1 mm/s"}}};
       Panel overlap{.title = tall + ", at rest",
                     .x_label = "sweeps",
                     .y_label = "deepest overlap, mm",

@@ -139,11 +139,15 @@ int main(int argc, char** argv) {
       Panel above{.title = "where planks stop, seen from above",
                   .x_label = "along t₁, m",
                   .y_label = "along t₂, m",
-                  .extra = fmt::format("set size ratio -1\nset xrange [-{0}:{0}]\nset yrange [-{0}:{0}]", shown)};
+                  .x_range = {-shown, shown},
+                  .y_range = {-shown, shown},
+                  .equal_units = true};
       Panel distance{.title = "how far planks come",
                      .x_label = "heading, degrees",
                      .y_label = "distance, m",
-                     .extra = fmt::format("set xrange [0:360]\nset xtics 45\nset yrange [{}:{}]", shown / 2, shown)};
+                     .x_range = {0, 360},
+                     .y_range = {shown / 2, shown},
+                     .extra = "set xtics 90"};
       for (Wheel& w :
            std::vector<Wheel>{turn_wheel<FullSolver>("pyramid", 0, half_length, push, h, e.sweeps()),
                               turn_wheel<ScaledBack>("scaled back", 1, half_length, push, h, e.sweeps()),
@@ -158,7 +162,9 @@ int main(int argc, char** argv) {
                .y_label = "friction off its direction by, degrees",
                .curves = {directions<FullSolver>("pyramid", 0, push), directions<ScaledBack>("scaled back", 1, push),
                           directions<Cone>("cone", 2, push), scaled_back_closed_form()},
-               .extra = "set xrange [0:180]\nset xtics 45\nset yrange [-1:50]"});
+               .x_range = {0, 180},
+               .y_range = {-1, 50},
+               .extra = "set xtics 45"});
     });
   });
 }

@@ -44,16 +44,18 @@ int main(int argc, char** argv) {
     e.number("the top has sunk by", "m", [gate](const Run& run) { return gate.height_lost_by_top(run.world); });
 
     e.study([&e, tall, stacked, ratio] {
-      const std::string upright = "set yrange [*:*] noreverse; set size noratio";  // after the patterns
       const Real h = e.dt();
       for (const auto& [name, fill] : {std::pair{"A of a stack of six", +[](World& world) { stack(world, 6); }},
                                        std::pair{"A of a pyramid of five", +[](World& world) { pyramid(world, 5); }}}) {
-        const Snapshot snapshot(fill, h);
+        const SparseRows matrix = matrix_of(Snapshot(fill, h).normals);
+        const auto last = static_cast<Real>(matrix.rows() - 1);
         e.panel({.title = name,
                  .x_label = "row",
                  .y_label = "row",
-                 .curves = {pattern(matrix_of(snapshot.normals))},
-                 .extra = "set yrange [*:*] reverse; set size ratio -1; set pointsize 0.4"});
+                 .curves = {pattern(matrix)},
+                 .x_range = {0, last},
+                 .y_range = {last, 0},  // downwards, as a matrix is written
+                 .equal_units = true});
       }
       Snapshot at_rest(stacked, h);
       const ContactProblem problem = problem_of(at_rest.world);
@@ -64,8 +66,7 @@ int main(int argc, char** argv) {
            .log_x = true,
            .log_y = true,
            .curves = {convergence(problem, "pgs", "pyramid", 0), convergence(problem, "scaled-back", "scaled back", 1),
-                      convergence(problem, "cone", "cone", 2), convergence(problem, "nscg", "cone, conjugate", 3)},
-           .extra = upright});
+                      convergence(problem, "cone", "cone", 2), convergence(problem, "nscg", "cone, conjugate", 3)}});
       const Fill ten_wide = [](World& world) { pyramid(world, 10); };
       const Fill heavy_on_four = [ratio](World& world) {
         stack(world, 4);
@@ -83,8 +84,7 @@ int main(int argc, char** argv) {
              .log_x = true,
              .log_y = true,
              .curves = {curve_of(found.correction, "corrective impulse", 0), curve_of(found.speed, "closing speed", 1),
-                        curve_of(found.error, "true error of a body's speed", 3)},
-             .extra = upright});
+                        curve_of(found.error, "true error of a body's speed", 3)}});
         for (const auto& [sign, values] :
              {std::pair{"corrective impulses", &found.correction}, std::pair{"closing speeds", &found.speed}}) {
           const int at = first_below(*values, small);

@@ -10,8 +10,9 @@
 ///   }
 ///
 /// leaves in OUT/my_experiment/: sheet.png (a row per variant, a column per instant; of each further scene sheet_KEY.png)
-/// and thumbnail.png, plot.png, metrics.csv (a row per variant and step) and numbers.md (the measured numbers beside what
-/// they should be); with --frames COUNT also SCENE_VARIANT/frame_0000.png and on.
+/// and thumbnail.png, plot.png (of more than four diagrams also plot_2.png and on), metrics.csv (a row per variant and
+/// step) and numbers.md (the measured numbers beside what they should be); with --frames COUNT also
+/// SCENE_VARIANT/frame_0000.png and on.
 #pragma once
 
 #include <deque>

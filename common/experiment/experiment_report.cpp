@@ -69,6 +69,22 @@ std::string Experiment::shown_name(const Variant& variant) const {
   return said ? variant.name : fmt::format("{}, {} sweeps", variant.name, sweeps_of(variant));
 }
 
+namespace {
+
+/// A motion that dies out ends at rounding noise: the axis ends before.
+constexpr Real decades_of_a_series = 7;
+
+Real floor_of(const Panel& panel) {
+  Real largest = 0;
+  for (const Curve& curve : panel.curves) {
+    for (const Real y : curve.y) largest = std::isfinite(y) ? std::max(largest, y) : largest;
+  }
+  return largest > 0 ? std::pow(Real(10), std::ceil(std::log10(largest)) - decades_of_a_series) : 0;
+}
+
+}  // namespace
+
+/// One curve with nothing to compare it with is left out where the scene has a number: it says as much.
 std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const {
   std::vector<Panel> all;
   for (std::size_t a = 0; a < acts_.size(); ++a) {
@@ -84,11 +100,8 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
       panel.log_y = !act.series.empty() && act.series[q].log_y;
       for (const Result& result : results) {
         if (result.variant->scene != a) continue;
-        Curve curve{shown_name(*result.variant),
-                    {},
-                    {},
-                    line_colour(static_cast<std::size_t>(result.variant->colour)),
-                    Curve::Style::line};
+        const auto index = static_cast<std::size_t>(result.variant->colour);
+        Curve curve{result.variant->name, {}, {}, line_colour(index), Curve::Style::line, marker_of(index)};
         for (std::size_t i = 0; i < result.samples.size(); ++i) {
           curve.x.push_back(result.samples[i].time);
           curve.y.push_back(act.series.empty() ? 1000 * result.samples[i].overlap
@@ -106,7 +119,9 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
           }
         }
       }
-      if (!panel.curves.empty()) all.push_back(std::move(panel));
+      if (panel.log_y) panel.floor = floor_of(panel);
+      const bool alone = panel.curves.size() == 1 && !act.numbers.empty() && only_.empty();
+      if (!panel.curves.empty() && !alone) all.push_back(std::move(panel));
     }
   }
   all.insert(all.end(), own_panels_.begin(), own_panels_.end());
@@ -191,8 +206,8 @@ void Experiment::report(std::vector<Result>& results, const fs::path& folder) co
   }
   if (no_images_) return;
   draw_sheets(results, folder);
-  write_plot(folder / "plot.png", panels(results));
-  fmt::print("\n{}\n", (folder / "plot.png").string());
+  fmt::print("\n");
+  for (const fs::path& plot : write_plot(folder / "plot.png", panels(results))) fmt::print("{}\n", plot.string());
 }
 
 std::string Experiment::sheet_file(std::size_t act) const {
