@@ -8,6 +8,7 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/experiment_parts.h"
 #include "pushback/common/experiment/kept_picture.h"
+#include "pushback/common/experiment/marker.h"
 #include "pushback/common/experiment/sheet.h"
 #include "pushback/common/render/palette.h"
 
@@ -144,7 +145,7 @@ std::string Experiment::numbers_table(const std::vector<Result>& results) const 
     std::string body;
     for (const Result& result : results) {
       if (result.variant->scene != a) continue;
-      body += fmt::format("| {} {} |", line_marker(static_cast<std::size_t>(result.variant->colour)),
+      body += fmt::format("| {} {} |", marker_of(static_cast<std::size_t>(result.variant->colour)),
                           shown_name(*result.variant));
       for (std::size_t i = 0; i < act.numbers.size(); ++i) {
         body += fmt::format(" {}", in_words(result.numbers[i], act.numbers[i].unit));
@@ -258,7 +259,7 @@ std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& 
     const Variant& variant = *result.variant;
     legend.add(result.legend);
     if (result.start) sheet.start = std::move(result.start);
-    SheetRow row{line_marker(static_cast<std::size_t>(variant.colour)),
+    SheetRow row{marker_of(static_cast<std::size_t>(variant.colour)),
                  shown_name(variant),
                  ink_of(line_colour(static_cast<std::size_t>(variant.colour))),
                  {},
