@@ -19,7 +19,7 @@ struct MirroredNormals : Effect {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       Contact mirrored = step.contacts[i];
       mirrored.normal.x() = -mirrored.normal.x();
-      step.rows[i] = row_of(step.world, mirrored, mirrored.normal, i);
+      step.rows[i] = Row(step.world, mirrored, mirrored.normal, i);
       push_apart(step.world, mirrored);
     }
   }

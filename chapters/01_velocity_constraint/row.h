@@ -32,6 +32,9 @@ struct Row : Jacobian {
       : Jacobian(jacobian), a(&first), b(&second), owner(index) {
     weigh();
   }
+  /// Of a contact, along a direction (unit, world axes): its normal, or a tangent.
+  Row(World& world, const Contact& at, const Vec3& direction, std::size_t index)
+      : Row(world.bodies_of(at), at.point, direction, index) {}
 
   /// M^-1 J^T and K, of J and of the bodies as they lie now.
   void weigh() {
@@ -73,14 +76,12 @@ struct Row : Jacobian {
   void solve() { reach(wanted()); }
   /// How far the row is from being solved, m/s: the change of J V that another `solve` would make.
   Real error() const { return std::abs(std::clamp(wanted(), lo, hi) - impulse) / effective_mass; }
+
+ private:
+  Row(const std::pair<Body&, Body&>& pair, const Vec3& point, const Vec3& direction, std::size_t index)
+      : Row(pair.first, pair.second, Jacobian::along(direction, pair.first, pair.second, point), index) {}
 };
 
 using Rows = std::vector<Row>;
-
-/// The row of a contact along a direction (unit, world axes): its normal, or a tangent.
-inline Row row_of(World& world, const Contact& at, const Vec3& direction, std::size_t index) {
-  const auto [a, b] = world.bodies_of(at);
-  return {a, b, Jacobian::along(direction, a, b, at.point), index};
-}
 
 }  // namespace pushback

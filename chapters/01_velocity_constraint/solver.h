@@ -79,7 +79,7 @@ class Solver : public StepSolver, public Effects... {
   void solve(auto& step, int sweeps) {
     rows_.clear();
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
-      rows_.push_back(row_of(step.world, step.contacts[i], step.contacts[i].normal, i));
+      rows_.emplace_back(step.world, step.contacts[i], step.contacts[i].normal, i);
       rows_.back().separation = -step.contacts[i].depth;
     }
     (Effects::touch(step), ...);

@@ -16,8 +16,8 @@ struct Friction : Effect {
       const Contact& at = step.contacts[i];
       if (at.friction == 0) continue;  // no rows where none can act
       const auto [tangent1, tangent2] = tangents_of(at.normal);
-      step.rows.push_back(row_of(step.world, at, tangent1, i));
-      step.rows.push_back(row_of(step.world, at, tangent2, i));
+      step.rows.emplace_back(step.world, at, tangent1, i);
+      step.rows.emplace_back(step.world, at, tangent2, i);
       mu_.push_back(at.friction);
     }
   }
@@ -29,7 +29,7 @@ struct Friction : Effect {
       for (int axis = 0; axis < 2; ++axis, ++tangent) {
         tangent->lo = -bound;
         tangent->hi = bound;
-        tangent->solve();
+        tangent->reach(tangent->impulse - tangent->effective_mass * tangent->speed());  // b = 0
       }
     }
     rows_solved += 2 * mu_.size();

@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// Instead of WarmStart. A blow is over in one step: to start the next one from its impulses would strike again. What the
+/// Instead of WarmStart. An impact is over in one step: to start the next one from its impulses would strike again. What the
 /// rows are to make small, and what no sweep over the normals raises, is
 ///
 ///   f(lambda) = lambda . A lambda / 2 + lambda . (J V + b),   A = J M^-1 J^T

@@ -72,8 +72,8 @@ Curve directions(const std::string& name, std::size_t colour, const Push& push) 
 Curve scaled_back_closed_form() {
   Curve curve{"between u and Kₜ⁻¹u", {}, {}, "#222222", Curve::Style::dashed};
   Stick stick(0);
-  const Row along = row_of(stick.world, stick.contact(), Vec3::UnitX(), 0),
-            across = row_of(stick.world, stick.contact(), -Vec3::UnitZ(), 0);
+  const Row along(stick.world, stick.contact(), Vec3::UnitX(), 0),
+      across(stick.world, stick.contact(), -Vec3::UnitZ(), 0);
   for (int degrees = -180; degrees <= 180; ++degrees) {
     const Real u1 = std::cos(static_cast<Real>(degrees) * pi / 180),
                u2 = std::sin(static_cast<Real>(degrees) * pi / 180);

@@ -40,7 +40,7 @@ struct SequentialImpacts : Effect {
     }
   }
 
- private:
+ protected:
   struct Bouncing {
     std::size_t row;
     Real restitution;

@@ -10,7 +10,8 @@ using namespace pushback::joints_under_load_scenes;
 
 namespace {
 
-using Warm = Solver<WarmJoints, Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart>;  // remembers the push too
+using Warm = Solver<WarmJoints, Clamping, Baumgarte, Slop, Restitution, Friction,
+                    WarmStart>;  // remembers the position correction too
 using Cold = Solver<Joints, Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart>;
 
 Real largest(const Run& run, const std::string& series) {
@@ -76,7 +77,8 @@ int main(int argc, char** argv) {
              .camera = {{4, 5, 12}, {0, Real(2.1), 0}},
              .seconds = 5,
              .instants = {0, Real(0.7), 5}});
-    e.variant(fmt::format("one step, β = {:.3g}, the push remembered", beta), with_joint_beta<Warm>(beta))
+    e.variant(fmt::format("one step, β = {:.3g}, the position correction remembered", beta),
+              with_joint_beta<Warm>(beta))
         .with_exactly(10);
     one();
     many();

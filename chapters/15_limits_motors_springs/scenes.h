@@ -123,7 +123,9 @@ inline int wheel_at(World& world, const Vec3& at, Real radius, Real mass) {
 /// `front` m before its middle.
 inline int hang(World& world, int wheel, Real radius, int side, Real mass, Real below, int colour, Real front = 0) {
   const Vec3 axle_at = world.bodies[std::size_t(wheel)].position;
-  const Real half = std::cbrt(mass / 1000) * Real(1.2);
+  // Volatile: of a mass that it knows, g++ would round the root otherwise than the library does, as its inlining decides.
+  const volatile Real volume = mass / 1000;
+  const Real half = std::cbrt(volume) * Real(1.2);
   const Vec3 hook = axle_at + Vec3(static_cast<Real>(side) * radius, -below, front);
   const int load = world.add(box(Vec3::Constant(half), mass).at(hook - Vec3(0, half, 0)).coloured(colour));
   world.joints.push_back(wound_rope(world, wheel, axle_at, Vec3::UnitZ(), radius,

@@ -17,9 +17,9 @@ inline void check(const std::string& joint, const Spring& spring) {
 
 /// K = J M^-1 J^T of an equation, 1/kg or 1/(kg m^2).
 inline Real k_of(const Body& a, const Body& b, const Equation& row) {
-  const auto& [n, ra_n, rb_n] = row.jacobian;
-  const Real linear = n.isZero(0) ? 0 : a.inverse_mass + b.inverse_mass;
-  return linear + ra_n.dot(a.inverse_inertia * ra_n) + rb_n.dot(b.inverse_inertia * rb_n);
+  const Jacobian& J = row.jacobian;
+  const Real linear = J.n.isZero(0) ? 0 : a.inverse_mass + b.inverse_mass;
+  return linear + J.ra_n.dot(a.inverse_inertia * J.ra_n) + J.rb_n.dot(b.inverse_inertia * J.rb_n);
 }
 
 /// The equation with a spring and a damper in the place of what held it rigidly; its error C is fed back by them alone.

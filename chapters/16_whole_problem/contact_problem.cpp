@@ -8,7 +8,7 @@ using Eigen::Index;
 
 namespace {
 
-/// || r - P_K(r - s) || / ||q||, each contact's r multiplied by its `scale`, its u and q divided by it.
+/// || r - Pi(r - s) || / ||q||, each contact's r multiplied by its `scale`, its u and q divided by it.
 double natural_map_error(const ContactProblem& problem, const Vector& r, const Vector& scale) {
   const Vector u = problem.speeds(r);
   double squared = 0, unit = 0;

@@ -33,7 +33,7 @@ struct ContactProblem {
 /// The point of the cone |r_t| <= mu r_n that is nearest to r. For mu = 0 the cone is the ray r_n >= 0, r_t = 0.
 Eigen::Vector3d projected_to_cone(const Eigen::Vector3d& r, double mu);
 
-/// || r - P_K(r - (u + mu |u_t| n)) || / ||q||, the natural map's error; not divided where q is 0. 0 exactly where r solves.
+/// || r - Pi(r - (u + mu |u_t| n)) || / ||q||, the natural map's error; not divided where q is 0. 0 exactly where r solves.
 /// Acary, Bremond and Huber, 2018, measure so. It adds N s and m/s, as the map does: r moves by 1 N s for 1 m/s. So its value depends on the units:
 /// of the same scene in grams it is another one.
 double relative_residual(const ContactProblem& problem, const Vector& r);

@@ -58,11 +58,11 @@ void project(const SparseRows& a, const Vector& b, Index i, double lo, double hi
 ContactProblem problem_of(World& world) {
   const Contacts& contacts = world.contacts;
   Rows rows;
-  for (std::size_t i = 0; i < contacts.size(); ++i) rows.push_back(row_of(world, contacts[i], contacts[i].normal, i));
+  for (std::size_t i = 0; i < contacts.size(); ++i) rows.emplace_back(world, contacts[i], contacts[i].normal, i);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Tangents tangents = tangents_of(contacts[i].normal);
-    rows.push_back(row_of(world, contacts[i], tangents.tangent1, i));
-    rows.push_back(row_of(world, contacts[i], tangents.tangent2, i));
+    rows.emplace_back(world, contacts[i], tangents.tangent1, i);
+    rows.emplace_back(world, contacts[i], tangents.tangent2, i);
   }
   return problem_of(contacts, rows);
 }

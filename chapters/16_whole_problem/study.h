@@ -18,7 +18,7 @@ struct Snapshot {
     fill(world);
     world.begin_step(dt);
     for (std::size_t i = 0; i < world.contacts.size(); ++i)
-      normals.push_back(row_of(world, world.contacts[i], world.contacts[i].normal, i));
+      normals.emplace_back(world, world.contacts[i], world.contacts[i].normal, i);
   }
 };
 

@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
         chains.push_back(curve_of(solved.left, fmt::format("{} links", count), chains.size()));
         const int sweeps = first_below(solved.left, 1e-2);
         e.remark(fmt::format(
-            "a chain of {} links: below 1 % after {} sweeps, {} row solves; at once, {} numbers in L, {:.0e}", count,
+            "a chain of {} links: below 1 % after {} sweeps, {} row solves; directly, {} numbers in L, {:.0e}", count,
             sweeps, static_cast<std::size_t>(sweeps) * solved.rows, solved.numbers, solved.at_once));
       }
       e.panel({.title = "chains let go at 45°",

@@ -165,7 +165,7 @@ Motion hanging(const std::string& name, const std::string& title, int links, Rea
           .most_passes = links == 0 ? 4096 : 1024};
 }
 
-/// Fifteen balls with gaps between them, and one that comes: no two blows at the same time, so the truth can be worked out.
+/// Fifteen balls with gaps between them, and one that comes: no two impacts at the same time, so the truth can be worked out.
 Motion billiard_break() {
   constexpr Real radius = Real(0.1), gap = Real(0.01), e = Real(0.95), speed = 5;
   const auto fill = [=](World& world) {

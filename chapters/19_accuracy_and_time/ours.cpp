@@ -20,7 +20,7 @@ using Split = CorrectingSolver<Clamping, SplitImpulse, Restitution, FrictionCone
 using Nonlinear = CorrectingSolver<Clamping, NonlinearGaussSeidel, Restitution, FrictionCone, WarmStart>;
 using Soft = RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>;
 using SteadyCold = RelaxingSolver<Clamping, SoftContacts, SimultaneousImpacts, FrictionCone>;
-using AtOnce = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmDirectContacts>;
+using Direct = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmDirectContacts>;
 
 class Ours : public Player {
  public:
@@ -85,12 +85,12 @@ int main(int argc, char** argv) {
       method<Soft>("soft", "soft contacts, cone"),
       method<SteadySolver>("steady", "all together"),
       method<SteadyCold>("steady-cold", "all together, cold"),
-      method<AtOnce>("at-once", "all contacts solved directly, on a seat"),
+      method<Direct>("direct-contacts", "all contacts solved directly, on a seat"),
       method<Solver<Joints>>("joints", "joints, cold"),
       method<Solver<WarmJoints>>("warm-joints", "joints, warm"),
       method<Solver<SplitJoints>>("split-joints", "joints, split impulse"),
       method<Solver<SteadyJoints>>("steady-joints", "joints, twenty passes"),
-      method<Solver<DirectJoints>>("global-joints", "all joints solved directly"),
+      method<Solver<DirectJoints>>("direct-joints", "all joints solved directly"),
   };
   const std::string version =
       fmt::format("Pushback, {}; {}", std::is_same_v<Real, float> ? "float" : "double", built_by());

@@ -138,9 +138,9 @@ std::vector<Places> places_of_colliding(Places at, Places velocities, double rad
       left -= next;
       if (first == second) break;
       const Eigen::Vector3d n = (at[second] - at[first]).normalized();
-      const Eigen::Vector3d blow = (1 + e) / 2 * n.dot(velocities[first] - velocities[second]) * n;
-      velocities[first] -= blow;
-      velocities[second] += blow;
+      const Eigen::Vector3d impact = (1 + e) / 2 * n.dot(velocities[first] - velocities[second]) * n;
+      velocities[first] -= impact;
+      velocities[second] += impact;
     }
     found.push_back(at);
   }

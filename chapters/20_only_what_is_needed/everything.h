@@ -14,7 +14,7 @@ struct FrictionEverywhere : Friction {
       const Contact& at = step.contacts[i];
       const auto [tangent1, tangent2] = tangents_of(at.normal);
       for (const Vec3& tangent : {tangent1, tangent2}) {
-        step.rows.push_back(row_of(step.world, at, tangent, i));
+        step.rows.emplace_back(step.world, at, tangent, i);
         if (at.friction == 0) step.rows.back().lo = step.rows.back().hi = 0;
       }
       mu_.push_back(at.friction);

@@ -28,7 +28,11 @@ void write_text_file(const fs::path& file, const std::string& text) {
     out << text;
     if (!out.flush()) throw InvalidInput(fmt::format("file '{}' cannot be written", file.string()));
   }
-  fs::rename(unfinished, file);
+  std::error_code failure, ignored;
+  fs::rename(unfinished, file, failure);
+  if (!failure) return;
+  fs::remove(unfinished, ignored);
+  throw InvalidInput(fmt::format("file '{}' cannot be written: {}", file.string(), failure.message()));
 }
 
 std::string read_text_file(const std::filesystem::path& file) {

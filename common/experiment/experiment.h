@@ -79,7 +79,7 @@ struct Variant {
   int substeps = 1;                            ///< into how many each step of --dt is cut
   int sweeps = 0;                              ///< 0: what --sweeps says
   bool exactly = false;                        ///< whether --sweeps has no say
-  int colour = -1;                             ///< index of line_colour and line_marker; -1: one for its name
+  int colour = -1;                             ///< index of line_colour and marker_of; -1: one for its name
   std::map<std::string, Real> expected;        ///< by the name of a number
   std::vector<Reference> references;
 

@@ -7,6 +7,8 @@
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/experiment_parts.h"
+#include "pushback/common/experiment/kept_picture.h"
+#include "pushback/common/experiment/marker.h"
 #include "pushback/common/experiment/sheet.h"
 #include "pushback/common/render/palette.h"
 
@@ -143,7 +145,7 @@ std::string Experiment::numbers_table(const std::vector<Result>& results) const 
     std::string body;
     for (const Result& result : results) {
       if (result.variant->scene != a) continue;
-      body += fmt::format("| {} {} |", line_marker(static_cast<std::size_t>(result.variant->colour)),
+      body += fmt::format("| {} {} |", marker_of(static_cast<std::size_t>(result.variant->colour)),
                           shown_name(*result.variant));
       for (std::size_t i = 0; i < act.numbers.size(); ++i) {
         body += fmt::format(" {}", in_words(result.numbers[i], act.numbers[i].unit));
@@ -225,8 +227,8 @@ void Experiment::draw_sheets(std::vector<Result>& results, const fs::path& folde
     const std::optional<Sheet> sheet = sheet_of(a, results);
     if (!sheet) continue;
     const fs::path file = folder / sheet_file(a);
-    write_png(file, make_sheet(*sheet));
-    if (file.filename() == "sheet.png") write_png(folder / "thumbnail.png", make_thumbnail(*sheet));
+    keep_picture(file, make_sheet(*sheet));
+    if (file.filename() == "sheet.png") keep_picture(folder / "thumbnail.png", make_thumbnail(*sheet));
     drawn.insert(file);
     fmt::print("\n{}", file.string());
   }
@@ -258,7 +260,7 @@ std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& 
     const Variant& variant = *result.variant;
     legend.add(result.legend);
     if (result.start) sheet.start = std::move(result.start);
-    SheetRow row{line_marker(static_cast<std::size_t>(variant.colour)),
+    SheetRow row{marker_of(static_cast<std::size_t>(variant.colour)),
                  shown_name(variant),
                  ink_of(line_colour(static_cast<std::size_t>(variant.colour))),
                  {},

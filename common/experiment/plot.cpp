@@ -5,50 +5,34 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "pushback/common/basics/files.h"
-#include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
+#include "pushback/common/experiment/kept_picture.h"
+#include "pushback/common/experiment/marker.h"
 #include "pushback/common/experiment/plot_layout.h"
 
 namespace pushback {
 
 namespace {
 
-constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#444444"};
-struct Marker {
-  const char* glyph;
-  int point;  // gnuplot's own shapes stand more exactly than a letter does; 0: it has none like this
-};
-constexpr std::array<Marker, 14> markers{{{"●", 7},
-                                          {"■", 5},
-                                          {"▲", 9},
-                                          {"◆", 13},
-                                          {"▼", 11},
-                                          {"★", 0},
-                                          {"✚", 0},
-                                          {"○", 6},
-                                          {"□", 4},
-                                          {"△", 8},
-                                          {"◇", 12},
-                                          {"▽", 10},
-                                          {"☆", 0},
-                                          {"✙", 0}}};
+constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#444444", "#8a2be2"};
 constexpr std::size_t most_own_markers = 40;  // of a curve with more points only a few have a shape
 
-std::string marker_of(const Curve& curve) {
+std::string shape_of(const Curve& curve) {
   if (!curve.marker.empty()) return curve.marker;
   const auto found = std::find(colours.begin(), colours.end(), curve.colour);
-  return found == colours.end() ? "" : line_marker(static_cast<std::size_t>(found - colours.begin()));
+  return found == colours.end() ? "" : marker_of(static_cast<std::size_t>(found - colours.begin()));
 }
 
-/// In gnuplot's words.
+/// In gnuplot's words. Its own shapes stand more exactly where they should than a letter does.
 std::string points_with(const std::string& marker, const std::string& colour) {
-  const auto found = std::find_if(markers.begin(), markers.end(), [&](const Marker& m) { return m.glyph == marker; });
-  if (found == markers.end() || found->point == 0)
-    return fmt::format("with points pt '{}' font 'DejaVu Sans,18' tc rgb '{}'", marker, colour);
-  return fmt::format("with points pt {} ps 1.9 lw 2.4 lc rgb '{}'", found->point, colour);
+  static const std::map<std::string, int> own{{"●", 7}, {"■", 5}, {"▲", 9}, {"◆", 13}, {"▼", 11}};
+  const auto found = own.find(marker);
+  if (found == own.end()) return fmt::format("with points pt '{}' font 'DejaVu Sans,18' tc rgb '{}'", marker, colour);
+  return fmt::format("with points pt {} ps 1.9 lc rgb '{}'", found->second, colour);
 }
 
 /// Darker than the line: thin strokes of a bright colour are hard to read on white.
@@ -103,7 +87,7 @@ class PanelScript {
         "{:.6f}\n",
         left / across, right / across, 1 - top / down, 1 - bottom / down);
     text_ += axis_commands("x", layout_.x) + axis_commands("y", layout_.y);
-    Real y = top - 14 - static_cast<Real>(plot_line_height) * static_cast<Real>(layout_.title.size());
+    Real y = top - 22 - static_cast<Real>(plot_line_height) * static_cast<Real>(layout_.title.size());
     for (const std::string& line : layout_.title) {
       write(line, static_cast<Real>(layout_.edge), y, "left", "#1c202a", "DejaVu Sans:Bold,16");
       y += plot_line_height;
@@ -113,24 +97,24 @@ class PanelScript {
   }
 
   void draw_lines_to_compare() {
-    for (const ReferenceLine& line : panel_.lines) {
-      const Real up = layout_.y.part(line.value);
-      if (!(up >= 0 && up <= 1)) continue;
-      const Real y = static_cast<Real>(layout_.bottom) + up * static_cast<Real>(layout_.top - layout_.bottom);
-      text_ += fmt::format("set arrow from {} to {} nohead lw 1.6 lc rgb '#888888'\n",
-                           screen(static_cast<Real>(layout_.left), y), screen(static_cast<Real>(layout_.right), y));
-      write(line.label, static_cast<Real>(layout_.left) + 8, y - 13, "left", "#666666", "DejaVu Sans,14");
+    const auto left = static_cast<Real>(layout_.left), right = static_cast<Real>(layout_.right);
+    for (const PlacedLine& line : layout_.lines) {
+      text_ += fmt::format("set arrow from {} to {} nohead lw 1.4 lc rgb '#a8a8a8'\n", screen(left, line.y),
+                           screen(right, line.y));
+      write(line.label, line.at_left ? left + 8 : right - 8, line.y - 13, line.at_left ? "left" : "right", "#666666",
+            "DejaVu Sans,14");
     }
   }
 
   void draw_name(const PlacedName& name) {
     const Curve& curve = panel_.curves[name.curve];
-    const std::string marker = marker_of(curve), ink = text_colour(curve.colour);
+    const std::string marker = shape_of(curve), ink = text_colour(curve.colour);
     const auto shape = static_cast<Real>(layout_.right + 34);
     if (std::isfinite(name.end_x))
-      text_ += fmt::format("set arrow from {} to {} nohead lw 1.2 {} lc rgb '{}'\n", screen(name.end_x, name.wanted),
-                           screen(shape - 12, name.middle), curve.style == Curve::Style::dashed ? "dt (7,5)" : "",
-                           curve.colour);
+      text_ +=
+          fmt::format("set arrow from {} to {} nohead {} lc rgb '{}'\n", screen(name.end_x, name.wanted),
+                      screen(shape - 12, name.middle),
+                      name.end_x < static_cast<Real>(layout_.right) - 2 ? "lw 1.4 dt (3,4)" : "lw 1.4", curve.colour);
     if (!marker.empty()) write(marker, shape, name.middle, "center", curve.colour);
     Real y = name.middle - name.height / 2 + static_cast<Real>(plot_line_height) / 2;
     for (const std::string& line : name.lines) {
@@ -154,7 +138,7 @@ class PanelScript {
     }
     for (std::size_t c = 0; c < panel_.curves.size(); ++c) {
       const Curve& curve = panel_.curves[c];
-      const std::string marker = marker_of(curve);
+      const std::string marker = shape_of(curve);
       const Points points = marker.empty() || curve.style == Curve::Style::points ? Points() : marked(curve, c);
       if (points.empty()) continue;
       elements.push_back(data(points) + " notitle " + points_with(marker, curve.colour));
@@ -212,7 +196,7 @@ class PanelScript {
 };
 
 void draw_figure(const std::filesystem::path& file, const std::vector<Panel>& panels) {
-  // Drawn beside its final place and moved there when whole.
+  // Drawn beside its final place.
   std::filesystem::path unfinished = file;
   unfinished += ".part";
   const FigureLayout figure = lay_out(panels);
@@ -230,8 +214,9 @@ void draw_figure(const std::filesystem::path& file, const std::vector<Panel>& pa
   if (gnuplot.status == 127) throw std::runtime_error("gnuplot is not found: is the package gnuplot-nox installed?");
   if (gnuplot.status != 0)
     throw std::runtime_error(fmt::format("gnuplot could not draw {}: {}", file.string(), gnuplot.err));
-  std::filesystem::rename(unfinished, file, error);
-  if (error) throw InvalidInput(fmt::format("plot '{}' cannot be written: {}", file.string(), error.message()));
+  const Image drawn = read_png(unfinished);
+  std::filesystem::remove(unfinished);
+  keep_picture(file, drawn);
 }
 
 std::filesystem::path numbered(const std::filesystem::path& file, std::size_t number) {
@@ -243,10 +228,6 @@ std::filesystem::path numbered(const std::filesystem::path& file, std::size_t nu
 
 std::string line_colour(std::size_t index) {
   return colours[index % colours.size()];
-}
-
-std::string line_marker(std::size_t index) {
-  return markers[index % markers.size()].glyph;
 }
 
 std::vector<std::vector<Panel>> in_figures(const std::vector<Panel>& panels) {

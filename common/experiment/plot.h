@@ -10,11 +10,9 @@
 
 namespace pushback {
 
-/// The colours of curves and variants, in order: Okabe and Ito's, which the colour-blind can tell apart.
-/// "#rrggbb"; starts again after the seventh.
+/// The colours of curves and variants, in order: seven of Okabe and Ito, and a violet. The colour-blind can tell them apart.
+/// "#rrggbb"; starts again after the last.
 std::string line_colour(std::size_t index);
-/// The shape that goes with it: ● ■ ▲ ◆ ▼ ★ ✚, and the same seven hollow where the colours start again; then from the first.
-std::string line_marker(std::size_t index);
 
 struct Curve {
   enum class Style { line, dashed, points, line_and_points };
@@ -23,7 +21,7 @@ struct Curve {
   std::vector<Real> x, y;
   std::string colour;  ///< "#rrggbb"
   Style style = Style::line;
-  std::string marker = "";  ///< empty: the shape that goes with the colour; none for a colour that is not line_colour's
+  std::string marker = "";  ///< of marker.h; empty: the one of the colour, none if that is not line_colour's
 };
 
 /// A value to compare with, as a thin line across: {1e-3, "1 mm"}.

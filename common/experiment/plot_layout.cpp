@@ -167,7 +167,7 @@ PanelLayout widths(const Panel& panel, int width) {
 }
 
 int title_height(const PanelLayout& layout) {
-  return 14 + plot_line_height * static_cast<int>(layout.title.size() + 1);
+  return 22 + plot_line_height * static_cast<int>(layout.title.size() + 1);
 }
 
 int names_height(const PanelLayout& layout) {
@@ -182,6 +182,39 @@ void equalise_units(PanelLayout& layout) {
   const Real scale = std::min(across, down);
   layout.right = layout.left + static_cast<int>(std::lround(scale * std::abs(layout.x.to - layout.x.from)));
   layout.bottom = layout.top + static_cast<int>(std::lround(scale * std::abs(layout.y.to - layout.y.from)));
+}
+
+/// How many points along the curves lie in the rectangle, of which each side is a part of the axes.
+int in_the_way(const Panel& panel, const PanelLayout& layout, Real left, Real right, Real low, Real high) {
+  int count = 0;
+  for (const Curve& curve : panel.curves) {
+    for (std::size_t i = 1; i < curve.x.size(); ++i) {
+      const Real x0 = layout.x.part(curve.x[i - 1]), y0 = layout.y.part(drawn(panel, curve.y[i - 1]));
+      const Real x1 = layout.x.part(curve.x[i]), y1 = layout.y.part(drawn(panel, curve.y[i]));
+      if (!std::isfinite(x0 + y0 + x1 + y1)) continue;
+      const int samples = std::min(100, 1 + static_cast<int>(60 * (std::abs(x1 - x0) + std::abs(y1 - y0))));
+      for (int k = 0; k < samples; ++k) {
+        const Real part = static_cast<Real>(k) / static_cast<Real>(samples);
+        const Real x = x0 + part * (x1 - x0), y = y0 + part * (y1 - y0);
+        count += x >= left && x <= right && y >= low && y <= high ? 1 : 0;
+      }
+    }
+  }
+  return count;
+}
+
+void place_lines(const Panel& panel, PanelLayout& layout) {
+  const auto height = static_cast<Real>(layout.bottom - layout.top);
+  for (const ReferenceLine& line : panel.lines) {
+    const Real up = layout.y.part(line.value);
+    if (!(up >= 0 && up <= 1)) continue;
+    const Real part =
+        static_cast<Real>(text_width(line.label, plot_text) + 16) / static_cast<Real>(layout.right - layout.left);
+    const Real high = up + plot_line_height / height;
+    const bool at_left =
+        in_the_way(panel, layout, 0, part, up, high) <= in_the_way(panel, layout, 1 - part, 1, up, high);
+    layout.lines.push_back({line.label, static_cast<Real>(layout.bottom) - up * height, at_left});
+  }
 }
 
 void place_names(const Panel& panel, PanelLayout& layout) {
@@ -298,6 +331,7 @@ FigureLayout lay_out(const std::vector<Panel>& panels) {
       layout.top = figure.height + titles;
       layout.bottom = layout.top + inner;
       if (panels[i].equal_units) equalise_units(layout);
+      place_lines(panels[i], layout);
       place_names(panels[i], layout);
     }
     figure.height += titles + inner + below_axis;

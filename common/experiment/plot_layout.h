@@ -29,11 +29,19 @@ struct PlacedName {
   Real height = 0;
 };
 
+/// A line to compare with, that lies within the axes.
+struct PlacedLine {
+  std::string label;
+  Real y;
+  bool at_left;  ///< the label stands at the end where fewer curves are in its way
+};
+
 struct PanelLayout {
   Axis x = {}, y = {};
   int left = 0, top = 0, right = 0, bottom = 0;  ///< of the rectangle that the axes span
   int edge = 0;                                  ///< of what is written: title and label of y begin here
   std::vector<std::string> title = {};
+  std::vector<PlacedLine> lines = {};
   std::vector<PlacedName> names = {};  ///< from the top down
 };
 

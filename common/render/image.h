@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace pushback {
@@ -23,6 +24,17 @@ struct Image {
   const std::uint8_t* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
 };
 
+/// How far two images of one size are apart.
+struct Difference {
+  double mean = 0;   ///< levels of 255, over all channels
+  double share = 0;  ///< of the pixels, those that differ clearly: in a channel by more than so many levels
+};
+/// Of averages over squares of `block` pixels each way. Throws InvalidInput where the images have two sizes.
+Difference difference(const Image& a, const Image& b, int block = 1, int clearly = 24);
+
+/// As the bytes of a PNG, and back. Throws InvalidInput, with `name`, where the bytes are none.
+std::string in_png(const Image& image);
+Image from_png(const std::string& bytes, const std::string& name);
 /// Throws InvalidInput, naming the file, where it cannot be written; then no file is left behind half-written.
 void write_png(const std::filesystem::path& file, const Image& image);
 /// Throws InvalidInput, naming the file, where it cannot be read.

@@ -117,7 +117,7 @@ struct Painter::State {
   Geometry geometry;
   // A single pass has to blur its few shadows; many passes blur them by moving the lights.
   Lighting single{1024, 256, 0.005f, 0.03f, "#define KEY_TAPS 9\n#define SKY_TAPS 3\n"};
-  Lighting one_of_many{2048, 512, 0.005f, 0, "#define KEY_TAPS 5\n#define SKY_TAPS 1\n"};
+  Lighting one_of_many{1024, 512, 0.005f, 0, "#define KEY_TAPS 5\n#define SKY_TAPS 1\n"};
   Target plain, multisampled;
   std::vector<std::uint8_t> levels;
 

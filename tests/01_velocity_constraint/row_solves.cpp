@@ -118,7 +118,7 @@ TEST_CASE("what relaxes sweeps once more, joints in all their passes") {
   CHECK(counted<SteadyJointedSolver>(pendulum(), 7) == 3 * 20 * (2 * 7 + 1));
 }
 
-TEST_CASE("impacts at once: as many rounds as the same impact takes in numbers alone") {
+TEST_CASE("simultaneous impacts: as many rounds as the same impact takes in numbers alone") {
   CHECK(counted<Solver<Clamping, SimultaneousImpacts>>(row_of(2), 1) == 2);  // solved by the sweep, and seen to be
   for (const int balls : {2, 3, 5, 8}) {
     for (const int sweeps : {1, 3}) {
@@ -132,7 +132,7 @@ TEST_CASE("impacts at once: as many rounds as the same impact takes in numbers a
   CHECK(counted<Solver<Clamping, SimultaneousImpacts>>(still, 3) == 4 * 3);
 }
 
-TEST_CASE("impacts in turn: one for each ball that passes its speed on, then the sweeps") {
+TEST_CASE("sequential impacts: one for each ball that passes its speed on, then the sweeps") {
   CHECK(counted<Solver<Clamping, SequentialImpacts>>(row_of(5), 0) == 4);
   CHECK(counted<Solver<Clamping, SequentialImpacts>>(row_of(5), 3) == 4 + 4 * 3);
 }

@@ -227,7 +227,7 @@ TEST_CASE("in the plane K is 1/m_A + 1/m_B + (r_A x n)^2 / I_A + (r_B x n)^2 / I
       K += 1 / mass + r_n * r_n / inertia;
     }
     c.id = {0, 1, 0};
-    REQUIRE(std::abs(1 / row_of(world, c, c.normal, 0).effective_mass - K) <= 64 * eps * K);
+    REQUIRE(std::abs(1 / Row(world, c, c.normal, 0).effective_mass - K) <= 64 * eps * K);
   }
 }
 

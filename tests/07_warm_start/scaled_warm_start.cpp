@@ -74,7 +74,7 @@ Real energy_struck_up(int sweeps) {
 
 }  // namespace
 
-TEST_CASE("07: a scaled guess is never worse than none; as it was, after a blow it often is") {
+TEST_CASE("07: a scaled guess is never worse than none; as it was, after an impact it often is") {
   Random random(7);
   int worse = 0;
   for (int scene = 0; scene < 100; ++scene) {
@@ -114,7 +114,7 @@ TEST_CASE("07: where the guess is good, scaled or not makes no bit of difference
   }
 }
 
-TEST_CASE("07: a scaled guess does not strike a blow twice") {
+TEST_CASE("07: a scaled guess does not repeat an impact") {
   for (const int sweeps : {1, 2, 10}) {
     INFO(sweeps << " sweeps: as it was " << energy_struck_up<WarmStart>(sweeps) << ", scaled "
                 << energy_struck_up<ScaledWarmStart>(sweeps) << " of the energy");

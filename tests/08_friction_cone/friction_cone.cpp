@@ -175,7 +175,7 @@ TEST_CASE("08: the step is 1 / the larger eigenvalue of the tangents' block") {
   for (int i = 0; i < 200; ++i) {
     Meeting m(random);
     const auto [tangent1, tangent2] = tangents_of(m.contact().normal);
-    const Row one = row_of(m.world, m.contact(), tangent1, 0), two = row_of(m.world, m.contact(), tangent2, 0);
+    const Row one(m.world, m.contact(), tangent1, 0), two(m.world, m.contact(), tangent2, 0);
     Eigen::Matrix<Real, 3, 2> t;
     t << tangent1, tangent2;
     const Eigen::Matrix<Real, 2, 2> k = t.transpose() * m.k() * t;
@@ -194,7 +194,7 @@ TEST_CASE("08: a sweep never adds energy, nor slip where friction may hold") {
   for (int i = 0; i < 300; ++i) {
     Meeting m(random);
     const bool may_hold = random.below(2) == 0;
-    Rows rows{row_of(m.world, m.contact(), m.contact().normal, 0)};
+    Rows rows{{m.world, m.contact(), m.contact().normal, 0}};
     Step step{m.world, m.world.contacts, rows, h};
     rows[0].impulse = may_hold ? Real(1e6) : random.over_decades(Real(0.01), 100);  // a bound that stays
     FrictionCone cone;
@@ -215,13 +215,13 @@ TEST_CASE("08: a sweep never adds energy, nor slip where friction may hold") {
 TEST_CASE("08: the slower direction of a foot that is to be held keeps 1 - k_min / k_max of its slip per sweep") {
   for (const Real direction : {Real(0), pi / 2}) {  // the block's own axes: where the stick leans, and across
     Stick stick(direction);
-    Rows rows{row_of(stick.world, stick.contact(), stick.contact().normal, 0)};
+    Rows rows{{stick.world, stick.contact(), stick.contact().normal, 0}};
     Step step{stick.world, stick.world.contacts, rows, h};
     rows[0].impulse = Real(1e6);
     FrictionCone cone;
     cone.build(step);
     const TangentBlock k(rows[1], rows[2]);
-    const Real own = 1 / row_of(stick.world, stick.contact(), way_of_heading(direction), 0).effective_mass;
+    const Real own = 1 / Row(stick.world, stick.contact(), way_of_heading(direction), 0).effective_mass;
     const Real kept = 1 - own / k.larger_eigenvalue();
     Real slip = stick.slip().norm();
     for (int sweep = 0; sweep < 5; ++sweep) {

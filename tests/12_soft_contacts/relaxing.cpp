@@ -154,7 +154,7 @@ TEST_CASE("relaxing places a row at one point for both bodies, and there it read
     contact.id = {0, 1, 0};
     contact.point = random.vector(2);
     world.contacts = {contact};
-    Rows rows = {row_of(world, contact, random.direction(), 0), row_of(world, contact, random.direction(), 0)};
+    Rows rows = {{world, contact, random.direction(), 0}, {world, contact, random.direction(), 0}};
     std::vector<Real> softness(1, 0);
     RelaxingStep step{{world, world.contacts, rows, h}, softness};
     SoftContacts soft;

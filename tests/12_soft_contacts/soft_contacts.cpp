@@ -12,7 +12,7 @@ Row any_row(World& world, Random& random) {
   contact.id = {0, 1, 0};
   contact.point = random.vector(1);
   contact.normal = random.direction();
-  return row_of(world, contact, contact.normal, 0);
+  return {world, contact, contact.normal, 0};
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ using Eigen::Index;
 Rows normals_of(World& world) {
   Rows rows;
   for (std::size_t i = 0; i < world.contacts.size(); ++i)
-    rows.push_back(row_of(world, world.contacts[i], world.contacts[i].normal, i));
+    rows.emplace_back(world, world.contacts[i], world.contacts[i].normal, i);
   return rows;
 }
 
@@ -161,7 +161,7 @@ TEST_CASE("the problem of a solver's rows has their biases, and friction only wh
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].bias = static_cast<Real>(i);
   const Tangents tangents = tangents_of(contacts[3].normal);
   for (const Vec3& tangent : {tangents.tangent1, tangents.tangent2})
-    rows.push_back(row_of(frame.world, contacts[3], tangent, 3));
+    rows.emplace_back(frame.world, contacts[3], tangent, 3);
   const ContactProblem whole = problem_of(frame.world), problem = problem_of(contacts, rows);
   CHECK(Eigen::MatrixXd(problem.w) == Eigen::MatrixXd(whole.w));
   for (Index c = 0; c < problem.contacts(); ++c) {

@@ -29,7 +29,7 @@ Frictionless frictionless(Fill fill) {
   world.begin_step(Real(1) / 60);
   Rows rows;
   for (std::size_t i = 0; i < world.contacts.size(); ++i)
-    rows.push_back(row_of(world, world.contacts[i], world.contacts[i].normal, i));
+    rows.emplace_back(world, world.contacts[i], world.contacts[i].normal, i);
   return {matrix_of(rows), speeds_of(rows)};
 }
 

@@ -519,7 +519,7 @@ TEST_CASE("what cannot be played is refused, with the value and what is allowed,
   };
   refused(nowhere, {"'nothing'", "bounce", "break"});
   refused(nowhere + " full/1/1", {"'nothing'", "bounce", "break"});
-  refused("bounce nothing/1/1", {"'nothing'", "full", "at-once", "plays bounce"});
+  refused("bounce nothing/1/1", {"'nothing'", "full", "direct-contacts", "plays bounce"});
   refused("bounce full/1/1 nothing/1/1", {"'nothing'"});
   refused("bounce joints/1/1", {"'joints'", "full", "plays bounce"});
   refused("chain full/1/1", {"'full'", "split-joints", "plays chain"});
@@ -546,7 +546,7 @@ TEST_CASE("what cannot be played is refused, with the value and what is allowed,
 TEST_CASE("row solves of a motion: three rows a pin and sweep, twice where the push is apart, in each of its passes") {
   const auto counts = played_in(MOTION_PROGRAM,
                                 "pendulum --at-least 0 joints/1/1 joints/2/3 split-joints/2/3 steady-joints/1/1 "
-                                "global-joints/1/1");
+                                "direct-joints/1/1");
   REQUIRE(counts.size() == 5);
   const int frames = motion_named("pendulum").frames();
   CHECK(std::stod(counts[0].row_solves) == frames * 3);
@@ -572,7 +572,7 @@ TEST_CASE("only substeps are timed: who is asked for places takes no time, and a
 }
 
 TEST_CASE("the same setting errs by the same again, and in as many row solves; lines come in the order asked for") {
-  for (const auto& [motion, settings] : {std::pair("bounce", "slim/4/1 full/2/3 at-once/1/1 slim/4/1"),
+  for (const auto& [motion, settings] : {std::pair("bounce", "slim/4/1 full/2/3 direct-contacts/1/1 slim/4/1"),
                                          {"chain", "joints/2/4 joints/2/4"},
                                          {"heavy-on-light", "soft/2/2 steady/1/4 soft/2/2"}}) {
     const std::string arguments = fmt::format("{} {} --at-least 0", motion, settings);
@@ -590,7 +590,7 @@ TEST_CASE("the same setting errs by the same again, and in as many row solves; l
 }
 
 TEST_CASE("who is given up is late, who flies off is lost") {
-  for (const Line& line : played_in(MOTION_PROGRAM, "bounce full/1/1 at-once/4/1 --at-most 0"))
+  for (const Line& line : played_in(MOTION_PROGRAM, "bounce full/1/1 direct-contacts/4/1 --at-most 0"))
     CHECK(line.error == "late");
   for (const Line& line : played_in(MOTION_PROGRAM, "chain --at-most 0 joints/1/1")) CHECK(line.error == "late");
   for (const Line& line : played_in(MOTION_PROGRAM, "bounce full/1/1")) CHECK(line.error_m() < 0.1);
@@ -616,7 +616,7 @@ TEST_CASE("joints come closer to the truth with smaller steps") {
     INFO(method << ": " << errors[0] << ", then " << errors[1] << " m");
     CHECK(errors[1] < errors[0] / 4);
   }
-  for (const std::string method : {"joints", "split-joints", "global-joints"}) {
+  for (const std::string method : {"joints", "split-joints", "direct-joints"}) {
     const auto errors = errors_in("chain", {method + "/8/16", method + "/64/16"});
     INFO(method << ": " << errors[0] << ", then " << errors[1] << " m");
     CHECK(errors[1] < errors[0] / 4);
@@ -641,7 +641,7 @@ TEST_CASE("half the step is half the error: of what slides, and of what swings")
 }
 
 TEST_CASE("in float a bounce errs as in double, and what lies still only by what float rounds") {
-  const auto settings = std::string("full/8/4 slim/16/1 at-once/8/1 soft/8/1");
+  const auto settings = std::string("full/8/4 slim/16/1 direct-contacts/8/1 soft/8/1");
   const auto in_double = played_in(MOTION_PROGRAM, "bounce " + settings),
              in_float = played_in(MOTION_FLOAT_PROGRAM, "bounce " + settings);
   REQUIRE(in_double.size() == in_float.size());
@@ -650,15 +650,15 @@ TEST_CASE("in float a bounce errs as in double, and what lies still only by what
     CHECK(in_float[i].error_m() == Approx(in_double[i].error_m()).epsilon(0.01));
   }
   // A box whose centre is at 1.5 m is known to 6e-8 of that; and a seat of 1 um is then not one to a per cent any more.
-  const double seat = played_in(MOTION_PROGRAM, "heavy-on-light at-once/8/1")[0].error_m();
-  const double of_float = played_in(MOTION_FLOAT_PROGRAM, "heavy-on-light at-once/8/1")[0].error_m();
+  const double seat = played_in(MOTION_PROGRAM, "heavy-on-light direct-contacts/8/1")[0].error_m();
+  const double of_float = played_in(MOTION_FLOAT_PROGRAM, "heavy-on-light direct-contacts/8/1")[0].error_m();
   CHECK(seat == Approx(2e-6).epsilon(1e-3));
   INFO(of_float);
   CHECK(of_float > 1e-7 * 1.5);
   CHECK(std::abs(of_float - seat) > 1e-3 * seat);  // double it is not
 }
 
-// ---- a seat, and all at once -----------------------------------------------------------------------------------------
+// ---- a seat, and direct contacts --------------------------------------------------------------------------------------
 
 namespace {
 
@@ -685,7 +685,7 @@ struct Watch : Effect {
  private:
   ContactProblem problem_;
 };
-using AtOnce = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, Watch, WarmStart, WarmDirectContacts>;
+using Direct = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, Watch, WarmStart, WarmDirectContacts>;
 
 constexpr Real h = Real(1) / 60;
 
@@ -724,10 +724,10 @@ TEST_CASE("one box comes to rest as deep as its seat, by the same part each step
   }
 }
 
-TEST_CASE("ten boxes solved at once end ten seats deep") {
+TEST_CASE("ten boxes solved directly end ten seats deep") {
   World world;
   stack(world, 10);
-  AtOnce solver;
+  Direct solver;
   for (int step = 0; step < 100; ++step) world.step(solver, h, 1);
   for (int i = 1; i <= 10; ++i) {
     const double sunk = i - 0.5 - static_cast<double>(world.bodies[static_cast<std::size_t>(i)].position.y());
@@ -778,12 +778,12 @@ TEST_CASE("a seat changes nothing of a bounce") {
   CHECK(hash_after(wide) == without);
 }
 
-TEST_CASE("all at once leaves no step farther off than what is too far, and pushes up what falls") {
+TEST_CASE("a direct contact solve leaves no step farther off than what is too far, and pushes up what falls") {
   const auto fill = GENERATE(four_high, slope);
   const bool exact = GENERATE(false, true);  // then nothing but the tolerance is near enough
   World world;
   fill(world);
-  AtOnce solver;
+  Direct solver;
   if (exact) solver.too_far = solver.tolerance;
   for (int step = 0; step < 60; ++step) {
     world.step(solver, h, 0);
@@ -803,11 +803,11 @@ TEST_CASE("all at once leaves no step farther off than what is too far, and push
 
 TEST_CASE(
     "where Newton's method may not go on from the guess, the step is solved from nothing, or left to the sweeps") {
-  AtOnce never;
+  Direct never;
   never.rounds = 0;
-  AtOnce content = never;
+  Direct content = never;
   content.too_far = std::numeric_limits<double>::infinity();
-  for (AtOnce* solver : {&never, &content}) {
+  for (Direct* solver : {&never, &content}) {
     World world;
     four_high(world);
     for (int step = 0; step < 20; ++step) world.step(*solver, h, 0);
@@ -816,23 +816,23 @@ TEST_CASE(
   CHECK(content.residual > never.too_far);
 }
 
-TEST_CASE("all at once, twice: the same bits") {
+TEST_CASE("a direct contact solve, twice: the same bits") {
   const auto fill = GENERATE(four_high, slope);
   std::vector<std::uint64_t> hashes;
   for (int again = 0; again < 2; ++again) {
     World world;
     fill(world);
-    AtOnce solver;
+    Direct solver;
     for (int step = 0; step < 60; ++step) world.step(solver, h, 1);
     hashes.push_back(hash_of(world));
   }
   CHECK(hashes[0] == hashes[1]);
 }
 
-TEST_CASE("nothing touches: nothing to solve at once") {
+TEST_CASE("nothing touches: nothing to solve directly") {
   World world;
   world.add(sphere(1, 1));
-  AtOnce solver;
+  Direct solver;
   world.step(solver, h, 1);
   CHECK(world.bodies[0].velocity.y() == Approx(-g * static_cast<double>(h)));
 }

@@ -9,6 +9,7 @@
 #include "pushback/chapters/19_accuracy_and_time/study/machine.h"
 #include "pushback/chapters/19_accuracy_and_time/study/report.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/common/experiment/plot_layout.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 
@@ -504,7 +505,7 @@ TEST_CASE("the program itself is understood") {
   for (const Measured& one : all) {
     INFO(one.setting());
     CHECK(one.error < 0.2);
-    CHECK(one.row_solves.has_value() == (one.method != "at-once"));
+    CHECK(one.row_solves.has_value() == (one.method != "direct-contacts"));
     CHECK(one.row_solves.value_or(1) > 0);
   }
 }
@@ -647,16 +648,28 @@ TEST_CASE("diagrams have a curve for each engine that has something to show, and
   CHECK(methods.curves[0].x.size() == 3);
   const auto knobs = panels_of_knobs(all);
   REQUIRE(knobs.size() == 1);
-  CHECK(knobs[0].title == "more sweeps");
+  CHECK(knobs[0].title == "more sweeps: a stack, a pyramid");
   REQUIRE(knobs[0].curves.size() == 2);
   CHECK(knobs[0].curves[0].label == "stack-10, slim");
   CHECK(knobs[0].curves[0].x == std::vector<Real>{1, 4, 16});
 }
 
-TEST_CASE("an error of 0 is drawn, at the edge") {
+TEST_CASE("of all engines, those are drawn of which something was measured") {
+  const AllMeasured all{{"bounce", {of("motion", "slim", 1, 1, 1, 1), of("motion_ode", "ode", 1, 1, 1, 1)}}};
+  const std::vector<Engine> engines = engines_of(all);
+  REQUIRE(engines.size() == 2);
+  CHECK((engines[0].program == "motion" && engines[1].program == "motion_ode"));
+  CHECK(engines[0].colour != engines[1].colour);
+  CHECK(engines_of({}).empty());
+}
+
+TEST_CASE("an error of 0 is drawn at the floor, a micrometre, and errors have lines to compare with") {
   const Panel panel = work_precision({&motion_of_60, {of("motion", "slim", 1, 1, 0, 1)}}, three);
   REQUIRE(panel.curves.size() == 2);
-  CHECK(panel.curves[1].y[0] == Approx(1e-9));
+  CHECK(drawn(panel, panel.curves[1].y[0]) == Approx(1e-6));
+  REQUIRE(panel.lines.size() == 3);
+  CHECK((panel.lines[0].label == "1 cm" && panel.lines[0].value == Approx(1e-2)));
+  CHECK((panel.lines[2].label == "0.1 mm" && panel.lines[2].value == Approx(1e-4)));
 }
 
 TEST_CASE("where nothing was measured there is little to say, and nothing breaks") {

@@ -436,6 +436,14 @@ TEST_CASE("who comes back is not taken for who was there") {
   both_go_on(30);
 }
 
+TEST_CASE("the two lines of the page: a stack stands for ten seconds") {
+  World world;
+  stack(world, 3);
+  OnlyWhatIsNeeded needed(world, FullSolver{});  // or with Sleep{} as a third argument
+  for (int step = 0; step < 600; ++step) needed.step(world, Real(1) / 60);
+  CHECK(world.bodies.back().position.y() == Approx(2.5).margin(0.02));
+}
+
 TEST_CASE("a solver that is copied goes its own way") {
   World world;
   stack(world, 3);

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "pushback/common/experiment/experiment.h"
-#include "pushback/common/experiment/plot.h"
+#include "pushback/common/experiment/marker.h"
 #include "tests/support/call.h"
 
 using namespace pushback;
@@ -54,7 +54,7 @@ Sheet sheet_of(int rows) {
               .side_by_side = false,
               .rows = {}};
   for (int i = 0; i < rows; ++i) {
-    sheet.rows.push_back({line_marker(static_cast<std::size_t>(i)), "warm", green, {}, {}, {}, {}});
+    sheet.rows.push_back({marker_of(static_cast<std::size_t>(i)), "warm", green, {}, {}, {}, {}});
     sheet.rows.back().cells.assign(3, filled(500, 281, red));
     sheet.rows.back().cell_notes.assign(3, "t = 1 s");
   }

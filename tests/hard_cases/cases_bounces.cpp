@@ -1,4 +1,4 @@
-/// How high it bounces, and what a blow leaves in a row and in a crowd.
+/// How high it bounces, and what an impact leaves in a row and in a crowd.
 #include <cmath>
 
 #include "pushback/common/world/measure.h"
@@ -116,7 +116,7 @@ HardCase row_case(const std::string& name, const std::string& title, const std::
   c.name = name;
   c.title = title;
   c.stresses = stresses;
-  c.criteria = {{"speed of a ball, off by", "mm/s", 50}};  // a hundredth of the blow
+  c.criteria = {{"speed of a ball, off by", "mm/s", 50}};  // a hundredth of the impact
   c.scene = {.name = title, .fill = row_of_five, .camera = view({Real(1.7), 0, 0}, Real(2.6)), .seconds = Real(0.25)};
   c.run = [speeds](Trial& trial) -> std::vector<Real> {
     Play play = trial.play(row_of_five, elastic);
@@ -135,7 +135,7 @@ std::vector<HardCase> bounce_cases() {
   HardCase bounce;
   bounce.name = "bounces";
   bounce.title = "three bounces";
-  bounce.stresses = "a bounce found late is found deep and fast: the apex e^2k h0 shows both errors";
+  bounce.stresses = "a bounce detected late is detected deep and fast: the apex e^2k h0 shows both errors";
   bounce.criteria = {{"apexes with e = 0.5, off by", "%", 1},
                      {"apexes with e = 0.9, off by", "%", 1},
                      {"apexes with e = 1, off by", "%", 1}};
@@ -171,16 +171,16 @@ std::vector<HardCase> bounce_cases() {
   HardCase many;
   many.name = "elastic-49";
   many.title = "7 x 7 elastic balls";
-  many.stresses = "hundreds of elastic hits: energy must neither leak nor come in";
+  many.stresses = "hundreds of elastic impacts: energy must neither leak nor come in";
   many.criteria = {{"energy between walls, off by", "%", 1}, {"energy in free space, off by", "%", 1}};
   many.scene = {.name = many.title, .fill = crowd_between_walls, .camera = {{0, 0, 18}, {0, 0, 0}}, .seconds = 2};
   many.run = crowds;
 
-  return {
-      bounce, back, many,
-      row_case("row-in-turn", "five in a row, one leaves", "the blow is passed on: 0, 0, 0, 0, 5 m/s", {0, 0, 0, 0, 5}),
-      row_case("row-at-once", "five in a row, all at once", "every contact bounces: -3, 2, 2, 2, 2 m/s",
-               {-3, 2, 2, 2, 2})};
+  return {bounce, back, many,
+          row_case("row-sequential", "five in a row, sequential impacts", "the impact is passed on: 0, 0, 0, 0, 5 m/s",
+                   {0, 0, 0, 0, 5}),
+          row_case("row-simultaneous", "five in a row, simultaneous impacts",
+                   "every contact bounces: -3, 2, 2, 2, 2 m/s", {-3, 2, 2, 2, 2})};
 }
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// Blows: dominoes, bodies born inside each other, hits at 500 m/s.
+/// Impacts: dominoes, bodies born inside each other, projectiles at 500 m/s.
 #include <cmath>
 
 #include "pushback/common/world/measure.h"
@@ -188,9 +188,9 @@ std::vector<HardCase> impact_cases() {
   margin.run = left_alone;
 
   return {domino, deep, margin,
-          shot("hit-500-stack", "500 m/s into a stack", "in one step, 8 m: found deep inside", shot_at_a_stack,
+          shot("impact-500-stack", "500 m/s into a stack", "in one step, 8 m: detected deep inside", shot_at_a_stack,
                view({0, Real(2.5), 0}, Real(5.6)), Real(0.25), 5, false),
-          shot("hit-500-free", "500 m/s off the centre", "elastic and deep: spin, speed and energy at once",
+          shot("impact-500-free", "500 m/s off the centre", "elastic and deep: spin, speed and energy at once",
                shots_at_a_box, {{Real(-2.5), Real(-1.5), 3}, {0, 0, 0}}, frame, 90, true)};
 }
 

@@ -90,7 +90,7 @@ struct HardCase {
   std::string title;     ///< as read: "stack of 20"
   std::string stresses;  ///< what it is hard for, in a line
   std::vector<Criterion> criteria;
-  Scene scene;  ///< what its picture shows; `seconds`: at which time, under the last stage
+  Scene scene;  ///< how it begins; from where, and until when, one would look at it
   /// Plays it and returns the numbers, one a criterion, in the criteria's units.
   std::function<std::vector<Real>(Trial&)> run;
   int starts = 1;  ///< it passes if it does from each of them

@@ -1,12 +1,12 @@
-/// ./course hard-cases: every case under every stage, as files and as a picture.
+/// ./course hard-cases: every case under every stage, as files and as a picture; or these again from table.csv.
 #include <unistd.h>
 
 #include <algorithm>
-#include <numeric>
 #include <thread>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/named.h"
+#include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/program.h"
 #include "tests/hard_cases/table.h"
 #include "tests/hard_cases/table_picture.h"
@@ -16,22 +16,6 @@ using namespace pushback;
 namespace {
 
 // ---- what is asked for -------------------------------------------------------------------------------------------------
-
-/// How many letters to change, add or drop to make one word of the other.
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t(0));
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, change});
-    }
-  }
-  return row[b.size()];
-}
 
 /// Those that the words ask for, in their own order: by the whole name, or else by a part of it. All, without words.
 template <class Named>
@@ -48,18 +32,7 @@ std::vector<Named> chosen(const std::string& kind, const std::vector<Named>& all
     };
     if (mark([&](const std::string& name) { return name == word; })) continue;
     if (!word.empty() && mark([&](const std::string& name) { return name.find(word) != std::string::npos; })) continue;
-    std::string nearest;
-    std::size_t least = word.size() / 2 + 1;
-    for (const Named& one : all) {
-      const std::size_t d = distance(word, one.name);
-      if (d < least) {
-        least = d;
-        nearest = one.name;
-      }
-    }
-    throw InvalidInput(fmt::format("unknown {} '{}'{}\nthe {}s are: {}", kind, word,
-                                   nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), kind,
-                                   fmt::join(names_of(all), ", ")));
+    named(kind, all, word);  // refuses it
   }
   std::vector<Named> list;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -94,6 +67,13 @@ void print_row(const Table& table, std::size_t row, bool all) {
   }
 }
 
+/// What is made of table.csv.
+void show(const Table& table, const std::filesystem::path& folder, bool images) {
+  write_text_file(folder / "table.md", table_md(table, folder));
+  if (images) keep_picture(folder / "overview.png", draw_overview(table));
+  fmt::print("\n{}\n", (folder / (images ? "overview.png" : "table.md")).string());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -101,7 +81,7 @@ int main(int argc, char** argv) {
   std::string out = "renders";
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   int starts = many_starts;
-  bool quick = false, only_needed = false, no_images = false, list = false;
+  bool quick = false, only_needed = false, no_images = false, list = false, redraw = false;
   CLI::App app("Every hard case under every stage of the solver: which feature keeps which case stable?",
                "hard_cases_table");
   app.add_option("NAME", names, "Only these cases, by their names or a part of them");
@@ -119,12 +99,18 @@ int main(int argc, char** argv) {
                  "At most so many starts of the cases at a knife's edge; with fewer than 30 not the whole table")
       ->capture_default_str();
   app.add_flag("--no-images", no_images, "Only table.csv, table.md and times.csv");
+  app.add_flag("--redraw", redraw, "Nothing is played: table.md and overview.png of what is in hard_cases/table.csv");
   app.add_flag("--list", list, "List the cases and the stages, and do nothing");
   return run_program(app, argc, argv, [&] {
     if (jobs < 1 || jobs > 256)
       throw InvalidInput(fmt::format("--jobs is {}: a whole number from 1 to 256 is needed", jobs));
     if (starts < 1 || starts > many_starts)
       throw InvalidInput(fmt::format("--starts is {}: a whole number from 1 to {} is needed", starts, many_starts));
+    if (redraw) {
+      const std::filesystem::path folder = std::filesystem::path(out) / "hard_cases";
+      show(read_table_csv(read_text_file(folder / "table.csv")), folder, !no_images);
+      return;
+    }
     std::vector<HardCase> cases = chosen("case", hard_cases(), names);
     for (HardCase& c : cases) c.starts = std::min(c.starts, starts);
     std::vector<Stage> all = stages();
@@ -144,7 +130,6 @@ int main(int argc, char** argv) {
                                           : whole     ? ""
                                                       : "part");
     make_writable_folder(folder);
-    std::vector<World> ends;
     std::size_t printed = 0;
     const bool terminal = isatty(fileno(stdout)) == 1;
     const auto progress = [&](const Table& so_far, std::size_t rows, std::size_t done) {
@@ -153,14 +138,9 @@ int main(int argc, char** argv) {
       if (terminal && done < so_far.outcomes.size()) fmt::print("{} of {}", done, so_far.outcomes.size());
       std::fflush(stdout);
     };
-    const Table table = play(std::move(cases), std::move(columns), jobs, progress, no_images ? nullptr : &ends);
+    const Table table = play(std::move(cases), std::move(columns), jobs, progress);
     write_text_file(folder / "table.csv", table_csv(table));
-    write_text_file(folder / "table.md", table_md(table));
     write_text_file(folder / "times.csv", times_csv(table));
-    if (!no_images) {
-      write_png(folder / "table.png", draw_table(table, portraits(table, ends)));
-      write_png(folder / "overview.png", draw_overview(table));
-    }
-    fmt::print("\n{}\n", (folder / (no_images ? "table.md" : "table.png")).string());
+    show(table, folder, !no_images);
   });
 }

@@ -20,8 +20,7 @@ TEST_CASE("Painleve's rod: pressing draws the tip in, and the impulse that stops
   // By the engine's own rows: the effective mass along n - mu t is below 0.
   world.find_contacts();
   REQUIRE(world.contacts.size() == 2);
-  const Row normal = row_of(world, world.contacts[0], Vec3::UnitY(), 0),
-            tangent = row_of(world, world.contacts[0], Vec3::UnitX(), 0);
+  const Row normal(world, world.contacts[0], Vec3::UnitY(), 0), tangent(world, world.contacts[0], Vec3::UnitX(), 0);
   const Real k_nt = normal.n.dot(tangent.dvb) + normal.rb_n.z() * tangent.dwb.z();  // in the plane
   const Real in_plane = 1 + normal.rb_n.z() * normal.dwb.z();
   CHECK(in_plane - 2 * k_nt ==

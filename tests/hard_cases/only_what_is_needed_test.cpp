@@ -10,9 +10,9 @@ namespace {
 
 /// All stages together play these in a few seconds.
 const std::vector<std::string> quick{
-    "heavy-1",          "heavy-1000",     "stopping-distance", "headings",      "bounces",        "row-in-turn",
-    "row-at-once",      "there-and-back", "hit-500-free",      "hit-500-stack", "born-deep",      "slop",
-    "spinning-landing", "dt-10",          "contacts-twice",    "heavy-chain",   "ball-and-chain", "ragdoll"};
+    "heavy-1",          "heavy-1000",     "stopping-distance", "headings",         "bounces",        "row-sequential",
+    "row-simultaneous", "there-and-back", "impact-500-free",   "impact-500-stack", "born-deep",      "slop",
+    "spinning-landing", "dt-10",          "contacts-twice",    "heavy-chain",      "ball-and-chain", "ragdoll"};
 
 bool same(Real p, Real q) {
   return (p == q && std::signbit(p) == std::signbit(q)) || (std::isnan(p) && std::isnan(q));

@@ -1,6 +1,7 @@
 /// Every case under every stage: the numbers, and how they are written down.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 
 #include "tests/hard_cases/hard_case.h"
@@ -21,9 +22,11 @@ struct Table {
 using Progress = std::function<void(const Table&, std::size_t rows, std::size_t done)>;
 
 /// Plays every case under every stage. Each pair has a world and a solver of its own, so that the order and the number of
-/// threads change nothing. `ends`, unless null, is filled with what each case's scene has come to under the last stage.
-Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress,
-           std::vector<World>* ends);
+/// threads change nothing.
+Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress);
+
+/// With an outcome for each pair, of nothing.
+Table empty_table(std::vector<HardCase> cases, std::vector<Stage> stages);
 
 /// The column whose feature rescues the case: among the chapters, the first from which on all pass, unless that is the very
 /// first; where the last chapter fails, the first column behind the chapters that passes. None, where nothing helps or
@@ -45,8 +48,12 @@ std::string criteria_of(const HardCase& hard_case);
 /// is of the scene as it is, `largest` of all starts. `pass` is 1 where the largest is within the limit; a cell of the table
 /// passes where all of its lines do and `broken` is empty. A number that came to nothing is nan.
 std::string table_csv(const Table& table);
-/// For GitHub: a row a case, a column a stage; below it what every case stresses and what is asked of it.
-std::string table_md(const Table& table);
+/// Back from it: what is then written and drawn is the same. Throws InvalidInput where it is no such table, or of other cases,
+/// stages or criteria than there are.
+Table read_table_csv(const std::string& text);
+/// For GitHub: a row a case, a column a stage, the chapters and what came after in a table each; below them what every case
+/// stresses and what is asked of it. `folder`: where the page will be, for its links to the chapters.
+std::string table_md(const Table& table, const std::filesystem::path& folder);
 /// case, stage, ms_per_step: the only file that differs from run to run.
 std::string times_csv(const Table& table);
 

@@ -6,13 +6,7 @@
 
 namespace pushback {
 
-/// What stands beside each row: the case's scene, as `ends` has it. One a case.
-std::vector<Image> portraits(const Table& table, const std::vector<World>& ends);
-
-/// A row a case: its portrait, what it is, and a cell for each stage with its number.
-Image draw_table(const Table& table, const std::vector<Image>& portraits);
-
-/// The cells alone, small enough for a slide.
+/// A row a case, a cell for each stage: which of them pass, without numbers.
 Image draw_overview(const Table& table);
 
 }  // namespace pushback

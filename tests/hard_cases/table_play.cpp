@@ -1,29 +1,14 @@
 /// Playing all of the table's pairs, on several threads.
 #include <atomic>
-#include <cmath>
 #include <exception>
 #include <mutex>
 #include <thread>
 
-#include "pushback/common/basics/input.h"
 #include "tests/hard_cases/table.h"
 
 namespace pushback {
 
 namespace {
-
-/// The world that the case's picture shows.
-World end_of(const HardCase& hard_case, const Stage& stage) {
-  World world;
-  hard_case.scene.fill(world);
-  const Stepper step = stage.begin();
-  constexpr Real dt = Real(1) / 60;
-  try {
-    for (long i = std::lround(hard_case.scene.seconds / dt); i > 0; --i) step(world, dt);
-  } catch (const InvalidInput&) {  // no longer finite: as it was until then
-  }
-  return world;
-}
 
 /// Calls work(i) for each i below count, on so many threads; the first exception comes out.
 void in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
@@ -50,23 +35,13 @@ void in_parallel(std::size_t count, int threads, const std::function<void(std::s
 
 }  // namespace
 
-Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress,
-           std::vector<World>* ends) {
-  Table table{std::move(cases), std::move(stages), 0, {}};
-  for (std::size_t i = 0; i < chapter_stages; ++i) {
-    for (const Stage& stage : table.stages) table.chapters += stage.name == pushback::stages()[i].name ? 1 : 0;
-  }
+Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress) {
+  Table table = empty_table(std::move(cases), std::move(stages));
   const std::size_t columns = table.stages.size(), pairs = table.cases.size() * columns;
-  table.outcomes.resize(pairs);
-  if (ends) ends->resize(table.cases.size());
   std::vector<std::size_t> left(table.cases.size(), columns);
   std::size_t rows = 0, done = 0;
   std::mutex mutex;
-  in_parallel(pairs + (ends ? table.cases.size() : 0), threads, [&](std::size_t i) {
-    if (i >= pairs) {
-      (*ends)[i - pairs] = end_of(table.cases[i - pairs], table.stages.back());
-      return;
-    }
+  in_parallel(pairs, threads, [&](std::size_t i) {
     Outcome outcome = outcome_of(table.cases[i / columns], table.stages[i % columns]);
     const std::lock_guard lock(mutex);
     table.outcomes[i] = std::move(outcome);

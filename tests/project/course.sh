@@ -10,10 +10,6 @@ failures=0 listed=""
 mkdir -p "$scratch"/{bin,sub,home/build/release/chapters,home/build/release/tests/hard_cases,home/chapters/{03_three,04_four,10_ten}}
 cp "$root/course" "$root/CMakePresets.json" "$scratch/home"
 touch "$scratch/home/build/release/build.ninja"
-for name in 03_three 04_four 10_ten; do
-  printf '#!/bin/sh\necho "run %s: $*"\nmkdir -p renders/%s && touch renders/%s/sheet.png\n' $name $name $name \
-    >"$scratch/home/build/release/chapters/$name"
-done
 
 # The only programs ./course gets to see: these of the system, and those that a test puts beside them.
 for tool in bash cat dirname env find fold grep mkdir nproc readlink rm sed sleep sort tail touch true; do
@@ -24,7 +20,7 @@ stand_in() {  # removed first: writing through a link would change the system's 
   printf '#!/bin/sh\n%s\n' "$2" >"$scratch/bin/$1" && chmod +x "$scratch/bin/$1"
 }
 printf '#!/bin/sh\necho "table: $*"\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_table"
-chmod +x "$scratch"/home/build/release/{chapters,tests/hard_cases}/*
+chmod +x "$scratch"/home/build/release/tests/hard_cases/*
 stand_in cmake 'echo "cmake $*"'
 stand_in ctest 'echo "ctest $*"'
 stand_in git 'echo "git $*"'
@@ -67,18 +63,74 @@ course clean up && expect 2 "'clean' takes no words"
 course clean -- up && expect 2 "'clean' hands no options on"
 course --yes && expect 2 "which command?"
 
-# Where there is no apt, it goes on without. A chapter goes by its number, its name, both, or its directory.
-course render && expect 0 "1 of 3: 03_three" "2 of 3: 04_four" "3 of 3: 10_ten" "the sheets:" "renders/10_ten/sheet.png"
-expect 0 "cmake --build --preset release" "--target 03_three 04_four 10_ten"
-course render 3 four chapters/10_ten/ && expect 0 "1 of 3: 03_three" "2 of 3: 04_four" "3 of 3: 10_ten"
-# At the end stands what took how long: building, drawing, and each chapter, so that docs/speed.md can be repeated.
-printf '#!/bin/sh\nsleep 1.1\n' >"$scratch/home/build/release/chapters/10_ten"
-course render 03 10 && expect 0 "course: built in " ", drawn in " "  03_three  "
+# Drawing is a part of the build: CMake and Ninja themselves, here with programs in the place of chapters.
+for tool in awk cmake cut ninja sha256sum sh xargs; do ln -sf "$(type -P $tool)" "$scratch/bin/$tool"; done
+stand_in nproc 'echo 2'
+cp "$root/chapters/draw.cmake" "$scratch/home/chapters"
+cat >"$scratch/home/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.25)
+project(home LANGUAGES NONE)
+include(chapters/draw.cmake)
+foreach(name 03_three 04_four 10_ten)
+  add_executable(${name} IMPORTED)
+  set_target_properties(${name} PROPERTIES IMPORTED_LOCATION ${PROJECT_BINARY_DIR}/chapters/${name})
+  add_drawing(${name})
+endforeach()
+END
+rm "$scratch/home/build/release/build.ninja"
+chapter() {  # chapter NAME [FIRST]: what its program does
+  printf '#!/bin/sh\n%s\necho "run %s: $*"\nmkdir -p renders/%s && cd renders/%s && touch sheet.png plot.png && echo "numbers of %s" >numbers.md\n' \
+    "${2-}" $1 $1 $1 $1 >"$scratch/home/build/release/chapters/$1"
+  chmod +x "$scratch/home/build/release/chapters/$1"
+}
+for name in 03_three 04_four 10_ten; do chapter $name; done
+# Where there is no apt, it goes on without.
+course render && expect 0 "the first sheet: renders/03_three/sheet.png (" "Drawing renders/10_ten/sheet.png" "3 of 3 drawn in " "  03_three   "
+expect 0 $'the sheets:\n  renders/03_three/sheet.png\n  renders/04_four/sheet.png\n  renders/10_ten/sheet.png'
+expect_not "run 04_four" && expect_not "numbers of"
+[[ $output =~ Drawing\ renders/03.*first\ sheet.*Drawing\ renders/04 ]] || { echo "not the first one first: $output"; failures=$((failures + 1)); }
+course render && expect 0 "0 of 3 drawn in " "  renders/10_ten/sheet.png" && expect_not "Drawing" && expect_not "first sheet"
+chapter 04_four
+course render && expect 0 "Drawing renders/04_four/sheet.png" "1 of 3 drawn in " && expect_not "Drawing renders/03" && expect_not "first sheet"
+for file in sheet.png plot.png numbers.md; do
+  rm "$scratch/home/renders/10_ten/$file"
+  course render && expect 0 "Drawing renders/10_ten/sheet.png" "1 of 3 drawn in "
+done
+course render 03 && expect 0 "numbers of 03_three" "0 of 1 drawn in " && expect_not "04_four"
+# A chapter goes by its number, its name, both, or its directory. Of one that takes a while, it says how long.
+chapter 10_ten "sleep 1.1"
+course render 3 four chapters/10_ten/ && expect 0 "1 of 3 drawn in " "renders/04_four/sheet.png"
 [[ $output =~ 10_ten\ +[1-9] ]] || { echo "no time for 10_ten"; failures=$((failures + 1)); }
-course render 03 -- --beta "1.4 x" --list && expect 0 "run 03_three: --beta 1.4 x --list" "renders/03_three/sheet.png"
+# Beside each other: neither of these ends before the other has begun.
+meet='touch met.%s; i=0; until [ -e met.%s ]; do sleep 0.1; i=$((i + 1)); [ $i -lt 100 ] || exit 3; done'
+chapter 04_four "$(printf "$meet" 4 10)"; chapter 10_ten "$(printf "$meet" 10 4)"
+course render && expect 0 "2 of 3 drawn in "
+# One that fails is named, with what it said, and is drawn again the next time.
+chapter 04_four 'echo "04_four: no such speed" >&2; exit 2'
+course render && expect 1 "FAILED: drawn/04_four" "04_four: no such speed" "what went wrong stands above" && expect_not "drawn in"
+course render 04 && expect 1 "04_four: no such speed"
+chapter 04_four
+course render && expect 0 "1 of 3 drawn in "
+
+# Options of a chapter: the programs themselves, beside each other, each one's words together; then it is drawn as it was.
+stand_in cmake 'echo "cmake $*"'
+course render 03 -- --beta "1.4 x" --list && expect 0 "--target 03_three" "run 03_three: --beta 1.4 x --list" "rendered 03_three in "
 expect_not 04_four
-printf '#!/bin/sh\nexit 3\n' >"$scratch/home/build/release/chapters/04_four"
-course render && expect 1 "04_four failed with exit status 3"
+rm -f "$scratch"/home/met.*
+for name in 03_three:3:4 04_four:4:3; do
+  IFS=: read -r name one other <<<"$name"
+  chapter $name "echo a $name; $(printf "$meet" $one $other); echo b $name"
+done
+course render 03 04 -- --beta "1.4 x"
+expect 0 $'== chapter 03_three\na 03_three\nb 03_three\nrun 03_three: --beta 1.4 x\n' $'== chapter 04_four\na 04_four\nb 04_four\n'
+chapter 04_four "echo no such beta >&2; exit 3"
+course render 04 -- --beta 2 && expect 1 "no such beta" "04_four failed with exit status 3"
+course render 03 04 -- --beta 2 && expect 1 "run 03_three" "no such beta" "04_four failed with exit status 3" && expect_not "rendered"
+rm "$scratch/bin/cmake" && ln -s "$(type -P cmake)" "$scratch/bin/cmake"
+course render 03 10 && expect 0 "1 of 2 drawn in " "Drawing renders/03_three/sheet.png"
+stand_in cmake 'echo "cmake $*"'
+rm "$scratch/bin/"{awk,xargs,cut,sha256sum}
+touch "$scratch/home/build/release/build.ninja"
 
 # The hard cases: names and options go on to the program, and its exit status comes back.
 course hard-cases && expect 0 "cmake --build --preset release" "--target hard_cases_table" "table: " "took "
@@ -108,10 +160,10 @@ done
 course --help && expect 0 "another preset:$listed"$'\n'
 
 # clang-tidy: on what changed since a commit, for headers on a file that includes them; what changed last comes first.
-for tool in awk date git wc xargs; do ln -sf "$(type -P $tool)" "$scratch/bin/$tool"; done
+for tool in awk cut date git sha256sum wc xargs; do ln -sf "$(type -P $tool)" "$scratch/bin/$tool"; done
 stand_in ninja 'for f in common/*/*.cpp chapters/*/main.cpp; do echo "$PWD/$f"; done'
 stand_in nproc 'echo 1'  # or two at once would speak in any order
-stand_in clang-tidy-19 'for last; do :; done; if grep "a finding" "$last"; then exit 1; fi'
+stand_in clang-tidy-19 'for last; do :; done; if [ -e "$last" ] && grep "a finding" "$last"; then exit 1; fi'
 (
   cd "$scratch/home" && mkdir -p common/a && export GIT_CONFIG_GLOBAL=/dev/null
   git init -q -b main && git config user.name x && git config user.email x@x
@@ -124,10 +176,24 @@ stand_in clang-tidy-19 'for last; do :; done; if grep "a finding" "$last"; then 
   echo "// 1" >>common/a/two.cpp && commit second
   echo "// 2" >>common/a/deep.h && commit third
   echo "// a finding" >>common/a/other.cpp
+  mkdir -p build/sanitize && ln -s "$PWD" build/sanitize/pushback
+  for name in common/a/{one,two,other}.cpp chapters/0{3_three,4_four}/main.cpp; do
+    printf '  "command": "%s -I%s -o x.o -c %s",\n' "$(type -P cc)" "$PWD/build/sanitize" "$PWD/$name"
+  done >build/sanitize/compile_commands.json
 )
 course tidy && expect 1 "3 files to look at for what changed since " "// a finding" "common/a/two.cpp: fine" "chapters/04_four/main.cpp: fine" "has found something"
 expect_not 03_three && expect_not "common/a/one.cpp"
 course tidy HEAD~1 && expect 1 "2 files to look at for what changed since HEAD~1" "// a finding" && expect_not "common/a/two.cpp"
+# What has passed is not looked at again, until something changes that it is made of; what has a finding is, each time.
+course tidy && expect 1 "common/a/two.cpp: fine, as before" "chapters/04_four/main.cpp: fine, as before" "// a finding"
+echo "// NOLINT" >>"$scratch/home/common/a/deep.h"  # included by way of another
+course tidy && expect 1 "chapters/04_four/main.cpp: fine"$'\n' "common/a/two.cpp: fine, as before"
+course tidy && expect 1 "chapters/04_four/main.cpp: fine, as before"
+sed -i 's/-o x.o/-DX -o x.o/' "$scratch/home/build/sanitize/compile_commands.json"
+course tidy && expect 1 "common/a/two.cpp: fine"$'\n' && expect_not "as before"
+stand_in clang-tidy-19 'for last; do :; done; echo checks; if [ -e "$last" ] && grep "a finding" "$last"; then exit 1; fi'
+course tidy && expect 1 "common/a/two.cpp: fine"$'\n' && expect_not "as before"
+(cd "$scratch/home" && git checkout -q common/a/deep.h)
 course tidy nowhere && expect 2 "unknown commit 'nowhere'"
 course tidy HEAD HEAD && expect 2 "'tidy' takes no words, but was given 'HEAD'"
 PUSHBACK_TIDY_SECONDS=0 course tidy && expect 0 "common/a/other.cpp: not looked at, for want of time" "./course check looks at all"

@@ -23,7 +23,7 @@ namespace {
 
 const char* const table_file = "renders/hard_cases/table.csv";
 
-struct Line {
+struct TableLine {
   std::string of_case, stage, criterion, unit;
   Real limit;
   bool passes;
@@ -32,9 +32,9 @@ struct Line {
   int starts_passed, starts;
 };
 
-const std::vector<Line>& written() {
-  static const std::vector<Line> lines = [] {
-    std::vector<Line> all;
+const std::vector<TableLine>& written() {
+  static const std::vector<TableLine> lines = [] {
+    std::vector<TableLine> all;
     const std::vector<std::string> csv = lines_of(text_of(table_file));
     for (std::size_t i = 1; i < csv.size(); ++i) {
       const std::vector<std::string> f = fields_of(csv[i]);
@@ -50,7 +50,7 @@ const std::vector<Line>& written() {
 
 int cells_of(const std::string& stage, bool that_pass) {
   std::map<std::string, bool> passed;
-  for (const Line& line : written()) {
+  for (const TableLine& line : written()) {
     if (line.stage != stage) continue;
     const bool good = line.passes && line.broken.empty();
     passed[line.of_case] = passed.contains(line.of_case) ? passed[line.of_case] && good : good;
@@ -95,10 +95,10 @@ std::string figure_of(const std::vector<std::string>& mark) {
   if (stage.empty()) return {};
   if (mark[0] == "passes" || mark[0] == "fails") return std::to_string(cells_of(stage, mark[0] == "passes"));
   std::vector<std::string> criteria;
-  for (const Line& line : written()) {
+  for (const TableLine& line : written()) {
     if (line.of_case == mark[0] && line.stage == stage) criteria.push_back(line.criterion);
   }
-  for (const Line& line : written()) {
+  for (const TableLine& line : written()) {
     if (line.of_case != mark[0] || line.stage != stage || mark.size() < 3) continue;
     if (mark[2] == "starts") return std::to_string(line.starts_passed) + "/" + std::to_string(line.starts);
     if (line.criterion != name_with(mark[2], criteria)) continue;
@@ -163,7 +163,7 @@ TEST_CASE("the committed table has every case under every stage, with the criter
     for (const Stage& stage : stages()) {
       for (const Criterion& criterion : hard_case.criteria) {
         REQUIRE(line < written().size());
-        const Line& there = written()[line++];
+        const TableLine& there = written()[line++];
         INFO(hard_case.name << " " << stage.name);
         REQUIRE(there.of_case == hard_case.name);
         REQUIRE(there.stage == stage.name);

@@ -11,28 +11,6 @@ using namespace pushback;
 
 namespace {
 
-/// How far two images of one size are apart: the mean over all channels, and the share of pixels that differ clearly.
-struct Difference {
-  double mean = 0, share = 0;
-};
-Difference difference(const Image& a, const Image& b) {
-  Difference d;
-  for (int y = 0; y < a.height; ++y) {
-    for (int x = 0; x < a.width; ++x) {
-      int worst = 0;
-      for (int channel = 0; channel < 3; ++channel) {
-        const int apart = std::abs(a.at(x, y)[channel] - b.at(x, y)[channel]);
-        d.mean += apart;
-        worst = std::max(worst, apart);
-      }
-      d.share += worst > 24 ? 1 : 0;
-    }
-  }
-  d.mean /= 3.0 * a.width * a.height;
-  d.share /= static_cast<double>(a.width) * a.height;
-  return d;
-}
-
 /// The sheet of a chapter, drawn small: the cells at half their size, the whole then 600 pixels wide.
 Image small_sheet(const std::string& chapter) {
   const Scratch out;
@@ -122,12 +100,4 @@ TEST_CASE("the sheet of 19 looks as it did") {
 }
 TEST_CASE("the sheet of 20 looks as it did") {
   compare("20_only_what_is_needed");
-}
-
-TEST_CASE("an image that is not the same is told apart") {
-  Image white(20, 10, 255);
-  Image grey(20, 10, 200);
-  CHECK(difference(white, white).mean == 0);
-  CHECK(difference(white, grey).mean == 55);
-  CHECK(difference(white, grey).share == 1);
 }

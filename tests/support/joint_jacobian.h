@@ -26,6 +26,6 @@ inline pushback::Equations asked_by(const pushback::Joint& joint, const pushback
 
 /// J V.
 inline pushback::Real rate_of(const pushback::Equation& equation, const pushback::Body& a, const pushback::Body& b) {
-  const auto& [n, ra_n, rb_n] = equation.jacobian;
-  return n.dot(b.velocity - a.velocity) + rb_n.dot(b.angular_velocity) - ra_n.dot(a.angular_velocity);
+  const pushback::Jacobian& J = equation.jacobian;
+  return J.n.dot(b.velocity - a.velocity) + J.rb_n.dot(b.angular_velocity) - J.ra_n.dot(a.angular_velocity);
 }

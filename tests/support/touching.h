@@ -25,7 +25,7 @@ struct RandomPair {
   Body& a() { return world.bodies[0]; }
   Body& b() { return world.bodies[1]; }
   /// Its row along a direction.
-  Row row(const Vec3& direction) { return row_of(world, contact, direction, 0); }
+  Row row(const Vec3& direction) { return {world, contact, direction, 0}; }
 };
 
 }  // namespace pushback

@@ -38,8 +38,7 @@ FrozenStudy study_frozen(const FrozenOptions& options) {
   problems.insert(problems.begin(), own.begin(), own.end());
   std::vector<Traced> all;
   for (const FrozenProblem& problem : problems) all.push_back(traced(problem, options));
-  FrozenStudy study{trace_panels(all), profile_panels(all), remarks_of(all),
-                    reached_of(all),   tables_of(all),      csv_of(all)};
+  FrozenStudy study{remarks_of(all), reached_of(all), tables_of(all), csv_of(all)};
   if (!options.folder) study.remarks.push_back("no folder of foreign problems was given: only our own are here");
   return study;
 }

@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "pushback/common/experiment/plot.h"
-
 namespace pushback::frozen {
 
 struct FrozenOptions {
@@ -17,12 +15,10 @@ struct FrozenOptions {
 
 /// Sweeps, systems and residuals are the same whenever they are there; times, and so who is fastest, are those of the day.
 struct FrozenStudy {
-  std::vector<Panel> traces;         ///< residual against time, and below it against row solves, three problems a row
-  std::vector<Panel> profiles;       ///< three of time, one of row solves
   std::vector<std::string> remarks;  ///< what the numbers say, a sentence each
   std::string reached;               ///< markdown, a row a method, with its heading
   std::vector<std::string> tables;   ///< markdown, one for each tolerance, with its heading
-  std::vector<std::string> csv;      ///< lines without their ends; the first says what the others have
+  std::string csv;                   ///< every point that was traced: what pictures.h draws
 };
 
 /// Takes minutes, or seconds if quick. Rounds go over all methods, one after the other, and then over all again. Throws

@@ -1,9 +1,16 @@
-#include <algorithm>
-#include <cmath>
+#include "pushback/chapters/19_accuracy_and_time/frozen/pictures.h"
 
-#include "pushback/chapters/19_accuracy_and_time/frozen/methods.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "pushback/chapters/19_accuracy_and_time/frozen/profile.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/traced.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/common/experiment/marker.h"
 
 namespace pushback::frozen {
 
@@ -14,48 +21,64 @@ constexpr std::array telling{"stack of 20",          "pile of 48 shapes after 2 
                              "heavy on four 1:1000", "twelve planks sliding",       "RockPile_tob1",
                              "arch of 11 stones",    "pyramid of 10 after 1 s"};
 
-std::string title_of(const FrozenProblem& frozen) {
-  std::string name = frozen.name.substr(0, frozen.name.find_first_of("-_"));  // gnuplot lowers what follows a _
-  return fmt::format("{}, {} contacts", name, frozen.problem.contacts());
+/// Where it is in the list; at its end, if it is new.
+template <class List, class Is>
+std::size_t place_in(List& list, const Is& is, typename List::value_type fresh) {
+  const auto found = std::find_if(list.begin(), list.end(), is);
+  const auto place = static_cast<std::size_t>(found - list.begin());
+  if (found == list.end()) list.push_back(std::move(fresh));
+  return place;
 }
 
-/// The same: Siconos' NSN_AC.
-std::string label_of(std::string method) {
-  std::replace(method.begin(), method.end(), '_', '-');
-  return method;
+Curve curve_of(const std::string& method, std::size_t index) {
+  return {method, {}, {}, line_colour(index), Curve::Style::line, marker_of(index)};
 }
 
-Panel trace_panel(const Traced& of, bool against_time) {
-  Panel panel{.title = title_of(*of.frozen),
+Panel trace_panel(const FrozenPoints& all, const FrozenPoints::Problem& of, bool against_time) {
+  Panel panel{.title = fmt::format("{}, {} contacts", of.name.substr(0, of.name.find_first_of("-_")), of.contacts),
               .x_label = against_time ? "time, ms" : "row solves",
               .y_label = "relative residual",
               .log_x = true,
               .log_y = true,
-              .floor = 1e-13};
-  for (std::size_t m = of.traces.size(); m-- > 0;) {  // the first on top: dashed, they show what they coincide with
-    const std::string method = frozen_methods()[m];
-    if (!against_time && !of.traces[m].counts_rows()) continue;
-    const std::vector<TracePoint>& points = of.traces[m].points();
+              .floor = Real(1e-12)};
+  for (std::size_t m = 0; m < all.methods.size(); ++m) {
+    const std::vector<FrozenPoint>& points = of.of_method[m];
+    Curve curve = curve_of(all.methods[m], m);
     if (points.empty()) {
-      panel.curves.push_back({label_of(method) + ": not reached", {}, {}, line_colour(m)});
+      curve.label += ": not reached";
+      if (against_time) panel.curves.push_back(curve);
       continue;
     }
-    const bool wrong_law = method == "pgs" || method == "scaled-back", every_sweep = points[0].sweeps == 0;
-    Curve curve{label_of(method), {}, {}, line_colour(m), Curve::Style::line};
+    if (!against_time && !points[0].row_solves) continue;
+    const bool wrong_law = curve.label == "pgs" || curve.label == "scaled-back", every_sweep = points[0].sweeps == 0;
     if (wrong_law) curve.style = Curve::Style::dashed;
     if (!every_sweep) curve.style = Curve::Style::line_and_points;
-    for (const TracePoint& point : points) {
+    for (const FrozenPoint& point : points) {
       if (point.sweeps == 0) continue;  // no place for it on a logarithmic axis
-      const double x = against_time ? 1e3 * point.time() : of.traces[m].row_solves(point);
-      curve.x.push_back(static_cast<Real>(x));
-      curve.y.push_back(static_cast<Real>(std::max(point.residual, 1e-13)));
+      curve.x.push_back(static_cast<Real>(against_time ? 1e3 * point.seconds : *point.row_solves));
+      curve.y.push_back(static_cast<Real>(point.residual));
     }
     panel.curves.push_back(curve);
   }
   return panel;
 }
 
-Panel profile_panel(const std::string& title, const std::string& unit, const Costs& costs,
+/// What each method pays until its residual is that low.
+template <class Cost>
+Costs costs_to(double tolerance, const FrozenPoints& all, const Cost& cost) {
+  Costs costs;
+  for (const FrozenPoints::Problem& of : all.problems) {
+    costs.emplace_back();
+    for (const std::vector<FrozenPoint>& points : of.of_method) {
+      const auto found = std::find_if(points.begin(), points.end(),
+                                      [&](const FrozenPoint& point) { return point.residual <= tolerance; });
+      costs.back().push_back(found == points.end() ? not_reached : cost(*found));
+    }
+  }
+  return costs;
+}
+
+Panel profile_panel(const std::string& title, const std::string& unit, const Costs& costs, const FrozenPoints& all,
                     const std::vector<std::size_t>& methods) {
   Panel panel{.title = title,
               .x_label = "times the " + unit + " of the cheapest",
@@ -63,7 +86,7 @@ Panel profile_panel(const std::string& title, const std::string& unit, const Cos
               .log_x = true,
               .x_range = {1, 1000}};
   for (const std::size_t m : methods) {
-    Curve curve{label_of(frozen_methods()[m]), {}, {}, line_colour(m), Curve::Style::line};
+    Curve curve = curve_of(all.methods[m], m);
     for (int i = 0; i <= 600; ++i) {
       const double tau = std::pow(10, i / 200.0);
       curve.x.push_back(static_cast<Real>(tau));
@@ -76,35 +99,75 @@ Panel profile_panel(const std::string& title, const std::string& unit, const Cos
 
 }  // namespace
 
-std::vector<Panel> trace_panels(const std::vector<Traced>& all) {
-  std::vector<const Traced*> shown;
-  for (const char* name : telling)
-    for (const Traced& of : all)
-      if (of.frozen->name == name && shown.size() < 6) shown.push_back(&of);
+FrozenPoints read_frozen_csv(const std::string& text) {
+  FrozenPoints all;
+  std::istringstream in(text);
+  std::string line;
+  if (!std::getline(in, line) || line != csv_heading)
+    throw InvalidInput(fmt::format("the first line is '{}': '{}' is needed", line, csv_heading));
+  while (std::getline(in, line)) {
+    std::istringstream fields(line);
+    std::string name, contacts, method, row_solves, rest;
+    std::getline(fields, name, ',');
+    std::getline(fields, contacts, ',');
+    std::getline(fields, method, ',');
+    FrozenPoint point;
+    char comma = 0;
+    fields >> point.sweeps >> comma;
+    std::getline(fields, row_solves, ',');
+    fields >> point.systems >> comma >> point.residual >> comma >> point.seconds;
+    const auto is_count = [](const std::string& word) {
+      return !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
+    };
+    if (!fields || method.empty() || !is_count(contacts) || contacts.size() > 9 ||
+        !(row_solves == "-" || is_count(row_solves)))
+      throw InvalidInput(fmt::format("'{}' is not a line of frozen.csv", line));
+    if (row_solves != "-") point.row_solves = std::stod(row_solves);
+    const std::size_t m = place_in(all.methods, [&](const std::string& other) { return other == method; }, method);
+    const std::size_t p = place_in(all.problems, [&](const FrozenPoints::Problem& other) { return other.name == name; },
+                                   {name, std::stoi(contacts), {}});
+    std::vector<std::vector<FrozenPoint>>& of_method = all.problems[p].of_method;
+    of_method.resize(std::max(of_method.size(), m + 1));
+    of_method[m].push_back(point);
+  }
+  for (FrozenPoints::Problem& of : all.problems) of.of_method.resize(all.methods.size());
+  return all;
+}
+
+std::vector<Panel> trace_panels(const FrozenPoints& all) {
   std::vector<Panel> panels;
-  for (std::size_t first = 0; first < shown.size(); first += 3)
-    for (const bool against_time : {true, false})
-      for (std::size_t i = first; i < std::min(first + 3, shown.size()); ++i)
-        panels.push_back(trace_panel(*shown[i], against_time));
+  for (const char* name : telling) {
+    for (const FrozenPoints::Problem& of : all.problems) {
+      if (of.name != name || panels.size() == 12) continue;
+      for (const bool against_time : {true, false}) panels.push_back(trace_panel(all, of, against_time));
+    }
+  }
   return panels;
 }
 
-std::vector<Panel> profile_panels(const std::vector<Traced>& all) {
+std::vector<Panel> profile_panels(const FrozenPoints& all) {
   std::vector<std::size_t> every, sweeping;
-  for (std::size_t m = 0; m < frozen_methods().size(); ++m) {
+  for (std::size_t m = 0; m < all.methods.size(); ++m) {
     every.push_back(m);
-    if (!solves_systems(m, all) && !is_siconos(frozen_methods()[m])) sweeping.push_back(m);
+    const auto only_sweeps = [](const FrozenPoint& point) { return point.row_solves && point.systems == 0; };
+    if (std::all_of(all.problems.begin(), all.problems.end(), [&](const FrozenPoints::Problem& of) {
+          return std::all_of(of.of_method[m].begin(), of.of_method[m].end(), only_sweeps);
+        }))
+      sweeping.push_back(m);
   }
   std::vector<Panel> panels;
+  const auto seconds = [](const FrozenPoint& point) { return point.seconds; };
   for (const double tolerance : tolerances)
-    panels.push_back(profile_panel(fmt::format("time to a residual of {:.0e}, {} problems", tolerance, all.size()),
-                                   "time", times_to(tolerance, all), every));
-  Costs rows = row_solves_to(tolerances[1], all);
+    panels.push_back(
+        profile_panel(fmt::format("time to a residual of {:.0e}, {} problems", tolerance, all.problems.size()), "time",
+                      costs_to(tolerance, all, seconds), all, every));
+  Costs rows = costs_to(tolerances[1], all,
+                        [](const FrozenPoint& point) { return std::max(1.0, point.row_solves.value_or(not_reached)); });
   for (std::vector<double>& of : rows)  // nobody is held against what is not shown
     for (std::size_t m = 0; m < of.size(); ++m)
       if (std::find(sweeping.begin(), sweeping.end(), m) == sweeping.end()) of[m] = not_reached;
-  panels.push_back(
-      profile_panel(fmt::format("row solves to a residual of {:.0e}", tolerances[1]), "row solves", rows, sweeping));
+  panels.push_back(profile_panel(fmt::format("row solves to a residual of {:.0e}", tolerances[1]), "row solves", rows,
+                                 all, sweeping));
   return panels;
 }
 

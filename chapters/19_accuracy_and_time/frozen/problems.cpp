@@ -55,7 +55,7 @@ std::vector<FrozenProblem> own_problems() {
           "twelve planks sliding",
           [](World& world) { friction_cone_scenes::wheel(world, friction_cone_scenes::longest_half, h); }, Real(0.2)),
       frozen("stack sliding", sliding_stack, 0),
-      frozen("blow on a stack", blow_on_stack, 0),
+      frozen("impact on a stack", impact_on_stack, 0),
       frozen("card house", card_house, 0),
       frozen("arch of 11 stones", arch, 0),
       frozen("tower of 36 planks", tower_of_planks, 0),

@@ -22,7 +22,7 @@ inline void sliding_stack(World& world) {
 }
 
 /// A stack of ten, and something heavy that has just reached its seventh box from the side.
-inline void blow_on_stack(World& world) {
+inline void impact_on_stack(World& world) {
   stack(world, 10);
   constexpr Real radius = Real(0.4);
   world.add(sphere(radius, 300).at({Real(0.5) + radius - into_each_other, Real(6.6), Real(0.1)}).moving({-8, 0, 1}));

@@ -1,4 +1,4 @@
-/// What was traced, and what is made of it: pictures (pictures.cpp) and words (words.cpp).
+/// What was traced, and what is made of it: words (words.cpp), and what pictures.h draws.
 #pragma once
 
 #include <array>
@@ -8,7 +8,6 @@
 #include "pushback/chapters/19_accuracy_and_time/frozen/problems.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/profile.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/trace.h"
-#include "pushback/common/experiment/plot.h"
 
 namespace pushback::frozen {
 
@@ -20,20 +19,16 @@ struct Traced {
   std::vector<Trace> traces;  ///< in the order of frozen_methods()
 };
 
-/// Median s to the tolerance, problem by problem; or row solves.
+/// Median s to the tolerance, problem by problem.
 Costs times_to(double tolerance, const std::vector<Traced>& all);
-Costs row_solves_to(double tolerance, const std::vector<Traced>& all);
 /// Whether any of its points took linear systems, so that row solves are not all of its work.
 bool solves_systems(std::size_t method, const std::vector<Traced>& all);
-
-std::vector<Panel> trace_panels(const std::vector<Traced>& all);
-std::vector<Panel> profile_panels(const std::vector<Traced>& all);
 
 std::vector<std::string> tables_of(const std::vector<Traced>& all);
 /// A row a method: on how many problems it comes that far, on how many it is the fastest, and its time as a multiple of the
 /// fastest one's, the median of those it reaches. For each tolerance.
 std::string reached_of(const std::vector<Traced>& all);
 std::vector<std::string> remarks_of(const std::vector<Traced>& all);
-std::vector<std::string> csv_of(const std::vector<Traced>& all);
+std::string csv_of(const std::vector<Traced>& all);
 
 }  // namespace pushback::frozen

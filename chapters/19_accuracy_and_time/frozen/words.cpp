@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "pushback/chapters/19_accuracy_and_time/frozen/methods.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/pictures.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/traced.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/quantile.h"
@@ -9,19 +10,6 @@
 namespace pushback::frozen {
 
 namespace {
-
-template <class Cost>
-Costs costs_to(double tolerance, const std::vector<Traced>& all, Cost cost) {
-  Costs costs;
-  for (const Traced& of : all) {
-    costs.emplace_back();
-    for (const Trace& trace : of.traces) {
-      const TracePoint* point = trace.reaching(tolerance);
-      costs.back().push_back(point == nullptr ? not_reached : cost(trace, *point));
-    }
-  }
-  return costs;
-}
 
 std::string counted(double count) {
   if (count < 1e4) return fmt::format("{:.0f}", count);
@@ -88,12 +76,15 @@ std::string said_of_floors(std::size_t method, const std::vector<Traced>& all) {
 }  // namespace
 
 Costs times_to(double tolerance, const std::vector<Traced>& all) {
-  return costs_to(tolerance, all, [](const Trace&, const TracePoint& point) { return point.time(); });
-}
-
-Costs row_solves_to(double tolerance, const std::vector<Traced>& all) {
-  return costs_to(tolerance, all,
-                  [](const Trace& trace, const TracePoint& point) { return std::max(1.0, trace.row_solves(point)); });
+  Costs costs;
+  for (const Traced& of : all) {
+    costs.emplace_back();
+    for (const Trace& trace : of.traces) {
+      const TracePoint* point = trace.reaching(tolerance);
+      costs.back().push_back(point == nullptr ? not_reached : point->time());
+    }
+  }
+  return costs;
 }
 
 bool solves_systems(std::size_t method, const std::vector<Traced>& all) {
@@ -182,18 +173,16 @@ std::vector<std::string> remarks_of(const std::vector<Traced>& all) {
   return remarks;
 }
 
-std::vector<std::string> csv_of(const std::vector<Traced>& all) {
-  std::vector<std::string> lines{
-      "problem,contacts,method,sweeps,row_solves,systems,residual,median_s,lower_quartile_s,upper_quartile_s"};
+std::string csv_of(const std::vector<Traced>& all) {
+  std::string text = fmt::format("{}\n", csv_heading);
   for (const Traced& of : all)
     for (std::size_t m = 0; m < of.traces.size(); ++m)
       for (const TracePoint& point : of.traces[m].points())
-        lines.push_back(
-            fmt::format("{},{},{},{},{},{},{:.6e},{:.3e},{:.3e},{:.3e}", of.frozen->name, of.frozen->problem.contacts(),
-                        frozen_methods()[m], point.sweeps,
-                        of.traces[m].counts_rows() ? fmt::format("{:.0f}", of.traces[m].row_solves(point)) : "-",
-                        point.systems, point.residual, point.time(), point.time(0.25), point.time(0.75)));
-  return lines;
+        text += fmt::format("{},{},{},{},{},{},{:.6e},{:.3e},{:.3e},{:.3e}\n", of.frozen->name,
+                            of.frozen->problem.contacts(), frozen_methods()[m], point.sweeps,
+                            of.traces[m].counts_rows() ? fmt::format("{:.0f}", of.traces[m].row_solves(point)) : "-",
+                            point.systems, point.residual, point.time(), point.time(0.25), point.time(0.75));
+  return text;
 }
 
 }  // namespace pushback::frozen

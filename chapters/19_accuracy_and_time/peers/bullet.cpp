@@ -188,7 +188,8 @@ std::vector<Method> peer_methods() {
       method("", "Bullet", {.solver = make<Counting<btSequentialImpulseConstraintSolver>>}),
       method("-split", "Bullet, split impulse", {.solver = make<btSequentialImpulseConstraintSolver>, .split = true}),
       method("-nncg", "Bullet, conjugate gradients", {.solver = make<Counting<btNNCGConstraintSolver>>}),
-      method("-dantzig", "Bullet, all at once", {.solver = make<Dantzig>, .direct = true, .softness = btScalar(1e-6)})};
+      method("-dantzig", "Bullet, solved directly",
+             {.solver = make<Dantzig>, .direct = true, .softness = btScalar(1e-6)})};
 }
 
 std::string peer_version() {

@@ -172,7 +172,7 @@ Method method(const std::string& name, const std::string& title, const Choice& c
 std::vector<Method> peer_methods() {
   return {method("ode", "ODE, QuickStep", {}),
           method("ode-aligned", "ODE, QuickStep, friction along sliding", {.aligned = true}),
-          method("ode-exact", "ODE, all at once, friction along sliding", {.exact = true, .aligned = true})};
+          method("ode-exact", "ODE, solved directly, friction along sliding", {.exact = true, .aligned = true})};
 }
 
 std::string peer_version() {

@@ -121,26 +121,24 @@ std::string table_of_knobs(const std::vector<MotionMeasured>& all) {
 
 std::vector<Panel> panels_of_knobs(const std::vector<MotionMeasured>& all) {
   std::vector<Panel> panels;
-  for (const auto& [small, title] : {std::pair{true, "more substeps"}, std::pair{false, "more sweeps"}}) {
+  const Turned* next = turned;
+  for (const auto& [title, count] : {std::pair{"more substeps: free bodies in motion", 5},
+                                     {"more substeps: joints, bodies at rest", 5},
+                                     {"more sweeps: a stack, a pyramid", 5},
+                                     {"more sweeps: a heavy box, a chain", 3}}) {
     Panel panel{.title = title,
-                .x_label = small ? "substeps in 1/60 s" : "sweeps in a substep",
+                .x_label = next->substeps == 0 ? "substeps in 1/60 s" : "sweeps in a substep",
                 .y_label = "largest error, m",
                 .log_x = true,
-                .log_y = true};
-    std::size_t colour = 0;
-    for (const Turned& how : turned) {
-      if ((how.substeps == 0) != small) continue;
-      const Line line = line_of(measured_of(all, how.motion), how);
-      Curve curve{fmt::format("{}, {}", how.motion, how.method),
-                  {},
-                  {},
-                  line_colour(colour),
-                  colour < 8 ? Curve::Style::line_and_points : Curve::Style::dashed};
-      ++colour;
-      for (std::size_t i = 0; i < line.knob.size(); ++i) {
-        curve.x.push_back(static_cast<Real>(line.knob[i]));
-        curve.y.push_back(static_cast<Real>(line.error[i]));
-      }
+                .log_y = true,
+                .floor = 1e-9};
+    for (const Turned* const end = next + count; next < end; ++next) {
+      const Line line = line_of(measured_of(all, next->motion), *next);
+      Curve curve{fmt::format("{}, {}", next->motion, next->method),
+                  {line.knob.begin(), line.knob.end()},
+                  {line.error.begin(), line.error.end()},
+                  line_colour(panel.curves.size()),
+                  Curve::Style::line_and_points};
       if (!curve.x.empty()) panel.curves.push_back(curve);
     }
     if (!panel.curves.empty()) panels.push_back(panel);

@@ -48,11 +48,12 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   for (const std::string& name : asked.only) motions.push_back(&motion_named(name));
   const std::filesystem::path folder = std::filesystem::path(asked.out) / "19_accuracy_and_time";
   make_writable_folder(folder);
-  const std::vector<Engine> engines = engines_in(programs, asked.others);
   if (asked.redraw) {
-    report(read_csv(read_text_file(folder / "study.csv")), engines, folder);
+    const AllMeasured all = read_csv(read_text_file(folder / "study.csv"));
+    report(all, engines_of(all), folder);
     return;
   }
+  const std::vector<Engine> engines = engines_in(programs, asked.others);
   RoundOptions options{.engines = engines, .programs = programs, .quick = asked.quick};
   if (asked.rounds > 0 || asked.quick) options.rounds = std::max(1, asked.rounds);
   options.say = [](const std::string& what) {

@@ -11,7 +11,7 @@ namespace pushback::study {
 
 namespace {
 
-constexpr double least_drawn = 1e-9;  // m: an error of 0 is drawn here
+constexpr Real least_drawn = 1e-6;  // m: what is less is drawn here
 
 struct Tolerance {
   double error;  // m
@@ -38,7 +38,7 @@ Curve curve_of(const Measurements& points, const Motion& motion, const std::stri
   for (const Measured& one : points) {
     if (!std::isfinite(one.error)) continue;
     curve.x.push_back(static_cast<Real>(1000 * one.median() / motion.seconds));
-    curve.y.push_back(static_cast<Real>(std::max(one.error, least_drawn)));
+    curve.y.push_back(static_cast<Real>(one.error));
   }
   return curve;
 }
@@ -48,11 +48,15 @@ void add(Panel& panel, const Curve& curve) {
 }
 
 Panel error_against_time(const Motion& motion) {
-  return {.title = motion.title,
-          .x_label = "wall time for a second, ms",
-          .y_label = "largest error, m",
-          .log_x = true,
-          .log_y = true};
+  Panel panel{.title = motion.title,
+              .x_label = "wall time for a second, ms",
+              .y_label = "largest error, m",
+              .log_x = true,
+              .log_y = true,
+              .floor = least_drawn};
+  for (const Tolerance& tolerance : tolerances)
+    panel.lines.push_back({static_cast<Real>(tolerance.error), tolerance.name});
+  return panel;
 }
 
 /// Three digits, and no exponent.

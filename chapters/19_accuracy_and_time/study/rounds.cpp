@@ -129,16 +129,33 @@ Indices indices_of_those_near_front(const Measurements& all, std::size_t first) 
 
 }  // namespace
 
+namespace {
+
+const std::vector<Engine> known_engines{
+    {"motion", "ours, double", 0},         {"motion_float", "ours, float", 5},
+    {"motion_bullet", "Bullet, float", 1}, {"motion_bullet_double", "Bullet, double", 4},
+    {"motion_ode", "ODE, double", 2},      {"motion_mujoco", "MuJoCo, double", 3}};
+
+}  // namespace
+
 std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others) {
-  std::vector<Engine> found{{"motion", "ours, double", 0}, {"motion_float", "ours, float", 5}};
+  std::vector<Engine> found(known_engines.begin(), known_engines.begin() + 2);
   if (!others) return found;
-  for (const Engine& engine : std::vector<Engine>{{"motion_bullet", "Bullet, float", 1},
-                                                  {"motion_bullet_double", "Bullet, double", 4},
-                                                  {"motion_ode", "ODE, double", 2},
-                                                  {"motion_mujoco", "MuJoCo, double", 3}})
-    if (std::filesystem::exists(programs / engine.program)) found.push_back(engine);
+  std::copy_if(known_engines.begin() + 2, known_engines.end(), std::back_inserter(found),
+               [&](const Engine& engine) { return std::filesystem::exists(programs / engine.program); });
   if (found.size() == 2)
     throw std::runtime_error("no other engine's program is there: configure with -DPUSHBACK_PEERS=ON");
+  return found;
+}
+
+std::vector<Engine> engines_of(const AllMeasured& all) {
+  std::vector<Engine> found;
+  for (const Engine& engine : known_engines) {
+    const auto is_its = [&](const Measured& one) { return one.engine == engine.program; };
+    if (std::any_of(all.begin(), all.end(),
+                    [&](const auto& of) { return std::any_of(of.second.begin(), of.second.end(), is_its); }))
+      found.push_back(engine);
+  }
   return found;
 }
 

@@ -38,6 +38,9 @@ Measurements measure(const Motion& motion, const RoundOptions& options);
 /// By the name of the motion.
 using AllMeasured = std::map<std::string, Measurements>;
 
+/// The engines of which something was measured.
+std::vector<Engine> engines_of(const AllMeasured& all);
+
 /// A line a measurement, and one of headings, with all times; and back: what is then drawn and said is the same. Throws
 /// InvalidInput where a line is not one of these.
 std::string csv_of(const AllMeasured& all);

@@ -26,7 +26,7 @@ Rubbed rubbed(Real heading) {
   stick.world.bodies[1].velocity.y() = -Real(1e-4);  // a touch: friction hardly changes the slip
   Solver<Clamping, FrictionEffect> solver;
   const auto [t1, t2] = tangents_of(stick.contact().normal);
-  const TangentBlock k(row_of(stick.world, stick.contact(), t1, 0), row_of(stick.world, stick.contact(), t2, 0));
+  const TangentBlock k({stick.world, stick.contact(), t1, 0}, {stick.world, stick.contact(), t2, 0});
   solver.solve(stick.world, Real(1) / 60, 200);
   const Vec3 slip = stick.slip(), friction = stick.friction() / (stick.contact().friction *
                                                                  stick.contact().impulse.dot(stick.contact().normal));

@@ -23,7 +23,7 @@ struct TwoPointColumn {
     }
   }
   Body& column() { return world.bodies[1]; }
-  Row row(std::size_t i) { return row_of(world, world.contacts[i], world.contacts[i].normal, i); }
+  Row row(std::size_t i) { return {world, world.contacts[i], world.contacts[i].normal, i}; }
   /// K_ij = J_i M^-1 J_j^T, 1/kg.
   Real coupling(std::size_t i, std::size_t j) const {
     TwoPointColumn other = *this;

@@ -1,0 +1,37 @@
+#include "pushback/common/experiment/kept_picture.h"
+
+#include <exception>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/process.h"
+
+namespace pushback {
+
+namespace {
+
+bool shows_already(const std::filesystem::path& file, const Image& image) {
+  try {
+    return shows_the_same(read_png(file), image);
+  } catch (const std::exception&) {  // there is none, or none that can be read
+    return false;
+  }
+}
+
+}  // namespace
+
+bool shows_the_same(const Image& a, const Image& b) {
+  if (a.width != b.width || a.height != b.height) return false;
+  const Difference pixels = difference(a, b);
+  return pixels.mean < 0.5 && pixels.share < 0.005 && difference(a, b, 2, 48).share == 0;
+}
+
+void keep_picture(const std::filesystem::path& file, const Image& image) {
+  if (shows_already(file, image)) return;
+  const std::string full = in_png(image);
+  const Ended palette = run_program({"pngquant", "--quality", "90-100", "--speed", "1", "--strip", "-"}, 0, full);
+  const bool as_good = palette.status == 0 && palette.out.size() < full.size() &&
+                       shows_the_same(from_png(palette.out, file.string()), image);
+  write_text_file(file, as_good ? palette.out : full);
+}
+
+}  // namespace pushback

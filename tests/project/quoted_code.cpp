@@ -1,0 +1,56 @@
+/// Code that a page quotes stands in a source file: of the project, or of its tests, which compile the answers to exercises.
+#include <algorithm>
+
+#include "tests/project/links.h"
+
+/// The root of the sources, as seen from the working directory of the tests.
+#ifndef SOURCE_DIR
+#define SOURCE_DIR "."
+#endif
+
+namespace {
+
+std::string without_space(std::string text) {
+  std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
+  return text;
+}
+
+/// What stands in the page's fences that begin with ```cpp, up to each empty line, without blanks and ends of lines.
+std::vector<std::string> quoted_in(const std::string& page) {
+  std::vector<std::string> quoted;
+  bool inside = false;
+  for (const std::string& line : lines_of(page)) {
+    const std::string plain = without_space(line);
+    if (inside && plain != "```" && !plain.empty()) quoted.back() += plain;
+    inside = plain == "```cpp" || (inside && plain != "```");
+    if (inside && (plain == "```cpp" || plain.empty())) quoted.emplace_back();
+  }
+  return quoted;
+}
+
+}  // namespace
+
+TEST_CASE("a page's code is found in its fences, and that of other languages is not taken for it") {
+  CHECK(quoted_in("a\n```cpp\nint a;\n  int b;\n\nint c;\n```\n```sh\nls\n```\n- c\n  ```cpp\n  d();\n  ```\n") ==
+        std::vector<std::string>{"inta;intb;", "intc;", "d();"});
+}
+
+TEST_CASE("what a page quotes as code stands in a source file") {
+  std::vector<std::string> sources;
+  for (const std::string folder : {"chapters", "common", "tests", "bench"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE_DIR) / folder)) {
+      if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
+        sources.push_back(without_space(text_of(entry.path())));
+    }
+  }
+  std::size_t parts = 0;
+  for (const fs::path& page : pages_in(SOURCE_DIR)) {
+    for (const std::string& code : quoted_in(text_of(page))) {
+      INFO(page << ": " << code);
+      CHECK(std::any_of(sources.begin(), sources.end(),
+                        [&](const std::string& source) { return contains(source, code); }));
+      ++parts;
+    }
+  }
+  CHECK(parts > 50);
+}
