@@ -28,9 +28,14 @@ int main(int argc, char** argv) {
     const Real top = static_cast<Real>(gate.boxes);
     e.scene({.name = tall + ", every step from nothing",
              .fill = gate,
-             .camera = {{0, top - Real(2.5), 11}, {0, top - Real(2.1), 0}},
+             .camera = {{0, top - Real(1.2), Real(7.8)}, {0, top - Real(1.8), 0}},
              .seconds = 2,
-             .instants = {0, Real(0.5), 1, 2}});
+             .instants = {2},
+             .caption = "Thin lines: where the boxes should be. Which rule holds them there?",
+             .start_shown = false,
+             .marks = [gate](Picture& picture, const World&, Real) { gate.mark(picture); },
+             .cell_height = 500,
+             .side_by_side = true});
     const Signs of_stack = signs(Snapshot(stacked, e.dt()), 3000);  // as many sweeps in every step as a rule takes here
     const auto until = [&](const std::vector<double>& sign) { return first_below(sign, small); };
     e.variant("10 sweeps", Cold{}).with_exactly(10).expect("the top has sunk by", 0);

@@ -1,6 +1,7 @@
 /// A stack of twenty, whose sweeps begin from nothing.
 #pragma once
 
+#include "pushback/common/experiment/marks.h"
 #include "pushback/common/world/situations.h"
 
 namespace pushback::whole_problem_scenes {
@@ -24,6 +25,16 @@ struct StackInGate {
   /// m, from where it began.
   Real height_lost_by_top(const World& world) const {
     return static_cast<Real>(boxes) * (1 - sunk_at_start) - Real(0.5) - world.bodies.back().position.y();
+  }
+  /// The front faces of the upper boxes, where they should be.
+  void mark(Picture& picture) const {
+    constexpr Real half = Real(0.5);
+    for (int i = std::max(0, boxes - 5); i < boxes; ++i) {
+      const Real low = static_cast<Real>(i) - static_cast<Real>(i + 1) * sunk_at_start;
+      add_line(
+          picture,
+          {{-half, low, half}, {half, low, half}, {half, low + 1, half}, {-half, low + 1, half}, {-half, low, half}});
+    }
   }
 };
 

@@ -22,9 +22,14 @@ int main(int argc, char** argv) {
     const Real top = static_cast<Real>(gate.boxes);
     e.scene({.name = tall + ", every step from nothing",
              .fill = gate,
-             .camera = {{0, top - Real(2.5), 11}, {0, top - Real(2.1), 0}},
+             .camera = {{0, top - Real(1.2), Real(7.8)}, {0, top - Real(1.8), 0}},
              .seconds = 2,
-             .instants = {0, Real(0.5), 1, 2}});
+             .instants = {2},
+             .caption = "Thin lines: where the boxes should be. Which solver holds them there?",
+             .start_shown = false,
+             .marks = [gate](Picture& picture, const World&, Real) { gate.mark(picture); },
+             .cell_height = 500,
+             .side_by_side = true});
     e.variant("10 sweeps", Cold{}).with_exactly(10).expect("the top has sunk by", 0);
     e.variant("100 sweeps", Cold{}).with_exactly(100).expect("the top has sunk by", 0);
     e.variant("direct contact solve", Direct{}).with_exactly(1).expect("the top has sunk by", 0);

@@ -3,13 +3,14 @@
 #include "pushback/chapters/13_joints/joints.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
 #include "pushback/common/experiment/experiment.h"
+#include "pushback/common/experiment/marks.h"
 
 using namespace pushback;
 using namespace pushback::substeps_scenes;
 
 namespace {
 
-/// Puts every body where it belongs.
+/// Where every body belongs.
 struct Truth {
   std::vector<Places> places;
 
@@ -19,20 +20,21 @@ struct Truth {
     const auto frames = static_cast<std::ptrdiff_t>(std::floor(time * frames_per_second + Real(1e-3)));
     return frames == 0 ? nullptr : &places[static_cast<std::size_t>(std::min(frames, std::ssize(places)) - 1)];
   }
-  std::size_t operator()(World& world, Real dt, int) const {
-    world.time += dt;
-    const Places* found = at(world.time);
-    if (found == nullptr) return 0;
-    for (std::size_t i = 0; i < found->size(); ++i) world.bodies[i].position = (*found)[i].cast<Real>();
-    if (!world.joints.empty()) turn_links(world);
-    return 0;
-  }
-  /// Each link of the chain hangs on the one before it, by its ends: a link's centre is half way from pin to pin.
-  static void turn_links(World& world) {
+  /// A ring where each ball belongs, a line along each link from pin to pin.
+  void mark(Picture& picture, const World& world, Real time) const {
+    const Places* found = at(time);
+    if (found == nullptr) return;
+    const Vec3 towards = (picture.camera.eye - picture.camera.target).normalized();
     Vec3 pin = Vec3::Zero();
-    for (Body& link : world.bodies) {
-      link.orientation = Quat::FromTwoVectors(-Vec3::UnitY(), link.position - pin);
-      pin = 2 * link.position - pin;
+    for (std::size_t i = 0; i < found->size(); ++i) {
+      const Vec3 place = (*found)[i].cast<Real>();
+      if (const auto* ball = std::get_if<Sphere>(&world.bodies[i].shape)) {
+        add_ring(picture, place, towards, ball->radius);
+      } else {
+        const Vec3 end = 2 * place - pin;
+        add_line(picture, {pin, end});
+        pin = end;
+      }
     }
   }
   /// mm, of the body that is farthest from where it belongs.
@@ -69,14 +71,23 @@ int main(int argc, char** argv) {
       return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
     };
 
+    const auto ghosts = [](const Truth& truth) {
+      return [truth](Picture& picture, const World& world, Real time) { truth.mark(picture, world, time); };
+    };
+
     const Motion& billiards = motion_named("break");
+    const Truth of_balls(billiards);
     e.scene({.name = billiards.title,
              .fill = billiards.fill,
              .camera = {{Real(0.55), Real(3.3), Real(1)}, {Real(0.55), 0, 0}},
              .seconds = Real(0.6),
-             .instants = {0, Real(0.25), Real(0.4), Real(0.5)}});
-    const Truth of_balls(billiards);
-    e.motion("as it should be", of_balls).coloured(6);
+             .instants = {Real(0.25), Real(0.5)},
+             .key = "break",
+             .caption = "Rings: where each ball should be. With which steps do the balls lie in their rings?",
+             .start_shown = false,
+             .marks = ghosts(of_balls),
+             .cell_height = 400,
+             .side_by_side = true});
     int colour = 0;
     for (const int steps : steps_of_balls)
       e.variant(counted(steps, "step") + " in 1/60 s", Solver<Clamping, Restitution>{})
@@ -86,13 +97,19 @@ int main(int argc, char** argv) {
     measure_error(of_balls);
 
     const Motion& chain = motion_named("chain");
-    e.scene({.name = chain.title,
-             .fill = [&](World& world) { chain.begin(world); },
-             .camera = {{0, Real(-2.9), Real(10)}, {0, Real(-2.9), 0}},
-             .seconds = 2,
-             .instants = {0, Real(0.7), Real(1.4), 2}});
     const Truth of_chain(chain);
-    e.motion("as it should be", of_chain).coloured(6);
+    e.scene(
+        {.name = chain.title,
+         .fill = [&](World& world) { chain.begin(world); },
+         .camera = {{0, Real(-2.9), Real(10)}, {0, Real(-2.9), 0}},
+         .seconds = 2,
+         .instants = {Real(0.7)},
+         .key = "chain",
+         .caption = "Thin line: the true chain. All three do 16 sweeps in 1/60 s; they differ in the number of steps.",
+         .start_shown = false,
+         .marks = ghosts(of_chain),
+         .cell_height = 500,
+         .side_by_side = true});
     colour = 0;
     for (const int steps : steps_of_chain)
       e.variant(counted(steps, "step") + " of " + counted(16 / steps, "sweep"), Solver<Joints>{})

@@ -3,6 +3,7 @@
 #include "pushback/chapters/20_only_what_is_needed/everything.h"
 #include "pushback/chapters/20_only_what_is_needed/scenes.h"
 #include "pushback/common/experiment/experiment.h"
+#include "pushback/common/render/palette.h"
 
 using namespace pushback;
 using namespace pushback::only_what_is_needed_scenes;
@@ -21,30 +22,7 @@ struct Needed {
   }
 };
 
-/// An island's bodies in the colour that its first one had.
-struct ColouredByIsland {
-  FullSolver solver = {};
-  Islands islands = {};
-  std::vector<int> colours = {};
-
-  std::size_t operator()(World& world, Real dt, int sweeps) {
-    world.step(solver, dt, sweeps);
-    if (colours.empty()) {
-      for (const Body& body : world.bodies) colours.push_back(body.colour);
-    }
-    std::vector<int> movable;
-    for (const Body& body : world.bodies) {
-      if (body.movable()) movable.push_back(body.index);
-    }
-    islands.separate(movable, world.bodies.size());
-    islands.join(world.contacts, world);
-    islands.join(world.joints, world);
-    for (const int i : movable) world.bodies[std::size_t(i)].colour = colours[std::size_t(islands.island_of(i))];
-    return solver.rows().size();
-  }
-};
-
-/// m: how far any body is from where the solver with everything has put it.
+/// mm: how far any body is from where the solver with everything has put it.
 std::function<Real(const Run&)> apart_from_everything(const std::function<void(World&)>& fill, int sweeps) {
   return [fill, sweeps](const Run& run) {
     World world;
@@ -57,6 +35,8 @@ std::function<Real(const Run&)> apart_from_everything(const std::function<void(W
     return 1000 * apart;
   };
 }
+
+const std::string asleep = "called for, and asleep where it rests";
 
 template <class Value>
 Real mean(const Run& run, Value Sample::* what) {
@@ -77,11 +57,7 @@ int main(int argc, char** argv) {
   e.parameter({"--speed", "v", "m/s", "Speed of the ball that rolls towards the piles", 1, 15}, &piles.speed);
   e.parameter({"--mass-ratio", "", "", "Mass of that ball, in masses of a box", 0.05, 50}, &piles.mass_ratio);
   return e.run(argc, argv, [&] {
-    const auto three_ways = [&] {
-      e.variant("everything", Everything{});
-      e.motion("what is called for", Needed{});
-      e.motion("called for, and asleep where it rests", Needed{.sleep = sleep});
-    };
+    const Needed rested{.sleep = sleep};
     const auto measured = [&](const std::function<void(World&)>& fill) {
       e.number("contact points, mean of all steps", "", [](const Run& run) { return mean(run, &Sample::contacts); });
       e.number("rows, mean of all steps", "", [](const Run& run) { return mean(run, &Sample::rows); });
@@ -89,23 +65,36 @@ int main(int argc, char** argv) {
     };
     e.scene({.name = "five piles, and a ball for one of them",
              .fill = piles,
-             .camera = {{0, 6, 17}, {0, Real(1.2), 0}},
+             .camera = {{0, Real(5.5), 12}, {0, Real(0.9), 0}},
              .seconds = 6,
-             .instants = {0, Real(1.2), Real(1.6), Real(2.5), 6}});
-    three_ways();
-    e.motion("everything, coloured by island", ColouredByIsland{});
+             .instants = {Real(1.2), Real(1.6), 6},
+             .caption = "Dark bodies sleep: they cost nothing. Only the pile that the ball hits wakes.",
+             .raster = Raster{"body",
+                              [](const World& world) {
+                                std::vector<int> column;
+                                for (const Body& body : world.bodies)
+                                  if (body.movable()) column.push_back(body.asleep ? 1 : 0);
+                                return column;
+                              },
+                              {{body_ink(2), "awake"}, {asleep_ink(), "asleep"}}},
+             .cell_height = 200});
+    e.motion(asleep, rested).without_curves();
+    e.number("contact points, mean of all steps", "", [](const Run& run) { return mean(run, &Sample::contacts); });
+
+    e.scene({.name = "the same piles, three solvers", .fill = piles, .seconds = 6, .pictures = false});
+    e.variant("everything", Everything{});
+    e.motion("what is called for", Needed{}).without_curves();  // its contacts are the same
+    e.motion(asleep, rested);
     measured(piles);
-    e.series("bodies asleep", "", [](const World& world) {
-      return static_cast<Real>(
-          std::count_if(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.asleep; }));
-    });
+    e.series("contact points", "", [](const World& world) { return static_cast<Real>(world.contacts.size()); });
+
     e.scene({.name = "cubes on ice: no friction, no bounce, no wobble",
              .fill = cubes_on_ice,
-             .camera = {{0, 13, 13}, {0, 0, Real(0.5)}},
              .seconds = 4,
-             .instants = {0, 1, 2, 3, 4}});
-    three_ways();
+             .pictures = false});
+    e.variant("everything", Everything{}).without_curves();
+    e.motion("what is called for", Needed{}).without_curves();
+    e.motion(asleep, rested).without_curves();
     measured(cubes_on_ice);
-    e.series("kinetic energy", "kJ", [](const World& world) { return kinetic_energy(world) / 1000; });
   });
 }

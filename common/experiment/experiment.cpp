@@ -60,13 +60,22 @@ Variant& Variant::reference(const std::string& label, std::function<Real(Real)> 
   return *this;
 }
 
+Variant& Variant::without_curves() {
+  curves = false;
+  return *this;
+}
+
 void Experiment::scene(Scene scene) {
   acts_.push_back({std::move(scene), {}, {}});
 }
 
 void Experiment::series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of,
                         bool log_y) {
-  acts_.back().series.push_back({name, unit, std::move(of), log_y});
+  acts_.back().series.push_back({name, unit, std::move(of), log_y, true});
+}
+
+void Experiment::series_without_curves(const std::string& name, std::function<Real(const World&)> of) {
+  acts_.back().series.push_back({name, "", std::move(of), false, false});
 }
 
 void Experiment::number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of) {

@@ -82,6 +82,7 @@ struct Variant {
   int colour = -1;                             ///< index of line_colour and marker_of; -1: one for its name
   std::map<std::string, Real> expected;        ///< by the name of a number
   std::vector<Reference> references;
+  bool curves = true;  ///< whether its series are drawn
 
   /// Each step of --dt as so many steps of the `count`th part; numbers of points found and lost are then of the last one.
   Variant& in_substeps(int count);
@@ -97,6 +98,8 @@ struct Variant {
   Variant& expect(const std::string& number, Real value);
   /// The curve that the scene's first series should follow.
   Variant& reference(const std::string& label, std::function<Real(Real)> of_time);
+  /// Its curves would lie on those of another.
+  Variant& without_curves();
 };
 
 class Experiment {
@@ -122,6 +125,8 @@ class Experiment {
   /// references are drawn with. Without any, the deepest overlap is plotted. `log_y`: as Panel has it.
   void series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of,
               bool log_y = false);
+  /// The same, recorded for the numbers alone.
+  void series_without_curves(const std::string& name, std::function<Real(const World&)> of);
   /// A number to show beside each variant of the latest scene. None may come from a clock: what git tracks would change with
   /// every run.
   void number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of);
@@ -145,7 +150,7 @@ class Experiment {
   struct Quantity {
     std::string name, unit;
     std::function<Real(const World&)> of;
-    bool log_y;
+    bool log_y, drawn;
   };
   struct Number {
     std::string name, unit;

@@ -116,8 +116,13 @@ void Experiment::Shots::take(const World& world, std::size_t step) {
   if (!cells_.contains(step)) return;
   if (scene_.strobe) {
     const World drawn = as_drawn(world);
-    if (strobe_) add_moving(*strobe_, drawn, arrow_, scene_.strobe->shift_per_second * (time - scene_.strobe->from));
-    else strobe_ = picture_of(drawn, scene_.camera, arrow_);
+    const Strobe& strobe = *scene_.strobe;
+    if (strobe_) {
+      add_moving(*strobe_, drawn, arrow_, strobe.shift_per_second * (time - strobe.from), strobe.marks);
+    } else {
+      strobe_ = picture_of(drawn, scene_.camera, arrow_);
+      if (strobe.marks) strobe.marks(*strobe_, drawn);
+    }
     marked_ = drawn;
     marked_at_ = time;
   } else {

@@ -92,6 +92,7 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
     const Act& act = acts_[a];
     const std::size_t quantities = std::max<std::size_t>(1, act.series.size());
     for (std::size_t q = 0; q < quantities; ++q) {
+      if (!act.series.empty() && !act.series[q].drawn) continue;
       Panel panel;
       panel.title = act.scene.name;
       panel.x_label = "time, s";
@@ -100,7 +101,7 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
                                                        act.series[q].unit.empty() ? "" : ", ", act.series[q].unit);
       panel.log_y = !act.series.empty() && act.series[q].log_y;
       for (const Result& result : results) {
-        if (result.variant->scene != a) continue;
+        if (result.variant->scene != a || !result.variant->curves) continue;
         Curve curve{result.variant->name,
                     {},
                     {},

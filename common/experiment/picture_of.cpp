@@ -104,21 +104,28 @@ Picture picture_of(const World& world, const Camera& camera, Real arrow) {
   return picture;
 }
 
-void add_moving(Picture& picture, const World& world, Real arrow, const Vec3& shift) {
+void add_moving(Picture& picture, const World& world, Real arrow, const Vec3& shift,
+                const std::function<void(Picture&, const World&)>& marks) {
   // Seen by a camera that is shifted the other way, so that each dot has its size where it will be.
   Picture added;
   added.camera = picture.camera;
   added.camera.eye -= shift;
   added.camera.target -= shift;
   add_moving(added, world, arrow);
+  if (marks) marks(added, world);
   for (Solid& solid : added.solids) solid.position += shift;
   for (Dot& dot : added.dots) dot.position += shift;
+  for (Line& line : added.lines) {
+    line.from += shift;
+    line.to += shift;
+  }
   for (Arrow& one : added.arrows) {
     one.tail += shift;
     one.tip += shift;
   }
   picture.solids.insert(picture.solids.end(), added.solids.begin(), added.solids.end());
   picture.dots.insert(picture.dots.end(), added.dots.begin(), added.dots.end());
+  picture.lines.insert(picture.lines.end(), added.lines.begin(), added.lines.end());
   picture.arrows.insert(picture.arrows.end(), added.arrows.begin(), added.arrows.end());
 }
 

@@ -1,6 +1,8 @@
 /// How a world looks: its bodies, its contact points by what the solver did, its impulses as arrows.
 #pragma once
 
+#include <functional>
+
 #include "pushback/common/render/picture.h"
 #include "pushback/common/world/world.h"
 
@@ -11,8 +13,9 @@ namespace pushback {
 /// are, unless that were large beside a typical body.
 Picture picture_of(const World& world, const Camera& camera, Real arrow);
 
-/// Adds what moves in another world, with its joints, contacts and arrows, all of it moved by `shift`, m.
-void add_moving(Picture& picture, const World& world, Real arrow, const Vec3& shift);
+/// Adds what moves in another world, with its joints, contacts, arrows and `marks`, all of it moved by `shift`, m.
+void add_moving(Picture& picture, const World& world, Real arrow, const Vec3& shift,
+                const std::function<void(Picture&, const World&)>& marks = {});
 
 /// The world, each movable body displaced and turned `times` as far from where it is in `start` as it is. Contact points
 /// move with the body A that they lie on, or with B where A cannot move.

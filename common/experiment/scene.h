@@ -20,6 +20,8 @@ struct Strobe {
   Vec3 shift_per_second;  ///< m/s
   Real from = 0;          ///< s
   int height = 300;       ///< pixels, of a picture 1520 wide
+  /// What else stands with the bodies at each instant, moved as they are.
+  std::function<void(Picture&, const World&)> marks = {};
 };
 
 /// A strip of coloured cells, a column of them per step.

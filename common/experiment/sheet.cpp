@@ -176,7 +176,8 @@ Image make_thumbnail(const Sheet& sheet) {
   const Image& last = sheet.rows.back().cells.back();
   if (sheet.wide) return resized(last, 2 * width + between, high(last, 2 * width + between));
   Image thumbnail(2 * width + between, high(last, width), 255);
-  paste(sheet.rows.front().cells.back(), thumbnail, 0, 0, width, thumbnail.height);
+  const std::vector<Image>& first = sheet.rows.front().cells;
+  paste(sheet.rows.size() > 1 ? first.back() : first.front(), thumbnail, 0, 0, width, thumbnail.height);
   paste(last, thumbnail, width + between, 0, width, thumbnail.height);
   return thumbnail;
 }

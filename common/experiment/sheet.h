@@ -41,7 +41,8 @@ struct Sheet {
 
 Image make_sheet(const Sheet& sheet);
 
-/// The sheet in brief, for a table of contents: how the first and the last variant end, side by side; of strips the last.
+/// The sheet in brief, for a table of contents: how the first and the last variant end, side by side; of a
+/// single variant its first and its last picture; of strips the last.
 Image make_thumbnail(const Sheet& sheet);
 
 }  // namespace pushback

@@ -162,7 +162,13 @@ TEST_CASE("what moves is added elsewhere, once more, and its dots have their siz
   Picture picture = picture_of(world, from_above, 2);
   const Picture alone = picture;
   const Vec3 shift{3, 1, -20};
-  add_moving(picture, world, 2, shift);
+  const Vec3 corner = world.bodies[1].position, end = corner + Vec3::UnitX();
+  add_moving(picture, world, 2, shift, [&](Picture& added, const World&) { add_line(added, {corner, end}); });
+  REQUIRE(picture.lines.size() == 1);
+  const Line& line = picture.lines[0];
+  CHECK(line.from.isApprox(corner + shift));
+  CHECK(line.to.isApprox(end + shift));
+  CHECK(pixels(picture, (line.from + line.to) / 2, line.thickness) == Approx(line_pixels / 281 * high).epsilon(1e-3));
   REQUIRE(picture.solids.size() == 7 + 6);  // the ground only once
   for (std::size_t i = 0; i < 6; ++i) {
     CHECK(picture.solids[7 + i].position.isApprox(alone.solids[1 + i].position + shift));
