@@ -20,6 +20,7 @@ struct Strobe {
   Vec3 shift_per_second;  ///< m/s
   Real from = 0;          ///< s
   int height = 300;       ///< pixels, of a picture 1520 wide
+  Real until = 0;         ///< s; 0: to the end of the scene
 };
 
 /// A strip of coloured cells, a column of them per step.
