@@ -49,7 +49,7 @@ struct Scene {
   /// magnified where the scene says so. A strobe picture is marked once, with the world of its last instant.
   std::function<void(Picture&, const World&, Real time)> marks = {};
   std::optional<Strobe> strobe = {};  ///< instead of the columns
-  std::optional<Raster> raster = {};  ///< under each row
+  std::optional<Raster> raster = {};  ///< under each row, or beside its picture where there is one only
   int cell_height = 0;                ///< pixels, of a cell 500 wide; 0: as --size has it, which is 281
   bool side_by_side = false;          ///< a column per variant and a row per instant: for at most three variants
 };
