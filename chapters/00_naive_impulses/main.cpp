@@ -3,6 +3,7 @@
 #include "pushback/chapters/00_naive_impulses/naive.h"
 #include "pushback/chapters/00_naive_impulses/scenes.h"
 #include "pushback/common/experiment/experiment.h"
+#include "pushback/common/experiment/marks.h"
 
 using namespace pushback;
 using namespace pushback::naive_impulses_scenes;
@@ -38,48 +39,71 @@ Real pairs_in_reverse(const World& world) {
   return static_cast<Real>(count);
 }
 
+/// The impulse of the lecture: -(1 + e) on the linear part alone, and the spins with the other sign.
+struct AsPrinted : StepSolver {
+  void solve(World& world, Real, int) {
+    for (Contact& c : world.contacts) {
+      const Real speed = separating_speed(world, c);
+      if (speed >= 0) continue;
+      const auto [a, b] = world.bodies_of(c);
+      const Real linear = c.normal.dot(b.velocity - a.velocity);
+      const Real printed = (1 + c.restitution) * linear - (speed - linear);
+      apply_impulse(world, c, pair_impulse(world, c) * printed / ((1 + c.restitution) * speed));
+    }
+  }
+};
+
 void two_takes(Experiment& e) {
   e.variant("take 1: once", NaiveOnce{});
   e.variant("take 2: again, averaged", NaiveAveraged{});
+}
+
+/// Where the stack should be, at each instant of a strobe.
+void add_standing(Picture& picture, Real tall, const Strobe& strobe) {
+  for (Real t = strobe.from; t < strobe.until + strobe.every / 2; t += strobe.every) {
+    add_outline(picture,
+                box({Real(0.5), tall / 2, Real(0.5)}, 1).at(Vec3(0, tall / 2, 0) + t * strobe.shift_per_second),
+                near_black_colour(), Real(1.5));
+  }
+}
+
+/// The bodies as the exact impulse would have them, at each instant of a strobe.
+void add_exact(Picture& picture, const SpinningHit& hit, const Strobe& strobe, Real until, Real dt) {
+  World exact;
+  hit(exact);
+  NaiveOnce solver;
+  for (int instant = 0; static_cast<Real>(instant) * strobe.every < until + dt / 2; ++instant) {
+    const Real t = static_cast<Real>(instant) * strobe.every;
+    while (exact.time < t - dt / 2) exact.step(solver, dt);
+    for (Body body : exact.bodies) {
+      body.position += t * strobe.shift_per_second;
+      add_outline(picture, body);
+    }
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Experiment e("00_naive_impulses", "What if every contact simply gets its impulse?");
-  SparseHit hit;
-  e.parameter({"--speed", "v", "m/s", "Speed of the ball that hits the box", 0.5, 20}, &hit.speed);
-  e.parameter({"--mass-ratio", "m₁/m₂", "", "Mass of that ball, in masses of the box", 0.01, 100}, &hit.mass_ratio);
+  SpinningHit hit;
+  e.parameter({"--speed", "v", "m/s", "Speed of the ball that hits the bar", 0.5, 20}, &hit.speed);
+  e.parameter({"--mass-ratio", "m₁/m₂", "", "Mass of that ball, in masses of the bar", 0.01, 100}, &hit.mass_ratio);
   int boxes = 5;
   e.parameter({"--boxes", "n", "", "Boxes of the stack", 2, 10}, &boxes);
   return e.run(argc, argv, [&] {
-    e.scene({.name = "one hit in empty space",
-             .fill = hit,
-             .camera = {{Real(0.4), 2, Real(6.2)}, {Real(0.4), Real(1.05), 0}},
-             .seconds = Real(1.2)});
-    two_takes(e);
-    e.series("speed of the ball", "m/s", [](const World& world) { return world.bodies[1].velocity.x(); });
-    e.number("energy kept", "%", [](const Run& run) {
-      return 100 * run.samples.back().kinetic_energy / run.samples.front().kinetic_energy;
-    });
-    e.number("momentum gained", "N s",
-             [](const Run& run) { return (run.samples.back().momentum - run.samples.front().momentum).norm(); });
-
-    const Camera near_ground{{Real(2.2), Real(1.5), Real(3.4)}, {0, Real(0.6), 0}};
-    e.scene({.name = "a box put on the ground",
-             .fill = [](World& world) { stack(world, 1); },
-             .camera = near_ground,
-             .seconds = 3});
-    two_takes(e);
-    e.series("height of the box", "m", top);
-    e.number("jitter", "m/s", jitter);
-
-    const Real tall = static_cast<Real>(boxes), farther = tall / 5;
+    const Real tall = static_cast<Real>(boxes);
+    const Strobe instants{.every = Real(0.15), .shift_per_second = {24, 0, 0}, .height = 400, .until = Real(1.35)};
     e.scene({.name = fmt::format("a stack of {}", spelled(boxes)),
              .fill = [boxes](World& world) { stack(world, boxes); },
-             .camera = {farther * Vec3(8, 5, 15), {0, farther * Real(3.2), 0}},
+             .camera = {{Real(16.2), 5, 60}, {Real(16.2), Real(3.8), 0}, Real(0.16)},
              .seconds = 6,
-             .instants = {0, 1, 3, 6}});
+             .arrow = Real(1e-6),
+             .key = "stack",
+             .caption = "At the left each stack stands in its outline, where it should stay. Follow the colours to the "
+                        "right: one stack falls apart, in the other the boxes pass through each other.",
+             .marks = [=](Picture& picture, const World&, Real) { add_standing(picture, tall, instants); },
+             .strobe = instants});
     two_takes(e);
     e.series("height of the topmost box", "m", top);
     e.number("jitter", "m/s", jitter);
@@ -92,5 +116,34 @@ int main(int argc, char** argv) {
     e.number("height kept", "%", [tall](const Run& run) {
       return 100 * run.series.at("height of the topmost box").back() / (tall - Real(0.5));
     });
+
+    e.scene({.name = "a box put on the ground",
+             .fill = [](World& world) { stack(world, 1); },
+             .seconds = 3,
+             .pictures = false});
+    two_takes(e);
+    e.series("height of the box", "m", top);
+    e.number("jitter", "m/s", jitter);
+
+    const Strobe strobe{.every = Real(0.1), .shift_per_second = {25, 0, 0}, .height = 320};
+    e.scene({.name = "one hit in empty space",
+             .fill = hit,
+             .camera = {{Real(6.2), Real(0.3), 24}, {Real(6.2), Real(-0.15), 0}, Real(0.15)},
+             .seconds = Real(0.5),
+             .key = "hit",
+             .caption =
+                 "From left to right, a ball hits a bar that spins. Thin outlines: the motion that keeps the energy. "
+                 "With the formula that the lecture prints, the bodies leave them.",
+             .marks = [=, h = e.dt()](Picture& picture, const World&,
+                                      Real time) { add_exact(picture, hit, strobe, time, h); },
+             .strobe = strobe});
+    two_takes(e);
+    e.variant("formula as printed", AsPrinted{});
+    e.series("kinetic energy", "J", kinetic_energy);
+    e.number("energy kept", "%", [](const Run& run) {
+      return 100 * run.samples.back().kinetic_energy / run.samples.front().kinetic_energy;
+    });
+    e.number("momentum gained", "N s",
+             [](const Run& run) { return (run.samples.back().momentum - run.samples.front().momentum).norm(); });
   });
 }

@@ -2,6 +2,7 @@
 #include "pushback/chapters/01_velocity_constraint/scenes.h"
 #include "pushback/chapters/01_velocity_constraint/solver.h"
 #include "pushback/common/experiment/experiment.h"
+#include "pushback/common/experiment/marks.h"
 
 using namespace pushback;
 using namespace pushback::velocity_constraint_scenes;
@@ -37,15 +38,32 @@ Real way_of_one(Real n) {
   return n * (n + 1) / 2;
 }
 
-Real height(const World& world) {
-  return world.bodies.back().position.y();
+/// Of the box that is dropped, and of the one that is thrown upwards, m.
+Real dropped_height(const World& world) {
+  return world.bodies[2].position.y();
 }
-/// Of the box below the top of the slab, y = 0, mm. A box that fell through the slab has no contact left to measure.
+Real thrown_height(const World& world) {
+  return world.bodies[3].position.y();
+}
+/// Of the dropped box below the top of the slab, y = 0, mm. A box that fell through the slab has no contact left to measure.
 Real depth_of_lowest_corner(const World& world) {
-  const Body& body = world.bodies.back();
+  const Body& body = world.bodies[2];
   const Vec3 upwards = body.orientation.conjugate() * Vec3::UnitY();
   return 1000 * (upwards.cwiseAbs().sum() * Real(0.5) - body.position.y());
 }
+/// Between the instants at which the cube on the slope is shown, s.
+constexpr Real every = Real(0.7);
+
+/// Where the cube should be at each of them.
+void add_slid(Picture& picture, const CubeOnSlope& cube, Real until, Real dt) {
+  World world;
+  cube(world);
+  const Body start = world.bodies.back();
+  const Vec3 down = -World::g * std::sin(cube.angle) * Vec3(std::cos(cube.angle), std::sin(cube.angle), 0);
+  for (Real t = 0; t < until + dt / 2; t += every)
+    add_outline(picture, Body(start).at(start.position + way_of_one(std::round(t / dt)) * dt * dt * down));
+}
+
 Real largest_error(const Run& run) {
   Real largest = 0;
   for (const Sample& sample : run.samples) largest = std::max(largest, sample.residual);
@@ -63,32 +81,42 @@ int main(int argc, char** argv) {
   CubeOnSlope cube;
   e.parameter({"--slope", "θ", "rad", "Angle of the slope", 0, 0.6}, &cube.angle);
   return e.run(argc, argv, [&] {
-    const Camera camera{{Real(0.9), Real(1.3), Real(5)}, {0, Real(0.95), 0}};
-    e.scene({.name = "It stops the fall, and keeps the overlap",
-             .fill = dropped,
-             .camera = camera,
+    const DroppedAndThrown both{dropped, leaving};
+    e.scene({.name = "It stops a fall, and holds what leaves",
+             .fill = both,
+             .camera = {{Real(0.9), Real(1.4), Real(6.2)}, {0, Real(0.85), 0}, Real(0.5)},
              .seconds = 1,
-             .instants = {0, Real(0.3), Real(0.5), 1}});
-    e.variant("no constraint", NoSolver{});
+             .instants = {0, Real(0.3), Real(0.5), 1},
+             .caption =
+                 "Outlines: the dropped box resting on the slab, and the thrown box at its highest point. J V = 0 "
+                 "stops the first, a little too deep, and does not let go of the second.",
+             .marks = [=, h = e.dt()](Picture& picture, const World&, Real) {
+               const Body outline = box(Vec3::Constant(Real(0.5)), 1);
+               add_outline(picture, Body(outline).at({-both.aside, Real(0.5), 0}));
+               add_outline(picture, Body(outline).at({both.aside, leaving.highest_point(h), 0}));
+             }});
+    e.variant("no constraint", NoSolver{}).expect("thrown: highest point", leaving.highest_point(e.dt()));
     e.variant("J V = 0", Solver<>{}).expect("J V after the solve", 0);
-    e.series("height of the box", "m", height);
-    e.number("lowest corner below the slab's top", "mm",
-             [](const Run& run) { return depth_of_lowest_corner(run.world); });
-    e.number("J V after the solve", "m/s", largest_error);
-
-    e.scene({.name = "It pulls: a box thrown upwards", .fill = leaving, .camera = camera, .seconds = Real(0.8)});
-    e.variant("no constraint", NoSolver{}).expect("highest point", leaving.highest_point(e.dt()));
-    e.variant("J V = 0", Solver<>{});
-    e.series("height of the box", "m", height);
-    e.number("highest point", "m", [](const Run& run) {
-      const auto& heights = run.series.at("height of the box");
+    e.series("height of the dropped box", "m", dropped_height);
+    e.series("height of the thrown box", "m", thrown_height);
+    e.number("dropped: below the slab's top", "mm", [](const Run& run) { return depth_of_lowest_corner(run.world); });
+    e.number("thrown: highest point", "m", [](const Run& run) {
+      const auto& heights = run.series.at("height of the thrown box");
       return *std::max_element(heights.begin(), heights.end());
     });
+    e.number("J V after the solve", "m/s", largest_error);
 
     e.scene({.name = "A reader's cube slides up the slope",
              .fill = cube,
-             .camera = {{0, 2, 11}, {0, Real(0.15), 0}},
-             .seconds = Real(1.4)});
+             .camera = {{Real(0.3), Real(1.9), 30}, {Real(0.3), Real(0.5), 0}, Real(0.147)},
+             .seconds = Real(1.4),
+             .arrow = Real(1e-6),
+             .key = "slope",
+             .caption =
+                 "One cube at three instants, from the middle on. Outlines: where gravity takes it. With one sign "
+                 "wrong in the normal, it slides up the slope.",
+             .marks = [=, h = e.dt()](Picture& picture, const World&, Real time) { add_slid(picture, cube, time, h); },
+             .strobe = Strobe{.every = every, .shift_per_second = Vec3::Zero(), .height = 440}});
     e.variant("n as it is", Solver<RightNormals>{})
         .expect("way up the slope",
                 -World::g * std::sin(cube.angle) * way_of_one(std::round(Real(1.4) / e.dt())) * e.dt() * e.dt())

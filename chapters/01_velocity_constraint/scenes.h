@@ -31,6 +31,23 @@ struct LeavingBox {
   }
 };
 
+/// Both beside each other: the dropped box at the left, the thrown one at the right.
+struct DroppedAndThrown {
+  DroppedBox dropped;
+  LeavingBox thrown;
+
+  static constexpr Real aside = Real(1.1);  ///< m, of each box from the middle
+
+  void operator()(World& world) const {
+    dropped(world);
+    world.bodies.back().position.x() = -aside;
+    world.add(box(Vec3::Constant(Real(0.5)), 100)
+                  .at({aside, LeavingBox::height, 0})
+                  .moving({0, thrown.speed, 0})
+                  .coloured(3));
+  }
+};
+
 struct CubeOnSlope {
   Real angle = Real(0.35);  ///< rad
 

@@ -1,4 +1,4 @@
-/// What lands: a column, and three on each other.
+/// What lands: a column, one that turns as it lands, and three on each other.
 #pragma once
 
 #include "pushback/common/world/situations.h"
@@ -13,6 +13,23 @@ struct LandingColumn {
   void operator()(World& world) const {
     world.add(ground());
     world.add(box({Real(0.25), Real(0.8), Real(0.25)}, 100).at({0, Real(0.8) + fall, 0}));
+  }
+};
+
+/// Beside the column that lands flat, one that lands turning: one edge arrives, the other leaves.
+struct TwoLandings {
+  LandingColumn flat;
+
+  static constexpr Real aside = Real(0.8);  ///< m, of each column from the middle
+
+  void operator()(World& world) const {
+    flat(world);
+    world.bodies.back().at({-aside, world.bodies.back().position.y(), 0}).coloured(0);
+    world.add(box({Real(0.25), Real(0.8), Real(0.25)}, 100)
+                  .at({aside, Real(0.799), 0})
+                  .moving({0, -1, 0})
+                  .spinning({0, 0, -6})
+                  .coloured(3));
   }
 };
 

@@ -16,4 +16,16 @@ struct SunkenBox {
   }
 };
 
+/// The same with a box of 0.4 m, so that its overlap and its jump fit into one picture.
+struct SunkenSmallBox {
+  Real depth = SunkenBox{}.depth;  ///< m
+
+  static constexpr Real half = Real(0.2);  ///< m
+
+  void operator()(World& world) const {
+    world.add(box({8, half, Real(0.95) * half}, 1).fixed().at({0, -half, 0}));
+    world.add(box(Vec3::Constant(half), 100).at({0, half - depth, 0}).coloured(0));
+  }
+};
+
 }  // namespace pushback::baumgarte_scenes

@@ -52,14 +52,14 @@ inline Tuning tune_beta(Real unstable, Real dt) {
   }
   tuning.panel.curves.push_back(std::move(jitter));
   if (tuning.unstable_from > 0) {
-    const auto line = [](Real beta, const char* colour, const char* words, Real height) {
+    const auto line = [](Real beta, const char* colour, const char* words, const char* place) {
       return fmt::format(
           "set arrow from {0}, graph 0 to {0}, graph 1 nohead lw 2 lc rgb '{1}'\n"
-          "set label '{2} {0:.3g}' at {0}, graph {3} offset 0.7,0\n",
-          beta, colour, words, height);
+          "set label '{2} {0:.3g}' at {0}, graph {3},0\n",
+          beta, colour, words, place);
     };
-    tuning.panel.extra = line(tuning.unstable_from, "#d55e00", "unstable from β =", Real(0.08)) +
-                         line(tuning.unstable_from / 2, "#009e73", "use β =", Real(0.92));
+    tuning.panel.extra = line(tuning.unstable_from, "#d55e00", "unstable from", "0.08 offset 0.7") +
+                         line(tuning.unstable_from / 2, "#009e73", "use", "0.92 right offset -0.7");
   }
   return tuning;
 }

@@ -1,6 +1,9 @@
+#include <algorithm>
+
 #include "pushback/chapters/04_slop/scenes.h"
 #include "pushback/chapters/04_slop/slop.h"
 #include "pushback/common/experiment/experiment.h"
+#include "pushback/common/render/palette.h"
 
 using namespace pushback;
 using namespace pushback::slop_scenes;
@@ -18,6 +21,38 @@ struct MarkOld : Effect {
       now.push_back(contact.id);
     }
     before = std::move(now);
+  }
+};
+
+/// The column of the raster that a world makes: the points with which the pile starts, those of the lowest box at the foot.
+/// Above those of each box is a cell for any other point at its lower face.
+struct PointsOfPile {
+  enum Cell { kept, fresh, missing };
+  std::vector<ContactId> points;
+
+  explicit PointsOfPile(const SmallPile& pile) {
+    World world;
+    pile(world);
+    world.find_contacts();
+    for (const Contact& contact : world.contacts) points.push_back(contact.id);
+  }
+
+  std::vector<int> operator()(const World& world) const {
+    constexpr std::size_t boxes = 3;
+    std::vector<int> column(points.size() + boxes, missing);
+    for (std::size_t i = 0, box = 0; box < boxes; ++box) {
+      while (i < points.size() && points[i].body_a == box) ++i;
+      column[column.size() - 1 - i - box] = -1;  // another point is not missed
+    }
+    for (const Contact& contact : world.contacts) {
+      const std::size_t below = contact.id.body_a;  // the ground is 0, and the boxes are counted from there
+      auto at = std::lower_bound(points.begin(), points.end(), contact.id);
+      if (at == points.end() || *at != contact.id)
+        at = std::find_if(at, points.end(), [&](const ContactId& id) { return id.body_a > below; });
+      column[column.size() - 1 - static_cast<std::size_t>(at - points.begin()) - below] =
+          contact.state == ContactState::warm ? kept : fresh;
+    }
+    return column;
   }
 };
 
@@ -47,20 +82,26 @@ int main(int argc, char** argv) {
   SmallPile pile;
   e.parameter({"--depth", "", "m", "How deep each box is in what it lies on at the start", 0, 0.05}, &pile.depth);
   return e.run(argc, argv, [&] {
-    const Real h = e.dt();
-    // Consecutive steps: what flickers in the motion stands side by side here.
     e.scene({.name = "three boxes at rest",
              .fill = pile,
-             .camera = {{Real(2.6), Real(2.2), Real(4.2)}, {0, Real(0.85), 0}},
+             .camera = {{Real(2), Real(1.9), Real(3.6)}, {0, Real(0.8), 0}, Real(0.54)},
              .seconds = 4,
-             .instants = {3, 3 + h, 3 + 2 * h, 3 + 3 * h}});
+             .instants = {Real(3.2)},
+             .caption =
+                 "A row of the strip is a contact point, from step to step. Without slop the rows are torn: points are "
+                 "lost and found again. With slop every point stays.",
+             .start_shown = false,
+             .raster = Raster{.label = "contact points, the lowest box at the foot",
+                              .of = PointsOfPile(pile),
+                              .meaning = {{{170, 190, 214}, "as in the step before"},
+                                          {body_ink(3), "new"},
+                                          {near_black_ink(), "missing"}}}});
     for (const Real slop : slops) {
       Solver<Clamping, Baumgarte, Slop, MarkOld> solver;
       solver.slop = slop;
       solver.beta = beta;
       e.variant(fmt::format("slop = {:.3g} mm", 1000 * slop), solver).with_sweeps(40);
     }
-    e.series("contact points", "", [](const World& world) { return static_cast<Real>(world.contacts.size()); });
     e.series("deepest overlap", "mm", [](const World& world) { return 1000 * deepest_overlap(world); });
     e.number("points found or lost", "each second", found_and_lost_each_second);
     e.number("resting depth", "mm", resting_depth);

@@ -34,7 +34,8 @@ Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& s
 
   const bool of_its_own = !scene_.instants.empty() && of.seconds_ == 0;
   if (scene_.strobe) {
-    for (Real t = scene_.strobe->from; t <= seconds + of.dt_ / 2; t += scene_.strobe->every) cells_.insert(step_at(t));
+    const Real until = scene_.strobe->until > 0 ? std::min(scene_.strobe->until, seconds) : seconds;
+    for (Real t = scene_.strobe->from; t <= until + of.dt_ / 2; t += scene_.strobe->every) cells_.insert(step_at(t));
   } else {
     for (const Real t : of_its_own ? scene_.instants : std::vector<Real>{seconds / 3, 2 * seconds / 3, seconds})
       cells_.insert(std::min(steps, step_at(t)));

@@ -20,6 +20,7 @@ struct Strobe {
   Vec3 shift_per_second;  ///< m/s
   Real from = 0;          ///< s
   int height = 300;       ///< pixels, of a picture 1520 wide
+  Real until = 0;         ///< s; 0: to the end of the scene
   /// What else stands with the bodies at each instant, moved as they are.
   std::function<void(Picture&, const World&)> marks = {};
 };
@@ -50,7 +51,7 @@ struct Scene {
   /// magnified where the scene says so. A strobe picture is marked once, with the world of its last instant.
   std::function<void(Picture&, const World&, Real time)> marks = {};
   std::optional<Strobe> strobe = {};  ///< instead of the columns
-  std::optional<Raster> raster = {};  ///< under each row
+  std::optional<Raster> raster = {};  ///< under each row, or beside its picture where there is one only
   int cell_height = 0;                ///< pixels, of a cell 500 wide; 0: as --size has it, which is 281
   bool side_by_side = false;          ///< a column per variant and a row per instant: for at most three variants
 };

@@ -36,8 +36,13 @@ class Drawing {
       fill_rectangle(image_, margin, y_, strip_width, 2, pale);
       y_ += 14;
       label(row, margin, strip_width, false);
+      const int top = y_;
       cells(row, sheet.wide);
-      if (sheet.raster && !row.raster.empty()) y_ = draw_raster(image_, *sheet.raster, row.raster, margin, y_ + 8);
+      if (sheet.raster && !row.raster.empty()) {
+        const bool beside = !sheet.wide && row.cells.size() == 1;
+        if (beside) draw_raster(image_, *sheet.raster, row.raster, {column(1), top, right_edge - column(1), y_ - top});
+        else y_ = draw_raster(image_, *sheet.raster, row.raster, {margin, y_ + 8, strip_width, 0});
+      }
       y_ += 24;
     }
   }

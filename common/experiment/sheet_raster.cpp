@@ -22,9 +22,12 @@ int tick_of(int steps) {
 
 }  // namespace
 
-int draw_raster(Image& image, const Raster& raster, const std::vector<std::vector<int>>& columns, int x, int y) {
+int draw_raster(Image& image, const Raster& raster, const std::vector<std::vector<int>>& columns, RasterPlace place) {
+  constexpr int above = 28, below = 26;
+  const int x = place.x;
+  int y = place.y;
   write_text(image, raster.label, x, y + 18, 20, dark);
-  int right = x + strip_width;
+  int right = x + place.width;
   for (auto one = raster.meaning.rbegin(); one != raster.meaning.rend(); ++one) {
     right -= text_width(one->second, 20);
     write_text(image, one->second, right, y + 18, 20, dark);
@@ -32,14 +35,16 @@ int draw_raster(Image& image, const Raster& raster, const std::vector<std::vecto
     fill_rectangle(image, right, y + 3, 18, 18, one->first);
     right -= 26;
   }
-  y += 28;
+  y += above;
 
   std::size_t rows = 1;
   for (const std::vector<int>& column : columns) rows = std::max(rows, column.size());
-  const int cell = std::clamp(120 / static_cast<int>(rows), 2, 20), height = static_cast<int>(rows) * cell;
+  const int cell = place.height > 0 ? std::max(2, (place.height - above - below) / static_cast<int>(rows))
+                                    : std::clamp(120 / static_cast<int>(rows), 2, 20);
+  const int height = static_cast<int>(rows) * cell;
   const int steps = static_cast<int>(columns.size());
-  const auto edge = [&](int step) { return x + static_cast<int>(static_cast<long long>(step) * strip_width / steps); };
-  fill_rectangle(image, x, y, strip_width, height, empty);
+  const auto edge = [&](int step) { return x + static_cast<int>(static_cast<long long>(step) * place.width / steps); };
+  fill_rectangle(image, x, y, place.width, height, empty);
   for (int step = 0; step < steps; ++step) {
     const std::vector<int>& column = columns[static_cast<std::size_t>(step)];
     const int wide = std::max(1, edge(step + 1) - edge(step));
@@ -56,10 +61,10 @@ int draw_raster(Image& image, const Raster& raster, const std::vector<std::vecto
     const int at = (edge(step - 1) + edge(step)) / 2;
     fill_rectangle(image, at, y, 2, 6, grey);
     const std::string text = step == tick ? fmt::format("step {}", step) : fmt::format("{}", step);
-    const bool last = at + text_width(text, 18) / 2 > x + strip_width;
-    write_text(image, text, last ? x + strip_width : at, y + 23, 18, grey, last ? Align::right : Align::centre);
+    const bool last = at + text_width(text, 18) / 2 > x + place.width;
+    write_text(image, text, last ? x + place.width : at, y + 23, 18, grey, last ? Align::right : Align::centre);
   }
-  return y + 26;
+  return y + below;
 }
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// The strip under a row of a sheet: a column of coloured cells per step.
+/// The strip under a row of a sheet, or beside its only cell: a column of coloured cells per step.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,12 @@
 
 namespace pushback {
 
-/// Draws it strip_width wide, with a line of text above and the steps' numbers below. Returns where it ends.
-int draw_raster(Image& image, const Raster& raster, const std::vector<std::vector<int>>& columns, int x, int y);
+/// Where a raster is drawn, pixels; a height of 0: as it needs.
+struct RasterPlace {
+  int x, y, width, height;
+};
+
+/// Draws it there, with a line of text above and the steps' numbers below. Returns where it ends.
+int draw_raster(Image& image, const Raster& raster, const std::vector<std::vector<int>>& columns, RasterPlace place);
 
 }  // namespace pushback

@@ -6,6 +6,7 @@
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marker.h"
 #include "tests/support/call.h"
+#include "tests/support/catch.h"
 
 using namespace pushback;
 
@@ -156,6 +157,20 @@ TEST_CASE("a raster has a column per step, and the colours of its meaning") {
   CHECK(runs(image, y + 2 * cell, green) == std::vector<std::pair<int, int>>{{1544, 16}});
 }
 
+TEST_CASE("a raster stands beside a row's only picture, and ends where it does") {
+  Sheet sheet = sheet_of(1);
+  sheet.rows.front().cells.resize(1);
+  sheet.raster = Raster{"contact", {}, {{green, "new"}}};
+  for (int step = 0; step < 101; ++step) sheet.rows.front().raster.push_back({0, -1, step == 100 ? 0 : -1});
+  const Image image = make_sheet(sheet);
+  const int picture = line_with(image, 0, red, 500), y = line_with(image, picture, green, 1010);
+  REQUIRE(y > picture);
+  CHECK(runs(image, y, green) == std::vector<std::pair<int, int>>{{550, 1010}});
+  const int last = y + (281 - (y - picture)) * 2 / 3;
+  CHECK(runs(image, last, green) == std::vector<std::pair<int, int>>{{1550, 10}});
+  CHECK(line_with(image, picture + 281, green, 1) == -1);
+}
+
 TEST_CASE("one name has one marker in all scenes, whichever variants are run") {
   const Scratch scratch;
   const std::string out = (scratch / "").string();
@@ -197,4 +212,26 @@ TEST_CASE("two scenes of one key are refused") {
   const std::string out = (scratch / "nothing").string();
   CHECK(run({"--no-images", "--out", out.c_str()}, "a ball") == 2);
   CHECK_FALSE(fs::exists(scratch / "nothing"));
+}
+
+TEST_CASE("a strobe picture ends when it says, or with its scene") {
+  const auto last_instant = [](Real until) {
+    const Scratch scratch;
+    const std::string out = (scratch / "").string();
+    const std::vector<const char*> arguments{"strobe", "--size", "64x36", "--out", out.c_str()};
+    Real marked = -1;
+    Experiment e("strobe", "When does it end?");
+    REQUIRE(e.run(static_cast<int>(arguments.size()), arguments.data(), [&] {
+      e.scene({.name = "a ball",
+               .fill = [](World& world) { world.add(sphere(1, 1)); },
+               .seconds = Real(0.5),
+               .marks = [&marked](Picture&, const World&, Real time) { marked = time; },
+               .strobe = Strobe{.every = Real(0.1), .shift_per_second = {30, 0, 0}, .until = until}});
+      e.motion("still", [](World&, Real, int) -> std::size_t { return 0; });
+    }) == 0);
+    return marked;
+  };
+  CHECK(last_instant(Real(0.2)) == Approx(0.2));
+  CHECK(last_instant(0) == Approx(0.5));
+  CHECK(last_instant(9) == Approx(0.5));
 }
