@@ -2,6 +2,7 @@
 
 #include "pushback/chapters/05_restitution/mistakes.h"
 #include "pushback/chapters/05_restitution/scenes.h"
+#include "pushback/common/experiment/marks.h"
 
 using namespace pushback;
 using namespace pushback::restitution_scenes;
@@ -24,17 +25,19 @@ int main(int argc, char** argv) {
     e.scene({.name = fmt::format("{} ball{}: e = {}", spelled(static_cast<double>(bounciness.size())),
                                  bounciness.size() == 1 ? "" : "s", fmt::join(bounciness, ", ")),
              .fill = balls,
-             .camera = {{0, Real(1.9), 7}, {0, Real(1.22), 0}},
              .seconds = 4,
-             .instants = {0, Real(0.96), Real(1.15), Real(1.28)}});
+             .pictures = false});
     const auto compare = [&](Variant& variant, Real its_threshold) {
       for (const Real bounce : bounciness)
         variant.expect(fmt::format("first apex, e = {}", bounce), balls.apex(bounce, 1, its_threshold));
     };
-    compare(e.variant("the larger of bounce and push-out", larger), threshold);
-    compare(e.variant("their sum", Solver<Clamping, Baumgarte, RestitutionAdded>{}), 0);
-    compare(e.variant("bounce in a pass of its own", Solver<Clamping, Baumgarte, RestitutionApart>{}), 0);
-    compare(e.variant("this step's gravity counted in", Solver<Clamping, Baumgarte, RestitutionWithGravity>{}), 0);
+    const Solver<Clamping, Baumgarte, RestitutionAdded> added;
+    const Solver<Clamping, Baumgarte, RestitutionApart> apart;
+    const Solver<Clamping, Baumgarte, RestitutionWithGravity> with_gravity;
+    compare(e.variant("the larger", larger).coloured(0), threshold);
+    compare(e.variant("their sum", added), 0);
+    compare(e.variant("gravity counted in", with_gravity), 0);
+    compare(e.variant("bounce in a pass of its own", apart).without_curves(), 0);
     for (std::size_t ball = bounciness.size(); ball-- > 0;) {
       if (bounciness[ball] == 0) continue;
       const std::string height = fmt::format("height, e = {}", bounciness[ball]);
@@ -42,20 +45,49 @@ int main(int argc, char** argv) {
       e.number(fmt::format("first apex, e = {}", bounciness[ball]), "m", apex(height));
     }
 
+    const BouncingBall ball;
+    constexpr Real pace = Real(2.4), watched = Real(4.4);  // m/s, of the pictures across the sheet; s
+    const Vec3 middle = pace * watched / 2 * Vec3::UnitX();
+    e.scene({.name = fmt::format("one ball, e = {}", ball.e),
+             .fill = ball,
+             .camera = {middle + Vec3(0, Real(1.3), 20), middle + Vec3(0, Real(1.11), 0), Real(0.138)},
+             .seconds = watched,
+             .arrow = Real(1e-6),  // too short to be drawn
+             .key = "strobe",
+             .caption = "Each line is where the ball's top should just arrive after a bounce: with the sum it passes "
+                        "them by more and more, with this step's gravity counted in by a little.",
+             .marks =
+                 [=](Picture& picture, const World&, Real time) {
+                   for (int k = 0; ball.lands(k) < time; ++k) {
+                     const Real y = ball.apex(k) + 2 * ball.radius;
+                     add_line(picture, {Vec3(pace * std::max(Real(-0.1), ball.lands(k)), y, 0),
+                                        Vec3(pace * std::min(time, ball.lands(k + 1)), y, 0)});
+                   }
+                 },
+             .strobe = Strobe{.every = Real(1) / 15, .shift_per_second = pace * Vec3::UnitX(), .height = 360}});
+    for (Variant* variant : {&e.variant("the larger", larger).coloured(0), &e.variant("their sum", added),
+                             &e.variant("gravity counted in", with_gravity)}) {
+      for (int k = 1; k <= 3; ++k) variant->expect(fmt::format("apex {}", k), ball.apex(k));
+    }
+    e.series_without_curves("height", [=](const World& world) { return world.bodies[1].position.y() - ball.radius; });
+    for (int k = 1; k <= 3; ++k)
+      e.number(fmt::format("apex {}", k), "m", apex("height", static_cast<std::size_t>(k - 1)));
+
     e.scene({.name = "boxes with e = 0.8 dropped by 20 mm",
              .fill = at_rest,
              .camera = {},
              .seconds = 3,
              .pictures = false});
     using WithGravity = Solver<Clamping, Baumgarte, Slop, RestitutionWithGravity>;
-    for (const Real least : {Real(0), Real(0.5), Real(1)}) {
+    for (int i = 0; i < 3; ++i) {
       WithGravity solver;
-      solver.threshold = least;
-      e.variant(fmt::format("gravity counted in, threshold {} m/s", least), solver);
+      solver.threshold = Real(0.5) * static_cast<Real>(i);
+      e.variant(fmt::format("gravity counted in, threshold {} m/s", solver.threshold), solver).curves =
+          i != 1;  // 0.5 is as 0
     }
     Solver<Clamping, Baumgarte, Slop, Restitution> without_gravity;
     without_gravity.threshold = threshold;
-    e.variant(fmt::format("gravity left out, threshold {} m/s", threshold), without_gravity);
+    e.variant(fmt::format("gravity left out, threshold {} m/s", threshold), without_gravity).coloured(0);
     e.series("height over the ground", "mm",
              [](const World& world) { return 1000 * (world.bodies[1].position.y() - Real(0.4)); });
     e.number("speed left after 3 s", "m/s", [](const Run& run) {

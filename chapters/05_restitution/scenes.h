@@ -38,6 +38,24 @@ struct FallingBalls {
   }
 };
 
+/// One ball alone, small enough for its pictures at many instants to stand beside each other.
+struct BouncingBall {
+  Real e = Real(0.8), drop = 2, radius = Real(0.13);  ///< m
+
+  void operator()(World& world) const {
+    world.add(ground().bouncy(0));
+    world.add(sphere(radius, 10).at({0, radius + drop, 0}).bouncy(e));
+  }
+  /// s, of the bounce number k, from 1; of the start, mirrored, for 0.
+  Real lands(int k) const {
+    Real sum = -1;
+    for (int i = 0; i < k; ++i) sum += 2 * std::pow(e, static_cast<Real>(i));
+    return std::sqrt(2 * drop / World::g) * sum;
+  }
+  /// m, e^2k of the drop.
+  Real apex(int k) const { return drop * std::pow(e, static_cast<Real>(2 * k)); }
+};
+
 /// Highest point after the bounce number `bounce`, from 0, of a series of heights, m.
 inline std::function<Real(const Run&)> apex(const std::string& series, std::size_t bounce = 0) {
   return [series, bounce](const Run& run) {

@@ -1,6 +1,7 @@
 #include "pushback/chapters/06_friction/by_weight.h"
 #include "pushback/chapters/06_friction/scenes.h"
 #include "pushback/common/experiment/experiment.h"
+#include "pushback/common/experiment/marks.h"
 
 using namespace pushback;
 using namespace pushback::friction_scenes;
@@ -14,7 +15,7 @@ using ByWeight = Solver<Clamping, Baumgarte, Slop, Restitution, FrictionByWeight
 
 /// Where boxes sent out under headings of 0 to 90 degrees come to rest, seen from above.
 Curve resting_places(const Push& push, Real h, int sweeps) {
-  Curve curve{"where the boxes stop", {}, {}, line_colour(1), Curve::Style::line_and_points};
+  Curve curve{"where the boxes stop", {}, {}, line_colour(2), Curve::Style::line_and_points};
   for (int i = 0; i <= 16; ++i) {
     const Real heading = pi / 2 * static_cast<Real>(i) / 16;
     World world;
@@ -36,6 +37,40 @@ Curve circle(Real r) {
   return curve;
 }
 
+constexpr Real thin = Real(1.5);  // pixels, of lines in a cell that is twice as high as others
+
+/// Where the three boxes on the slope began, as a line, and where each should be.
+void mark_slope(Picture& picture, const BoxesOnSlope& slope, Real time) {
+  const Vec3 along{std::cos(slope.theta), std::sin(slope.theta), 0};
+  World start;
+  slope(start);
+  const Vec3 middle = start.bodies[2].position - Real(0.4) * along;
+  add_line(picture, {middle - 2 * Vec3::UnitZ(), middle + 2 * Vec3::UnitZ()}, near_black_colour(), thin);
+  for (std::size_t i = 0; i < grip.size(); ++i) {
+    Body& box = start.bodies[i + 1];
+    box.position -= std::max(Real(0), slope.acceleration(grip[i])) * time * time / 2 * along;
+    add_outline(picture, box, near_black_colour(), thin);
+  }
+}
+/// Ways of boxes on the floor, and the arc at `radius` from the origin on which they should end.
+void mark_stops(Picture& picture, Real radius) {
+  const auto at = [](Real heading, Real r) { return Vec3(r * std::cos(heading), Real(0.005), -r * std::sin(heading)); };
+  std::vector<Vec3> arc;
+  for (int degrees = -8; degrees <= 53; ++degrees) arc.push_back(at(static_cast<Real>(degrees) * pi / 180, radius));
+  add_line(picture, arc);
+  for (const Real heading : three_headings) add_line(picture, {at(heading, start), at(heading, radius)});
+}
+/// A line on the ball, from the side that faces us to the rim: it shows how far the ball has turned.
+void mark_hand(Picture& picture, const World& world) {
+  const Body& ball = world.bodies[1];
+  std::vector<Vec3> hand;
+  for (int degrees = 0; degrees <= 90; degrees += 10) {
+    const Real angle = static_cast<Real>(degrees) * pi / 180;
+    hand.emplace_back(ball.position + ball.orientation * (Real(0.302) * Vec3(0, std::sin(angle), std::cos(angle))));
+  }
+  add_line(picture, hand, {1, 1, 1}, 5);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -49,11 +84,22 @@ int main(int argc, char** argv) {
   return e.run(argc, argv, [&] {
     const Real h = e.dt();
     constexpr Real seconds = Real(1.5);
+    const Vec3 along{std::cos(slope.theta), std::sin(slope.theta), 0},
+        middle = Real(1.95) * along + Vec3(0, 0, Real(0.08));
     e.scene({.name = fmt::format("μ = 0.8, 1.05 and 1.5 times tan θ, θ = {:.0f}°", slope.theta * 180 / pi),
              .fill = slope,
-             .camera = {{Real(-6), Real(6.8), Real(6.3)}, {Real(1.9), Real(1.6), 0}},
+             .camera = {middle + Vec3(Real(-9), Real(5.4), Real(5.2)), middle, Real(0.515)},
              .seconds = seconds,
-             .instants = {0, Real(0.4), Real(0.8), Real(1.2)}});
+             .instants = {Real(1.2)},
+             .arrow = Real(0.45),
+             .key = "slope",
+             .caption =
+                 "Only the left box, with μ = 0.8 tan θ, should slide, as far as to its outline. All three began "
+                 "at the line across the slope.",
+             .start_shown = false,
+             .marks = [slope](Picture& picture, const World&, Real time) { mark_slope(picture, slope, time); },
+             .cell_height = 560,
+             .side_by_side = true});
     const Real a = slope.acceleration(grip[0]);
     const Real steps = std::round(seconds / h);
     const auto should = [&](Variant& variant) {
@@ -69,12 +115,21 @@ int main(int argc, char** argv) {
     e.number("1.05 tan θ slides", "m", [slope](const Run& run) { return slope.slid(run.world, 2); });
 
     const Real stop = push.stopping_distance(h), sliding = push.long_enough(Real(1.2));
+    const Vec3 fan = (start + stop) * Vec3(Real(0.67), 0, Real(-0.31));
     e.scene({.name = fmt::format("{:.3g} m/s under headings of 0°, 22.5° and 45°", push.v0),
-             .fill = [=](World& world) { slide_to_posts(world, three_headings, h, push); },
-             .camera = {{Real(2.6), Real(5), Real(3.4)}, {Real(2.3), 0, Real(-0.95)}},
+             .fill = [=](World& world) { slide(world, three_headings, push); },
+             .camera = {fan + stop * Vec3(Real(-0.3), Real(3.6), Real(1.6)), fan, Real(0.32)},
              .seconds = sliding,
-             .instants = {0, sliding / 4, sliding / 2, sliding}});
-    e.variant("pyramid: each tangent by itself", After{})
+             .instants = {sliding / 4, sliding / 2, sliding},
+             .arrow = Real(0.9),
+             .key = "headings",
+             .caption =
+                 "All three boxes should stop on the arc. With a bound for each tangent by itself, friction is up "
+                 "to 1.41 times too large: the box at 45° stops first.",
+             .start_shown = false,
+             .marks = [=](Picture& picture, const World&, Real) { mark_stops(picture, start + stop); },
+             .cell_height = 420});
+    e.variant("bounded by μ Σλₙ", After{})
         .expect("0°", stop)
         .expect("22.5°", stop)
         .expect("45°", stop)
@@ -89,13 +144,17 @@ int main(int argc, char** argv) {
         e.series("speed under 45°", "m/s", [](const World& world) { return world.bodies[3].velocity.norm(); });
     }
 
-    e.scene({.name = "a ball thrown without spin ends rolling",
-             .fill = [push](World& world) { thrown_ball(world, push); },
-             .camera = {{0, Real(1.7), 7}, {0, Real(0.3), 0}},
-             .seconds = Real(1.5),
-             .instants = {0, Real(0.4), Real(0.8), Real(1.2)}});
-    e.variant("frictionless", Before{});
-    e.variant("friction", After{})
+    e.scene(
+        {.name = "a ball thrown without spin ends rolling",
+         .fill = [push](World& world) { thrown_ball(world, push); },
+         .camera = {{0, Real(1.2), 12}, {0, Real(0.33), 0}, Real(0.091)},
+         .seconds = Real(1.2),
+         .key = "ball",
+         .caption = "The white line is painted on the ball: without friction it never turns, with friction the "
+                    "ball ends rolling, at 5/7 of its speed.",
+         .strobe = Strobe{.every = Real(0.2), .shift_per_second = Vec3::Zero(), .height = 240, .marks = mark_hand}});
+    e.variant("no friction", Before{});
+    e.variant("bounded by μ Σλₙ", After{})
         .expect("speed at the end", push.v0 * 5 / 7)
         .expect("v − ω r", 0)
         .reference("5/7 v₀", [push](Real) { return push.v0 * 5 / 7; });

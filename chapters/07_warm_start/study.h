@@ -1,59 +1,50 @@
-/// A stack at rest: how well it is solved, and how deep it has sunk, with so many sweeps.
+/// A stack at rest: how well it is solved with so many sweeps.
 #pragma once
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/common/experiment/plot.h"
-#include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/common/world/steps_in.h"
 
 namespace pushback::warm_start_scenes {
 
-struct Rest {
-  Real residual = 0;  ///< m/s, mean of the last second of five
-  Real depth = 0;     ///< m, likewise
-};
-
-/// How well a stack rests with so many sweeps. `solver`: one that has not solved anything yet
+/// How well a stack rests with so many sweeps: m/s, mean of the last second of five. `solver`: one that has not solved
+/// anything yet.
 template <class ContactSolver>
-Rest rest_of_stack(ContactSolver solver, int boxes, Real dt, int sweeps) {
+Real residual_of_stack(ContactSolver solver, int boxes, Real dt, int sweeps) {
   World world;
   stack(world, boxes);
-  Rest rest;
+  Real sum = 0;
   const int steps = steps_in(5, dt), last = steps_in(1, dt);
   for (int step = 0; step < steps; ++step) {
     world.step(solver, dt, sweeps);
     if (step < steps - last) continue;
     Real largest = 0;
     for (const Row& row : solver.rows()) largest = std::max(largest, row.error());
-    rest.residual += largest / static_cast<Real>(last);
-    rest.depth += deepest_overlap(world) / static_cast<Real>(last);
+    sum += largest / static_cast<Real>(last);
   }
-  return rest;
+  return sum;
 }
 
 struct Study {
-  Curve residual, depth;  ///< m/s and mm, against sweeps
-  std::string verdict;    ///< how many sweeps it takes for a residual of 1e-3 m/s
+  Curve residual;       ///< m/s, against sweeps
+  std::string verdict;  ///< how many sweeps it takes for a residual of 1e-3 m/s
 };
 
 template <class ContactSolver>
 Study study(const std::string& name, const ContactSolver& solver, int boxes, const std::vector<int>& sweep_counts,
             Real dt, std::size_t colour) {
   Study s{{name, {}, {}, line_colour(colour), Curve::Style::line_and_points},
-          {name, {}, {}, line_colour(colour), Curve::Style::line_and_points},
           name + ": no number of sweeps tried leaves a residual below 1e-3 m/s"};
   bool found = false;
   for (const int sweeps : sweep_counts) {
-    const Rest rest = rest_of_stack(solver, boxes, dt, sweeps);
+    const Real residual = residual_of_stack(solver, boxes, dt, sweeps);
     s.residual.x.push_back(static_cast<Real>(sweeps));
-    s.residual.y.push_back(std::max(rest.residual, Real(1e-12)));
-    if (!found && rest.residual < Real(1e-3)) {
+    s.residual.y.push_back(residual);
+    if (!found && residual < Real(1e-3)) {
       s.verdict = fmt::format("{}: a residual below 1e-3 m/s takes {} sweeps", name, sweeps);
       found = true;
     }
-    s.depth.x.push_back(static_cast<Real>(sweeps));
-    s.depth.y.push_back(1000 * rest.depth);
   }
   return s;
 }

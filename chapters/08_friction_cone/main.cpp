@@ -2,6 +2,7 @@
 #include "pushback/chapters/08_friction_cone/scaled_back.h"
 #include "pushback/chapters/08_friction_cone/scenes.h"
 #include "pushback/common/experiment/experiment.h"
+#include "pushback/common/experiment/marks.h"
 
 using namespace pushback;
 using namespace pushback::friction_cone_scenes;
@@ -84,6 +85,20 @@ Curve scaled_back_closed_form() {
   return curve;
 }
 
+/// From above: the circle on which planks should stop, each of them there, and arrows to where they are.
+void mark_errors(Picture& picture, const World& world, Real h, const Push& push) {
+  const Vec3 above(0, Real(0.3), 0);
+  add_ring(picture, Vec3(0, Real(0.01), 0), Vec3::UnitY(), rim + push.stopping_distance(h), near_black_colour(), 1);
+  for (int i = 0; i < headings; ++i) {
+    Body plank = world.bodies[static_cast<std::size_t>(i) + 1];
+    const Vec3 is(plank.position.x(), 0, plank.position.z()), should = stop_of(i, h, push);
+    plank.position = should + Vec3(0, plank_height, 0);
+    plank.orientation.setIdentity();
+    add_outline(picture, plank, near_black_colour(), Real(1.2));
+    if ((is - should).norm() > plank_height) add_arrow(picture, should + above, is + above, linear({222, 0, 92}));
+  }
+}
+
 /// The worst of what `error` says of each plank.
 template <class Error>
 Real worst(const World& world, Error error) {
@@ -116,26 +131,33 @@ int main(int argc, char** argv) {
     const Real h = e.dt(), stop = push.stopping_distance(h), sliding = push.long_enough(Real(1.2));
     const std::string off = "friction off its direction by";
     e.scene({.name = "twelve planks, and where they should stop",
-             .fill = [=](World& world) { wheel(world, half_length, h, push); },
-             .camera = {{0, 12, 17}, {0, 0, Real(0.45)}, Real(0.295)},
+             .fill = [=](World& world) { planks(world, half_length, push); },
+             .camera = {{0, 30, 4}, {0, 0, Real(0.05)}, Real(0.315) / Real(4.1) * (rim + stop)},
              .seconds = sliding,
-             .instants = {0, sliding / 4, sliding / 2, sliding}});
+             .instants = {sliding},
+             .arrow = Real(1e-6),  // too short to be drawn
+             .caption = "Seen from above. All twelve planks should stop on the circle, each in its outline; an arrow "
+                        "goes from where a plank should be to where it is.",
+             .start_shown = false,
+             .marks = [=](Picture& picture, const World& world, Real) { mark_errors(picture, world, h, push); },
+             .cell_height = 500,
+             .side_by_side = true});
     const auto should = [](Variant& variant) {
-      variant.expect("distance off by up to", 0).expect("carried aside by up to", 0).expect("direction off by", 0);
+      variant.expect("distance off by up to", 0).expect("aside by up to", 0).expect("direction off by", 0);
     };
     should(e.variant("pyramid", FullSolver{}));
-    should(e.variant("2×2 solved, then scaled back", ScaledBack{}));
+    should(e.variant("scaled back", ScaledBack{}));
     should(e.variant("cone", Cone{}));
     e.series(off, "degrees", [h](const World& world) { return largest_direction_error(world, h); });
     e.number("distance off by up to", "%", [stop](const Run& run) {
       return 100 * worst(run.world, [stop](const Way& way) { return std::hypot(way.ahead, way.aside) / stop - 1; });
     });
-    e.number("carried aside by up to", "mm",
+    e.number("aside by up to", "mm",
              [](const Run& run) { return 1000 * worst(run.world, [](const Way& way) { return way.aside; }); });
     e.number("direction off by", "°", [off, until = sliding / 2](const Run& run) { return mean(run, off, until); });
 
     e.study([&e, half_length, push, stop, h] {
-      const Real shown = std::ceil(11 * stop) / 10;
+      const Real shown = std::ceil(12 * stop) / 10;
       Panel above{.title = "where planks stop, seen from above",
                   .x_label = "along t₁, m",
                   .y_label = "along t₂, m",
@@ -146,7 +168,7 @@ int main(int argc, char** argv) {
                      .x_label = "heading, degrees",
                      .y_label = "distance, m",
                      .x_range = {0, 360},
-                     .y_range = {shown / 2, shown},
+                     .y_range = {stop / 2, shown},
                      .extra = "set xtics 90"};
       for (Wheel& w :
            std::vector<Wheel>{turn_wheel<FullSolver>("pyramid", 0, half_length, push, h, e.sweeps()),

@@ -36,13 +36,19 @@ inline void frame(World& world, Real half_length, const Vec3& at) {
     world.add(box({thin, thin / 2, z - thin}, 1).fixed().at(above + Vec3(side * x, 0, 0)).coloured(6));
   }
 }
-/// First the planks, then the frames.
-inline void wheel(World& world, Real half_length, Real h, const Push& push = {}) {
+inline void planks(World& world, Real half_length, const Push& push = {}) {
   world.add(ground().rough(1));
   for (int i = 0; i < headings; ++i)
     world.add(plank(half_length, rim * way_of_heading(heading_of(i)), heading_of(i), push).coloured(i % 2));
-  for (int i = 0; i < headings; ++i)
-    frame(world, half_length, (rim + push.stopping_distance(h)) * way_of_heading(heading_of(i)));
+}
+/// m, where that plank should stop.
+inline Vec3 stop_of(int plank, Real h, const Push& push) {
+  return (rim + push.stopping_distance(h)) * way_of_heading(heading_of(plank));
+}
+/// First the planks, then the frames.
+inline void wheel(World& world, Real half_length, Real h, const Push& push = {}) {
+  planks(world, half_length, push);
+  for (int i = 0; i < headings; ++i) frame(world, half_length, stop_of(i, h, push));
 }
 
 /// Where a plank of the wheel has come from its start, m: along its heading, and to the left of it.
