@@ -37,44 +37,67 @@ int main(int argc, char** argv) {
              .fill = ball,
              .seconds = std::max(Real(2), Real(1.1) * time_of_third_apex(ball.drop, bounciness)),
              .pictures = false});
-    const std::array<const char*, 3> apexes{"first apex", "second apex", "third apex"};
+    const std::array<const char*, 3> apexes{"first apex", "second apex", "third apex"},
+        references{"e² h₀", "e⁴ h₀", "e⁶ h₀"};
     const auto three_bounces = [&](Variant& variant) {
-      for (std::size_t k = 0; k < apexes.size(); ++k)
-        variant.expect(apexes[k], ball.apex(bounciness, static_cast<int>(k) + 1, threshold));
+      for (std::size_t k = 0; k < apexes.size(); ++k) {
+        const Real expected = ball.apex(bounciness, static_cast<int>(k) + 1, threshold);
+        variant.expect(apexes[k], expected);
+        variant.reference(references[k], [expected](Real) { return expected; });
+      }
     };
     three_bounces(e.variant("from where it was detected", simultaneous));
     three_bounces(
         e.variant("from the surface", with_threshold(Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface>{})));
-    const std::string height = fmt::format("height, e = {}", bounciness);
-    e.series(height, "m", [ball](const World& world) { return ball.height_of(world, 0); });
+    const std::string height = "height";
+    const auto height_shown = [ball](const World& world) { return std::max(ball.height_of(world, 0), Real(0.002)); };
+    e.series(height, "m", height_shown, true);
     for (std::size_t k = 0; k < apexes.size(); ++k) e.number(apexes[k], "m", apex(height, k));
 
-    const Camera from_the_side{{1, Real(2.2), 8}, {1, Real(0.3), 0}};
-    const auto row_of_balls = [&](const std::string& title, Real between) {
-      e.scene({.name = title,
-               .fill = five_in_a_row(between),
-               .camera = from_the_side,
-               .seconds = Real(1.2),
-               .instants = {0, Real(0.5), Real(0.8), Real(1.2)}});
-      const auto expect = [threshold](Variant& variant, Real speed) {
-        if (threshold < 4) variant.expect("speed of the last ball", speed);  // else they do not bounce
-      };
-      expect(e.variant("simultaneous", simultaneous), between > 0 ? 4 : Real(1.6));
-      if (between == 0) {
-        expect(e.variant("simultaneous, to the end",
-                         with_threshold(Solver<Clamping, Baumgarte, Slop, SimultaneousImpacts>{})),
-               Real(1.6));
-        expect(e.variant("sequential", with_threshold(Solver<Clamping, Baumgarte, Slop, SequentialImpacts>{})), 4);
-      }
-      e.series("speed of the last ball", "m/s", [](const World& world) { return world.bodies[4].velocity.x(); });
-      e.number("momentum gained", "N s",
-               [](const Run& run) { return (run.samples.back().momentum - run.samples.front().momentum).norm(); });
+    const auto in_a_row = [&] {
+      e.number("speed of the last ball", "m/s", [](const Run& run) { return run.world.bodies[4].velocity.x(); });
       e.number("energy kept", "%", [](const Run& run) {
         return 100 * run.samples.back().kinetic_energy / run.samples.front().kinetic_energy;
       });
-      e.number("speed of the last ball", "m/s", [](const Run& run) { return run.world.bodies[4].velocity.x(); });
+      e.number("momentum gained", "N s",
+               [](const Run& run) { return (run.samples.back().momentum - run.samples.front().momentum).norm(); });
     };
-    row_of_balls(fmt::format("five balls with {:.3g} cm between them, e = 1", 100 * gap), gap);
-    row_of_balls("five balls that touch, e = 1", 0);
+    const auto expect = [threshold](Variant& variant, Real speed) {
+      if (threshold < arriving_speed) variant.expect("speed of the last ball", speed);  // else they do not bounce
+    };
+    const auto to_the_end = with_threshold(Solver<Clamping, Baumgarte, Slop, SimultaneousImpacts>{});
+    const Strobe towards_us{
+        .every = Real(0.2), .shift_per_second = {0, 0, Real(2.6)}, .from = Real(0.25), .height = 440};
+    e.scene({.name = "five balls in a row, e = 1",
+             .fill = five_in_a_row(0),
+             .camera = {{Real(1.3), Real(21.3), Real(22)}, {Real(1.3), Real(0.3), Real(1.12)}, Real(0.081)},
+             .seconds = Real(1.05),
+             .caption = "Time runs towards you: the row is drawn every 0.2 s, each time nearer. Look at the nearest "
+                        "row, whose arrows are the speeds after the impact.",
+             .marks =
+                 [towards_us](Picture& picture, const World& world, Real time) {
+                   add_speeds(picture, world, (time - towards_us.from) * towards_us.shift_per_second);
+                 },
+             .strobe = towards_us});
+    const auto apart = [gap](World& world) {
+      world.bodies.clear();
+      five_in_a_row(gap)(world);
+    };
+    expect(e.variant(fmt::format("{:.3g} cm between them", 100 * gap), simultaneous).changing(apart), 4);
+    expect(e.variant("touching, sequential", with_threshold(Solver<Clamping, Baumgarte, Slop, SequentialImpacts>{})),
+           4);
+    expect(e.variant("touching, simultaneous", to_the_end).coloured(4), Real(1.6));
+    e.series("speed of the last ball", "m/s", [](const World& world) { return world.bodies[4].velocity.x(); });
+    in_a_row();
+
+    e.scene({.name = "the same balls, touching, simultaneous",
+             .fill = five_in_a_row(0),
+             .seconds = Real(1.05),
+             .pictures = false});
+    expect(e.variant("1 sweep", simultaneous).with_exactly(1), Real(1.6));
+    expect(e.variant("10 sweeps", simultaneous).with_exactly(10), Real(1.6));
+    expect(e.variant("to the end", to_the_end).coloured(4), Real(1.6));
+    e.series("kinetic energy", "J", [](const World& world) { return kinetic_energy(world); });
+    in_a_row();
   });
 }

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "pushback/chapters/05_restitution/scenes.h"
+#include "pushback/common/experiment/marks.h"
 
 namespace pushback::impacts_scenes {
 
 using restitution_scenes::ball_radius;
+
+inline constexpr Real arriving_speed = 4;  // m/s
 
 /// The first of five equal balls runs into the other four, which rest `gap` m from each other.
 inline std::function<void(World&)> five_in_a_row(Real gap) {
@@ -13,9 +16,18 @@ inline std::function<void(World&)> five_in_a_row(Real gap) {
     world.gravity.setZero();
     for (int i = 0; i < 5; ++i) {
       const Real x = i == 0 ? Real(-2.4) : static_cast<Real>(i - 1) * (2 * ball_radius + gap);
-      world.add(sphere(ball_radius, 10).at({x, ball_radius, 0}).moving({i == 0 ? Real(4) : 0, 0, 0}).bouncy(1));
+      world.add(sphere(ball_radius, 10).at({x, ball_radius, 0}).moving({i == 0 ? arriving_speed : 0, 0, 0}).bouncy(1));
     }
   };
+}
+
+/// An arrow in front of each ball, 0.25 m for 1 m/s.   `shift`: m, by which the balls are drawn elsewhere
+inline void add_speeds(Picture& picture, const World& world, const Vec3& shift) {
+  const Vec3 towards_us = (picture.camera.eye - picture.camera.target).normalized();
+  for (const Body& ball : world.bodies) {
+    const Vec3 before = ball.position + shift + Real(1.2) * ball_radius * towards_us;
+    if (ball.velocity.norm() > Real(0.1)) add_arrow(picture, before, before + ball.velocity / 4);
+  }
 }
 
 }  // namespace pushback::impacts_scenes

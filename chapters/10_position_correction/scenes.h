@@ -12,19 +12,24 @@ inline void very_deep_box(World& world, Real depth = very_deep) {
   world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5) - depth, 0}).coloured(0));
 }
 
-/// Twelve boxes of 1 m, two by three by two of them, 0.7 m from each other.
-inline void boxes_in_each_other(World& world) {
-  constexpr Real apart = Real(0.7);
-  world.add(ground());
+/// Twelve boxes of 1 m, two by three by two of them.   `apart`: m, from one to the next
+inline std::vector<Body> twelve_boxes(Real apart) {
+  std::vector<Body> boxes;
   for (int row = 0; row < 3; ++row) {
     for (const int side : {-1, 1}) {
       for (const int behind : {-1, 1}) {
-        world.add(box(Vec3::Constant(Real(0.5)), 100)
-                      .at({static_cast<Real>(side) * apart / 2, Real(0.5) + static_cast<Real>(row) * apart,
-                           static_cast<Real>(behind) * apart / 2}));
+        boxes.push_back(box(Vec3::Constant(Real(0.5)), 100)
+                            .at({static_cast<Real>(side) * apart / 2, Real(0.5) + static_cast<Real>(row) * apart,
+                                 static_cast<Real>(behind) * apart / 2}));
       }
     }
   }
+  return boxes;
+}
+
+inline void boxes_in_each_other(World& world) {
+  world.add(ground());
+  for (const Body& one : twelve_boxes(Real(0.7))) world.add(one);
 }
 
 struct WeightlessBall {

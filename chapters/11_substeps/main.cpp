@@ -1,5 +1,6 @@
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/11_substeps/study.h"
+#include "pushback/common/experiment/marks.h"
 
 using namespace pushback;
 using namespace pushback::substeps_scenes;
@@ -20,7 +21,23 @@ int main(int argc, char** argv) {
     const auto stepping = [&] {
       e.variant(fmt::format("{} substeps", count), FullSolver{}).in_substeps(count).with_exactly(1).coloured(2);
     };
-    scene_of_stack(e, tall);
+    const Real top = tall;
+    const Body where_it_stood = box({Real(0.5), top / 2, Real(0.5)}, 1).at({0, top / 2, 0});
+    e.scene(
+        {.name = "a stack of " + spelled(tall),
+         .fill = [tall](World& world) { stack(world, tall); },
+         .camera = {{12, top / 2 + 6, 60}, {Real(0.8), top / 2 + Real(0.35), 0}, Real(0.363)},
+         .seconds = 10,
+         .instants = {Real(2.5)},
+         .arrow = Real(1e-6),  // none: they would hide the boxes
+         .caption = "All three stacks started between the thin lines. The lean is drawn five times as large as it is.",
+         .start_shown = false,
+         .magnified = 5,
+         .marks = [where_it_stood](Picture& picture, const World&,
+                                   Real) { add_outline(picture, where_it_stood, near_black_colour(), Real(0.8)); },
+         .cell_height = 960,
+         .side_by_side = true});
+    watch_stack(e);
     sweeping(10).coloured(0);
     if (count != 10) sweeping(count).coloured(1);
     stepping();
@@ -38,9 +55,10 @@ int main(int argc, char** argv) {
       const auto all_sweeps = [](const Budget& budget) { return budget.substeps * budget.sweeps; };
       const StackCurves sweeps = in("sweeps in one step", 1, {{1, 16}, {1, 32}, {1, 64}}, all_sweeps),
                         steps = in("substeps", 2, {{16, 1}, {32, 1}, {64, 1}}, all_sweeps);
-      const std::string at_same_cost = "a stack of " + spelled(tall) + ", 32 sweeps in 1/60 s";
-      e.panel(study_panel(at_same_cost, "substeps", "drift of the top, mm", {same.drift}));
-      e.panel(study_panel(at_same_cost, "substeps", "deepest overlap, mm", {same.overlap}));
+      std::vector<std::string> drifts;
+      for (const Real drift : same.drift.y) drifts.push_back(fmt::format("{:.3g}", drift));
+      e.remark(fmt::format("a stack of {}, 32 sweeps in 1/60 s, in {} substeps: the top drifts by {} mm", spelled(tall),
+                           fmt::join(same.drift.x, ", "), fmt::join(drifts, ", ")));
       const std::string cost = "what a sweep is worth", x = "sweeps in 1/60 s";
       e.panel(study_panel(cost, x, "drift of the top, mm", {sweeps.drift, steps.drift}));
       e.panel(study_panel(cost, x, "speed in the last second, mm/s", {sweeps.speed, steps.speed}));

@@ -18,21 +18,19 @@ inline Real drift_of_top(const World& world) {
 inline void number_overlap(Experiment& e) {
   e.number("overlap at the end", "mm", [](const Run& run) { return 1000 * run.samples.back().overlap; });
 }
-inline void watch_drift(Experiment& e) {
-  e.series("drift of the top", "mm", [](const World& world) { return 1000 * drift_of_top(world); }, true);
-  e.number("drift of the top", "mm", [](const Run& run) { return 1000 * drift_of_top(run.world); });
+inline Real drift_in_mm(const World& world) {
+  return 1000 * drift_of_top(world);
+}
+inline void number_drift(Experiment& e) {
+  e.series_without_curves("drift of the top", drift_in_mm);
+  e.number("drift of the top", "mm", [](const Run& run) { return drift_in_mm(run.world); });
 }
 
-/// The scene of a stack before two posts, and what is measured of it; variants are to follow.
-inline void scene_of_stack(Experiment& e, int boxes) {
-  const Real top = static_cast<Real>(boxes);
-  e.scene({.name = "a stack of " + spelled(boxes),
-           .fill = [boxes](World& world) { stack_before_posts(world, boxes); },
-           .camera = {{0, top - Real(3.5), 12}, {0, top - Real(2.8), 0}},
-           .seconds = 10,
-           .instants = {0, 2, Real(3.5), 6}});
-  watch_drift(e);
-  e.series("largest speed", "mm/s", [](const World& world) { return 1000 * largest_speed(world); }, true);
+/// What is measured of a stack.
+inline void watch_stack(Experiment& e) {
+  e.series("drift of the top", "mm", drift_in_mm, true);
+  e.number("drift of the top", "mm", [](const Run& run) { return drift_in_mm(run.world); });
+  e.series_without_curves("largest speed", [](const World& world) { return 1000 * largest_speed(world); });
   e.number("speed in the last second", "mm/s", [](const Run& run) {
     const auto& speeds = run.series.at("largest speed");
     const auto second = std::min<std::ptrdiff_t>(std::ssize(speeds), std::lround(1 / run.dt));
@@ -41,15 +39,15 @@ inline void scene_of_stack(Experiment& e, int boxes) {
   number_overlap(e);
 }
 
-/// And that of a box on one that is lighter.
+/// The scene of a box on one that is lighter, and what is measured of it; variants are to follow.
 inline void scene_of_heavy(Experiment& e, const HeavyOnLight& heavy) {
   e.scene({.name = spelled(heavy.mass_ratio) + " times heavier than what it lies on",
            .fill = heavy,
-           .camera = {{2, Real(1.8), 5}, {0, Real(0.95), 0}},
            .seconds = 5,
-           .instants = {0, Real(0.25), Real(0.5), 5}});
-  e.series("deepest overlap", "mm", [](const World& world) { return 1000 * deepest_overlap(world); }, true);
-  e.number("height of the heavy one", "m", [](const Run& run) { return run.world.bodies[2].position.y(); });
+           .pictures = false});
+  const std::string height = "height of the heavy one";
+  e.series(height, "m", [](const World& world) { return world.bodies[2].position.y(); });
+  e.number(height, "m", [height](const Run& run) { return run.series.at(height).back(); });
   e.number("deepest of all", "mm", [](const Run& run) {
     Real deepest = 0;
     for (const Sample& sample : run.samples) deepest = std::max(deepest, sample.overlap);

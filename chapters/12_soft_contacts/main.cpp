@@ -1,6 +1,7 @@
 #include "pushback/chapters/11_substeps/study.h"
 #include "pushback/chapters/12_soft_contacts/scenes.h"
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/common/experiment/marks.h"
 
 using namespace pushback;
 using namespace pushback::soft_contacts_scenes;
@@ -69,13 +70,30 @@ int main(int argc, char** argv) {
     const auto overlap_of_stack = [w](int boxes) {
       return 1000 * 2 * static_cast<Real>(boxes - 1) * World::g / (w * w);
     };
-    scene_of_stack(e, tall);
+    const Real top = tall;
+    e.scene({.name = "a stack of " + spelled(tall),
+             .fill = [tall](World& world) { stack(world, tall); },
+             .camera = {{Real(2.6), top + Real(0.3), 13}, {0, top - Real(1.2), 0}, Real(0.215)},
+             .seconds = 10,
+             .instants = {Real(5.5), Real(6.25), 7},
+             .caption =
+                 "The thin lines are where the formula has the boxes with soft contacts. Displacements are drawn two "
+                 "hundred times as large as they are.",
+             .start_shown = false,
+             .magnified = 200,
+             .marks =
+                 [w, tall](Picture& picture, const World&, Real) {
+                   for (const Body& rests : stack_that_has_yielded(tall, World::g / (w * w), 200))
+                     add_outline(picture, rests, near_black_colour(), Real(1.8));
+                 },
+             .cell_height = 400});
+    watch_stack(e);
     hard();
     soft().expect("overlap at the end", overlap_of_stack(tall));
 
     scene_of_heavy(e, heavy);
     hard();
-    not_relaxed();
+    not_relaxed().without_curves();
     soft().expect("overlap at the end", 1000 * (1 + heavy.mass_ratio) * World::g / (w * w));
 
     e.scene({.name = "a stack of " + spelled(2 * tall),
@@ -84,21 +102,25 @@ int main(int argc, char** argv) {
              .pictures = false});
     soft();
     springy("all together", 3, SteadySolver{}).expect("overlap at the end", overlap_of_stack(2 * tall));
-    watch_drift(e);
+    number_drift(e);
     number_overlap(e);
 
     const FullSolver baumgarte;
     e.scene({.name = fmt::format("{:.3g} mm too deep, without gravity", 1000 * sunken.depth),
              .fill = sunken,
-             .camera = {{Real(0.7), Real(1.4), Real(5.5)}, {0, Real(1.1), 0}},
+             .camera = {{Real(3.5), Real(2.6), 30}, {Real(3.5), Real(1.33), 0}, Real(0.097)},
              .seconds = Real(0.6),
-             .instants = {0, Real(0.05), Real(0.2), Real(0.6)}});
+             .key = "ball",
+             .caption = "The ball is drawn every 0.1 s, each time farther to the right. It has to come out of the "
+                        "ground, up to the line, and stay there.",
+             .marks = [](Picture& picture, const World&,
+                         Real) { add_line(picture, {{Real(-0.6), 1, 0}, {Real(7.6), 1, 0}}); },
+             .strobe = Strobe{.every = Real(0.1), .shift_per_second = {Real(11.6), 0, 0}, .height = 520}});
     hard().expect("exit speed", baumgarte.beta * std::max(Real(0), sunken.depth - baumgarte.slop) / h);
     not_relaxed().expect("exit speed", speed_out_of(spring, sunken.depth, h, Real(0.6)));
     soft().expect("exit speed", 0);
-    e.series("height over the ground", "mm",
-             [](const World& world) { return 1000 * (world.bodies[1].position.y() - Real(0.5)); });
-    e.number("exit speed", "m/s", [](const Run& run) { return run.world.bodies[1].velocity.y(); });
+    e.series_without_curves("speed", [](const World& world) { return world.bodies[1].velocity.y(); });
+    e.number("exit speed", "m/s", [](const Run& run) { return run.series.at("speed").back(); });
 
     e.study([&e, tall] {
       const auto steps = [](const Budget& budget) { return budget.substeps; };
