@@ -170,9 +170,9 @@ int main(int argc, char** argv) {
     const Ragdoll man = down_the_stairs(probe);
     e.scene({.name = "down the stairs",
              .fill = [](World& world) { down_the_stairs(world); },
-             .camera = {{Real(2.4), Real(1.9), 6}, {Real(0.9), Real(0.75), 0}, Real(0.36)},
+             .camera = {{Real(2.9), Real(1.5), 5}, {Real(1.2), Real(0.6), 0}, Real(0.31)},
              .seconds = 3,
-             .instants = {0, Real(0.9), Real(1.5), 3},
+             .instants = {0, Real(0.9), Real(1.2), 3},
              .key = "ragdoll",
              .caption = "A ragdoll has walked off the landing: without limits his knees and elbows bend the wrong way.",
              .start_shown = false});
