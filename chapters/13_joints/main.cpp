@@ -38,9 +38,12 @@ int main(int argc, char** argv) {
 
     e.scene({.name = "beads on wires",
              .fill = beads_on_wires,
-             .camera = {{Real(0.25), Real(0.4), Real(8.8)}, {Real(0.25), Real(0.1), 0}},
+             .camera = {{Real(0.05), Real(0.1), Real(8.8)}, {Real(0.05), -Real(0.05), 0}, Real(0.45)},
              .seconds = 5,
-             .instants = {0, 2, 5}});
+             .instants = {0, 2, Real(3.5), 5},
+             .key = "beads",
+             .caption = "Each bead should stay on its wire.",
+             .cell_height = 220});
     e.variant("β = 0", with_joint_beta<Rigid>(0)).with_exactly(1);
     if (beta > 0) e.variant(fmt::format("β = {:.3g}", beta), with_joint_beta<Rigid>(beta)).with_exactly(1);
     e.series("off the wires", "mm", [](const World& world) { return 1000 * largest_joint_error(world); });
@@ -58,11 +61,7 @@ int main(int argc, char** argv) {
       return most;
     });
 
-    e.scene({.name = "a ball on a rod, a plank on a hinge",
-             .fill = pendulums,
-             .camera = {{0, -Real(0.3), Real(7.6)}, {0, -Real(0.7), 0}},
-             .seconds = 6,
-             .instants = {0, Real(0.4), Real(0.8)}});
+    e.scene({.name = "a ball on a rod, a plank on a hinge", .fill = pendulums, .seconds = 6, .pictures = false});
     const Real ball_period = pendulums.period(rod_length), plank_period = pendulums.period(length_of_plank());
     e.variant(in_one, with_joint_beta<Rigid>(beta))
         .expect("period of the ball", 1000 * ball_period)
@@ -76,9 +75,12 @@ int main(int argc, char** argv) {
 
     e.scene({.name = "a door on a hinge, two boxes welded",
              .fill = door_and_weld,
-             .camera = {{Real(1.5), Real(2.6), 7}, {Real(0.2), 1, 0}},
+             .camera = {{Real(1.5), Real(2.6), 7}, {Real(0.2), 1, 0}, Real(0.44)},
              .seconds = Real(2.5),
-             .instants = {0, Real(0.5), 2}});
+             .instants = {0, Real(0.4), Real(0.8), 2},
+             .key = "door",
+             .caption = "A hinge leaves the door one freedom, a weld leaves the two boxes none.",
+             .start_shown = false});
     e.variant(in_one, with_joint_beta<Jointed>(beta)).with_exactly(10);
     e.series("joints off by", "mm, mrad", [](const World& world) { return 1000 * largest_joint_error(world); }, true);
     e.number("joints off by up to", "mm, mrad", [](const Run& run) { return largest(run, "joints off by"); });

@@ -3,6 +3,7 @@
 #include "pushback/chapters/14_joints_under_load/structures.h"
 #include "pushback/chapters/14_joints_under_load/study.h"
 #include "pushback/common/experiment/experiment.h"
+#include "pushback/common/experiment/marks.h"
 
 using namespace pushback;
 using namespace pushback::joints_scenes;
@@ -18,9 +19,13 @@ Real largest(const Run& run, const std::string& series) {
   const auto& values = run.series.at(series);
   return *std::max_element(values.begin(), values.end());
 }
+const HangingRope& closed_rope() {
+  static const HangingRope closed;
+  return closed;
+}
 /// How far the rope that hangs is from its closed form, m: the farthest of its particles.
 Real off_the_catenary(const World& world) {
-  static const HangingRope closed;
+  const HangingRope& closed = closed_rope();
   Real farthest = 0;
   for (std::size_t i = 0; i < closed.places.size(); ++i)
     farthest = std::max(farthest, (world.bodies[i + 1].position - closed.places[i]).norm());
@@ -41,73 +46,96 @@ int main(int argc, char** argv) {
   std::vector<int> sweep_counts{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
   e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagram of the chain", 1, 10000}, &sweep_counts);
   return e.run(argc, argv, [&] {
-    const std::string in_one = fmt::format("one step, β = {:.3g}", beta),
-                      in_substeps = fmt::format("{} substeps, β = {:.3g}", substeps, beta);
+    const auto in_tens = [&]() -> Variant& {
+      return e.variant(fmt::format("split impulse, {} substeps of 4", substeps), with_joint_beta<JointedSolver>(beta))
+          .in_substeps(substeps)
+          .with_exactly(4);
+    };
     const auto joints_off = [&] {
       e.series("joints off by", "mm", [](const World& world) { return 1000 * largest_joint_error(world); }, true);
       e.number("joints off by up to", "mm", [](const Run& run) { return largest(run, "joints off by"); });
       e.number("off at the end", "mm", [](const Run& run) { return run.series.at("joints off by").back(); });
     };
-    const auto one = [&] { e.variant(in_one, with_joint_beta<JointedSolver>(beta)).with_exactly(10); };
-    const auto many = [&]() -> Variant& {
-      return e.variant(in_substeps, with_joint_beta<JointedSolver>(beta)).in_substeps(substeps).with_exactly(4);
+    const auto stretched = [&] {
+      e.number("longest", "%", [](const Run& run) { return largest(run, "stretch"); });
+      e.number("at the end", "%", [](const Run& run) { return run.series.at("stretch").back(); });
     };
+    const auto stretch = [chain](const World& world) { return 100 * chain.stretch(world); };
 
-    const Real longer = static_cast<Real>(chain.links) / 10;
+    const Real length = static_cast<Real>(chain.links) * link_length, longer = length / 3;
     e.scene({.name = fmt::format("{} link{}, and {} times the mass of one", spelled(chain.links),
                                  chain.links == 1 ? "" : "s", spelled(chain.mass_ratio)),
              .fill = chain,
-             .camera = {longer * Vec3(Real(0.6), -2, 12), {0, -longer * Real(2.7), 0}},
+             .camera = {longer * Vec3(Real(0.6), -Real(2.6), Real(11.5)), {0, -longer * Real(3.15), 0}},
              .seconds = 4,
-             .instants = {0, 1, 4}});
-    e.variant(fmt::format("cold, 10 sweeps, β = {:.3g}", beta), with_joint_beta<Cold>(beta)).with_exactly(10);
-    e.variant(fmt::format("warm, 10 sweeps, β = {:.3g}", beta), with_joint_beta<Warm>(beta)).with_exactly(10);
-    if (beta > 0) e.variant("warm, 10 sweeps, β = 0", with_joint_beta<Warm>(0)).with_exactly(10);
-    e.variant(fmt::format("split impulse, 10 sweeps, β = {:.3g}", beta), with_joint_beta<JointedSolver>(beta))
-        .with_exactly(10);
-    e.variant(fmt::format("split impulse, 10 substeps of 1, β = {:.3g}", beta), with_joint_beta<JointedSolver>(beta))
-        .in_substeps(10)
-        .with_exactly(1);
-    e.series("stretch", "%", [chain](const World& world) { return 100 * chain.stretch(world); });
-    e.number("longest", "%", [](const Run& run) { return largest(run, "stretch"); });
-    e.number("at the end", "%", [](const Run& run) { return run.series.at("stretch").back(); });
+             .instants = {0, 1, 4},
+             .key = "chain",
+             .caption = "The weight should hang where the outline is. It should never move.",
+             .start_shown = false,
+             .marks =
+                 [length](Picture& picture, const World&, Real) {
+                   add_line(picture, {Vec3::Zero(), {0, -length, 0}});
+                   add_outline(picture, box(Vec3::Constant(weight_half), 1).at({0, -length - weight_half, 0}));
+                 },
+             .cell_height = 560,
+             .side_by_side = true});
+    e.variant("cold", with_joint_beta<Cold>(beta)).with_exactly(10);
+    e.variant("warm", with_joint_beta<Warm>(beta)).with_exactly(10);
+    e.variant("split impulse", with_joint_beta<JointedSolver>(beta)).with_exactly(10);
+    e.series("stretch", "%", stretch);
+    stretched();
+
+    e.scene({.name = "the same chain: no feedback, and substeps", .fill = chain, .seconds = 4, .pictures = false});
+    e.variant("warm, β = 0", with_joint_beta<Warm>(0)).with_exactly(10);
+    e.variant("split impulse, 10 substeps of 1", with_joint_beta<JointedSolver>(beta)).in_substeps(10).with_exactly(1);
+    e.series_without_curves("stretch", stretch);
+    stretched();
 
     e.scene({.name = "a suspension bridge, and three boxes",
              .fill = suspension_bridge,
-             .camera = {{4, 5, 12}, {0, Real(2.1), 0}},
+             .camera = {{3, 4, 12}, {0, Real(1.9), 0}, Real(0.46)},
              .seconds = 5,
-             .instants = {0, Real(0.7), 5}});
-    e.variant(fmt::format("one step, β = {:.3g}, the position correction remembered", beta),
-              with_joint_beta<Warm>(beta))
-        .with_exactly(10);
-    one();
-    many();
+             .instants = {0, Real(0.7), 2, 5},
+             .key = "bridge",
+             .caption = "Warm remembers the position correction too, and under three boxes the bridge tears.",
+             .start_shown = false});
+    e.variant("warm", with_joint_beta<Warm>(beta)).with_exactly(10);
+    e.variant("split impulse", with_joint_beta<JointedSolver>(beta)).with_exactly(10);
+    joints_off();
+
+    e.scene({.name = "the same bridge in substeps", .fill = suspension_bridge, .seconds = 5, .pictures = false});
+    in_tens();
     joints_off();
 
     e.scene({.name = "a rope hung at both ends, a rope over a bar",
              .fill = ropes,
-             .camera = {{1, Real(2.4), 8}, {Real(0.2), Real(1.25), 0}},
+             .camera = {{Real(0.6), Real(1.9), Real(7.2)}, {Real(0.25), Real(1.5), 0}, Real(0.48)},
              .seconds = 12,
-             .instants = {0, Real(0.4), 12}});
-    many().expect("off the catenary", 0);
+             .instants = {0, Real(0.4), Real(1.2), 12},
+             .key = "rope",
+             .caption = "The rope between the posts comes to rest on the thin line, the catenary.",
+             .marks = [](Picture& picture, const World&, Real) {
+               const Vec3 front(0, 0, Real(0.06)), half(rope_span / 2, 0, 0), middle(rope_x, rope_y, 0);
+               std::vector<Vec3> line{middle - half + front};
+               for (const Vec3& place : closed_rope().places) line.push_back(place + front);
+               line.push_back(middle + half + front);
+               add_line(picture, line);
+             }});
+    in_tens().expect("off the catenary", 0);
     joints_off();
     e.number("off the catenary", "mm", [](const Run& run) { return 1000 * off_the_catenary(run.world); });
 
-    e.scene({.name = "a cloth over a ball",
-             .fill = cloth_over_ball,
-             .camera = {{Real(2.6), Real(2.8), Real(4.2)}, {0, Real(0.65), 0}},
-             .seconds = 4,
-             .instants = {0, Real(0.5), 4}});
-    many();
+    e.scene({.name = "a cloth over a ball", .fill = cloth_over_ball, .seconds = 4, .pictures = false});
+    in_tens();
     joints_off();
 
     e.study([=, &e] {
       const auto curve = [](const std::string& name, std::size_t colour) {
         return Curve{name, {}, {}, line_colour(colour), Curve::Style::line_and_points};
       };
-      Curve cold = curve("cold", 0), warm = curve("warm", 1), warm_only = curve("warm, β = 0", 2),
-            cold_steps = curve("cold, substeps", 3), warm_steps = curve("warm, substeps, β = 0", 4),
-            split = curve("split impulse", 5), split_steps = curve("split impulse, substeps", 6);
+      Curve cold = curve("cold", 0), warm = curve("warm", 1), split = curve("split impulse", 2),
+            warm_only = curve("warm, β = 0", 3);
+      Curve cold_steps = cold, warm_steps = warm_only, split_steps = split;
       for (const int sweeps : sweep_counts) {
         const auto with = [&](Curve& to, auto solver, int steps, int sweeps_in_each) {
           to.x.push_back(static_cast<Real>(sweeps));
@@ -122,12 +150,18 @@ int main(int argc, char** argv) {
         with(warm_steps, with_joint_beta<Warm>(0), sweeps, 1);
         with(split_steps, with_joint_beta<JointedSolver>(beta), sweeps, 1);
       }
-      e.panel({.title = fmt::format("{} links and a weight, 1 s to 4 s", spelled(chain.links)),
-               .x_label = "sweeps in 1/60 s, or substeps of 1",
-               .y_label = "off its length by up to, %",
-               .log_x = true,
-               .log_y = true,
-               .curves = {cold, warm, warm_only, split, cold_steps, warm_steps, split_steps}});
+      const auto panel = [&](const std::string& title, const std::string& x, const std::vector<Curve>& curves) {
+        e.panel({.title = title,
+                 .x_label = x,
+                 .y_label = "off its length by up to, %",
+                 .log_x = true,
+                 .log_y = true,
+                 .curves = curves,
+                 .floor = Real(1e-6)});
+      };
+      panel(fmt::format("{} links, 1 s to 4 s: one step", spelled(chain.links)), "sweeps in 1/60 s",
+            {cold, warm, warm_only, split});
+      panel("the same in substeps", "substeps of one sweep", {cold_steps, warm_steps, split_steps});
     });
   });
 }

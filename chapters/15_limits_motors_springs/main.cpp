@@ -3,6 +3,7 @@
 #include "pushback/chapters/15_limits_motors_springs/scenes.h"
 #include "pushback/chapters/15_limits_motors_springs/study.h"
 #include "pushback/common/experiment/experiment.h"
+#include "pushback/common/experiment/marks.h"
 
 using namespace pushback;
 using namespace pushback::limits_motors_springs_scenes;
@@ -43,11 +44,25 @@ int main(int argc, char** argv) {
   return e.run(argc, argv, [&] {
     const Real h = e.dt();
 
-    e.scene({.name = fmt::format("a bar, let go, and a stop at {:.3g}°", stop_at),
-             .fill = [stop_at](World& world) { bar_and_stop(world, stop_at); },
-             .camera = {{Real(0.3), Real(-0.5), 6}, {0, Real(-0.68), 0}, Real(0.31)},
-             .seconds = 3,
-             .instants = {0, Real(0.7), Real(1.15)}});
+    e.scene(
+        {.name = fmt::format("a bar, let go, and a stop at {:.3g}°", stop_at),
+         .fill = [stop_at](World& world) { bar_and_stop(world, stop_at); },
+         .camera = {{Real(0.3), Real(-0.5), 6}, {0, Real(-0.68), 0}, Real(0.31)},
+         .seconds = 3,
+         .instants = {0, Real(0.85), Real(1.15)},
+         .key = "limit",
+         .caption = "The bar may go along the thin line, up to the plate; a stop may push it back, but not hold it.",
+         .marks =
+             [stop_at](Picture& picture, const World&, Real) {
+               std::vector<Vec3> line;
+               for (int i = 0; i <= 40; ++i) {
+                 const Real angle = bar_lifted + (stop_at * pi / 180 - bar_lifted) * static_cast<Real>(i) / 40;
+                 line.push_back(2 * bar_half * Vec3(std::sin(angle), -std::cos(angle), 0));
+               }
+               add_line(picture, line);
+               add_line(picture, {Vec3::Zero(), line.back()});
+             },
+         .side_by_side = true});
     e.variant("no limit", JointedSolver{});
     const auto stop = [stop_at](const World& world) { return stop_of_bar(world, stop_at); };
     const auto sucking = [stop_at](const World& world) { return stop_that_sucks(world, stop_at); };
@@ -58,11 +73,14 @@ int main(int argc, char** argv) {
              [stop_at](const Run& run) { return std::max(Real(0), largest(run, "angle of the bar") - stop_at); });
     e.number("angle at the end", "°", [](const Run& run) { return run.series.at("angle of the bar").back(); });
 
-    e.scene({.name = fmt::format("θ = sin t, with {:.3g} N m", torque),
-             .fill = [torque](World& world) { pointers(world, torque); },
-             .camera = {{Real(0.3), Real(0.2), 6}, {0, 0, 0}, Real(0.33)},
-             .seconds = 2 * pi,
-             .instants = {Real(1.6), Real(3.2), Real(4.7)}});
+    e.scene(
+        {.name = fmt::format("θ = sin t, with {:.3g} N m", torque),
+         .fill = [torque](World& world) { pointers(world, torque); },
+         .camera = {{Real(0.3), Real(0.2), 6}, {0, 0, 0}, Real(0.33)},
+         .seconds = 2 * pi,
+         .instants = {Real(1.6), Real(3.2), Real(4.7)},
+         .key = "motor",
+         .caption = "The thin bar behind is where the thick one should be; the motor of the heavy one is too weak."});
     for (const Real mass : {light_pointer, heavy_pointer}) {
       Variant& variant =
           e.variant(fmt::format("{:.3g} kg m²: needs {:.3g} N m", inertia_of_pointer(mass), inertia_of_pointer(mass)),
@@ -82,34 +100,25 @@ int main(int argc, char** argv) {
       return worst;
     });
 
-    e.scene({.name = "two winches, each 2 rad/s with 5 N m",
-             .fill = winches,
-             .camera = {{Real(0.5), Real(2.2), 7}, {0, Real(1.88), 0}, Real(0.42)},
-             .seconds = Real(1.5),
-             .instants = {0, Real(0.75), Real(1.5)}});
+    e.scene({.name = "two winches, each 2 rad/s with 5 N m", .fill = winches, .seconds = Real(1.5), .pictures = false});
     const Real sinking = winches.acceleration(), load = winches.heavy_load;
     e.variant(fmt::format("1.5 kg (3.7 N m), {:.2g} kg ({:.2g} N m)", load, load * World::g * winch_radius),
               JointedSolver{})
-        .reference("closed form", [sinking](Real t) { return sinking * t; })
         .expect("speed of the light load", winch_speed * winch_radius)
         .expect("acceleration of the heavy one", sinking);
-    e.series("speed of the heavy load", "m/s", [](const World& world) { return world.bodies[3].velocity.y(); });
+    e.series_without_curves("speed of the heavy load", [](const World& world) { return world.bodies[3].velocity.y(); });
     e.number("speed of the light load", "m/s", [](const Run& run) { return run.world.bodies[1].velocity.y(); });
     e.number("acceleration of the heavy one", "m/s²",
              [](const Run& run) { return run.world.bodies[3].velocity.y() / run.samples.back().time; });
 
-    e.scene({.name = "two pulleys: one radius, and two radii",
-             .fill = pulleys,
-             .camera = {{Real(0.5), Real(2.4), 7}, {0, Real(2.13), 0}, Real(0.38)},
-             .seconds = Real(0.8),
-             .instants = {0, Real(0.4), Real(0.8)}});
+    e.scene(
+        {.name = "two pulleys: one radius, and two radii", .fill = pulleys, .seconds = Real(0.8), .pictures = false});
     const Real atwood = pulleys.acceleration_of_atwood();
     const std::string heavy = fmt::format("the {:.3g} kg", pulleys.heavy);
     e.variant(fmt::format("2 kg and {:.3g} kg on each", pulleys.heavy), JointedSolver{})
-        .reference("closed form", [atwood](Real t) { return atwood * t; })
         .expect("acceleration of " + heavy, atwood)
         .expect("of the 2 kg at 0.4 m", pulleys.acceleration_of_stepped());
-    e.series("speed of " + heavy, "m/s", [](const World& world) { return -world.bodies[2].velocity.y(); });
+    e.series_without_curves("speed of " + heavy, [](const World& world) { return -world.bodies[2].velocity.y(); });
     const auto downwards = [](std::size_t body) {
       return [body](const Run& run) { return -run.world.bodies[body].velocity.y() / run.samples.back().time; };
     };
@@ -121,14 +130,10 @@ int main(int argc, char** argv) {
     e.scene({.name = fmt::format("{} spring{} {}: ζ = {}", spelled(static_cast<double>(ratios.size())),
                                  ratios.size() == 1 ? "" : "s", of_hertz, fmt::join(ratios, ", ")),
              .fill = springs,
-             .camera = {{Real(0.3), 2, 7}, {0, Real(1.98), 0}, Real(0.36)},
              .seconds = 3,
-             .instants = {0, Real(0.5), 1}});
-    e.variant("let go 0.6 m below", JointedSolver{}).reference("closed form", [springs](Real t) {
-      return springs.closed_form(0, t);
-    });
-    e.series(fmt::format("below its place, ζ = {}", ratios[0]), "m",
-             [springs](const World& world) { return springs.below(world, 0); });
+             .pictures = false});
+    e.variant("let go 0.6 m below", JointedSolver{});
+    e.series_without_curves("below its place", [springs](const World& world) { return springs.below(world, 0); });
     for (std::size_t i = 0; i < ratios.size(); ++i) {
       e.number(fmt::format("off the closed form, ζ = {}", ratios[i]), "mm", [springs, i](const Run& run) {
         return 1000 * std::abs(springs.below(run.world, i) - springs.closed_form(i, run.samples.back().time));
@@ -142,9 +147,8 @@ int main(int argc, char** argv) {
                    incline(world, slope, 1);
                    add_cart(world, slope, 0);
                  },
-             .camera = {{Real(0.3), Real(1.9), 7}, {Real(0.2), Real(0.2), 0}, Real(0.42)},
              .seconds = Real(2.5),
-             .instants = {0, 1, 2}});
+             .pictures = false});
     const Cart cart{1, {2, 3, 4}};
     for (const Real each : {Real(4), Real(7)}) {
       e.variant(fmt::format("three motors of {} N m", each), JointedSolver{})
@@ -166,9 +170,12 @@ int main(int argc, char** argv) {
     const Ragdoll man = down_the_stairs(probe);
     e.scene({.name = "down the stairs",
              .fill = [](World& world) { down_the_stairs(world); },
-             .camera = {{Real(2.2), Real(2.1), 7}, {Real(0.75), Real(1.37), 0}, Real(0.43)},
+             .camera = {{Real(2.9), Real(1.5), 5}, {Real(1.2), Real(0.6), 0}, Real(0.31)},
              .seconds = 3,
-             .instants = {0, Real(0.9), 3}});
+             .instants = {0, Real(0.9), Real(1.2), 3},
+             .key = "ragdoll",
+             .caption = "A ragdoll has walked off the landing: without limits his knees and elbows bend the wrong way.",
+             .start_shown = false});
     e.variant("no limits", JointedSolver{}).changing([](World& world) {
       std::erase_if(world.joints,
                     [](const Joint& joint) { return joint.name.ends_with("limits") || joint.name.ends_with("limit"); });
@@ -184,10 +191,8 @@ int main(int argc, char** argv) {
       const auto panel = [&](const std::string& title, const std::string& y, const std::vector<Curve>& curves) {
         e.panel({.title = title, .x_label = "time, s", .y_label = y, .curves = curves});
       };
-      panel("a winch lifts 1.5 kg", "energy, J", {winch.work, winch.energy});
       panel("a wheel, 2 rad/s with 5 N m", "ω, rad/s", reaching_a_speed(h));
-      if (springs.damping_ratios.size() > 1)
-        panel("springs " + of_hertz, "below its place, m", other_springs(springs, h));
+      panel("springs " + of_hertz, "below its place, m", springs_in_time(springs, h));
       e.panel({.title = "springs " + of_hertz + ", after 1 s",
                .x_label = "step, s",
                .y_label = "off the closed form, m",
@@ -195,8 +200,7 @@ int main(int argc, char** argv) {
                .log_y = true,
                .curves = springs_by_step(springs)});
       panel("a swing, pumped and not", "degrees", swings(h, pump));
-      e.remark(fmt::format("the winch: work of the motor {:.6g} J, energy gained {:.6g} J", winch.work.y.back(),
-                           winch.energy.y.back()));
+      e.remark(fmt::format("the winch: work of the motor {:.6g} J, energy gained {:.6g} J", winch.work, winch.energy));
       for (const auto& [substeps, sweeps] : {std::pair(1, 10), std::pair(1, 30), std::pair(8, 2), std::pair(32, 1)}) {
         e.remark(fmt::format("the ragdoll, {} in 1/{:.0f} s with {}: stretched by up to {:.2g} %",
                              substeps == 1 ? "one step" : fmt::format("{} substeps", substeps), 1 / h,

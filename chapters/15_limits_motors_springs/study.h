@@ -23,8 +23,7 @@ void watch(World& world, Real seconds, Real h, const See& see) {
 ///
 /// Two speeds belong to an impulse, that before and that after it: its work is lambda times their mean.
 struct WorkAndEnergy {
-  Curve work{"work of the motor", {}, {}, line_colour(0), Curve::Style::line};
-  Curve energy{"energy gained", {}, {}, line_colour(1), Curve::Style::dashed};
+  Real work = 0, energy = 0;  ///< J
 };
 inline WorkAndEnergy work_of_winch(Real h) {
   World world;
@@ -32,15 +31,12 @@ inline WorkAndEnergy work_of_winch(Real h) {
   const auto energy = [&world] { return kinetic_energy(world) + potential_energy(world); };
   const Real start = energy();
   WorkAndEnergy found;
-  Real work = 0;
-  watch(world, 2, h, [&](Real t, const JointedSolver& solver) {
+  watch(world, 2, h, [&](Real, const JointedSolver& solver) {
     const Body& wheel = world.bodies[0];
-    work += solver.joint_rows().back().impulse * (wheel.angular_velocity_before.z() + wheel.angular_velocity.z()) / 2;
-    found.work.x.push_back(t);
-    found.work.y.push_back(work);
-    found.energy.x.push_back(t);
-    found.energy.y.push_back(energy() - start);
+    found.work +=
+        solver.joint_rows().back().impulse * (wheel.angular_velocity_before.z() + wheel.angular_velocity.z()) / 2;
   });
+  found.energy = energy() - start;
   return found;
 }
 
@@ -67,21 +63,21 @@ inline std::vector<Curve> reaching_a_speed(Real h) {
   return curves;
 }
 
-/// All springs but the first, and their closed forms: how far each ball is below its place.
-inline std::vector<Curve> other_springs(const SpringsLetGo& springs, Real h) {
+/// The springs, and their closed forms: how far each ball is below its place.
+inline std::vector<Curve> springs_in_time(const SpringsLetGo& springs, Real h) {
   World world;
   springs(world);
   const std::vector<Real>& ratios = springs.damping_ratios;
   std::vector<Curve> curves;
-  for (std::size_t i = 1; i < ratios.size(); ++i) {
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
     curves.push_back({fmt::format("ζ = {}", ratios[i]), {}, {}, line_colour(i), Curve::Style::line});
-    curves.push_back({i == 1 ? "closed form" : "", {}, {}, "#222222", Curve::Style::dashed});
+    curves.push_back({i == 0 ? "closed form" : "", {}, {}, "#222222", Curve::Style::dashed});
   }
   watch(world, 3, h, [&](Real t, const JointedSolver&) {
     for (Curve& curve : curves) curve.x.push_back(t);
-    for (std::size_t i = 1; i < ratios.size(); ++i) {
-      curves[2 * i - 2].y.push_back(springs.below(world, i));
-      curves[2 * i - 1].y.push_back(springs.closed_form(i, t));
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+      curves[2 * i].y.push_back(springs.below(world, i));
+      curves[2 * i + 1].y.push_back(springs.closed_form(i, t));
     }
   });
   return curves;

@@ -3,6 +3,7 @@
 #include "pushback/chapters/18_direct_joints/chain_study.h"
 #include "pushback/chapters/18_direct_joints/scenes.h"
 #include "pushback/common/experiment/experiment.h"
+#include "pushback/common/experiment/marks.h"
 
 using namespace pushback;
 using namespace pushback::direct_joints_scenes;
@@ -24,9 +25,18 @@ int main(int argc, char** argv) {
     e.scene({.name = fmt::format("{} link{}, and {} times the mass of one", spelled(chain.links),
                                  chain.links == 1 ? "" : "s", spelled(chain.load)),
              .fill = chain,
-             .camera = {{Real(0.6), -2, 9}, {0, -Real(2.3), 0}},
+             .camera = {{Real(0.6), -Real(2.3), Real(9.6)}, {0, -Real(2.6), 0}},
              .seconds = 2,
-             .instants = {0, Real(0.5), 1, 2}});
+             .instants = {0, Real(0.5), 2},
+             .caption = "The load should hang where the outline is. It should never move.",
+             .start_shown = false,
+             .marks =
+                 [](Picture& picture, const World&, Real) {
+                   constexpr Real half = LoadedChain::load_half;
+                   add_outline(picture, box(Vec3::Constant(half), 1).at({0, -LoadedChain::length - half, 0}));
+                 },
+             .cell_height = 560,
+             .side_by_side = true});
     e.variant("joints, 10 sweeps", Swept{}).with_exactly(10).expect("longest", 0);
     e.variant("joints, 100 sweeps", Swept{}).with_exactly(100).expect("longest", 0);
     e.variant("direct joint solve", Direct{}).with_exactly(1).expect("longest", 0);
