@@ -106,7 +106,8 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
                     {},
                     {},
                     line_colour(static_cast<std::size_t>(result.variant->colour)),
-                    Curve::Style::line};
+                    Curve::Style::line,
+                    marker_of(static_cast<std::size_t>(result.variant->colour))};
         for (std::size_t i = 0; i < result.samples.size(); ++i) {
           curve.x.push_back(result.samples[i].time);
           curve.y.push_back(act.series.empty() ? 1000 * result.samples[i].overlap
