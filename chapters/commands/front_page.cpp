@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   return e.run(argc, argv, [&] {
     e.scene({.name = "a stack of ten",
              .fill = [](World& world) { stack(world, 10); },
-             .camera = {{Real(-6), Real(5.5), Real(17)}, {Real(-1.6), Real(4.3), 0}, Real(0.62)},
+             .camera = {{Real(16), Real(6), Real(8)}, {0, Real(4.7), Real(2.6)}, Real(0.64)},
              .seconds = 8,
              .caption = "The same boxes, the same three sweeps a step: only the right stack remembers its impulses.",
              .cell_height = 560,

@@ -72,7 +72,7 @@ TEST_CASE("exercise 01.3: with old velocities, each sweep multiplies the column'
   world.begin_step(h);
   Rows rows;
   for (std::size_t i = 0; i < world.contacts.size(); ++i)
-    rows.push_back(row_of(world, world.contacts[i], world.contacts[i].normal, i));
+    rows.emplace_back(world, world.contacts[i], world.contacts[i].normal, i);
   std::vector<Real> speeds;
   for (int sweep = 0; sweep < 10; ++sweep) {
     sweep_with_old_velocities(rows);
