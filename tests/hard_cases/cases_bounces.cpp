@@ -177,10 +177,10 @@ std::vector<HardCase> bounce_cases() {
   many.run = crowds;
 
   return {bounce, back, many,
-          row_case("row-sequential", "five in a row, sequential impacts", "the impact is passed on: 0, 0, 0, 0, 5 m/s",
+          row_case("row-sequential", "five balls, sequential", "the impact is passed on: 0, 0, 0, 0, 5 m/s",
                    {0, 0, 0, 0, 5}),
-          row_case("row-simultaneous", "five in a row, simultaneous impacts",
-                   "every contact bounces: -3, 2, 2, 2, 2 m/s", {-3, 2, 2, 2, 2})};
+          row_case("row-simultaneous", "five balls, simultaneous", "every contact bounces: -3, 2, 2, 2, 2 m/s",
+                   {-3, 2, 2, 2, 2})};
 }
 
 }  // namespace pushback
