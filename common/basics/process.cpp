@@ -47,7 +47,7 @@ class Passage {
 
 Ended run_program(std::vector<std::string> command, double seconds, std::string_view input) {
   // In the foreground: who interrupts us interrupts the program as well.
-  command.insert(command.begin(), {"timeout", "--foreground", fmt::format("{}", seconds)});
+  command.insert(command.begin(), {"timeout", "--foreground", "--kill-after=5", fmt::format("{}", seconds)});
   std::vector<char*> words;
   for (std::string& word : command) words.push_back(word.data());
   words.push_back(nullptr);
@@ -63,7 +63,9 @@ Ended run_program(std::vector<std::string> command, double seconds, std::string_
   if (failure != 0) throw std::runtime_error(fmt::format("'{}' could not be started", fmt::join(command, " ")));
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, passages[1].text(), passages[2].text()};
+  const int ended = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  constexpr int killed = 128 + 9;  // it was still there five seconds after it had been asked to end
+  return {ended == killed ? 124 : ended, passages[1].text(), passages[2].text()};
 }
 
 }  // namespace pushback

@@ -27,5 +27,6 @@ TEST_CASE("how a program ended is told: its status, what it said, no such progra
   CHECK(run_program({"sh", "-c", "kill -ABRT $$"}).status == -1);
   const auto before = std::chrono::steady_clock::now();
   CHECK(run_program({"sleep", "60"}, 0.2).status == 124);
+  CHECK(run_program({"sh", "-c", "trap '' TERM; exec sleep 60"}, 0.2).status == 124);  // does not do as it is asked
   CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(30));
 }
