@@ -63,7 +63,8 @@ Ended run_program(std::vector<std::string> command, double seconds, std::string_
   if (failure != 0) throw std::runtime_error(fmt::format("'{}' could not be started", fmt::join(command, " ")));
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, passages[1].text(), passages[2].text()};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, passages[1].text(), passages[2].text(),
+          WIFSIGNALED(status) ? WTERMSIG(status) : 0};
 }
 
 }  // namespace pushback

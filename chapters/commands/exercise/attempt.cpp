@@ -58,10 +58,11 @@ struct Problem {
   std::string kind, text;
 };
 
-/// Why a program that did not come to its end has ended, by its exit status.
-Problem problem_of(int status, const std::string& where, const Limits& limits, const std::string& last_printed) {
-  const auto by_signal = [&](int signal) { return status == 128 + signal; };
-  if (status == 124 || by_signal(SIGXCPU) || by_signal(SIGKILL))
+/// Why a program that did not come to its end has ended. The sandbox gives signals back as a shell does.
+Problem problem_of(const Ended& ended, const std::string& where, const Limits& limits,
+                   const std::string& last_printed) {
+  const auto by_signal = [&](int signal) { return ended.signal == signal || ended.status == 128 + signal; };
+  if (ended.status == 124 || by_signal(SIGXCPU) || by_signal(SIGKILL))
     return {"time", fmt::format("{}, your program had no answer after {} s. Look for a loop that never ends.", where,
                                 limits.seconds)};
   if (by_signal(SIGABRT))
@@ -70,7 +71,7 @@ Problem problem_of(int status, const std::string& where, const Limits& limits, c
   if (by_signal(SIGFPE)) return {"crash", where + ", your program divided a whole number by 0."};
   if (by_signal(SIGXFSZ))
     return {"files", where + ", your program wrote more than 64 MB. Look for a line that prints, in a loop."};
-  if (status < 0 || status > 128)
+  if (ended.status < 0 || ended.status > 128)
     return {
         "crash",
         where +
@@ -80,7 +81,7 @@ Problem problem_of(int status, const std::string& where, const Limits& limits, c
           fmt::format(
               "{}, your program ended by itself, with the status {}, before it had answered. A solution gives numbers "
               "back; it does not end the program.",
-              where, status)};
+              where, ended.status)};
 }
 
 }  // namespace
@@ -190,7 +191,7 @@ Outcome attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
     outcome.kind = "exception";
   } else {
     const std::vector<std::string> printed = lines_of(ended.err);
-    const Problem problem = problem_of(ended.status, where, limits, printed.empty() ? "" : printed.back());
+    const Problem problem = problem_of(ended, where, limits, printed.empty() ? "" : printed.back());
     outcome.kind = problem.kind;
     outcome.problem = problem.text;
   }

@@ -18,27 +18,26 @@ struct Meaning {
 };
 
 const std::array meanings{
-    Meaning{std::regex("expected ['‘]?;['’]?.*"), "a semicolon is missing, there or at the end of the line before."},
-    Meaning{std::regex("expected ['‘]?\\}['’]?.*"), "a closing brace } is missing: each { needs one."},
-    Meaning{std::regex("expected ['‘]?\\)['’]?.*"), "a closing bracket ) is missing."},
-    Meaning{std::regex("expected unqualified-id.*|expected declaration.*"),
+    Meaning{std::regex("expected '?;'?.*"), "a semicolon is missing, there or at the end of the line before."},
+    Meaning{std::regex("expected '?\\}'?.*"), "a closing brace } is missing: each { needs one."},
+    Meaning{std::regex("expected '?\\)'?.*"), "a closing bracket ) is missing."},
+    Meaning{std::regex("expected unqualified-id.*|expected declaration.*|.*at block scope.*|a function-definition is "
+                       "not allowed.*|function definition is not allowed.*"),
             "something stands where none can: often a brace { or } too many or too few above."},
-    Meaning{
-        std::regex("['‘]answer['’] is not a member of ['‘]student['’].*|.*no member named 'answer' in namespace "
-                   "'student'.*|.*['‘]?student['’]? has not been declared.*|use of undeclared identifier 'student'"),
-        "the last line of the file is missing, the one that says what your answer is. --reset shows it, in a new "
-        "copy."},
-    Meaning{std::regex("['‘]([^'’]*)['’] was not declared in this scope.*|use of undeclared identifier '([^']*)'.*"),
+    Meaning{std::regex("'answer' is not a member of 'student'.*|.*no member named 'answer' in namespace "
+                       "'student'.*|.*'?student'? has not been declared.*|use of undeclared identifier 'student'"),
+            "the last line of the file is missing, the one that says what your answer is. --reset shows it, in a new "
+            "copy."},
+    Meaning{std::regex("'([^']*)' was not declared in this scope.*|use of undeclared identifier '([^']*)'.*"),
             "nothing here has the name '$1$2'. Is it misspelt, or declared further below?"},
-    Meaning{std::regex(".*['‘]([^'’]*)['’] has no member named ['‘]([^'’]*)['’].*"),
-            "a $1 has nothing called '$2'. Is it misspelt?"},
+    Meaning{std::regex(".*'([^']*)' has no member named '([^']*)'.*"), "a $1 has nothing called '$2'. Is it misspelt?"},
     Meaning{std::regex("no member named '([^']*)' in '([^']*)'.*"), "a $2 has nothing called '$1'. Is it misspelt?"},
     Meaning{std::regex("([^: ]*): No such file or directory|'([^']*)' file not found"),
             "there is no file $1$2 here. A solution includes headers of Pushback and of the standard library, and "
             "nothing else."},
     Meaning{std::regex("no return statement.*|.*non-void function does not return.*"),
             "a function that should give a value back does not."},
-    Meaning{std::regex("(no match for ['‘]operator.*|invalid operands.*)"),
+    Meaning{std::regex("(no match for 'operator.*|invalid operands.*)"),
             "the two sides of this operator do not go together: a vector and a number, maybe?"},
     Meaning{std::regex("(cannot convert|could not convert|no viable conversion|no known conversion).*"),
             "a value of one kind stands where another kind is needed: a vector for a number, maybe?"},

@@ -18,7 +18,7 @@ namespace {
 
 struct Asked {
   std::vector<std::string> words;
-  std::string folder = "exercises";
+  std::string folder;      // empty: exercises/ of the project
   std::uint64_t seed = 0;  // 0: another one each time
   bool hint = false, reset = false, watch = false;
 };
@@ -75,8 +75,7 @@ bool check(const Exercise& exercise, StudentFiles& files, std::uint64_t seed) {
 void show_hints(const Exercise& exercise, StudentFiles& files) {
   const std::size_t count = std::min(files.hints(exercise) + 1, exercise.hints.size());
   for (std::size_t i = 0; i < count; ++i) fmt::print("  {}. {}\n", i + 1, exercise.hints[i]);
-  if (count == exercise.hints.size())
-    fmt::print("  That was the last one. The page of the chapter has the rest: {}/../README.md\n", exercise.folder);
+  if (count == exercise.hints.size()) fmt::print("  That was the last one. The page of the chapter has the rest.\n");
   files.set_hints(exercise, count);
 }
 

@@ -49,7 +49,7 @@ const Exercise& exercise_named(const std::vector<Exercise>& all, const std::stri
 }
 
 fs::path task_of(const Exercise& exercise) {
-  return fs::path(exercise.folder) / "task.md";
+  return fs::proximate(fs::path(SOURCE_FOLDER) / exercise.folder / "task.md");
 }
 fs::path stub_of(const Exercise& exercise) {
   return fs::path(SOURCE_FOLDER) / exercise.folder / "student.h";
@@ -65,7 +65,8 @@ bool untouched(const std::string& text, const std::string& stub) {
   return code_of(text) == code_of(stub);
 }
 
-StudentFiles::StudentFiles(fs::path folder) : folder_(std::move(folder)) {
+StudentFiles::StudentFiles(const fs::path& folder)
+    : folder_(fs::proximate(folder.empty() ? fs::path(SOURCE_FOLDER) / "exercises" : folder)) {
   if (!fs::exists(folder_ / ".remembered")) return;
   std::istringstream lines(read_text_file(folder_ / ".remembered"));
   std::string name;

@@ -23,7 +23,8 @@ bool untouched(const std::string& text, const std::string& stub);
 
 class StudentFiles {
  public:
-  explicit StudentFiles(std::filesystem::path folder);
+  /// `folder`: exercises/ of the project where it is empty.
+  explicit StudentFiles(const std::filesystem::path& folder);
   std::filesystem::path file(const Exercise& exercise) const { return folder_ / (exercise.name + ".h"); }
   bool begun(const Exercise& exercise) const { return std::filesystem::exists(file(exercise)); }
   /// The file with the gap, in the place of what may be there: that is kept beside it, with .old at its end.

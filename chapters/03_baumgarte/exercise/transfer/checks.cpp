@@ -51,21 +51,28 @@ std::vector<Check<Answer>> checks() {
        }},
       {"a deep ball leaves at the cap",
        2,
-       {{"your deep ball leaves with", "m/s", 1e-6}},
+       {{"your deep ball leaves with", "m/s", 1e-6},
+        {"your ball, which is more than a metre deep, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real cap = random.between(Real(0.5), 1);
-         return {ball_wanting(random, cap * random.between(Real(1.5), 3), cap).solved(random, answer)};
+         const Ball deep = ball_wanting(random, cap * random.between(Real(1.5), 3), cap);
+         Ball lost = deep;
+         lost.depth = random.between(Real(1.2), 2);
+         return {deep.solved(random, answer), lost.solved(random, answer)};
        }},
       {"a ball that is to bounce faster than the cap does",
        2,
        {{"your ball, which is to bounce faster than the cap, leaves with", "m/s", 1e-6},
-        {"your ball, which is to bounce more slowly than it is pushed out, leaves with", "m/s", 1e-6}},
+        {"your ball, which is to bounce more slowly than it is pushed out, leaves with", "m/s", 1e-6},
+        {"your ball, which is to bounce below the cap and is hardly deep, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real cap = random.between(Real(0.5), 1);
          Ball fast = ball_wanting(random, cap * 2, cap), slow = ball_wanting(random, cap * Real(0.8), cap);
+         Ball shallow = ball_wanting(random, cap * random.between(Real(0.1), Real(0.3)), cap);
          fast.asked = cap * random.between(Real(1.5), 3);
          slow.asked = cap * random.between(Real(0.1), Real(0.6));
-         return {fast.solved(random, answer), slow.solved(random, answer)};
+         shallow.asked = cap * random.between(Real(0.4), Real(0.9));
+         return {fast.solved(random, answer), slow.solved(random, answer), shallow.solved(random, answer)};
        }},
       {"a ball that is still apart goes its way, and is not let in",
        1,
