@@ -1,5 +1,6 @@
 /// What students' files may do to whoever checks them, and how the verdict calls it.
 #include "pushback/chapters/commands/exercise/all_exercises.h"
+#include "pushback/common/basics/input.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
 
@@ -36,10 +37,8 @@ void fails_as(const Verdict& verdict, const std::string& mistake, const std::str
 
 }  // namespace
 
-TEST_CASE("what is right passes, with and without a sandbox, and whatever it prints") {
-  const Sandbox sandbox;
+TEST_CASE("what is right passes, whatever it prints") {
   CHECK(verdict_on_lines(right).passed());
-  CHECK(verdict_on_lines(right, &sandbox).passed());
   CHECK(verdict_with_helper("#include <cstdio>", std::string("std::puts(\"failed\");\n") + right).passed());
 }
 
@@ -76,7 +75,18 @@ TEST_CASE("to print that all has passed, on whatever it prints to, is no pass") 
 }
 
 TEST_CASE("in the sandbox there is no answer to be read, nothing to be written outside, and no network") {
-  const Sandbox sandbox;
+  std::unique_ptr<Sandbox> here;
+  try {
+    here = std::make_unique<Sandbox>();
+  } catch (const InvalidInput& problem) {
+    WARN("skipped: " << problem.what());
+    return;
+  }
+  const Sandbox& sandbox = *here;
+  CHECK(verdict_on_lines(right, &sandbox).passed());
+  fails_as(verdict_on_lines("while (row.impulse == 0) row.apply(0);\n", &sandbox), "time", "a loop that never ends");
+  fails_as(verdict_on_lines("*reinterpret_cast<volatile int*>(row.owner) = 1;\n", &sandbox), "crash",
+           "memory that is not its own");
   const std::string tests = SOURCE_DIR "/tests/02_clamping/exercise/rebuild.txt",
                     checks = SOURCE_DIR "/chapters/02_clamping/exercise/checks.cpp";
   REQUIRE(fs::exists(tests));

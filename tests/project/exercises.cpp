@@ -47,6 +47,17 @@ TEST_CASE("each exercise: what is right passes, and each mistake is told apart f
   }
 }
 
+TEST_CASE("a mistake fails the same checks whatever the seed: points are no matter of luck") {
+  for (const Exercise& exercise : all_exercises()) {
+    for (const auto& mistake : exercise.mistakes) {
+      INFO(exercise.name << ": " << mistake.name);
+      const std::vector<Passed> once = judge(exercise, 1, sent(exercise, mistake.played, 1)).checks;
+      for (std::uint64_t seed = 2; seed <= 30; ++seed)
+        CHECK(judge(exercise, seed, sent(exercise, mistake.played, seed)).checks == once);
+    }
+  }
+}
+
 TEST_CASE("each check measures something that differs from student to student: nobody passes by table") {
   for (const Exercise& exercise : all_exercises()) {
     const Outcome one = sent(exercise, exercise.right, 1), other = sent(exercise, exercise.right, 2);

@@ -69,7 +69,7 @@ std::vector<Check<Answer>> checks() {
          const Real cap = random.between(Real(0.5), 1);
          Ball fast = ball_wanting(random, cap * 2, cap), slow = ball_wanting(random, cap * Real(0.8), cap);
          Ball shallow = ball_wanting(random, cap * random.between(Real(0.1), Real(0.3)), cap);
-         fast.asked = cap * random.between(Real(1.5), 3);
+         fast.asked = cap * random.between(Real(2.5), 4);
          slow.asked = cap * random.between(Real(0.1), Real(0.6));
          shallow.asked = cap * random.between(Real(0.4), Real(0.9));
          return {fast.solved(random, answer), slow.solved(random, answer), shallow.solved(random, answer)};
