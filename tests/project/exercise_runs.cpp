@@ -106,7 +106,7 @@ TEST_CASE("in the sandbox there is no answer to be read, nothing to be written o
   // Nor is the code of mistakes and of what is right in the program that the file becomes.
   const std::string reads_itself =
       "std::ifstream self(\"/proc/self/exe\");\n"
-      "const std::string all{std::istreambuf_iterator<char>(self), {}};\n"
+      "static const std::string all{std::istreambuf_iterator<char>(self), {}};\n"
       "if (all.size() < 10000) throw std::runtime_error(\"not read\");\n"
       "if (all.find(std::string(\"8mistakes\") + \"Ev\") != all.npos) throw std::runtime_error(\"read\");\n";
   CHECK(verdict_with_helper(helper + "#include <string>\n#include <iterator>\n", reads_itself + right, &sandbox)
