@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace pushback {
@@ -21,6 +22,12 @@ Scenes played(const Exercise::Played& answer, std::uint64_t seed, std::size_t ch
   return scenes;
 }
 
+bool is_whole(const Exercise::Line& check, const Scenes& scenes) {
+  return scenes.size() == scenes_of_a_check && std::all_of(scenes.begin(), scenes.end(), [&](const Numbers& numbers) {
+           return numbers.size() == check.quantities.size();
+         });
+}
+
 /// Which number is the furthest from the right one, in its tolerances.
 struct Off {
   std::size_t scene = 0, quantity = 0;
@@ -31,7 +38,7 @@ Off furthest(const std::vector<Quantity>& quantities, const Scenes& right, const
   Off off;
   for (std::size_t scene = 0; scene < right.size(); ++scene) {
     for (std::size_t i = 0; i < quantities.size(); ++i) {
-      const Real is = i < scenes[scene].size() ? scenes[scene][i] : std::numeric_limits<Real>::quiet_NaN();
+      const Real is = scenes[scene][i];
       Real by = std::abs(is - right[scene][i]) / quantities[i].tolerance;
       if (!std::isfinite(is)) by = std::numeric_limits<Real>::infinity();
       if (by > off.by) off = {scene, i, by};
@@ -68,7 +75,7 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Outcome& outco
   std::optional<std::size_t> first;  // of the checks that fail
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
     right.push_back(played(exercise.right, seed, i));
-    const bool reached = i < outcome.numbers.size() && outcome.numbers[i].size() == scenes_of_a_check;
+    const bool reached = i < outcome.numbers.size() && is_whole(exercise.checks[i], outcome.numbers[i]);
     const bool passed = reached && furthest(exercise.checks[i].quantities, right[i], outcome.numbers[i]).by <= 1;
     verdict.checks.push_back(!reached ? Passed::not_reached : passed ? Passed::yes : Passed::no);
     if (reached && !passed && !first) first = i;
@@ -76,6 +83,10 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Outcome& outco
   if (!first) {
     verdict.sentence = outcome.problem;
     verdict.mistake = outcome.kind;
+    if (!verdict.passed() && outcome.problem.empty()) {
+      verdict.sentence = "your program ended before it had given all numbers.";
+      verdict.mistake = "exit";
+    }
     return verdict;
   }
 

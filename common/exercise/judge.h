@@ -1,7 +1,7 @@
 /// From numbers to a verdict: which checks pass, and which mistake it is that shows.
 #pragma once
 
-#include <optional>
+#include <algorithm>
 
 #include "pushback/common/exercise/exercise.h"
 
@@ -21,7 +21,9 @@ struct Verdict {
   std::vector<Passed> checks;
   std::string sentence;  ///< what is wrong, with its number; empty: nothing
   std::string mistake;   ///< the name of the one that shows, or the kind of the problem; empty: none that is known
-  bool passed() const { return sentence.empty(); }
+  bool passed() const {
+    return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](Passed one) { return one == Passed::yes; });
+  }
 };
 
 Verdict judge(const Exercise& exercise, std::uint64_t seed, const Outcome& outcome);

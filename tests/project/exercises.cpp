@@ -109,6 +109,8 @@ TEST_CASE("a number that is not one says so, and no number at all is no pass") {
   outcome = sent(exercise, exercise.right, 1);
   outcome.numbers.back().back().pop_back();
   CHECK_FALSE(judge(exercise, 1, outcome).passed());
+  CHECK(judge(exercise, 1, outcome).mistake == "exit");
+  CHECK_FALSE(judge(exercise, 1, {}).passed());
   outcome = sent(exercise, exercise.right, 1);
   outcome.numbers.pop_back();
   outcome.problem = "it ended";
