@@ -76,17 +76,22 @@ TEST_CASE("to print that all has passed, on whatever it prints to, is no pass") 
 
 TEST_CASE("to answer in the place of the program that asks is no pass") {
   const auto forged = [](const std::string& lines) {
-    return "#include <iostream>\n#include <unistd.h>\nnamespace { const int said = [] {\n  std::string word;\n  std::cin >> word;\n"
-           "  for (const std::string line : {" + lines + "}) std::cout << word << ' ' << line << std::endl;\n  _exit(0);\n  return 0;\n}(); }";
+    return "#include <iostream>\n#include <unistd.h>\nnamespace { const int said = [] {\n  std::string word;\n  "
+           "std::cin >> word;\n"
+           "  for (const std::string line : {" +
+           lines + "}) std::cout << word << ' ' << line << std::endl;\n  _exit(0);\n  return 0;\n}(); }";
   };
   fails_as(verdict_with_helper(forged("\"end\""), right), "exit", "before it had given all numbers");
   fails_as(verdict_with_helper(forged("\"check 4\", \"end\""), right), "exit", "before it had given all numbers");
-  CHECK_FALSE(verdict_with_helper(forged("\"check 0\", \"numbers 0\", \"numbers\", \"numbers 0 0 0 0 0 0\", \"check 99999999999999999999\", "
-                                         "\"check -1\", \"check\", \"nonsense\", \"numbers 1e999 nan x\", \"end\""),
-                                  right)
-                  .passed());
-  fails_as(verdict_with_helper(forged("\"check 0\", \"numbers 0 0\", \"numbers 0 0\", \"numbers 0 0\", \"end\""), right), "",
-           "its row keeps an impulse of 0 N s where ");
+  CHECK_FALSE(
+      verdict_with_helper(
+          forged("\"check 0\", \"numbers 0\", \"numbers\", \"numbers 0 0 0 0 0 0\", \"check 99999999999999999999\", "
+                 "\"check -1\", \"check\", \"nonsense\", \"numbers 1e999 nan x\", \"end\""),
+          right)
+          .passed());
+  fails_as(
+      verdict_with_helper(forged("\"check 0\", \"numbers 0 0\", \"numbers 0 0\", \"numbers 0 0\", \"end\""), right),
+      "nothing kept", "its row keeps an impulse of 0 N s where ");
 }
 
 TEST_CASE("in the sandbox there is no answer to be read, nothing to be written outside, and no network") {
