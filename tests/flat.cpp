@@ -15,7 +15,7 @@
 #include "pushback/chapters/catalogue.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 
 using namespace pushback;
 

@@ -11,7 +11,7 @@
 #include "tests/hard_cases/random_scene.h"
 #include "tests/hard_cases/stages.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 #include "tests/support/stored_hashes.h"
 
 using namespace pushback;

@@ -12,6 +12,7 @@ namespace pushback {
 struct Ended {
   int status = -1;  ///< 127 where there is no such program, 124 where it took too long, -1 where a signal ended it
   std::string out, err;
+  int signal = 0;  ///< the one that ended it; 0: none
 };
 
 /// Runs command[0], looked up as a shell does, with the rest as its arguments and `input` on its standard input. After

@@ -9,7 +9,7 @@
 #include "pushback/common/world/measure.h"
 #include "tests/support/call.h"
 #include "tests/support/on_ground.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 
 using namespace pushback;
 

@@ -8,7 +8,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/on_ground.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 
 using namespace pushback;
 using namespace pushback::baumgarte_scenes;

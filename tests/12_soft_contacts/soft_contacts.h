@@ -6,7 +6,7 @@
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/on_ground.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 
 namespace pushback {
 

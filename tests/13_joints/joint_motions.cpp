@@ -2,7 +2,7 @@
 #include "pushback/chapters/13_joints/study.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

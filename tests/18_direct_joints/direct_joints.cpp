@@ -9,7 +9,7 @@
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/joint_energy.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 #include "tests/support/with_joints.h"
 #include "tests/support/yardstick.h"
 

@@ -3,7 +3,7 @@
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 #include "tests/support/with_joints.h"
 #include "tests/support/yardstick.h"
 

@@ -12,7 +12,7 @@
 #include "tests/hard_cases/random_scene.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 #include "tests/support/with_joints.h"
 #include "tests/support/yardstick.h"
 

@@ -8,7 +8,7 @@
 
 #include "pushback/common/world/world.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 
 using namespace pushback;
 

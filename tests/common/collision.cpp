@@ -9,7 +9,7 @@
 #include "pushback/common/world/world.h"
 #include "tests/support/catch.h"
 #include "tests/support/contacts_of.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

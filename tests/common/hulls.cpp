@@ -20,7 +20,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/contacts_of.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

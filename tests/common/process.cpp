@@ -2,6 +2,7 @@
 #include "pushback/common/basics/process.h"
 
 #include <chrono>
+#include <csignal>
 
 #include "tests/support/catch.h"
 
@@ -24,7 +25,10 @@ TEST_CASE("how a program ended is told: its status, what it said, no such progra
   CHECK(failed.out == "out\n");
   CHECK(failed.err == "err\n");
   CHECK(run_program({"no-such-program"}).status == 127);
-  CHECK(run_program({"sh", "-c", "kill -ABRT $$"}).status == -1);
+  CHECK(failed.signal == 0);
+  const Ended killed = run_program({"sh", "-c", "kill -ABRT $$"});
+  CHECK(killed.status == -1);
+  CHECK(killed.signal == SIGABRT);
   const auto before = std::chrono::steady_clock::now();
   CHECK(run_program({"sleep", "60"}, 0.2).status == 124);
   CHECK(run_program({"sh", "-c", "trap '' TERM; exec sleep 60"}, 0.2).status == 124);  // does not do as it is asked

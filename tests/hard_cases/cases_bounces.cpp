@@ -4,7 +4,7 @@
 #include "pushback/common/world/measure.h"
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/standing.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 
 namespace pushback {
 

@@ -3,7 +3,7 @@
 
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/standing.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 
 namespace pushback {
 

@@ -7,7 +7,7 @@
 
 #include "pushback/common/basics/named.h"
 #include "tests/hard_cases/cases.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 
 namespace pushback {
 

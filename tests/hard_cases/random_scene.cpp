@@ -1,7 +1,7 @@
 #include "tests/hard_cases/random_scene.h"
 
 #include "pushback/common/basics/input.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 
 namespace pushback {
 

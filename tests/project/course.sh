@@ -264,6 +264,16 @@ course export -h && expect 2 "export: -h in" && expect_not "usage: ./course"
 course --help solve && expect 0 "usage: ./course"
 course effects --help && expect 0 "usage: ./course"
 
+# Exercises: what is handed on goes to the program, which is called from where one stands.
+for name in exercise grade handout; do
+  printf '#!/bin/sh\necho "%s: $* in $PWD"\nexit 1\n' $name >"$scratch/home/build/release/chapters/$name"
+  chmod +x "$scratch/home/build/release/chapters/$name"
+done
+course exercise 03-transfer --hint && expect 1 "--target exercise" "exercise: 03-transfer --hint in $scratch/sub"
+course exercise && expect 1 "exercise:  in $scratch/sub"
+course grade a b --jobs 2 && expect 1 "--target grade" "grade: a b --jobs 2 in $scratch/sub"
+course handout to --with 03 && expect 1 "--target handout" "handout: to --with 03 in $scratch/sub"
+
 # The study of accuracy and time, and the other engines, which are built only when they are asked for.
 for name in study frozen; do
   printf '#!/bin/sh\necho "%s: $*"\n' $name >"$scratch/home/build/release/chapters/$name"

@@ -3,7 +3,7 @@
 
 #include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/common/world/measure.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 
 namespace pushback {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
-#include "tests/support/random.h"
+#include "pushback/common/bodies/random.h"
 
 namespace pushback {
 

@@ -1,0 +1,15 @@
+/// What exercise 02 asks for.
+#pragma once
+
+#include "pushback/chapters/01_velocity_constraint/row.h"
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_02 {
+
+struct Answer {
+  void (*solve)(Row& row);  ///< a contact's row, once
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_02

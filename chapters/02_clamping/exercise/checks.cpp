@@ -1,0 +1,190 @@
+#include "pushback/chapters/02_clamping/exercise/asked.h"
+
+namespace pushback::exercise_02 {
+
+namespace {
+
+/// The rows of what touches in this world, each solved `sweeps` times by the answer.
+Rows solved(World& world, const Answer& answer, int sweeps, Real bias = 0) {
+  world.find_contacts();
+  Rows rows;
+  for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+    rows.push_back(row_of(world, world.contacts[i], world.contacts[i].normal, i));
+    rows.back().bias = bias;
+  }
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (Row& row : rows) answer.solve(row);
+  return rows;
+}
+
+Real sum_of(const Rows& rows) {
+  Real sum = 0;
+  for (const Row& row : rows) sum += row.impulse;
+  return sum;
+}
+
+/// A ball that touches the ground and moves up or down: its speed after ten sweeps, and the impulse that was kept.
+struct Ball {
+  Real speed, impulse;
+  Ball(Real mass, Real upwards, const Answer& answer, Real bias = 0) {
+    World world;
+    world.add(ground());
+    world.add(sphere(Real(0.5), mass).at({0, Real(0.499), 0}).moving({0, upwards, 0}));
+    impulse = sum_of(solved(world, answer, 10, bias));
+    speed = world.bodies[1].velocity.y();
+  }
+};
+
+/// The column of the page, 1 mm in the ground.
+World column(Random& random) {
+  World world;
+  const Real width = random.between(Real(0.22), Real(0.28)), height = random.between(Real(0.75), Real(0.9));
+  world.add(ground());
+  world.add(box({width, height, width}, random.between(50, 150)).at({0, height - Real(0.001), 0}));
+  return world;
+}
+
+std::vector<Check<Answer>> checks() {
+  return {
+      {"a ball that lands stops",
+       1,
+       {{"your ball, which lands alone on one point, leaves with", "m/s", 1e-6},
+        {"its row keeps an impulse of", "N s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real mass = random.between(5, 20), fall = random.between(1, 5);
+         const Ball ball(mass, -fall, answer);
+         return {ball.speed, ball.impulse};
+       }},
+      {"a ball that leaves is not held back, nor pushed",
+       1,
+       {{"your ball, which was leaving by itself, leaves with", "m/s", 1e-6},
+        {"its row keeps an impulse of", "N s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real mass = random.between(5, 20), leaves = random.between(1, 5);
+         const Ball ball(mass, leaves, answer);
+         return {ball.speed, ball.impulse};
+       }},
+      {"b is minus the speed that is wanted",
+       1,
+       {{"your ball, of which b asks a separating speed, leaves with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real mass = random.between(5, 20), fall = random.between(1, 5), wanted = random.between(1, 3);
+         return {Ball(mass, -fall, answer, -wanted).speed};
+       }},
+      {"a column that lands flat comes to rest",
+       2,
+       {{"your column leaves with", "m/s", 1e-6},
+        {"your column turns with", "rad/s", 1e-6},
+        {"the impulses of its four rows add up to", "N s", 1e-4}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         World world = column(random);
+         Body& body = world.bodies[1];
+         body.velocity.y() = -random.between(2, 4);
+         const Real sum = sum_of(solved(world, answer, 60));
+         return {body.velocity.y(), body.angular_velocity.norm(), sum};
+       }},
+      {"a column that turns is pushed on one side, and let go on the other",
+       2,
+       {{"your column leaves with", "m/s", 1e-6},
+        {"your column turns on with", "rad/s", 1e-6},
+        {"the least impulse of its four rows is", "N s", 1e-4}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         World world = column(random);
+         Body& body = world.bodies[1];
+         body.velocity.y() = -random.between(Real(0.8), Real(1.2));
+         body.angular_velocity.z() = random.between(5, 7);
+         Real least = std::numeric_limits<Real>::infinity();
+         for (const Row& row : solved(world, answer, 60)) least = std::min(least, row.impulse);
+         return {body.velocity.y(), body.angular_velocity.z(), least};
+       }},
+  };
+}
+
+Real wanted(const Row& row) {
+  return row.impulse - row.effective_mass * (row.speed() + row.bias);
+}
+
+void right(Row& row) {
+  const Real sum = std::max(Real(0), wanted(row));
+  row.apply(sum - row.impulse);
+  row.impulse = sum;
+}
+
+std::vector<Mistake<Answer>> mistakes() {
+  return {
+      {"each correction clamped",
+       "it looks as if each correction were clamped, not their sum. A correction that is negative takes back a push "
+       "that was "
+       "too large; without it nothing ever does.",
+       {[](Row& row) {
+         const Real lambda = std::max(Real(0), -row.effective_mass * (row.speed() + row.bias));
+         row.impulse += lambda;
+         row.apply(lambda);
+       }}},
+      {"the sum applied",
+       "it looks as if the whole sum were applied each time. The bodies have had the old sum already: apply the "
+       "difference.",
+       {[](Row& row) {
+         row.impulse = std::max(Real(0), wanted(row));
+         row.apply(row.impulse);
+       }}},
+      {"stored unclamped",
+       "it looks as if the row kept the sum from before it was clamped. The next sweep then takes a pull for granted "
+       "that "
+       "no body has felt.",
+       {[](Row& row) {
+         const Real sum = wanted(row);
+         row.apply(std::max(Real(0), sum) - row.impulse);
+         row.impulse = sum;
+       }}},
+      {"stored unclamped",
+       "it looks as if the row kept the sum from before it was clamped. What is kept has to be what the bodies have "
+       "felt.",
+       {[](Row& row) {
+         const Real sum = wanted(row);
+         row.apply(std::max(Real(0), sum) - std::max(Real(0), row.impulse));
+         row.impulse = sum;
+       }}},
+      {"not clamped",
+       "it looks as if nothing were clamped. The ground pulls at what wants to leave, and it has no glue.",
+       {[](Row& row) {
+         const Real sum = wanted(row);
+         row.apply(sum - row.impulse);
+         row.impulse = sum;
+       }}},
+      {"nothing kept",
+       "it looks as if row.impulse were never written. Without the sum nobody knows how much of a push can be taken "
+       "back.",
+       {[](Row& row) { row.apply(std::max(Real(0), wanted(row)) - row.impulse); }}},
+      {"b left out", "it looks as if b were left out. The row solves J V + b = 0.", {[](Row& row) {
+         const Real sum = std::max(Real(0), row.impulse - row.effective_mass * row.speed());
+         row.apply(sum - row.impulse);
+         row.impulse = sum;
+       }}},
+      {"sign of b",
+       "it looks as if b had the wrong sign. The row solves J V + b = 0, so the wanted speed is -b.",
+       {[](Row& row) {
+         const Real sum = std::max(Real(0), row.impulse - row.effective_mass * (row.speed() - row.bias));
+         row.apply(sum - row.impulse);
+         row.impulse = sum;
+       }}},
+  };
+}
+
+}  // namespace
+
+Numbers play(std::size_t check, Random& random, const Answer& answer) {
+  return checks()[check].play(random, answer);
+}
+
+Exercise exercise() {
+  return exercise_of<Answer>(
+      "accumulate, clamp, apply the difference",
+      {"If no other row existed, the row would want the sum Σλ - (J V + b) / K. Compute that first.",
+       "A contact pushes and never pulls, over the whole step: the sum is at least 0.",
+       "The bodies have already had row.impulse. What they get now is the new sum minus the old one: "
+       "row.apply(new - old). Then row.impulse becomes the new sum."},
+      checks(), {right}, mistakes());
+}
+
+}  // namespace pushback::exercise_02

@@ -1,0 +1,22 @@
+/// Exercise 03, transfer: a push-out with a cap on its speed. The task is chapters/03_baumgarte/exercise/transfer/task.md.
+#pragma once
+
+#include "pushback/chapters/03_baumgarte/exercise/transfer/asked.h"
+
+namespace student {
+
+using namespace pushback;
+
+/// The part beta of the overlap should be gone after a step of h seconds, but the push-out is no faster than `cap`, m/s.
+///
+/// You read   normal.separation   C, m: negative where the bodies overlap, positive where they are still apart
+/// and set    normal.bias         b, m/s: minus the separating speed that is wanted; another effect may have set it
+inline void push_out(Row& normal, Real beta, Real cap, Real h) {
+  // TODO the bias of chapter 03, capped; what another effect has asked for is not
+  (void)normal, (void)beta, (void)cap, (void)h;  // take this line out
+  // TODO ends
+}
+
+inline const exercise_03_transfer::Answer answer{push_out};
+
+}  // namespace student

@@ -1,0 +1,44 @@
+/// A student's file, compiled and run: apart from us, with limits, in a sandbox where that is wanted.
+#pragma once
+
+#include <filesystem>
+
+#include "pushback/common/exercise/judge.h"
+
+namespace pushback {
+
+struct Limits {
+  int seconds = 10;      ///< of the run; of processor time and by the clock
+  int megabytes = 1024;  ///< of memory
+  int compile_seconds = 60;
+};
+
+/// A folder that is gone with this.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path path;
+};
+
+/// bubblewrap: no network, no writing but in a scratch folder, and to be read only the compiler and the headers: no checks, no
+/// answers, no other student.
+class Sandbox {
+ public:
+  /// Throws InvalidInput where none works here.
+  Sandbox();
+  /// `command` in it, with this folder to write in and these files to read.
+  std::vector<std::string> around(std::vector<std::string> command, const std::filesystem::path& folder,
+                                  const std::vector<std::filesystem::path>& readable) const;
+
+ private:
+  ScratchFolder headers_;  // those of Pushback, and nothing else of it
+};
+
+/// `sandbox`: none where it is null.
+Outcome attempt(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed, const Sandbox* sandbox,
+                const Limits& limits = {});
+
+}  // namespace pushback

@@ -1,0 +1,49 @@
+/// The folder in which a student works: a file for each exercise, and what is remembered of them.
+#pragma once
+
+#include <filesystem>
+#include <map>
+
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback {
+
+/// 03, 03-transfer: as typed.
+std::string short_name(const Exercise& exercise);
+/// The one that a word asks for: 03, 3, baumgarte, 03_baumgarte, each with -transfer or _transfer for the transfer. Throws
+/// InvalidInput, naming all there are.
+const Exercise& exercise_named(const std::vector<Exercise>& all, const std::string& word);
+/// Where the task and the file with the gap are.
+std::filesystem::path task_of(const Exercise& exercise);
+std::filesystem::path stub_of(const Exercise& exercise);
+/// The number of the first line with the TODO.
+std::size_t line_of_todo(const std::string& text);
+/// Whether nothing but comments and spaces has changed.
+bool untouched(const std::string& text, const std::string& stub);
+
+class StudentFiles {
+ public:
+  /// `folder`: exercises/ of the project where it is empty.
+  explicit StudentFiles(const std::filesystem::path& folder);
+  std::filesystem::path file(const Exercise& exercise) const { return folder_ / (exercise.name + ".h"); }
+  bool begun(const Exercise& exercise) const { return std::filesystem::exists(file(exercise)); }
+  /// The file with the gap, in the place of what may be there: that is kept beside it, with .old at its end.
+  void reset(const Exercise& exercise);
+
+  bool solved(const Exercise& exercise) const;
+  void set_solved(const Exercise& exercise);
+  /// How many hints were shown.
+  std::size_t hints(const Exercise& exercise) const;
+  void set_hints(const Exercise& exercise, std::size_t count);
+
+ private:
+  struct Remembered {
+    bool solved = false;
+    std::size_t hints = 0;
+  };
+  void write() const;
+  std::filesystem::path folder_;
+  std::map<std::string, Remembered> remembered_;
+};
+
+}  // namespace pushback

@@ -1,0 +1,87 @@
+/// An exercise that checks itself: scenes that are played with an answer, the numbers that they measure, and how each known
+/// mistake shows in these numbers.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pushback/common/bodies/random.h"
+
+namespace pushback {
+
+using Numbers = std::vector<Real>;
+
+/// A number that a check looks at, as a sentence says it: "your box leaves with 0.31 m/s".
+struct Quantity {
+  std::string words;  ///< "your box leaves with"
+  std::string unit;
+  Real tolerance;  ///< how far it may be from the right one
+};
+
+/// `Answer` is what an exercise asks of the student: functions, or an effect.
+template <class Answer>
+struct Check {
+  std::string says;  ///< of a right answer: "a column that lands flat stays on the ground"
+  int points;
+  std::vector<Quantity> quantities;
+  std::function<Numbers(Random&, const Answer&)>
+      play;  ///< a scene made of random numbers: its quantities, in their order
+};
+
+template <class Answer>
+struct Mistake {
+  std::string name;  ///< "each correction clamped"; a mistake that can be written in two ways stands here twice
+  std::string hint;  ///< goes on from "your column leaves with 0.31 m/s where 0 is right: "
+  Answer answer;
+};
+
+/// The same for every kind of answer.
+struct Exercise {
+  struct Line {
+    std::string says;
+    int points;
+    std::vector<Quantity> quantities;
+  };
+  /// What is measured in a scene of this check with an answer that is known.
+  using Played = std::function<Numbers(std::size_t check, Random&)>;
+  struct Known {
+    std::string name, hint;
+    Played played;
+  };
+
+  std::string title;               ///< "accumulate, clamp, apply the difference"
+  std::vector<std::string> hints;  ///< one more at each `--hint`
+  std::vector<Line> checks;
+  Played right;
+  std::vector<Known> mistakes;
+  std::string name = {};    ///< of its file: 03_baumgarte, 03_baumgarte_transfer; from its folder
+  std::string folder = {};  ///< chapters/03_baumgarte/exercise
+
+  /// The use of an idea where the page does not: the only kind that is graded.
+  bool transfer() const { return name.ends_with("_transfer"); }
+};
+
+template <class Answer>
+Exercise exercise_of(std::string title, std::vector<std::string> hints, const std::vector<Check<Answer>>& checks,
+                     const Answer& right, std::vector<Mistake<Answer>> mistakes) {
+  const auto played = [checks](const Answer& answer) {
+    return [checks, answer](std::size_t check, Random& random) { return checks[check].play(random, answer); };
+  };
+  Exercise made{std::move(title), std::move(hints), {}, played(right), {}};
+  for (const auto& check : checks) made.checks.push_back({check.says, check.points, check.quantities});
+  for (auto& mistake : mistakes) made.mistakes.push_back({mistake.name, mistake.hint, played(mistake.answer)});
+  return made;
+}
+
+/// Each check is played in so many scenes.
+inline constexpr std::size_t scenes_of_a_check = 3;
+
+/// The random numbers of one of them.
+inline Random random_of(std::uint64_t seed, std::size_t check, std::size_t scene) {
+  std::uint64_t mixed = seed;
+  for (const std::uint64_t part : {check, scene}) mixed = (mixed ^ (part + 1)) * 0x9e3779b97f4a7c15u + (mixed >> 29);
+  return Random(mixed);
+}
+
+}  // namespace pushback

@@ -1,0 +1,31 @@
+/// From numbers to a verdict: which checks pass, and which mistake it is that shows.
+#pragma once
+
+#include <algorithm>
+
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback {
+
+/// What came of running an answer.
+struct Outcome {
+  std::vector<std::vector<Numbers>> numbers;  ///< by check and scene, as far as it got
+  std::string problem;                        ///< in plain words, why it got no further; empty: it did
+  std::string kind;     ///< of the problem: "does not compile", "time", "memory", "crash", "exception", "exit"
+  std::string printed;  ///< by the answer
+};
+
+enum class Passed { yes, no, not_reached };
+
+struct Verdict {
+  std::vector<Passed> checks;
+  std::string sentence;  ///< what is wrong, with its number; empty: nothing
+  std::string mistake;   ///< the name of the one that shows, or the kind of the problem; empty: none that is known
+  bool passed() const {
+    return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](Passed one) { return one == Passed::yes; });
+  }
+};
+
+Verdict judge(const Exercise& exercise, std::uint64_t seed, const Outcome& outcome);
+
+}  // namespace pushback

@@ -1,0 +1,95 @@
+/// ./course exercise, as a student calls it.
+#include <csignal>
+#include <thread>
+
+#include "pushback/chapters/commands/exercise/all_exercises.h"
+#include "tests/support/answers.h"
+#include "tests/support/call.h"
+
+using namespace pushback;
+
+namespace {
+
+const Exercise& slop() {
+  static const std::vector<Exercise> all = all_exercises();
+  return exercise_named(all, "04");
+}
+
+const std::string right =
+    "for (std::size_t i = 0; i < step.contacts.size(); ++i)\n"
+    "  step.rows[i].separation = std::min(Real(0), step.rows[i].separation + slop);\n";
+
+struct Student {
+  Scratch scratch;
+  Ended call(const std::string& words) {
+    return call_program(EXERCISE_PROGRAM, words + " --in " + (scratch / "").string(), 120);
+  }
+  void write(const std::string& lines) { write_text_file(scratch / "04_slop.h", filled_in(slop(), lines)); }
+};
+
+}  // namespace
+
+TEST_CASE("the way of a student: the file, the gap, hints, a mistake, the answer, the next one") {
+  Student student;
+  CHECK(contains(student.call("").out, "next: ./course exercise 02\n"));
+  const Ended first = student.call("4");
+  CHECK(first.status == 0);
+  CHECK(contains(first.out, "04_slop.h; the gap is in line 18. The task is "));
+  CHECK(text_of(student.scratch / "04_slop.h") == text_of(stub_of(slop())));
+  const Ended untouched = student.call("slop");
+  CHECK(untouched.status == 1);
+  CHECK(contains(untouched.out, "Nothing is written yet."));
+
+  CHECK_FALSE(contains(student.call("04 --hint").out, "  2. "));
+  CHECK_FALSE(contains(student.call("04 --hint").out, "  3. "));
+  CHECK(contains(student.call("04 --hint").out, "  3. " + slop().hints[2]));
+  CHECK(contains(student.call("04 --hint").out, "That was the last one."));
+
+  student.write(
+      "std::puts(\"here\"); for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].separation += slop;\n");
+  const Ended wrong = student.call("04 --seed 5");
+  CHECK(wrong.status == 1);
+  CHECK(contains(wrong.out, "  ✓ a deep ball comes up at β (d − slop) / h\n"));
+  CHECK(contains(wrong.out, "  ✗ a ball that is less deep than the slop stays where it is\n"));
+  CHECK(contains(wrong.out, "  | here\n"));
+  CHECK(contains(wrong.out, "After half a second your shallow ball is deep by 5 mm where "));
+  CHECK(contains(wrong.out, "it looks as if min were forgotten."));
+  CHECK(contains(wrong.out, "--seed 5"));
+  CHECK(student.call("04 --seed 5").out == wrong.out);
+  CHECK(contains(student.call("").out, "04           begun"));
+
+  student.write(right);
+  const Ended solved = student.call("04");
+  CHECK(solved.status == 0);
+  CHECK(contains(solved.out, "  Solved.\n"));
+  CHECK(contains(student.call("").out, "04           solved"));
+
+  CHECK(student.call("04 --reset").status == 0);
+  CHECK(text_of(student.scratch / "04_slop.h") == text_of(stub_of(slop())));
+  CHECK(text_of(student.scratch / "04_slop.h.old") == filled_in(slop(), right));
+  CHECK(contains(student.call("").out, "04           begun"));
+}
+
+TEST_CASE("slips of the hand: an unknown exercise, an option without one") {
+  Student student;
+  const Ended unknown = student.call("99");
+  CHECK(unknown.status == 2);
+  CHECK(contains(unknown.err, "unknown exercise '99': one of these is needed: 02, 03"));
+  CHECK(student.call("--reset").status == 2);
+  CHECK(student.call("03 04").status == 2);
+  CHECK(fs::is_empty(student.scratch / ""));
+}
+
+TEST_CASE("watched, a file is checked at each save") {
+  Student student;
+  student.write("(void)step;\n");
+  std::jthread hand([&] {
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    student.write(right);
+  });
+  const Ended ended = run_program({EXERCISE_PROGRAM, "04", "--watch", "--in", (student.scratch / "").string()}, 30);
+  CHECK(ended.status == 124);  // it goes on until it is interrupted
+  CHECK(contains(ended.out, "Nothing is written yet."));
+  CHECK(contains(ended.out, "Solved."));
+  CHECK(ended.out.find("Nothing is written yet.") < ended.out.find("Solved."));
+}

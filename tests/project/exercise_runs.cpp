@@ -1,0 +1,162 @@
+/// What students' files may do to whoever checks them, and how the verdict calls it.
+#include "pushback/chapters/commands/exercise/all_exercises.h"
+#include "pushback/common/basics/input.h"
+#include "tests/support/answers.h"
+#include "tests/support/call.h"
+
+using namespace pushback;
+
+namespace {
+
+const Exercise& example() {  // 02, whose gap is the body of a function
+  static const std::vector<Exercise> all = all_exercises();
+  return exercise_named(all, "02");
+}
+
+constexpr const char* right =
+    "const Real sum = std::max(Real(0), row.impulse - row.effective_mass * (row.speed() + row.bias));\n"
+    "row.apply(sum - row.impulse);\nrow.impulse = sum;\n";
+
+Verdict verdict_on_lines(const std::string& lines, const Sandbox* sandbox = nullptr) {
+  return verdict_on(example(), filled_in(example(), lines), 1, sandbox, {.seconds = 3, .megabytes = 512});
+}
+
+/// Lines that stand before the function: includes, helpers.
+Verdict verdict_with_helper(const std::string& helper, const std::string& lines, const Sandbox* sandbox = nullptr) {
+  std::string text = filled_in(example(), lines);
+  text.insert(text.find("namespace student"), helper + "\n");
+  return verdict_on(example(), text, 1, sandbox, {.seconds = 3, .megabytes = 512});
+}
+
+void fails_as(const Verdict& verdict, const std::string& mistake, const std::string& words) {
+  INFO(verdict.mistake << ": " << verdict.sentence);
+  CHECK_FALSE(verdict.passed());
+  CHECK(verdict.mistake == mistake);
+  CHECK(contains(verdict.sentence, words));
+}
+
+}  // namespace
+
+TEST_CASE("what is right passes, whatever it prints") {
+  CHECK(verdict_on_lines(right).passed());
+  CHECK(verdict_with_helper("#include <cstdio>", std::string("std::puts(\"failed\");\n") + right).passed());
+}
+
+TEST_CASE("an endless loop, NaN, a crash, too much memory, an exception, an exit: each has its words") {
+  fails_as(verdict_on_lines("while (row.impulse == 0) row.apply(0);\n"), "time", "a loop that never ends");
+  fails_as(verdict_on_lines("row.apply(std::sqrt(-1 - row.effective_mass));\n"), "not a number", "NaN");
+  fails_as(verdict_on_lines("*reinterpret_cast<volatile int*>(row.owner) = 1;\n"), "crash",
+           "memory that is not its own");
+  fails_as(verdict_with_helper(
+               "#include <vector>\ninline std::vector<double>& kept() { static std::vector<double> all; return all; }",
+               "for (;;) kept().resize(2 * kept().size() + 1000, row.impulse);\n"),
+           "memory", "more than 512 MB");
+  fails_as(verdict_with_helper("#include <stdexcept>", "throw std::runtime_error(\"no idea\");\n"), "exception",
+           "no idea");
+  fails_as(verdict_with_helper("#include <cstdlib>", "std::exit(0);\n"), "exit", "before it had answered");
+  fails_as(verdict_with_helper("#include <cstdlib>", "std::abort();\n"), "crash", "stopped itself");
+  fails_as(verdict_with_helper("#include <cstdio>",
+                               "for (;;) std::puts(\"and another thing that goes on and on and on\");\n"),
+           "files", "more than 64 MB");
+  fails_as(verdict_with_helper("inline int deep(int n) { return n == -1 ? 0 : 1 + deep(n + 1) % 7; }",
+                               "if (deep(1) > 3) row.apply(1);\n"),
+           "crash", "memory that is not its own");
+}
+
+TEST_CASE("to print that all has passed, on whatever it prints to, is no pass") {
+  for (const std::string to : {"stdout", "stderr"})
+    CHECK_FALSE(verdict_with_helper("#include <cstdio>", "std::fputs(\"passed\\nend\\n\", " + to + ");\n").passed());
+  const std::string everywhere =
+      "#include <unistd.h>\n#include <cstdlib>\nnamespace { const int said = [] {\n"
+      "  for (int file = 1; file < 10; ++file) if (write(file, \"x check 0\\nx numbers 0 0\\nx end\\n\", 30) < 0) "
+      "continue;\n"
+      "  _exit(0);\n  return 0;\n}(); }";
+  fails_as(verdict_with_helper(everywhere, right), "exit", "before the first check");
+}
+
+TEST_CASE("to answer in the place of the program that asks is no pass") {
+  const auto forged = [](const std::string& lines) {
+    return "#include <iostream>\n#include <unistd.h>\nnamespace { const int said = [] {\n  std::string word;\n  "
+           "std::cin >> word;\n"
+           "  for (const std::string line : {" +
+           lines + "}) std::cout << word << ' ' << line << std::endl;\n  _exit(0);\n  return 0;\n}(); }";
+  };
+  fails_as(verdict_with_helper(forged("\"end\""), right), "exit", "before it had given all numbers");
+  fails_as(verdict_with_helper(forged("\"check 4\", \"end\""), right), "exit", "before it had given all numbers");
+  CHECK_FALSE(
+      verdict_with_helper(
+          forged("\"check 0\", \"numbers 0\", \"numbers\", \"numbers 0 0 0 0 0 0\", \"check 99999999999999999999\", "
+                 "\"check -1\", \"check\", \"nonsense\", \"numbers 1e999 nan x\", \"end\""),
+          right)
+          .passed());
+  fails_as(
+      verdict_with_helper(forged("\"check 0\", \"numbers 0 0\", \"numbers 0 0\", \"numbers 0 0\", \"end\""), right),
+      "nothing kept", "its row keeps an impulse of 0 N s where ");
+}
+
+TEST_CASE("in the sandbox there is no answer to be read, nothing to be written outside, and no network") {
+  std::unique_ptr<Sandbox> here;
+  try {
+    here = std::make_unique<Sandbox>();
+  } catch (const InvalidInput& problem) {
+    WARN("skipped: " << problem.what());
+    return;
+  }
+  const Sandbox& sandbox = *here;
+  CHECK(verdict_on_lines(right, &sandbox).passed());
+  fails_as(verdict_on_lines("while (row.impulse == 0) row.apply(0);\n", &sandbox), "time", "a loop that never ends");
+  fails_as(verdict_on_lines("*reinterpret_cast<volatile int*>(row.owner) = 1;\n", &sandbox), "crash",
+           "memory that is not its own");
+  const std::string tests = SOURCE_DIR "/tests/02_clamping/exercise/rebuild.txt",
+                    checks = SOURCE_DIR "/chapters/02_clamping/exercise/checks.cpp";
+  REQUIRE(fs::exists(tests));
+  REQUIRE(fs::exists(checks));
+  for (const std::string& file :
+       {tests, checks, std::string("pushback/chapters/02_clamping/exercise/checks.cpp"), std::string("/etc/passwd")})
+    fails_as(verdict_with_helper("#include \"" + file + "\"", right, &sandbox), "does not compile", "there is no file");
+  // It throws where it could do what it should not: so to pass is to have been kept from it.
+  const std::string helper =
+      "#include <fstream>\n#include <stdexcept>\n#include <sys/socket.h>\n#include <netinet/in.h>\n#include "
+      "<arpa/inet.h>\n"
+      "#include <unistd.h>\n";
+  for (const std::string& file : {tests, checks, std::string("/etc/passwd"), std::string(SOURCE_DIR "/README.md")})
+    CHECK(verdict_with_helper(
+              helper, "if (std::ifstream(\"" + file + "\")) throw std::runtime_error(\"read\");\n" + right, &sandbox)
+              .passed());
+  // Nor is the code of mistakes and of what is right in the program that the file becomes.
+  const std::string reads_itself =
+      "std::ifstream self(\"/proc/self/exe\");\n"
+      "static const std::string all{std::istreambuf_iterator<char>(self), {}};\n"
+      "if (all.size() < 10000) throw std::runtime_error(\"not read\");\n"
+      "if (all.find(std::string(\"8mistakes\") + \"Ev\") != all.npos) throw std::runtime_error(\"read\");\n";
+  CHECK(verdict_with_helper(helper + "#include <string>\n#include <iterator>\n", reads_itself + right, &sandbox)
+            .passed());
+  const Scratch outside;
+  CHECK(verdict_with_helper(
+            helper,
+            "if (std::ofstream(\"" + (outside / "x").string() + "\")) throw std::runtime_error(\"written\");\n" + right,
+            &sandbox)
+            .passed());
+  CHECK(verdict_with_helper(helper,
+                            "sockaddr_in at{}; at.sin_family = AF_INET; at.sin_port = htons(53); at.sin_addr.s_addr = "
+                            "inet_addr(\"10.0.0.1\");\n"
+                            "const int line = socket(AF_INET, SOCK_DGRAM, 0);\n"
+                            "if (line >= 0 && connect(line, reinterpret_cast<sockaddr*>(&at), sizeof at) == 0) throw "
+                            "std::runtime_error(\"connected\");\n"
+                            "close(line);\n" +
+                                std::string(right),
+                            &sandbox)
+            .passed());
+}
+
+TEST_CASE("a file that does not compile gets the first error in plain words, with its line") {
+  fails_as(verdict_on_lines("row.impulse = 0\n"), "does not compile", "a semicolon is missing");
+  fails_as(verdict_on_lines("row.impulse = 0\n"), "does not compile", "    row.impulse = 0");
+  fails_as(verdict_on_lines("row.impuls = 0;\n"), "does not compile", "has nothing called 'impuls'");
+  fails_as(verdict_on_lines("sum = 0;\n"), "does not compile", "nothing here has the name 'sum'");
+  fails_as(verdict_on_lines("if (row.impulse < 0) {\n"), "does not compile", "brace");
+  fails_as(verdict_on_lines("row.impulse = row.n;\n"), "does not compile", "another kind");
+  fails_as(verdict_on_lines("extern void helper();\nhelper();\n"), "does not compile", "declared but never defined");
+  fails_as(verdict_on(example(), "#pragma once\n", 1), "does not compile", "the last line of the file is missing");
+  fails_as(verdict_with_helper("#include \"mine.h\"", right), "does not compile", "there is no file mine.h here");
+}

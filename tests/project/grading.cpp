@@ -1,0 +1,129 @@
+/// ./course grade and ./course handout: many students, a table, JUnit XML and JSON, in parts and taken up again.
+#include <set>
+
+#include "pushback/chapters/commands/exercise/all_exercises.h"
+#include "pushback/chapters/commands/exercise/grade.h"
+#include "pushback/common/basics/input.h"
+#include "tests/support/answers.h"
+#include "tests/support/call.h"
+
+using namespace pushback;
+
+namespace {
+
+const Exercise& capped() {
+  static const std::vector<Exercise> all = all_exercises();
+  return exercise_named(all, "03-transfer");
+}
+
+/// A class of four: one right, one without a cap, one with a link to the first, one with nothing.
+struct Class {
+  Scratch scratch;
+  std::string folders;
+  Class() {
+    write("anna", "normal.bias = std::min(normal.bias, std::max(-cap, beta / h * normal.separation));\n");
+    write("ben & co", "normal.bias = std::min(normal.bias, beta / h * normal.separation);\n");
+    fs::create_directories(scratch / "carl");
+    fs::create_symlink(scratch / "anna/03_baumgarte_transfer.h", scratch / "carl/03_baumgarte_transfer.h");
+    fs::create_directories(scratch / "dora");
+    for (const std::string name : {"anna", "ben & co", "carl", "dora"})
+      folders += "'" + (scratch / name).string() + "' ";
+  }
+  void write(const std::string& name, const std::string& lines) {
+    fs::create_directories(scratch / name);
+    write_text_file(scratch / name / "03_baumgarte_transfer.h", filled_in(capped(), lines));
+  }
+  Ended grade(const std::string& more) {
+    return call_program(GRADE_PROGRAM, folders + "--no-sandbox --out " + (scratch / "out").string() + " " + more, 120);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a class is graded: a table, JSON and JUnit XML; again, only what has changed") {
+  Class all;
+  const Ended first = all.grade("--jobs 2");
+  CHECK(first.status == 0);
+  CHECK(contains(first.out, "anna        6 of 6  03-transfer 6/6\n"));
+  CHECK(contains(first.out, "ben & co    4 of 6  03-transfer 4/6 (cap forgotten)\n"));
+  CHECK(contains(first.out, "carl        0 of 6  03-transfer 0/6 (not handed in)\n"));
+  CHECK(contains(first.out, "dora        0 of 6  03-transfer 0/6 (not handed in)\n"));
+  const std::string json = text_of(all.scratch / "out/results.json"), xml = text_of(all.scratch / "out/results.xml");
+  CHECK(contains(json, "\"mistake\": \"cap forgotten\""));
+  CHECK(contains(xml, "<testsuite name=\"anna\" tests=\"4\" failures=\"0\">"));
+  CHECK(contains(xml, "<testsuite name=\"ben &amp; co\" tests=\"4\" failures=\"1\">"));
+  CHECK(contains(xml, "<failure message=\"your ball, which is more than a metre deep, leaves with"));
+  const Ended second = all.grade("");
+  CHECK(second.err.empty());
+  CHECK(second.out == first.out);
+  all.write("dora", "normal.bias += 0\n");
+  const Ended third = all.grade("");
+  CHECK(third.err == "graded: dora\n");
+  CHECK(contains(third.out, "03-transfer 0/6 (does not compile)"));
+  write_text_file(all.scratch / "points",
+                  "# all on the cap\n03-transfer 1 0\n03-transfer 2 10  # the cap\n03-transfer 3 0\n03-transfer 4 0\n");
+  const Ended fourth = all.grade("--points " + (all.scratch / "points").string());
+  CHECK(contains(fourth.out, "anna       10 of 10  03-transfer 10/10\n"));
+  CHECK(contains(fourth.out, "ben & co    0 of 10"));
+}
+
+TEST_CASE("parts, each for itself, make the whole; half of a result is graded anew") {
+  Class all;
+  const Ended one = all.grade("--shard 1/2");
+  CHECK(one.err == "graded: anna\ngraded: carl\n");
+  CHECK(contains(one.out, "2 of 4 students are graded"));
+  const Ended other = all.grade("--shard 2/2");
+  CHECK(other.err == "graded: ben & co\ngraded: dora\n");
+  CHECK(contains(other.out, "anna        6 of 6"));
+  CHECK_FALSE(contains(other.out, "students are graded"));
+  const fs::path file = all.scratch / "out/students/anna.json";
+  write_text_file(file, text_of(file).substr(0, 200));
+  CHECK(all.grade("").err == "graded: anna\n");
+}
+
+TEST_CASE("what cannot be graded is refused, and nothing is left behind") {
+  Class all;
+  CHECK(call_program(GRADE_PROGRAM, "nowhere --out " + (all.scratch / "out").string()).status == 2);
+  CHECK(contains(all.grade("'" + (all.scratch / "anna/").string() + "'").err, "two folders are named 'anna'"));
+  for (const std::string shard : {"0/2", "3/2", "1", "1/", "a/b", "1/2x"}) {
+    const Ended ended = all.grade("--shard " + shard);
+    CHECK(ended.status == 2);
+    CHECK(contains(ended.err, "--shard is '" + shard + "'"));
+  }
+  for (const std::string line :
+       {"03-transfer 5 1", "03-transfer 0 1", "03-transfer 1 -1", "03-transfer 1", "99 1 1", "03-transfer 1 1 1"}) {
+    write_text_file(all.scratch / "points", "\n" + line + "\n");
+    CHECK(all.grade("--points " + (all.scratch / "points").string()).status == 2);
+  }
+  CHECK_FALSE(fs::exists(all.scratch / "out"));
+}
+
+TEST_CASE("without a sandbox nothing is graded, unless that is said") {
+  Class all;
+  fs::create_directories(all.scratch / "bin");
+  for (const std::string tool : {"timeout", "env"}) fs::create_symlink("/usr/bin/" + tool, all.scratch / "bin" / tool);
+  const Ended ended = run_program({"env", "PATH=" + (all.scratch / "bin").string(), GRADE_PROGRAM,
+                                   (all.scratch / "anna").string(), "--out", (all.scratch / "out").string()},
+                                  60);
+  CHECK(ended.status == 2);
+  CHECK(contains(ended.err, "install the package bubblewrap, or say --no-sandbox"));
+  CHECK_FALSE(fs::exists(all.scratch / "out"));
+}
+
+TEST_CASE("a handout has tasks and gaps, and neither answers nor checks; its points can be edited") {
+  const Scratch scratch;
+  const std::string folder = (scratch / "handout").string();
+  const Ended ended = call_program(HANDOUT_PROGRAM, folder + " --with 03,03-transfer,04 --without 04");
+  CHECK(ended.status == 0);
+  std::set<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder)) files.insert(entry.path().filename().string());
+  CHECK(files == std::set<std::string>{"03_baumgarte.h", "03_baumgarte.md", "03_baumgarte_transfer.h",
+                                       "03_baumgarte_transfer.md", "README.md"});
+  CHECK(text_of(scratch / "handout/03_baumgarte_transfer.h") == read_text_file(stub_of(capped())));
+  CHECK_FALSE(contains(text_of(scratch / "handout/03_baumgarte.md"), "]("));  // links lead nowhere from there
+  const Points points(all_exercises(), scratch / "handout.points");
+  for (std::size_t i = 0; i < capped().checks.size(); ++i) CHECK(points.of(capped(), i) == capped().checks[i].points);
+  CHECK(call_program(HANDOUT_PROGRAM, folder).status == 2);
+  CHECK(call_program(HANDOUT_PROGRAM, (scratch / "none").string() + " --with 03 --without 03").status == 2);
+  CHECK_FALSE(fs::exists(scratch / "none"));
+}

@@ -1,0 +1,44 @@
+/// What students may write into the gap of an exercise, and how the verdict calls each: tests/NN_name/exercise/*.txt.
+#pragma once
+
+#include "pushback/chapters/commands/exercise/attempt.h"
+#include "pushback/chapters/commands/exercise/student_files.h"
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/process.h"
+
+namespace pushback {
+
+/// The exercise's own file with `lines` in the place of its gap.
+inline std::string filled_in(const Exercise& exercise, const std::string& lines) {
+  const std::string stub = read_text_file(stub_of(exercise));
+  const std::size_t from = stub.rfind('\n', stub.find("TODO")) + 1, to = stub.find('\n', stub.find("TODO ends")) + 1;
+  return stub.substr(0, from) + lines + stub.substr(to);
+}
+
+struct WrittenAnswer {
+  std::string name;  ///< "right", or the name of its mistake
+  std::string lines;
+};
+
+inline std::vector<WrittenAnswer> written_answers(const Exercise& exercise, const std::filesystem::path& tests) {
+  const std::filesystem::path file =
+      tests / std::filesystem::path(exercise.folder).lexically_relative("chapters").begin()->string() / "exercise" /
+      (exercise.transfer() ? "transfer.txt" : "rebuild.txt");
+  std::vector<WrittenAnswer> answers;
+  for (const std::string& line : lines_of(read_text_file(file))) {
+    if (line.starts_with("== ")) answers.push_back({line.substr(3), ""});
+    else if (!answers.empty()) answers.back().lines += line + "\n";
+  }
+  return answers;
+}
+
+/// The verdict on this text as a student's file.
+inline Verdict verdict_on(const Exercise& exercise, const std::string& text, std::uint64_t seed,
+                          const Sandbox* sandbox = nullptr, const Limits& limits = {}) {
+  const ScratchFolder scratch;
+  const std::filesystem::path file = scratch.path / (exercise.name + ".h");
+  write_text_file(file, text);
+  return judge(exercise, seed, attempt(exercise, file, seed, sandbox, limits));
+}
+
+}  // namespace pushback
