@@ -9,7 +9,7 @@ Rows solved(World& world, const Answer& answer, int sweeps, Real bias = 0) {
   world.find_contacts();
   Rows rows;
   for (std::size_t i = 0; i < world.contacts.size(); ++i) {
-    rows.push_back(row_of(world, world.contacts[i], world.contacts[i].normal, i));
+    rows.emplace_back(world, world.contacts[i], world.contacts[i].normal, i);
     rows.back().bias = bias;
   }
   for (int sweep = 0; sweep < sweeps; ++sweep)
