@@ -19,6 +19,7 @@
 #include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
 #include "pushback/chapters/15_limits_motors_springs/scenes.h"
 #include "pushback/chapters/16_whole_problem/scenes.h"
+#include "pushback/chapters/17_direct_contacts/scenes.h"
 #include "pushback/chapters/18_direct_joints/scenes.h"
 #include "pushback/chapters/20_only_what_is_needed/scenes.h"
 
@@ -90,7 +91,8 @@ std::vector<NamedScene> all_scenes() {
          drive(world, add_cart(world, slope, 0), cart_speed, 7);
        }},
       {"15-stairs", [](World& world) { limits_motors_springs_scenes::down_the_stairs(world); }},
-      {"17-gate", whole_problem_scenes::StackInGate{}},
+      {"16-gate", whole_problem_scenes::StackInGate{}},
+      {"17-heavy", direct_contacts_scenes::HeavyOnFour{}},
       {"18-chain", direct_joints_scenes::LoadedChain{}},
       {"20-piles", only_what_is_needed_scenes::FivePiles{}},
       {"20-ice", only_what_is_needed_scenes::cubes_on_ice},

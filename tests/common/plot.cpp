@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "pushback/common/basics/files.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/experiment/marker.h"
 #include "pushback/common/experiment/plot_layout.h"
 #include "pushback/common/render/canvas.h"
 #include "tests/support/call.h"
-#include "tests/support/random.h"
 
 using namespace pushback;
 

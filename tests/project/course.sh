@@ -116,6 +116,7 @@ course render && expect 0 "1 of 3 drawn in "
 stand_in cmake 'echo "cmake $*"'
 course render 03 -- --beta "1.4 x" --list && expect 0 "--target 03_three" "run 03_three: --beta 1.4 x --list" "rendered 03_three in "
 expect_not 04_four
+course render 03 --film -- --seconds 2 && expect 0 "run 03_three: --film --seconds 2" "rendered 03_three in "
 rm -f "$scratch"/home/met.*
 for name in 03_three:3:4 04_four:4:3; do
   IFS=: read -r name one other <<<"$name"
@@ -216,6 +217,11 @@ export ABSENT=libfmt-dev
 course render 03 && expect 0 "these packages are missing" "  libfmt-dev" "packages installed"
 output=$(cat "$scratch/apt.log") status=0
 expect 0 " update" " install --no-install-recommends libfmt-dev"
+export ABSENT=ffmpeg  # needed for films alone
+course render 03 && expect 0 && expect_not "packages"
+course render 03 --film && expect 0 "  ffmpeg" "packages installed"
+course render 03 -- --film webm && expect 0 "  ffmpeg" "packages installed"
+export ABSENT=libfmt-dev
 stand_in id 'echo 1000'
 command="apt-get update && apt-get install --no-install-recommends libfmt-dev"
 course render 03 && expect 1 "only root may install packages, and sudo does not help here" "$command"
