@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
              .fill = [boxes](World& world) { stack(world, boxes); },
              .camera = {{Real(16.2), 5, 60}, {Real(16.2), Real(3.8), 0}, Real(0.16)},
              .seconds = 6,
-             .arrow = Real(1e-6),
+             .contacts = Drawn::points,
              .key = "stack",
              .caption = "At the left each stack stands in its outline, where it should stay. Follow the colours to the "
                         "right: one stack falls apart, in the other the boxes pass through each other.",

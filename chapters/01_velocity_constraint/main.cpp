@@ -110,11 +110,10 @@ int main(int argc, char** argv) {
              .fill = cube,
              .camera = {{Real(0.3), Real(1.9), 30}, {Real(0.3), Real(0.5), 0}, Real(0.147)},
              .seconds = Real(1.4),
-             .arrow = Real(1e-6),
+             .contacts = Drawn::nothing,
              .key = "slope",
-             .caption =
-                 "One cube at three instants, from the middle on. Outlines: where gravity takes it. With one sign "
-                 "wrong in the normal, it slides up the slope.",
+             .caption = "One cube at three instants; it starts in the middle. Outlines: where gravity takes it. With "
+                        "one sign wrong in the normal, it slides up the slope.",
              .marks = [=, h = e.dt()](Picture& picture, const World&, Real time) { add_slid(picture, cube, time, h); },
              .strobe = Strobe{.every = every, .shift_per_second = Vec3::Zero(), .height = 440}});
     e.variant("n as it is", Solver<RightNormals>{})

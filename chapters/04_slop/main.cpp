@@ -88,8 +88,8 @@ int main(int argc, char** argv) {
              .seconds = 4,
              .instants = {Real(3.2)},
              .caption =
-                 "A row of the strip is a contact point, from step to step. Without slop the rows are torn: points are "
-                 "lost and found again. With slop every point stays.",
+                 "The boxes begin 8 mm deep in each other. A row of the strip is a contact point, from step to step. "
+                 "Without slop the rows are torn: points are lost and detected again. With slop every point stays.",
              .start_shown = false,
              .raster = Raster{.label = "contact points, the lowest box at the foot",
                               .of = PointsOfPile(pile),

@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
              .fill = ball,
              .camera = {middle + Vec3(0, Real(1.3), 20), middle + Vec3(0, Real(1.11), 0), Real(0.138)},
              .seconds = watched,
-             .arrow = Real(1e-6),  // too short to be drawn
+             .contacts = Drawn::points,
              .key = "strobe",
              .caption = "Each line is where the ball's top should just arrive after a bounce: with the sum it passes "
                         "them by more and more, with this step's gravity counted in by a little.",
@@ -64,7 +64,8 @@ int main(int argc, char** argv) {
                                         Vec3(pace * std::min(time, ball.lands(k + 1)), y, 0)});
                    }
                  },
-             .strobe = Strobe{.every = Real(1) / 15, .shift_per_second = pace * Vec3::UnitX(), .height = 360}});
+             .strobe = Strobe{.every = Real(1) / 15, .shift_per_second = pace * Vec3::UnitX(), .height = 360},
+             .in_brief = {{0, 1}}});
     for (Variant* variant : {&e.variant("the larger", larger).coloured(0), &e.variant("their sum", added),
                              &e.variant("gravity counted in", with_gravity)}) {
       for (int k = 1; k <= 3; ++k) variant->expect(fmt::format("apex {}", k), ball.apex(k));

@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
              .camera = {{0, 30, 4}, {0, 0, Real(0.05)}, Real(0.315) / Real(4.1) * (rim + stop)},
              .seconds = sliding,
              .instants = {sliding},
-             .arrow = Real(1e-6),  // too short to be drawn
+             .contacts = Drawn::nothing,
              .caption = "Seen from above. All twelve planks should stop on the circle, each in its outline; an arrow "
                         "goes from where a plank should be to where it is.",
              .start_shown = false,

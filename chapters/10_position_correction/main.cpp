@@ -105,11 +105,11 @@ int main(int argc, char** argv) {
              .fill = boxes_in_each_other,
              .camera = {{Real(4.2), Real(4), Real(10)}, {0, Real(2.35), 0}, Real(0.54)},
              .seconds = 3,
-             .instants = {Real(0.2), Real(0.5)},
-             .arrow = Real(1e-6),  // none: they would hide the boxes
+             .instants = {Real(0.5)},
+             .contacts = Drawn::nothing,
              .key = "boxes",
-             .caption = "The boxes have to come apart. The thin lines are the block in which they then stand; what "
-                        "flies on has got a velocity that stays.",
+             .caption = "The boxes have to come apart. The thin lines are the block in which they then stand; a box "
+                        "that flies on has kept its velocity.",
              .marks =
                  [](Picture& picture, const World&, Real) {
                    for (const Body& stands : twelve_boxes(1))

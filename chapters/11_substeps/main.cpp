@@ -23,20 +23,20 @@ int main(int argc, char** argv) {
     };
     const Real top = tall;
     const Body where_it_stood = box({Real(0.5), top / 2, Real(0.5)}, 1).at({0, top / 2, 0});
-    e.scene(
-        {.name = "a stack of " + spelled(tall),
-         .fill = [tall](World& world) { stack(world, tall); },
-         .camera = {{12, top / 2 + 6, 60}, {Real(0.8), top / 2 + Real(0.35), 0}, Real(0.363)},
-         .seconds = 10,
-         .instants = {Real(2.5)},
-         .arrow = Real(1e-6),  // none: they would hide the boxes
-         .caption = "All three stacks started between the thin lines. The lean is drawn five times as large as it is.",
-         .start_shown = false,
-         .magnified = 5,
-         .marks = [where_it_stood](Picture& picture, const World&,
-                                   Real) { add_outline(picture, where_it_stood, near_black_colour(), Real(0.8)); },
-         .cell_height = 960,
-         .side_by_side = true});
+    e.scene({.name = "a stack of " + spelled(tall),
+             .fill = [tall](World& world) { stack(world, tall); },
+             .camera = {{12, top / 2 + 6, 60}, {Real(0.8), top / 2 + Real(0.35), 0}, Real(0.363)},
+             .seconds = 10,
+             .instants = {Real(2.5)},
+             .contacts = Drawn::nothing,
+             .caption = "All three stacks started between the thin lines. The pictures are of 2.5 s, the numbers of 10 "
+                        "s. The lean is drawn five times as large as it is.",
+             .start_shown = false,
+             .magnified = 5,
+             .marks = [where_it_stood](Picture& picture, const World&,
+                                       Real) { add_outline(picture, where_it_stood, near_black_colour(), Real(0.8)); },
+             .cell_height = 960,
+             .side_by_side = true});
     watch_stack(e);
     sweeping(10).coloured(0);
     if (count != 10) sweeping(count).coloured(1);

@@ -76,9 +76,8 @@ int main(int argc, char** argv) {
              .camera = {{Real(2.6), top + Real(0.3), 13}, {0, top - Real(1.2), 0}, Real(0.215)},
              .seconds = 10,
              .instants = {Real(5.5), Real(6.25), 7},
-             .caption =
-                 "The thin lines are where the formula has the boxes with soft contacts. Displacements are drawn two "
-                 "hundred times as large as they are.",
+             .caption = "The top of the stack. Thin lines: where soft contacts should come to rest. Displacements are "
+                        "drawn two hundred times as large as they are.",
              .start_shown = false,
              .magnified = 200,
              .marks =

@@ -62,7 +62,8 @@ int main(int argc, char** argv) {
                add_line(picture, line);
                add_line(picture, {Vec3::Zero(), line.back()});
              },
-         .side_by_side = true});
+         .side_by_side = true,
+         .in_brief = {{0, 1}}});
     e.variant("no limit", JointedSolver{});
     const auto stop = [stop_at](const World& world) { return stop_of_bar(world, stop_at); };
     const auto sucking = [stop_at](const World& world) { return stop_that_sucks(world, stop_at); };
@@ -173,6 +174,7 @@ int main(int argc, char** argv) {
              .camera = {{Real(2.9), Real(1.5), 5}, {Real(1.2), Real(0.6), 0}, Real(0.31)},
              .seconds = 3,
              .instants = {0, Real(0.9), Real(1.2), 3},
+             .contacts = Drawn::nothing,
              .key = "ragdoll",
              .caption = "A ragdoll has walked off the landing: without limits his knees and elbows bend the wrong way.",
              .start_shown = false});

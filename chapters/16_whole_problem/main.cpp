@@ -26,18 +26,21 @@ int main(int argc, char** argv) {
     const std::string tall = "a stack of " + spelled(gate.boxes);
     const Fill stacked = [boxes = gate.boxes](World& world) { stack(world, boxes); };
     const Real top = static_cast<Real>(gate.boxes);
+    const Signs of_stack = signs(Snapshot(stacked, e.dt()), 3000);  // as many sweeps in every step as a rule takes here
+    const auto until = [&](const std::vector<double>& sign) { return first_below(sign, small); };
     e.scene({.name = tall + ", every step from nothing",
              .fill = gate,
              .camera = {{0, top - Real(1.2), Real(7.8)}, {0, top - Real(1.8), 0}},
              .seconds = 2,
              .instants = {2},
-             .caption = "Thin lines: where the boxes should be. Which rule holds them there?",
+             .caption = fmt::format(
+                 "The top of the stack, in a gate. Thin lines: where its boxes should be. Corrections are small "
+                 "after {} sweeps, closing speeds after {}.",
+                 until(of_stack.correction), until(of_stack.speed)),
              .start_shown = false,
              .marks = [gate](Picture& picture, const World&, Real) { gate.mark(picture); },
              .cell_height = 500,
              .side_by_side = true});
-    const Signs of_stack = signs(Snapshot(stacked, e.dt()), 3000);  // as many sweeps in every step as a rule takes here
-    const auto until = [&](const std::vector<double>& sign) { return first_below(sign, small); };
     e.variant("10 sweeps", Cold{}).with_exactly(10).expect("the top has sunk by", 0);
     e.variant("until corrections are small", Cold{})
         .with_exactly(until(of_stack.correction))

@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
          .fill = [&](World& world) { chain.begin(world); },
          .camera = {{0, Real(-2.9), Real(10)}, {0, Real(-2.9), 0}},
          .seconds = 2,
-         .instants = {Real(0.7)},
+         .instants = {Real(1.4)},
          .key = "chain",
          .caption = "Thin line: the true chain. All three do 16 sweeps in 1/60 s; they differ in the number of steps.",
          .start_shown = false,

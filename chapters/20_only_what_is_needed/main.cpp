@@ -68,7 +68,8 @@ int main(int argc, char** argv) {
              .camera = {{0, Real(5.5), 12}, {0, Real(0.9), 0}},
              .seconds = 6,
              .instants = {Real(1.2), Real(1.6), 6},
-             .caption = "Dark bodies sleep: they cost nothing. Only the pile that the ball hits wakes.",
+             .caption = "Dark bodies sleep: they cost nothing. Only the pile that the ball hits wakes; the last row of "
+                        "the strip is the ball.",
              .raster = Raster{"body",
                               [](const World& world) {
                                 std::vector<int> column;

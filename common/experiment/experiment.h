@@ -184,6 +184,7 @@ class Experiment {
   std::string sheet_file(std::size_t act) const;
   std::string frames_folder(const Variant& variant) const;
   void make_films(const std::filesystem::path& folder) const;
+  std::string how_solved(std::size_t act) const;
   std::optional<Sheet> sheet_of(std::size_t act, std::vector<Result>& results) const;
   std::size_t steps_of(const Scene& scene) const;
   int sweeps_of(const Variant& variant) const;

@@ -80,7 +80,7 @@ class Experiment::Shots {
   World start_;
   Output& output_;
   Result& result_;
-  Real arrow_ = 0;
+  std::optional<Real> arrow_;     ///< m for 1 N s, 0: points alone; none: no contacts
   std::filesystem::path folder_;  ///< of the frames
   std::set<std::size_t> cells_;
   std::multiset<std::size_t> frames_;  ///< a step that lasts longer than a frame of a film has several

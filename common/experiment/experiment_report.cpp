@@ -243,13 +243,31 @@ void Experiment::draw_sheets(std::vector<Result>& results, const fs::path& folde
   for (const fs::path& file : stale) fs::remove(file);
 }
 
+/// "steps of 0.01667 s, 10 sweeps": what all variants of the scene have in common, and what those have that say nothing.
+std::string Experiment::how_solved(std::size_t act) const {
+  std::set<int> substeps, sweeps;
+  bool by_default = false;
+  for (const Variant& variant : variants_) {
+    if (variant.scene != act) continue;
+    substeps.insert(variant.substeps);
+    sweeps.insert(sweeps_of(variant));
+    by_default = by_default || variant.sweeps == 0;
+  }
+  std::string text = substeps.size() == 1
+                         ? fmt::format("steps of {:.4g} s", dt_ / static_cast<Real>(*substeps.begin()))
+                         : fmt::format("steps of {:.4g} s, cut into substeps where a name says so", dt_);
+  if (sweeps.size() == 1) text += fmt::format(", {} sweep{}", *sweeps.begin(), *sweeps.begin() == 1 ? "" : "s");
+  else if (by_default) text += fmt::format(", {} sweeps where no name says more", sweeps_);
+  return text;
+}
+
 /// None where the scene has no pictures.
 std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& results) const {
   const Scene& scene = acts_[act].scene;
   Sheet sheet{.question = question_,
-              .scene = acts_.size() > 1 ? scene.name : "",
+              .scene = scene.name,
               .caption = scene.caption,
-              .foot = fmt::format("{} · step {:.4g} s, {} sweeps unless said", name_, dt_, sweeps_),
+              .foot = name_ + " · " + how_solved(act),
               .start = {},
               .legend = {},
               .raster = scene.raster,
@@ -279,6 +297,9 @@ std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& 
     sheet.rows.push_back(std::move(row));
   }
   if (sheet.rows.empty()) return {};
+  const std::size_t last = sheet.rows.size() - 1;
+  const auto [one, other] = scene.in_brief.value_or(std::pair(std::size_t{0}, last));
+  sheet.in_brief = {std::min(one, last), std::min(other, last)};  // --variants may have left some out
   sheet.legend = legend.entries();
   return sheet;
 }

@@ -81,20 +81,21 @@ void add_contact(Picture& picture, const Contact& contact, Real arrow, Real size
   add(contact.impulse - along * contact.normal, friction_arrow_colour());
 }
 
-void add_moving(Picture& picture, const World& world, Real arrow) {
+void add_moving(Picture& picture, const World& world, std::optional<Real> arrow) {
   for (const Body& body : world.bodies) {
     if (body.movable()) add_body(picture, body);
   }
   for (const Joint& joint : world.joints) {
     if (joint.line) add_rod(picture, joint.line(body_of(world, joint.a), body_of(world, joint.b)));
   }
+  if (!arrow) return;
   const Real size = typical_size(world);
-  for (const Contact& contact : world.contacts) add_contact(picture, contact, arrow, size);
+  for (const Contact& contact : world.contacts) add_contact(picture, contact, *arrow, size);
 }
 
 }  // namespace
 
-Picture picture_of(const World& world, const Camera& camera, Real arrow) {
+Picture picture_of(const World& world, const Camera& camera, std::optional<Real> arrow) {
   Picture picture;
   picture.camera = camera;
   for (const Body& body : world.bodies) {
@@ -104,7 +105,7 @@ Picture picture_of(const World& world, const Camera& camera, Real arrow) {
   return picture;
 }
 
-void add_moving(Picture& picture, const World& world, Real arrow, const Vec3& shift,
+void add_moving(Picture& picture, const World& world, std::optional<Real> arrow, const Vec3& shift,
                 const std::function<void(Picture&, const World&)>& marks) {
   // Seen by a camera that is shifted the other way, so that each dot has its size where it will be.
   Picture added;

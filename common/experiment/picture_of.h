@@ -2,19 +2,20 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "pushback/common/render/picture.h"
 #include "pushback/common/world/world.h"
 
 namespace pushback {
 
-/// `arrow`: metres to draw for an impulse of 1 N s; arrows longer than 1.5 times the body's size are cut to it, and those
+/// `arrow`: metres to draw for an impulse of 1 N s, and without it no contact is drawn; arrows longer than 1.5 times the body's size are cut to it, and those
 /// that would be lost under their contact's dot are left out. Dots and shafts have one size on the picture, wherever they
 /// are, unless that were large beside a typical body.
-Picture picture_of(const World& world, const Camera& camera, Real arrow);
+Picture picture_of(const World& world, const Camera& camera, std::optional<Real> arrow);
 
 /// Adds what moves in another world, with its joints, contacts, arrows and `marks`, all of it moved by `shift`, m.
-void add_moving(Picture& picture, const World& world, Real arrow, const Vec3& shift,
+void add_moving(Picture& picture, const World& world, std::optional<Real> arrow, const Vec3& shift,
                 const std::function<void(Picture&, const World&)>& marks = {});
 
 /// The world, each movable body displaced and turned `times` as far from where it is in `start` as it is. Contact points

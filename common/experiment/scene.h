@@ -33,6 +33,9 @@ struct Raster {
   std::vector<std::pair<Ink, std::string>> meaning;
 };
 
+/// What a picture shows of the contacts.
+enum class Drawn { nothing, points, impulses };
+
 struct Scene {
   std::string name;                  ///< a few words
   std::function<void(World&)> fill;  ///< puts the bodies into an empty world
@@ -42,6 +45,7 @@ struct Scene {
       {};                ///< s, the columns of the sheet: of those after the start, the last three; empty: at
                          ///< one third, at two thirds and at the end
   bool pictures = true;  ///< false: only numbers and curves, for what an eye could not tell apart
+  Drawn contacts = Drawn::impulses;
   Real arrow = 0;        ///< m to draw for an impulse of 1 N s; 0: as long as a body for what holds it against gravity
   std::string key = "";  ///< of the sheet's file, sheet_KEY.png; empty: from the name
   std::string caption = "";  ///< what to look for, one sentence, on the sheet
@@ -54,6 +58,8 @@ struct Scene {
   std::optional<Raster> raster = {};  ///< under each row, or beside its picture where there is one only
   int cell_height = 0;                ///< pixels, of a cell 500 wide; 0: as --size has it, which is 281
   bool side_by_side = false;          ///< a column per variant and a row per instant: for at most three variants
+  /// The two that stand for all in the table of contents, by their places; by default the first and the last.
+  std::optional<std::pair<std::size_t, std::size_t>> in_brief = {};
 };
 
 }  // namespace pushback

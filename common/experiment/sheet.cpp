@@ -159,8 +159,8 @@ class Drawing {
     const int height = high(picture, width);
     if (picture.width == width) paste(picture, image_, x, y);
     else paste(picture, image_, x, y, width, height);
-    fill_rectangle(image_, x + 8, y + height - 36, text_width(note, 20) + 16, 28, white, 0.72F);
-    write_text(image_, note, x + 16, y + height - 15, 20, dark);
+    fill_rectangle(image_, x + 8, y + 8, text_width(note, 20) + 16, 28, white, 0.72F);
+    write_text(image_, note, x + 16, y + 29, 20, dark);
   }
 
   Image& image_;
@@ -178,11 +178,12 @@ Image make_sheet(const Sheet& sheet) {
 
 Image make_thumbnail(const Sheet& sheet) {
   constexpr int between = 4, width = 320;
-  const Image& last = sheet.rows.back().cells.back();
+  const auto [one, other] = sheet.in_brief;
+  const Image& last = sheet.rows[other].cells.back();
   if (sheet.wide) return resized(last, 2 * width + between, high(last, 2 * width + between));
   Image thumbnail(2 * width + between, high(last, width), 255);
-  const std::vector<Image>& first = sheet.rows.front().cells;
-  paste(sheet.rows.size() > 1 ? first.back() : first.front(), thumbnail, 0, 0, width, thumbnail.height);
+  const std::vector<Image>& first = sheet.rows[one].cells;
+  paste(one != other ? first.back() : first.front(), thumbnail, 0, 0, width, thumbnail.height);
   paste(last, thumbnail, width + between, 0, width, thumbnail.height);
   return thumbnail;
 }

@@ -37,12 +37,13 @@ struct Sheet {
   bool wide = false;             ///< the cells are strips
   bool side_by_side = false;     ///< rows stand as columns: three at most
   std::vector<SheetRow> rows;
+  std::pair<std::size_t, std::size_t> in_brief = {0, 0};  ///< the rows that the thumbnail shows
 };
 
 Image make_sheet(const Sheet& sheet);
 
-/// The sheet in brief, for a table of contents: how the first and the last variant end, side by side; of a
-/// single variant its first and its last picture; of strips the last.
+/// The sheet in brief, for a table of contents: how two variants end, side by side; of a single variant its first and its last
+/// picture; of strips the second one's.
 Image make_thumbnail(const Sheet& sheet);
 
 }  // namespace pushback
