@@ -75,11 +75,11 @@ Vec3 way_out(const Core& core) {
 }
 
 /// The part of the core next to a face or an edge of the box: within the slabs of the axes that are not in `normal`.
-struct Stretch {
+struct Span {
   Real begin = -1, end = 1;
 };
-Stretch beside(const Core& core, const Vec3& normal) {
-  Stretch stretch;
+Span beside(const Core& core, const Vec3& normal) {
+  Span stretch;
   for (int i = 0; i < 3; ++i) {
     if (normal[i] != 0) continue;
     const Real reach = core.extents[i];
@@ -110,7 +110,7 @@ Real deepest_on_core(const Core& core, const Vec3& normal) {
       if (squared > 0) return std::clamp((to_j * core.half[j] + to_k * core.half[k]) / squared, Real(-1), Real(1));
     }
   }
-  const Stretch stretch = beside(core, normal);
+  const Span stretch = beside(core, normal);
   return std::clamp((stretch.begin + stretch.end) / 2, Real(-1), Real(1));
 }
 
@@ -165,7 +165,7 @@ void touch(const Placed<Box>& a, const Round& b, Manifold& found) {
   std::uint32_t feature = b.half.isZero(0) ? somewhere : t <= -1 ? lower_end : t >= 1 ? upper_end : somewhere;
   const Vec3 straight = without_slant(normal);
   if (runs_along(core, straight)) {
-    const Stretch stretch = beside(core, straight);
+    const Span stretch = beside(core, straight);
     const Real length = stretch.end - stretch.begin;
     if (length * core.half.norm() > Real(0.01) * b.radius) {
       const Real depth_begin = depth_at(stretch.begin, straight);
