@@ -1,0 +1,15 @@
+/// What the transfer exercise 04 asks for.
+#pragma once
+
+#include "pushback/chapters/01_velocity_constraint/row.h"
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_04_transfer {
+
+struct Answer {
+  void (*set_bias)(Row& normal, Real beta, Real slop, Real h);
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_04_transfer

@@ -1,0 +1,30 @@
+/// Exercise 05, transfer: a restitution that falls with the speed. The task is
+/// chapters/05_restitution/exercise/transfer/task.md.
+#pragma once
+
+#include "pushback/chapters/05_restitution/exercise/transfer/asked.h"
+
+namespace student {
+
+using namespace pushback;
+
+/// A bounce of bodies that yield where they are hit hard. Up to the yield speed e is that of the contact, above it e falls.
+///
+/// You read   step.contacts.size()                how many contacts there are; step.rows[i] is the row of step.contacts[i]
+///            approach_speed(step.world, contact)  v_n before the step, m/s: negative while the bodies approach
+/// of a contact   restitution                     e of slow impacts, 0 to 1
+/// and set        step.rows[i].bias               b, m/s: minus the wanted separating speed; the push-out may have set it
+struct YieldingBounce : Effect {
+  Real threshold = Real(0.1);  // m/s; what arrives more slowly does not bounce
+  Real yield = 2;              // m/s
+
+  void build(Step& step) {
+    // TODO for each normal row: the e of this impact, by the law of the task; then the bias as in chapter 05
+    (void)step;  // take this line out
+    // TODO ends
+  }
+};
+
+inline const exercise_05_transfer::Answer answer{YieldingBounce{}};
+
+}  // namespace student
