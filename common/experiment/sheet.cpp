@@ -12,7 +12,7 @@ namespace pushback {
 namespace {
 
 constexpr int margin = 40, gap = 10, right_edge = margin + strip_width;
-constexpr Ink dark{28, 32, 40}, dark_grey{66, 72, 84}, grey{104, 112, 124}, pale{222, 226, 232}, white{255, 255, 255};
+constexpr Ink dark_grey{66, 72, 84}, pale{222, 226, 232}, white{255, 255, 255};
 
 int high(const Image& image, int wide) {
   return image.height * wide / image.width;
@@ -84,11 +84,11 @@ class Drawing {
     const bool here = sheet.start && !start_beside(sheet);
     const int width = here ? 2 * cell_width + gap - 20 : strip_width;
     y_ = margin - 4;
-    lines(sheet.question, 40, dark, width, true, 10);
-    lines(sheet.scene, 28, dark, width, true, 6);
+    lines(sheet.question, 40, sheet_dark, width, true, 10);
+    lines(sheet.scene, 28, sheet_dark, width, true, 6);
     lines(sheet.caption, 24, dark_grey, width, false, 10);
     legend(sheet.legend, margin + width);
-    lines(sheet.foot, 18, grey, width, false, 0);
+    lines(sheet.foot, 18, sheet_grey, width, false, 0);
     if (here) {
       start(sheet, right_edge - cell_width, margin);
       y_ = std::max(y_, margin + high(*sheet.start, cell_width));
@@ -119,10 +119,10 @@ class Drawing {
       } else if (entry.kind == LegendEntry::Kind::body) {
         fill_rectangle(image_, x, y_ + 5, 18, 18, entry.colour);
       } else {
-        fill_disc(image_, left + 9, middle, 9, dark);  // a rim, since one of the colours is white
+        fill_disc(image_, left + 9, middle, 9, sheet_dark);  // a rim, since one of the colours is white
         fill_disc(image_, left + 9, middle, 7.2F, entry.colour);
       }
-      write_text(image_, entry.text, x + sign, y_ + 21, 20, dark);
+      write_text(image_, entry.text, x + sign, y_ + 21, 20, sheet_dark);
       x += wide + 30;
     }
     y_ += line + 4;
@@ -133,7 +133,7 @@ class Drawing {
     constexpr int line = 36;
     const int left = from + 34, right = from + width;
     write_text(image_, row.marker, from + 12, y_ + 26, 30, row.colour, Align::centre);
-    write_text(image_, row.name, left, y_ + 26, 28, dark, Align::left, true);
+    write_text(image_, row.name, left, y_ + 26, 28, sheet_dark, Align::left, true);
     int x = left + text_width(row.name, 28, true) + 32;
     for (const SheetNumber& number : row.numbers) {
       const std::string expected = number.expected.empty() ? "" : fmt::format(" ({})", number.expected);
@@ -142,8 +142,8 @@ class Drawing {
         x = left;
         y_ += line;
       }
-      write_text(image_, number.text, x, y_ + 26, 22, dark);
-      write_text(image_, expected, x + first + 6, y_ + 26, 22, grey);
+      write_text(image_, number.text, x, y_ + 26, 22, sheet_dark);
+      write_text(image_, expected, x + first + 6, y_ + 26, 22, sheet_grey);
       x += wide + 6 + 32;
     }
     y_ += line + 6;
@@ -160,7 +160,7 @@ class Drawing {
     if (picture.width == width) paste(picture, image_, x, y);
     else paste(picture, image_, x, y, width, height);
     fill_rectangle(image_, x + 8, y + 8, text_width(note, 20) + 16, 28, white, 0.72F);
-    write_text(image_, note, x + 16, y + 29, 20, dark);
+    write_text(image_, note, x + 16, y + 29, 20, sheet_dark);
   }
 
   Image& image_;

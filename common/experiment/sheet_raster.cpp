@@ -11,7 +11,7 @@ namespace pushback {
 
 namespace {
 
-constexpr Ink dark{28, 32, 40}, grey{104, 112, 124}, empty{244, 246, 248};
+constexpr Ink empty{244, 246, 248};
 
 /// 1, 2 or 5 times a power of ten: about eight ticks on so many steps.
 int tick_of(int steps) {
@@ -26,11 +26,11 @@ int draw_raster(Image& image, const Raster& raster, const std::vector<std::vecto
   constexpr int above = 28, below = 26;
   const int x = place.x;
   int y = place.y;
-  write_text(image, raster.label, x, y + 18, 20, dark);
+  write_text(image, raster.label, x, y + 18, 20, sheet_dark);
   int right = x + place.width;
   for (auto one = raster.meaning.rbegin(); one != raster.meaning.rend(); ++one) {
     right -= text_width(one->second, 20);
-    write_text(image, one->second, right, y + 18, 20, dark);
+    write_text(image, one->second, right, y + 18, 20, sheet_dark);
     right -= 26;
     fill_rectangle(image, right, y + 3, 18, 18, one->first);
     right -= 26;
@@ -59,10 +59,10 @@ int draw_raster(Image& image, const Raster& raster, const std::vector<std::vecto
   const int tick = tick_of(steps);
   for (int step = tick; step <= steps; step += tick) {
     const int at = (edge(step - 1) + edge(step)) / 2;
-    fill_rectangle(image, at, y, 2, 6, grey);
+    fill_rectangle(image, at, y, 2, 6, sheet_grey);
     const std::string text = step == tick ? fmt::format("step {}", step) : fmt::format("{}", step);
     const bool last = at + text_width(text, 18) / 2 > x + place.width;
-    write_text(image, text, last ? x + place.width : at, y + 23, 18, grey, last ? Align::right : Align::centre);
+    write_text(image, text, last ? x + place.width : at, y + 23, 18, sheet_grey, last ? Align::right : Align::centre);
   }
   return y + below;
 }

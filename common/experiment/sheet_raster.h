@@ -7,6 +7,9 @@
 
 namespace pushback {
 
+/// Of words and lines on a sheet.
+inline constexpr Ink sheet_dark{28, 32, 40}, sheet_grey{104, 112, 124};
+
 /// Where a raster is drawn, pixels; a height of 0: as it needs.
 struct RasterPlace {
   int x, y, width, height;
