@@ -1,0 +1,252 @@
+#include "pushback/chapters/00_naive_impulses/exercise/asked.h"
+#include "pushback/chapters/00_naive_impulses/exercise/touching.h"
+#include "pushback/chapters/00_naive_impulses/naive.h"
+#include "pushback/common/world/measure.h"
+
+namespace pushback::exercise_00 {
+
+namespace {
+
+using Spin = TwoBars::Spin;
+using Axes = TwoBars::Axes;
+
+std::vector<Check<Answer>> checks() {
+  return {
+      {"two balls that meet head on fly apart e times as fast as they met",
+       1,
+       {{"your ball A leaves with", "m/s", 1e-6}, {"your ball B leaves with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real e = random.between(Real(0.3), Real(0.8));
+         TwoBalls balls(random, -random.between(3, 5), e);
+         answer.impact(balls.world, balls.contact());
+         return {balls.along_n(0), balls.along_n(1)};
+       }},
+      {"the ends of two bars separate e times as fast as they met, and the bars turn",
+       1,
+       {{"your bars separate with", "m/s", 1e-6},
+        {"your bar A turns with", "rad/s", 1e-6},
+        {"your bar B turns with", "rad/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real e = random.between(Real(0.3), Real(0.8));
+         TwoBars bars(random, -random.between(3, 5), e);
+         answer.impact(bars.world, bars.contact());
+         return {bars.separates(), bars.spin(0), bars.spin(1)};
+       }},
+      {"at e = 1 bars that spin keep their energy",
+       2,
+       {{"your bars, which spin before they meet, separate with", "m/s", 1e-6},
+        {"their energy has grown by", "J", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         TwoBars bars(random, -random.between(3, 5), 1, Spin::some);
+         const Real before = kinetic_energy(bars.world);
+         answer.impact(bars.world, bars.contact());
+         return {bars.separates(), kinetic_energy(bars.world) - before};
+       }},
+      {"the ends of bars that lie askew separate e times as fast as they met",
+       1,
+       {{"your bars, which lie askew, separate with", "m/s", 1e-6},
+        {"your bar A, which lies askew, spins on with", "rad/s", 1e-6},
+        {"your bar B, which lies askew, spins on with", "rad/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real e = random.between(Real(0.3), Real(0.8));
+         TwoBars bars(random, -random.between(3, 5), e, Spin::some, Axes::turned);
+         answer.impact(bars.world, bars.contact());
+         return {bars.separates(), bars.spin(0), bars.spin(1)};
+       }},
+      {"bodies that separate by themselves get no impulse",
+       1,
+       {{"your bars, which were separating by themselves, separate with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real e = random.between(Real(0.3), Real(0.8));
+         TwoBars bars(random, random.between(3, 5), e, Spin::some, Axes::turned);
+         answer.impact(bars.world, bars.contact());
+         return {bars.separates()};
+       }},
+  };
+}
+
+void right(World& world, Contact& contact) {
+  apply_impulse(world, contact, pair_impulse(world, contact));
+}
+
+/// The terms of the formula.
+struct Terms {
+  const Body &a, &b;
+  Vec3 ra_n, rb_n;
+  Real e, centres, spin_a, spin_b;  // m/s: the parts of v_n
+  Real masses, turns;               // 1/kg: the parts of K
+  Real v_n() const { return centres + spin_a + spin_b; }
+  Real K() const { return masses + turns; }
+  Real K(const Mat3& inverse_a, const Mat3& inverse_b) const {
+    return masses + ra_n.dot(inverse_a * ra_n) + rb_n.dot(inverse_b * rb_n);
+  }
+
+  Terms(const World& world, const Contact& c) : Terms(world.bodies_of(c), c) {}
+
+ private:
+  Terms(const std::pair<const Body&, const Body&>& bodies, const Contact& c)
+      : a(bodies.first),
+        b(bodies.second),
+        ra_n((c.point - a.position).cross(c.normal)),
+        rb_n((c.point - b.position).cross(c.normal)),
+        e(c.restitution),
+        centres(c.normal.dot(b.velocity - a.velocity)),
+        spin_a(-a.angular_velocity.dot(ra_n)),
+        spin_b(b.angular_velocity.dot(rb_n)),
+        masses(a.inverse_mass + b.inverse_mass),
+        turns(K(a.inverse_inertia, b.inverse_inertia) - masses) {}
+};
+
+/// Another impulse, where the points approach.
+template <class Impulse>
+Answer with_impulse(Impulse impulse) {
+  return {[impulse](World& world, Contact& c) {
+    if (separating_speed(world, c) < 0) apply_impulse(world, c, impulse(Terms(world, c)));
+  }};
+}
+
+/// The impulse of another pair than this one.
+template <class Impulse>
+Answer with_every_impulse(Impulse impulse) {
+  return {[impulse](World& world, Contact& c) { apply_impulse(world, c, impulse(Terms(world, c))); }};
+}
+
+/// The right impulse, f n, applied in another way: to each body with its arm and with the sign that it has for it.
+template <class Apply>
+Answer applied(Apply apply) {
+  return {[apply](World& world, Contact& c) {
+    const Vec3 impulse = pair_impulse(world, c) * c.normal;
+    const auto [a, b] = world.bodies_of(c);
+    apply(a, c.point - a.position, impulse, Real(-1));
+    apply(b, c.point - b.position, impulse, Real(1));
+  }};
+}
+
+Mat3 in_body_axes(const Body& body) {
+  return body.principal_inverse_inertia.asDiagonal();
+}
+
+std::vector<Mistake<Answer>> mistakes() {
+  const std::string nothing =
+      "it looks as if nothing were applied. v_B += f n / m_B, ω_B += I_B⁻¹ (r_B × f n), and on A the opposite.";
+  const std::string linear =
+      "it looks as if (1+e) multiplied the speed of the centres alone. It belongs to the speed of the points, all of "
+      "v_n. Momentum is conserved whatever f is, so only the energy shows it.";
+  const std::string spin =
+      "it looks as if a spin counted with the wrong sign. A point r from the centre moves with v + ω × r; r × ω is the "
+      "opposite. And A's velocity is subtracted, its spin as well.";
+  const std::string axes =
+      "it looks as if the inertia were that of body axes. Once a body is turned, its moments are about other axes than "
+      "those of the world: inverse_inertia is turned already, principal_inverse_inertia is not.";
+  const std::string turned_round =
+      "it looks as if n, or the sign of v_n, were turned round. n leads from A to B, and v_n = n · (v of B - v of A) "
+      "is "
+      "negative where the two approach. Only then is there an impulse, and f is positive.";
+  return {
+      {"not applied", nothing, {[](World&, Contact&) {}}},
+      {"e left out",
+       "it looks as if e were left out. 1/K stops the two; (1+e)/K makes them separate again, e times as fast as they "
+       "met.",
+       with_impulse([](const Terms& t) { return -t.v_n() / t.K(); })},
+      {"e for 1+e",
+       "it looks as if the impulse were e times the one that stops the two. It takes one to stop them, and e of it "
+       "more to send them back: 1 + e.",
+       with_impulse([](const Terms& t) { return -t.e * t.v_n() / t.K(); })},
+      {"both pushed the same way",
+       "it looks as if A and B got the same impulse. Action and reaction are opposite: what B gains in momentum, A "
+       "loses.",
+       applied([](Body& body, const Vec3& r, const Vec3& impulse, Real) {
+         body.velocity += body.inverse_mass * impulse;
+         body.angular_velocity += body.inverse_inertia * r.cross(impulse);
+       })},
+      {"both pushed the same way",
+       "it looks as if the centres of A and B got the same impulse. Action and reaction are opposite: what B gains in "
+       "momentum, A loses.",
+       applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
+         body.velocity += body.inverse_mass * impulse;
+         body.angular_velocity += sign * body.inverse_inertia * r.cross(impulse);
+       })},
+      {"K of the masses alone",
+       "it looks as if K had only the masses in it. A body that is hit beside its centre also turns away, so at the "
+       "point it gives way more easily than its mass says.",
+       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / t.masses; })},
+      {"no turn",
+       "it looks as if the impulse changed no spin. It acts at the point, not at the centre of mass: r × f n is its "
+       "moment.",
+       applied([](Body& body, const Vec3&, const Vec3& impulse, Real sign) {
+         body.velocity += sign * body.inverse_mass * impulse;
+       })},
+      {"turned the wrong way",
+       "it looks as if the impulse turned a body the wrong way. The moment is r × f n, not f n × r, and on A it is the "
+       "opposite, as the impulse is.",
+       applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
+         body.velocity += sign * body.inverse_mass * impulse;
+         body.angular_velocity -= sign * body.inverse_inertia * r.cross(impulse);
+       })},
+      {"turned the wrong way",
+       "it looks as if the impulse turned A the wrong way. A gets -f n, so its moment is the opposite, too.",
+       applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
+         body.velocity += sign * body.inverse_mass * impulse;
+         body.angular_velocity += body.inverse_inertia * r.cross(impulse);
+       })},
+      {"(1+e) on the linear part only", linear,
+       with_impulse([](const Terms& t) { return -((1 + t.e) * t.centres + t.spin_a + t.spin_b) / t.K(); })},
+      {"(1+e) on the linear part only", linear,
+       with_impulse([](const Terms& t) { return (-(1 + t.e) * t.centres + t.spin_a + t.spin_b) / t.K(); })},
+      {"sign of the spin", spin,
+       with_impulse([](const Terms& t) { return -(1 + t.e) * (t.centres - t.spin_a - t.spin_b) / t.K(); })},
+      {"sign of the spin", spin,
+       with_impulse([](const Terms& t) { return -(1 + t.e) * (t.centres - t.spin_a + t.spin_b) / t.K(); })},
+      {"spin left out",
+       "it looks as if v_n were the speed of the centres. It is that of the points that touch: v + ω × r.",
+       with_impulse([](const Terms& t) { return -(1 + t.e) * t.centres / t.K(); })},
+      {"inertia in body axes", axes,
+       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / t.K(in_body_axes(t.a), in_body_axes(t.b)); })},
+      {"inertia in body axes", axes, applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
+         body.velocity += sign * body.inverse_mass * impulse;
+         body.angular_velocity += sign * in_body_axes(body) * r.cross(impulse);
+       })},
+      {"inertia in body axes", axes, {[](World& world, Contact& c) {
+         World other = world;
+         for (Body& body : other.bodies) body.inverse_inertia = in_body_axes(body);
+         right(other, c);
+         for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+           world.bodies[i].velocity = other.bodies[i].velocity;
+           world.bodies[i].angular_velocity = other.bodies[i].angular_velocity;
+         }
+       }}},
+      {"n turned round", turned_round, with_every_impulse([](const Terms& t) {
+         return t.v_n() > 0 ? (1 + t.e) * t.v_n() / t.K() : 0;  // v_n = n . (v_A - v_B)
+       })},
+      {"n turned round", turned_round, with_every_impulse([](const Terms& t) {
+         return t.v_n() > 0 ? -(1 + t.e) * t.v_n() / t.K() : 0;  // the test of its sign, or all of n
+       })},
+      {"n turned round", turned_round,
+       with_impulse([](const Terms& t) { return (1 + t.e) * t.v_n() / t.K(); })},  // f = (1 + e) v_n / K
+      {"n turned round", turned_round, with_every_impulse([](const Terms& t) { return (1 + t.e) * t.v_n() / t.K(); })},
+      {"separating bodies are held",
+       "it looks as if they got an impulse all the same. A contact cannot pull: where v_n is not negative, there is "
+       "none.",
+       with_every_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / t.K(); })},
+  };
+}
+
+}  // namespace
+
+Numbers play(std::size_t check, Random& random, const Answer& answer) {
+  return checks()[check].play(random, answer);
+}
+
+Exercise exercise() {
+  return exercise_of<Answer>(
+      "the impulse of a pair",
+      {"A point that is r from a body's centre of mass moves with v + ω × r. v_n is how fast the point of B moves away "
+       "from that of A, along n.",
+       "K says by how much v_n grows for each newton second: 1/m for each body, and (r × n) · I⁻¹ (r × n) for its "
+       "turn.",
+       "f = -(1+e) v_n / K where v_n is negative, and none where it is not. Then v_B += f n / m_B, "
+       "ω_B += I_B⁻¹ (r_B × f n), and the same on A with -f."},
+      checks(), {right}, mistakes());
+}
+
+}  // namespace pushback::exercise_00

@@ -1,0 +1,15 @@
+/// What the transfer exercise 00 asks for.
+#pragma once
+
+#include "pushback/common/exercise/exercise.h"
+#include "pushback/common/world/world.h"
+
+namespace pushback::exercise_00_transfer {
+
+struct Answer {
+  std::function<void(Body& bat, const Vec3& pivot, Body& ball, const Contact& contact)> hit;
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_00_transfer

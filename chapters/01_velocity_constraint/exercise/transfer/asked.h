@@ -1,0 +1,15 @@
+/// What the transfer exercise 01 asks for.
+#pragma once
+
+#include "pushback/chapters/01_velocity_constraint/row.h"
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_01_transfer {
+
+struct Answer {
+  std::function<void(Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps)> hold;
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_01_transfer

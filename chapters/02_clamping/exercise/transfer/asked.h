@@ -1,0 +1,15 @@
+/// What the transfer exercise 02 asks for.
+#pragma once
+
+#include "pushback/chapters/01_velocity_constraint/row.h"
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_02_transfer {
+
+struct Answer {
+  void (*sweep)(Rows& rows, Real force, Real h);
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_02_transfer

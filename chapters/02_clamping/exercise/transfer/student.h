@@ -1,0 +1,28 @@
+/// Exercise 02, transfer: a magnet that holds up to F. The task is chapters/02_clamping/exercise/transfer/task.md.
+#pragma once
+
+#include "pushback/chapters/02_clamping/exercise/transfer/asked.h"
+
+namespace student {
+
+using namespace pushback;
+
+/// One iteration over the rows of a magnet: the normals of all points at which it touches. Called over and over.
+///
+/// `force` is F, N: so much the whole magnet holds, and each of its points an equal part. `h` is the length of the step, s.
+///
+/// You read   rows.size()         how many points there are: for (Row& row : rows)
+/// of a row   speed()             J V, m/s: how fast the bodies separate now
+///            bias                b, m/s
+///            effective_mass      1 / K, kg
+/// and keep   impulse             the sum of this row's impulses in this step, N s: 0 as the step begins
+/// and call   apply(lambda)       V += M^-1 J^T lambda: changes the velocities of both bodies
+inline void sweep(Rows& rows, Real force, Real h) {
+  // TODO of each row the new sum, and the interval in which it has to stay; then its part that is not applied yet
+  (void)rows, (void)force, (void)h;  // take this line out
+  // TODO ends
+}
+
+inline const exercise_02_transfer::Answer answer{sweep};
+
+}  // namespace student
