@@ -1,0 +1,279 @@
+#include "pushback/chapters/06_friction/exercise/asked.h"
+#include "pushback/chapters/06_friction/friction.h"
+
+namespace pushback::exercise_06 {
+
+namespace {
+
+using Sliding = Solver<Clamping, AnyEffect>;
+
+/// `body` touches a plane in the one point `height` below its centre, and arrives. Such a contact's rows do not disturb each
+/// other: one sweep is exact.
+void touch(World& world, const Body& body, Real height, const Vec3& velocity, Real mu,
+           const Vec3& normal = Vec3::UnitY()) {
+  if (world.bodies.empty()) world.add(half_space(normal).rough(1));
+  Body placed = body;
+  const int index = world.add(placed.at(height * normal).moving(velocity).rough(mu * mu));
+  world.contacts.push_back({.normal = normal, .friction = mu, .id = {0, static_cast<std::uint32_t>(index), 0}});
+}
+Body ball(Random& random) {
+  const Real radius = random.between(Real(0.2), Real(0.5)), mass = random.between(5, 20);
+  return sphere(radius, mass);
+}
+void touch(World& world, const Body& ball, const Vec3& velocity, Real mu) {
+  touch(world, ball, std::get<Sphere>(ball.shape).radius, velocity, mu);
+}
+
+Real random_step(Random& random) {
+  return 1 / random.between(50, 240);
+}
+
+void solve(World& world, Random& random, int sweeps, const Answer& answer) {
+  auto solver = with_effect<Sliding>(answer.friction);
+  solver.solve(world, random_step(random), sweeps);
+}
+
+/// A ball too fast for its friction: what it loses of its velocity in a step of four sweeps, m/s.
+Vec3 lost_by_ball(Random& random, const Vec3& heading, const Answer& answer) {
+  const Real speed = random.between(30, 40), arrival = random.between(1, 2), mu = random.between(Real(0.4), Real(0.6));
+  World world;
+  const Vec3 velocity = speed * heading - arrival * Vec3::UnitY();
+  touch(world, ball(random), velocity, mu);
+  solve(world, random, 4, answer);
+  return velocity - world.bodies[1].velocity;
+}
+
+std::vector<Check<Answer>> checks() {
+  return {
+      {"a ball that is pressed on hard enough ends rolling",
+       1,
+       {{"your ball, which should end rolling, goes on along x with", "m/s", 1e-6},
+        {"your ball, which should end rolling, goes on along z with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real speed = random.between(1, 2), across = random.between(Real(0.4), Real(0.8));
+         const Real mu = random.between(Real(0.5), Real(0.8));
+         World world;
+         touch(world, ball(random), {speed, -3 * speed, across * speed}, mu);
+         solve(world, random, 1, answer);
+         return {world.bodies[1].velocity.x(), world.bodies[1].velocity.z()};
+       }},
+      {"a box that stands on one foot: the foot sticks, whichever way it slid",
+       2,
+       {{"the foot of your box slips on along x with", "m/s", 1e-6},
+        {"the foot of your box slips on along z with", "m/s", 1e-6},
+        {"your box goes on with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real speed = random.between(1, 2), across = random.between(Real(0.4), Real(0.8));
+         const Real wide = random.between(Real(0.5), Real(0.7)), high = random.between(Real(0.4), Real(0.6)),
+                    narrow = random.between(Real(0.15), Real(0.25)), mu = random.between(Real(0.5), Real(0.8));
+         World world;
+         touch(world, box({wide, high, narrow}, random.between(50, 150)), high, {speed, -3 * speed, across * speed},
+               mu);
+         solve(world, random, 1, answer);
+         const Body& box = world.bodies[1];
+         const Vec3 slip = box.velocity_at(Vec3::Zero());
+         return {slip.x(), slip.z(), box.velocity.norm()};
+       }},
+      {"a ball that is too fast slides on, and loses μ Σλn / m",
+       2,
+       {{"your ball, which slides to the right, is braked by", "m/s", 1e-6},
+        {"your ball, which slides to the left, is braked by", "m/s", 1e-6},
+        {"your ball, which slides aslant, is braked along x by", "m/s", 1e-6},
+        {"your ball, which slides aslant, is braked along z by", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real right = lost_by_ball(random, Vec3::UnitX(), answer).x();
+         const Real left = -lost_by_ball(random, -Vec3::UnitX(), answer).x();
+         const Vec3 aslant = lost_by_ball(random, {Real(0.8), 0, Real(0.6)}, answer);
+         return {right, left, aslant.x(), aslant.z()};
+       }},
+      {"a ball slips down a slope, g (sin θ − μ cos θ) h faster each step",
+       1,
+       {{"your ball, which slips down a slope, starts with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real theta = random.between(Real(0.6), Real(0.8)), h = random_step(random);
+         const Real mu = random.between(Real(0.5), Real(0.8)) * Real(2) / 7 * std::tan(theta);  // it rolls from 1 on
+         const Body body = ball(random);
+         World world;
+         touch(world, body, std::get<Sphere>(body.shape).radius, h * world.gravity, mu,
+               {-std::sin(theta), std::cos(theta), 0});
+         with_effect<Sliding>(answer.friction).solve(world, h, 4);
+         return {-world.bodies[1].velocity.dot(Vec3(std::cos(theta), std::sin(theta), 0))};
+       }},
+      {"of two balls, each is braked by its own push on the ground",
+       1,
+       {{"your first ball, which is pressed on less, is braked along x by", "m/s", 1e-6},
+        {"your first ball, which is pressed on less, is braked along z by", "m/s", 1e-6},
+        {"your second ball, which is pressed on more, is braked along x by", "m/s", 1e-6},
+        {"your second ball, which is pressed on more, is braked along z by", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         World world;
+         std::vector<Vec3> velocity;
+         for (const Real least : {Real(1), Real(2)}) {
+           const Real speed = random.between(30, 40), arrival = random.between(least, least + Real(0.5));
+           const Real mu = random.between(Real(0.4), Real(0.6));
+           velocity.emplace_back(speed, -arrival, speed / 2);
+           touch(world, ball(random), velocity.back(), mu);
+         }
+         solve(world, random, 4, answer);
+         const Vec3 first = velocity[0] - world.bodies[1].velocity, second = velocity[1] - world.bodies[2].velocity;
+         return {first.x(), first.z(), second.x(), second.z()};
+       }},
+  };
+}
+
+/// A mistake is what it does with the two tangents of a contact.
+template <class Solve>
+struct Mistaken : Friction {
+  Solve solve;
+  void sweep(Step& step) {
+    for (std::size_t i = first_; i < step.rows.size(); i += 2) solve(step, step.rows[i], step.rows[i + 1]);
+  }
+};
+template <class Solve>
+Answer mistaken(Solve solve) {
+  return {Mistaken<Solve>{{}, solve}};
+}
+
+void within(Row& row, Real total, Real lo, Real hi) {
+  row.lo = lo;
+  row.hi = hi;
+  row.reach(total);
+}
+void within(Row& row, Real bound) {
+  within(row, row.wanted(), -bound, bound);
+}
+Real bound_of(const Step& step, const Row& tangent) {
+  return step.contacts[tangent.owner].friction * step.rows[tangent.owner].impulse;
+}
+
+/// ... with each of them, whatever the other.
+template <class Solve>
+Answer each_mistaken(Solve solve) {
+  return mistaken([solve](Step& step, Row& tangent1, Row& tangent2) {
+    for (Row* tangent : {&tangent1, &tangent2}) solve(step, *tangent, bound_of(step, *tangent));
+  });
+}
+
+constexpr Real inf = std::numeric_limits<Real>::infinity();
+
+std::vector<Mistake<Answer>> mistakes() {
+  const std::string one_k =
+      "it looks as if one effective mass served both tangents. A long box turns more easily about its "
+      "length than across it, so its foot gives way more easily along one tangent: each row has its own K.";
+  const std::string same_twice =
+      "it looks as if both rows of a contact lay along the same tangent: it brakes twice there, and not at all along "
+      "the "
+      "other.";
+  return {
+      {"μ m g",
+       "it looks as if the bound were μ m g. What bounds friction is the push on this contact: on a slope it is less "
+       "than the weight, in an impact far more. It is Σλn, of the normal's row.",
+       each_mistaken([](Step& step, Row& tangent, Real) {
+         within(tangent, step.contacts[tangent.owner].friction / tangent.b->inverse_mass * World::g * step.dt);
+       })},
+      {"each correction clamped",
+       "it looks as if each correction were clamped, not their sum. Every iteration then brakes by the full bound once "
+       "more.",
+       each_mistaken([](Step&, Row& tangent, Real bound) {
+         const Real lambda = std::clamp(tangent.wanted() - tangent.impulse, -bound, bound);
+         tangent.reach(tangent.impulse + lambda);
+       })},
+      {"one-sided",
+       "it looks as if the sum of a tangent could not be negative. A normal only pushes; friction acts both ways along "
+       "its tangent, from -μ Σλn to μ Σλn.",
+       each_mistaken([](Step&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), 0, bound); })},
+      {"one-sided",
+       "it looks as if only one end of the interval were bounded. Friction that acts against the tangent is no "
+       "stronger than friction along it: from -μ Σλn to μ Σλn.",
+       each_mistaken([](Step&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), -inf, bound); })},
+      {"one K for both", one_k, mistaken([](Step& step, Row& tangent1, Row& tangent2) {
+         for (Row* tangent : {&tangent1, &tangent2}) {
+           const Real bound = bound_of(step, *tangent);
+           within(*tangent, tangent->impulse - tangent1.effective_mass * tangent->speed(), -bound, bound);
+         }
+       })},
+      {"one K for both", one_k, mistaken([](Step& step, Row& tangent1, Row& tangent2) {
+         for (Row* tangent : {&tangent1, &tangent2}) {
+           const Real bound = bound_of(step, *tangent);
+           within(*tangent, tangent->impulse - tangent2.effective_mass * tangent->speed(), -bound, bound);
+         }
+       })},
+      {"the normal's K",
+       "it looks as if the tangents were solved with the normal's effective mass. Friction also turns the body, so "
+       "along a tangent the contact point gives way more easily: each row has its own K.",
+       each_mistaken([](Step& step, Row& tangent, Real bound) {
+         within(tangent, tangent.impulse - step.rows[tangent.owner].effective_mass * tangent.speed(), -bound, bound);
+       })},
+      {"no bound",
+       "it looks as if nothing bounded the friction. What is not pressed on cannot be held: the sum stays within "
+       "μ Σλn.",
+       each_mistaken([](Step&, Row& tangent, Real) { tangent.solve(); })},
+      {"μ forgotten", "it looks as if the bound were Σλn. Friction is at most the part μ of the push.",
+       each_mistaken([](Step& step, Row& tangent, Real) { within(tangent, step.rows[tangent.owner].impulse); })},
+      {"the μ of one body",
+       "it looks as if the μ were that of one body. How rough a contact is depends on both: step.contacts[i].friction.",
+       each_mistaken([](Step& step, Row& tangent, Real) {
+         within(tangent, tangent.b->friction * step.rows[tangent.owner].impulse);
+       })},
+      {"times h", "it looks as if the bound were multiplied by h. Σλn is an impulse already, N s, and so is the bound.",
+       each_mistaken([](Step& step, Row& tangent, Real bound) { within(tangent, step.dt * bound); })},
+      {"sign", "it looks as if friction pushed along with the slip. The impulse that makes J V = 0 is -J V / K.",
+       each_mistaken([](Step&, Row& tangent, Real bound) {
+         within(tangent, tangent.impulse + tangent.effective_mass * tangent.speed(), -bound, bound);
+       })},
+      {"one tangent",
+       "it looks as if only one tangent were solved. A plane has two directions: along the other nothing brakes.",
+       mistaken([](Step& step, Row& tangent1, Row&) { within(tangent1, bound_of(step, tangent1)); })},
+      {"one tangent",
+       "it looks as if only one tangent were solved. A plane has two directions: along the other nothing brakes.",
+       mistaken([](Step& step, Row&, Row& tangent2) { within(tangent2, bound_of(step, tangent2)); })},
+      {"the same tangent twice", same_twice, mistaken([](Step& step, Row& tangent1, Row& tangent2) {
+         tangent2.place(tangent1);
+         for (Row* tangent : {&tangent1, &tangent2}) within(*tangent, bound_of(step, *tangent));
+       })},
+      {"the same tangent twice", same_twice, mistaken([](Step& step, Row& tangent1, Row& tangent2) {
+         tangent1.place(tangent2);
+         for (Row* tangent : {&tangent1, &tangent2}) within(*tangent, bound_of(step, *tangent));
+       })},
+      {"the push of another row",
+       "it looks as if the bound came from the wrong row. The k-th tangent's row is not of the k-th contact: the "
+       "normal's row is step.rows[tangent.owner].",
+       each_mistaken([](Step& step, Row& tangent, Real) {
+         const auto k = static_cast<std::size_t>(&tangent - step.rows.data()) - step.contacts.size();
+         within(tangent, step.contacts[tangent.owner].friction * step.rows[k].impulse);
+       })},
+      {"a disc",
+       "it looks as if both tangents together were bounded by a disc. That is nearer to Coulomb's law, and chapter 08 "
+       "does it. Here each tangent has the full bound for itself.",
+       mistaken([](Step& step, Row& tangent1, Row& tangent2) {
+         const Real bound = bound_of(step, tangent1), wanted1 = tangent1.wanted(), wanted2 = tangent2.wanted();
+         const Real scale = std::min(Real(1), bound / std::hypot(wanted1, wanted2));
+         tangent1.reach(scale * wanted1);
+         tangent2.reach(scale * wanted2);
+       })},
+      {"no friction",
+       "it looks as if nothing braked. Rows that are made and never solved do nothing. And a bound that is computed in "
+       "build is 0: no normal has pushed yet.",
+       each_mistaken([](Step&, Row&, Real) {})},
+  };
+}
+
+}  // namespace
+
+Numbers play(std::size_t check, Random& random, const Answer& answer) {
+  return checks()[check].play(random, answer);
+}
+
+Exercise exercise() {
+  return exercise_of<Answer>(
+      "two tangent rows and their bound",
+      {"build: for each contact, tangents_of its normal, and one row along each. Do the new rows come after all "
+       "normals? "
+       "Then you can find those of contact i again.",
+       "sweep: a tangent's row wants J V = 0, so the sum that it wants is impulse - effective_mass * speed().",
+       "sweep: the bound is contact.friction times the impulse of the contact's normal row. Set lo to minus the bound "
+       "and hi to the bound, and reach the wanted sum."},
+      checks(), {Friction{}}, mistakes());
+}
+
+}  // namespace pushback::exercise_06

@@ -1,0 +1,276 @@
+#include "pushback/chapters/02_clamping/clamping.h"
+#include "pushback/chapters/07_warm_start/exercise/transfer/asked.h"
+
+namespace pushback::exercise_07_transfer {
+
+namespace {
+
+struct Starting : Effect {
+  Answer answer{};
+  Memory memory = {};
+  void start(Step& step) {
+    for (Row& row : step.rows) row.reach(answer.guess(memory, step.contacts[row.owner].id, step.dt).dot(row.n));
+  }
+};
+
+/// Balls on the ground, and the memory of a solver. What held them is made up: in each step that is kept another force.
+struct Balls {
+  World world;
+  Answer answer;
+  Memory memory = {};
+
+  Balls(Random& random, std::size_t count, const Answer& its_answer) : answer(its_answer) {
+    world.add(ground());
+    for (std::size_t i = 0; i < count; ++i) {
+      const Real radius = random.between(Real(0.2), Real(0.5)), mass = random.between(5, 20);
+      world.add(sphere(radius, mass).at({0, radius, 0}));
+    }
+  }
+  /// Bears the part `part` of B's weight in a step of dt.
+  Contact bearing(const ContactId& id, Real part, Real dt) const {
+    return {.normal = Vec3::UnitY(),
+            .id = id,
+            .impulse = part / world.bodies[id.body_b].inverse_mass * dt * World::g * Vec3::UnitY()};
+  }
+  void keep(const std::vector<ContactId>& ids, Real part, Real dt) {
+    Contacts contacts;
+    for (const ContactId& id : ids) contacts.push_back(bearing(id, part, dt));
+    answer.keep(memory, contacts, dt);
+  }
+  /// m/s, upwards, of each ball: gravity has pulled in this step, and the memory has answered.
+  Numbers started(const std::vector<ContactId>& ids, Real dt) {
+    world.contacts.clear();
+    for (const ContactId& id : ids) world.contacts.push_back(bearing(id, 0, dt));
+    for (Body& body : world.bodies)
+      if (body.movable()) body.velocity = dt * world.gravity;
+    Solver<Clamping, Starting> solver;
+    static_cast<Starting&>(solver) = {{}, answer, memory};
+    solver.solve(world, dt, 0);
+    Numbers speeds;
+    for (const Body& body : world.bodies)
+      if (body.movable()) speeds.push_back(body.velocity.y());
+    return speeds;
+  }
+};
+
+constexpr ContactId first{0, 1, 0}, second{0, 2, 0};
+
+std::vector<Check<Answer>> checks() {
+  return {
+      {"the latest force of a ball holds it in the next step, however long",
+       2,
+       {{"in a step that is shorter your ball starts with", "m/s", 1e-6},
+        {"in a step that is longer your ball starts with", "m/s", 1e-6},
+        {"your ball that touches for the first time starts with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         Balls balls(random, 2, answer);
+         const Real before = random.between(Real(0.2), Real(0.4)), latest = random.between(Real(0.6), Real(0.8));
+         const Real h = random.between(Real(0.01), Real(0.015)), ratio = random.between(Real(0.3), Real(0.6));
+         balls.keep({first}, before, 2 * h);
+         balls.keep({first}, latest, h);
+         const Numbers shorter = balls.started({first, second}, ratio * h);
+         return {shorter[0], balls.started({first, second}, h / ratio)[0], shorter[1]};
+       }},
+      {"a point that is lost for a few steps comes back with its force",
+       2,
+       {{"your ball, whose contact was lost right after it first touched, starts with", "m/s", 1e-6},
+        {"your ball, whose contact was lost after a while, starts with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         Balls balls(random, 2, answer);
+         const Real part = random.between(Real(0.5), Real(0.8));
+         balls.keep({second}, part, random.between(Real(0.0205), Real(0.0245)));
+         balls.keep({}, 0, random.between(Real(0.015), Real(0.018)));
+         const Real early = balls.started({second}, random.between(Real(0.005), Real(0.01)))[1];
+         for (int step = 0; step < 4; ++step) {
+           const Real more = random.between(Real(0.1), Real(0.2)) * static_cast<Real>(1 + step);
+           balls.keep({first}, more, random.between(Real(0.0205), Real(0.0245)));
+         }
+         for (int step = 0; step < 3; ++step) balls.keep({}, 0, random.between(Real(0.015), Real(0.018)));
+         return {early, balls.started({first}, random.between(Real(0.005), Real(0.01)))[0]};
+       }},
+      {"a point that is lost for long is forgotten",
+       1,
+       {{"your ball, which was up and away for long, starts with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         Balls balls(random, 1, answer);
+         const Real part = random.between(Real(0.5), Real(0.8));
+         balls.keep({first}, part, random.between(Real(0.01), Real(0.02)));
+         const std::size_t steps = 8 + random.below(5);
+         for (std::size_t step = 0; step < steps; ++step) balls.keep({}, 0, random.between(Real(0.0165), Real(0.0245)));
+         return balls.started({first}, random.between(Real(0.005), Real(0.01)));
+       }},
+      {"a body that is put elsewhere leaves its impulses behind, and nobody else does",
+       2,
+       {{"your ball that has not been moved starts with", "m/s", 1e-6},
+        {"your ball that has been put elsewhere starts with", "m/s", 1e-6},
+        {"your ball that lay on it starts with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         Balls balls(random, 3, answer);
+         const std::vector<ContactId> ids{first, second, {2, 3, 0}};
+         const Real h = random.between(Real(0.01), Real(0.02));
+         balls.keep(ids, random.between(Real(0.5), Real(0.8)), h);
+         answer.put_elsewhere(balls.memory, 2);
+         return balls.started(ids, random.between(Real(0.5), Real(0.9)) * h);
+       }},
+  };
+}
+
+const Remembered* known(const Memory& memory, const ContactId& id) {
+  for (const Remembered& one : memory)
+    if (one.id == id) return &one;
+  return nullptr;
+}
+void forget_points(Memory& memory, const Contacts& contacts) {
+  for (const Contact& contact : contacts)
+    std::erase_if(memory, [&](const Remembered& one) { return one.id == contact.id; });
+}
+void add_points(Memory& memory, const Contacts& contacts, Real dt) {
+  for (const Contact& contact : contacts) memory.push_back({contact.id, contact.impulse, dt, 0});
+}
+void grow_older(Memory& memory, Real dt) {
+  for (Remembered& one : memory) one.age += dt;
+}
+void forget_old(Memory& memory) {
+  std::erase_if(memory, [](const Remembered& one) { return one.age > lasts; });
+}
+
+Vec3 guess(const Memory& memory, const ContactId& id, Real dt) {
+  const Remembered* one = known(memory, id);
+  return one ? Vec3(dt / one->dt * one->impulse) : Vec3::Zero();
+}
+void keep(Memory& memory, const Contacts& contacts, Real dt) {
+  grow_older(memory, dt);
+  forget_points(memory, contacts);
+  add_points(memory, contacts, dt);
+  forget_old(memory);
+}
+void put_elsewhere(Memory& memory, std::uint32_t body) {
+  std::erase_if(memory, [&](const Remembered& one) { return one.id.body_a == body || one.id.body_b == body; });
+}
+
+/// Age is of when a point first touched. `starts_with` its own step or not.
+template <bool starts_with>
+void keep_by_first_touch(Memory& memory, const Contacts& contacts, Real dt) {
+  if (!starts_with) grow_older(memory, dt);
+  for (const Contact& contact : contacts) {
+    auto same = std::find_if(memory.begin(), memory.end(), [&](const Remembered& one) { return one.id == contact.id; });
+    const Real age = same == memory.end() ? 0 : same->age;
+    if (same != memory.end()) memory.erase(same);
+    memory.push_back({contact.id, contact.impulse, dt, age});
+  }
+  if (starts_with) grow_older(memory, dt);
+  forget_old(memory);
+}
+
+std::vector<Mistake<Answer>> mistakes() {
+  const std::string one_side =
+      "it looks as if only points were forgotten in which the body is A, or only those in which it is B. Which of the "
+      "two it is, is decided by its index: look at both.";
+  const std::string first_touch =
+      "it looks as if a point's age were never set back to 0. It counts from the latest step in which the point "
+      "touched, not from the first.";
+  return {
+      {"no rescaling",
+       "it looks as if the old impulse were taken as it was. What is taken over is the force; an impulse is h times "
+       "that.",
+       {[](const Memory& memory, const ContactId& id, Real) {
+          const Remembered* one = known(memory, id);
+          return one ? one->impulse : Vec3::Zero();
+        },
+        keep, put_elsewhere}},
+      {"rescaled the wrong way",
+       "it looks as if the impulse were multiplied by h_then / h_new. In a shorter step the same force gives less "
+       "impulse.",
+       {[](const Memory& memory, const ContactId& id, Real dt) {
+          const Remembered* one = known(memory, id);
+          return one ? Vec3(one->dt / dt * one->impulse) : Vec3::Zero();
+        },
+        keep, put_elsewhere}},
+      {"rescaled by the latest step",
+       "it looks as if h_then were the length of the latest step. It is that of the step in which this point last "
+       "touched.",
+       {guess,
+        [](Memory& memory, const Contacts& contacts, Real dt) {
+          keep(memory, contacts, dt);
+          for (Remembered& one : memory) one.dt = dt;
+        },
+        put_elsewhere}},
+      {"the oldest impulse",
+       "it looks as if the point answered with what it had some steps ago. Is an older entry of the same id still in "
+       "the memory, and found first?",
+       {guess,
+        [](Memory& memory, const Contacts& contacts, Real dt) {
+          grow_older(memory, dt);
+          add_points(memory, contacts, dt);
+          forget_old(memory);
+        },
+        put_elsewhere}},
+      {"forgotten at once",
+       "it looks as if a point were forgotten as soon as it does not touch. That is chapter 07. Here it is kept for "
+       "0.1 s; its age is in seconds, not in steps.",
+       {guess,
+        [](Memory& memory, const Contacts& contacts, Real dt) {
+          memory.clear();
+          add_points(memory, contacts, dt);
+        },
+        put_elsewhere}},
+      {"never forgotten",
+       "it looks as if a point were remembered for ever. After 0.1 s whatever lay there has gone, and the ball gets a "
+       "kick from the past.",
+       {guess,
+        [](Memory& memory, const Contacts& contacts, Real dt) {
+          forget_points(memory, contacts);
+          add_points(memory, contacts, dt);
+        },
+        put_elsewhere}},
+      {"age of the first touch", first_touch, {guess, keep_by_first_touch<false>, put_elsewhere}},
+      {"age of the first touch", first_touch, {guess, keep_by_first_touch<true>, put_elsewhere}},
+      {"everybody forgets",
+       "it looks as if everybody forgot when one body was put elsewhere. All other piles then start cold.",
+       {guess, keep, [](Memory& memory, std::uint32_t) { memory.clear(); }}},
+      {"one side forgets",
+       one_side,
+       {guess, keep,
+        [](Memory& memory, std::uint32_t body) {
+          std::erase_if(memory, [&](const Remembered& one) { return one.id.body_a == body; });
+        }}},
+      {"one side forgets",
+       one_side,
+       {guess, keep,
+        [](Memory& memory, std::uint32_t body) {
+          std::erase_if(memory, [&](const Remembered& one) { return one.id.body_b == body; });
+        }}},
+      {"the others forget",
+       "it looks as if the body that was put elsewhere kept its points, and all others lost theirs. erase_if takes out "
+       "those for which the condition is true.",
+       {guess, keep,
+        [](Memory& memory, std::uint32_t body) {
+          std::erase_if(memory, [&](const Remembered& one) { return one.id.body_a != body && one.id.body_b != body; });
+        }}},
+      {"nobody forgets",
+       "it looks as if the body took its impulses along. They held it where it was; where it is now they are a kick.",
+       {guess, keep, [](Memory&, std::uint32_t) {}}},
+      {"nothing kept",
+       "it looks as if nothing were remembered. After a step, keep puts each contact with its impulse into memory.",
+       {guess, [](Memory&, const Contacts&, Real) {}, put_elsewhere}},
+  };
+}
+
+}  // namespace
+
+Numbers play(std::size_t check, Random& random, const Answer& answer) {
+  return checks()[check].play(random, answer);
+}
+
+Exercise exercise() {
+  return exercise_of<Answer>(
+      "a memory for steps of changing length, and for bodies that are put elsewhere",
+      {"guess: find the entry with this id. Its force was impulse / dt, with the dt of that entry.",
+       "keep, in this order: all entries grow older by dt; the points that touch are entered anew, with age 0, and "
+       "their "
+       "older entries go; who is older than `lasts` goes.",
+       "put_elsewhere: an entry goes if one.id.body_a or one.id.body_b is the body."},
+      checks(), {guess, keep, put_elsewhere}, mistakes());
+}
+
+}  // namespace pushback::exercise_07_transfer

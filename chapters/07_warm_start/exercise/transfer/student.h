@@ -1,0 +1,37 @@
+/// Exercise 07, transfer: a memory for steps of changing length, and for bodies that are put elsewhere.
+/// The task is chapters/07_warm_start/exercise/transfer/task.md.
+#pragma once
+
+#include "pushback/chapters/07_warm_start/exercise/transfer/asked.h"
+
+namespace student {
+
+using namespace pushback;
+using namespace pushback::exercise_07_transfer;
+
+/// Memory is a std::vector<Remembered>. Of each point you may keep
+///   id        its name: body_a, body_b, feature; compare ids by ==
+///   impulse   N s, world axes; a Contact has it under the same name once its step is solved
+///   dt, age   s: see the task
+/// std::erase_if(memory, [&](const Remembered& one) { return ...; }) takes out those for which that is true.
+
+// TODO guess: the same force, for this step. keep: what has just acted, and who is too old. put_elsewhere: whose points go
+
+/// Before a step of dt: the impulse that this point is to start with. Zero for a point that is not known.
+inline Vec3 guess(const Memory& memory, const ContactId& id, Real dt) {
+  (void)memory, (void)id, (void)dt;  // take this line out
+  return Vec3::Zero();
+}
+/// After a step of dt: `contacts` are all that touched in it.
+inline void keep(Memory& memory, const Contacts& contacts, Real dt) {
+  (void)memory, (void)contacts, (void)dt;  // take this line out
+}
+/// Between two steps: the body with this index has been put elsewhere.
+inline void put_elsewhere(Memory& memory, std::uint32_t body) {
+  (void)memory, (void)body;  // take this line out
+}
+// TODO ends
+
+inline const Answer answer{guess, keep, put_elsewhere};
+
+}  // namespace student
