@@ -157,8 +157,7 @@ Body not_turned(Body body) {
 std::vector<Mistake<Answer>> mistakes() {
   const std::string arm =
       "it looks as if r_A × n had the wrong sign. The minus of J = [-n, -r_A × n, n, r_B × n] is in the row already: "
-      "with "
-      "a second one the force of the row turns A the wrong way round.";
+      "with a second one the force of the row turns A the wrong way round.";
   const std::string side =
       "it looks as if the axis had a minus in A's place. Then the row stops ω_B + ω_A: both bodies are made to turn "
       "against each other, where they should turn together.";
@@ -167,20 +166,19 @@ std::vector<Mistake<Answer>> mistakes() {
       "point_of(first, on_a) is where it stands now.";
   const std::string in_world =
       "it looks as if the axis stood in world axes. s₁ and s₂ turn with A and u turns with B: as soon as the bodies "
-      "have "
-      "turned, an axis that has not is the axis of another hinge.";
+      "have turned, an axis that has not is the axis of another hinge.";
   const std::string one =
       "it looks as if there were only one direction across the axis. One row stops the bending about one axis: what is "
       "left is a universal joint, with two ways to turn.";
   const std::string away =
-      "it looks as if C had the wrong sign against J. J V has to be how fast C grows: otherwise what is fed back "
-      "drives "
-      "the bodies farther off. C is P_B - P_A, and its axis u × s, in this order.";
+      "it looks as if C had the wrong sign against J. J V has to be how fast C grows: otherwise the feedback drives "
+      "the bodies farther off. C is that of P_B - P_A, and the axis is u × s, in this order.";
   const std::string about =
-      "it looks as if a row turned about s. What is missing of a right angle between s and u turns about the axis that "
-      "is perpendicular to both, u × s.";
+      "it looks as if a row turned about s. The angle between s and u changes about the axis that is perpendicular to "
+      "both, u × s.";
   const std::string held =
-      "it looks as if the turn about the hinge's own axis were stopped. That is the one freedom which a hinge leaves.";
+      "it looks as if the turn about the hinge's own axis were stopped. This turn is the one freedom that a hinge "
+      "leaves.";
   return {
       {"sign of r_A × n", arm, changed([](Equation& row, const Body&, const Body&) {
          if (of_the_point(row)) row.jacobian.ra_n *= -1;
@@ -204,8 +202,7 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"no arms",
        "it looks as if the rows of the point knew nothing of turns. They then hold the centres of mass together, and "
-       "not "
-       "the points.",
+       "not the points.",
        changed([](Equation& row, const Body&, const Body&) {
          if (of_the_point(row)) row.jacobian.ra_n = row.jacobian.rb_n = Vec3::Zero();
        })},
@@ -279,7 +276,7 @@ std::vector<Mistake<Answer>> mistakes() {
          if (!of_the_point(row)) row.jacobian.n = row.jacobian.rb_n;
        })},
       {"C forgotten",
-       "it looks as if C were 0. The rows then keep the hinge from coming off any faster, but what it is off stays.",
+       "it looks as if C were 0. The rows then keep the hinge from coming off any farther, but the error stays.",
        changed([](Equation& row, const Body&, const Body&) { row.error = 0; })},
       {"sign of C", away, changed([](Equation& row, const Body&, const Body&) { row.error *= -1; })},
       {"sign of C", away, changed([](Equation& row, const Body&, const Body&) {
@@ -301,8 +298,7 @@ Exercise exercise() {
   return exercise_of<Answer>(
       "a hinge",
       {"Begin with the point: P_A = point_of(first, on_a), r_A = P_A - first.position, and so for B. For each axis n "
-       "of the "
-       "world, ra_n = r_A × n (r_a.cross(n)), and C is P_B - P_A along n.",
+       "of the world, ra_n = r_A × n (r_a.cross(n)), and C is P_B - P_A along n.",
        "The axis: turn s1 and s2 with first.orientation, u with second.orientation. A row between turns has n = 0, and "
        "the same axis k = u × s / |u × s| in ra_n and rb_n.",
        "C of such a row: std::atan2(s.dot(u), u.cross(s).norm())."},
