@@ -1,0 +1,25 @@
+/// Exercise 13, transfer: a slider on a round rail. The task is chapters/13_joints/exercise/transfer/task.md.
+#pragma once
+
+#include "pushback/chapters/13_joints/exercise/transfer/asked.h"
+
+namespace student {
+
+using namespace pushback;
+
+/// Called in every step, with the bodies as they stand then. Appends the two equations of the slider.
+///
+/// You read     rail.centre, rail.axis   as A carries them: point_of(a, rail.centre) is Q, a.orientation * rail.axis is m
+///              rail.radius              R, m
+///              rail.slider              as B carries it: point_of(b, rail.slider) is P
+/// and append   equations.push_back({.jacobian = {.ra_n = ..., .n = ..., .rb_n = ...}, .error = C});
+///              with J = [-n  -ra_n  n  rb_n], n a unit vector, C in m
+inline void ask(const exercise_13_transfer::RoundRail& rail, const Body& a, const Body& b, Equations& equations) {
+  // TODO C and J of the plane, C and J of the ring
+  (void)rail, (void)a, (void)b, (void)equations;  // take this line out
+  // TODO ends
+}
+
+inline const exercise_13_transfer::Answer answer{ask};
+
+}  // namespace student

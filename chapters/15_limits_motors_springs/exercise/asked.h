@@ -1,0 +1,15 @@
+/// What exercise 15 asks for.
+#pragma once
+
+#include "pushback/chapters/13_joints/joint_row.h"
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_15 {
+
+struct Answer {
+  void (*pull)(JointRow& rope, Real strength, Real beta, Real h);
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_15
