@@ -1,0 +1,29 @@
+/// Exercise 17: one pivot. The task is chapters/17_direct_contacts/exercise/task.md.
+#pragma once
+
+#include "pushback/chapters/17_direct_contacts/exercise/asked.h"
+
+namespace student {
+
+using namespace pushback;
+using Eigen::Index;
+
+/// Lets the variable `entering` grow until the first basic one reaches 0, which leaves. Gives back the one that has left; -1,
+/// with nothing changed, where none ever reaches 0.
+///
+/// You read and change   tableau.t(i, j)      the equations; t.row(i) is all of one
+///                       tableau.basis[i]     the basic variable of row i
+/// and read              t(i, last)           its value, 0 or more
+///                       t(i, entering)       by how much it falls where `entering` grows by 1
+inline Index pivot(exercise_17::Tableau& tableau, Index entering) {
+  Eigen::MatrixXd& t = tableau.t;
+  const Index last = t.cols() - 1;
+  // TODO the ratio test: in which row is the first to reach 0; then solve that row for `entering`, and put it into all others
+  (void)entering, (void)last;  // take this line out
+  return -1;
+  // TODO ends
+}
+
+inline const exercise_17::Answer answer{pivot};
+
+}  // namespace student

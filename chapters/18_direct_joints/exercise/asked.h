@@ -1,0 +1,19 @@
+/// What exercise 18 asks for.
+#pragma once
+
+#include <Eigen/LU>
+
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_18 {
+
+using Blocks = std::vector<Eigen::Matrix3d>;
+using Threes = std::vector<Eigen::Vector3d>;
+
+struct Answer {
+  Threes (*solve)(Blocks own, const Blocks& next, Threes wanted);
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_18

@@ -1,0 +1,15 @@
+/// What exercise 19 asks for.
+#pragma once
+
+#include "pushback/chapters/19_accuracy_and_time/study/front.h"
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_19 {
+
+struct Answer {
+  study::Measurements (*front)(study::Measurements all);
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_19
