@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,13 @@ struct Quantity {
   std::string words;  ///< "your box leaves with"
   std::string unit;
   Real tolerance;  ///< how far it may be from the right one
+};
+
+/// How something goes on during a scene, for the picture alone. Its values, one after the other, stand behind the quantities.
+struct Recorded {
+  std::string words;  ///< "depth of your box"
+  std::string unit;
+  std::string over;  ///< what it is plotted against, from 0 on: "step"
 };
 
 /// `Answer` is what an exercise asks of the student: functions, or an effect.
@@ -42,6 +51,7 @@ struct Exercise {
     std::string says;
     int points;
     std::vector<Quantity> quantities;
+    std::optional<Recorded> recorded;
   };
   /// What is measured in a scene of this check with an answer that is known.
   using Played = std::function<Numbers(std::size_t check, Random&)>;
@@ -57,19 +67,27 @@ struct Exercise {
   std::vector<Known> mistakes;
   std::string name = {};    ///< of its file: 03_baumgarte, 03_baumgarte_transfer; from its folder
   std::string folder = {};  ///< chapters/03_baumgarte/exercise
+  std::string object = {};  ///< of a teacher's own alone: what a student's program is linked with
 
-  /// The use of an idea where the page does not: the only kind that is graded.
-  bool transfer() const { return name.ends_with("_transfer"); }
+  /// The use of an idea where the page does not.
+  bool transfer() const { return !own() && name.ends_with("_transfer"); }
+  /// In no chapter: of a teacher.
+  bool own() const { return !object.empty(); }
+  /// What is in no page.
+  bool graded() const { return transfer() || own(); }
 };
 
+/// `recorded`: for a check, by its number from 0 on, what follows its quantities.
 template <class Answer>
 Exercise exercise_of(std::string title, std::vector<std::string> hints, const std::vector<Check<Answer>>& checks,
-                     const Answer& right, std::vector<Mistake<Answer>> mistakes) {
+                     const Answer& right, std::vector<Mistake<Answer>> mistakes,
+                     const std::map<std::size_t, Recorded>& recorded = {}) {
   const auto played = [checks](const Answer& answer) {
     return [checks, answer](std::size_t check, Random& random) { return checks[check].play(random, answer); };
   };
   Exercise made{std::move(title), std::move(hints), {}, played(right), {}};
-  for (const auto& check : checks) made.checks.push_back({check.says, check.points, check.quantities});
+  for (const auto& check : checks) made.checks.push_back({check.says, check.points, check.quantities, {}});
+  for (const auto& [check, what] : recorded) made.checks.at(check).recorded = what;
   for (auto& mistake : mistakes) made.mistakes.push_back({mistake.name, mistake.hint, played(mistake.answer)});
   return made;
 }

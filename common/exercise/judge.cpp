@@ -11,20 +11,10 @@ namespace pushback {
 
 namespace {
 
-using Scenes = std::vector<Numbers>;  // of one check
-
-Scenes played(const Exercise::Played& answer, std::uint64_t seed, std::size_t check) {
-  Scenes scenes;
-  for (std::size_t scene = 0; scene < scenes_of_a_check; ++scene) {
-    Random random = random_of(seed, check, scene);
-    scenes.push_back(answer(check, random));
-  }
-  return scenes;
-}
-
 bool is_whole(const Exercise::Line& check, const Scenes& scenes) {
   return scenes.size() == scenes_of_a_check && std::all_of(scenes.begin(), scenes.end(), [&](const Numbers& numbers) {
-           return numbers.size() == check.quantities.size();
+           return numbers.size() == check.quantities.size() ||
+                  (check.recorded && numbers.size() > check.quantities.size());
          });
 }
 
@@ -62,19 +52,35 @@ bool resembles(const std::vector<Quantity>& quantities, const Scenes& right, con
   return true;
 }
 
-std::string number(Real value, const Quantity& quantity) {
+}  // namespace
+
+Scenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, std::size_t check) {
+  Scenes scenes;
+  for (std::size_t scene = 0; scene < scenes_of_a_check; ++scene) {
+    Random random = random_of(seed, check, scene);
+    scenes.push_back(answer(check, random));
+  }
+  return scenes;
+}
+
+std::string in_words(Real value, const Quantity& quantity) {
   const std::string digits = std::abs(value) < quantity.tolerance ? "0" : fmt::format("{:.3g}", value);
   return digits + (quantity.unit.empty() ? "" : " " + quantity.unit);
 }
 
-}  // namespace
+std::string Verdict::in_words() const {
+  if (passed()) return "Solved.";
+  std::string words = sentence;
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
 
 Verdict judge(const Exercise& exercise, std::uint64_t seed, const Outcome& outcome) {
   Verdict verdict;
   std::vector<Scenes> right;
   std::optional<std::size_t> first;  // of the checks that fail
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
-    right.push_back(played(exercise.right, seed, i));
+    right.push_back(scenes_of(exercise.right, seed, i));
     const bool reached = i < outcome.numbers.size() && is_whole(exercise.checks[i], outcome.numbers[i]);
     const bool passed = reached && furthest(exercise.checks[i].quantities, right[i], outcome.numbers[i]).by <= 1;
     verdict.checks.push_back(!reached ? Passed::not_reached : passed ? Passed::yes : Passed::no);
@@ -95,7 +101,7 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Outcome& outco
   const Off off = furthest(quantities, right[*first], shown);
   const Quantity& quantity = quantities[off.quantity];
   const Real is = shown[off.scene][off.quantity];
-  const std::string should_be = number(right[*first][off.scene][off.quantity], quantity);
+  const std::string should_be = in_words(right[*first][off.scene][off.quantity], quantity);
   if (std::isnan(is)) {
     verdict.mistake = "not a number";
     verdict.sentence = fmt::format(
@@ -104,29 +110,30 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Outcome& outco
         quantity.words, should_be);
     return verdict;
   }
-  verdict.sentence = fmt::format("{} {} where {} is right", quantity.words, number(is, quantity), should_be);
+  verdict.sentence = fmt::format("{} {} where {} is right", quantity.words, in_words(is, quantity), should_be);
 
   // Of the mistakes that would show these numbers in this check, the one that also explains the most of the other checks.
   std::set<std::string> likely;
-  std::string hint;
+  const Exercise::Known* shows = nullptr;
   std::size_t most = 0;
   for (const auto& mistake : exercise.mistakes) {
-    const Scenes mistaken = played(mistake.played, seed, *first);
+    const Scenes mistaken = scenes_of(mistake.played, seed, *first);
     if (furthest(quantities, right[*first], mistaken).by <= 1 || !resembles(quantities, right[*first], mistaken, shown))
       continue;
     std::size_t explained = 0;
     for (std::size_t i = 0; i < exercise.checks.size() && verdict.checks[i] != Passed::not_reached; ++i)
       explained +=
-          resembles(exercise.checks[i].quantities, right[i], played(mistake.played, seed, i), outcome.numbers[i]);
+          resembles(exercise.checks[i].quantities, right[i], scenes_of(mistake.played, seed, i), outcome.numbers[i]);
     if (explained < most) continue;
     if (explained > most) likely.clear();
     most = explained;
     likely.insert(mistake.name);
-    hint = mistake.hint;
+    shows = &mistake;
   }
   if (likely.size() == 1) {
     verdict.mistake = *likely.begin();
-    verdict.sentence += ": " + hint;
+    verdict.resembles = shows;
+    verdict.sentence += ": " + shows->hint;
   } else {
     verdict.sentence += ".";
   }

@@ -7,13 +7,21 @@
 
 namespace pushback {
 
+/// What is measured in each scene of a check.
+using Scenes = std::vector<Numbers>;
+
 /// What came of running an answer.
 struct Outcome {
-  std::vector<std::vector<Numbers>> numbers;  ///< by check and scene, as far as it got
-  std::string problem;                        ///< in plain words, why it got no further; empty: it did
-  std::string kind;     ///< of the problem: "does not compile", "time", "memory", "crash", "exception", "exit"
-  std::string printed;  ///< by the answer
+  std::vector<Scenes> numbers;  ///< by check and scene, as far as it got
+  std::string problem;          ///< in plain words, why it got no further; empty: it did
+  std::string kind;             ///< of the problem: "does not compile", "time", "memory", "crash", "exception", "exit"
+  std::string printed;          ///< by the answer
 };
+
+/// What a known answer would have sent.
+Scenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, std::size_t check);
+/// "0.31 m/s"; less than the tolerance is 0.
+std::string in_words(Real value, const Quantity& quantity);
 
 enum class Passed { yes, no, not_reached };
 
@@ -21,6 +29,9 @@ struct Verdict {
   std::vector<Passed> checks;
   std::string sentence;  ///< what is wrong, with its number; empty: nothing
   std::string mistake;   ///< the name of the one that shows, or the kind of the problem; empty: none that is known
+  const Exercise::Known* resembles = nullptr;  ///< the known one that shows
+  /// "Solved.", or the sentence, from its capital letter on.
+  std::string in_words() const;
   bool passed() const {
     return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](Passed one) { return one == Passed::yes; });
   }

@@ -150,6 +150,17 @@ echo "build tests/test_four: link" >"$scratch/home/build/release/build.ninja"
 course test 04 && expect 0 "--target test_four" "-R ^four:" && expect_not "not_built"
 course test 03 && expect 1 "no tests belong to 03" && expect_not "ctest"
 course test 99 && expect 2 "unknown chapter '99'" "the chapters are: 03_three 04_four 10_ten"
+# Whole proofs of the exercises that changed since main: those of which a file, an answer, or a header of the chapter did.
+ln -s "$(type -P paste)" "$scratch/bin/paste"
+stand_in git 'case "$*" in
+  merge-base*) echo abc ;;
+  "diff --name-only HEAD") printf "chapters/03_three/README.md\nchapters/04_four/exercise/transfer/checks.cpp\n" ;;
+  log*abc..HEAD) printf "tests/10_ten/exercise/rebuild.txt\ntests/03_three/three.cpp\nchapters/05_five/five.h\n" ;;
+esac'
+course test --changed && expect 0 "-LE ^long\$" "-L ^long\$ -R ^exercise (04_four|05_five|10_ten)(_transfer)?: "
+stand_in git true
+course test --changed && expect 0 "-LE ^long\$" && expect_not "-L ^long"
+stand_in git 'echo "git $*"'
 stand_in ctest 'exit 8'
 course test && expect 8
 
@@ -276,7 +287,9 @@ for name in exercise grade handout; do
   chmod +x "$scratch/home/build/release/chapters/$name"
 done
 course exercise 03-transfer --hint && expect 1 "--target exercise" "exercise: 03-transfer --hint in $scratch/sub"
-course exercise && expect 1 "exercise:  in $scratch/sub"
+course exercise && expect 1 "exercise:  in $scratch/sub" && expect_not "only this once"
+rm "$scratch/home/build/release/chapters/exercise"
+course exercise && expect 127 "is built first, only this once"
 course grade a b --jobs 2 && expect 1 "--target grade" "grade: a b --jobs 2 in $scratch/sub"
 course handout to --with 03 && expect 1 "--target handout" "handout: to --with 03 in $scratch/sub"
 

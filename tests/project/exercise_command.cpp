@@ -56,9 +56,17 @@ TEST_CASE("the way of a student: the file, the gap, hints, a mistake, the answer
   CHECK(contains(wrong.out, "it looks as if min were forgotten."));
   CHECK(contains(wrong.out, "--seed 5"));
   CHECK(student.call("04 --seed 5").out == wrong.out);
+  CHECK(contains(wrong.out, "as a picture: "));
+  CHECK(fs::exists(student.scratch / "04_slop.png"));
   CHECK(contains(student.call("").out, "04           begun"));
 
+  student.write("row = ;\n");
+  CHECK_FALSE(contains(student.call("04").out, "picture"));
+  CHECK_FALSE(fs::exists(student.scratch / "04_slop.png"));  // none of other lines than those that are there
+
   student.write(right);
+  CHECK(student.call("04 --no-sheet").status == 0);
+  CHECK_FALSE(fs::exists(student.scratch / "04_slop.png"));
   const Ended solved = student.call("04");
   CHECK(solved.status == 0);
   CHECK(contains(solved.out, "  Solved.\n"));

@@ -53,6 +53,8 @@ TEST_CASE("a class is graded: a table, JSON and JUnit XML; again, only what has 
   CHECK(contains(xml, "<testsuite name=\"anna\" tests=\"4\" failures=\"0\">"));
   CHECK(contains(xml, "<testsuite name=\"ben &amp; co\" tests=\"4\" failures=\"1\">"));
   CHECK(contains(xml, "<failure message=\"your ball, which is more than a metre deep, leaves with"));
+  for (const std::string name : {"anna", "ben & co", "carl"})
+    CHECK(fs::exists(all.scratch / ("out/sheets/" + name + "/03_baumgarte_transfer.png")) == (name != "carl"));
   const Ended second = all.grade("");
   CHECK(second.err.empty());
   CHECK(second.out == first.out);
@@ -69,22 +71,79 @@ TEST_CASE("a class is graded: a table, JSON and JUnit XML; again, only what has 
 
 TEST_CASE("parts, each for itself, make the whole; half of a result is graded anew") {
   Class all;
-  const Ended one = all.grade("--shard 1/2");
+  const Ended one = all.grade("--shard 1/2 --no-sheet");
   CHECK(one.err == "graded: anna\ngraded: carl\n");
   CHECK(contains(one.out, "2 of 4 students are graded"));
-  const Ended other = all.grade("--shard 2/2");
+  const Ended other = all.grade("--shard 2/2 --no-sheet");
   CHECK(other.err == "graded: ben & co\ngraded: dora\n");
   CHECK(contains(other.out, "anna        6 of 6"));
   CHECK_FALSE(contains(other.out, "students are graded"));
   const fs::path file = all.scratch / "out/students/anna.json";
   write_text_file(file, text_of(file).substr(0, 200));
-  CHECK(all.grade("").err == "graded: anna\n");
+  CHECK(all.grade("--no-sheet").err == "graded: anna\n");
+  CHECK_FALSE(fs::exists(all.scratch / "out/sheets"));
+}
+
+TEST_CASE("an archive is graded as the folder in it; one that leads elsewhere is not taken, nor one that is too much") {
+  Class all;
+  const auto shell = [&](const std::string& commands) {
+    const Ended ended =
+        run_program({"sh", "-ec", "cd " + (all.scratch / "").string() + "; mkdir -p in; " + commands}, 60);
+    INFO(ended.err);
+    REQUIRE(ended.status == 0);
+  };
+  shell(
+      "cd anna; zip -q ../in/flat.zip *; cd ..\n"
+      "mkdir 'x [1]*'; cp -r anna 'x [1]*/exercises'; zip -qr in/deep.zip 'x [1]*'; tar -czf in/deep2.tar.gz 'x [1]*'\n"
+      "tar -cf in/plain.tar anna; zip -qr in/ben.zip 'ben & co'\n"
+      "tar -cPf in/dots.tar ../$(basename $PWD)/anna; tar -cPf in/absolute.tar $PWD/anna\n"
+      "zip -qry in/link.zip carl; tar -cf in/link2.tar carl\n"
+      "mkdir linked; ln -s $PWD/anna linked/exercises; tar -cf in/link3.tar linked\n"
+      "mkdir twice; cp -r anna twice/a; cp -r anna twice/b; zip -qr in/twice.zip twice; tar -cf in/twice2.tar twice\n"
+      "mkdir large; truncate -s 3G large/03_baumgarte_transfer.h; tar -Scf in/large.tar large; tar -czf in/large2.tgz "
+      "-S large\n"
+      "mkdir many; cd many; touch $(seq 1500); cd ..; zip -qr in/many.zip many; tar -cf in/many2.tar many\n"
+      "printf junk >in/junk.zip; printf junk >in/junk2.tar.gz; cd anna; zip -q -P secret ../in/secret.zip *");
+  std::string archives;
+  for (const auto& entry : fs::directory_iterator(all.scratch / "in")) archives += entry.path().string() + " ";
+  const std::string before =
+      run_program({"sh", "-c", "cd " + (all.scratch / "").string() + "; find . -type f -newer in | sort"}).out;
+  const std::string options = " --no-sandbox --no-sheet --out " + (all.scratch / "out").string();
+  const Ended ended = call_program(GRADE_PROGRAM, archives + options, 120);
+  CHECK(ended.status == 0);
+  const auto graded = [&](const std::string& student, const std::string& as) {
+    INFO(student << ": " << ended.out);
+    bool said = false;
+    for (const std::string& line : lines_of(ended.out))
+      said = said || (line.starts_with(student + " ") && contains(line, as));
+    CHECK(said);
+  };
+  for (const std::string right : {"flat", "deep", "deep2", "plain"}) graded(right, "03-transfer 6/6");
+  graded("ben", "4/6 (cap forgotten)");
+  for (const std::string none : {"link", "link2", "link3"}) graded(none, "0/6 (not handed in)");
+  for (const std::string bad :
+       {"dots", "absolute", "twice", "twice2", "large", "large2", "many", "many2", "junk", "junk2", "secret"})
+    graded(bad, "0/6 (archive)");
+  const std::string json = text_of(all.scratch / "out/results.json");
+  CHECK(contains(json, "leads out of its folder"));
+  CHECK(contains(json, "it has 1501 entries, at most 1000 are taken"));
+  CHECK(contains(json, "there are 2 files 03_baumgarte_transfer.h in it"));
+  CHECK(contains(json, "is larger than 1 MB"));
+  CHECK(call_program(GRADE_PROGRAM, archives + options, 120).err.empty());  // taken up again: nothing to do
+  fs::remove_all(all.scratch / "out");
+  CHECK(run_program({"sh", "-c", "cd " + (all.scratch / "").string() + "; find . -type f -newer in | sort"}).out ==
+        before);
+  CHECK(call_program(GRADE_PROGRAM,
+                     (all.scratch / "anna").string() + " " + (all.scratch / "in/flat.zip").string() + " " +
+                         (all.scratch / "anna/03_baumgarte_transfer.h").string() + options,
+                     120)
+            .status == 2);
 }
 
 TEST_CASE("what cannot be graded is refused, and nothing is left behind") {
   Class all;
   CHECK(call_program(GRADE_PROGRAM, "nowhere --out " + (all.scratch / "out").string()).status == 2);
-  CHECK(contains(all.grade("'" + (all.scratch / "anna/").string() + "'").err, "two folders are named 'anna'"));
+  CHECK(contains(all.grade("'" + (all.scratch / "anna/").string() + "'").err, "two students are named 'anna'"));
   for (const std::string shard : {"0/2", "3/2", "1", "1/", "a/b", "1/2x"}) {
     const Ended ended = all.grade("--shard " + shard);
     CHECK(ended.status == 2);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "pushback/chapters/commands/exercise/compiler_words.h"
+#include "pushback/chapters/commands/exercise/kit.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
@@ -16,8 +17,6 @@ namespace pushback {
 namespace fs = std::filesystem;
 
 namespace {
-
-const fs::path kit = KIT_FOLDER;
 
 using Command = std::vector<std::string>;
 
@@ -99,7 +98,7 @@ ScratchFolder::~ScratchFolder() {
 }
 
 Sandbox::Sandbox() {
-  const fs::path source = SOURCE_FOLDER;
+  const fs::path& source = kit().sources;
   for (const char* part : {"common", "chapters"}) {
     for (const auto& entry : fs::recursive_directory_iterator(source / part)) {
       if (entry.path().extension() != ".h") continue;
@@ -126,7 +125,7 @@ Command Sandbox::around(Command command, const fs::path& folder, const std::vect
                "--tmpfs",       "/tmp"};
   for (const char* link : {"bin", "lib", "lib64"})
     made = made + Command{"--symlink", fmt::format("usr/{}", link), fmt::format("/{}", link)};
-  made = made + Command{"--ro-bind", headers_.path, HEADERS_FOLDER, "--bind", folder, folder, "--chdir", folder};
+  made = made + Command{"--ro-bind", headers_.path, kit().headers, "--bind", folder, folder, "--chdir", folder};
   for (const fs::path& path : readable) made = made + Command{"--ro-bind", path, path};
   return made + Command{"--"} + command;
 }
@@ -136,23 +135,28 @@ Outcome attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
   Outcome outcome;
   const ScratchFolder scratch;
   const fs::path own = scratch.path / file.filename(), object = scratch.path / "answer.o",
-                 program = scratch.path / "answer";
+                 program = scratch.path / "answer", headers = kit().folder / "headers.h",
+                 answer = kit().folder / "answer.cpp";
   fs::copy_file(file, own);
+  if (exercise.own())  // as "asked.h"; the folder itself has the answer
+    for (const auto& entry : fs::directory_iterator(exercise.folder))
+      if (entry.path().extension() == ".h" && entry.path().filename() != "student.h")
+        fs::copy_file(entry.path(), scratch.path / entry.path().filename(), fs::copy_options::skip_existing);
   const auto apart = [&](const Command& command, const std::vector<fs::path>& readable) {
     return sandbox ? sandbox->around(command, scratch.path, readable) : command;
   };
 
   const Command compile =
-      lines_of(read_text_file(kit / "compile.txt")) +
-      Command{"-include", kit / "headers.h", "-include", own, "-c", kit / "answer.cpp", "-o", object};
-  std::vector<fs::path> needed{kit / "headers.h", kit / "answer.cpp"};
+      kit().words_of("compile.txt") + Command{"-include", headers, "-include", own, "-c", answer, "-o", object};
+  std::vector<fs::path> needed{headers, answer};
   for (const char* parsed : {"headers.h.gch", "headers.h.pch"})
-    if (fs::exists(kit / parsed)) needed.push_back(kit / parsed);
+    if (fs::exists(kit().folder / parsed)) needed.push_back(kit().folder / parsed);
   Ended ended = run_program(apart(limited(limits.compile_seconds, 4096, compile), needed), limits.compile_seconds);
   if (ended.status == 0)
     ended = run_program(Command{"env", "LC_ALL=C"} + [&] {
-      Command link = lines_of(read_text_file(kit / "link.txt"));
+      Command link = kit().words_of("link.txt");
       link.insert(link.begin() + 1, {"-o", program, object});
+      if (exercise.own()) link.insert(link.begin() + 4, exercise.object);
       return link;
     }());
   if (ended.status != 0) {

@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <charconv>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
-#include <set>
 #include <sstream>
 #include <thread>
 
+#include "pushback/chapters/commands/exercise/handed_in.h"
+#include "pushback/chapters/commands/exercise/result_sheet.h"
 #include "pushback/chapters/commands/exercise/student_files.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
@@ -24,35 +25,22 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::uint64_t hash_of(const std::string& text) {  // FNV-1a
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return hash;
-}
-
-std::string name_of(const fs::path& folder) {
-  return fs::canonical(folder).filename().string();
-}
-
-/// The file handed in for an exercise; none where there is none. A link may lead to what somebody else handed in.
-std::optional<fs::path> handed_in(const fs::path& folder, const Exercise& exercise) {
-  for (const fs::path& file : {folder / (exercise.name + ".h"), folder / "exercises" / (exercise.name + ".h")})
-    if (fs::is_regular_file(fs::symlink_status(file)) && !fs::is_symlink(file.parent_path()) &&
-        fs::file_size(file) < 1'000'000)
-      return file;
-  return std::nullopt;
-}
-
 std::string dumped(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Json graded(const Grading& grading, const Exercise& exercise, const fs::path& folder, std::uint64_t seed,
-            const Sandbox* sandbox) {
-  const std::optional<fs::path> file = handed_in(folder, exercise);
+Json graded(const Grading& grading, const Exercise& exercise, const std::string& student, const HandedIn& handed_in,
+            std::uint64_t seed, const Sandbox* sandbox) {
+  const std::optional<fs::path> file = handed_in.file(exercise);
+  const fs::path sheet = grading.out / "sheets" / student / (exercise.name + ".png");
+  fs::remove(sheet);
   Verdict verdict;
   std::string printed;
-  if (!file) {
+  if (!handed_in.problem().empty()) {
+    verdict.mistake = "archive";
+    verdict.sentence = fmt::format("the archive is not taken: {}.", handed_in.problem());
+    verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
+  } else if (!file) {
     verdict.mistake = "not handed in";
     verdict.sentence = fmt::format("there is no file {}.h, of less than 1 MB, that is no link.", exercise.name);
     verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
@@ -64,6 +52,10 @@ Json graded(const Grading& grading, const Exercise& exercise, const fs::path& fo
     const Outcome outcome = attempt(exercise, *file, seed, sandbox, grading.limits);
     verdict = judge(exercise, seed, outcome);
     printed = outcome.printed.substr(0, 1000);
+    if (grading.sheets) {
+      fs::create_directories(sheet.parent_path());
+      write_result_sheet(sheet, exercise, seed, outcome, verdict);
+    }
   }
   Json made{{"exercise", short_name(exercise)},
             {"points", 0},
@@ -89,14 +81,15 @@ Json graded(const Grading& grading, const Exercise& exercise, const fs::path& fo
 }
 
 /// What a student's result follows from.
-std::string fingerprint(const Grading& grading, const fs::path& folder, std::uint64_t seed) {
-  std::string all =
-      fmt::format("{} {} {} {}", seed, grading.sandboxed, grading.limits.seconds, grading.limits.megabytes);
+std::string fingerprint(const Grading& grading, const HandedIn& handed_in, std::uint64_t seed) {
+  std::string all = fmt::format("{} {} {} {} {}", seed, grading.sandboxed, grading.sheets, grading.limits.seconds,
+                                grading.limits.megabytes);
+  all += handed_in.problem();
   for (const Exercise* exercise : grading.exercises) {
     all += short_name(*exercise);
     for (std::size_t i = 0; i < exercise->checks.size(); ++i)
       all += fmt::format(" {}", grading.points.of(*exercise, i));
-    const std::optional<fs::path> file = handed_in(folder, *exercise);
+    const std::optional<fs::path> file = handed_in.file(*exercise);
     all += file ? read_text_file(*file) : "none";
   }
   return fmt::format("{:016x}", hash_of(all));
@@ -188,17 +181,6 @@ std::uint64_t kept_seed(const Grading& grading) {
 
 }  // namespace
 
-Shard shard_of(const std::string& text) {
-  Shard shard;
-  const char* const end = text.data() + text.size();
-  const auto part = std::from_chars(text.data(), end, shard.part);
-  const bool slash = part.ec == std::errc{} && part.ptr != end && *part.ptr == '/';
-  const auto of = slash ? std::from_chars(part.ptr + 1, end, shard.of) : part;
-  if (!slash || of.ec != std::errc{} || of.ptr != end || shard.part < 1 || shard.part > shard.of)
-    throw InvalidInput(fmt::format("--shard is '{}': a part and how many there are, 1/4 to 4/4, is needed", text));
-  return shard;
-}
-
 std::string points_text(const std::vector<const Exercise*>& exercises) {
   std::string text = "# Points of each check: exercise, number of the check, points. What follows # is for you.\n";
   for (const Exercise* exercise : exercises)
@@ -234,40 +216,37 @@ int Points::of(const Exercise& exercise, std::size_t check) const {
 }
 
 void grade(const Grading& grading) {
-  std::vector<fs::path> folders;
-  std::set<std::string> names;
-  for (const fs::path& given : grading.folders) {
-    if (!fs::is_directory(given))
-      throw InvalidInput(fmt::format("'{}' is no folder: a folder for each student is needed", given.string()));
-    const std::string name = name_of(given);
-    if (!names.insert(name).second)
-      throw InvalidInput(fmt::format("two folders are named '{}': a name for each student is needed", name));
-    folders.push_back(given);
+  std::map<std::string, fs::path> students;  // by name
+  for (const fs::path& given : grading.given) {
+    const std::string name = students_name(given);
+    if (!students.emplace(name, given).second)
+      throw InvalidInput(fmt::format("two students are named '{}': a name for each student is needed", name));
   }
-  std::sort(folders.begin(), folders.end(),
-            [](const fs::path& a, const fs::path& b) { return name_of(a) < name_of(b); });
   std::optional<Sandbox> sandbox;
   if (grading.sandboxed) sandbox.emplace();
   make_writable_folder(grading.out / "students");
   const std::uint64_t seed = kept_seed(grading);
 
-  std::vector<fs::path> mine;
-  for (std::size_t i = grading.shard.part - 1; i < folders.size(); i += grading.shard.of) mine.push_back(folders[i]);
+  std::vector<std::pair<std::string, fs::path>> mine;
+  std::size_t number = 0;
+  for (const auto& student : students)
+    if (grading.shard.has(number++)) mine.push_back(student);
   std::atomic<std::size_t> next = 0;
   std::mutex talking;
   std::exception_ptr failure;
   const auto work = [&] {
     try {
       for (std::size_t i = next++; i < mine.size(); i = next++) {
-        const std::string name = name_of(mine[i]);
+        const auto& [name, given] = mine[i];
+        const HandedIn handed_in(given, grading.exercises, sandbox ? &*sandbox : nullptr);
         const fs::path file = grading.out / "students" / (name + ".json");
-        const std::string follows_from = fingerprint(grading, mine[i], seed);
+        const std::string follows_from = fingerprint(grading, handed_in, seed);
         const std::optional<Json> before = read_result(file);
         if (before && (*before)["fingerprint"] == follows_from) continue;
         Json result{{"student", name}, {"fingerprint", follows_from}, {"exercises", Json::array()}};
         for (const Exercise* exercise : grading.exercises)
           result["exercises"].push_back(
-              graded(grading, *exercise, mine[i], seed ^ hash_of(name), sandbox ? &*sandbox : nullptr));
+              graded(grading, *exercise, name, handed_in, seed ^ hash_of(name), sandbox ? &*sandbox : nullptr));
         write_text_file(file, dumped(result));
         const std::lock_guard guard(talking);
         fmt::print(stderr, "graded: {}\n", name);
@@ -284,14 +263,14 @@ void grade(const Grading& grading) {
   if (failure) std::rethrow_exception(failure);
 
   Json results = Json::array();
-  for (const fs::path& folder : folders) {
-    const std::optional<Json> result = read_result(grading.out / "students" / (name_of(folder) + ".json"));
+  for (const auto& [name, given] : students) {
+    const std::optional<Json> result = read_result(grading.out / "students" / (name + ".json"));
     if (result) results.push_back(*result);
   }
   write_text_file(grading.out / "results.json", dumped(results));
   write_text_file(grading.out / "results.xml", junit(Json::parse(dumped(results))));
   print_table(results);
-  if (results.size() < folders.size()) fmt::print("{} of {} students are graded\n", results.size(), folders.size());
+  if (results.size() < students.size()) fmt::print("{} of {} students are graded\n", results.size(), students.size());
 }
 
 }  // namespace pushback

@@ -7,14 +7,9 @@
 #include <vector>
 
 #include "pushback/chapters/commands/exercise/attempt.h"
+#include "pushback/common/basics/shard.h"
 
 namespace pushback {
-
-struct Shard {
-  std::size_t part = 1, of = 1;
-};
-/// "2/5". Throws InvalidInput.
-Shard shard_of(const std::string& text);
 
 /// Points of each check as a teacher has set them, by exercise and check; where there are none, those of the check itself.
 class Points {
@@ -31,18 +26,18 @@ class Points {
 std::string points_text(const std::vector<const Exercise*>& exercises);
 
 struct Grading {
-  std::vector<std::filesystem::path> folders;  ///< of a student each, named after the student
+  std::vector<std::filesystem::path> given;  ///< a folder or an archive for each student, named after the student
   std::vector<const Exercise*> exercises;
   Points points;
   std::filesystem::path out = "grades";
   std::uint64_t seed = 0;  ///< 0: drawn at the first time, and kept in `out`
   int jobs = 1;
   Shard shard;
-  bool sandboxed = true;
+  bool sandboxed = true, sheets = true;
   Limits limits;
 };
 
-/// Leaves a file for each student in out/students. A student whose file is of the same answers, points and seed is not graded
+/// Leaves a file for each student in out/students, and a picture for each exercise in out/sheets. A student whose file is of the same answers, points and seed is not graded
 /// again. Then results.json, results.xml and the table are of all that are there.
 void grade(const Grading& grading);
 

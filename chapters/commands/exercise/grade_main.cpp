@@ -1,8 +1,8 @@
 /// ./course grade
 #include <thread>
 
-#include "pushback/chapters/commands/exercise/all_exercises.h"
 #include "pushback/chapters/commands/exercise/grade.h"
+#include "pushback/chapters/commands/exercise/own_tasks.h"
 #include "pushback/chapters/commands/exercise/student_files.h"
 #include "pushback/common/experiment/program.h"
 
@@ -11,12 +11,16 @@ using namespace pushback;
 int main(int argc, char** argv) {
   Grading grading;
   std::vector<std::string> words;
-  std::string points, shard = "1/1";
-  bool no_sandbox = false;
-  CLI::App app("Grades what students have handed in: a folder each, with files as 03_baumgarte_transfer.h.",
-               "./course grade");
-  app.add_option("FOLDER", grading.folders, "A folder for each student, named after the student")->required();
-  app.add_option("--exercises", words, "03-transfer,04: these, instead of all transfer exercises")->delimiter(',');
+  std::string points, tasks, shard = "1/1";
+  bool no_sandbox = false, no_sheet = false;
+  CLI::App app(
+      "Grades what students have handed in: a folder or an archive each, with files as 03_baumgarte_transfer.h.",
+      "./course grade");
+  app.add_option("FOLDER", grading.given,
+                 "For each student a folder, or an archive of one (.zip, .tar.gz), named after the student")
+      ->required();
+  app.add_option("--exercises", words, "03-transfer,04: these, instead of all transfer exercises and all of your own")
+      ->delimiter(',');
   app.add_option("--points", points, "A file with the points of each check, as ./course handout writes it");
   app.add_option("--out", grading.out, "Where results go")->capture_default_str();
   app.add_option("--jobs", grading.jobs, "Students at the same time")->check(CLI::Range(1, 256))->capture_default_str();
@@ -32,14 +36,17 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(64, 1 << 20))
       ->capture_default_str();
   app.add_flag("--no-sandbox", no_sandbox, "Run what students wrote with all rights that you have yourself");
+  app.add_flag("--no-sheet", no_sheet, "No pictures of the students' numbers beside the right ones");
+  app.add_option("--tasks", tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
   return run_program(app, argc, argv, [&] {
-    const std::vector<Exercise> all = all_exercises();
+    const std::vector<Exercise> all = exercises_with(tasks);
     for (const std::string& word : words) grading.exercises.push_back(&exercise_named(all, word));
     for (const Exercise& exercise : all)
-      if (words.empty() && exercise.transfer()) grading.exercises.push_back(&exercise);
+      if (words.empty() && exercise.graded()) grading.exercises.push_back(&exercise);
     if (!points.empty()) grading.points = Points(all, points);
     grading.shard = shard_of(shard);
     grading.sandboxed = !no_sandbox;
+    grading.sheets = !no_sheet;
     grade(grading);
   });
 }

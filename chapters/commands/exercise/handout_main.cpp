@@ -1,8 +1,7 @@
 /// ./course handout: what a student gets.
-#include <regex>
-
-#include "pushback/chapters/commands/exercise/all_exercises.h"
 #include "pushback/chapters/commands/exercise/grade.h"
+#include "pushback/chapters/commands/exercise/own_tasks.h"
+#include "pushback/chapters/commands/exercise/package.h"
 #include "pushback/chapters/commands/exercise/student_files.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/program.h"
@@ -12,12 +11,6 @@ using namespace pushback;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Links lead out of the package: their words stay.
-std::string without_links(const std::string& text) {
-  static const std::regex link("\\[([^\\]]*)\\]\\([^)]*\\)");
-  return std::regex_replace(text, link, "$1");
-}
 
 std::string how_to(const std::vector<const Exercise*>& exercises, const std::string& folder) {
   std::string text =
@@ -32,28 +25,23 @@ std::string how_to(const std::vector<const Exercise*>& exercises, const std::str
 }  // namespace
 
 int main(int argc, char** argv) {
-  fs::path folder;
+  fs::path folder, tasks;
   std::vector<std::string> with, without;
   CLI::App app("Writes tasks and files with gaps into a folder, and the points of each check; no answers, no checks.",
                "./course handout");
   app.add_option("FOLDER", folder, "A new folder")->required();
   app.add_option("--with", with, "02,03,03-transfer: these; all by default")->delimiter(',');
   app.add_option("--without", without, "04: all but these")->delimiter(',');
+  app.add_option("--tasks", tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
   return run_program(app, argc, argv, [&] {
-    const std::vector<Exercise> all = all_exercises();
+    const std::vector<Exercise> all = exercises_with(tasks);
     std::vector<const Exercise*> exercises;
     for (const std::string& word : with) exercises.push_back(&exercise_named(all, word));
     for (const Exercise& exercise : all)
       if (with.empty()) exercises.push_back(&exercise);
     for (const std::string& word : without) std::erase(exercises, &exercise_named(all, word));
     if (exercises.empty()) throw InvalidInput("--without leaves none: at least one exercise is needed");
-    if (fs::exists(folder) && !fs::is_empty(folder))
-      throw InvalidInput(fmt::format("'{}' is not empty: a new folder is needed", folder.string()));
-    make_writable_folder(folder);
-    for (const Exercise* exercise : exercises) {
-      write_text_file(folder / (exercise->name + ".h"), read_text_file(stub_of(*exercise)));
-      write_text_file(folder / (exercise->name + ".md"), without_links(read_text_file(task_of(*exercise))));
-    }
+    write_tasks(folder, exercises, "./course exercise");
     const std::string name = fs::absolute(folder / "").parent_path().filename().string();
     write_text_file(folder / "README.md", how_to(exercises, name));
     const fs::path points = fs::absolute(folder / "").parent_path().string() + ".points";

@@ -3,8 +3,11 @@
 #include <random>
 #include <thread>
 
-#include "pushback/chapters/commands/exercise/all_exercises.h"
 #include "pushback/chapters/commands/exercise/attempt.h"
+#include "pushback/chapters/commands/exercise/kit.h"
+#include "pushback/chapters/commands/exercise/own_tasks.h"
+#include "pushback/chapters/commands/exercise/package.h"
+#include "pushback/chapters/commands/exercise/result_sheet.h"
 #include "pushback/chapters/commands/exercise/student_files.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/process.h"
@@ -18,12 +21,15 @@ namespace {
 
 struct Asked {
   std::vector<std::string> words;
-  std::string folder;      // empty: exercises/ of the project
+  std::string folder;  // empty: exercises/ of the project
+  std::string tasks;
+  std::string own_folder;  // to be made
   std::uint64_t seed = 0;  // 0: another one each time
-  bool hint = false, reset = false, watch = false;
+  bool hint = false, reset = false, watch = false, all = false, no_sheet = false;
 };
 
 std::string chapter_of(const Exercise& exercise) {
+  if (exercise.own()) return "own";
   return exercise.name.substr(3, exercise.name.find("_transfer") - 3);
 }
 
@@ -34,24 +40,24 @@ void list(const std::vector<Exercise>& all, const StudentFiles& files) {
     for (const auto& check : exercise.checks) points += check.points;
     const std::string state = files.solved(exercise) ? "solved" : files.begun(exercise) ? "begun" : "";
     fmt::print("  {:<12} {:<7} {}: {}{}\n", short_name(exercise), state, chapter_of(exercise), exercise.title,
-               exercise.transfer() ? fmt::format(" ({} points)", points) : "");
+               exercise.graded() ? fmt::format(" ({} points)", points) : "");
     if (!next && !files.solved(exercise)) next = &exercise;
   }
-  if (next) fmt::print("next: ./course exercise {}\n", short_name(*next));
+  if (next) fmt::print("next: {} {}\n", kit().call(), short_name(*next));
   else fmt::print("all are solved\n");
 }
 
-/// The lines of a verdict; true where all checks pass.
-bool check(const Exercise& exercise, StudentFiles& files, std::uint64_t seed) {
+/// The verdict, line by line, then the picture; true where all checks pass.
+bool check(const Exercise& exercise, StudentFiles& files, const Asked& asked) {
   const fs::path file = files.file(exercise);
   const std::string text = read_text_file(file);
   fmt::print("{} {}: {}\n", short_name(exercise), chapter_of(exercise), exercise.title);
   if (untouched(text, read_text_file(stub_of(exercise)))) {
     fmt::print("\n  Nothing is written yet. The gap is in {}, line {}; the task is {}.\n", file.string(),
-               line_of_todo(text), task_of(exercise).string());
+               line_of_todo(text), files.task(exercise).string());
     return false;
   }
-  if (seed == 0) seed = std::random_device{}();
+  const std::uint64_t seed = asked.seed != 0 ? asked.seed : std::random_device{}();
   const Outcome outcome = attempt(exercise, file, seed, nullptr);
   const Verdict verdict = judge(exercise, seed, outcome);
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
@@ -61,15 +67,27 @@ bool check(const Exercise& exercise, StudentFiles& files, std::uint64_t seed) {
   const std::vector<std::string> printed = lines_of(outcome.printed);
   for (std::size_t i = 0; i < std::min<std::size_t>(printed.size(), 10); ++i) fmt::print("  | {}\n", printed[i]);
   if (printed.size() > 10) fmt::print("  | ... and {} lines more that your file printed\n", printed.size() - 10);
-  if (verdict.passed()) {
-    fmt::print("\n  Solved.\n");
-    files.set_solved(exercise);
-    return true;
+  fmt::print("\n  {}\n", verdict.in_words());
+  if (verdict.passed()) files.set_solved(exercise);
+  else
+    fmt::print("\n  One hint more: {} {} --hint. The same scenes again: --seed {}\n", kit().call(),
+               short_name(exercise), seed);
+  std::fflush(stdout);  // the picture takes a moment
+  const fs::path sheet = files.sheet(exercise);
+  if (!asked.no_sheet && write_result_sheet(sheet, exercise, seed, outcome, verdict))
+    fmt::print("  Your numbers beside the right ones, as a picture: {}\n", sheet.string());
+  return verdict.passed();
+}
+
+/// What was written and is not yet solved, one after the other.
+void check_all(const std::vector<Exercise>& all, StudentFiles& files, const Asked& asked) {
+  for (const Exercise& exercise : all) {
+    if (!files.begun(exercise) || files.solved(exercise)) continue;
+    if (untouched(read_text_file(files.file(exercise)), read_text_file(stub_of(exercise)))) continue;
+    check(exercise, files, asked);
+    fmt::print("\n");
   }
-  fmt::print("\n  {}{}\n\n  One hint more: ./course exercise {} --hint. The same scenes again: --seed {}\n",
-             static_cast<char>(std::toupper(verdict.sentence[0])), verdict.sentence.substr(1), short_name(exercise),
-             seed);
-  return false;
+  list(all, files);
 }
 
 void show_hints(const Exercise& exercise, StudentFiles& files) {
@@ -79,7 +97,7 @@ void show_hints(const Exercise& exercise, StudentFiles& files) {
   files.set_hints(exercise, count);
 }
 
-[[noreturn]] void watch(const Exercise& exercise, StudentFiles& files, std::uint64_t seed) {
+[[noreturn]] void watch(const Exercise& exercise, StudentFiles& files, const Asked& asked) {
   fs::file_time_type seen{};
   for (;;) {
     std::error_code gone;
@@ -87,7 +105,7 @@ void show_hints(const Exercise& exercise, StudentFiles& files) {
     if (!gone && now != seen) {
       seen = now;
       fmt::print("\n");
-      check(exercise, files, seed);
+      check(exercise, files, asked);
       std::fflush(stdout);
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
@@ -98,18 +116,33 @@ void show_hints(const Exercise& exercise, StudentFiles& files) {
 
 int main(int argc, char** argv) {
   Asked asked;
-  CLI::App app("Exercises that check themselves.", "./course exercise");
+  CLI::App app("Exercises that check themselves.", kit().call());
   app.add_option("EXERCISE", asked.words, "03, or 03-transfer; none: all are listed")->expected(0, 1);
   app.add_flag("--hint", asked.hint, "One hint more each time");
   app.add_flag("--reset", asked.reset, "The file as it was; yours is kept, with .old at its end");
   app.add_flag("--watch", asked.watch, "Check again at each save, until interrupted");
+  app.add_flag("--no-sheet", asked.no_sheet, "No picture of your numbers beside the right ones");
   app.add_option("--seed", asked.seed, "The same random scenes as last time");
+  app.add_flag("--all", asked.all, "Every file that you have written in and that is not solved");
   app.add_option("--in", asked.folder, "The folder with your files, exercises/ by default");
+  app.add_option("--tasks", asked.tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
+  app.add_option(
+      "--new", asked.own_folder,
+      "Make a folder of your own, which needs nothing but an installed Pushback: its build says the verdict");
   bool passed = true;
   const int status = run_program(app, argc, argv, [&] {
-    const std::vector<Exercise> all = all_exercises();
+    const std::vector<Exercise> all = exercises_with(asked.tasks);
+    if (!asked.own_folder.empty()) {
+      std::vector<const Exercise*> exercises;
+      for (const Exercise& exercise : all) exercises.push_back(&exercise);
+      write_own_folder(asked.own_folder, exercises);
+      fmt::print("{}: {} exercises, each with its task. What to do with them is in {}.\n", asked.own_folder, all.size(),
+                 (fs::path(asked.own_folder) / "README.md").string());
+      return;
+    }
     StudentFiles files(asked.folder);
     if (asked.words.empty()) {
+      if (asked.all) return check_all(all, files, asked);
       if (asked.hint || asked.reset || asked.watch)
         throw InvalidInput("which exercise? Its number is needed, 03 for example");
       list(all, files);
@@ -118,13 +151,14 @@ int main(int argc, char** argv) {
     const Exercise& exercise = exercise_named(all, asked.words[0]);
     if (asked.reset || !files.begun(exercise)) {
       files.reset(exercise);
-      fmt::print("Your file is {}; the gap is in line {}. The task is {}.\n", files.file(exercise).string(),
-                 line_of_todo(read_text_file(files.file(exercise))), task_of(exercise).string());
+      fmt::print("Your file is {}; the gap is in line {}. The task is {}.\nWrite, save, and have it checked: {} {}\n",
+                 files.file(exercise).string(), line_of_todo(read_text_file(files.file(exercise))),
+                 files.task(exercise).string(), kit().call(), short_name(exercise));
       if (!asked.watch) return;
     }
     if (asked.hint) show_hints(exercise, files);
-    else if (asked.watch) watch(exercise, files, asked.seed);
-    else passed = check(exercise, files, asked.seed);
+    else if (asked.watch) watch(exercise, files, asked);
+    else passed = check(exercise, files, asked);
   });
   return status == 0 && !passed ? 1 : status;
 }

@@ -5,6 +5,7 @@
 #include <regex>
 #include <sstream>
 
+#include "pushback/chapters/commands/exercise/kit.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
@@ -25,7 +26,14 @@ std::string code_of(const std::string& text) {
 
 }  // namespace
 
+std::uint64_t hash_of(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return hash;
+}
+
 std::string short_name(const Exercise& exercise) {
+  if (exercise.own()) return exercise.name;
   return exercise.name.substr(0, 2) + (exercise.transfer() ? "-transfer" : "");
 }
 
@@ -33,13 +41,15 @@ const Exercise& exercise_named(const std::vector<Exercise>& all, const std::stri
   std::string asked = fs::path(word).stem().string();
   for (char& c : asked)
     if (c == '-') c = '_';
+  for (const Exercise& exercise : all)
+    if (exercise.own() && asked == exercise.name) return exercise;
   const bool for_transfer = asked.ends_with(transfer);
   if (for_transfer) asked.resize(asked.size() - transfer.size());
   if (asked.size() == 1) asked = "0" + asked;
   for (const Exercise& exercise : all) {
     const std::string chapter =
         exercise.transfer() ? exercise.name.substr(0, exercise.name.size() - transfer.size()) : exercise.name;
-    if (exercise.transfer() == for_transfer &&
+    if (!exercise.own() && exercise.transfer() == for_transfer &&
         (asked == chapter || asked == chapter.substr(0, 2) || asked == chapter.substr(3)))
       return exercise;
   }
@@ -49,10 +59,10 @@ const Exercise& exercise_named(const std::vector<Exercise>& all, const std::stri
 }
 
 fs::path task_of(const Exercise& exercise) {
-  return fs::proximate(fs::path(SOURCE_FOLDER) / exercise.folder / "task.md");
+  return fs::proximate(kit().sources / exercise.folder / "task.md");
 }
 fs::path stub_of(const Exercise& exercise) {
-  return fs::path(SOURCE_FOLDER) / exercise.folder / "student.h";
+  return kit().sources / exercise.folder / "student.h";
 }
 
 std::size_t line_of_todo(const std::string& text) {
@@ -66,11 +76,18 @@ bool untouched(const std::string& text, const std::string& stub) {
 }
 
 StudentFiles::StudentFiles(const fs::path& folder)
-    : folder_(fs::proximate(folder.empty() ? fs::path(SOURCE_FOLDER) / "exercises" : folder)) {
+    : folder_(fs::proximate(!folder.empty()        ? folder
+                            : kit().prefix.empty() ? kit().sources / "exercises"
+                                                   : fs::current_path())) {
   if (!fs::exists(folder_ / ".remembered")) return;
   std::istringstream lines(read_text_file(folder_ / ".remembered"));
   std::string name;
   for (Remembered remembered; lines >> name >> remembered.solved >> remembered.hints;) remembered_[name] = remembered;
+}
+
+fs::path StudentFiles::task(const Exercise& exercise) const {
+  const fs::path beside = folder_ / (exercise.name + ".md");
+  return fs::exists(beside) ? beside : task_of(exercise);
 }
 
 void StudentFiles::reset(const Exercise& exercise) {
@@ -87,10 +104,11 @@ void StudentFiles::reset(const Exercise& exercise) {
 
 bool StudentFiles::solved(const Exercise& exercise) const {
   const auto found = remembered_.find(exercise.name);
-  return found != remembered_.end() && found->second.solved;
+  return found != remembered_.end() && begun(exercise) &&
+         found->second.solved == hash_of(code_of(read_text_file(file(exercise))));
 }
 void StudentFiles::set_solved(const Exercise& exercise) {
-  remembered_[exercise.name].solved = true;
+  remembered_[exercise.name].solved = hash_of(code_of(read_text_file(file(exercise))));
   write();
 }
 std::size_t StudentFiles::hints(const Exercise& exercise) const {
@@ -105,7 +123,7 @@ void StudentFiles::set_hints(const Exercise& exercise, std::size_t count) {
 void StudentFiles::write() const {
   std::string text;
   for (const auto& [name, remembered] : remembered_)
-    text += fmt::format("{} {:d} {}\n", name, remembered.solved, remembered.hints);
+    text += fmt::format("{} {} {}\n", name, remembered.solved, remembered.hints);
   write_text_file(folder_ / ".remembered", text);
 }
 

@@ -18,18 +18,25 @@ std::filesystem::path task_of(const Exercise& exercise);
 std::filesystem::path stub_of(const Exercise& exercise);
 /// The number of the first line with the TODO.
 std::size_t line_of_todo(const std::string& text);
+/// FNV-1a: the same on every machine.
+std::uint64_t hash_of(const std::string& text);
 /// Whether nothing but comments and spaces has changed.
 bool untouched(const std::string& text, const std::string& stub);
 
 class StudentFiles {
  public:
-  /// `folder`: exercises/ of the project where it is empty.
+  /// `folder`: where it is empty, exercises/ of the project; the current one where Pushback is installed.
   explicit StudentFiles(const std::filesystem::path& folder);
   std::filesystem::path file(const Exercise& exercise) const { return folder_ / (exercise.name + ".h"); }
+  /// Beside it, or where all tasks are.
+  std::filesystem::path task(const Exercise& exercise) const;
+  /// The picture of its numbers.
+  std::filesystem::path sheet(const Exercise& exercise) const { return folder_ / (exercise.name + ".png"); }
   bool begun(const Exercise& exercise) const { return std::filesystem::exists(file(exercise)); }
   /// The file with the gap, in the place of what may be there: that is kept beside it, with .old at its end.
   void reset(const Exercise& exercise);
 
+  /// With the code that it has now, comments aside.
   bool solved(const Exercise& exercise) const;
   void set_solved(const Exercise& exercise);
   /// How many hints were shown.
@@ -38,7 +45,7 @@ class StudentFiles {
 
  private:
   struct Remembered {
-    bool solved = false;
+    std::uint64_t solved = 0;  // the hash of the code that was
     std::size_t hints = 0;
   };
   void write() const;

@@ -1,0 +1,31 @@
+/// A part of a long piece of work, for a machine of its own.
+#pragma once
+
+#include <charconv>
+#include <string>
+
+#include "pushback/common/basics/input.h"
+
+namespace pushback {
+
+struct Shard {
+  std::size_t part = 1, of = 1;
+  /// Whether this part does the work with this index: in turn, so that parts take about equally long.
+  bool has(std::size_t index) const { return index % of == part - 1; }
+  bool whole() const { return of == 1; }
+  std::string folder() const { return fmt::format("shard_{}_of_{}", part, of); }
+};
+
+/// "2/5". Throws InvalidInput.
+inline Shard shard_of(const std::string& text) {
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto part = std::from_chars(text.data(), end, shard.part);
+  const bool slash = part.ec == std::errc{} && part.ptr != end && *part.ptr == '/';
+  const auto of = slash ? std::from_chars(part.ptr + 1, end, shard.of) : part;
+  if (!slash || of.ec != std::errc{} || of.ptr != end || shard.part < 1 || shard.part > shard.of)
+    throw InvalidInput(fmt::format("--shard is '{}': a part and how many there are, 1/4 to 4/4, is needed", text));
+  return shard;
+}
+
+}  // namespace pushback

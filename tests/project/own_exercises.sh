@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Exercises in a folder of a student's own, outside the tree, with nothing but an installed Pushback, wherever that has been
+# moved to: the build compiles what is written, and says the verdict.
+#   tests/project/own_exercises.sh BUILD     BUILD: where this project has been built
+set -euo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+built=$(cd "$1" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+wrong() { printf 'own_exercises: %s\n' "$@"; exit 1; }
+says() { [[ $output == *"$1"* ]] || wrong "not said: $1" "$output"; }
+says_not() { [[ $output != *"$1"* ]] || wrong "said: $1" "$output"; }
+verdict() { output=$(cmake --build mine/build 2>&1) || wrong "the build fails" "$output"; }
+
+cmake --install "$built" --prefix "$scratch/prefix" >log 2>&1 || { cat log; wrong "nothing can be installed"; }
+mkdir elsewhere
+mv prefix elsewhere/
+program=$scratch/elsewhere/prefix/bin/pushback-exercise
+! grep -rqlF -e "$root" -e "$scratch" elsewhere/prefix/share || wrong "what is installed knows where it came from"
+! find elsewhere -name '*.cpp' | grep -v answer.cpp || wrong "sources are installed"
+
+env -i "PATH=$PATH" "$program" --new mine >log 2>&1 || { cat log; wrong "no folder is made"; }
+(cd mine && find . -type f | sort) >files
+for file in CMakeLists.txt README.md 02_clamping.h 02_clamping.md; do grep -qFx "./$file" files || wrong "no $file"; done
+! grep -rl "course exercise" mine || wrong "the command is another one there"
+! "$program" --new mine >log 2>&1 || wrong "a folder that is not empty is written into"
+
+cmake -S mine -B mine/build >log 2>&1 || { cat log; wrong "it cannot be configured"; }
+verdict
+says "next: pushback-exercise 0"
+says_not "✗"
+cp mine/02_clamping.h stub
+gap() { sed '/TODO/,/TODO ends/c\'"$1" stub >mine/02_clamping.h; }
+gap 'row.apply(-row.effective_mass * row.speed())'
+verdict
+says "it does not compile" && says "semicolon"
+gap 'row.impulse += std::max(Real(0), -row.effective_mass * (row.speed() + row.bias)); row.apply(std::max(Real(0), -row.effective_mass * (row.speed() + row.bias)));'
+verdict
+says "it looks as if each correction were clamped" && says "One hint more: pushback-exercise 02 --hint"
+[[ -s mine/02_clamping.png ]] || wrong "there is no picture"
+gap 'const Real sum = std::max(Real(0), row.impulse - row.effective_mass * (row.speed() + row.bias)); row.apply(sum - row.impulse); row.impulse = sum;'
+verdict
+says "Solved."
+verdict
+says "02           solved" && says_not "Solved."
+(cd mine && env -i "PATH=$PATH" "$program" 02 | grep -q Solved.) || wrong "in the folder itself it is not solved"
+echo "all as expected"
