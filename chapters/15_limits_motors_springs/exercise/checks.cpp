@@ -110,6 +110,10 @@ std::vector<Mistake<Answer>> mistakes() {
          right(rope, strength, beta, h);
          if (rope.separation > 0) rope.hi = 0;
        }}},
+      {"active only when violated", late, {[](JointRow& rope, Real strength, Real beta, Real h) {
+         right(rope, strength, beta, h);
+         if (rope.separation >= 0) rope.hi = 0;
+       }}},
       {"C/h forgotten",
        "it looks as if b were 0 while the rope is slack. The row then asks that the load get no farther from now on: "
        "it is caught in the air, by a rope that hangs loose.",

@@ -1,0 +1,16 @@
+/// What the transfer exercise 15 asks for.
+#pragma once
+
+#include "pushback/chapters/01_velocity_constraint/any_effect.h"
+#include "pushback/chapters/13_joints/joints.h"
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_15_transfer {
+
+struct Answer {
+  AnyEffect joints;
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_15_transfer

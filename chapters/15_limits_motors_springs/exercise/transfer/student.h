@@ -1,0 +1,34 @@
+/// Exercise 15, transfer: a joint that breaks. The task is chapters/15_limits_motors_springs/exercise/transfer/task.md.
+#pragma once
+
+#include "pushback/chapters/15_limits_motors_springs/exercise/transfer/asked.h"
+
+namespace student {
+
+using namespace pushback;
+
+/// The joints of chapter 13, all of them rods of one row, that bear a force of at most `strength`.
+///
+/// You read    joint_rows_         the rows of this step: for (JointRow& row : joint_rows_), or joint_rows_[i]
+///             step.dt             h, s
+///             strength            F, N
+/// of a row    impulse             their sum in this step, N s: above 0 where the rod pushes, below where it pulls
+///             owner               of which joint it is: the index in step.world.joints
+/// and set     lo, hi              the least and the largest sum, N s; no limits where nobody sets any
+/// and change  step.world.joints   a std::vector<Joint>; the order of those that are left stays as it is
+struct Breaking : Joints {
+  Real strength = 100;  // N
+
+  // TODO build: the limits of each row. report: a rod that has given all that it can is broken
+  void build(Step& step) {
+    Joints::build(step);  // makes the rows
+  }
+  void report(Step& step) {  // the end of the step: the impulses are known
+    (void)step;              // take this line out
+  }
+  // TODO ends
+};
+
+inline const exercise_15_transfer::Answer answer{Breaking{}};
+
+}  // namespace student
