@@ -1,0 +1,26 @@
+/// Exercise 19, transfer: a truth of one's own. The task is chapters/19_accuracy_and_time/exercise/transfer/task.md.
+#pragma once
+
+#include "pushback/chapters/19_accuracy_and_time/exercise/transfer/asked.h"
+
+namespace student {
+
+using namespace pushback;
+using exercise_19_transfer::g;  // 9.81 m/s^2
+
+/// m, up the slope from where it started: where a box is after t seconds. Negative where it has slid down past its start.
+///
+/// You read   speed   m/s, up the slope, as it starts; 0 or more
+///            slope   rad, between the slope and the horizontal; above 0
+///            mu      the coefficient of friction, 0 or more
+///            t       s, 0 or more
+inline double way(double speed, double slope, double mu, double t) {
+  // TODO the closed form: up until it stops; then it is held there, or slides back
+  (void)speed, (void)slope, (void)mu, (void)t;  // take this line out
+  return 0;
+  // TODO ends
+}
+
+inline const exercise_19_transfer::Answer answer{way};
+
+}  // namespace student
