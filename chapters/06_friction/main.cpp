@@ -88,7 +88,8 @@ int main(int argc, char** argv) {
         middle = Real(1.95) * along + Vec3(0, 0, Real(0.08));
     e.scene({.name = fmt::format("μ = 0.8, 1.05 and 1.5 times tan θ, θ = {:.0f}°", slope.theta * 180 / pi),
              .fill = slope,
-             .camera = {middle + Vec3(Real(-9), Real(5.4), Real(5.2)), middle, Real(0.515)},
+             .camera = {middle + Vec3(Real(-5.2), Real(3.0), Real(9.6)), middle + Vec3(Real(0.55), Real(0.3), 0),
+                        Real(0.56)},
              .seconds = seconds,
              .instants = {Real(1.2)},
              .arrow = Real(0.45),

@@ -19,21 +19,23 @@ int main(int argc, char** argv) {
   e.parameter({"--mass-ratio", "", "", "Mass of the upper box, in masses of one below", 1, 10000}, &pile.ratio);
   return e.run(argc, argv, [&] {
     const std::string heavy = spelled(pile.ratio) + " times heavier on four";
-    e.scene({.name = heavy + ", every step from nothing",
-             .fill = pile,
-             .camera = {{Real(1.6), Real(3.2), Real(10)}, {0, Real(2.3), 0}},
-             .seconds = 1,
-             .instants = {1},
-             .caption = "Thin lines: where the boxes should be. Which solver holds them there?",
-             .start_shown = false,
-             .marks = [](Picture& picture, const World&, Real) { HeavyOnFour::mark(picture); },
-             .cell_height = 500,
-             .side_by_side = true});
-    e.variant("10 sweeps", Cold{}).with_exactly(10).expect("the heavy box has sunk by", 0);
-    e.variant("1000 sweeps", Cold{}).with_exactly(1000).expect("the heavy box has sunk by", 0);
-    e.variant("direct contact solve", Direct{}).with_exactly(1).expect("the heavy box has sunk by", 0);
-    e.series("the heavy box has sunk by", "m", [pile](const World& world) { return pile.height_lost(world); });
-    e.number("the heavy box has sunk by", "m", [pile](const Run& run) { return pile.height_lost(run.world); });
+    e.scene(
+        {.name = heavy + ", every step from nothing",
+         .fill = pile,
+         .camera = {{Real(1.6), Real(3.2), Real(10)}, {0, Real(2.3), 0}},
+         .seconds = 1,
+         .instants = {1},
+         .caption =
+             "Thin lines: where the boxes should be. Which solver keeps the heavy one, the uppermost, from sinking?",
+         .start_shown = false,
+         .marks = [](Picture& picture, const World&, Real) { HeavyOnFour::mark(picture); },
+         .cell_height = 500,
+         .side_by_side = true});
+    e.variant("10 sweeps", Cold{}).with_exactly(10).expect("sunk by", 0);
+    e.variant("1000 sweeps", Cold{}).with_exactly(1000).expect("sunk by", 0);
+    e.variant("direct contact solve", Direct{}).with_exactly(1).expect("sunk by", 0);
+    e.series("sunk by", "m", [pile](const World& world) { return pile.height_lost(world); });
+    e.number("sunk by", "m", [pile](const Run& run) { return pile.height_lost(run.world); });
 
     e.study([&e, heavy, pile] {
       World at_rest;
