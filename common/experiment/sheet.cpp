@@ -100,7 +100,7 @@ class Drawing {
   static bool start_beside(const Sheet& sheet) { return sheet.side_by_side && sheet.rows.size() < 3; }
 
   void start(const Sheet& sheet, int x, int y) {
-    cell(*sheet.start, x, y, cell_width, sheet.rows.size() > 1 ? "t = 0: all start like this" : "t = 0");
+    cell(*sheet.start, x, y, cell_width, sheet.rows.size() > 1 ? "t = 0: all start like this" : "t = 0", Align::right);
   }
 
   void legend(const std::vector<LegendEntry>& entries, int right) {
@@ -151,16 +151,19 @@ class Drawing {
 
   void cells(const SheetRow& row, bool wide) {
     const int width = wide ? strip_width : cell_width;
-    for (std::size_t i = 0; i < row.cells.size(); ++i) cell(row.cells[i], column(i), y_, width, row.cell_notes[i]);
+    for (std::size_t i = 0; i < row.cells.size(); ++i)
+      cell(row.cells[i], column(i), y_, width, row.cell_notes[i], wide ? Align::right : Align::left);
     y_ += high(row.cells.front(), width);
   }
 
-  void cell(const Image& picture, int x, int y, int width, const std::string& note) {
-    const int height = high(picture, width);
+  /// Its note stands above, where the sky is: in a strip at its end, as its bodies begin high at the left.
+  void cell(const Image& picture, int x, int y, int width, const std::string& note, Align side = Align::left) {
+    const int height = high(picture, width), wide = text_width(note, 20) + 16;
+    const int left = side == Align::left ? x + 8 : x + width - 8 - wide;
     if (picture.width == width) paste(picture, image_, x, y);
     else paste(picture, image_, x, y, width, height);
-    fill_rectangle(image_, x + 8, y + 8, text_width(note, 20) + 16, 28, white, 0.72F);
-    write_text(image_, note, x + 16, y + 29, 20, sheet_dark);
+    fill_rectangle(image_, left, y + 8, wide, 28, white, 0.72F);
+    write_text(image_, note, left + 8, y + 29, 20, sheet_dark);
   }
 
   Image& image_;
