@@ -228,7 +228,7 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 
 Exercise exercise() {
   return exercise_of<Answer>(
-      "soft contacts: γ and b from hertz and ζ, and the relaxing pass",
+      "γ and b from hertz and ζ, and the relaxing pass",
       {"Ω = 2π hertz, and K = 1 / row.effective_mass. b = Ω / (2ζ + hΩ) C and γ = K / (hΩ (2ζ + hΩ)).",
        "When relaxing, b = 0 and γ = 0. The rest is the same for both.",
        "The new sum is Σλ + λ, with Σλ = row.impulse and λ = -(JV + b + γ Σλ) / (K + γ): row.reach of that."},
