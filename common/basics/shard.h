@@ -2,7 +2,9 @@
 #pragma once
 
 #include <charconv>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "pushback/common/basics/input.h"
 
@@ -26,6 +28,29 @@ inline Shard shard_of(const std::string& text) {
   if (!slash || of.ec != std::errc{} || of.ptr != end || shard.part < 1 || shard.part > shard.of)
     throw InvalidInput(fmt::format("--shard is '{}': a part and how many there are, 1/4 to 4/4, is needed", text));
   return shard;
+}
+
+/// CSV of all parts as the whole would have written it: a heading, then the lines of one thing after those of the other, where a
+/// thing is named by its first field and the parts have had them in turn.
+inline std::string joined(const std::vector<std::string>& parts) {
+  std::string heading;
+  std::vector<std::vector<std::string>> things(parts.size());  // of each part
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    std::istringstream in(parts[part]);
+    std::string line, before;
+    std::getline(in, heading);
+    while (std::getline(in, line)) {
+      const std::string name = line.substr(0, line.find(','));
+      if (things[part].empty() || name != before) things[part].emplace_back();
+      before = name;
+      things[part].back() += line + "\n";
+    }
+  }
+  std::string text = heading + "\n";
+  for (std::size_t i = 0; i < things[0].size(); ++i)
+    for (const auto& of_part : things)
+      if (i < of_part.size()) text += of_part[i];
+  return text;
 }
 
 }  // namespace pushback

@@ -709,3 +709,32 @@ TEST_CASE("the study refuses what it cannot do, before it has written anything")
   }
   CHECK(call_program(STUDY_PROGRAM, "--help").status == 0);
 }
+
+TEST_CASE("parts of the study, each measured on a machine of its own, make the whole") {
+  const Scratch scratch;
+  const fs::path folder = scratch / "out/19_accuracy_and_time";
+  AllMeasured whole;
+  for (std::size_t i = 0; i < all_motions().size(); ++i) {
+    const Measured one{
+        .engine = "motion", .method = "steady", .sweeps = 1, .error = 1e-3, .seconds = {0.5 + static_cast<double>(i)}};
+    whole[all_motions()[i].name] = {one};
+    const fs::path part = folder / fmt::format("shard_{}_of_2", 1 + i % 2);
+    fs::create_directories(part);
+    AllMeasured so_far;
+    if (fs::exists(part / "study.csv")) so_far = read_csv(text_of(part / "study.csv"));
+    so_far[all_motions()[i].name] = {one};
+    std::ofstream(part / "study.csv") << csv_of(so_far);
+    std::ofstream(part / "machine.md") << "machine of part " << 1 + i % 2 << "\n";
+  }
+  const std::string out = " --out '" + (scratch / "out").string() + "'";
+  const Ended ended = call_program(STUDY_PROGRAM, "--join 2" + out, 100);
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+  CHECK(text_of(folder / "study.csv") == csv_of(whole));
+  CHECK(text_of(folder / "machine.md") == "machine of part 1\n\nmachine of part 2\n\n");
+  for (const std::string file : {"work_precision.png", "cheapest.md", "limits.md"}) CHECK(fs::exists(folder / file));
+  const Ended missing = call_program(STUDY_PROGRAM, "--join 3" + out);
+  CHECK(missing.status == 2);
+  CHECK(contains(missing.err, "shard_1_of_3"));
+  CHECK(contains(call_program(STUDY_PROGRAM, "--shard 1/99 --only bounce" + out).err, "there are 1 motions"));
+}

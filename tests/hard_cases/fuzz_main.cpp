@@ -1,6 +1,10 @@
 /// ./course fuzz: random scenes, or one of them step by step.
+#include <map>
 #include <set>
+#include <sstream>
 
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/program.h"
 #include "tests/hard_cases/fuzz.h"
 
@@ -21,6 +25,35 @@ void print_account(const std::string& stage, const Account& a) {
              share(a.ended_above), a.most_above);
 }
 
+using Findings = std::map<std::pair<std::string, std::uint64_t>, Finding>;  // by stage and seed
+
+std::string line_of(const std::string& stage, std::uint64_t seed, const Finding& f) {
+  const Account& a = f.account;
+  return fmt::format("{}\t{} {} {} {} {} {} {} {} {}\t{}\n", stage, seed, f.step, a.solves, a.started_above,
+                     a.most_started, a.returned, a.most_returned, a.ended_above, a.most_above, f.broken);
+}
+
+/// What parts have saved.
+Findings read_parts(const std::vector<std::string>& files) {
+  Findings all;
+  for (const std::string& file : files) {
+    std::istringstream in(read_text_file(file));
+    for (std::string stage, numbers; std::getline(in, stage, '\t');) {
+      Finding f;
+      Account& a = f.account;
+      std::uint64_t seed = 0;
+      std::getline(in, numbers, '\t');
+      std::getline(in, f.broken);
+      std::istringstream words(numbers);
+      if (!(words >> seed >> f.step >> a.solves >> a.started_above >> a.most_started >> a.returned >> a.most_returned >>
+            a.ended_above >> a.most_above))
+        throw InvalidInput(fmt::format("{} is not what --save wrote: '{}'", file, numbers));
+      all[{stage, seed}] = f;
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -34,19 +67,37 @@ int main(int argc, char** argv) {
   app.add_option("--known", known, "Seeds that are known to fail; one that does not is a failure too")->delimiter(',');
   bool no_room = false;
   app.add_flag("--no-room", no_room, "Half-spaces may leave no room for anything; this is expected to fail");
+  std::string shard_text = "1/1", save;
+  std::vector<std::string> parts;
+  app.add_option("--shard", shard_text, "2/5: the second of five parts of these scenes, for a machine of its own");
+  app.add_option("--save", save, "A file for what was found, to be joined");
+  app.add_option("--join", parts,
+                 "Nothing is played: what the parts have saved, said as of the whole, with the same options");
   CLI::Option* one = app.add_option("--seed", seed, "Only this scene, and print every step");
   return run_program(app, argc, argv, [&] {
+    const Shard shard = shard_of(shard_text);
+    const Findings known_parts = read_parts(parts);
+    std::string saved;
     const bool replay = one->count() > 0;
     if (replay) {
       first = seed;
       scenes = 1;
     }
-    std::uint64_t failed = 0;
+    std::uint64_t failed = 0, runs = 0;
+    const auto finding_of = [&](const std::string& stage, std::uint64_t scene) {
+      if (parts.empty()) return fuzz(random_scene(scene, no_room), stage, replay);
+      const auto found = known_parts.find({stage, scene});
+      if (found == known_parts.end()) throw InvalidInput(fmt::format("--join: no part has scene {}, {}", scene, stage));
+      return found->second;
+    };
     for (const std::string& stage : only) {
       Account account;
       for (std::uint64_t i = 0; i < scenes; ++i) {
+        if (!shard.has(i)) continue;
+        ++runs;
         if (replay) fmt::print("scene {}, {}\n", first + i, stage);
-        const Finding finding = fuzz(random_scene(first + i, no_room), stage, replay);
+        const Finding finding = finding_of(stage, first + i);
+        if (!save.empty()) saved += line_of(stage, first + i, finding);
         account.add(finding.account);
         const bool broke = !finding.broken.empty(), expected = known.contains(first + i);
         if (broke != expected) ++failed;
@@ -59,7 +110,8 @@ int main(int argc, char** argv) {
       }
       print_account(stage, account);
     }
-    const std::string summary = fmt::format("{} of {} runs were not as expected", failed, scenes * only.size());
+    if (!save.empty()) write_text_file(save, saved);
+    const std::string summary = fmt::format("{} of {} runs were not as expected", failed, runs);
     if (failed > 0) throw std::runtime_error(summary);
     fmt::print("{}\n", summary);
   });

@@ -6,6 +6,7 @@
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/named.h"
+#include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/program.h"
 #include "tests/hard_cases/table.h"
@@ -74,11 +75,26 @@ void show(const Table& table, const std::filesystem::path& folder, bool images) 
   fmt::print("\n{}\n", (folder / (images ? "overview.png" : "table.md")).string());
 }
 
+/// The parts, put together: the same files as if all had been played here.
+void join(std::size_t parts, const std::filesystem::path& folder, bool images) {
+  std::vector<std::string> tables, times;
+  for (std::size_t i = 1; i <= parts; ++i) {
+    const std::filesystem::path part = folder / Shard{i, parts}.folder();
+    tables.push_back(read_text_file(part / "table.csv"));
+    times.push_back(read_text_file(part / "times.csv"));
+  }
+  const Table table = read_table_csv(joined(tables));
+  write_text_file(folder / "table.csv", table_csv(table));
+  write_text_file(folder / "times.csv", joined(times));
+  show(table, folder, images);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   std::vector<std::string> names, stage_names;
-  std::string out = "renders";
+  std::string out = "renders", shard_text = "1/1";
+  std::size_t parts = 0;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   int starts = many_starts;
   bool quick = false, only_needed = false, no_images = false, list = false, redraw = false;
@@ -98,6 +114,10 @@ int main(int argc, char** argv) {
   app.add_option("--starts", starts,
                  "At most so many starts of the cases at a knife's edge; with fewer than 30 not the whole table")
       ->capture_default_str();
+  app.add_option("--shard", shard_text, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
+  app.add_option("--join", parts,
+                 "5: nothing is played; the whole of the five parts that were played with the same options")
+      ->check(CLI::Range(2, 1000));
   app.add_flag("--no-images", no_images, "Only table.csv, table.md and times.csv");
   app.add_flag("--redraw", redraw, "Nothing is played: table.md and overview.png of what is in hard_cases/table.csv");
   app.add_flag("--list", list, "List the cases and the stages, and do nothing");
@@ -125,11 +145,19 @@ int main(int argc, char** argv) {
     }
     const bool whole =
         cases.size() == hard_cases().size() && columns.size() == stages().size() && starts == many_starts;
-    const std::filesystem::path folder = std::filesystem::path(out) / "hard_cases" /
-                                         (only_needed ? "only_what_is_needed"
-                                          : whole     ? ""
-                                                      : "part");
+    std::filesystem::path folder = std::filesystem::path(out) / "hard_cases" /
+                                   (only_needed ? "only_what_is_needed"
+                                    : whole     ? ""
+                                                : "part");
+    if (parts > 0) return join(parts, folder, !no_images);
+    const Shard shard = shard_of(shard_text);
+    if (shard.of > cases.size())
+      throw InvalidInput(
+          fmt::format("--shard is '{}': there are {} cases, and each part needs one", shard_text, cases.size()));
+    if (!shard.whole()) folder /= shard.folder();
     make_writable_folder(folder);
+    std::size_t index = 0;
+    std::erase_if(cases, [&](const HardCase&) { return !shard.has(index++); });
     std::size_t printed = 0;
     const bool terminal = isatty(fileno(stdout)) == 1;
     const auto progress = [&](const Table& so_far, std::size_t rows, std::size_t done) {
@@ -141,6 +169,6 @@ int main(int argc, char** argv) {
     const Table table = play(std::move(cases), std::move(columns), jobs, progress);
     write_text_file(folder / "table.csv", table_csv(table));
     write_text_file(folder / "times.csv", times_csv(table));
-    show(table, folder, !no_images);
+    if (shard.whole()) show(table, folder, !no_images);
   });
 }

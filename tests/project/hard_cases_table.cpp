@@ -265,6 +265,51 @@ TEST_CASE("by what each world calls for: the same table, in a folder of its own"
   }
 }
 
+TEST_CASE("parts, each for itself, make the whole: the same bytes") {
+  const Scratch scratch;
+  const std::string what = "contacts-twice bounces stack-10 --stages 01,07 --starts 1 --no-images --out '";
+  const auto play = [&](const std::string& name, const std::string& more) {
+    return call_program(TABLE_PROGRAM, what + (scratch / name).string() + "' " + more, 100);
+  };
+  REQUIRE(play("whole", "").status == 0);
+  REQUIRE(play("parts", "--shard 2/2").status == 0);
+  const Ended early = play("parts", "--join 2");
+  CHECK(early.status == 2);
+  CHECK(contains(early.err, "shard_1_of_2"));
+  REQUIRE(play("parts", "--shard 1/2").status == 0);
+  const Ended joined = play("parts", "--join 2");
+  INFO(joined.err);
+  CHECK(joined.status == 0);
+  const fs::path whole = scratch / "whole/hard_cases/part", parts = scratch / "parts/hard_cases/part";
+  CHECK(lines_of(text_of(parts / "shard_1_of_2/times.csv")).size() == 1 + 2 * 2);
+  CHECK_FALSE(fs::exists(parts / "shard_1_of_2/table.md"));
+  for (const std::string file : {"table.csv", "table.md"}) CHECK(text_of(parts / file) == text_of(whole / file));
+  const auto timed = lines_of(text_of(whole / "times.csv")), timed_in_parts = lines_of(text_of(parts / "times.csv"));
+  REQUIRE(timed.size() == timed_in_parts.size());
+  for (std::size_t i = 0; i < timed.size(); ++i)
+    CHECK(timed[i].substr(0, timed[i].rfind(',')) == timed_in_parts[i].substr(0, timed_in_parts[i].rfind(',')));
+  CHECK(contains(play("none", "--shard 1/4").err, "there are 3 cases"));
+  CHECK_FALSE(fs::exists(scratch / "none"));
+}
+
+TEST_CASE("what parts of the random scenes have found is said as of the whole") {
+  const Scratch scratch;
+  const std::string what =
+      "--first 5 --scenes 7 --stage '07 warm start' --known 6";  // which does not fail: that is said
+  const auto saved = [&](int part) { return "'" + (scratch / std::to_string(part)).string() + "'"; };
+  const Ended whole = call_program(FUZZ_PROGRAM, what, 100);
+  CHECK(contains(whole.out, "scene 6, 07 warm start: known to fail, and did not\n"));
+  CHECK(contains(whole.err, "1 of 7 runs"));
+  for (int part = 1; part <= 3; ++part)
+    call_program(FUZZ_PROGRAM, what + fmt::format(" --shard {}/3 --save {}", part, saved(part)), 100);
+  const Ended joined = call_program(FUZZ_PROGRAM, what + " --join " + saved(3) + " " + saved(1) + " " + saved(2), 100);
+  CHECK(joined.out == whole.out);
+  CHECK(joined.err == whole.err);
+  CHECK(joined.status == whole.status);
+  CHECK(
+      contains(call_program(FUZZ_PROGRAM, what + " --join " + saved(1) + " " + saved(2)).err, "no part has scene 7,"));
+}
+
 TEST_CASE("without pictures there are none, and --list writes nothing") {
   const Scratch scratch;
   const Ended ended = call_program(

@@ -34,7 +34,7 @@ cp mine/02_clamping.h stub
 gap() { sed '/TODO/,/TODO ends/c\'"$1" stub >mine/02_clamping.h; }
 gap 'row.apply(-row.effective_mass * row.speed())'
 verdict
-says "it does not compile" && says "semicolon"
+says "It does not compile" && says "semicolon"
 gap 'row.impulse += std::max(Real(0), -row.effective_mass * (row.speed() + row.bias)); row.apply(std::max(Real(0), -row.effective_mass * (row.speed() + row.bias)));'
 verdict
 says "it looks as if each correction were clamped" && says "One hint more: pushback-exercise 02 --hint"
@@ -44,5 +44,6 @@ verdict
 says "Solved."
 verdict
 says "02           solved" && says_not "Solved."
-(cd mine && env -i "PATH=$PATH" "$program" 02 | grep -q Solved.) || wrong "in the folder itself it is not solved"
+output=$(cd mine && env -i "PATH=$PATH" "$program" 02) || wrong "in the folder itself it is not solved" "$output"
+says "Solved."
 echo "all as expected"

@@ -4,6 +4,7 @@
 #include "pushback/chapters/19_accuracy_and_time/study/machine.h"
 #include "pushback/chapters/19_accuracy_and_time/study/report.h"
 #include "pushback/common/basics/files.h"
+#include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/program.h"
 
 using namespace pushback;
@@ -15,7 +16,8 @@ struct Asked {
   bool quick = false, others = false, redraw = false;
   int rounds = 0;
   std::vector<std::string> only;
-  std::string out = "renders";
+  std::string out = "renders", shard = "1/1";
+  std::size_t parts = 0;
 };
 
 void report(const AllMeasured& all, const std::vector<Engine>& engines, const std::filesystem::path& folder) {
@@ -41,12 +43,34 @@ void report(const AllMeasured& all, const std::vector<Engine>& engines, const st
   }
 }
 
+/// The parts, put together.
+void join(std::size_t parts, const std::filesystem::path& folder) {
+  AllMeasured all;
+  std::string machines;
+  for (std::size_t i = 1; i <= parts; ++i) {
+    const std::filesystem::path part = folder / Shard{i, parts}.folder();
+    all.merge(read_csv(read_text_file(part / "study.csv")));
+    machines += read_text_file(part / "machine.md") + "\n";
+  }
+  write_text_file(folder / "study.csv", csv_of(all));
+  write_text_file(folder / "machine.md", machines);
+  report(all, engines_of(all), folder);
+}
+
 void measure_and_draw(const Asked& asked, const std::filesystem::path& programs) {
   std::vector<const Motion*> motions;
   for (const Motion& motion : all_motions())
     if (asked.only.empty()) motions.push_back(&motion);
   for (const std::string& name : asked.only) motions.push_back(&motion_named(name));
-  const std::filesystem::path folder = std::filesystem::path(asked.out) / "19_accuracy_and_time";
+  std::filesystem::path folder = std::filesystem::path(asked.out) / "19_accuracy_and_time";
+  if (asked.parts > 0) return join(asked.parts, folder);
+  const Shard shard = shard_of(asked.shard);
+  if (shard.of > motions.size())
+    throw InvalidInput(
+        fmt::format("--shard is '{}': there are {} motions, and each part needs one", asked.shard, motions.size()));
+  std::size_t index = 0;
+  std::erase_if(motions, [&](const Motion*) { return !shard.has(index++); });
+  if (!shard.whole()) folder /= shard.folder();
   make_writable_folder(folder);
   if (asked.redraw) {
     const AllMeasured all = read_csv(read_text_file(folder / "study.csv"));
@@ -69,7 +93,7 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   run.load_after = load_now();
   write_text_file(folder / "study.csv", csv_of(all));
   write_text_file(folder / "machine.md", table_of_machine(run, engines, all));
-  report(all, engines, folder);
+  if (shard.whole()) report(all, engines, folder);
 }
 
 }  // namespace
@@ -83,6 +107,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 1000));
   app.add_flag("--redraw", asked.redraw, "Nothing is measured: pictures and tables of what is in study.csv");
   app.add_option("--only", asked.only, "These motions");
+  app.add_option("--shard", asked.shard, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
+  app.add_option("--join", asked.parts, "5: nothing is measured; pictures and tables of five such parts")
+      ->check(CLI::Range(2, 1000));
   app.add_option("--out", asked.out, "The folder to write to")->capture_default_str();
   return run_program(app, argc, argv,
                      [&] { measure_and_draw(asked, std::filesystem::canonical("/proc/self/exe").parent_path()); });
