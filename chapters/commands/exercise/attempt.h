@@ -8,7 +8,7 @@
 namespace pushback {
 
 struct Limits {
-  int seconds = 10;      ///< of the run; of processor time and by the clock
+  int seconds = 10;      ///< of the run, of processor time; six times as many by the clock
   int megabytes = 1024;  ///< of memory
   int compile_seconds = 60;
 };
