@@ -86,7 +86,7 @@ const std::map<std::string, std::vector<std::string>> own_options{
     {"15_limits_motors_springs",
      {"--torque", "--stop", "--load", "--heavy", "--hertz", "--damping-ratio", "--slope", "--pump"}},
     {"16_whole_problem", {"--boxes", "--mass-ratio"}},
-    {"17_direct_contacts", {"--boxes"}},
+    {"17_direct_contacts", {"--mass-ratio"}},
     {"18_direct_joints", {"--links", "--mass-ratio"}},
     {"19_accuracy_and_time", {"--ball-steps", "--chain-steps"}},
     {"20_only_what_is_needed", {"--still-for", "--place", "--speed", "--mass-ratio"}}};

@@ -31,7 +31,7 @@ struct Student {
 
 TEST_CASE("the way of a student: the file, the gap, hints, a mistake, the answer, the next one") {
   Student student;
-  CHECK(contains(student.call("").out, "next: ./course exercise 02\n"));
+  CHECK(contains(student.call("").out, "next: ./course exercise 00\n"));
   const Ended first = student.call("4");
   CHECK(first.status == 0);
   CHECK(contains(first.out, "04_slop.h; the gap is in line 18. The task is "));
@@ -82,7 +82,7 @@ TEST_CASE("slips of the hand: an unknown exercise, an option without one") {
   Student student;
   const Ended unknown = student.call("99");
   CHECK(unknown.status == 2);
-  CHECK(contains(unknown.err, "unknown exercise '99': one of these is needed: 02, 03"));
+  CHECK(contains(unknown.err, "unknown exercise '99': one of these is needed: 00, 00-transfer, 01"));
   CHECK(student.call("--reset").status == 2);
   CHECK(student.call("03 04").status == 2);
   CHECK(fs::is_empty(student.scratch / ""));
