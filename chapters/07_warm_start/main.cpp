@@ -73,13 +73,14 @@ std::function<Real(const Run&)> energy_gained(const std::function<void(World&)>&
 }
 
 /// Outlines of the bodies where they began.
-std::function<void(Picture&, const World&, Real)> as_began(const std::function<void(World&)>& fill) {
+struct AsBegan {
   World start;
-  fill(start);
-  return [start](Picture& picture, const World&, Real) {
+
+  explicit AsBegan(const std::function<void(World&)>& fill) { fill(start); }
+  void operator()(Picture& picture, const World&, Real) const {
     for (const Body& body : start.bodies) add_outline(picture, body, near_black_colour(), Real(0.8));
-  };
-}
+  }
+};
 
 /// Boxes that begin `depth` m deep in each other, the lowest in the ground.
 std::function<void(World&)> begun_in_each_other(int boxes, Real depth) {
@@ -142,7 +143,7 @@ int main(int argc, char** argv) {
                       "cold, the stack is falling after 8 s; warm, it stands for a minute; with each contact started "
                       "from the impulse of its neighbour it sways.",
            .start_shown = false,
-           .marks = as_began(stacked),
+           .marks = AsBegan(stacked),
            .cell_height = 520,
            .side_by_side = true,
            .in_brief = {{0, 1}}});
@@ -160,7 +161,7 @@ int main(int argc, char** argv) {
            .key = "pyramid",
            .caption = "Wrong ids hold the pyramid up for longer than a cold start does, but not for the minute.",
            .start_shown = false,
-           .marks = as_began(piled),
+           .marks = AsBegan(piled),
            .cell_height = 440,
            .side_by_side = true});
     e.variant("cold", Cold{}).in_substeps(2).with_sweeps(2).coloured(0);
