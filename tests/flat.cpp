@@ -13,9 +13,9 @@
 #include "pushback/chapters/08_friction_cone/flat.h"
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/catalogue.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
-#include "pushback/common/bodies/random.h"
 
 using namespace pushback;
 

@@ -78,7 +78,7 @@ TEST_CASE("any solver: steps in the bits of the solver in it, says how many rows
   CHECK(hash_of(erased_world) != hash_of(world));
 }
 
-TEST_CASE("any solver: is asked before the step, in it, and after the bodies have moved; and may refuse") {
+TEST_CASE("any solver: is asked before the step, in it, and after the bodies have moved, and and may refuse") {
   World world;
   const int ball = world.add(sphere(1, 1).moving({1, 0, 0}));
   std::vector<std::string> asked;

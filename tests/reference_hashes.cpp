@@ -6,12 +6,12 @@
 #include <map>
 #include <thread>
 
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "tests/hard_cases/random_scene.h"
 #include "tests/hard_cases/stages.h"
 #include "tests/support/catch.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/stored_hashes.h"
 
 using namespace pushback;

@@ -25,8 +25,9 @@ struct HeavyOnFour {
   /// The boxes where they should be.
   static void mark(Picture& picture) {
     for (int i = 0; i <= light; ++i)
-      add_outline(picture, box(Vec3::Constant(Real(0.5)), 1)
-                               .at({0, static_cast<Real>(i) + Real(0.5) - static_cast<Real>(i + 1) * sunk_at_start, 0}));
+      add_outline(picture,
+                  box(Vec3::Constant(Real(0.5)), 1)
+                      .at({0, static_cast<Real>(i) + Real(0.5) - static_cast<Real>(i + 1) * sunk_at_start, 0}));
   }
 };
 

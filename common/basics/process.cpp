@@ -65,7 +65,8 @@ Ended run_program(std::vector<std::string> command, double seconds, std::string_
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   const int ended = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   constexpr int killed = 128 + 9;  // it was still there five seconds after it had been asked to end
-  return {ended == killed ? 124 : ended, passages[1].text(), passages[2].text(), WIFSIGNALED(status) ? WTERMSIG(status) : 0};
+  return {ended == killed ? 124 : ended, passages[1].text(), passages[2].text(),
+          WIFSIGNALED(status) ? WTERMSIG(status) : 0};
 }
 
 }  // namespace pushback

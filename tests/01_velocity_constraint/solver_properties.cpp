@@ -1,10 +1,10 @@
 /// What holds for any contacts between any bodies, in any order, after any number of sweeps.
 #include "pushback/chapters/00_naive_impulses/naive.h"
 #include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

@@ -1,9 +1,9 @@
 /// ScaledWarmStart: never a guess that is worse than none.
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
@@ -74,7 +74,7 @@ Real energy_struck_up(int sweeps) {
 
 }  // namespace
 
-TEST_CASE("07: a scaled guess is never worse than none; as it was, after an impact it often is") {
+TEST_CASE("07: a scaled guess is never worse than none, and as it was, after an impact it often is") {
   Random random(7);
   int worse = 0;
   for (int scene = 0; scene < 100; ++scene) {

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <functional>
 
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/call.h"
 #include "tests/support/on_ground.h"
-#include "pushback/common/bodies/random.h"
 
 using namespace pushback;
 

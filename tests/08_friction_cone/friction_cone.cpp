@@ -5,9 +5,9 @@
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/08_friction_cone/scaled_back.h"
 #include "pushback/chapters/08_friction_cone/scenes.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
@@ -272,13 +272,13 @@ TEST_CASE("08: under any heading a box stops where it should, however it lies") 
   }
 }
 
-TEST_CASE("08: turning everything about the normal turns what happens; the pyramid's tangents do not turn along") {
+TEST_CASE("08: turning everything about the normal turns what happens, and the pyramid's tangents do not turn along") {
   CHECK(largest_change_by_turning<With<FrictionCone>>() < tiny);
   CHECK(largest_change_by_turning<With<FrictionScaledBack>>() < tiny);
   CHECK(largest_change_by_turning<FullSolver>() > Real(0.3));
 }
 
-TEST_CASE("08: with mu = 0 nothing is rubbed, to the bit; with a huge mu nothing slips") {
+TEST_CASE("08: with mu = 0 nothing is rubbed, to the bit, and with a huge mu nothing slips") {
   Random random(7);
   for (int i = 0; i < 100; ++i) {
     for (const Real mu_of_pair : {Real(0), Real(1e9)}) {

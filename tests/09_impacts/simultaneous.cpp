@@ -2,9 +2,9 @@
 #include <numeric>
 
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

@@ -5,10 +5,10 @@
 #include "pushback/chapters/10_position_correction/scenes.h"
 #include "pushback/chapters/10_position_correction/study.h"
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
+#include "pushback/common/bodies/random.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/on_ground.h"
-#include "pushback/common/bodies/random.h"
 
 using namespace pushback;
 using namespace pushback::baumgarte_scenes;
@@ -54,8 +54,9 @@ void step_without_correction(World& world, ContactSolver& solver) {
 
 // ---- one contact: the closed forms --------------------------------------------------------------------------------------
 
-TEMPLATE_TEST_CASE("10: d_k = d_0 (1 - beta)^k, without gravity and with it, at any depth; no speed, no kinetic energy",
-                   "", BOTH_WAYS) {
+TEMPLATE_TEST_CASE(
+    "10: d_k = d_0 (1 - beta)^k, without gravity and with it, at any depth, and no speed, no kinetic energy", "",
+    BOTH_WAYS) {
   for (const Real beta : {Real(0.05), Real(0.2), Real(0.5), Real(1)}) {
     for (const Real d0 : {Real(0.01), Real(0.06), Real(0.25)}) {  // Baumgarte throws from 68 mm on at 0.2, 2.7 mm at 1
       for (const Real gravity : {Real(0), g}) {

@@ -3,10 +3,10 @@
 
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/on_ground.h"
-#include "pushback/common/bodies/random.h"
 
 namespace pushback {
 

@@ -1,8 +1,8 @@
 /// Chapter 13 in motion: what beads, rods and pendulums do against closed forms.
 #include "pushback/chapters/13_joints/study.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

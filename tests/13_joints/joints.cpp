@@ -120,7 +120,8 @@ TEST_CASE("a row of a joint, solved once, leaves no speed along itself, be it al
   }
 }
 
-TEST_CASE("a row that gives way ends at J V + b + gamma lambda = 0, wherever it starts; one with gamma = 0 is a Row") {
+TEST_CASE(
+    "a row that gives way ends at J V + b + gamma lambda = 0, wherever it starts, and one with gamma = 0 is a Row") {
   Random random(6);
   for (int i = 0; i < 200; ++i) {
     World world;

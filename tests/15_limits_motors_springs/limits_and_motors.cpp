@@ -459,7 +459,7 @@ TEST_CASE("a spring follows the implicit recurrence to rounding, and its closed 
   }
 }
 
-TEST_CASE("a spring under a load rests where its force is the load's; one that turns feels the inertia") {
+TEST_CASE("a spring under a load rests where its force is the load's, and one that turns feels the inertia") {
   World world;
   world.add(sphere(Real(0.2), 3).at({0, -1, 0}));
   world.joints.push_back(soft(distance(world, the_world, Vec3::Zero(), 0, {0, -1, 0}), Spring{2, 1}));

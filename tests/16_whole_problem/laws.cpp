@@ -215,7 +215,7 @@ TEST_CASE("no law is broken exactly where the residual is nothing") {
   }
 }
 
-TEST_CASE("the unitless residual is the same in all units; the other is not") {
+TEST_CASE("the unitless residual is the same in all units, and the other is not") {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> number(-1, 1);
   const ContactProblem problem = sliding_stack_problem();

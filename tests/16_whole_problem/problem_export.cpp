@@ -33,7 +33,7 @@ TEST_CASE("the first step of a scene comes out as it stands there") {
   CHECK(text_of(file) == problem_text(problem_of(world)));
 }
 
-TEST_CASE("steps that go before it change it; what comes out is solved, and in the same bits again") {
+TEST_CASE("steps that go before it change it, and what comes out is solved, and in the same bits again") {
   const Scratch scratch;
   std::string before;
   for (const std::string& scene :

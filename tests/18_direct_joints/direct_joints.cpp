@@ -6,10 +6,10 @@
 #include "pushback/chapters/14_joints_under_load/structures.h"
 #include "pushback/chapters/15_limits_motors_springs/scenes.h"
 #include "pushback/chapters/18_direct_joints/scenes.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/joint_energy.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/with_joints.h"
 #include "tests/support/yardstick.h"
 
@@ -132,7 +132,7 @@ TEST_CASE("joints at once: what is off comes back as C_0 (1 - beta)^k all along 
   }
 }
 
-TEST_CASE("joints at once: four bars say three things twice; those rows are left out, and hold") {
+TEST_CASE("joints at once: four bars say three things twice, and those rows are left out, and hold") {
   World one;
   four_bars(one);
   one.bodies[1].moving({2, Real(0.3), Real(0.5)}).spinning({1, 2, 3});

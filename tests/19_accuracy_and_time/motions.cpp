@@ -421,7 +421,8 @@ constexpr Patience once{.at_least = 0, .at_most = 600};
 
 }  // namespace
 
-TEST_CASE("the error is the farthest in any frame, looked at after all its substeps; row solves are of all of them") {
+TEST_CASE(
+    "the error is the farthest in any frame, looked at after all its substeps, and row solves are of all of them") {
   const auto away = [](int steps) { return Eigen::Vector3d(0, steps == 15 ? -3 : 0, steps == 17 ? 99 : 0); };
   for (const double at_least : {0.0, 1e-4}) {
     const Played played = played_by(away, 5, {.at_least = at_least, .at_most = 600});  // 17 is between two frames
@@ -431,7 +432,7 @@ TEST_CASE("the error is the farthest in any frame, looked at after all its subst
   }
 }
 
-TEST_CASE("who is no number, or beyond 10 km, is lost; who is given up is late, and neither has an error") {
+TEST_CASE("who is no number, or beyond 10 km, is lost, and who is given up is late, and neither has an error") {
   const auto nan_at_last = [](int steps) {
     return Eigen::Vector3d(0, steps == 10 ? std::numeric_limits<double>::quiet_NaN() : 0, 0);
   };
@@ -571,7 +572,7 @@ TEST_CASE("only substeps are timed: who is asked for places takes no time, and a
   CHECK(asked == 20);
 }
 
-TEST_CASE("the same setting errs by the same again, and in as many row solves; lines come in the order asked for") {
+TEST_CASE("the same setting errs by the same again, and in as many row solves, and lines come in the order asked for") {
   for (const auto& [motion, settings] : {std::pair("bounce", "slim/4/1 full/2/3 direct-contacts/1/1 slim/4/1"),
                                          {"chain", "joints/2/4 joints/2/4"},
                                          {"heavy-on-light", "soft/2/2 steady/1/4 soft/2/2"}}) {

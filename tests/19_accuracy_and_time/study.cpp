@@ -311,7 +311,7 @@ std::string failure(const Motion& motion, const RoundOptions& options) {
 }  // namespace
 
 TEST_CASE(
-    "the grid is all powers that the motion wants to have tried, and no others; each once where no round follows") {
+    "the grid is all powers that the motion wants to have tried, and no others, and each once where no round follows") {
   StandIns programs;
   programs.add("motion", "one/SMALL-STEPS/SWEEPS: first\\ntwo/SMALL-STEPS: second\\n", good);
   for (const bool quick : {false, true}) {
@@ -341,7 +341,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "in float only what is near the front is played; rounds repeat what is near one, one whole round after the other") {
+    "in float only what is near the front is played, and rounds repeat what is near one, one whole round after the "
+    "other") {
   StandIns programs;
   // fast and bad, slow and good, slow and bad, as slow as can be near, lost
   const std::string answers =

@@ -1,9 +1,9 @@
 /// Joined bodies rest together: one island, which joints put to sleep no sooner, and wake as a whole.
 #include "pushback/chapters/13_joints/distance.h"
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/with_joints.h"
 #include "tests/support/yardstick.h"
 
@@ -176,7 +176,7 @@ TEST_CASE("a chain that was let go sideways swings as without sleep, and sleeps 
   CHECK(pair.apart() < slop);
 }
 
-TEST_CASE("joined bodies overlap where they are joined, and do not touch; asleep or awake") {
+TEST_CASE("joined bodies overlap where they are joined, and do not touch, and asleep or awake") {
   World before_it = five_hanging();
   for (int i = 1; i <= 4; ++i) before_it.bodies[std::size_t(i)].shape = Sphere{Real(0.32)};
   before_it.bodies[5].position.z() = 2;

@@ -7,12 +7,12 @@
 #include "pushback/chapters/00_naive_impulses/naive.h"
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/chapters/20_only_what_is_needed/everything.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
 #include "tests/hard_cases/random_scene.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/with_joints.h"
 #include "tests/support/yardstick.h"
 

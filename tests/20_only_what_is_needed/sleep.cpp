@@ -4,12 +4,12 @@
 #include <memory>
 
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
 #include "tests/hard_cases/random_scene.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/with_joints.h"
 #include "tests/support/yardstick.h"
 
@@ -199,7 +199,7 @@ TEST_CASE("nobody sleeps while the ground moves, or while a force acts on all") 
 
 // ---- waking: as a whole, and nobody else ------------------------------------------------------------------------------------
 
-TEST_CASE("who is hit wakes with all of its island, at the moment it is hit; the pile beside it sleeps on") {
+TEST_CASE("who is hit wakes with all of its island, at the moment it is hit, and the pile beside it sleeps on") {
   Dormitory piles = two_sleeping_piles();
   const World before = piles.world;
   piles.world.add(box({Real(0.2), Real(0.1), Real(0.2)}, 20).at({Real(-0.2), Real(3.8), 0}).moving({0, -1, 0}));
@@ -260,7 +260,7 @@ TEST_CASE("what nobody lies on may be moved by hand, if it is said") {
   CHECK(piles.world.bodies[8].position.y() == Approx(Real(2.495)).margin(Real(0.006)));
 }
 
-TEST_CASE("an immovable body that comes to touch wakes; while it is still, it does not") {
+TEST_CASE("an immovable body that comes to touch wakes, and while it is still, it does not") {
   World world = two_piles();
   world.add(box(Vec3::Constant(Real(0.25)), 1).fixed().at({Real(-1), Real(0.5), 0}));
   Dormitory piles(world);
@@ -289,7 +289,7 @@ TEST_CASE("a changed gravity wakes all, and so does a force that is added or tak
   CHECK(piles.asleep().empty());
 }
 
-TEST_CASE("a spring that holds as it held lets sleep, and so does drag; two of them on one body too") {
+TEST_CASE("a spring that holds as it held lets sleep, and so does drag, and two of them on one body too") {
   World world = two_piles();
   world.forces = {spring(3, {0, 4, 0}, 50), drag(3, 10), spring(3, {Real(0.1), 3, 0}, 20), spring(6, {1, 4, 0}, 30)};
   Dormitory piles(world);
@@ -326,7 +326,7 @@ TEST_CASE("a spring that starts to pull wakes the island that it pulls at, with 
   CHECK(balls.world.bodies[3].force.isZero(0));
 }
 
-TEST_CASE("who is told to wakes with its island; who lies on something, when that is told to") {
+TEST_CASE("who is told to wakes with its island, and who lies on something, when that is told to") {
   World world = two_piles();
   world.add(box({1, 1, 1}, 1).fixed().at({10, -1, 0}));
   world.add(cube().at({10, Real(0.499), 0}));  // not on the ground, which it does not reach
@@ -443,7 +443,7 @@ Seen compare(const World& start, const Full& its_solver, Real seconds, Real dt, 
 
 }  // namespace
 
-TEST_CASE("whoever sleeps is where it would be without, within the slop; until the first sleeps, to the bit") {
+TEST_CASE("whoever sleeps is where it would be without, within the slop, and until the first sleeps, to the bit") {
   int at_rest = 0;
   for (const NamedScene& scene : all_scenes_and_joints()) {
     INFO(scene.name);

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numeric>
 
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/world.h"
 #include "tests/support/catch.h"
-#include "pushback/common/bodies/random.h"
 
 using namespace pushback;
 

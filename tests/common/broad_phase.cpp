@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/collision/collide.h"
 #include "pushback/common/world/world.h"
 #include "tests/support/catch.h"
-#include "pushback/common/bodies/random.h"
 
 using namespace pushback;
 

@@ -2,10 +2,10 @@
 #include "pushback/common/world/carried_contacts.h"
 
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

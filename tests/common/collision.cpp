@@ -5,11 +5,11 @@
 #include <set>
 #include <vector>
 
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/collision/collide.h"
 #include "pushback/common/world/world.h"
 #include "tests/support/catch.h"
 #include "tests/support/contacts_of.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

@@ -3,11 +3,11 @@
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

@@ -10,6 +10,7 @@
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/collision/broad_phase.h"
 #include "pushback/common/collision/collide.h"
 #include "pushback/common/experiment/picture_of.h"
@@ -20,7 +21,6 @@
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/contacts_of.h"
-#include "pushback/common/bodies/random.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

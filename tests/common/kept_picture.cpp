@@ -68,7 +68,7 @@ TEST_CASE("averages over squares forget what alternates, and count the squares t
   CHECK(difference(board, Image(21, 13, 100), 4).mean < 1);
 }
 
-TEST_CASE("what rounds otherwise shows the same; a digit, a dot, a size that has changed does not") {
+TEST_CASE("what rounds otherwise shows the same, and a digit, a dot, a size that has changed does not") {
   const Image sheet = small_sheet("29.8 %");
   CHECK(shows_the_same(sheet, sheet));
   CHECK(shows_the_same(sheet, rounded_otherwise(sheet)));

@@ -164,7 +164,7 @@ TEST_CASE("a name stands where its curve ends, and in sequence below each other 
   CHECK(std::abs(up - layout.y.part(1)) < 1e-9);
 }
 
-TEST_CASE("a floor ends a logarithmic axis, and says so; without anything below it there is none") {
+TEST_CASE("a floor ends a logarithmic axis, and says so, and without anything below it there is none") {
   Panel panel{.title = "", .x_label = "", .y_label = "", .log_y = true, .floor = Real(1e-6)};
   panel.curves = {straight("a", 1, Real(1e-2)), straight("b", 1, Real(1e-17)), straight("c", 1, 0)};
   const Axis floored = lay_out({panel}).panels[0].y;
@@ -229,7 +229,7 @@ TEST_CASE("about ten shapes stand along a line, on it, and those of others betwe
   CHECK(marker_places(around, 100, 0, 1).size() == 40);
 }
 
-TEST_CASE("at most four panels a figure, in their order; those of one title stay together") {
+TEST_CASE("at most four panels a figure, in their order, and those of one title stay together") {
   const auto titles = [](const std::vector<std::string>& of) {
     std::vector<Panel> panels;
     for (const std::string& title : of) panels.push_back({.title = title, .x_label = "", .y_label = ""});
@@ -248,7 +248,8 @@ TEST_CASE("at most four panels a figure, in their order; those of one title stay
   CHECK(titles({"a", "a", "a", "a", "a", "b"}) == std::vector<std::string>{"aaaa", "ab"});
 }
 
-TEST_CASE("figures are drawn into numbered files, each name in its curve's colour; older ones of higher numbers go") {
+TEST_CASE(
+    "figures are drawn into numbered files, each name in its curve's colour, and older ones of higher numbers go") {
   const Scratch scratch;
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < 5; ++i) {

@@ -1,10 +1,10 @@
 /// How high it bounces, and what an impact leaves in a row and in a crowd.
 #include <cmath>
 
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/standing.h"
-#include "pushback/common/bodies/random.h"
 
 namespace pushback {
 

@@ -1,9 +1,9 @@
 /// The same scenes by other steps, with every contact given twice, and with the bodies in another order.
 #include <cmath>
 
+#include "pushback/common/bodies/random.h"
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/standing.h"
-#include "pushback/common/bodies/random.h"
 
 namespace pushback {
 

@@ -1,10 +1,10 @@
 /// Cut and broken stones, as convex hulls: an arch, and a heap of rubble.
 #include <cmath>
 
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/hard_cases/cases.h"
 #include "tests/hard_cases/standing.h"
-#include "pushback/common/bodies/random.h"
 
 namespace pushback {
 

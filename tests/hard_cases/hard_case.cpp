@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "pushback/common/basics/named.h"
-#include "tests/hard_cases/cases.h"
 #include "pushback/common/bodies/random.h"
+#include "tests/hard_cases/cases.h"
 
 namespace pushback {
 

@@ -105,7 +105,7 @@ TEST_CASE("on the sheet of a mistake each number of yours stands in the ring of 
   }
 }
 
-TEST_CASE("numbers that lie far off, or are none, leave the others readable; what was never sent has no disc") {
+TEST_CASE("numbers that lie far off, or are none, leave the others readable, and what was never sent has no disc") {
   Outcome outcome = sent(example(), example().right);
   outcome.numbers[0][0][0] = 1e300;
   outcome.numbers[1][0][0] = -std::numeric_limits<Real>::infinity();

@@ -34,13 +34,15 @@ struct Class {
     write_text_file(scratch / name / "03_baumgarte_transfer.h", filled_in(capped(), lines));
   }
   Ended grade(const std::string& more) {
-    return call_program(GRADE_PROGRAM, folders + "--no-sandbox --out " + (scratch / "out").string() + " " + more, 120);
+    return call_program(
+        GRADE_PROGRAM,
+        folders + "--exercises 03-transfer --no-sandbox --out " + (scratch / "out").string() + " " + more, 120);
   }
 };
 
 }  // namespace
 
-TEST_CASE("a class is graded: a table, JSON and JUnit XML; again, only what has changed") {
+TEST_CASE("a class is graded: a table, JSON and JUnit XML, and again, only what has changed") {
   Class all;
   const Ended first = all.grade("--jobs 2");
   CHECK(first.status == 0);
@@ -69,7 +71,7 @@ TEST_CASE("a class is graded: a table, JSON and JUnit XML; again, only what has 
   CHECK(contains(fourth.out, "ben & co    0 of 10"));
 }
 
-TEST_CASE("parts, each for itself, make the whole; half of a result is graded anew") {
+TEST_CASE("parts, each for itself, make the whole, and half of a result is graded anew") {
   Class all;
   const Ended one = all.grade("--shard 1/2 --no-sheet");
   CHECK(one.err == "graded: anna\ngraded: carl\n");
@@ -84,7 +86,8 @@ TEST_CASE("parts, each for itself, make the whole; half of a result is graded an
   CHECK_FALSE(fs::exists(all.scratch / "out/sheets"));
 }
 
-TEST_CASE("an archive is graded as the folder in it; one that leads elsewhere is not taken, nor one that is too much") {
+TEST_CASE(
+    "an archive is graded as the folder in it, and one that leads elsewhere is not taken, nor one that is too much") {
   Class all;
   const auto shell = [&](const std::string& commands) {
     const Ended ended =
@@ -169,7 +172,7 @@ TEST_CASE("without a sandbox nothing is graded, unless that is said") {
   CHECK_FALSE(fs::exists(all.scratch / "out"));
 }
 
-TEST_CASE("a handout has tasks and gaps, and neither answers nor checks; its points can be edited") {
+TEST_CASE("a handout has tasks and gaps, and neither answers nor checks, and its points can be edited") {
   const Scratch scratch;
   const std::string folder = (scratch / "handout").string();
   const Ended ended = call_program(HANDOUT_PROGRAM, folder + " --with 03,03-transfer,04 --without 04");

@@ -33,7 +33,7 @@ std::set<std::string> names_in(const std::string& header) {
 
 }  // namespace
 
-TEST_CASE("a header's names are found: types, functions, constants; not those of a namespace of their own") {
+TEST_CASE("a header's names are found: types, functions, constants, and not those of a namespace of their own") {
   CHECK(
       names_in(
           "namespace pushback {\nclass World;\nusing friction_scenes::Push;\n\nstruct Row : Base<int> {\n  int a;\n};\n"
@@ -70,4 +70,18 @@ TEST_CASE("the scenes of a chapter have a namespace of their own, named after it
     }
   }
   CHECK(scenes > 20);
+}
+
+TEST_CASE("no name of a test has a semicolon: CMake would make two of it, of which ctest runs none") {
+  int names = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE_DIR) / "tests")) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string text = text_of(entry.path());
+    const std::regex name("TEST_CASE\\(\\s*\"([^\"]*)\"");
+    for (std::sregex_iterator one(text.begin(), text.end(), name), end; one != end; ++one, ++names) {
+      INFO(entry.path() << ": " << (*one)[1]);
+      CHECK((*one)[1].str().find(';') == std::string::npos);
+    }
+  }
+  CHECK(names > 700);
 }

@@ -31,7 +31,7 @@ const std::string right = "return std::clamp(-mass * speed, -strength * h, stren
 
 }  // namespace
 
-TEST_CASE("an exercise of one's own is listed, checked, handed out and graded beside ours; compiled once") {
+TEST_CASE("an exercise of one's own is listed, checked, handed out and graded beside ours, and compiled once") {
   Tasks tasks;
   tasks.write("anna", unbounded);
   const std::string anna = " --in " + (tasks.scratch / "anna").string();

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "pushback/chapters/13_joints/hinge.h"
-#include "pushback/common/world/measure.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/common/world/measure.h"
 
 namespace pushback {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "pushback/common/world/joint.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/common/world/joint.h"
 
 /// Moved for t seconds by the velocities that it has: x + t v, R(t w) q. Exact, unlike a simulated step.
 inline pushback::Body drifted(pushback::Body body, pushback::Real t) {
