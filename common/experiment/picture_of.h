@@ -9,9 +9,9 @@
 
 namespace pushback {
 
-/// `arrow`: metres to draw for an impulse of 1 N s, and without it no contact is drawn; arrows longer than 1.5 times the body's size are cut to it, and those
-/// that would be lost under their contact's dot are left out. Dots and shafts have one size on the picture, wherever they
-/// are, unless that were large beside a typical body.
+/// `arrow`: metres to draw for an impulse of 1 N s; without it, contacts are not drawn at all. Arrows longer than 1.5 times the
+/// body's size are cut to it, and those that would be lost under their contact's dot are left out. Dots and shafts have one
+/// size on the picture, wherever they are, unless that were large beside a typical body.
 Picture picture_of(const World& world, const Camera& camera, std::optional<Real> arrow);
 
 /// Adds what moves in another world, with its joints, contacts, arrows and `marks`, all of it moved by `shift`, m.
