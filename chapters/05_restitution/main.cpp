@@ -54,8 +54,8 @@ int main(int argc, char** argv) {
              .seconds = watched,
              .contacts = Drawn::points,
              .key = "strobe",
-             .caption = "Each line is where the ball's top should just arrive after a bounce: with the sum it passes "
-                        "them by more and more, with this step's gravity counted in by a little.",
+             .caption = "Each line is where the ball's top should just arrive after a bounce. The contact asks for the "
+                        "larger of bounce and push-out, or for their sum, or for a bounce that counts in gravity.",
              .marks =
                  [=](Picture& picture, const World&, Real time) {
                    for (int k = 0; ball.lands(k) < time; ++k) {

@@ -109,12 +109,13 @@ int main(int argc, char** argv) {
              .fill = sunken,
              .camera = {{Real(3.5), Real(2.6), 30}, {Real(3.5), Real(1.33), 0}, Real(0.097)},
              .seconds = Real(0.6),
+             .contacts = Drawn::nothing,
              .key = "ball",
              .caption = "The ball is drawn every 0.1 s, each time farther to the right. It has to come out of the "
                         "ground, up to the line, and stay there.",
              .marks = [](Picture& picture, const World&,
                          Real) { add_line(picture, {{Real(-0.6), 1, 0}, {Real(7.6), 1, 0}}); },
-             .strobe = Strobe{.every = Real(0.1), .shift_per_second = {Real(11.6), 0, 0}, .height = 520}});
+             .strobe = Strobe{.every = Real(0.1), .shift_per_second = {Real(11.6), 0, 0}, .height = 420}});
     hard().expect("exit speed", baumgarte.beta * std::max(Real(0), sunken.depth - baumgarte.slop) / h);
     not_relaxed().expect("exit speed", speed_out_of(spring, sunken.depth, h, Real(0.6)));
     soft().expect("exit speed", 0);

@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     e.number("off a wire by up to", "mm", [](const Run& run) { return largest(run, "off the wires"); });
     e.number("energy lost in all", "J",
              [](const Run& run) { return energy_at_first(beads_on_wires) - total_energy(run.samples.back()); });
-    e.number("most won in a step", "J", [](const Run& run) {
+    e.number("largest gain in a step", "J", [](const Run& run) {
       Real before = energy_at_first(beads_on_wires), most = -std::numeric_limits<Real>::infinity();
       for (const Sample& sample : run.samples) {
         most = std::max(most, total_energy(sample) - before);

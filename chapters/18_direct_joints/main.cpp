@@ -28,7 +28,9 @@ int main(int argc, char** argv) {
              .camera = {{Real(0.6), -Real(2.3), Real(9.6)}, {0, -Real(2.6), 0}},
              .seconds = 2,
              .instants = {0, Real(0.5), 2},
-             .caption = "The load should hang where the outline is. It should never move.",
+             .caption = "The load should hang where the outline is, and never move. Blue bars: where the chain begins, "
+                        "and where the "
+                        "load should end.",
              .start_shown = false,
              .marks =
                  [](Picture& picture, const World&, Real) {

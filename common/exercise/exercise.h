@@ -18,7 +18,7 @@ using Numbers = std::vector<Real>;
 struct Quantity {
   std::string words;  ///< "your box leaves with"
   std::string unit;
-  Real tolerance;  ///< how far it may be from the right one
+  double tolerance;  ///< how far it may be from the right one
 };
 
 /// How something goes on during a scene, for the picture alone. Its values, one after the other, stand behind the quantities.
@@ -27,6 +27,12 @@ struct Recorded {
   std::string unit;
   std::string over;  ///< what it is plotted against, from 0 on: "step"
 };
+
+/// What `play` of such a check returns.
+inline Numbers with_record(Numbers quantities, const Numbers& recorded) {
+  quantities.insert(quantities.end(), recorded.begin(), recorded.end());
+  return quantities;
+}
 
 /// `Answer` is what an exercise asks of the student: functions, or an effect.
 template <class Answer>

@@ -21,7 +21,7 @@ bool is_whole(const Exercise::Line& check, const Scenes& scenes) {
 /// Which number is the furthest from the right one, in its tolerances.
 struct Off {
   std::size_t scene = 0, quantity = 0;
-  Real by = 0;
+  double by = 0;
 };
 
 Off furthest(const std::vector<Quantity>& quantities, const Scenes& right, const Scenes& scenes) {
@@ -29,8 +29,8 @@ Off furthest(const std::vector<Quantity>& quantities, const Scenes& right, const
   for (std::size_t scene = 0; scene < right.size(); ++scene) {
     for (std::size_t i = 0; i < quantities.size(); ++i) {
       const Real is = scenes[scene][i];
-      Real by = std::abs(is - right[scene][i]) / quantities[i].tolerance;
-      if (!std::isfinite(is)) by = std::numeric_limits<Real>::infinity();
+      double by = std::abs(is - right[scene][i]) / quantities[i].tolerance;
+      if (!std::isfinite(is)) by = std::numeric_limits<double>::infinity();
       if (by > off.by) off = {scene, i, by};
     }
     if (off.by > 1) break;  // the first scene that shows something: one thing at a time
@@ -45,7 +45,7 @@ bool resembles(const std::vector<Quantity>& quantities, const Scenes& right, con
     for (std::size_t i = 0; i < quantities.size(); ++i) {
       const Real is = scenes[scene][i], would_be = mistaken[scene][i];
       if (std::isnan(is) && std::isnan(would_be)) continue;
-      const Real margin = std::max(quantities[i].tolerance, std::abs(would_be - right[scene][i]) / 100);
+      const double margin = std::max<double>(quantities[i].tolerance, std::abs(would_be - right[scene][i]) / 100);
       if (!(std::abs(is - would_be) <= margin)) return false;
     }
   }
@@ -75,7 +75,7 @@ std::string Verdict::in_words() const {
   return words;
 }
 
-Verdict judge(const Exercise& exercise, std::uint64_t seed, const Outcome& outcome) {
+Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome) {
   Verdict verdict;
   std::vector<Scenes> right;
   std::optional<std::size_t> first;  // of the checks that fail

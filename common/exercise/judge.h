@@ -11,7 +11,7 @@ namespace pushback {
 using Scenes = std::vector<Numbers>;
 
 /// What came of running an answer.
-struct Outcome {
+struct Attempt {
   std::vector<Scenes> numbers;  ///< by check and scene, as far as it got
   std::string problem;          ///< in plain words, why it got no further; empty: it did
   std::string kind;             ///< of the problem: "does not compile", "time", "memory", "crash", "exception", "exit"
@@ -37,6 +37,6 @@ struct Verdict {
   }
 };
 
-Verdict judge(const Exercise& exercise, std::uint64_t seed, const Outcome& outcome);
+Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome);
 
 }  // namespace pushback

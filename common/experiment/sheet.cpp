@@ -152,16 +152,21 @@ class Drawing {
   void cells(const SheetRow& row, bool wide) {
     const int width = wide ? strip_width : cell_width;
     for (std::size_t i = 0; i < row.cells.size(); ++i)
-      cell(row.cells[i], column(i), y_, width, row.cell_notes[i], wide ? Align::right : Align::left);
+      cell(row.cells[i], column(i), y_, width, wide ? "" : row.cell_notes[i]);
     y_ += high(row.cells.front(), width);
+    if (!wide) return;
+    write_text(image_, row.cell_notes.front(), right_edge, y_ + 22, 18, sheet_grey,
+               Align::right);  // it has bodies all over
+    y_ += 26;
   }
 
-  /// Its note stands above, where the sky is: in a strip at its end, as its bodies begin high at the left.
+  /// Its note stands above, where the sky is.
   void cell(const Image& picture, int x, int y, int width, const std::string& note, Align side = Align::left) {
     const int height = high(picture, width), wide = text_width(note, 20) + 16;
     const int left = side == Align::left ? x + 8 : x + width - 8 - wide;
     if (picture.width == width) paste(picture, image_, x, y);
     else paste(picture, image_, x, y, width, height);
+    if (note.empty()) return;
     fill_rectangle(image_, left, y + 8, wide, 28, white, 0.72F);
     write_text(image_, note, left + 8, y + 29, 20, sheet_dark);
   }

@@ -5,6 +5,7 @@
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
+#include "tests/support/on_ground.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
@@ -12,7 +13,6 @@ using namespace pushback;
 namespace {
 
 /// What thousands of sweeps leave, m/s: rounding.
-constexpr Real tiny = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-4);
 
 /// Bodies strewn about, masses over four decades, and contacts between any two of them, whether they touch or not: a
 /// solver does not look. No more points than would leave the bodies some way to satisfy them all.
@@ -108,13 +108,6 @@ struct BiasSpy : Effect {
     std::sort(biases.begin(), biases.end());
   }
 };
-
-template <class ContactSolver>
-Real largest_error(const ContactSolver& solver) {
-  Real largest = 0;
-  for (const Row& row : solver.rows()) largest = std::max(largest, row.error());
-  return largest;
-}
 
 /// Largest difference of a velocity or an angular velocity.
 Real difference(const World& p, const World& q) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Real v = 5;                                    // of the impact, m/s
 constexpr Real near = (in_double ? Real(1e-5) : 1) * v;  // floats do not get to the solver's precision
-constexpr Real radius = Real(0.3);
+constexpr Real ball_radius = Real(0.3);
 
 using Simultaneous = Solver<Clamping, Baumgarte, Slop, SimultaneousImpacts, Friction, ScaledWarmStart>;
 
@@ -22,8 +22,10 @@ World row_of_five() {
   World world;
   world.gravity.setZero();
   for (int i = 0; i < 5; ++i)
-    world.add(
-        sphere(radius, 10).at({static_cast<Real>(i) * 2 * radius, 0, 0}).moving({i == 0 ? v : 0, 0, 0}).bouncy(1));
+    world.add(sphere(ball_radius, 10)
+                  .at({static_cast<Real>(i) * 2 * ball_radius, 0, 0})
+                  .moving({i == 0 ? v : 0, 0, 0})
+                  .bouncy(1));
   return world;
 }
 
@@ -41,12 +43,13 @@ Real off(const World& world) {
 World billiards() {
   World world;
   world.gravity.setZero();
-  const auto ball = [](Real x, Real z) { return sphere(radius, 10).at({x, 0, z}).bouncy(1).rough(0); };
+  const auto ball = [](Real x, Real z) { return sphere(ball_radius, 10).at({x, 0, z}).bouncy(1).rough(0); };
   for (int row = 0; row < 5; ++row) {
     for (int i = 0; i <= row; ++i)
-      world.add(ball(static_cast<Real>(row) * radius * std::sqrt(Real(3)), static_cast<Real>(2 * i - row) * radius));
+      world.add(ball(static_cast<Real>(row) * ball_radius * std::sqrt(Real(3)),
+                     static_cast<Real>(2 * i - row) * ball_radius));
   }
-  world.add(ball(Real(-1.2) * radius, Real(1.55) * radius).moving({v, 0, 0}));
+  world.add(ball(Real(-1.2) * ball_radius, Real(1.55) * ball_radius).moving({v, 0, 0}));
   for (const int side : {-1, 1}) {
     world.add(box({Real(0.2), 1, 5}, 1).fixed().at({static_cast<Real>(side) * 4, 0, 0}).bouncy(1).rough(0));
     world.add(box({5, 1, Real(0.2)}, 1).fixed().at({0, 0, static_cast<Real>(side) * 4}).bouncy(1).rough(0));

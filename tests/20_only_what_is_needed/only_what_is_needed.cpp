@@ -108,7 +108,7 @@ const std::vector<std::string> combinations{"T----", "T---F", "T--G-", "T--GF", 
                                             "T-RGF", "TB---", "TB--F", "TB-G-", "TB-GF", "TBR--", "TBR-F",
                                             "TBRG-", "TBRGF", "-----", "----F", "---G-", "---GF"};
 
-Body cube() {
+Body unit_cube() {
   return box(Vec3::Constant(Real(0.5)), 10);
 }
 
@@ -228,11 +228,11 @@ TEST_CASE("each question has its answers, and says because of whom") {
   world.bodies[0].bouncy(0);
   CHECK_FALSE(Bouncing::in(world).yes);
 
-  world.add(
-      cube().fixed().bouncy(Real(0.5)).rough(1));  // rubs and bounces with the ball; with the ground it does not meet
+  world.add(unit_cube().fixed().bouncy(Real(0.5)).rough(
+      1));  // rubs and bounces with the ball; with the ground it does not meet
   CHECK(because(Bouncing{}) == "yes: e = 0.5 between ball 0 and box 2");
   CHECK_FALSE(Rubbing::in(world).yes);
-  world.add(cube().rough(Real(0.25)));
+  world.add(unit_cube().rough(Real(0.25)));
   CHECK(because(Rubbing{}) == "yes: μ = 0.5 between box 3 and box 2");
   CHECK_FALSE(Tumbling::in(world).yes);
   world.add(box({1, 2, 1}, 1).fixed());  // no inertia at all
@@ -337,7 +337,7 @@ TEST_CASE("no tangent rows where nothing rubs, no bias where nothing is to be ch
 TEST_CASE("a world in which nothing can touch has no contacts") {
   World world;
   world.add(ground());
-  world.add(cube().at({0, Real(0.49), 0}));
+  world.add(unit_cube().at({0, Real(0.49), 0}));
   OnlyWhatIsNeeded solver(world, FullSolver{});
   solver.step(world, h);
   REQUIRE(world.contacts.size() == 4);
@@ -351,7 +351,8 @@ TEST_CASE("a world in which nothing can touch has no contacts") {
 TEST_CASE("settings and memory outlive each change of the scene, to the bit") {
   World whole;
   whole.add(ground().rough(0));
-  for (int i = 0; i < 3; ++i) whole.add(cube().at({0, Real(0.495) + Real(0.992) * static_cast<Real>(i), 0}).rough(0));
+  for (int i = 0; i < 3; ++i)
+    whole.add(unit_cube().at({0, Real(0.495) + Real(0.992) * static_cast<Real>(i), 0}).rough(0));
   World fitted = whole;
   FullSolver full;
   full.beta = Real(0.3);
@@ -415,7 +416,7 @@ TEST_CASE("settings and memory outlive each change of the scene, to the bit") {
 
 TEST_CASE("who comes back is not taken for who was there") {
   World whole;
-  whole.add(cube().at({0, Real(0.495), 0}));
+  whole.add(unit_cube().at({0, Real(0.495), 0}));
   whole.add(ground());
   World fitted = whole;
   FullSolver full;

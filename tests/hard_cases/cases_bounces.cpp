@@ -10,11 +10,11 @@ namespace pushback {
 
 namespace {
 
-constexpr Real radius = Real(0.3);
+constexpr Real ball_radius = Real(0.3);
 
 void ball_over_ground(World& world, Real drop, Real e) {
   world.add(ground().rough(0));
-  world.add(sphere(radius, 10).at({0, radius + drop, 0}).bouncy(e).rough(0));
+  world.add(sphere(ball_radius, 10).at({0, ball_radius + drop, 0}).bouncy(e).rough(0));
 }
 
 /// The first three apexes, m above where it touches. Between two bounces the places lie on a parabola whose top is
@@ -28,7 +28,7 @@ std::vector<Real> apexes(Trial& trial, Real drop, Real e) {
   play.run(6, frame, [&](const World& world) {
     const Body& ball = world.bodies[1];
     const Real v = ball.velocity.y(), middle = v - g * trial.substep() / 2;
-    if (before > 0 && v <= 0) found.push_back(ball.position.y() + middle * middle / (2 * g) - radius);
+    if (before > 0 && v <= 0) found.push_back(ball.position.y() + middle * middle / (2 * g) - ball_radius);
     before = v;
   });
   return found;
@@ -57,17 +57,17 @@ void there_and_back(World& world) {
   world.bodies[1].moving({0, -10, 0});
 }
 
-constexpr int side = 7;
+constexpr int per_side = 7;
 
 /// Balls of 49 different velocities, none of which touches another yet.
 void crowd(World& world, Real inward) {
   world.gravity.setZero();
   Random random(49);
-  for (int i = 0; i < side * side; ++i) {
-    const Vec3 place{static_cast<Real>(i % side - side / 2), static_cast<Real>(i / side - side / 2), 0};
+  for (int i = 0; i < per_side * per_side; ++i) {
+    const Vec3 place{static_cast<Real>(i % per_side - per_side / 2), static_cast<Real>(i / per_side - per_side / 2), 0};
     Vec3 velocity = random.vector(3) - inward * place;
     velocity.z() = 0;
-    world.add(sphere(radius, 10).at(place).moving(velocity).bouncy(1).rough(0));
+    world.add(sphere(ball_radius, 10).at(place).moving(velocity).bouncy(1).rough(0));
   }
 }
 
@@ -104,8 +104,8 @@ std::vector<Real> crowds(Trial& trial) {
 void row_of_five(World& world) {
   world.gravity.setZero();
   for (int i = 0; i < 5; ++i) {
-    const Real x = static_cast<Real>(i) * 2 * radius;
-    world.add(sphere(radius, 10).at({x, 0, 0}).moving({i == 0 ? Real(5) : 0, 0, 0}).bouncy(1).rough(0));
+    const Real x = static_cast<Real>(i) * 2 * ball_radius;
+    world.add(sphere(ball_radius, 10).at({x, 0, 0}).moving({i == 0 ? Real(5) : 0, 0, 0}).bouncy(1).rough(0));
   }
 }
 
@@ -144,8 +144,8 @@ std::vector<HardCase> bounce_cases() {
                       [](World& world) {
                         world.add(ground().rough(0));
                         for (const Real e : {Real(0.5), Real(0.9), Real(1)})
-                          world.add(sphere(radius, 10)
-                                        .at({static_cast<Real>(world.bodies.size()) - 2, 2 + radius, 0})
+                          world.add(sphere(ball_radius, 10)
+                                        .at({static_cast<Real>(world.bodies.size()) - 2, 2 + ball_radius, 0})
                                         .bouncy(e)
                                         .rough(0));
                       },

@@ -12,15 +12,15 @@ namespace pushback {
 
 namespace {
 
-constexpr Real half_long = Real(0.5), half_thick = Real(0.01), rod_speed = 1, rod_friction = 2;
+constexpr Real half_long = Real(0.5), rod_half_thick = Real(0.01), rod_speed = 1, rod_friction = 2;
 
 }  // namespace
 
 void sliding_rod(World& world) {
   world.add(ground().rough(rod_friction));
   const Real lean = std::atan(Real(0.5));  // from upright, so tan(a) = 2
-  const Real height = half_long * std::cos(lean) + half_thick * std::sin(lean);
-  world.add(box({half_thick, half_long, Real(0.05)}, 1)
+  const Real height = half_long * std::cos(lean) + rod_half_thick * std::sin(lean);
+  world.add(box({rod_half_thick, half_long, Real(0.05)}, 1)
                 .turned(lean, Vec3::UnitZ())
                 .at({0, height - Real(1e-5), 0})
                 .moving({rod_speed, 0, 0})
@@ -29,7 +29,7 @@ void sliding_rod(World& world) {
 
 Vec3 tip_of(const World& world) {
   const Body& rod = world.bodies.back();
-  return rod.position + rod.orientation * Vec3(-half_thick, -half_long, 0);
+  return rod.position + rod.orientation * Vec3(-rod_half_thick, -half_long, 0);
 }
 
 Paradox paradox_of(const World& world, Real time) {

@@ -48,15 +48,15 @@ struct Drawn {
   Scratch scratch;
   Image image;
   Verdict verdict;
-  Drawn(const Exercise& exercise, Outcome outcome) {
+  Drawn(const Exercise& exercise, Attempt outcome) {
     verdict = judge(exercise, 1, outcome);
     REQUIRE(write_result_sheet(scratch / "sheet.png", exercise, 1, outcome, verdict));
     image = read_png(scratch / "sheet.png");
   }
 };
 
-Outcome sent(const Exercise& exercise, const Exercise::Played& answer) {
-  Outcome outcome;
+Attempt sent(const Exercise& exercise, const Exercise::Played& answer) {
+  Attempt outcome;
   for (std::size_t check = 0; check < exercise.checks.size(); ++check)
     outcome.numbers.push_back(scenes_of(answer, 1, check));
   return outcome;
@@ -106,7 +106,7 @@ TEST_CASE("on the sheet of a mistake each number of yours stands in the ring of 
 }
 
 TEST_CASE("numbers that lie far off, or are none, leave the others readable, and what was never sent has no disc") {
-  Outcome outcome = sent(example(), example().right);
+  Attempt outcome = sent(example(), example().right);
   outcome.numbers[0][0][0] = 1e300;
   outcome.numbers[1][0][0] = -std::numeric_limits<Real>::infinity();
   outcome.numbers[1][1][1] = std::numeric_limits<Real>::quiet_NaN();
@@ -141,7 +141,7 @@ TEST_CASE("what is recorded during a scene is drawn below, and is no part of the
   CHECK(same.image.height > without + 300);
   CHECK(difference(same.image, other.image).mean > 0);
   for (const Numbers& numbers : {Numbers{1}, Numbers{1, 2, 3, 4}}) {  // fewer, and more than were asked for
-    Outcome outcome = sent(exercise, falling(1));
+    Attempt outcome = sent(exercise, falling(1));
     outcome.numbers[0][0] = numbers;
     CHECK(discs(Drawn(exercise, outcome).image).size() >= scenes_of_a_check - 1);
   }

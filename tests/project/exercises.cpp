@@ -17,8 +17,8 @@ const Exercise& example() {  // 02, whose gap is the body of a function
 }
 
 /// The numbers that an answer of ours would have sent.
-Outcome sent(const Exercise& exercise, const Exercise::Played& answer, std::uint64_t seed) {
-  Outcome outcome;
+Attempt sent(const Exercise& exercise, const Exercise::Played& answer, std::uint64_t seed) {
+  Attempt outcome;
   for (std::size_t check = 0; check < exercise.checks.size(); ++check) {
     outcome.numbers.emplace_back();
     for (std::size_t scene = 0; scene < scenes_of_a_check; ++scene) {
@@ -77,7 +77,7 @@ TEST_CASE("the same with many more seeds", "[long]") {
 
 TEST_CASE("each check measures something that differs from student to student: nobody passes by table") {
   for (const Exercise& exercise : all_exercises()) {
-    const Outcome one = sent(exercise, exercise.right, 1), other = sent(exercise, exercise.right, 2);
+    const Attempt one = sent(exercise, exercise.right, 1), other = sent(exercise, exercise.right, 2);
     for (std::size_t check = 0; check < exercise.checks.size(); ++check) {
       INFO(exercise.name << ": " << exercise.checks[check].says);
       bool differs = false;
@@ -121,7 +121,7 @@ TEST_CASE("an exercise goes by its number or its name, and an unknown one is ref
 
 TEST_CASE("a number that is not one says so, and no number at all is no pass") {
   const Exercise& exercise = example();
-  Outcome outcome = sent(exercise, exercise.right, 1);
+  Attempt outcome = sent(exercise, exercise.right, 1);
   outcome.numbers[0][1][0] = std::numeric_limits<Real>::quiet_NaN();
   CHECK(judge(exercise, 1, outcome).mistake == "not a number");
   outcome = sent(exercise, exercise.right, 1);
@@ -144,7 +144,7 @@ TEST_CASE(
   for (std::size_t check = 0; check < exercise.checks.size(); ++check) {
     for (std::size_t i = 0; i < exercise.checks[check].quantities.size(); ++i) {
       for (std::size_t scene = 0; scene < scenes_of_a_check; ++scene) {
-        Outcome outcome = sent(exercise, exercise.right, 1);
+        Attempt outcome = sent(exercise, exercise.right, 1);
         outcome.numbers[check][scene][i] += Real(1.5) * exercise.checks[check].quantities[i].tolerance;
         const Verdict verdict = judge(exercise, 1, outcome);
         CHECK(verdict.checks[check] == Passed::no);

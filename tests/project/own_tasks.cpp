@@ -69,7 +69,7 @@ TEST_CASE("the example's checks tell its mistakes apart") {
   const Exercise& exercise = exercise_named(all, "brake");
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto sent = [&](const Exercise::Played& answer) {
-      Outcome outcome;
+      Attempt outcome;
       for (std::size_t check = 0; check < exercise.checks.size(); ++check)
         outcome.numbers.push_back(scenes_of(answer, seed, check));
       return outcome;

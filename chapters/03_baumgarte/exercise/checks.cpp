@@ -80,8 +80,12 @@ std::vector<Check<Answer>> checks() {
          world.add(box(Vec3::Constant(half), 100).at({0, half - depth, 0}));
          auto solver = with_effect<PushingOut>(answer.push_out);
          const std::size_t steps = 3 + random.below(10);
-         for (std::size_t step = 0; step < steps; ++step) world.step(solver, Real(1) / 60, 100);
-         return {1000 * (half - world.bodies[1].position.y()), world.bodies[1].velocity.y()};
+         Numbers depths{1000 * depth};
+         for (std::size_t step = 0; step < steps; ++step) {
+           world.step(solver, Real(1) / 60, 100);
+           depths.push_back(1000 * (half - world.bodies[1].position.y()));
+         }
+         return with_record({depths.back(), world.bodies[1].velocity.y()}, depths);
        }},
   };
 }
@@ -151,7 +155,7 @@ Exercise exercise() {
        "After one step of h seconds the part β of the depth d = -C should be gone. Which speed covers β d in h?",
        "b = β/h C, with C = row.separation: negative, so it asks for a positive speed. Keep the lesser of "
        "this and the b that is there already: std::min."},
-      checks(), {Baumgarte{{}, beta}}, mistakes());
+      checks(), {Baumgarte{{}, beta}}, mistakes(), {{3, {"depth of your box", "mm", "step"}}});
 }
 
 }  // namespace pushback::exercise_03

@@ -17,20 +17,34 @@ struct Bias : Effect {
 
 using Pushing = Solver<Clamping, Bias, AnyEffect>;
 
-/// A ball so deep in the ground, under gravity, after so many steps.
-Body ball(Random& random, Real depth, int steps, const Answer& answer) {
+/// A ball so deep in the ground, under gravity.
+struct Ball {
   World world;
-  const Real radius = random.between(Real(0.3), Real(0.5));
-  world.add(ground());
-  world.add(sphere(radius, random.between(5, 20)).at({0, -depth, 0}));
-  world.bodies[1].position.y() += radius;
-  auto solver = with_effect<Pushing>(answer.allowance);
-  for (int step = 0; step < steps; ++step) world.step(solver, Real(1) / 60, 4);
-  return world.bodies[1];
-}
+  Real radius;
 
-Real depth_of(const Body& ball) {
-  return 1000 * (std::get<Sphere>(ball.shape).radius - ball.position.y());
+  Ball(Random& random, Real depth) : radius(random.between(Real(0.3), Real(0.5))) {
+    world.add(ground());
+    world.add(sphere(radius, random.between(5, 20)).at({0, -depth, 0}));
+    world.bodies[1].position.y() += radius;
+  }
+  /// mm
+  Real depth() const { return 1000 * (radius - world.bodies[1].position.y()); }
+  /// mm, at the start and after each step.
+  Numbers depths(const Answer& answer, int steps) {
+    auto solver = with_effect<Pushing>(answer.allowance);
+    Numbers found{depth()};
+    for (int step = 0; step < steps; ++step) {
+      world.step(solver, Real(1) / 60, 4);
+      found.push_back(depth());
+    }
+    return found;
+  }
+};
+
+/// Its depth after half a second, then at the start and after each step.
+Numbers half_a_second(Ball ball, const Answer& answer) {
+  const Numbers depths = ball.depths(answer, 30);
+  return with_record({depths.back()}, depths);
 }
 
 std::vector<Check<Answer>> checks() {
@@ -39,19 +53,21 @@ std::vector<Check<Answer>> checks() {
        1,
        {{"your deep ball comes up with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         return {ball(random, random.between(Real(0.012), Real(0.02)), 1, answer).velocity.y()};
+         Ball ball(random, random.between(Real(0.012), Real(0.02)));
+         ball.depths(answer, 1);
+         return {ball.world.bodies[1].velocity.y()};
        }},
       {"a ball that is less deep than the slop stays where it is",
        1,
        {{"after half a second your shallow ball is deep by", "mm", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         return {depth_of(ball(random, random.between(Real(0.001), Real(0.004)), 30, answer))};
+         return half_a_second(Ball(random, random.between(Real(0.001), Real(0.004))), answer);
        }},
       {"a deep ball ends at the slop",
        1,
        {{"after half a second your deep ball is deep by", "mm", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         return {depth_of(ball(random, random.between(Real(0.012), Real(0.02)), 30, answer))};
+         return half_a_second(Ball(random, random.between(Real(0.012), Real(0.02))), answer);
        }},
   };
 }
@@ -111,11 +127,13 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>("slop",
-                             {"A depth d up to the slop does not count. Of a greater one, only d - slop does.",
-                              "In C = -d: the separation that counts is C + slop, as long as that is negative.",
-                              "row.separation = min(0, C + slop), for each of the first step.contacts.size() rows."},
-                             checks(), {Slop{}}, mistakes());
+  return exercise_of<Answer>(
+      "slop",
+      {"A depth d up to the slop does not count. Of a greater one, only d - slop does.",
+       "In C = -d: the separation that counts is C + slop, as long as that is negative.",
+       "row.separation = min(0, C + slop), for each of the first step.contacts.size() rows."},
+      checks(), {Slop{}}, mistakes(),
+      {{1, {"depth of your shallow ball", "mm", "step"}}, {2, {"depth of your deep ball", "mm", "step"}}});
 }
 
 }  // namespace pushback::exercise_04

@@ -87,8 +87,12 @@ std::vector<Check<Answer>> checks() {
         {"your ball, which comes to rest, still moves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Ball ball(random, Real(0.001));
-         for (int step = 0; step < 400; ++step) ball.step(answer);
-         return {ball.depth(), ball.speed()};
+         Numbers depths{ball.depth()};
+         for (int step = 0; step < 400; ++step) {
+           ball.step(answer);
+           depths.push_back(ball.depth());
+         }
+         return with_record({ball.depth(), ball.speed()}, depths);
        }},
   };
 }
@@ -232,7 +236,7 @@ Exercise exercise() {
       {"Ω = 2π hertz, and K = 1 / row.effective_mass. b = Ω / (2ζ + hΩ) C and γ = K / (hΩ (2ζ + hΩ)).",
        "When relaxing, b = 0 and γ = 0. The rest is the same for both.",
        "The new sum is Σλ + λ, with Σλ = row.impulse and λ = -(JV + b + γ Σλ) / (K + γ): row.reach of that."},
-      checks(), {right}, mistakes());
+      checks(), {right}, mistakes(), {{3, {"depth of your ball", "mm", "step"}}});
 }
 
 }  // namespace pushback::exercise_12

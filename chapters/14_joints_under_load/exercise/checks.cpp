@@ -72,8 +72,12 @@ std::vector<Check<Answer>> checks() {
          Chain chain(random, answer);
          for (int link = 0; link < 3; ++link) chain.hang(1, 0);
          chain.hang(random.between(10, 20), random.between(Real(0.02), Real(0.04)));
-         for (int step = 0; step < 15; ++step) chain.world.step(chain.solver, chain.h, 5);
-         return {1000 * chain.too_low()};
+         Numbers too_low{1000 * chain.too_low()};
+         for (int step = 0; step < 15; ++step) {
+           chain.world.step(chain.solver, chain.h, 5);
+           too_low.push_back(1000 * chain.too_low());
+         }
+         return with_record({too_low.back()}, too_low);
        }},
   };
 }
@@ -171,7 +175,7 @@ Exercise exercise() {
        "is added once the push is back in b closes the gap.",
        "finish: remember; put the push back; WarmJoints::sweep(step) rounds_ times. report: nothing, or it would "
        "remember once more."},
-      checks(), {SplitJoints{}}, mistakes());
+      checks(), {SplitJoints{}}, mistakes(), {{3, {"how much too low your heavy load hangs", "mm", "step"}}});
 }
 
 }  // namespace pushback::exercise_14

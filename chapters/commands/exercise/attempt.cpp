@@ -133,9 +133,9 @@ Command Sandbox::around(Command command, const fs::path& folder, const std::vect
   return made + Command{"--"} + command;
 }
 
-Outcome attempt(const Exercise& exercise, const fs::path& file, std::uint64_t seed, const Sandbox* sandbox,
+Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t seed, const Sandbox* sandbox,
                 const Limits& limits) {
-  Outcome outcome;
+  Attempt outcome;
   const ScratchFolder scratch;
   const fs::path own = scratch.path / file.filename(), object = scratch.path / "answer.o",
                  program = scratch.path / "answer", headers = kit().folder / "headers.h",

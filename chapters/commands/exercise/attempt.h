@@ -38,7 +38,7 @@ class Sandbox {
 };
 
 /// `sandbox`: none where it is null.
-Outcome attempt(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed, const Sandbox* sandbox,
+Attempt attempt(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed, const Sandbox* sandbox,
                 const Limits& limits = {});
 
 }  // namespace pushback

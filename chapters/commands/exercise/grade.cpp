@@ -49,7 +49,7 @@ Json graded(const Grading& grading, const Exercise& exercise, const std::string&
     verdict.sentence = "the gap is as it was.";
     verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
   } else {
-    const Outcome outcome = attempt(exercise, *file, seed, sandbox, grading.limits);
+    const Attempt outcome = attempt(exercise, *file, seed, sandbox, grading.limits);
     verdict = judge(exercise, seed, outcome);
     printed = outcome.printed.substr(0, 1000);
     if (grading.sheets) {

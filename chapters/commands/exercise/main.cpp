@@ -58,7 +58,7 @@ bool check(const Exercise& exercise, StudentFiles& files, const Asked& asked) {
     return false;
   }
   const std::uint64_t seed = asked.seed != 0 ? asked.seed : std::random_device{}();
-  const Outcome outcome = attempt(exercise, file, seed, nullptr);
+  const Attempt outcome = attempt(exercise, file, seed, nullptr);
   const Verdict verdict = judge(exercise, seed, outcome);
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
     const Passed passed = verdict.checks[i];

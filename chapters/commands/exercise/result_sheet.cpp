@@ -43,7 +43,7 @@ class Span {
  public:
   Span(const Compared& compared, std::size_t quantity) {
     take(0);
-    const Real least = 10 * compared.check.quantities[quantity].tolerance;
+    const Real least = 10 * static_cast<Real>(compared.check.quantities[quantity].tolerance);
     for (std::size_t scene = 0; scene < scenes_of_a_check; ++scene) {
       take(sent(compared.right, scene, quantity));
       take(sent(compared.mistaken, scene, quantity));
@@ -220,7 +220,7 @@ std::vector<Image> plots_of(const std::vector<Compared>& checks, const Verdict& 
 
 }  // namespace
 
-bool write_result_sheet(const fs::path& file, const Exercise& exercise, std::uint64_t seed, const Outcome& outcome,
+bool write_result_sheet(const fs::path& file, const Exercise& exercise, std::uint64_t seed, const Attempt& outcome,
                         const Verdict& verdict) {
   if (outcome.numbers.empty()) {
     fs::remove(file);

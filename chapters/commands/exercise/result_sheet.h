@@ -10,6 +10,6 @@ namespace pushback {
 /// Leaves a picture of what was sent, a line for each number of each check; nothing, and no older picture either, where
 /// nothing was. True where there is one.
 bool write_result_sheet(const std::filesystem::path& file, const Exercise& exercise, std::uint64_t seed,
-                        const Outcome& outcome, const Verdict& verdict);
+                        const Attempt& outcome, const Verdict& verdict);
 
 }  // namespace pushback

@@ -15,9 +15,7 @@ Numbers rolled(Random& random, Real speed, Real needed, const Answer& answer) {
   Numbers speeds{speed};
   for (std::size_t step = 0; step < steps; ++step)
     speeds.push_back(speeds.back() + answer.brake(mass, speeds.back(), strength, h) / mass);
-  Numbers numbers{speeds.back(), speeds[1]};
-  numbers.insert(numbers.end(), speeds.begin(), speeds.end());
-  return numbers;
+  return with_record({speeds.back(), speeds[1]}, speeds);
 }
 
 Check<Answer> check(std::string says, const std::string& wagon,
