@@ -42,7 +42,7 @@ class Reader {
 
   read(page) {
     page.text = fs.readFileSync(path.join(this.root, page.file), "utf8");
-    page.title = /^# (.*)$/m.exec(page.text)?.[1] ?? titleOf(page.file);
+    page.title ??= /^# (.*)$/m.exec(page.text)?.[1] ?? page.file;
     page.root = relative(page.address, ".") || ".";
     page.problem = (line, text) => this.problems.push(`${page.file}:${line}: ${text}`);
     page.target = (address, line) => this.#target(page, address, line);
@@ -139,8 +139,6 @@ class Reader {
     });
   }
 }
-
-const titleOf = (file) => path.posix.basename(file, ".md").replace(/_/g, " ");
 
 function kindOf(file) {
   const name = path.posix.basename(file);

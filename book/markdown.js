@@ -3,6 +3,7 @@ import GithubSlugger from "github-slugger";
 import katex from "katex";
 import MarkdownIt from "markdown-it";
 import mathSyntax from "@vscode/markdown-it-katex";
+import { linkCases } from "./cases.js";
 import { escaped, highlightedDifference, highlightedLines } from "./sources.js";
 
 const math = ["math_inline", "math_inline_block", "math_inline_bare_block", "math_block"];
@@ -55,6 +56,7 @@ function readPage({ tokens, env: page }) {
   if (page.chapter && endsWithNeighbours(tokens)) tokens.splice(-3);
   figures(tokens, page);
   tables(tokens);
+  linkCases(tokens, page);
 }
 
 /// Whether the last line of a page names its neighbours and nothing else: the book has links of its own there.
@@ -195,10 +197,23 @@ function tables(tokens) {
       if (tokens.slice(i, end).every((other) => other.type !== "inline" || !other.content.trim())) tokens.splice(i--, end - i);
     }
     if (token.type !== "inline" || tokens[i - 1]?.type !== "td_open") continue;
-    const verdict = { "✓": "pass", "✗": "fail" }[token.content[0] === "★" ? token.content.trim().split(/\s+/)[1] : token.content[0]];
-    if (verdict) tokens[i - 1].attrJoin("class", verdict);
+    const [, verdictMark] = /^(?:★ )?([✓✗])/.exec(token.content) ?? [];
+    const verdict = { "✓": "pass", "✗": "fail" }[verdictMark];
+    if (!verdict) markVariant(token);
+    else tokens[i - 1].attrJoin("class", verdict);
     if (token.children.some((child) => child.type === "image")) open.attrJoin("class", "pictures");
   }
+}
+
+/// The shape before the name of a variant has the colour that it has on the sheet and in the plot.
+function markVariant(cell) {
+  const [first] = cell.children;
+  const which = "●■▲◆▼★✚".indexOf(first?.content[0] || " ");
+  if (which < 0 || first.type !== "text") return;
+  const mark = new cell.constructor("html_inline", "", 0);
+  mark.content = `<span class="mark-${which}">${first.content[0]}</span>`;
+  first.content = first.content.slice(1).trimStart();
+  cell.children.unshift(mark);
 }
 
 /// The text that one reads, without marks.

@@ -34,7 +34,7 @@ export function outline(root) {
   }
   const docs = names("docs").filter((name) => name.endsWith(".md") && name !== "before_you_start.md").map((name) => name.slice(0, -3));
   for (const name of docs.sort((a, b) => place(a) - place(b))) add("Further", `docs/${name}.md`);
-  add("Tables", "renders/hard_cases/table.md", { parent: "docs/hard_cases.md" });
-  add("Tables", "renders/19_accuracy_and_time/frozen.md", { parent: "docs/accuracy_and_time.md" });
+  add("Tables", "renders/hard_cases/table.md", { parent: "docs/hard_cases.md", title: "All cases under all stages" });
+  add("Tables", "renders/19_accuracy_and_time/frozen.md", { parent: "docs/accuracy_and_time.md", title: "Contact problems, solved to a residual" });
   return pages;
 }
