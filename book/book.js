@@ -3,7 +3,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { imageSize } from "image-size";
 import { markdown } from "./markdown.js";
-import { addressOf, outline, relative } from "./outline.js";
+import { addressOf, outline, relative, toRoot } from "./outline.js";
 import { includedBy, Sources } from "./sources.js";
 
 const copied = /\.(png|svg|webp|csv)$/;
@@ -43,7 +43,7 @@ class Reader {
   read(page) {
     page.text = fs.readFileSync(path.join(this.root, page.file), "utf8");
     page.title ??= /^# (.*)$/m.exec(page.text)?.[1] ?? page.file;
-    page.root = relative(page.address, ".") || ".";
+    page.root = toRoot(page.address);
     page.problem = (line, text) => this.problems.push(`${page.file}:${line}: ${text}`);
     page.target = (address, line) => this.#target(page, address, line);
     page.picture = (address, alt, heading, line) => this.#picture(page, address, alt, heading, line);

@@ -69,6 +69,7 @@ function endsWithNeighbours(tokens) {
 function readInline(token, page, line) {
   for (const child of token.children) {
     if (child.type === "softbreak" || child.type === "hardbreak") ++line;
+    if (child.type === "text" && child.content.includes("$")) page.problem(line, `a dollar sign that belongs to no formula: ${child.content.trim().slice(0, 60)}`);
     if (child.type === "link_open") child.attrSet("href", page.target(child.attrGet("href"), line));
     if (child.type === "html_inline") child.content = withLinks(child.content, page, line);
     if (child.type === "image") readImage(child, page, line);

@@ -38,3 +38,6 @@ export function outline(root) {
   add("Tables", "renders/19_accuracy_and_time/frozen.md", { parent: "docs/accuracy_and_time.md", title: "Contact problems, solved to a residual" });
   return pages;
 }
+
+/// From a page of the book to its folder.
+export const toRoot = (address) => relative(address, ".") || ".";

@@ -1,6 +1,6 @@
 /// What the layouts are told of each page: where it stands in the course, its contents, what belongs to it.
 import path from "node:path";
-import { relative } from "./outline.js";
+import { relative, toRoot } from "./outline.js";
 import { escaped, sourceLines } from "./sources.js";
 
 /// All pages of the book with their neighbours, the gallery behind the first two parts, sources and folders of sources.
@@ -85,7 +85,7 @@ function sourcePages(book, root) {
   const common = ({ file, address, readIn = [] }) => {
     const folder = path.posix.dirname(file);
     return { file, address, readIn: readIn.map(short), folder: folder === "." ? "" : `${folder}/`, title: path.posix.basename(file), layout: "source.njk", sort: "source",
-      root: relative(address, "."), contents: [] };
+      root: toRoot(address), contents: [] };
   };
   const files = book.sources.map((source) => {
     const link = (included) => shown.has(included) && relative(source.address, shown.get(included).address);
