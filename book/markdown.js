@@ -12,7 +12,7 @@ const math = ["math_inline", "math_inline_block", "math_inline_bare_block", "mat
 /// `page.problem(line, text)`, `page.target(address, line)`, `page.picture(address, alt, line)`, `page.quoted(code, line)`.
 export function markdown() {
   const md = new MarkdownIt({ html: true, typographer: true });
-  md.use(mathSyntax.default ?? mathSyntax, { enableFencedBlocks: true });
+  md.use(mathSyntax.default ?? mathSyntax);
   md.core.ruler.disable("replacements");  // quotation marks are made typographic, nothing else is
   md.core.ruler.push("page", readPage);
   for (const kind of math) md.renderer.rules[kind] = (tokens, i) => tokens[i].meta;
@@ -33,6 +33,7 @@ function readPage({ tokens, env: page }) {
     if (token.map) line = token.map[0] + 1;
     if (token.type === "ordered_list_open" && tokens[i - 3]?.map?.[1] === token.map[0] && tokens[i - 1].type === "paragraph_close")
       page.problem(line, "this line begins with a number and a dot, so a list begins here, within a paragraph");
+    if (token.type === "fence" && token.info.trim() === "math") token.type = "math_block";
     if (token.type === "heading_open") inHeading = token;
     else if (token.type === "heading_close") inHeading = null;
     else if (token.type === "html_block") token.content = withLinks(token.content, page, line);
