@@ -28,7 +28,7 @@ class Reader {
   files = new Set();
   pictures = [];
   #anchors = [];
-  #shown = new Map();  // each source that is shown, and the pages that name it
+  #shown = new Map(); // each source that is shown, and the pages that name it
   #folders = new Set();
   #names;
 
@@ -54,13 +54,15 @@ class Reader {
   checkAnchors() {
     for (const { page, line, file, anchor } of this.#anchors) {
       const headings = this.#names.get(file).headings;
-      if (!headings.some(({ id }) => id === anchor)) page.problem(line, `the link to ${file}#${anchor}: there is no such heading`);
+      if (!headings.some(({ id }) => id === anchor))
+        page.problem(line, `the link to ${file}#${anchor}: there is no such heading`);
     }
   }
 
   book() {
     const sources = [...this.#shown.keys()];
-    for (const file of sources) {  // grows while it is gone through
+    for (const file of sources) {
+      // grows while it is gone through
       if (!/\.(h|cpp)$/.test(file)) continue;
       for (const included of includedBy(this.root, file)) {
         if (this.#shown.has(included)) continue;
@@ -71,7 +73,11 @@ class Reader {
     return {
       pages: this.pages,
       sources: sources.sort().map((file) => ({ file, address: `${file}.html`, readIn: [...this.#shown.get(file)] })),
-      folders: [...this.#folders].map((file) => ({ file, address: `${file}/index.html`, names: this.#sourcesIn(file) })),
+      folders: [...this.#folders].map((file) => ({
+        file,
+        address: `${file}/index.html`,
+        names: this.#sourcesIn(file),
+      })),
       files: [...this.files],
       pictures: this.pictures,
     };
@@ -79,18 +85,22 @@ class Reader {
 
   #target(page, address, line) {
     if (/^[a-z]+:/i.test(address)) {
-      if (!/^(https?:\/\/[\w-]+(\.[\w-]+)+(\/\S*)?|mailto:\S+@\S+)$/.test(address)) page.problem(line, `no address has the form ${address}`);
+      if (!/^(https?:\/\/[\w-]+(\.[\w-]+)+(\/\S*)?|mailto:\S+@\S+)$/.test(address))
+        page.problem(line, `no address has the form ${address}`);
       return address;
     }
     const [name, anchor] = decodeURI(address).split("#");
-    const file = name ? path.posix.normalize(path.posix.join(path.posix.dirname(page.file), name)).replace(/\/$/, "") : page.file;
+    const file = name
+      ? path.posix.normalize(path.posix.join(path.posix.dirname(page.file), name)).replace(/\/$/, "")
+      : page.file;
     const there = file.startsWith("..") ? null : fs.statSync(path.join(this.root, file), { throwIfNoEntry: false });
     if (!there) {
       page.problem(line, `the link to ${address}: there is no such file`);
       return address;
     }
     if (file.endsWith(".md")) {
-      if (!this.#names.has(file)) page.problem(line, `the link to ${address}: the book has no such page (book/outline.js)`);
+      if (!this.#names.has(file))
+        page.problem(line, `the link to ${address}: the book has no such page (book/outline.js)`);
       else if (anchor) this.#anchors.push({ page, line, file, anchor });
       const to = name ? relative(page.address, addressOf(file)) : "";
       return to + (anchor ? `#${encodeURIComponent(anchor)}` : "");
@@ -115,14 +125,18 @@ class Reader {
   }
 
   #sourcesIn(folder) {
-    return fs.readdirSync(path.join(this.root, folder)).filter((name) => /\.(h|cpp)$/.test(name)).sort().map((name) => `${folder}/${name}`);
+    return fs
+      .readdirSync(path.join(this.root, folder))
+      .filter((name) => /\.(h|cpp)$/.test(name))
+      .sort()
+      .map((name) => `${folder}/${name}`);
   }
 
   #picture(page, address, alt, heading, line) {
     const src = this.#target(page, address, line);
     const file = path.posix.join(path.posix.dirname(page.address), src);
     const picture = { src, file, alt, page, heading, kind: kindOf(file) };
-    if (!this.files.has(file)) return picture;  // the problem has been said
+    if (!this.files.has(file)) return picture; // the problem has been said
     const bytes = fs.readFileSync(path.join(this.root, file));
     Object.assign(picture, imageSize(bytes), { bytes: bytes.length });
     if (picture.kind === "film") picture.still = src.replace(/\.webp$/, "_still.webp");
@@ -135,7 +149,12 @@ class Reader {
     if (missing) page.problem(line, `this code stands in no source: ${missing}`);
     return places.map(({ file, line: at }) => {
       this.#show(file, page);
-      return { file, line: at, name: path.posix.basename(file), href: `${relative(page.address, `${file}.html`)}#L${at}` };
+      return {
+        file,
+        line: at,
+        name: path.posix.basename(file),
+        href: `${relative(page.address, `${file}.html`)}#L${at}`,
+      };
     });
   }
 }
@@ -150,7 +169,7 @@ function kindOf(file) {
 
 /// The first picture of an animated WebP as a file of its own: its chunk of pixels, which has to fill the whole canvas.
 export function stillOf(film) {
-  for (let at = 12; at < film.length; ) {
+  for (let at = 12; at < film.length;) {
     const length = film.readUInt32LE(at + 4);
     if (film.toString("latin1", at, at + 4) === "ANMF") {
       const pixels = film.subarray(at + 8 + 16, at + 8 + length);

@@ -11,7 +11,7 @@ const home = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
 const { values } = parseArgs({ options: { root: { type: "string", default: home }, out: { type: "string" } } });
 const root = path.resolve(values.root);
 const out = path.resolve(values.out ?? path.join(root, "build/book"));
-process.chdir(home);  // Eleventy reads and copies relative to where it runs
+process.chdir(home); // Eleventy reads and copies relative to where it runs
 const here = (...names) => path.relative(".", path.join(...names));
 
 let book;
@@ -36,13 +36,19 @@ function config(eleventy) {
   for (const entry of pages) {
     const { html, layout, address: permalink } = entry;
     delete entry.html;
-    eleventy.addTemplate(`${permalink.replace(/\W/g, "_")}.html`, html, { entry, layout, permalink, templateEngineOverride: "html" });
+    eleventy.addTemplate(`${permalink.replace(/\W/g, "_")}.html`, html, {
+      entry,
+      layout,
+      permalink,
+      templateEngineOverride: "html",
+    });
   }
   const copy = (from, to) => fs.existsSync(from) && eleventy.addPassthroughCopy({ [here(from)]: to });
   for (const file of book.files) copy(path.join(root, file), file);
   for (const name of ["style", "scripts"]) copy(`book/${name}`, "assets");
   copy("node_modules/minisearch/dist/umd/index.js", "assets/minisearch.js");
-  for (const file of [...textFonts().files, ...katexFonts().map((name) => `node_modules/katex/dist/fonts/${name}`)]) copy(file, `assets/fonts/${path.basename(file)}`);
+  for (const file of [...textFonts().files, ...katexFonts().map((name) => `node_modules/katex/dist/fonts/${name}`)])
+    copy(file, `assets/fonts/${path.basename(file)}`);
   copy("book/live", "live");
   copy("build/wasm/live", "live/wasm");
   copy("node_modules/uplot/dist/uPlot.iife.min.js", "live/uplot/uPlot.js");
@@ -55,10 +61,15 @@ function textFonts() {
     ["wght.css", "wght-italic.css"].flatMap((style) => {
       const folder = `node_modules/@fontsource-variable/${font}`;
       const all = fs.readFileSync(`${folder}/${style}`, "utf8").match(/@font-face {[^}]*}/g);
-      return all.filter((face) => /-(latin|greek)(-ext)?-wght/.test(face)).map((face) => ({ face, file: `${folder}/${/files\/[^)]*woff2/.exec(face)[0]}` }));
+      return all
+        .filter((face) => /-(latin|greek)(-ext)?-wght/.test(face))
+        .map((face) => ({ face, file: `${folder}/${/files\/[^)]*woff2/.exec(face)[0]}` }));
     }),
   );
-  return { style: faces.map(({ face }) => face.replace("./files/", "fonts/")).join("\n"), files: faces.map(({ file }) => file) };
+  return {
+    style: faces.map(({ face }) => face.replace("./files/", "fonts/")).join("\n"),
+    files: faces.map(({ file }) => file),
+  };
 }
 
 function katexFonts() {
@@ -78,7 +89,15 @@ function writeDerived() {
     if (kind === "film") write(file.replace(/\.webp$/, "_still.webp"), stillOf(fs.readFileSync(path.join(root, file))));
   }
   const words = book.pages.flatMap(({ title: page, address, sections }) =>
-    sections.map(({ id, title, text }) => ({ address: id ? `${address}#${encodeURIComponent(id)}` : address, title: title || page, page, text: text.replace(/\s+/g, " ").trim() })),
+    sections.map(({ id, title, text }) => ({
+      address: id ? `${address}#${encodeURIComponent(id)}` : address,
+      title: title || page,
+      page,
+      text: text.replace(/\s+/g, " ").trim(),
+    })),
   );
-  write("assets/search_index.js", `window.PUSHBACK_SEARCH = ${JSON.stringify(words.map((word, id) => ({ id, ...word })))};\n`);
+  write(
+    "assets/search_index.js",
+    `window.PUSHBACK_SEARCH = ${JSON.stringify(words.map((word, id) => ({ id, ...word })))};\n`,
+  );
 }

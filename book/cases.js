@@ -25,9 +25,9 @@ function linkTable(tokens) {
   let tables = 0;
   let row, column, name;
   tokens.forEach((token, i) => {
-    if (token.type === "table_open") (stages = []), ++tables;
+    if (token.type === "table_open") ((stages = []), ++tables);
     if (token.type === "th_open") stages.push(tokens[i + 1].children.map(({ content }) => content).join(""));
-    if (token.type === "tr_open") (row = token), (column = -1), (name = undefined);
+    if (token.type === "tr_open") ((row = token), (column = -1), (name = undefined));
     if (token.type !== "td_open") return;
     if (++column > 0) return name && (token.attrSet("data-case", name), token.attrSet("data-stage", stages[column]));
     const cell = tokens[i + 1];

@@ -13,12 +13,13 @@ const math = ["math_inline", "math_inline_block", "math_inline_bare_block", "mat
 export function markdown() {
   const md = new MarkdownIt({ html: true, typographer: true });
   md.use(mathSyntax.default ?? mathSyntax);
-  md.core.ruler.disable("replacements");  // quotation marks are made typographic, nothing else is
+  md.core.ruler.disable("replacements"); // quotation marks are made typographic, nothing else is
   md.core.ruler.push("page", readPage);
   for (const kind of math) md.renderer.rules[kind] = (tokens, i) => tokens[i].meta;
   md.renderer.rules.fence = (tokens, i) => codeBlock(tokens[i]);
   md.renderer.rules.code_block = (tokens, i) => codeBlock(tokens[i]);
-  md.renderer.rules.table_open = (tokens, i, options, env, self) => `<div class="table"><table${self.renderAttrs(tokens[i])}>\n`;
+  md.renderer.rules.table_open = (tokens, i, options, env, self) =>
+    `<div class="table"><table${self.renderAttrs(tokens[i])}>\n`;
   md.renderer.rules.table_close = () => "</table></div>\n";
   return md;
 }
@@ -31,7 +32,11 @@ function readPage({ tokens, env: page }) {
   let inHeading = null;
   tokens.forEach((token, i) => {
     if (token.map) line = token.map[0] + 1;
-    if (token.type === "ordered_list_open" && tokens[i - 3]?.map?.[1] === token.map[0] && tokens[i - 1].type === "paragraph_close")
+    if (
+      token.type === "ordered_list_open" &&
+      tokens[i - 3]?.map?.[1] === token.map[0] &&
+      tokens[i - 1].type === "paragraph_close"
+    )
       page.problem(line, "this line begins with a number and a dot, so a list begins here, within a paragraph");
     if (token.type === "fence" && token.info.trim() === "math") token.type = "math_block";
     if (token.type === "heading_open") inHeading = token;
@@ -70,7 +75,9 @@ function endsWithNeighbours(tokens) {
 function readInline(token, page, line) {
   for (const child of token.children) {
     if (child.type === "softbreak" || child.type === "hardbreak") ++line;
-    if (child.type === "text" && child.content.includes("$")) page.problem(line, `a dollar sign that belongs to no formula: ${child.content.trim().slice(0, 60)}`);
+    if (child.type === "text" && child.content.includes("$"))
+      page.problem(line, `a dollar sign that belongs to no formula: ${child.content.trim().slice(0, 60)}`);
+    if (child.type === "code_inline" && child.content.length <= 24) child.attrSet("class", "short");
     if (child.type === "link_open") child.attrSet("href", page.target(child.attrGet("href"), line));
     if (child.type === "html_inline") child.content = withLinks(child.content, page, line);
     if (child.type === "image") readImage(child, page, line);
@@ -95,7 +102,10 @@ function readImage(token, page, line) {
 
 function withLinks(html, page, line) {
   const lineAt = (at) => line + (html.slice(0, at).match(/\n/g) ?? []).length;
-  return html.replace(/(<a\s[^>]*href=")([^"]*)"/g, (all, before, address, at) => `${before}${page.target(address, lineAt(at))}"`);
+  return html.replace(
+    /(<a\s[^>]*href=")([^"]*)"/g,
+    (all, before, address, at) => `${before}${page.target(address, lineAt(at))}"`,
+  );
 }
 
 const rendered = new Map();
@@ -105,7 +115,12 @@ function formula(tex, display, page, line) {
   if (rendered.has(key)) return rendered.get(key);
   try {
     const strict = (code) => (code === "unicodeTextInMathMode" ? "ignore" : "error");
-    const html = katex.renderToString(tex.trim(), { displayMode: display, throwOnError: true, strict, output: "htmlAndMathml" });
+    const html = katex.renderToString(tex.trim(), {
+      displayMode: display,
+      throwOnError: true,
+      strict,
+      output: "htmlAndMathml",
+    });
     rendered.set(key, display ? `<div class="formula">${html}</div>` : html);
     return rendered.get(key);
   } catch (error) {
@@ -122,8 +137,11 @@ function readCode(token, page, line) {
 function codeBlock(token) {
   const { language, places = [] } = token.meta;
   const code = token.content.replace(/\n$/, "");
-  const lines = language === "diff" ? highlightedDifference(code) : highlightedLines(code, language === "sh" ? "bash" : language);
-  const from = places.map(({ href, name, line, file }) => `<a href="${href}" title="${file}, line ${line}">${name}</a>`).join(", ");
+  const lines =
+    language === "diff" ? highlightedDifference(code) : highlightedLines(code, language === "sh" ? "bash" : language);
+  const from = places
+    .map(({ href, name, line, file }) => `<a href="${href}" title="${file}, line ${line}">${name}</a>`)
+    .join(", ");
   const caption = from ? `<figcaption>${from}</figcaption>` : "";
   return `<figure class="code ${language}">${caption}<pre><code>${lines.join(language === "diff" ? "" : "\n")}</code></pre></figure>\n`;
 }
@@ -196,7 +214,8 @@ function tables(tokens) {
     if (token.type === "table_open") open = token;
     if (token.type === "thead_open") {
       const end = tokens.findIndex((other, at) => at > i && other.type === "thead_close");
-      if (tokens.slice(i, end).every((other) => other.type !== "inline" || !other.content.trim())) tokens.splice(i--, end - i);
+      if (tokens.slice(i, end).every((other) => other.type !== "inline" || !other.content.trim()))
+        tokens.splice(i--, end - i);
     }
     if (token.type !== "inline" || tokens[i - 1]?.type !== "td_open") continue;
     const [, verdictMark] = /^(?:★ )?([✓✗])/.exec(token.content) ?? [];
@@ -229,11 +248,39 @@ function plain(children) {
     .join("");
 }
 
-const greek = { alpha: "α", beta: "β", gamma: "γ", delta: "δ", epsilon: "ε", varepsilon: "ε", eta: "η", theta: "θ", kappa: "κ",
-  lambda: "λ", mu: "μ", pi: "π", rho: "ρ", sigma: "σ", tau: "τ", varphi: "φ", omega: "ω", Delta: "Δ", Sigma: "Σ", Pi: "Π", Omega: "Ω",
-  zeta: "ζ", le: "≤", ge: "≥", cdot: "·", times: "×" };
+const greek = {
+  alpha: "α",
+  beta: "β",
+  gamma: "γ",
+  delta: "δ",
+  epsilon: "ε",
+  varepsilon: "ε",
+  eta: "η",
+  theta: "θ",
+  kappa: "κ",
+  lambda: "λ",
+  mu: "μ",
+  pi: "π",
+  rho: "ρ",
+  sigma: "σ",
+  tau: "τ",
+  varphi: "φ",
+  omega: "ω",
+  Delta: "Δ",
+  Sigma: "Σ",
+  Pi: "Π",
+  Omega: "Ω",
+  zeta: "ζ",
+  le: "≤",
+  ge: "≥",
+  cdot: "·",
+  times: "×",
+};
 
 /// A formula as a line of text, for the search.
 function spoken(tex) {
-  return tex.replace(/\\([A-Za-z]+)/g, (all, name) => greek[name] ?? " ").replace(/[{}\\^&]/g, "").replace(/_/g, "");
+  return tex
+    .replace(/\\([A-Za-z]+)/g, (all, name) => greek[name] ?? " ")
+    .replace(/[{}\\^&]/g, "")
+    .replace(/_/g, "");
 }

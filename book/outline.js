@@ -3,7 +3,16 @@ import fs from "node:fs";
 import path from "node:path";
 
 /// The pages of docs/ in the order of the course; one that is not named here comes last.
-const further = ["notation", "hard_cases", "accuracy_and_time", "speed", "soak_and_fuzz", "architecture", "teaching", "other_systems"];
+const further = [
+  "notation",
+  "hard_cases",
+  "accuracy_and_time",
+  "speed",
+  "soak_and_fuzz",
+  "architecture",
+  "teaching",
+  "other_systems",
+];
 
 /// A page of Markdown becomes a page of the same folder, so that what it names beside itself is beside it in the book, too.
 export function addressOf(file) {
@@ -32,10 +41,15 @@ export function outline(root) {
     add("Exercises", `chapters/${chapter}/exercise/task.md`, { parent });
     add("Exercises", `chapters/${chapter}/exercise/transfer/task.md`, { parent });
   }
-  const docs = names("docs").filter((name) => name.endsWith(".md") && name !== "before_you_start.md").map((name) => name.slice(0, -3));
+  const docs = names("docs")
+    .filter((name) => name.endsWith(".md") && name !== "before_you_start.md")
+    .map((name) => name.slice(0, -3));
   for (const name of docs.sort((a, b) => place(a) - place(b))) add("Further", `docs/${name}.md`);
   add("Tables", "renders/hard_cases/table.md", { parent: "docs/hard_cases.md", title: "All cases under all stages" });
-  add("Tables", "renders/19_accuracy_and_time/frozen.md", { parent: "docs/accuracy_and_time.md", title: "Contact problems, solved to a residual" });
+  add("Tables", "renders/19_accuracy_and_time/frozen.md", {
+    parent: "docs/accuracy_and_time.md",
+    title: "Contact problems, solved to a residual",
+  });
   return pages;
 }
 

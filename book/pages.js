@@ -6,7 +6,11 @@ import { escaped, sourceLines } from "./sources.js";
 /// All pages of the book with their neighbours, the gallery behind the first two parts, sources and folders of sources.
 export function pagesOf(book, root) {
   const pages = book.pages.map(described);
-  pages.splice(pages.findLastIndex((page) => page.part === "Chapters" || page.part === "Exercises") + 1, 0, gallery(book.pictures));
+  pages.splice(
+    pages.findLastIndex((page) => page.part === "Chapters" || page.part === "Exercises") + 1,
+    0,
+    gallery(book.pictures),
+  );
   const read = pages.filter((page) => !page.parent);
   for (const page of pages) {
     const at = read.indexOf(page);
@@ -20,18 +24,31 @@ export function pagesOf(book, root) {
 }
 
 /// As much of a page as a link to it shows.
-const short = (page) => page && { file: page.file, address: page.address, title: page.title, name: page.name, label: page.label, number: page.number };
+const short = (page) =>
+  page && {
+    file: page.file,
+    address: page.address,
+    title: page.title,
+    name: page.name,
+    label: page.label,
+    number: page.number,
+  };
 
 /// The parts of the course with the pages that are read one after the other: the contents beside every page.
 export function courseOf(pages) {
-  return ["Start", "Chapters", "Further"].map((name) => ({ name, pages: pages.filter((page) => page.part === name).map(short) }));
+  return ["Start", "Chapters", "Further"].map((name) => ({
+    name,
+    pages: pages.filter((page) => page.part === name).map(short),
+  }));
 }
 
 function described({ file, part, chapter, parent, address, root, title, headings, sections, html }) {
   const numbered = html.replace(/(<h1[^>]*>)(\d\d) /, '$1<span class="number">$2</span> ');
   const page = { file, part, chapter, parent, address, root, title, html: numbered };
   const [, number, name = title] = /^(\d\d) (.*)$/.exec(page.title) ?? [];
-  const task = { "exercise/task.md": "Write it yourself", "exercise/transfer/task.md": "Use it elsewhere" }[path.posix.relative(path.posix.dirname(parent ?? "."), file)];
+  const task = { "exercise/task.md": "Write it yourself", "exercise/transfer/task.md": "Use it elsewhere" }[
+    path.posix.relative(path.posix.dirname(parent ?? "."), file)
+  ];
   return {
     ...page,
     layout: "page.njk",
@@ -54,7 +71,9 @@ const parts = [
 
 function gallery(pictures) {
   const address = "gallery.html";
-  const once = [...new Map(pictures.filter(({ page }) => page.part !== "Start").map((picture) => [picture.file, picture])).values()];
+  const once = [
+    ...new Map(pictures.filter(({ page }) => page.part !== "Start").map((picture) => [picture.file, picture])).values(),
+  ];
   const card = (picture) => {
     const to = `${picture.page.address}${picture.heading?.level > 1 ? `#${picture.heading.id}` : ""}`;
     return (
@@ -63,7 +82,10 @@ function gallery(pictures) {
     );
   };
   const html = parts.map(({ id, title, kind }) => {
-    const cards = once.filter((picture) => picture.kind === kind).map(card).join("\n");
+    const cards = once
+      .filter((picture) => picture.kind === kind)
+      .map(card)
+      .join("\n");
     return `<h2 id="${id}">${title}</h2>\n<ul class="gallery ${id}">\n${cards}\n</ul>`;
   });
   return {
@@ -84,16 +106,29 @@ function sourcePages(book, root) {
   const shown = new Map(book.sources.map((source) => [source.file, source]));
   const common = ({ file, address, readIn = [] }) => {
     const folder = path.posix.dirname(file);
-    return { file, address, readIn: readIn.map(short), folder: folder === "." ? "" : `${folder}/`, title: path.posix.basename(file), layout: "source.njk", sort: "source",
-      root: toRoot(address), contents: [] };
+    return {
+      file,
+      address,
+      readIn: readIn.map(short),
+      folder: folder === "." ? "" : `${folder}/`,
+      title: path.posix.basename(file),
+      layout: "source.njk",
+      sort: "source",
+      root: toRoot(address),
+      contents: [],
+    };
   };
   const files = book.sources.map((source) => {
     const link = (included) => shown.has(included) && relative(source.address, shown.get(included).address);
-    const lines = sourceLines(root, source.file, link).map((line, i) => `<span class="line" id="L${i + 1}">${line}\n</span>`);
+    const lines = sourceLines(root, source.file, link).map(
+      (line, i) => `<span class="line" id="L${i + 1}">${line}\n</span>`,
+    );
     return { ...common(source), html: `<pre class="numbered"><code>${lines.join("")}</code></pre>` };
   });
   const folders = book.folders.map((folder) => {
-    const items = folder.names.map((name) => `<li><a href="${path.posix.basename(name)}.html">${path.posix.basename(name)}</a></li>`);
+    const items = folder.names.map(
+      (name) => `<li><a href="${path.posix.basename(name)}.html">${path.posix.basename(name)}</a></li>`,
+    );
     return { ...common(folder), html: `<ul class="files">\n${items.join("\n")}\n</ul>` };
   });
   return [...files, ...folders];

@@ -8,12 +8,21 @@ import cpp from "highlight.js/lib/languages/cpp";
 import dockerfile from "highlight.js/lib/languages/dockerfile";
 import json from "highlight.js/lib/languages/json";
 
-for (const [name, grammar] of Object.entries({ bash, cmake, cpp, dockerfile, json })) hljs.registerLanguage(name, grammar);
+for (const [name, grammar] of Object.entries({ bash, cmake, cpp, dockerfile, json }))
+  hljs.registerLanguage(name, grammar);
 
-const languages = { ".h": "cpp", ".cpp": "cpp", ".sh": "bash", ".json": "json", ".cmake": "cmake", Containerfile: "dockerfile" };
+const languages = {
+  ".h": "cpp",
+  ".cpp": "cpp",
+  ".sh": "bash",
+  ".json": "json",
+  ".cmake": "cmake",
+  Containerfile: "dockerfile",
+};
 const include = /^#include "(?:pushback\/)?([^"]+)"/gm;
 
-export const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;").replace(/"/g, "&quot;");
+export const escaped = (text) =>
+  text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;").replace(/"/g, "&quot;");
 
 /// The lines of the code, as HTML of their own: what a highlighter opens over an end of line is closed there and opened again.
 export function highlightedLines(code, language) {
@@ -42,7 +51,11 @@ export function highlightedDifference(code) {
 }
 
 export function languageOf(file) {
-  return languages[path.extname(file)] ?? languages[path.basename(file)] ?? (file.endsWith("CMakeLists.txt") ? "cmake" : "text");
+  return (
+    languages[path.extname(file)] ??
+    languages[path.basename(file)] ??
+    (file.endsWith("CMakeLists.txt") ? "cmake" : "text")
+  );
 }
 
 /// The files that a source includes and that are the project's own.
@@ -55,10 +68,13 @@ export function includedBy(root, file) {
 export function sourceLines(root, file, link) {
   const lines = highlightedLines(fs.readFileSync(path.join(root, file), "utf8").trimEnd(), languageOf(file));
   return lines.map((line) =>
-    line.replace(/(<span class="hljs-string">&quot;)((?:pushback\/)?([^&]+))(&quot;<\/span>)/, (all, open, name, included, close) => {
-      const target = line.includes("include") && link(included);
-      return target ? `${open}<a href="${target}">${name}</a>${close}` : all;
-    }),
+    line.replace(
+      /(<span class="hljs-string">&quot;)((?:pushback\/)?([^&]+))(&quot;<\/span>)/,
+      (all, open, name, included, close) => {
+        const target = line.includes("include") && link(included);
+        return target ? `${open}<a href="${target}">${name}</a>${close}` : all;
+      },
+    ),
   );
 }
 
@@ -72,7 +88,8 @@ export class Sources {
       for (const entry of fs.readdirSync(path.join(root, folder), { withFileTypes: true })) {
         const file = `${folder}/${entry.name}`;
         if (entry.isDirectory()) walk(file);
-        else if (/\.(h|cpp)$/.test(file)) this.#files.push(new Packed(file, fs.readFileSync(path.join(root, file), "utf8")));
+        else if (/\.(h|cpp)$/.test(file))
+          this.#files.push(new Packed(file, fs.readFileSync(path.join(root, file), "utf8")));
       }
     };
     for (const folder of ["chapters", "common", "tests", "bench"]) walk(folder);
@@ -87,7 +104,8 @@ export class Sources {
     const found = wanted.map((part) => this.#files.filter((file) => file.text.includes(part)));
     const missing = parts.find((part, i) => found[i].length === 0);
     if (missing) return { places: [], missing: missing.trim().split("\n")[0] };
-    const worth = (file) => found.filter((files) => files.includes(file)).length + (file.name.startsWith(folder) ? 100 : 0);
+    const worth = (file) =>
+      found.filter((files) => files.includes(file)).length + (file.name.startsWith(folder) ? 100 : 0);
     const places = new Map();
     found.forEach((files, i) => {
       const best = files.reduce((a, b) => (worth(b) > worth(a) ? b : a));

@@ -22,15 +22,27 @@
       const search = new MiniSearch({
         fields: ["title", "page", "text"],
         storeFields: ["address", "title", "page", "text"],
-        processTerm: (term) => term.normalize("NFKD").replace(/[\u0300-\u036f]/g, "").toLowerCase(),
-        searchOptions: { boost: { title: 4, page: 2 }, prefix: (term) => term.length > 1, fuzzy: (term) => (term.length > 4 ? 0.2 : false), combineWith: "AND" },
+        processTerm: (term) =>
+          term
+            .normalize("NFKD")
+            .replace(/[\u0300-\u036f]/g, "")
+            .toLowerCase(),
+        searchOptions: {
+          boost: { title: 4, page: 2 },
+          prefix: (term) => term.length > 1,
+          fuzzy: (term) => (term.length > 4 ? 0.2 : false),
+          combineWith: "AND",
+        },
       });
       search.addAll(window.PUSHBACK_SEARCH);
       return search;
     }));
 
   const excerpt = (text, terms) => {
-    const at = Math.max(0, Math.min(...terms.map((term) => text.toLowerCase().indexOf(term)).filter((i) => i >= 0), text.length));
+    const at = Math.max(
+      0,
+      Math.min(...terms.map((term) => text.toLowerCase().indexOf(term)).filter((i) => i >= 0), text.length),
+    );
     const start = at === text.length ? 0 : Math.max(0, text.lastIndexOf(" ", Math.max(0, at - 50)));
     return (start ? "… " : "") + text.slice(start, start + 150).trim() + (start + 150 < text.length ? " …" : "");
   };
@@ -51,9 +63,14 @@
     const words = input.value.trim();
     if (!words) return void (found.hidden = true);
     const search = await load();
-    if (input.value.trim() !== words) return;  // more has been typed meanwhile
+    if (input.value.trim() !== words) return; // more has been typed meanwhile
     const results = search.search(words);
-    count.textContent = results.length === 0 ? `Nothing was found for “${words}”.` : results.length === 1 ? "One place" : `${results.length} places`;
+    count.textContent =
+      results.length === 0
+        ? `Nothing was found for “${words}”.`
+        : results.length === 1
+          ? "One place"
+          : `${results.length} places`;
     list.replaceChildren(
       ...results.slice(0, 30).map((result) => {
         const item = document.createElement("li");
@@ -61,7 +78,9 @@
         const title = document.createElement("strong");
         const text = document.createElement("span");
         link.href = `${root}/${result.address}`;
-        title.append(marked(result.title === result.page ? result.page : `${result.page} › ${result.title}`, result.terms));
+        title.append(
+          marked(result.title === result.page ? result.page : `${result.page} › ${result.title}`, result.terms),
+        );
         text.append(marked(excerpt(result.text, result.terms), result.terms));
         link.append(title, text);
         item.append(link);
@@ -90,9 +109,19 @@
     event.preventDefault();
   });
   document.addEventListener("click", (event) => form.contains(event.target) || (found.hidden = true));
-  form.addEventListener("focusout", (event) => event.relatedTarget && !form.contains(event.relatedTarget) && (found.hidden = true));
+  form.addEventListener(
+    "focusout",
+    (event) => event.relatedTarget && !form.contains(event.relatedTarget) && (found.hidden = true),
+  );
   document.addEventListener("keydown", (event) => {
-    if (event.key !== "/" || event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|TEXTAREA|SELECT)$/.test(event.target.tagName)) return;
+    if (
+      event.key !== "/" ||
+      event.ctrlKey ||
+      event.metaKey ||
+      event.altKey ||
+      /^(INPUT|TEXTAREA|SELECT)$/.test(event.target.tagName)
+    )
+      return;
     event.preventDefault();
     input.focus();
   });

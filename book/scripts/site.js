@@ -39,7 +39,8 @@
     menu.focus();
   });
   const here = course.querySelector("[aria-current]");
-  if (here) course.scrollTop = here.getBoundingClientRect().top - course.getBoundingClientRect().top - course.clientHeight / 3;
+  if (here)
+    course.scrollTop = here.getBoundingClientRect().top - course.getBoundingClientRect().top - course.clientHeight / 3;
 
   // The section that is being read.
   const links = new Map(all(".sections a[href^='#']", course).map((a) => [decodeURIComponent(a.hash.slice(1)), a]));
@@ -49,10 +50,14 @@
     for (const [id, a] of links) a.classList.toggle("reading", id === current?.id);
   };
   let waiting = false;
-  addEventListener("scroll", () => {
-    if (!waiting) requestAnimationFrame(() => ((waiting = false), mark()));
-    waiting = true;
-  }, { passive: true });
+  addEventListener(
+    "scroll",
+    () => {
+      if (!waiting) requestAnimationFrame(() => ((waiting = false), mark()));
+      waiting = true;
+    },
+    { passive: true },
+  );
   mark();
 
   // What is wider than its place scrolls within it, by the keyboard, too.

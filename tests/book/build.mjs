@@ -31,10 +31,13 @@ const chapterOf = (text) => readBook(project(text)).pages.find(({ chapter }) => 
 const htmlOf = (text) => chapterOf(text).html.replace(/^.*<\/h1>\s*/s, "");
 
 function refused(text, line, message) {
-  assert.throws(() => readBook(project(text)), (error) => {
-    assert.ok(error.message.includes(`chapters/01_one/README.md:${line}: ${message}`), error.message);
-    return true;
-  });
+  assert.throws(
+    () => readBook(project(text)),
+    (error) => {
+      assert.ok(error.message.includes(`chapters/01_one/README.md:${line}: ${message}`), error.message);
+      return true;
+    },
+  );
 }
 
 test("broken links, anchors, pictures, formulas and quoted code are refused with file and line, all of them at once", () => {
@@ -44,7 +47,11 @@ test("broken links, anchors, pictures, formulas and quoted code are refused with
   refused("[a](one.h#L3)", 3, "the link to one.h#L3: an anchor in what is no page");
   refused("[a](../../../etc/passwd)", 3, "the link to ../../../etc/passwd: there is no such file");
   refused("[a](https:/x)", 3, "no address has the form https:/x");
-  refused('<details><summary>\n<a href="nowhere.h">a</a></summary>\n\n</details>', 4, "the link to nowhere.h: there is no such file");
+  refused(
+    '<details><summary>\n<a href="nowhere.h">a</a></summary>\n\n</details>',
+    4,
+    "the link to nowhere.h: there is no such file",
+  );
   refused("![seen](../../docs/figures/two.svg)", 3, "the link to ../../docs/figures/two.svg: there is no such file");
   refused("![](../../docs/figures/one.svg)", 3, "the picture ../../docs/figures/one.svg has no alternative text");
   refused("one\n\n$$\\frac{a}$$", 5, "the formula $\\frac{a}$ is none: ");
@@ -59,7 +66,10 @@ test("the command names what is wrong, ends with 1, and writes nothing", () => {
   const folder = project("[a](nowhere.md)");
   const run = spawnSync(process.execPath, [path.join(root, "book/build.js"), "--root", folder], { encoding: "utf8" });
   assert.equal(run.status, 1);
-  assert.equal(run.stderr, "the book was not built:\n  chapters/01_one/README.md:3: the link to nowhere.md: there is no such file\n");
+  assert.equal(
+    run.stderr,
+    "the book was not built:\n  chapters/01_one/README.md:3: the link to nowhere.md: there is no such file\n",
+  );
   assert.equal(fs.existsSync(path.join(folder, "build")), false);
 });
 
@@ -68,12 +78,23 @@ test("links lead to pages, to sources and to folders of sources", () => {
   const targets = [...html.matchAll(/href="([^"]*)"/g)].map(([, target]) => target);
   assert.deepEqual(targets, ["../../index.html#a-part", "one.h.html", "more/index.html", "#01-one"]);
   const book = readBook(project("[c](more)"));
-  assert.deepEqual(book.sources.map(({ file }) => file), ["chapters/01_one/more/two.cpp", "chapters/01_one/one.h"]);  // what is included is shown, too
+  assert.deepEqual(
+    book.sources.map(({ file }) => file),
+    ["chapters/01_one/more/two.cpp", "chapters/01_one/one.h"],
+  ); // what is included is shown, too
 });
 
 test("formulas of each of GitHub's forms are rendered, in tables and lists, too; what is code is none", () => {
-  for (const form of ["a $x^2$ b", "$$x^2$$", "$$\nx^2\n$$", "```math\nx^2\n```", "| a |\n| --- |\n| $x^2$ |", "- $x^2$"]) assert.match(htmlOf(form), /class="katex"/, form);
-  assert.match(htmlOf("`$x^2$`"), /<code>\$x\^2\$<\/code>/);
+  for (const form of [
+    "a $x^2$ b",
+    "$$x^2$$",
+    "$$\nx^2\n$$",
+    "```math\nx^2\n```",
+    "| a |\n| --- |\n| $x^2$ |",
+    "- $x^2$",
+  ])
+    assert.match(htmlOf(form), /class="katex"/, form);
+  assert.match(htmlOf("`$x^2$`"), /<code[^>]*>\$x\^2\$<\/code>/);
 });
 
 test("quoted code is linked to its line; the page's own folder comes first", () => {
@@ -82,21 +103,36 @@ test("quoted code is linked to its line; the page's own folder comes first", () 
 });
 
 test("what is folded stays folded; a picture alone is a figure with the line in italics below it as its caption", () => {
-  assert.match(htmlOf("<details><summary>Answer</summary>\n\n*42*\n\n</details>"), /<details><summary>Answer<\/summary>\s*<p><em>42<\/em><\/p>\s*<\/details>/);
+  assert.match(
+    htmlOf("<details><summary>Answer</summary>\n\n*42*\n\n</details>"),
+    /<details><summary>Answer<\/summary>\s*<p><em>42<\/em><\/p>\s*<\/details>/,
+  );
   const html = htmlOf("![seen](../../docs/figures/one.svg)\n\n*A caption.*");
-  assert.match(html, /^<figure class="drawing"><a [^>]*><img src="..\/..\/docs\/figures\/one.svg" alt="seen" width="20" height="10" [^>]*><\/a><figcaption>A caption.<\/figcaption>\s*<\/figure>/);
+  assert.match(
+    html,
+    /^<figure class="drawing"><a [^>]*><img src="..\/..\/docs\/figures\/one.svg" alt="seen" width="20" height="10" [^>]*><\/a><figcaption>A caption.<\/figcaption>\s*<\/figure>/,
+  );
 });
 
 test("the words for the search are those of each section", () => {
   const { sections } = chapterOf("first $\\beta$\n\n## Part\n\n`code` and\nmore");
-  assert.deepEqual(sections, [{ id: "", title: "01 One", text: "first β " }, { id: "part", title: "Part", text: "code and more " }]);
+  assert.deepEqual(sections, [
+    { id: "", title: "01 One", text: "first β " },
+    { id: "part", title: "Part", text: "code and more " },
+  ]);
 });
 
 test("each line of highlighted code is HTML of its own; a difference keeps its marks", () => {
-  assert.deepEqual(highlightedLines("/* a\nb */", "cpp"), ['<span class="hljs-comment">/* a</span>', '<span class="hljs-comment">b */</span>']);
+  assert.deepEqual(highlightedLines("/* a\nb */", "cpp"), [
+    '<span class="hljs-comment">/* a</span>',
+    '<span class="hljs-comment">b */</span>',
+  ]);
   const [place, added, removed, same] = highlightedDifference("@@ one.h, Row @@\n+int a;\n-b\n c");
   assert.equal(place, '<span class="place">one.h, Row</span>');
-  assert.match(added, /^<span class="added"><span class="mark">\+<\/span><span class="hljs-type">int<\/span> a;<\/span>$/);
+  assert.match(
+    added,
+    /^<span class="added"><span class="mark">\+<\/span><span class="hljs-type">int<\/span> a;<\/span>$/,
+  );
   assert.match(removed, /class="removed"/);
   assert.match(same, /class="same"/);
 });
