@@ -1,0 +1,103 @@
+/// Builds the book: node book/build.js [--root FOLDER] [--out FOLDER]. Eleventy lays the pages out, writes them, and copies files.
+import fs from "node:fs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { parseArgs } from "node:util";
+import Eleventy from "@11ty/eleventy";
+import { Problems, readBook, stillOf } from "./book.js";
+import { courseOf, pagesOf } from "./pages.js";
+
+const home = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
+const { values } = parseArgs({ options: { root: { type: "string", default: home }, out: { type: "string" } } });
+const root = path.resolve(values.root);
+const out = path.resolve(values.out ?? path.join(root, "build/book"));
+process.chdir(home); // Eleventy reads and copies relative to where it runs
+const here = (...names) => path.relative(".", path.join(...names));
+
+let book;
+try {
+  book = readBook(root);
+} catch (error) {
+  console.error(error instanceof Problems ? error.message : error);
+  process.exit(1);
+}
+const pages = pagesOf(book, root);
+fs.rmSync(out, { recursive: true, force: true });
+const eleventy = new Eleventy("book/pages", here(out), { quietMode: true, config });
+await eleventy.write();
+writeDerived();
+console.log(`${pages.filter(({ sort }) => sort !== "source").length} pages, ${book.sources.length} sources`);
+
+function config(eleventy) {
+  eleventy.setIncludesDirectory("../layouts");
+  eleventy.setUseGitIgnore(false);
+  eleventy.addGlobalData("course", courseOf(pages));
+  eleventy.addGlobalData("live", fs.existsSync("book/live/live.js"));
+  for (const entry of pages) {
+    const { html, layout, address: permalink } = entry;
+    delete entry.html;
+    eleventy.addTemplate(`${permalink.replace(/\W/g, "_")}.html`, html, {
+      entry,
+      layout,
+      permalink,
+      templateEngineOverride: "html",
+    });
+  }
+  const copy = (from, to) => fs.existsSync(from) && eleventy.addPassthroughCopy({ [here(from)]: to });
+  for (const file of book.files) copy(path.join(root, file), file);
+  for (const name of ["style", "scripts"]) copy(`book/${name}`, "assets");
+  copy("node_modules/minisearch/dist/umd/index.js", "assets/minisearch.js");
+  for (const file of [...textFonts().files, ...katexFonts().map((name) => `node_modules/katex/dist/fonts/${name}`)])
+    copy(file, `assets/fonts/${path.basename(file)}`);
+  copy("book/live", "live");
+  copy("build/wasm/live", "live/wasm");
+  copy("node_modules/uplot/dist/uPlot.iife.min.js", "live/uplot/uPlot.js");
+  copy("node_modules/uplot/dist/uPlot.min.css", "live/uplot/uPlot.css");
+}
+
+/// The text faces: {style, files} of those alphabets that the pages use.
+function textFonts() {
+  const faces = ["source-serif-4", "source-sans-3", "source-code-pro"].flatMap((font) =>
+    ["wght.css", "wght-italic.css"].flatMap((style) => {
+      const folder = `node_modules/@fontsource-variable/${font}`;
+      const all = fs.readFileSync(`${folder}/${style}`, "utf8").match(/@font-face {[^}]*}/g);
+      return all
+        .filter((face) => /-(latin|greek)(-ext)?-wght/.test(face))
+        .map((face) => ({ face, file: `${folder}/${/files\/[^)]*woff2/.exec(face)[0]}` }));
+    }),
+  );
+  return {
+    style: faces.map(({ face }) => face.replace("./files/", "fonts/")).join("\n"),
+    files: faces.map(({ file }) => file),
+  };
+}
+
+function katexFonts() {
+  return fs.readdirSync("node_modules/katex/dist/fonts").filter((name) => name.endsWith(".woff2"));
+}
+
+/// What is made of other files: the style of formulas with the fonts that are there, stills of films, the words for the search.
+function writeDerived() {
+  const write = (file, text) => {
+    fs.mkdirSync(path.dirname(path.join(out, file)), { recursive: true });
+    fs.writeFileSync(path.join(out, file), text);
+  };
+  write("assets/fonts.css", textFonts().style);
+  const style = fs.readFileSync("node_modules/katex/dist/katex.min.css", "utf8");
+  write("assets/katex.css", style.replace(/,url\([^)]*\.(woff|ttf)\) format\("[^"]*"\)/g, ""));
+  for (const { kind, file } of book.pictures) {
+    if (kind === "film") write(file.replace(/\.webp$/, "_still.webp"), stillOf(fs.readFileSync(path.join(root, file))));
+  }
+  const words = book.pages.flatMap(({ title: page, address, sections }) =>
+    sections.map(({ id, title, text }) => ({
+      address: id ? `${address}#${encodeURIComponent(id)}` : address,
+      title: title || page,
+      page,
+      text: text.replace(/\s+/g, " ").trim(),
+    })),
+  );
+  write(
+    "assets/search_index.js",
+    `window.PUSHBACK_SEARCH = ${JSON.stringify(words.map((word, id) => ({ id, ...word })))};\n`,
+  );
+}

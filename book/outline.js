@@ -1,0 +1,57 @@
+/// Which pages the book has, in the order of the course, and where each of them goes.
+import fs from "node:fs";
+import path from "node:path";
+
+/// The pages of docs/ in the order of the course; one that is not named here comes last.
+const further = [
+  "notation",
+  "hard_cases",
+  "accuracy_and_time",
+  "speed",
+  "soak_and_fuzz",
+  "architecture",
+  "teaching",
+  "other_systems",
+];
+
+/// A page of Markdown becomes a page of the same folder, so that what it names beside itself is beside it in the book, too.
+export function addressOf(file) {
+  if (path.posix.basename(file) === "README.md") return path.posix.join(path.posix.dirname(file), "index.html");
+  return file.replace(/\.md$/, ".html");
+}
+
+/// From one page of the book to another file of it.
+export function relative(from, to) {
+  return path.posix.relative(path.posix.dirname(from), to);
+}
+
+/// [{file, part, chapter, parent}]: the pages that are read one after the other, and behind each chapter's its exercises (`parent`).
+export function outline(root) {
+  const has = (file) => fs.existsSync(path.join(root, file));
+  const names = (folder) => (has(folder) ? fs.readdirSync(path.join(root, folder)).sort() : []);
+  const place = (name) => (further.includes(name) ? further.indexOf(name) : further.length);
+  const pages = [];
+  const add = (part, file, more) => has(file) && pages.push({ file, part, ...more });
+
+  add("Start", "README.md");
+  add("Start", "docs/before_you_start.md");
+  for (const chapter of names("chapters").filter((name) => /^\d\d_/.test(name))) {
+    const parent = `chapters/${chapter}/README.md`;
+    add("Chapters", parent, { chapter });
+    add("Exercises", `chapters/${chapter}/exercise/task.md`, { parent });
+    add("Exercises", `chapters/${chapter}/exercise/transfer/task.md`, { parent });
+  }
+  const docs = names("docs")
+    .filter((name) => name.endsWith(".md") && name !== "before_you_start.md")
+    .map((name) => name.slice(0, -3));
+  for (const name of docs.sort((a, b) => place(a) - place(b))) add("Further", `docs/${name}.md`);
+  add("Tables", "renders/hard_cases/table.md", { parent: "docs/hard_cases.md", title: "All cases under all stages" });
+  add("Tables", "renders/19_accuracy_and_time/frozen.md", {
+    parent: "docs/accuracy_and_time.md",
+    title: "Contact problems, solved to a residual",
+  });
+  return pages;
+}
+
+/// From a page of the book to its folder.
+export const toRoot = (address) => relative(address, ".") || ".";

@@ -1,0 +1,135 @@
+/// What the layouts are told of each page: where it stands in the course, its contents, what belongs to it.
+import path from "node:path";
+import { relative, toRoot } from "./outline.js";
+import { escaped, sourceLines } from "./sources.js";
+
+/// All pages of the book with their neighbours, the gallery behind the first two parts, sources and folders of sources.
+export function pagesOf(book, root) {
+  const pages = book.pages.map(described);
+  pages.splice(
+    pages.findLastIndex((page) => page.part === "Chapters" || page.part === "Exercises") + 1,
+    0,
+    gallery(book.pictures),
+  );
+  const read = pages.filter((page) => !page.parent);
+  for (const page of pages) {
+    const at = read.indexOf(page);
+    page.above = short(pages.find((other) => other.file === page.parent));
+    page.children = pages.filter((other) => other.parent === page.file).map(short);
+    page.related = pages.filter((other) => other.parent === (page.parent ?? page.file)).map(short);
+    page.before = short(at > 0 && read[at - 1]);
+    page.after = short(at >= 0 && read[at + 1]);
+  }
+  return [...pages, ...sourcePages(book, root)];
+}
+
+/// As much of a page as a link to it shows.
+const short = (page) =>
+  page && {
+    file: page.file,
+    address: page.address,
+    title: page.title,
+    name: page.name,
+    label: page.label,
+    number: page.number,
+  };
+
+/// The parts of the course with the pages that are read one after the other: the contents beside every page.
+export function courseOf(pages) {
+  return ["Start", "Chapters", "Further"].map((name) => ({
+    name,
+    pages: pages.filter((page) => page.part === name).map(short),
+  }));
+}
+
+function described({ file, part, chapter, parent, address, root, title, headings, sections, html }) {
+  const numbered = html.replace(/(<h1[^>]*>)(\d\d) /, '$1<span class="number">$2</span> ');
+  const page = { file, part, chapter, parent, address, root, title, html: numbered };
+  const [, number, name = title] = /^(\d\d) (.*)$/.exec(page.title) ?? [];
+  const task = { "exercise/task.md": "Write it yourself", "exercise/transfer/task.md": "Use it elsewhere" }[
+    path.posix.relative(path.posix.dirname(parent ?? "."), file)
+  ];
+  return {
+    ...page,
+    layout: "page.njk",
+    number,
+    name: file === "README.md" ? "Front page" : (task ?? name),
+    label: task ? "Exercise" : parent ? "Table" : "",
+    sort: chapter ? "chapter" : file === "README.md" ? "front" : "",
+    hasTitle: headings.some(({ level }) => level === 1),
+    hasFormulas: html.includes('class="katex"'),
+    contents: headings.filter(({ level }) => level === 2),
+    question: chapter && sections[0].text.trim().split(/(?<=\?) /)[0],
+  };
+}
+
+const parts = [
+  { id: "sheets", title: "Sheets", kind: "sheet" },
+  { id: "plots", title: "Plots", kind: "plot" },
+  { id: "drawings", title: "Figures", kind: "drawing" },
+];
+
+function gallery(pictures) {
+  const address = "gallery.html";
+  const once = [
+    ...new Map(pictures.filter(({ page }) => page.part !== "Start").map((picture) => [picture.file, picture])).values(),
+  ];
+  const card = (picture) => {
+    const to = `${picture.page.address}${picture.heading?.level > 1 ? `#${picture.heading.id}` : ""}`;
+    return (
+      `<li><a href="${to}"><img src="${picture.file}" width="${picture.width}" height="${picture.height}" alt="${escaped(picture.alt)}" ` +
+      `loading="lazy" decoding="async"><span>${escaped(picture.page.title)}</span></a></li>`
+    );
+  };
+  const html = parts.map(({ id, title, kind }) => {
+    const cards = once
+      .filter((picture) => picture.kind === kind)
+      .map(card)
+      .join("\n");
+    return `<h2 id="${id}">${title}</h2>\n<ul class="gallery ${id}">\n${cards}\n</ul>`;
+  });
+  return {
+    file: address,
+    address,
+    layout: "page.njk",
+    part: "Further",
+    title: "Gallery",
+    name: "Gallery",
+    sort: "pictures",
+    root: ".",
+    contents: parts.map(({ id, title }) => ({ id, text: title })),
+    html: `<p>Every sheet, plot and figure of the book. Each leads to the place where it is explained.</p>\n${html.join("\n")}`,
+  };
+}
+
+function sourcePages(book, root) {
+  const shown = new Map(book.sources.map((source) => [source.file, source]));
+  const common = ({ file, address, readIn = [] }) => {
+    const folder = path.posix.dirname(file);
+    return {
+      file,
+      address,
+      readIn: readIn.map(short),
+      folder: folder === "." ? "" : `${folder}/`,
+      title: path.posix.basename(file),
+      layout: "source.njk",
+      sort: "source",
+      root: toRoot(address),
+      contents: [],
+    };
+  };
+  const files = book.sources.map((source) => {
+    const link = (included) => shown.has(included) && relative(source.address, shown.get(included).address);
+    const lines = sourceLines(root, source.file, link).map(
+      (line, i) => `<span class="line" id="L${i + 1}">${line}\n</span>`,
+    );
+    return { ...common(source), html: `<pre class="numbered"><code>${lines.join("")}</code></pre>` };
+  });
+  const folders = book.folders.map((folder) => {
+    const items = folder.names.map(
+      (name) => `<li><a href="${path.posix.basename(name)}.html">${path.posix.basename(name)}</a></li>`,
+    );
+    return { ...common(folder), html: `<ul class="files">\n${items.join("\n")}\n</ul>` };
+  });
+  return [...files, ...folders];
+}

@@ -1,0 +1,128 @@
+/* The search. The words of all pages come in a file of their own, once somebody begins to search: MiniSearch finds in them. */
+(() => {
+  const root = document.documentElement.dataset.root;
+  const form = document.querySelector("form.search");
+  const input = form.querySelector("input");
+  const found = form.querySelector(".found");
+  const count = found.querySelector(".count");
+  const list = found.querySelector("ol");
+  let index;
+
+  const script = (src) =>
+    new Promise((resolve, reject) => {
+      const element = document.createElement("script");
+      element.src = `${root}/assets/${src}`;
+      element.onload = resolve;
+      element.onerror = reject;
+      document.head.append(element);
+    });
+
+  const load = () =>
+    (index ??= Promise.all([script("minisearch.js"), script("search_index.js")]).then(() => {
+      const search = new MiniSearch({
+        fields: ["title", "page", "text"],
+        storeFields: ["address", "title", "page", "text"],
+        processTerm: (term) =>
+          term
+            .normalize("NFKD")
+            .replace(/[\u0300-\u036f]/g, "")
+            .toLowerCase(),
+        searchOptions: {
+          boost: { title: 4, page: 2 },
+          prefix: (term) => term.length > 1,
+          fuzzy: (term) => (term.length > 4 ? 0.2 : false),
+          combineWith: "AND",
+        },
+      });
+      search.addAll(window.PUSHBACK_SEARCH);
+      return search;
+    }));
+
+  const excerpt = (text, terms) => {
+    const at = Math.max(
+      0,
+      Math.min(...terms.map((term) => text.toLowerCase().indexOf(term)).filter((i) => i >= 0), text.length),
+    );
+    const start = at === text.length ? 0 : Math.max(0, text.lastIndexOf(" ", Math.max(0, at - 50)));
+    return (start ? "… " : "") + text.slice(start, start + 150).trim() + (start + 150 < text.length ? " …" : "");
+  };
+
+  const marked = (text, terms) => {
+    const part = document.createDocumentFragment();
+    const words = terms.map((term) => term.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")).sort((a, b) => b.length - a.length);
+    const pieces = words.length ? text.split(new RegExp(`(${words.join("|")})`, "i")) : [text];
+    pieces.forEach((piece, i) => {
+      const node = document.createElement(i % 2 ? "mark" : "span");
+      node.textContent = piece;
+      part.append(i % 2 ? node : piece);
+    });
+    return part;
+  };
+
+  const show = async () => {
+    const words = input.value.trim();
+    if (!words) return void (found.hidden = true);
+    const search = await load();
+    if (input.value.trim() !== words) return; // more has been typed meanwhile
+    const results = search.search(words);
+    count.textContent =
+      results.length === 0
+        ? `Nothing was found for “${words}”.`
+        : results.length === 1
+          ? "One place"
+          : `${results.length} places`;
+    list.replaceChildren(
+      ...results.slice(0, 30).map((result) => {
+        const item = document.createElement("li");
+        const link = document.createElement("a");
+        const title = document.createElement("strong");
+        const text = document.createElement("span");
+        link.href = `${root}/${result.address}`;
+        title.append(
+          marked(result.title === result.page ? result.page : `${result.page} › ${result.title}`, result.terms),
+        );
+        text.append(marked(excerpt(result.text, result.terms), result.terms));
+        link.append(title, text);
+        item.append(link);
+        return item;
+      }),
+    );
+    found.hidden = false;
+  };
+
+  input.addEventListener("focus", load, { once: true });
+  input.addEventListener("input", show);
+  input.addEventListener("focus", () => input.value && show());
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    list.querySelector("a")?.click();
+  });
+  form.addEventListener("keydown", (event) => {
+    const links = [...list.querySelectorAll("a")];
+    const at = links.indexOf(document.activeElement);
+    if (event.key === "Escape") {
+      found.hidden = true;
+      input.focus();
+    } else if (event.key === "ArrowDown" && links.length) (links[at + 1] ?? links[at]).focus();
+    else if (event.key === "ArrowUp" && at >= 0) (links[at - 1] ?? input).focus();
+    else return;
+    event.preventDefault();
+  });
+  document.addEventListener("click", (event) => form.contains(event.target) || (found.hidden = true));
+  form.addEventListener(
+    "focusout",
+    (event) => event.relatedTarget && !form.contains(event.relatedTarget) && (found.hidden = true),
+  );
+  document.addEventListener("keydown", (event) => {
+    if (
+      event.key !== "/" ||
+      event.ctrlKey ||
+      event.metaKey ||
+      event.altKey ||
+      /^(INPUT|TEXTAREA|SELECT)$/.test(event.target.tagName)
+    )
+      return;
+    event.preventDefault();
+    input.focus();
+  });
+})();

@@ -1,0 +1,150 @@
+/// What the book makes of a page, and what it refuses, with the file and the line.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { test } from "node:test";
+import { readBook, stillOf } from "../../book/book.js";
+import { highlightedDifference, highlightedLines } from "../../book/sources.js";
+import { root } from "./support/browser.mjs";
+
+const header = "#pragma once\n\nstruct Clamping {\n  int least = 0;\n};\n";
+const picture = '<svg xmlns="http://www.w3.org/2000/svg" width="20" height="10"></svg>';
+
+/// A project of a front page and one chapter with this text below its title.
+function project(text) {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), "book-"));
+  const write = (file, content) => {
+    fs.mkdirSync(path.dirname(path.join(folder, file)), { recursive: true });
+    fs.writeFileSync(path.join(folder, file), content);
+  };
+  write("README.md", "# Front\n\n## A part\n\n[one](chapters/01_one/README.md)\n");
+  write("chapters/01_one/README.md", `# 01 One\n\n${text}\n`);
+  write("chapters/01_one/one.h", header);
+  write("chapters/01_one/more/two.cpp", '#include "pushback/chapters/01_one/one.h"\n');
+  write("docs/figures/one.svg", picture);
+  return folder;
+}
+
+const chapterOf = (text) => readBook(project(text)).pages.find(({ chapter }) => chapter);
+const htmlOf = (text) => chapterOf(text).html.replace(/^.*<\/h1>\s*/s, "");
+
+function refused(text, line, message) {
+  assert.throws(
+    () => readBook(project(text)),
+    (error) => {
+      assert.ok(error.message.includes(`chapters/01_one/README.md:${line}: ${message}`), error.message);
+      return true;
+    },
+  );
+}
+
+test("broken links, anchors, pictures, formulas and quoted code are refused with file and line, all of them at once", () => {
+  refused("[a](nowhere.md)", 3, "the link to nowhere.md: there is no such file");
+  refused("one\ntwo [a](../../README.md#no-part)", 4, "the link to README.md#no-part: there is no such heading");
+  refused("[a](#no-part)", 3, "the link to chapters/01_one/README.md#no-part: there is no such heading");
+  refused("[a](one.h#L3)", 3, "the link to one.h#L3: an anchor in what is no page");
+  refused("[a](../../../etc/passwd)", 3, "the link to ../../../etc/passwd: there is no such file");
+  refused("[a](https:/x)", 3, "no address has the form https:/x");
+  refused(
+    '<details><summary>\n<a href="nowhere.h">a</a></summary>\n\n</details>',
+    4,
+    "the link to nowhere.h: there is no such file",
+  );
+  refused("![seen](../../docs/figures/two.svg)", 3, "the link to ../../docs/figures/two.svg: there is no such file");
+  refused("![](../../docs/figures/one.svg)", 3, "the picture ../../docs/figures/one.svg has no alternative text");
+  refused("one\n\n$$\\frac{a}$$", 5, "the formula $\\frac{a}$ is none: ");
+  refused("one $\\nosuch$", 3, "the formula $\\nosuch$ is none: ");
+  refused("it costs $5", 3, "a dollar sign that belongs to no formula: it costs $5");
+  refused("```cpp\nstruct Clamping {\n  int most = 0;\n```", 3, "this code stands in no source: struct Clamping {");
+  refused("speeds 0 and\n1. Which?", 4, "this line begins with a number and a dot");
+  assert.throws(() => readBook(project("[a](b.md) [c](d.md)")), /b\.md.*\n.*d\.md/);
+});
+
+test("the command names what is wrong, ends with 1, and writes nothing", () => {
+  const folder = project("[a](nowhere.md)");
+  const run = spawnSync(process.execPath, [path.join(root, "book/build.js"), "--root", folder], { encoding: "utf8" });
+  assert.equal(run.status, 1);
+  assert.equal(
+    run.stderr,
+    "the book was not built:\n  chapters/01_one/README.md:3: the link to nowhere.md: there is no such file\n",
+  );
+  assert.equal(fs.existsSync(path.join(folder, "build")), false);
+});
+
+test("links lead to pages, to sources and to folders of sources", () => {
+  const html = htmlOf("See [a](../../README.md#a-part) [b](one.h) [c](more) [d](#01-one)");
+  const targets = [...html.matchAll(/href="([^"]*)"/g)].map(([, target]) => target);
+  assert.deepEqual(targets, ["../../index.html#a-part", "one.h.html", "more/index.html", "#01-one"]);
+  const book = readBook(project("[c](more)"));
+  assert.deepEqual(
+    book.sources.map(({ file }) => file),
+    ["chapters/01_one/more/two.cpp", "chapters/01_one/one.h"],
+  ); // what is included is shown, too
+});
+
+test("formulas of each of GitHub's forms are rendered, in tables and lists, too; what is code is none", () => {
+  for (const form of [
+    "a $x^2$ b",
+    "$$x^2$$",
+    "$$\nx^2\n$$",
+    "```math\nx^2\n```",
+    "| a |\n| --- |\n| $x^2$ |",
+    "- $x^2$",
+  ])
+    assert.match(htmlOf(form), /class="katex"/, form);
+  assert.match(htmlOf("`$x^2$`"), /<code[^>]*>\$x\^2\$<\/code>/);
+});
+
+test("quoted code is linked to its line; the page's own folder comes first", () => {
+  const html = htmlOf("```cpp\nstruct Clamping {\n  int least = 0;\n};\n```");
+  assert.match(html, /<a href="one\.h\.html#L3" title="chapters\/01_one\/one\.h, line 3">one\.h<\/a>/);
+});
+
+test("what is folded stays folded; a picture alone is a figure with the line in italics below it as its caption", () => {
+  assert.match(
+    htmlOf("<details><summary>Answer</summary>\n\n*42*\n\n</details>"),
+    /<details><summary>Answer<\/summary>\s*<p><em>42<\/em><\/p>\s*<\/details>/,
+  );
+  const html = htmlOf("![seen](../../docs/figures/one.svg)\n\n*A caption.*");
+  assert.match(
+    html,
+    /^<figure class="drawing"><a [^>]*><img src="..\/..\/docs\/figures\/one.svg" alt="seen" width="20" height="10" [^>]*><\/a><figcaption>A caption.<\/figcaption>\s*<\/figure>/,
+  );
+});
+
+test("the words for the search are those of each section", () => {
+  const { sections } = chapterOf("first $\\beta$\n\n## Part\n\n`code` and\nmore");
+  assert.deepEqual(sections, [
+    { id: "", title: "01 One", text: "first β " },
+    { id: "part", title: "Part", text: "code and more " },
+  ]);
+});
+
+test("each line of highlighted code is HTML of its own; a difference keeps its marks", () => {
+  assert.deepEqual(highlightedLines("/* a\nb */", "cpp"), [
+    '<span class="hljs-comment">/* a</span>',
+    '<span class="hljs-comment">b */</span>',
+  ]);
+  const [place, added, removed, same] = highlightedDifference("@@ one.h, Row @@\n+int a;\n-b\n c");
+  assert.equal(place, '<span class="place">one.h, Row</span>');
+  assert.match(
+    added,
+    /^<span class="added"><span class="mark">\+<\/span><span class="hljs-type">int<\/span> a;<\/span>$/,
+  );
+  assert.match(removed, /class="removed"/);
+  assert.match(same, /class="same"/);
+});
+
+test("the still of a film is its first picture", () => {
+  const film = fs.readFileSync(path.join(root, "renders/front_page/film.webp"));
+  const still = stillOf(film);
+  assert.equal(still.toString("latin1", 0, 4) + still.toString("latin1", 8, 16), "RIFFWEBPVP8 ");
+  assert.equal(still.readUInt32LE(4), still.length - 8);
+  assert.throws(() => stillOf(Buffer.from("RIFF....WEBP")), /no film/);
+});
+
+test("the list of packages holds no address", () => {
+  assert.doesNotMatch(fs.readFileSync(path.join(root, "book/package-lock.json"), "utf8"), /"[a-z+]+:\/\//);
+});

@@ -1,0 +1,251 @@
+/// Every page of the book, as a reader gets it: from a folder and from a server, on a telephone, in the dark, on paper.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { gzipSync } from "node:zlib";
+import axe from "axe-core";
+import { serve } from "../../book/serve.js";
+import { address, folder, html, isSource, launch, newPage, onAll, pagesIn } from "./support/browser.mjs";
+
+const all = pagesIn();
+const read = all.filter((page) => !isSource(page));
+const sources = all.filter(isSource).slice(0, 3);
+const chapter = read.find((page) => page.includes("03_baumgarte/index"));
+let browser;
+
+/// In the page: all pictures, those further down, too.
+async function loadAll() {
+  for (const picture of document.images) picture.loading = "eager";
+  await Promise.all([...document.images].map((picture) => picture.decode().catch(() => {})));
+  await document.fonts.ready;
+}
+
+/// The bytes that a server sends for a file: texts compressed.
+function weight(file) {
+  const bytes = fs.readFileSync(file);
+  return /\.(html|css|js|svg)$/.test(file) ? gzipSync(bytes).length : bytes.length;
+}
+
+before(async () => (browser = await launch()));
+after(() => browser.close());
+
+test("every link and every picture of every page, sources among them, is there, with its anchor", () => {
+  const ids = new Map(
+    all.map((page) => [page, new Set([...html(page).matchAll(/ id="([^"]*)"/g)].map(([, id]) => id))]),
+  );
+  const wrong = [];
+  let count = 0;
+  for (const page of all) {
+    for (const [, target] of html(page).matchAll(/ (?:href|src|data-film)="([^"]*)"/g)) {
+      if (/^(https?|mailto|data):/.test(target)) continue;
+      const [name, anchor] = decodeURIComponent(target).split("#");
+      const file = name ? path.posix.join(path.posix.dirname(page), name) : page;
+      ++count;
+      if (
+        path.posix.isAbsolute(name) ||
+        !fs.existsSync(path.join(folder, file)) ||
+        fs.statSync(path.join(folder, file)).isDirectory()
+      )
+        wrong.push(`${page}: ${target}`);
+      else if (anchor && !ids.get(file)?.has(anchor)) wrong.push(`${page}: ${target}: no such anchor`);
+    }
+  }
+  assert.deepEqual(wrong, []);
+  assert.ok(count > 10000, `only ${count} links`);
+});
+
+test("from a folder, 360 pixels wide: nothing fails, nothing is wider than the page, formulas and pictures are there, all in 1.5 MB", async () => {
+  const weights = [];
+  await onAll(browser, [...read, ...sources], { viewport: { width: 360, height: 740 } }, async (page, name) => {
+    const files = new Set();
+    const note = (request) => files.add(decodeURIComponent(new URL(request.url()).pathname));
+    page.on("request", note);
+    await page.goto(address(name));
+    await page.evaluate(loadAll);
+    page.off("request", note);
+    weights.push({ name, kB: Math.round([...files].reduce((sum, file) => sum + weight(file), 0) / 1000) });
+    const seen = await page.evaluate(() => {
+      const pictures = [...document.images];
+      const sticksOut = (element) =>
+        element.getBoundingClientRect().right > innerWidth && !element.parentElement.closest(".table, pre, .formula");
+      const text = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+      const dollars = [];
+      while (text.nextNode()) {
+        const { data, parentElement } = text.currentNode;
+        if (data.includes("$") && !parentElement.closest("code, script, annotation")) dollars.push(data);
+      }
+      return {
+        wide: document.documentElement.scrollWidth,
+        wider:
+          document.documentElement.scrollWidth <= innerWidth
+            ? []
+            : [...document.querySelectorAll("body *")].filter(sticksOut).map((e) => e.outerHTML.slice(0, 100)),
+        dollars,
+        errors: document.querySelectorAll(".katex-error").length,
+        without: pictures.filter((picture) => !picture.alt.trim()).map((picture) => picture.src),
+        missing: pictures.filter((picture) => picture.naturalWidth === 0).map((picture) => picture.src),
+        titles: document.querySelectorAll("h1").length,
+        landmarks: ["main", "header", "nav"].every((landmark) => document.querySelector(landmark)),
+        folded: document.querySelectorAll("details[open]").length,
+      };
+    });
+    assert.deepEqual(page.wrong, [], name);
+    assert.deepEqual(
+      seen,
+      { wide: 360, wider: [], dollars: [], errors: 0, without: [], missing: [], titles: 1, landmarks: true, folded: 0 },
+      name,
+    );
+  });
+  const heaviest = weights.filter(({ name }) => name !== "gallery.html").sort((a, b) => b.kB - a.kB); // the gallery loads what is seen
+  console.log(
+    heaviest
+      .slice(0, 3)
+      .map(({ name, kB }) => `${name}: ${kB} kB`)
+      .join("; "),
+  );
+  assert.ok(heaviest[0].kB < 1500, heaviest[0].name);
+});
+
+test("from a server: nothing fails", async () => {
+  const server = await serve(folder);
+  await onAll(browser, [...read, ...sources], {}, async (page, name) => {
+    await page.goto(`http://127.0.0.1:${server.address().port}/${name}`);
+    assert.deepEqual(page.wrong, [], name);
+  });
+  server.close();
+});
+
+test("the search finds a word in the text, a letter of a formula, and leads there by the keyboard", async () => {
+  const page = await newPage(browser);
+  await page.goto(address(chapter));
+  await page.keyboard.press("/");
+  await page.keyboard.type("slop");
+  await page.waitForSelector(".found li a");
+  const found = await page.$$eval(".found li a", (links) => links.map((a) => a.getAttribute("href")));
+  assert.ok(
+    found.some((href) => href.includes("04_slop/index.html")),
+    found.join(" "),
+  );
+  await page.fill("#search", "β");
+  await page.waitForFunction(() => document.querySelector(".found .count").textContent.includes("places"));
+  await page.fill("#search", "painlevé rod");
+  await page.waitForFunction(() => document.querySelector(".found li a")?.textContent.includes("ainlev"));
+  const first = await page.$eval(".found li a", (link) => link.href);
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Enter");
+  await page.waitForURL(first);
+  await page.fill("#search", "qqqq");
+  await page.waitForFunction(() => document.querySelector(".found .count").textContent.includes("Nothing"));
+  await page.keyboard.press("Escape");
+  assert.equal(await page.isVisible(".found"), false);
+  assert.deepEqual(page.wrong, []);
+  await page.close();
+});
+
+test("dark as the system has it, or as the switch says, on the next page, too", async () => {
+  const paper = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const page = await newPage(browser, { colorScheme: "light" });
+  await page.goto(address(chapter));
+  const light = await paper(page);
+  await page.emulateMedia({ colorScheme: "dark" });
+  const dark = await paper(page);
+  assert.notEqual(light, dark);
+  await page.click("button.theme");
+  assert.equal(await paper(page), light);
+  await page.goto(address("gallery.html"));
+  assert.equal(await paper(page), light);
+  await page.click("button.theme");
+  assert.equal(await paper(page), dark);
+  await page.close();
+});
+
+test("the contents open and close on a telephone, by the keyboard, too", async () => {
+  const page = await newPage(browser, { viewport: { width: 360, height: 740 } });
+  await page.goto(address(chapter));
+  assert.equal(await page.isVisible("nav.course"), false);
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.className), "skip");
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
+  assert.equal(await page.isVisible("nav.course"), true);
+  assert.equal(await page.getAttribute("button.menu", "aria-expanded"), "true");
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("nav.course", { state: "hidden" });
+  await page.close();
+});
+
+test("a link into what is folded opens it; on paper nothing is folded, and every page is there", async () => {
+  const page = await newPage(browser);
+  await page.goto(address(chapter));
+  assert.equal(await page.$$eval("details[open]", (all) => all.length), 0);
+  const folded = await page.$$eval("details", (all) => all.length);
+  const opened = page.evaluate(
+    () =>
+      new Promise((resolve) =>
+        addEventListener("beforeprint", () =>
+          setTimeout(() => resolve(document.querySelectorAll("details[open]").length)),
+        ),
+      ),
+  );
+  const paper = await page.pdf({ format: "A4" });
+  assert.equal(await opened, folded);
+  assert.equal(paper.subarray(0, 5).toString(), "%PDF-");
+  assert.equal(await page.$$eval("details[open]", (all) => all.length), 0);
+  await page.evaluate(() => {
+    document.querySelector("details").lastElementChild.id = "deep-inside";
+    location.hash = "deep-inside";
+  });
+  await page.waitForSelector("details[open]");
+  assert.deepEqual(page.wrong, []);
+  await page.close();
+});
+
+test("the film stands still until it is asked for", async () => {
+  const page = await newPage(browser);
+  await page.goto(address("index.html"));
+  const shown = () => page.getAttribute("figure.film img", "src");
+  const still = await shown();
+  await page.click("button.play");
+  assert.match(await shown(), /film\.webp$/);
+  await page.click("button.play");
+  assert.equal(await shown(), still);
+  await page.close();
+});
+
+test("without JavaScript the pages and the contents are there", async () => {
+  const page = await newPage(browser, { javaScriptEnabled: false, viewport: { width: 360, height: 740 } });
+  await page.goto(address(chapter));
+  assert.ok(await page.isVisible("nav.course a[aria-current]"));
+  assert.ok(await page.isVisible("article .katex"));
+  assert.equal(await page.isVisible("#search"), false);
+  await page.close();
+});
+
+test("accessible by the rules of WCAG 2 AA, light and dark", async () => {
+  const names = [
+    "index.html",
+    chapter,
+    "docs/hard_cases.html",
+    "renders/hard_cases/table.html",
+    "docs/notation.html",
+    "gallery.html",
+    sources[0],
+  ];
+  for (const colorScheme of ["light", "dark"]) {
+    await onAll(browser, names, { colorScheme }, async (page, name) => {
+      await page.goto(address(name));
+      await page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
+      await page.addScriptTag({ content: axe.source });
+      const { violations } = await page.evaluate(
+        (dark) => axe.run({ runOnly: dark ? ["color-contrast"] : ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"] }),
+        colorScheme === "dark",
+      );
+      assert.deepEqual(
+        violations.map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 120)} ${nodes[0].failureSummary}`),
+        [],
+        `${name}, ${colorScheme}`,
+      );
+    });
+  }
+});
