@@ -16,15 +16,15 @@ namespace pushback {
 namespace {
 
 std::unique_ptr<Live> live;
-std::unique_ptr<CanvasView> view;
-Legend legend;
-std::string answer;
-std::vector<Real> values;
-std::vector<int> cells;
+std::unique_ptr<CanvasView> on_canvas;
+Legend marks_seen;
+std::string words_out;
+std::vector<Real> numbers_out;
+std::vector<int> cells_out;
 
 const char* answered(std::string text) {
-  answer = std::move(text);
-  return answer.c_str();
+  words_out = std::move(text);
+  return words_out.c_str();
 }
 
 template <class Work>
@@ -42,7 +42,7 @@ struct CameraNumbers {
 
   operator Camera() const { return {{eye[0], eye[1], eye[2]}, {target[0], target[1], target[2]}, field_of_view}; }
 };
-CameraNumbers camera;
+CameraNumbers looking;
 
 }  // namespace
 
@@ -109,22 +109,28 @@ EMSCRIPTEN_KEEPALIVE int live_go_to(int step, double milliseconds) {
 
 /// Seven numbers: eye, target, field of view. What draws and grabs looks through it.
 EMSCRIPTEN_KEEPALIVE double* live_camera() {
-  return &camera.eye[0];
+  return &looking.eye[0];
 }
 EMSCRIPTEN_KEEPALIVE int live_grab(int lane, double aspect, double x, double y) {
-  return live->grab_at(static_cast<std::size_t>(lane), camera, aspect, x, y) ? 1 : 0;
+  return live->grab_at(static_cast<std::size_t>(lane), looking, aspect, x, y) ? 1 : 0;
 }
 EMSCRIPTEN_KEEPALIVE void live_pull(double aspect, double x, double y) {
-  live->pull_to(camera, aspect, x, y);
+  live->pull_to(looking, aspect, x, y);
 }
 EMSCRIPTEN_KEEPALIVE void live_let_go() {
   live->let_go();
 }
+/// Four numbers, m: centre and radius of a ball around the bodies that move, as they begin.
+EMSCRIPTEN_KEEPALIVE const double* live_reach() {
+  const auto [centre, radius] = live->reach();
+  numbers_out.assign({centre.x(), centre.y(), centre.z(), radius});
+  return numbers_out.data();
+}
 /// Three numbers, m: how far the moving bodies of a strobe scene are across the picture.
 EMSCRIPTEN_KEEPALIVE const double* live_shift() {
   const Vec3 shift = live->shift();
-  values.assign({shift.x(), shift.y(), shift.z()});
-  return values.data();
+  numbers_out.assign({shift.x(), shift.y(), shift.z()});
+  return numbers_out.data();
 }
 
 EMSCRIPTEN_KEEPALIVE const char* live_mishap(int lane) {
@@ -138,8 +144,8 @@ EMSCRIPTEN_KEEPALIVE const double* live_series(int lane, int which) {
   return live->series(static_cast<std::size_t>(lane), static_cast<std::size_t>(which)).data();
 }
 EMSCRIPTEN_KEEPALIVE const double* live_reference(int lane, int which) {
-  values = live->reference(static_cast<std::size_t>(lane), static_cast<std::size_t>(which));
-  return values.data();
+  numbers_out = live->reference(static_cast<std::size_t>(lane), static_cast<std::size_t>(which));
+  return numbers_out.data();
 }
 /// ["0.31 m/s", "0 m/s"]: what it is, what it should be.
 EMSCRIPTEN_KEEPALIVE const char* live_number(int lane, int which) {
@@ -148,11 +154,19 @@ EMSCRIPTEN_KEEPALIVE const char* live_number(int lane, int which) {
 }
 /// Of the column of a step: how many cells; their values from live_cells.
 EMSCRIPTEN_KEEPALIVE int live_column(int lane, int step) {
-  cells = live->raster(static_cast<std::size_t>(lane)).at(static_cast<std::size_t>(step));
-  return static_cast<int>(cells.size());
+  cells_out = live->raster(static_cast<std::size_t>(lane)).at(static_cast<std::size_t>(step));
+  return static_cast<int>(cells_out.size());
 }
 EMSCRIPTEN_KEEPALIVE const int* live_cells() {
-  return cells.data();
+  return cells_out.data();
+}
+/// What was read off after a step, the first is 0: thirteen numbers, from the time on to the residual.
+EMSCRIPTEN_KEEPALIVE const double* live_sample(int lane, int step) {
+  const Sample& s = live->samples(static_cast<std::size_t>(lane)).at(static_cast<std::size_t>(step));
+  numbers_out.assign({s.time, s.kinetic_energy, s.potential_energy, s.momentum.x(), s.momentum.y(), s.momentum.z(),
+                      s.angular_momentum.x(), s.angular_momentum.y(), s.angular_momentum.z(), s.overlap,
+                      static_cast<Real>(s.contacts), static_cast<Real>(s.rows), s.residual});
+  return numbers_out.data();
 }
 /// Of all bodies, in sixteen digits.
 EMSCRIPTEN_KEEPALIVE const char* live_hash(int lane) {
@@ -161,9 +175,9 @@ EMSCRIPTEN_KEEPALIVE const char* live_hash(int lane) {
 /// Position and velocity of a body, six numbers.
 EMSCRIPTEN_KEEPALIVE const double* live_body(int lane, int index) {
   const Body& body = live->world(static_cast<std::size_t>(lane)).bodies.at(static_cast<std::size_t>(index));
-  values.assign(body.position.data(), body.position.data() + 3);
-  values.insert(values.end(), body.velocity.data(), body.velocity.data() + 3);
-  return values.data();
+  numbers_out.assign(body.position.data(), body.position.data() + 3);
+  numbers_out.insert(numbers_out.end(), body.velocity.data(), body.velocity.data() + 3);
+  return numbers_out.data();
 }
 EMSCRIPTEN_KEEPALIVE int live_bodies(int lane) {
   return static_cast<int>(live->world(static_cast<std::size_t>(lane)).bodies.size());
@@ -172,27 +186,27 @@ EMSCRIPTEN_KEEPALIVE int live_bodies(int lane) {
 /// On a canvas, by "#id". Again after its context was lost.
 EMSCRIPTEN_KEEPALIVE const char* live_open(const char* selector) {
   return problem_of([&] {
-    view.reset();
-    view = std::make_unique<CanvasView>(selector);
+    on_canvas.reset();
+    on_canvas = std::make_unique<CanvasView>(selector);
   });
 }
 /// Begins a picture of all lanes.
 EMSCRIPTEN_KEEPALIVE void live_begin() {
-  legend = {};
+  marks_seen = {};
 }
 /// `shown`: 1 points, 2 impulses, 4 marks.
 EMSCRIPTEN_KEEPALIVE const char* live_draw(int lane, int shown, int x, int y, int width, int height, int from, int to) {
   return problem_of([&] {
     const Picture picture =
-        live->picture(static_cast<std::size_t>(lane), camera, {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0});
-    legend.see(picture);
-    view->draw(picture, {x, y, width, height, from, to});
+        live->picture(static_cast<std::size_t>(lane), looking, {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0});
+    marks_seen.see(picture);
+    on_canvas->draw(picture, {x, y, width, height, from, to});
   });
 }
 /// [["dot", "#rrggbb", "sticking contact"], ...]
 EMSCRIPTEN_KEEPALIVE const char* live_legend() {
   std::vector<std::string> all;
-  for (const LegendEntry& entry : legend.entries()) {
+  for (const LegendEntry& entry : marks_seen.entries()) {
     const char* kind = entry.kind == LegendEntry::Kind::dot     ? "dot"
                        : entry.kind == LegendEntry::Kind::arrow ? "arrow"
                                                                 : "body";

@@ -4,10 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include "pushback/common/basics/files.h"
@@ -25,8 +24,11 @@ namespace {
 
 std::vector<std::string> split(const std::string& text, char at) {
   std::vector<std::string> parts;
-  std::istringstream in(text);
-  for (std::string part; std::getline(in, part, at);) parts.push_back(part);
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = std::min(text.find(at, from), text.size());
+    parts.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
   return parts;
 }
 
@@ -160,7 +162,7 @@ void Live::begin() {
   lanes_.clear();
   hand_.clear();
   held_.reset();
-  now_ = 0;
+  now_ = until_ = 0;
   scene_ = std::min(scene_, experiment_.acts_.size() - 1);
   std::vector<const Variant*> here;
   for (const Variant& variant : experiment_.variants_)
@@ -182,7 +184,7 @@ void Live::begin() {
 // ---- time --------------------------------------------------------------------------------------------------------------
 
 std::size_t Live::steps() const {
-  return experiment_.steps_of(experiment_.acts_[scene_].scene);
+  return std::max(until_, experiment_.steps_of(experiment_.acts_[scene_].scene));
 }
 
 std::size_t Live::lanes() const {
@@ -219,6 +221,8 @@ bool Live::grab_at(std::size_t lane, const Camera& camera, Real aspect, Real x, 
   hand_.resize(now_);
   for (Lane& each : lanes_) each.forget_after(now_);
   held_ = found;
+  constexpr Real time_to_see_it = 5;  // s
+  until_ = std::max(until_, now_ + static_cast<std::size_t>(std::lround(time_to_see_it / experiment_.dt_)));
   return true;
 }
 
@@ -293,6 +297,36 @@ std::optional<Real> arrow_of(const Scene& scene, const World& start, Real dt, in
 }
 
 }  // namespace
+
+namespace {
+
+/// m, from the centre of mass to the farthest point.
+struct Farthest {
+  Real operator()(const Sphere& ball) const { return ball.radius; }
+  Real operator()(const Box& box) const { return box.half_extents.norm(); }
+  Real operator()(const Capsule& capsule) const { return capsule.radius + capsule.half_length; }
+  Real operator()(const HalfSpace&) const { return 0; }
+  Real operator()(const Hull& hull) const {
+    Real farthest = 0;
+    for (const Vec3& corner : hull.solid->corners) farthest = std::max(farthest, corner.norm());
+    return farthest;
+  }
+};
+
+}  // namespace
+
+std::pair<Vec3, Real> Live::reach() const {
+  Eigen::AlignedBox<Real, 3> around;
+  const World& start = lanes_[0].start();
+  for (const Body& body : start.bodies) {
+    if (!body.movable()) continue;
+    const Vec3 farthest = Vec3::Constant(std::visit(Farthest{}, body.shape));
+    around.extend(Vec3(body.position - farthest));
+    around.extend(Vec3(body.position + farthest));
+  }
+  return around.isEmpty() ? std::pair(Vec3(Vec3::Zero()), Real(1))
+                          : std::pair(Vec3(around.center()), around.diagonal().norm() / 2);
+}
 
 Vec3 Live::shift() const {
   const std::optional<Strobe>& strobe = experiment_.acts_[scene_].scene.strobe;
@@ -371,8 +405,8 @@ std::string Live::description() const {
     const auto colour = static_cast<std::size_t>(variant.colour);
     return fmt::format(
         R"({{"name": {}, "colour": "{}", "marker": "{}", "sweeps": {}, "substeps": {}, "curves": {}, "references": {}}})",
-        pushback::quoted(variant.name), line_colour(colour), marker_of(colour), experiment_.sweeps_of(variant), variant.substeps,
-        in_json(variant.curves),
+        pushback::quoted(variant.name), line_colour(colour), marker_of(colour), experiment_.sweeps_of(variant),
+        variant.substeps, in_json(variant.curves),
         array_of(variant.references, [](const Reference& reference) { return pushback::quoted(reference.label); }));
   };
   std::vector<std::string> scenes;
@@ -394,8 +428,8 @@ std::string Live::description() const {
 "raster": {}, "series": {},
 "numbers": {},
 "variants": {}}})",
-        pushback::quoted(scene.name), pushback::quoted(key_of(scene)), pushback::quoted(scene.caption), in_json(scene.pictures),
-        experiment_.steps_of(scene), aspect, in_json(scene.strobe.has_value()),
+        pushback::quoted(scene.name), pushback::quoted(key_of(scene)), pushback::quoted(scene.caption),
+        in_json(scene.pictures), experiment_.steps_of(scene), aspect, in_json(scene.strobe.has_value()),
         in_json(scene.contacts != Drawn::nothing), in_json(scene.contacts == Drawn::impulses), scene.magnified,
         in_json(scene.camera.eye), in_json(scene.camera.target), scene.camera.field_of_view,
         scene.raster ? fmt::format(R"({{"label": {}, "meaning": {}}})", pushback::quoted(scene.raster->label),
@@ -408,7 +442,8 @@ std::string Live::description() const {
         series,
         array_of(act.numbers,
                  [](const Experiment::Number& number) {
-                   return fmt::format(R"({{"name": {}, "unit": {}}})", pushback::quoted(number.name), pushback::quoted(number.unit));
+                   return fmt::format(R"({{"name": {}, "unit": {}}})", pushback::quoted(number.name),
+                                      pushback::quoted(number.unit));
                  }),
         array_of(here, [&](const Variant* variant) { return in_full(*variant); })));
   }

@@ -51,7 +51,7 @@ class Live {
 
   // ---- time ----------------------------------------------------------------------------------------------------------
 
-  std::size_t steps() const;  ///< of the scene
+  std::size_t steps() const;  ///< of the scene; longer where a hand takes hold towards its end
   std::size_t known() const;  ///< so many have been played
   std::size_t now() const { return now_; }
   /// To any step, in both directions. A state that was there before comes again to the last bit.
@@ -83,6 +83,8 @@ class Live {
   /// "0.31 m/s", and what it should be, or an empty text.
   std::pair<std::string, std::string> number_in_words(std::size_t lane, std::size_t which) const;
 
+  /// A ball around the bodies that move, as they begin: its centre and its radius, m.
+  std::pair<Vec3, Real> reach() const;
   /// How far bodies are moved in it, m: those of a strobe scene go across the picture, and leave an image at each instant.
   Vec3 shift() const;
   Picture picture(std::size_t lane, const Camera& camera, const Shown& shown) const;
@@ -100,6 +102,7 @@ class Live {
   std::size_t bytes_;
   std::vector<ParameterWithDefault> parameters_;
   std::size_t scene_ = 0, now_ = 0;
+  std::size_t until_ = 0;  ///< at least so many steps can be played
   std::vector<std::size_t> chosen_{0, 1, 2, 3};
   std::vector<Lane> lanes_;
   std::vector<std::optional<Grab>> hand_;  ///< in each step that is known
