@@ -15,6 +15,16 @@
     return element;
   };
   const { make } = live;
+
+  /** Where what is in the element is made anew: what had the focus has it again. */
+  live.keepingFocus = function (element, work) {
+    const all = () => [...element.querySelectorAll("input, button, select")];
+    const had = all().indexOf(document.activeElement), name = had >= 0 && document.activeElement.getAttribute("aria-label");
+    work();
+    if (had < 0) return;
+    const now = all();
+    (now.find((one) => name && one.getAttribute("aria-label") === name) || now[Math.min(had, now.length - 1)])?.focus();
+  };
   const shorter = (x) => Number(x.toPrecision(4)).toString();
 
   /** Between the notches of a slider and a value: by equal factors where the range spans a hundredfold. */
@@ -57,7 +67,7 @@
         const now = values[flag];
         if (now.length && JSON.stringify(now) !== JSON.stringify(usual)) this.own.set(flag, now);
       }
-      this.element.replaceChildren(...parameters.map((parameter) => this.row(parameter)));
+      live.keepingFocus(this.element, () => this.element.replaceChildren(...parameters.map((parameter) => this.row(parameter))));
     }
 
     /** What a parameter is where nobody has set it: of the time and the sweeps what scene and variant say. */

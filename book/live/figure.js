@@ -29,6 +29,7 @@
     constructor(figure, engine, root, state = {}) {
       Object.assign(this, { figure, engine, root });
       this.playing = false;
+      this.told = "";
       this.shown = 7;
       this.grabbing = true;
       this.target = 0;
@@ -135,14 +136,16 @@
     }
 
     listVariants() {
-      const { engine } = this, shown = new Set(engine.lanes.map(({ place }) => place));
-      this.variants.replaceChildren(make("legend", { textContent: engine.scene.variants.length > 4 ? "Variants, up to four" : "Variants" }),
-        ...engine.scene.variants.map(({ name, colour, marker }, place) => {
-          const box = make("input", { type: "checkbox", checked: shown.has(place), onchange: () => this.chooseVariant(place, box.checked) });
-          const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
-          mark.style.color = colour;
-          return make("label", { className: "pb-check" }, box, mark, name);
-        }));
+      const { engine } = this, shown = new Set(engine.lanes.map(({ place }) => place)), { variants } = engine.scene;
+      live.keepingFocus(this.variants, () => {
+        this.variants.replaceChildren(make("legend", { textContent: variants.length > 4 ? "Variants, up to four" : "Variants" }),
+          ...variants.map(({ name, colour, marker }, place) => {
+            const box = make("input", { type: "checkbox", checked: shown.has(place), onchange: () => this.chooseVariant(place, box.checked) });
+            const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
+            mark.style.color = colour;
+            return make("label", { className: "pb-check" }, box, mark, name);
+          }));
+      });
     }
 
     listNumbers() {
@@ -224,25 +227,30 @@
     chooseVariant(place, yes) {
       let places = this.engine.lanes.map((lane) => lane.place).filter((one) => one !== place);
       if (yes) places = [...places.slice(-3), place];
-      if (!places.length) return this.listVariants();
+      if (!places.length) {
+        this.tell("One variant at least has to be shown.");
+        return this.listVariants();
+      }
       this.again(() => this.engine.choose(this.engine.sceneIndex, places));
       this.remember();
     }
-    /** Another description: the scene is played again up to where it was. */
+    /** After a change the scene is played again, up to where it was. */
     again(change) {
       const step = this.playing ? this.engine.now : this.target;
-      const all = this.engine.lanes.length === Math.min(4, this.engine.scene.variants.length);
       const problem = change();
       this.tell(problem);
       if (problem) return;
-      if (all && this.engine.lanes.length < Math.min(4, this.engine.scene.variants.length))
-        this.engine.choose(this.engine.sceneIndex, [0, 1, 2, 3]);
       this.begin();
       this.seek(step);
     }
     set(assignments, done) {
-      const began = performance.now();
-      this.again(() => this.engine.set(assignments));
+      const began = performance.now(), { engine } = this;
+      this.again(() => {
+        const before = engine.scene.variants.length, all = engine.lanes.length === Math.min(4, before);
+        const problem = engine.set(assignments);
+        if (!problem && all && engine.scene.variants.length > before) engine.choose(engine.sceneIndex, [0, 1, 2, 3]);
+        return problem;
+      });
       this.answered = performance.now() - began;
       if (done) {
         this.controls.build();
