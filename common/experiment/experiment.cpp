@@ -3,21 +3,46 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
+#include <set>
 
-#include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
-#include "pushback/common/experiment/experiment_parts.h"
-#include "pushback/common/experiment/film.h"
+#include "pushback/common/experiment/words.h"
 
 namespace pushback {
 
-namespace fs = std::filesystem;
-
 // ---- saying what there is --------------------------------------------------------------------------------------------
+
+Experiment::Experiment(std::string name, std::string question)
+    : name_(std::move(name)), question_(std::move(question)) {}
+
+namespace {
+
+template <class Number>
+std::vector<double> as_list(const Number& value) {
+  return {static_cast<double>(value)};
+}
+template <class Number>
+std::vector<double> as_list(const std::vector<Number>& values) {
+  return {values.begin(), values.end()};
+}
+
+}  // namespace
+
+void Experiment::parameter(const Parameter& parameter, ParameterVariable variable) {
+  std::visit(
+      [&](const auto* value) {
+        using Held = std::decay_t<decltype(*value)>;
+        constexpr bool whole = std::is_same_v<Held, int> || std::is_same_v<Held, std::vector<int>>;
+        parameters_.push_back({parameter, as_list(*value), whole, variable});
+      },
+      variable);
+}
+
+const std::vector<ParameterWithDefault>& Experiment::parameters() const {
+  return parameters_;
+}
 
 std::vector<Sample> Run::last(Real seconds) const {
   const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(seconds / dt)), 1, samples.size());
@@ -149,10 +174,24 @@ void Experiment::remark(std::string sentence) {
   remarks_.push_back(std::move(sentence));
 }
 
-// ---- doing it ----------------------------------------------------------------------------------------------------------
+// ---- what it comes to ------------------------------------------------------------------------------------------------
+
+void Experiment::describe(const std::function<void()>& define) {
+  acts_.clear();
+  variants_.clear();
+  studies_.clear();
+  define();
+  refuse_twins();
+  choose_colours();
+}
+
+std::size_t Experiment::steps_of(const Scene& scene) const {
+  const Real seconds = seconds_ > 0 ? seconds_ : scene.seconds;
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(seconds / dt_)));
+}
 
 int Experiment::sweeps_of(const Variant& variant) const {
-  return variant.sweeps > 0 && (variant.exactly || !told("--sweeps")) ? variant.sweeps : sweeps_;
+  return variant.sweeps > 0 && (variant.exactly || !told_.contains("--sweeps")) ? variant.sweeps : sweeps_;
 }
 
 /// Two of one name would share a folder; two scenes of one key, a sheet.
@@ -193,23 +232,6 @@ void Experiment::choose_colours() {
   }
 }
 
-void Experiment::choose_variants() {
-  if (only_.empty()) return;
-  const auto is_meant = [this](const Variant& variant, const std::string& word) {
-    return slug(word) == slug(variant.name) || word == slug(acts_[variant.scene].scene.name) + "_" + slug(variant.name);
-  };
-  for (const std::string& word : only_) {
-    if (std::none_of(variants_.begin(), variants_.end(), [&](const Variant& v) { return is_meant(v, word); })) {
-      std::string known;
-      for (const Variant& v : variants_) known += (known.empty() ? "" : ", ") + slug(v.name);
-      throw InvalidInput(fmt::format("--variants names '{}': one or more of {} are needed", word, known));
-    }
-  }
-  std::erase_if(variants_, [&](const Variant& v) {
-    return std::none_of(only_.begin(), only_.end(), [&](const std::string& word) { return is_meant(v, word); });
-  });
-}
-
 /// A value that cannot be used is found before anything is written.
 void Experiment::check() const {
   for (const Variant& variant : variants_) {
@@ -222,70 +244,6 @@ void Experiment::check() const {
 void Experiment::fill(World& world, const Variant& variant) const {
   acts_[variant.scene].scene.fill(world);
   if (variant.change) variant.change(world);
-}
-
-void Experiment::list() const {
-  for (std::size_t a = 0; a < acts_.size(); ++a) {
-    fmt::print("{} ({:.3g} s, {})\n", acts_[a].scene.name, acts_[a].scene.seconds,
-               acts_[a].scene.pictures ? sheet_file(a) : "no pictures");
-    for (const Variant& variant : variants_) {
-      if (variant.scene == a) fmt::print("  {:<32} {}\n", slug(variant.name), variant.name);
-    }
-  }
-}
-
-void Experiment::play() {
-  const fs::path folder = fs::path(out_) / name_;
-  make_writable_folder(folder);
-  Output output(folder, !no_images_, {width_, height_}, variants_.size());
-  std::vector<Result> results;
-  for (std::size_t i = 0; i < variants_.size(); ++i) results.push_back(play(i, output));
-  output.done();
-  if (!no_study_) {
-    for (const auto& work : studies_) work();
-  }
-  report(results, folder);
-}
-
-int Experiment::run(int argc, const char* const* argv, const std::function<void()>& define) {
-  if (const std::optional<int> status = read_command_line(argc, argv)) return *status;
-  try {
-    const char* const end = size_.data() + size_.size();
-    const auto [cross, bad_width] = std::from_chars(size_.data(), end, width_);
-    const auto [rest, bad_height] = std::from_chars(cross == end ? end : cross + 1, end, height_);
-    if (bad_width != std::errc() || bad_height != std::errc() || *cross != 'x' || rest != end || width_ < 16 ||
-        height_ < 16 || width_ > 8192 || height_ > 8192) {
-      throw InvalidInput(fmt::format("--size is '{}': WIDTHxHEIGHT is needed, each from 16 to 8192", size_));
-    }
-    if (told("--seconds")) require_positive("--seconds", seconds_);
-    require_between("--dt", dt_, Real(1e-6), 1);
-    if (seconds_ / dt_ > 1e7)
-      throw InvalidInput(fmt::format("--seconds is {}: at most {:.4g}, ten million steps of {} s, is needed", seconds_,
-                                     1e7 * dt_, dt_));
-    if (sweeps_ < 1 || sweeps_ > 1000000)
-      throw InvalidInput(fmt::format("--sweeps is {}: a whole number from 1 to 1000000 is needed", sweeps_));
-    if (frames_ < 0 || frames_ > 100000)
-      throw InvalidInput(fmt::format("--frames is {}: a whole number from 0 to 100000 is needed", frames_));
-    if (!film_.empty() && no_images_) throw InvalidInput("--film and --no-images exclude each other");
-    if (!film_.empty()) require_ffmpeg();
-    define();
-    refuse_twins();
-    choose_colours();
-    if (list_) {
-      list();
-      return 0;
-    }
-    choose_variants();
-    check();
-    play();
-    return 0;
-  } catch (const InvalidInput& problem) {
-    fmt::print(stderr, "{}: {}\n", name_, problem.what());
-    return 2;
-  } catch (const std::exception& problem) {
-    fmt::print(stderr, "{}: {}\n", name_, problem.what());
-    return 1;
-  }
 }
 
 }  // namespace pushback

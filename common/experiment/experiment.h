@@ -19,8 +19,8 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -106,7 +106,6 @@ class Experiment {
  public:
   /// `name` is the folder's and the program's, `question` stands above the sheet.
   Experiment(std::string name, std::string question);
-  ~Experiment();
 
   /// A parameter of this experiment's own, beside those that every experiment has; see parameter.h.
   void parameter(const Parameter& parameter, ParameterVariable variable);
@@ -164,10 +163,12 @@ class Experiment {
   struct Result;
   class Output;
   class Shots;
+  class Played;
+  friend class Live;  // plays the same where somebody looks on: common/live/
 
   Variant& add_variant(const std::string& name);
   std::optional<int> read_command_line(int argc, const char* const* argv);
-  bool told(const std::string& flag) const;
+  void describe(const std::function<void()>& define);
   void refuse_twins() const;
   void choose_colours();
   void choose_variants();
@@ -191,8 +192,7 @@ class Experiment {
   std::string shown_name(const Variant& variant) const;
 
   std::string name_, question_;
-  struct CommandLine;
-  std::unique_ptr<CommandLine> line_;
+  std::vector<ParameterWithDefault> parameters_;
   std::vector<Act> acts_;
   std::deque<Variant> variants_;  // `variant` hands out references
   std::vector<Panel> own_panels_;
@@ -203,7 +203,8 @@ class Experiment {
   int width_ = 0, height_ = 0;
   Real seconds_ = 0, dt_ = Real(1) / 60;
   int frames_ = 0, sweeps_ = 10;
-  std::string film_;  ///< ending of the films; empty: none
+  std::set<std::string> told_;  ///< the flags that were given
+  std::string film_;            ///< ending of the films; empty: none
   std::vector<std::string> only_;
   bool no_images_ = false, no_study_ = false, list_ = false, list_parameters_ = false;
 };

@@ -10,6 +10,7 @@
 
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/legend.h"
+#include "pushback/common/experiment/words.h"
 #include "pushback/common/render/painter.h"
 
 namespace pushback {
@@ -89,11 +90,5 @@ class Experiment::Shots {
   World marked_;  ///< of the strobe picture's last instant
   Real marked_at_ = 0;
 };
-
-/// A name as part of a file's name and as a word on the command line: letters and digits stay, symbols are spelt out, a run
-/// of anything else becomes one hyphen.
-std::string slug(std::string name);
-/// Of a scene's sheet.
-std::string key_of(const Scene& scene);
 
 }  // namespace pushback

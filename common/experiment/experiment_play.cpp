@@ -1,15 +1,15 @@
-/// Watching one variant: its steps and its samples.
+/// Watching one variant to its end.
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <limits>
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/experiment_parts.h"
+#include "pushback/common/experiment/played.h"
 #include "pushback/common/experiment/sheet.h"
 
 namespace pushback {
@@ -59,68 +59,29 @@ void Experiment::Output::done() const {
   if (terminal_) fmt::print("\r\033[K");
 }
 
-namespace {
-
-std::vector<ContactId> ids_of(const Contacts& contacts) {
-  std::vector<ContactId> ids;
-  for (const Contact& contact : contacts) ids.push_back(contact.id);
-  return ids;
-}
-
-int count_missing(const std::vector<ContactId>& from, const std::vector<ContactId>& in) {
-  std::vector<ContactId> missing;
-  std::set_difference(from.begin(), from.end(), in.begin(), in.end(), std::back_inserter(missing));
-  return static_cast<int>(missing.size());
-}
-
-}  // namespace
-
-std::size_t Experiment::steps_of(const Scene& scene) const {
-  const Real seconds = seconds_ > 0 ? seconds_ : scene.seconds;
-  return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(seconds / dt_)));
-}
-
 Experiment::Result Experiment::play(std::size_t index, Output& output) const {
   const Variant& variant = variants_[index];
   const Act& act = acts_[variant.scene];
   const std::size_t steps = steps_of(act.scene);
 
-  World world;
-  fill(world, variant);
+  Played played(*this, variant);
   Result result;
   result.variant = &variant;
   output.progress(name_, index, variant.name, 0, static_cast<std::size_t>(frames_));
-  Shots shots(*this, index, world, output, result);
-  auto step_once = variant.step;  // a copy: the solver's memory starts empty
-  std::vector<ContactId> before;
+  Shots shots(*this, index, played.world, output, result);
   for (std::size_t step = 1; step <= steps; ++step) {
-    Sample sample;
     try {
-      for (int i = 0; i < variant.substeps; ++i) {
-        step_once(world, dt_ / static_cast<Real>(variant.substeps), sweeps_of(variant), sample);
-      }
+      result.samples.push_back(played.step());
     } catch (const InvalidInput& problem) {
       result.mishap =
           fmt::format("ended at {:.3g} s: {}", static_cast<double>(step) * static_cast<double>(dt_), problem.what());
       break;
     }
-    sample.time = static_cast<Real>(step) * dt_;
-    sample.kinetic_energy = kinetic_energy(world);
-    sample.potential_energy = potential_energy(world);
-    sample.momentum = momentum(world);
-    sample.angular_momentum = angular_momentum(world);
-    sample.overlap = deepest_overlap(world);
-    sample.contacts = static_cast<int>(world.contacts.size());
-    std::vector<ContactId> now = ids_of(world.contacts);
-    sample.found = count_missing(now, before);
-    sample.lost = count_missing(before, now);
-    before = std::move(now);
-    result.samples.push_back(sample);
-    for (const Quantity& quantity : act.series) result.series[quantity.name].push_back(quantity.of(world));
-    shots.take(world, step);
+    for (const Quantity& quantity : act.series) result.series[quantity.name].push_back(quantity.of(played.world));
+    shots.take(played.world, step);
   }
   shots.end();
-  const Run run{world, dt_, result.samples, result.series};
+  const Run run{played.world, dt_, result.samples, result.series};
   for (const Number& number : act.numbers)
     result.numbers.push_back(result.mishap.empty() ? number.of(run) : std::numeric_limits<Real>::quiet_NaN());
   return result;

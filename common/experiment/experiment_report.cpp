@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "pushback/common/basics/files.h"
@@ -10,28 +9,14 @@
 #include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/marker.h"
 #include "pushback/common/experiment/sheet.h"
+#include "pushback/common/experiment/words.h"
 #include "pushback/common/render/palette.h"
 
 namespace pushback {
 
 namespace fs = std::filesystem;
 
-// ---- words -------------------------------------------------------------------------------------------------------------
-
 namespace {
-
-/// Three significant digits; what is rounding noise, or no number, says so.
-std::string in_words(Real value, const std::string& unit) {
-  if (!std::isfinite(value)) return "–";
-  std::string text;
-  const Real size = std::abs(value);
-  if (size == 0) text = "0";
-  else if (size < 1e-6) text = "< 1e-6";
-  else if (size < 1e-3 || size >= 1e6) text = fmt::format("{:.2e}", value);
-  else if (size >= 1000) text = fmt::format("{:.0f}", value);
-  else text = fmt::format("{:.3g}", value);
-  return unit.empty() ? text : text + " " + unit;
-}
 
 Ink ink_of(const std::string& colour) {
   const unsigned long rgb = std::stoul(colour.substr(1), nullptr, 16);
@@ -40,27 +25,6 @@ Ink ink_of(const std::string& colour) {
 }
 
 }  // namespace
-
-std::string slug(std::string name) {
-  static const std::vector<std::pair<std::string, std::string>> spelling{
-      {"β", "beta"}, {"μ", "mu"}, {"Σ", "sum-"}, {"λ", "lambda"}, {"θ", "theta"}, {"ω", "omega"}, {"≥", "at-least"}};
-  for (const auto& [symbol, word] : spelling) {
-    for (std::size_t at = name.find(symbol); at != std::string::npos; at = name.find(symbol, at))
-      name.replace(at, symbol.size(), word);
-  }
-  std::string out;
-  for (const unsigned char c : name) {
-    const bool keep = c < 0x80 && (std::isalnum(c) != 0 || c == '.');
-    if (keep) out += static_cast<char>(std::tolower(c));
-    else if (!out.empty() && out.back() != '-') out += '-';
-  }
-  while (!out.empty() && out.back() == '-') out.pop_back();
-  return out;
-}
-
-std::string key_of(const Scene& scene) {
-  return slug(scene.key.empty() ? scene.name : scene.key);
-}
 
 // ---- diagrams and tables -------------------------------------------------------------------------------------------
 

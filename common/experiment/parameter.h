@@ -25,6 +25,7 @@ struct ParameterWithDefault {
   Parameter parameter;
   std::vector<double> defaults;  ///< one; or those that are put side by side
   bool whole = false;            ///< whole numbers only
+  ParameterVariable variable = {};
 };
 
 /// A JSON array, an object a parameter: flag, symbol, unit, what, default (an array), least, most, whole.

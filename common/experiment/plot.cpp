@@ -18,13 +18,12 @@ namespace pushback {
 
 namespace {
 
-constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#444444", "#8a2be2"};
 constexpr std::size_t most_own_markers = 40;  // of a curve with more points only a few have a shape
 
 std::string shape_of(const Curve& curve) {
   if (!curve.marker.empty()) return curve.marker;
-  const auto found = std::find(colours.begin(), colours.end(), curve.colour);
-  return found == colours.end() ? "" : marker_of(static_cast<std::size_t>(found - colours.begin()));
+  const auto found = std::find(line_colours.begin(), line_colours.end(), curve.colour);
+  return found == line_colours.end() ? "" : marker_of(static_cast<std::size_t>(found - line_colours.begin()));
 }
 
 /// In gnuplot's words. Its own shapes stand more exactly where they should than a letter does.
@@ -225,10 +224,6 @@ std::filesystem::path numbered(const std::filesystem::path& file, std::size_t nu
 }
 
 }  // namespace
-
-std::string line_colour(std::size_t index) {
-  return colours[index % colours.size()];
-}
 
 std::vector<std::vector<Panel>> in_figures(const std::vector<Panel>& panels) {
   std::vector<std::vector<Panel>> figures;

@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "pushback/common/basics/types.h"
+#include "pushback/common/experiment/marker.h"
 
 namespace pushback {
-
-/// The colours of curves and variants, in order: seven of Okabe and Ito, and a violet. The colour-blind can tell them apart.
-/// "#rrggbb"; starts again after the last.
-std::string line_colour(std::size_t index);
 
 struct Curve {
   enum class Style { line, dashed, points, line_and_points };

@@ -8,7 +8,8 @@
 namespace pushback {
 namespace {
 
-GLuint compile(const char* name, GLenum kind, const std::vector<const char*>& parts) {
+GLuint compile(const char* name, GLenum kind, std::vector<const char*> parts) {
+  parts.insert(parts.begin(), shaders::prologue);
   const GLuint shader = glCreateShader(kind);
   glShaderSource(shader, static_cast<GLsizei>(parts.size()), parts.data(), nullptr);
   glCompileShader(shader);

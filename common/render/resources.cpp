@@ -65,16 +65,18 @@ void ShadowMap::begin_layer(int layer) const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   if (kind == GL_TEXTURE_2D) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, kind, texture, 0);
   else glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture, 0, layer);
-  glDrawBuffer(GL_NONE);
+  const GLenum none = GL_NONE;
+  glDrawBuffers(1, &none);
   glReadBuffer(GL_NONE);
   glViewport(0, 0, resolution, resolution);
   glClear(GL_DEPTH_BUFFER_BIT);
 }
 
 Geometry::Part Geometry::append(const Mesh& mesh) {
-  const Part part{static_cast<GLint>(vertices_.size()), indices_.size(), static_cast<GLsizei>(mesh.indices.size())};
+  const Part part{indices_.size(), static_cast<GLsizei>(mesh.indices.size())};
+  const auto first_vertex = static_cast<std::uint32_t>(vertices_.size());
   vertices_.insert(vertices_.end(), mesh.vertices.begin(), mesh.vertices.end());
-  indices_.insert(indices_.end(), mesh.indices.begin(), mesh.indices.end());
+  for (const std::uint16_t index : mesh.indices) indices_.push_back(first_vertex + index);
   return part;
 }
 
@@ -82,7 +84,7 @@ void Geometry::upload(GLenum usage) const {
   glBindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(), usage);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices_.size() * sizeof(std::uint16_t)),
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices_.size() * sizeof(std::uint32_t)),
                indices_.data(), usage);
 }
 
@@ -134,9 +136,9 @@ void Geometry::draw(const Part& part, std::size_t first, std::size_t many) const
   attribute<Instance>(3, 4, base + offsetof(Instance, turn), 1);
   attribute<Instance>(4, 3, base + offsetof(Instance, half_extents), 1);
   attribute<Instance>(5, 3, base + offsetof(Instance, colour), 1);
-  glDrawElementsInstancedBaseVertex(GL_TRIANGLES, part.size, GL_UNSIGNED_SHORT,
-                                    reinterpret_cast<const void*>(part.first_index * sizeof(std::uint16_t)),
-                                    static_cast<GLsizei>(many), part.first_vertex);
+  glDrawElementsInstanced(GL_TRIANGLES, part.size, GL_UNSIGNED_INT,
+                          reinterpret_cast<const void*>(part.first_index * sizeof(std::uint32_t)),
+                          static_cast<GLsizei>(many));
 }
 
 }  // namespace pushback

@@ -47,7 +47,6 @@ class Geometry {
 
  private:
   struct Part {
-    GLint first_vertex;
     std::size_t first_index;
     GLsizei size;
   };
@@ -63,7 +62,7 @@ class Geometry {
 
   GLuint vertex_buffer_, index_buffer_, instances_;
   std::vector<Vertex> vertices_;
-  std::vector<std::uint16_t> indices_;
+  std::vector<std::uint32_t> indices_;                  // WebGL knows no base vertex
   std::size_t fixed_vertices_ = 0, fixed_indices_ = 0;  // how many belong to the meshes that all frames share
   std::array<Part, count> parts_{};
   std::vector<HullPart> hulls_;

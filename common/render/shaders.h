@@ -1,10 +1,8 @@
-/// The shaders, in parts that are joined where they are compiled. All places are relative to the eye, in metres; all
-/// light is linear, and the framebuffer encodes it as sRGB.
+/// The shaders, in parts that are joined where they are compiled, behind the prologue of gl.h. All places are relative to
+/// the eye, in metres; all light is linear until it is shown.
 #pragma once
 
 namespace pushback::shaders {
-
-inline constexpr const char* version = "#version 330 core\n";
 
 /// An instance of a mesh (mesh.h) as position and normal. What a mark adds: `pull` lets it come towards the eye by so
 /// many radii, in depth only.
@@ -58,11 +56,11 @@ inline constexpr const char* depth_fragment = "void main() {}\n";
 
 /// What every fragment shader has: the background, and the way from light to picture.
 inline constexpr const char* common_fragment = R"(
-uniform vec2 picture_size;
+uniform vec2 picture_corner, picture_size;  // pixels of the framebuffer
 layout(location = 0) out vec4 pixel;
 
 vec3 background() {
-  float height = gl_FragCoord.y / picture_size.y;
+  float height = (gl_FragCoord.y - picture_corner.y) / picture_size.y;
   return mix(vec3(0.795, 0.82, 0.855), vec3(0.74, 0.775, 0.83), smoothstep(0.45, 1.0, height));
 }
 
@@ -177,7 +175,7 @@ void main() {
   float rim = pow(clamp(1.0 - dot(n, v), 0.0, 1.0), 5.0);
   light += 0.04 * mix(0.5, 1.0, sky);  // what the surroundings mirror in it; the tone map takes as much away again
   light += 0.16 * rim * sky * (0.4 + 0.6 * max(n.y, 0.0)) * sky_colour;
-  pixel = vec4(tone(light), 1);
+  pixel = vec4(shown(tone(light)), 1);
 }
 )";
 
@@ -191,7 +189,7 @@ void main() {
   float light = 0.72 + 0.28 * max(dot(n, normalize(vec3(0.2, 1.0, 0.0) + v)), 0.0);
   vec3 rim = dot(at_colour, vec3(0.3, 0.6, 0.1)) < 0.04 ? vec3(0.75) : vec3(0.012);  // whichever stands out
   float edge = outline * (1.0 - smoothstep(0.42, 0.62, dot(n, v)));
-  pixel = vec4(mix(at_colour * light, rim, edge), opacity);
+  pixel = vec4(shown(mix(at_colour * light, rim, edge)), opacity);
 }
 )";
 
@@ -221,10 +219,10 @@ void main() {
     float far = length(at_place) / fade;
     light = mix(background(), light, exp(-3.0 * far * far));
   }
-  pixel = vec4(light, 1);
+  pixel = vec4(shown(light), 1);
 }
 )";
 
-inline constexpr const char* background_fragment = "void main() { pixel = vec4(background(), 1); }\n";
+inline constexpr const char* background_fragment = "void main() { pixel = vec4(shown(background()), 1); }\n";
 
 }  // namespace pushback::shaders

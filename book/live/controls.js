@@ -1,0 +1,164 @@
+"use strict";
+// Sliders, one for each parameter that the chapter's --help lists, and of those of every experiment sweeps, step and time.
+(function () {
+  const live = (self.PushbackLive = self.PushbackLive || {});
+  const notches = 400;
+
+  live.make = function (tag, properties = {}, ...children) {
+    const element = document.createElement(tag);
+    for (const [name, value] of Object.entries(properties)) {
+      if (name.startsWith("aria-") || name === "role" || name === "for") element.setAttribute(name, value);
+      else if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+      else element[name] = value;
+    }
+    element.append(...children);
+    return element;
+  };
+  const { make } = live;
+
+  /** Where what is in the element is made anew: what had the focus has it again. */
+  live.keepingFocus = function (element, work) {
+    const all = () => [...element.querySelectorAll("input, button, select")];
+    const had = all().indexOf(document.activeElement), name = had >= 0 && document.activeElement.getAttribute("aria-label");
+    work();
+    if (had < 0) return;
+    const now = all();
+    (now.find((one) => name && one.getAttribute("aria-label") === name) || now[Math.min(had, now.length - 1)])?.focus();
+  };
+  const shorter = (x) => Number(x.toPrecision(4)).toString();
+
+  /** Between the notches of a slider and a value: by equal factors where the range spans a hundredfold. */
+  class Scale {
+    constructor({ least, most, whole }) {
+      Object.assign(this, { least, most, whole, log: least > 0 && most / least >= 100 });
+    }
+    value(notch) {
+      const share = notch / notches;
+      const value = this.log ? this.least * (this.most / this.least) ** share : this.least + share * (this.most - this.least);
+      return this.whole ? Math.round(value) : Number(value.toPrecision(3));
+    }
+    notch(value) {
+      const share = this.log ? Math.log(value / this.least) / Math.log(this.most / this.least)
+        : (value - this.least) / (this.most - this.least);
+      return Math.round(notches * Math.min(1, Math.max(0, share)));
+    }
+  }
+
+  const mostSliders = 6;
+
+  live.Controls = class {
+    /** `set(assignments)`: of what is not as it is by default. */
+    constructor(element, engine, set) {
+      this.element = element;
+      this.engine = engine;
+      this.set = set;
+      this.build();
+    }
+
+    get assignments() {
+      return this.engine.parameters.filter(({ flag }) => this.own.has(flag))
+        .map(({ flag }) => `${flag}=${this.own.get(flag).join(",")}`).join(";");
+    }
+
+    build() {
+      const { parameters, values } = this.engine;
+      this.own = new Map();
+      for (const { flag, default: usual } of parameters) {
+        const now = values[flag];
+        if (now.length && JSON.stringify(now) !== JSON.stringify(usual)) this.own.set(flag, now);
+      }
+      live.keepingFocus(this.element, () => this.element.replaceChildren(...parameters.map((parameter) => this.row(parameter))));
+    }
+
+    /** What a parameter is where nobody has set it: of the time and the sweeps what scene and variant say. */
+    usual({ flag, default: usual }) {
+      const { engine } = this;
+      if (flag === "--seconds") return [Number((engine.steps * engine.dt).toPrecision(6))];
+      if (flag === "--sweeps") return [Math.max(1, ...engine.lanes.map(({ sweeps }) => sweeps))];
+      return usual;
+    }
+
+    row(parameter) {
+      const { flag, symbol, unit, what } = parameter;
+      const now = this.own.get(flag) || this.usual(parameter);
+      const list = parameter.default.length > 1;
+      const name = `${this.engine.description.name}${flag}`;
+      const title = make("span", { className: "pb-what" });
+      if (symbol) title.append(make("i", { textContent: symbol }), "  ");
+      title.append(what);
+      const reset = make("button", {
+        type: "button", className: "pb-small", textContent: "reset", hidden: !this.own.has(flag),
+        "aria-label": `Reset: ${what}`, onclick: () => this.change(parameter, null, true),
+      });
+      const row = make("div", { className: "pb-parameter", role: "group", "aria-label": what },
+        make("div", { className: "pb-head" }, title, reset));
+      row.dataset.flag = flag;
+      if (now.length > mostSliders) {
+        row.append(make("input", {
+          type: "text", className: "pb-list", value: now.join(", "), "aria-label": `${what}, separated by commas`,
+          onchange: (event) => this.change(parameter, event.target.value.split(/[,\s]+/).filter(Boolean).map(Number), true),
+        }));
+        return row;
+      }
+      now.forEach((value, i) => row.append(this.slider(parameter, now, i, list, name, unit, what)));
+      if (list && now.length < mostSliders) {
+        row.append(make("button", {
+          type: "button", className: "pb-small", textContent: "+ one more", "aria-label": `One more: ${what}`,
+          onclick: () => this.change(parameter, [...now, this.another(parameter, now)], true),
+        }));
+      }
+      return row;
+    }
+
+    another(parameter, now) {
+      const scale = new Scale(parameter);
+      for (const notch of [0.5, 0.7, 0.3, 0.9, 0.1, 0.6, 0.8].map((x) => Math.round(x * notches))) {
+        if (!now.includes(scale.value(notch))) return scale.value(notch);
+      }
+      return parameter.most;
+    }
+
+    slider(parameter, now, i, list, name, unit, what) {
+      const { least, most, whole } = parameter, scale = new Scale(parameter);
+      const label = list ? `${what}, ${i + 1} of ${now.length}` : what;
+      const range = make("input", {
+        type: "range", min: 0, max: notches, step: whole && !scale.log ? Math.max(1, notches / (most - least)) : 1,
+        value: scale.notch(now[i]), "aria-label": label,
+      });
+      range.setAttribute("aria-valuetext", `${shorter(now[i])} ${unit}`);
+      const number = make("input", {
+        type: "number", min: least, max: most, step: whole ? 1 : "any", value: shorter(now[i]), "aria-label": `${label}, as a number`,
+      });
+      const told = (value, done) => {
+        const values = [...(this.own.get(parameter.flag) || now)];
+        values[i] = value;
+        this.change(parameter, values, done);
+      };
+      range.addEventListener("input", () => {
+        const value = scale.value(Number(range.value));
+        number.value = shorter(value);
+        range.setAttribute("aria-valuetext", `${shorter(value)} ${unit}`);
+        told(value, false);
+      });
+      range.addEventListener("change", () => told(scale.value(Number(range.value)), true));
+      number.addEventListener("change", () => told(Number(number.value), true));
+      const row = make("div", { className: "pb-slider" }, range, number, make("span", { className: "pb-unit", textContent: unit }));
+      if (list && now.length > 1) {
+        row.append(make("button", {
+          type: "button", className: "pb-small", textContent: "×", "aria-label": `Leave out: ${label}`,
+          onclick: () => this.change(parameter, now.filter((_, k) => k !== i), true),
+        }));
+      }
+      return row;
+    }
+
+    /** `done`: not while a slider is still moving; only then are the sliders drawn anew. */
+    change(parameter, values, done) {
+      if (values === null) this.own.delete(parameter.flag);
+      else this.own.set(parameter.flag, values);
+      this.set(this.assignments, done);
+      const row = this.element.querySelector(`[data-flag="${parameter.flag}"] .pb-head button`);
+      if (row) row.hidden = !this.own.has(parameter.flag);
+    }
+  };
+})();

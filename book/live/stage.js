@@ -1,0 +1,267 @@
+"use strict";
+// The canvas: panes side by side, camera, hand, wipe.
+(function () {
+  const live = (self.PushbackLive = self.PushbackLive || {});
+
+  const minus = (a, b) => a.map((x, i) => x - b[i]);
+  const plus = (a, b, k = 1) => a.map((x, i) => x + k * b[i]);
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const length = (a) => Math.hypot(...a);
+  const unit = (a) => a.map((x) => x / length(a));
+  const clamp = (x, low, high) => Math.min(high, Math.max(low, x));
+
+  /** A camera that goes about its target. Angles in rad; `distance` and `pan` as factors of the scene's own distance. */
+  class Camera {
+    constructor() { this.reset(); }
+    reset() { Object.assign(this, { turn: 0, rise: 0, zoom: 1, pan: [0, 0] }); }
+    get isReset() { return this.turn === 0 && this.rise === 0 && this.zoom === 1 && !this.pan[0] && !this.pan[1]; }
+    orbit(turn, rise) {
+      this.turn = (this.turn + turn) % (2 * Math.PI);
+      this.rise += rise;
+    }
+    zoomBy(factor) { this.zoom = clamp(this.zoom * factor, 0.05, 20); }
+    panBy(x, y) { this.pan = [this.pan[0] + x, this.pan[1] + y]; }
+    /** `from`: the scene's { eye, target, field_of_view }. */
+    seen(from) {
+      const away = minus(from.eye, from.target), distance = length(away);
+      const level = Math.hypot(away[0], away[2]);
+      const heading = Math.atan2(away[0], away[2]) + this.turn;
+      const height = clamp(Math.atan2(away[1], level) + this.rise, -1.5, 1.5);
+      this.rise = height - Math.atan2(away[1], level);
+      const direction = [Math.cos(height) * Math.sin(heading), Math.sin(height), Math.cos(height) * Math.cos(heading)];
+      const right = unit(cross([0, 1, 0], direction)), up = cross(direction, right);
+      const across = 2 * distance * this.zoom * Math.tan(from.field_of_view / 2);
+      const target = plus(plus(from.target, right, across * this.pan[0]), up, across * this.pan[1]);
+      return { eye: plus(target, direction, distance * this.zoom), target, fieldOfView: from.field_of_view };
+    }
+  }
+
+  live.Stage = class {
+    /** `player`: what is played; it is asked for lanes and told of what the hand does. */
+    constructor(player, element) {
+      this.player = player;
+      this.element = element;
+      this.camera = new Camera();
+      this.follow = false;
+      this.wipe = null;  // the part of the width at which one variant ends and the other begins
+      this.canvas = document.createElement("canvas");
+      this.canvas.id = `pushback-live-${++live.Stage.count}`;
+      this.canvas.className = "pb-canvas";
+      this.canvas.tabIndex = 0;
+      this.canvas.setAttribute("role", "img");
+      this.labels = document.createElement("div");
+      this.labels.className = "pb-labels";
+      this.divider = document.createElement("input");
+      Object.assign(this.divider, { type: "range", min: 0, max: 1000, value: 500, className: "pb-divider", hidden: true });
+      this.divider.setAttribute("aria-label", "Where one variant ends and the other begins");
+      this.divider.addEventListener("input", () => {
+        this.wipe = this.divider.value / 1000;
+        player.changed();
+      });
+      element.append(this.canvas, this.labels, this.divider);
+      this.problem = player.engine.open(`#${this.canvas.id}`);
+      this.listen();
+    }
+
+    // ---- panes
+    /** Rectangles, CSS pixels from the upper left corner, one a lane; of a wipe one for both. */
+    arrange() {
+      const lanes = this.player.engine.lanes, scene = this.player.engine.scene;
+      const width = this.element.clientWidth || 640;
+      const wiping = this.wipe !== null && lanes.length === 2;
+      const count = wiping ? 1 : lanes.length;
+      const aspect = scene.strobe && this.follow ? 1.6 : scene.aspect;
+      const narrowest = Math.min(width, 230);
+      let columns = Math.max(1, Math.min(count, Math.floor(width / narrowest)));
+      if (count === 4 && columns === 3) columns = 2;
+      if (aspect > 2.2) columns = 1;
+      else if (aspect > 1.4 && count > 1) columns = Math.min(columns, 2);
+      if (count === 3 && columns === 2 && aspect > 1.4) columns = width >= 3 * narrowest ? 3 : 1;
+      const wide = width / columns;
+      const rows = Math.ceil(count / columns);
+      const most = Math.max(200, 0.72 * window.innerHeight) / rows;
+      const high = Math.round(clamp(wide / Math.min(aspect, Math.max(wide / 110, 1)), Math.min(110, most), Math.max(most, 110)));
+      this.panes = lanes.map((lane, i) => {
+        const at = wiping ? 0 : i;
+        const left = Math.round((at % columns) * wide), top = Math.floor(at / columns) * high;
+        const right = Math.round(((at % columns) + 1) * wide);
+        return { lane: i, left, top, width: right - left, height: high };
+      });
+      this.size = { width, height: rows * high };
+      const scale = clamp(window.devicePixelRatio || 1, 1, 2);
+      const [w, h] = [Math.round(scale * width), Math.round(scale * rows * high)];
+      if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
+      this.canvas.style.height = `${rows * high}px`;
+      this.scale = scale;
+      this.divider.hidden = !wiping;
+      this.wiping = wiping;
+    }
+
+    /** As far to both sides as the sheet shows, also where the pane is narrower. */
+    cameraFor(pane) {
+      const { engine } = this.player;
+      const scene = engine.scene;
+      const from = { ...scene.camera };
+      let aspect = scene.aspect;
+      if (scene.strobe && this.follow) {
+        const { centre, radius } = this.player.reach, away = unit(minus(from.eye, from.target));
+        const shift = engine.shift();
+        from.field_of_view = 0.5;
+        from.target = plus(plus(centre, shift), [0, 0.15 * radius, 0]);
+        from.eye = plus(from.target, away, (1.5 * radius) / Math.tan(0.25));
+        aspect = 1.3;
+      }
+      const own = pane.width / pane.height;
+      if (own < aspect) from.field_of_view = 2 * Math.atan((Math.tan(from.field_of_view / 2) * aspect) / own);
+      return this.camera.seen(from);
+    }
+
+    draw() {
+      this.arrange();
+      this.label();
+      if (this.problem) return;
+      const { engine, shown } = this.player;
+      engine.begin();
+      for (const pane of this.panes) {
+        const pixels = (x) => Math.round(this.scale * x);
+        const x = pixels(pane.left), width = pixels(pane.left + pane.width) - x, height = pixels(pane.height);
+        const y = this.canvas.height - pixels(pane.top) - height;
+        engine.look(this.cameraFor(pane));
+        const at = this.wiping ? Math.round(width * this.wipe) : 0;
+        const [from, to] = !this.wiping ? [0, width] : pane.lane === 0 ? [0, at] : [at, width];
+        if (to > from) this.problem = engine.draw(pane.lane, shown, x, y, width, height, from, to);
+        if (this.problem) break;
+      }
+    }
+
+    label() {
+      const lanes = this.player.engine.lanes;
+      const wanted = this.panes.map((pane) => {
+        const { name, colour, marker } = lanes[pane.lane];
+        return { pane, name, colour, marker, mishap: this.player.engine.mishap(pane.lane) };
+      });
+      const key = JSON.stringify([wanted, this.wiping, this.size]);
+      if (key === this.labelled) return;
+      this.labelled = key;
+      this.labels.replaceChildren(...wanted.map(({ pane, name, colour, marker, mishap }) => {
+        const label = document.createElement("div");
+        label.className = "pb-label";
+        const right = this.wiping && pane.lane === 1;
+        label.style.top = `${pane.top}px`;
+        if (right) label.style.right = "0";
+        else label.style.left = `${pane.left}px`;
+        label.style.maxWidth = `${(this.wiping ? 0.5 : 1) * pane.width}px`;
+        const mark = document.createElement("span");
+        mark.textContent = `${marker} `;
+        mark.style.color = colour;
+        mark.setAttribute("aria-hidden", "true");
+        label.append(mark, mishap ? `${name}: ${mishap}` : name);
+        return label;
+      }));
+    }
+
+    // ---- pointer
+    paneAt(x, y) {
+      return this.panes.find((p) => x >= p.left && x < p.left + p.width && y >= p.top && y < p.top + p.height);
+    }
+    spot(pane, x, y) {
+      return [(2 * (x - pane.left)) / pane.width - 1, 1 - (2 * (y - pane.top)) / pane.height];
+    }
+    place(event) {
+      const box = this.canvas.getBoundingClientRect();
+      return [event.clientX - box.left, event.clientY - box.top];
+    }
+    /** Whether there is a body under the finger, or close to it. */
+    grabAt(x, y, slack) {
+      let pane = this.paneAt(x, y);
+      if (!pane) return null;
+      if (this.wiping && x > pane.left + this.wipe * pane.width) pane = { ...pane, lane: 1 };
+      const { engine } = this.player;
+      engine.look(this.cameraFor(pane));
+      const around = [[0, 0]];
+      for (let k = 0; k < 6 && slack > 0; ++k) around.push([slack * Math.cos(k), slack * Math.sin(k)]);
+      for (const [dx, dy] of around) {
+        if (engine.grab(pane.lane, pane.width / pane.height, ...this.spot(pane, x + dx, y + dy))) return pane;
+      }
+      return null;
+    }
+
+    listen() {
+      const { canvas } = this;
+      const fingers = new Map();
+      let action = null, held = null;
+      canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+      canvas.addEventListener("pointerdown", (event) => {
+        if (this.problem) return;
+        const [x, y] = this.place(event);
+        fingers.set(event.pointerId, [x, y]);
+        canvas.setPointerCapture(event.pointerId);
+        if (fingers.size > 1) {
+          this.player.release();
+          action = "pinch";
+          return;
+        }
+        action = event.button === 2 || event.shiftKey ? "pan" : "orbit";
+        if (action === "orbit" && this.player.grabbing) {
+          held = this.grabAt(x, y, event.pointerType === "touch" ? 14 : 0);
+          if (held) {
+            action = "pull";
+            this.player.grabbed();
+          }
+        }
+      });
+      canvas.addEventListener("pointermove", (event) => {
+        const [x, y] = this.place(event), before = fingers.get(event.pointerId);
+        if (!before) return;
+        const [dx, dy] = [x - before[0], y - before[1]];
+        const high = this.panes[0].height;
+        if (action === "pinch") {
+          const other = [...fingers].find(([id]) => id !== event.pointerId);
+          if (other) {
+            const apart = (p) => Math.hypot(p[0] - other[1][0], p[1] - other[1][1]);
+            this.camera.zoomBy(apart(before) / Math.max(1, apart([x, y])));
+            this.camera.panBy(-dx / high / 2, dy / high / 2);
+          }
+        } else if (action === "pull") {
+          this.player.engine.look(this.cameraFor(held));
+          this.player.engine.pull(held.width / held.height, ...this.spot(held, x, y));
+        } else if (action === "pan") {
+          this.camera.panBy(-dx / high, dy / high);
+        } else {
+          this.camera.orbit(-dx * 0.008, dy * 0.008);
+        }
+        fingers.set(event.pointerId, [x, y]);
+        this.player.changed();
+      });
+      const end = (event) => {
+        fingers.delete(event.pointerId);
+        if (action === "pull") this.player.release();
+        if (fingers.size === 0) action = null;
+        this.player.remember();
+      };
+      canvas.addEventListener("pointerup", end);
+      canvas.addEventListener("pointercancel", end);
+      // The page scrolls under a finger that moves up or down, unless it holds a body.
+      canvas.addEventListener("touchmove", (event) => {
+        if (action === "pull" || action === "pinch") event.preventDefault();
+      }, { passive: false });
+      canvas.addEventListener("wheel", (event) => {
+        if (document.activeElement !== canvas && !event.ctrlKey) return;
+        event.preventDefault();
+        this.camera.zoomBy(Math.exp(event.deltaY * 0.0012));
+        this.player.changed();
+        this.player.remember();
+      }, { passive: false });
+      canvas.addEventListener("webglcontextlost", (event) => {
+        event.preventDefault();
+        this.problem = "The browser took the graphics of this page away.";
+        this.player.changed();
+      });
+      canvas.addEventListener("webglcontextrestored", () => {
+        this.problem = this.player.engine.open(`#${canvas.id}`);
+        this.player.changed();
+      });
+    }
+  };
+  live.Stage.count = 0;
+})();

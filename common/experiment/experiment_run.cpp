@@ -1,0 +1,96 @@
+/// An experiment as a program: what the command line asks for is done, and left in files.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/experiment/experiment_parts.h"
+#include "pushback/common/experiment/film.h"
+
+namespace pushback {
+
+namespace fs = std::filesystem;
+
+void Experiment::choose_variants() {
+  if (only_.empty()) return;
+  const auto is_meant = [this](const Variant& variant, const std::string& word) {
+    return slug(word) == slug(variant.name) || word == slug(acts_[variant.scene].scene.name) + "_" + slug(variant.name);
+  };
+  for (const std::string& word : only_) {
+    if (std::none_of(variants_.begin(), variants_.end(), [&](const Variant& v) { return is_meant(v, word); })) {
+      std::string known;
+      for (const Variant& v : variants_) known += (known.empty() ? "" : ", ") + slug(v.name);
+      throw InvalidInput(fmt::format("--variants names '{}': one or more of {} are needed", word, known));
+    }
+  }
+  std::erase_if(variants_, [&](const Variant& v) {
+    return std::none_of(only_.begin(), only_.end(), [&](const std::string& word) { return is_meant(v, word); });
+  });
+}
+
+void Experiment::list() const {
+  for (std::size_t a = 0; a < acts_.size(); ++a) {
+    fmt::print("{} ({:.3g} s, {})\n", acts_[a].scene.name, acts_[a].scene.seconds,
+               acts_[a].scene.pictures ? sheet_file(a) : "no pictures");
+    for (const Variant& variant : variants_) {
+      if (variant.scene == a) fmt::print("  {:<32} {}\n", slug(variant.name), variant.name);
+    }
+  }
+}
+
+void Experiment::play() {
+  const fs::path folder = fs::path(out_) / name_;
+  make_writable_folder(folder);
+  Output output(folder, !no_images_, {width_, height_}, variants_.size());
+  std::vector<Result> results;
+  for (std::size_t i = 0; i < variants_.size(); ++i) results.push_back(play(i, output));
+  output.done();
+  if (!no_study_) {
+    for (const auto& work : studies_) work();
+  }
+  report(results, folder);
+}
+
+int Experiment::run(int argc, const char* const* argv, const std::function<void()>& define) {
+  if (const std::optional<int> status = read_command_line(argc, argv)) return *status;
+  try {
+    const char* const end = size_.data() + size_.size();
+    const auto [cross, bad_width] = std::from_chars(size_.data(), end, width_);
+    const auto [rest, bad_height] = std::from_chars(cross == end ? end : cross + 1, end, height_);
+    if (bad_width != std::errc() || bad_height != std::errc() || *cross != 'x' || rest != end || width_ < 16 ||
+        height_ < 16 || width_ > 8192 || height_ > 8192) {
+      throw InvalidInput(fmt::format("--size is '{}': WIDTHxHEIGHT is needed, each from 16 to 8192", size_));
+    }
+    if (told_.contains("--seconds")) require_positive("--seconds", seconds_);
+    require_between("--dt", dt_, Real(1e-6), 1);
+    if (seconds_ / dt_ > 1e7)
+      throw InvalidInput(fmt::format("--seconds is {}: at most {:.4g}, ten million steps of {} s, is needed", seconds_,
+                                     1e7 * dt_, dt_));
+    if (sweeps_ < 1 || sweeps_ > 1000000)
+      throw InvalidInput(fmt::format("--sweeps is {}: a whole number from 1 to 1000000 is needed", sweeps_));
+    if (frames_ < 0 || frames_ > 100000)
+      throw InvalidInput(fmt::format("--frames is {}: a whole number from 0 to 100000 is needed", frames_));
+    if (!film_.empty() && no_images_) throw InvalidInput("--film and --no-images exclude each other");
+    if (!film_.empty()) require_ffmpeg();
+    describe(define);
+    if (list_) {
+      list();
+      return 0;
+    }
+    choose_variants();
+    check();
+    play();
+    return 0;
+  } catch (const InvalidInput& problem) {
+    fmt::print(stderr, "{}: {}\n", name_, problem.what());
+    return 2;
+  } catch (const std::exception& problem) {
+    fmt::print(stderr, "{}: {}\n", name_, problem.what());
+    return 1;
+  }
+}
+
+}  // namespace pushback

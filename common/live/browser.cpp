@@ -1,0 +1,221 @@
+/// An experiment in a page: Experiment::run hands itself to whoever calls these functions. book/live/ does.
+///
+/// Text is UTF-8 and stays as it is until the next call. Where a text says what went wrong, an empty one says that nothing did.
+#include <emscripten.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/live/canvas_view.h"
+#include "pushback/common/live/live.h"
+
+namespace pushback {
+
+namespace {
+
+std::unique_ptr<Live> live;
+std::unique_ptr<CanvasView> on_canvas;
+Legend marks_seen;
+std::string words_out;
+std::vector<Real> numbers_out;
+std::vector<int> cells_out;
+
+const char* answered(std::string text) {
+  words_out = std::move(text);
+  return words_out.c_str();
+}
+
+template <class Work>
+const char* problem_of(const Work& work) {
+  try {
+    work();
+    return answered("");
+  } catch (const std::exception& problem) {
+    return answered(problem.what());
+  }
+}
+
+struct CameraNumbers {
+  double eye[3], target[3], field_of_view;
+
+  operator Camera() const { return {{eye[0], eye[1], eye[2]}, {target[0], target[1], target[2]}, field_of_view}; }
+};
+CameraNumbers looking;
+
+}  // namespace
+
+int Experiment::run(int, const char* const*, const std::function<void()>& define) {
+  live = std::make_unique<Live>(*this, define);
+  emscripten_exit_with_live_runtime();  // the variables of main stay: the description refers to them
+  return 0;
+}
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE const char* live_description() {
+  return answered(live->description());
+}
+EMSCRIPTEN_KEEPALIVE const char* live_parameters() {
+  return answered(live->parameters());
+}
+EMSCRIPTEN_KEEPALIVE const char* live_values() {
+  return answered(live->values());
+}
+EMSCRIPTEN_KEEPALIVE const char* live_set(const char* assignments) {
+  return problem_of([&] { live->set(assignments); });
+}
+/// `variants`: one bit each, the first the lowest.
+EMSCRIPTEN_KEEPALIVE const char* live_choose(int scene, unsigned variants) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < 32; ++i)
+    if ((variants >> i & 1) != 0) places.push_back(i);
+  return problem_of([&] { live->choose(static_cast<std::size_t>(scene), places); });
+}
+EMSCRIPTEN_KEEPALIVE int live_scene() {
+  return static_cast<int>(live->scene());
+}
+EMSCRIPTEN_KEEPALIVE int live_lanes() {
+  return static_cast<int>(live->lanes());
+}
+EMSCRIPTEN_KEEPALIVE int live_variant(int lane) {
+  return static_cast<int>(live->variant(static_cast<std::size_t>(lane)));
+}
+
+EMSCRIPTEN_KEEPALIVE int live_steps() {
+  return static_cast<int>(live->steps());
+}
+EMSCRIPTEN_KEEPALIVE int live_known() {
+  return static_cast<int>(live->known());
+}
+EMSCRIPTEN_KEEPALIVE int live_now() {
+  return static_cast<int>(live->now());
+}
+/// As far as it comes in so many milliseconds, but one step at least. Returns where it is then.
+EMSCRIPTEN_KEEPALIVE int live_go_to(int step, double milliseconds) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  const auto target = std::min(static_cast<std::size_t>(std::max(0, step)), live->steps());
+  if (target <= live->known()) {
+    live->go_to(target);
+    return live_now();
+  }
+  do live->go_to(std::max(live->now(), std::min(live->known(), target)) + 1);
+  while (live->now() < target &&
+         std::chrono::duration<double, std::milli>(Clock::now() - begin).count() < milliseconds);
+  return live_now();
+}
+
+/// Seven numbers: eye, target, field of view. What draws and grabs looks through it.
+EMSCRIPTEN_KEEPALIVE double* live_camera() {
+  return &looking.eye[0];
+}
+EMSCRIPTEN_KEEPALIVE int live_grab(int lane, double aspect, double x, double y) {
+  return live->grab_at(static_cast<std::size_t>(lane), looking, aspect, x, y) ? 1 : 0;
+}
+EMSCRIPTEN_KEEPALIVE void live_pull(double aspect, double x, double y) {
+  live->pull_to(looking, aspect, x, y);
+}
+EMSCRIPTEN_KEEPALIVE void live_let_go() {
+  live->let_go();
+}
+/// Four numbers, m: centre and radius of a ball around the bodies that move, as they begin.
+EMSCRIPTEN_KEEPALIVE const double* live_reach() {
+  const auto [centre, radius] = live->reach();
+  numbers_out.assign({centre.x(), centre.y(), centre.z(), radius});
+  return numbers_out.data();
+}
+/// Three numbers, m: how far the moving bodies of a strobe scene are across the picture.
+EMSCRIPTEN_KEEPALIVE const double* live_shift() {
+  const Vec3 shift = live->shift();
+  numbers_out.assign({shift.x(), shift.y(), shift.z()});
+  return numbers_out.data();
+}
+
+EMSCRIPTEN_KEEPALIVE const char* live_mishap(int lane) {
+  return answered(live->mishap(static_cast<std::size_t>(lane)));
+}
+/// How many steps of a lane have samples.
+EMSCRIPTEN_KEEPALIVE int live_played(int lane) {
+  return static_cast<int>(live->samples(static_cast<std::size_t>(lane)).size());
+}
+EMSCRIPTEN_KEEPALIVE const double* live_series(int lane, int which) {
+  return live->series(static_cast<std::size_t>(lane), static_cast<std::size_t>(which)).data();
+}
+EMSCRIPTEN_KEEPALIVE const double* live_reference(int lane, int which) {
+  numbers_out = live->reference(static_cast<std::size_t>(lane), static_cast<std::size_t>(which));
+  return numbers_out.data();
+}
+/// ["0.31 m/s", "0 m/s"]: what it is, what it should be.
+EMSCRIPTEN_KEEPALIVE const char* live_number(int lane, int which) {
+  const auto [is, should] = live->number_in_words(static_cast<std::size_t>(lane), static_cast<std::size_t>(which));
+  return answered(fmt::format("[{}, {}]", pushback::quoted(is), pushback::quoted(should)));
+}
+/// Of the column of a step: how many cells; their values from live_cells.
+EMSCRIPTEN_KEEPALIVE int live_column(int lane, int step) {
+  cells_out = live->raster(static_cast<std::size_t>(lane)).at(static_cast<std::size_t>(step));
+  return static_cast<int>(cells_out.size());
+}
+EMSCRIPTEN_KEEPALIVE const int* live_cells() {
+  return cells_out.data();
+}
+/// What was read off after a step, the first is 0: thirteen numbers, from the time on to the residual.
+EMSCRIPTEN_KEEPALIVE const double* live_sample(int lane, int step) {
+  const Sample& s = live->samples(static_cast<std::size_t>(lane)).at(static_cast<std::size_t>(step));
+  numbers_out.assign({s.time, s.kinetic_energy, s.potential_energy, s.momentum.x(), s.momentum.y(), s.momentum.z(),
+                      s.angular_momentum.x(), s.angular_momentum.y(), s.angular_momentum.z(), s.overlap,
+                      static_cast<Real>(s.contacts), static_cast<Real>(s.rows), s.residual});
+  return numbers_out.data();
+}
+/// Of all bodies, in sixteen digits.
+EMSCRIPTEN_KEEPALIVE const char* live_hash(int lane) {
+  return answered(fmt::format("{:016x}", hash_of(live->world(static_cast<std::size_t>(lane)))));
+}
+/// Position and velocity of a body, six numbers.
+EMSCRIPTEN_KEEPALIVE const double* live_body(int lane, int index) {
+  const Body& body = live->world(static_cast<std::size_t>(lane)).bodies.at(static_cast<std::size_t>(index));
+  numbers_out.assign(body.position.data(), body.position.data() + 3);
+  numbers_out.insert(numbers_out.end(), body.velocity.data(), body.velocity.data() + 3);
+  return numbers_out.data();
+}
+EMSCRIPTEN_KEEPALIVE int live_bodies(int lane) {
+  return static_cast<int>(live->world(static_cast<std::size_t>(lane)).bodies.size());
+}
+
+/// On a canvas, by "#id". Again after its context was lost.
+EMSCRIPTEN_KEEPALIVE const char* live_open(const char* selector) {
+  return problem_of([&] {
+    on_canvas.reset();
+    on_canvas = std::make_unique<CanvasView>(selector);
+  });
+}
+/// Begins a picture of all lanes.
+EMSCRIPTEN_KEEPALIVE void live_begin() {
+  marks_seen = {};
+}
+/// `shown`: 1 points, 2 impulses, 4 marks.
+EMSCRIPTEN_KEEPALIVE const char* live_draw(int lane, int shown, int x, int y, int width, int height, int from, int to) {
+  return problem_of([&] {
+    const Picture picture =
+        live->picture(static_cast<std::size_t>(lane), looking, {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0});
+    marks_seen.see(picture);
+    on_canvas->draw(picture, {x, y, width, height, from, to});
+  });
+}
+/// [["dot", "#rrggbb", "sticking contact"], ...]
+EMSCRIPTEN_KEEPALIVE const char* live_legend() {
+  std::vector<std::string> all;
+  for (const LegendEntry& entry : marks_seen.entries()) {
+    const char* kind = entry.kind == LegendEntry::Kind::dot     ? "dot"
+                       : entry.kind == LegendEntry::Kind::arrow ? "arrow"
+                                                                : "body";
+    all.push_back(fmt::format(R"(["{}", "#{:02x}{:02x}{:02x}", {}])", kind, entry.colour.red, entry.colour.green,
+                              entry.colour.blue, pushback::quoted(entry.text)));
+  }
+  return answered(fmt::format("[{}]", fmt::join(all, ", ")));
+}
+
+}  // extern "C"
+
+}  // namespace pushback

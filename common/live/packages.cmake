@@ -1,0 +1,16 @@
+# Eigen, fmt and CLI11 for the compiler of pages. /usr/include itself must not be on its path, which has a C library of its own: links
+# lead to their folders.
+find_path(EIGEN_FOLDER Eigen/Core PATHS /usr/include/eigen3 /usr/local/include/eigen3 REQUIRED NO_CMAKE_FIND_ROOT_PATH)
+find_path(FMT_FOLDER fmt/format.h PATHS /usr/include /usr/local/include REQUIRED NO_CMAKE_FIND_ROOT_PATH)
+set(linked ${PROJECT_BINARY_DIR}/others)
+file(MAKE_DIRECTORY ${linked})
+file(CREATE_LINK ${EIGEN_FOLDER}/Eigen ${linked}/Eigen SYMBOLIC)
+file(CREATE_LINK ${FMT_FOLDER}/fmt ${linked}/fmt SYMBOLIC)
+add_library(Eigen3::Eigen INTERFACE IMPORTED)
+target_include_directories(Eigen3::Eigen INTERFACE ${linked})
+add_library(fmt::fmt INTERFACE IMPORTED)
+target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
+add_compile_options(-fexceptions)
+add_link_options(-fexceptions)
+# The optimiser of the loader looks for acorn where Debian has it, which a node from elsewhere does not.
+set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")

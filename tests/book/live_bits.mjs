@@ -1,0 +1,69 @@
+/// What em++ makes of a chapter computes what g++ makes of it: in each step of each variant of each scene, energies, momenta, overlap,
+/// contacts and residual have the same bits as in the program's metrics.csv. Without a browser.
+/// PUSHBACK_BUILD: the folder of the build whose programs are compared with; build/ci unless it is given.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { test } from "node:test";
+import { chapters, root } from "./support/live.mjs";
+
+const build = path.resolve(root, process.env.PUSHBACK_BUILD ?? "build/ci");
+const columns = ["time", "kinetic_energy", "potential_energy", "px", "py", "pz", "lx", "ly", "lz", "deepest_overlap", "contacts", "rows", "residual"];
+/// So many steps of each variant, since the slowest take a second each.
+const most = Number(process.env.PUSHBACK_LIVE_STEPS ?? 120);
+
+globalThis.self = globalThis;
+await import(path.join(root, "book/live/engine.js"));
+
+async function engineOf(chapter) {
+  (0, eval)(fs.readFileSync(path.join(root, "build/wasm/live", `${chapter}.js`), "utf8"));
+  const { create, program } = globalThis.PUSHBACK_LIVE_CHAPTERS[chapter];
+  return new globalThis.PushbackLive.Engine(await create({ wasmBinary: Buffer.from(program, "base64") }));
+}
+
+/// "scene", "variant" -> the rows of its steps.
+function metricsOf(chapter) {
+  const out = fs.mkdtempSync(path.join(os.tmpdir(), "pushback_bits_"));
+  execFileSync(path.join(build, "chapters", chapter), ["--no-images", "--no-study", "--out", out], { stdio: "ignore" });
+  const [head, ...rows] = fs.readFileSync(path.join(out, chapter, "metrics.csv"), "utf8").trim().split("\n");
+  fs.rmSync(out, { recursive: true });
+  const names = head.split(","), at = columns.map((name) => names.indexOf(name));
+  const metrics = new Map();
+  for (const row of rows) {
+    const [, scene, variant, rest] = /^"([^"]*)","([^"]*)",(.*)$/.exec(row);
+    const numbers = rest.split(",").map(Number), key = `${scene} / ${variant}`;
+    if (!metrics.has(key)) metrics.set(key, []);
+    metrics.get(key).push(at.map((column) => numbers[column - 2]));
+  }
+  return metrics;
+}
+
+for (const chapter of chapters()) {
+  const there = fs.existsSync(path.join(build, "chapters", chapter));
+  test(`${chapter}: the same bits as by g++`, { skip: !there && "its program is not built" }, async () => {
+    const engine = await engineOf(chapter), metrics = metricsOf(chapter);
+    const different = [];
+    engine.description.scenes.forEach((scene, which) => {
+      for (let first = 0; first < scene.variants.length; first += 4) {
+        const places = scene.variants.map((_, place) => place).slice(first, first + 4);
+        assert.equal(engine.choose(which, places), "");
+        const last = Math.min(engine.steps, most);
+        while (engine.now < last) engine.goTo(last, 1e9);
+        for (const { lane, name } of engine.lanes) {
+          const told = metrics.get(`${scene.name} / ${name}`);
+          assert.ok(told, `${scene.name} / ${name} is not in metrics.csv`);
+          for (let step = 0; step < Math.min(last, engine.played(lane)); ++step) {
+            const seen = engine.numbers(engine.module._live_sample(lane, step), columns.length);
+            const off = columns.filter((_, i) => !Object.is(seen[i] + 0, told[step][i] + 0) && !(Number.isNaN(seen[i]) && Number.isNaN(told[step][i])));
+            if (!off.length) continue;
+            different.push(`${scene.name} / ${name}, step ${step + 1}: ${off.map((column) => `${column} ${seen[columns.indexOf(column)]}, not ${told[step][columns.indexOf(column)]}`).join("; ")}`);
+            break;
+          }
+        }
+      }
+    });
+    assert.deepEqual(different, []);
+  });
+}

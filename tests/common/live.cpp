@@ -1,0 +1,267 @@
+/// An experiment that is played to and fro: the same bits whichever way an instant is reached, with a hand in it, too.
+#include "pushback/common/live/live.h"
+
+#include <cmath>
+#include <limits>
+
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "tests/support/catch.h"
+
+using namespace pushback;
+
+namespace {
+
+/// What a chapter's main says: a stack with a parameter, and a scene with one body in it.
+struct Told {
+  Experiment e{"told", "Does it stand?"};
+  int boxes = 4;
+  std::vector<Real> slops{Real(0.005), 0};
+
+  Told() {
+    e.parameter({"--boxes", "n", "", "Boxes of the stack", 1, 12}, &boxes);
+    e.parameter({"--slop", "s", "m", "Slops to put side by side", 0, 0.05}, &slops);
+  }
+  void operator()() {
+    e.scene({.name = "a stack", .fill = [n = boxes](World& world) { stack(world, n); }, .seconds = 2});
+    for (const Real slop : slops) {
+      FullSolver solver;
+      solver.slop = slop;
+      e.variant(fmt::format("slop {}", slop), solver).in_substeps(2).expect("deepest overlap", slop);
+    }
+    e.series("height", "m", [](const World& world) { return world.bodies.back().position.y(); });
+    e.number("deepest overlap", "m", [](const Run& run) { return run.samples.back().overlap; });
+    e.number("height in step 90", "m", [](const Run& run) { return run.series.at("height").at(89); });
+  }
+};
+
+struct Played {
+  Told told;
+  Live live;
+  explicit Played(std::size_t bytes = Live::usual_bytes) : live(told.e, [this] { told(); }, bytes) {}
+
+  std::pair<std::uint64_t, std::uint64_t> hashes() const { return {hash_of(live.world(0)), hash_of(live.world(1))}; }
+};
+
+bool contains(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+const Camera from_the_front{{0, 2, 20}, {0, 2, 0}, Real(0.5)};
+
+}  // namespace
+
+TEST_CASE("an instant has the same bits however it is reached, also where few states are kept") {
+  for (const std::size_t bytes : {Live::usual_bytes, std::size_t{20000}}) {
+    Played played(bytes);
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> seen{played.hashes()};
+    for (std::size_t step = 1; step <= 120; ++step) {
+      played.live.go_to(step);
+      seen.push_back(played.hashes());
+    }
+    for (const std::size_t step : {119, 118, 3, 0, 77, 64, 120, 1}) {
+      played.live.go_to(step);
+      CHECK(played.live.now() == step);
+      CHECK(played.hashes() == seen[step]);
+    }
+    CHECK(played.live.known() == 120);
+    World world;
+    stack(world, 4);
+    FullSolver solver;
+    solver.slop = Real(0.005);
+    for (int i = 0; i < 240; ++i) world.step(solver, Real(1) / 60 / 2, 10);
+    CHECK(hash_of(world) == seen[120].first);
+  }
+}
+
+TEST_CASE("what the hand does is played again where one goes back, and forgotten where it takes hold anew") {
+  Played played;
+  Live& live = played.live;
+  live.go_to(120);
+  const auto untouched = played.hashes();
+  live.go_to(20);
+  REQUIRE(live.grab_at(0, from_the_front, 1, 0, Real(0.3)));
+  CHECK(live.known() == 20);
+  CHECK(live.steps() == 20 + 300);
+  for (std::size_t step = 21; step <= 60; ++step) {
+    live.pull_to(from_the_front, 1, Real(0.01) * static_cast<Real>(step - 20), Real(0.3));
+    live.go_to(step);
+  }
+  live.let_go();
+  live.go_to(90);
+  const auto pulled = played.hashes();
+  live.go_to(35);
+  live.go_to(90);
+  CHECK(played.hashes() == pulled);
+  CHECK(live.world(0).forces.empty());
+  live.go_to(120);
+  CHECK(played.hashes() != untouched);
+  CHECK(played.hashes().first != played.hashes().second);
+  live.go_to(20);
+  REQUIRE(live.grab_at(1, from_the_front, 1, 0, Real(0.3)));
+  live.let_go();
+  live.go_to(120);
+  CHECK(played.hashes() == untouched);
+}
+
+TEST_CASE("nothing to hold: the ground, the air") {
+  Played played;
+  CHECK_FALSE(played.live.grab_at(0, from_the_front, 1, 0, Real(-0.9)));
+  CHECK_FALSE(played.live.grab_at(0, from_the_front, 1, Real(0.9), Real(0.9)));
+  CHECK_FALSE(played.live.held());
+}
+
+TEST_CASE("a ray meets the surface of each shape where geometry says") {
+  const Ray ray{{-10, 0, 0}, {1, 0, 0}};
+  const Quat turn(Eigen::AngleAxis<Real>(pi / 4, Vec3::UnitY()));
+  CHECK(distance_to(sphere(2, 1), ray).value() == Approx(8).epsilon(1e-4));
+  CHECK(distance_to(box({1, 2, 1}, 1).turned(pi / 4, Vec3::UnitY()), ray).value() == Approx(10 - std::sqrt(2)));
+  CHECK(distance_to(capsule(1, 3, 1), ray).value() == Approx(9).epsilon(1e-4));
+  CHECK(distance_to(capsule(1, 3, 1).turned(pi / 2, Vec3::UnitZ()), ray).value() == Approx(6).epsilon(1e-4));
+  CHECK(distance_to(half_space({-1, 0, 0}).at({3, 0, 0}), ray).value() == Approx(13));
+  CHECK(distance_to(hull({{-1, -1, -1}, {1, -1, -1}, {0, -1, 1}, {0, 1, 0}}, 1).at({0, 0, 0}), ray).has_value());
+  for (const Body& missed : {sphere(2, 1).at({0, Real(2.01), 0}), box({1, 1, 1}, 1).at({0, Real(1.01), 0}),
+                             capsule(1, 1, 1).at({0, 0, Real(1.01)}), sphere(1, 1).at({-13, 0, 0})})
+    CHECK_FALSE(distance_to(missed, ray));
+}
+
+TEST_CASE("a body follows the hand, a heavy one as a light one does") {
+  std::vector<Vec3> places;
+  for (const Real mass : {Real(1), Real(1000)}) {
+    World world;
+    world.gravity.setZero();
+    world.add(sphere(Real(0.5), mass));
+    world.forces.push_back(pull_of({0, Vec3::Zero(), {1, 2, 0}}, Real(1) / 60));
+    FullSolver solver;
+    for (int i = 0; i < 20; ++i) world.step(solver, Real(1) / 60);
+    places.push_back(world.bodies[0].position);
+    for (int i = 0; i < 100; ++i) world.step(solver, Real(1) / 60);
+    CHECK((world.bodies[0].position - Vec3(1, 2, 0)).norm() < 1e-3);
+  }
+  CHECK((places[0] - places[1]).norm() < 1e-12);
+}
+
+TEST_CASE("a long step does not make the hand unstable") {
+  World world;
+  world.gravity.setZero();
+  world.add(box({Real(0.1), Real(2), Real(0.1)}, 3));
+  world.forces.push_back(pull_of({0, {0, 2, 0}, {1, 2, 0}}, Real(0.1)));
+  FullSolver solver;
+  for (int i = 0; i < 1000; ++i) world.step(solver, Real(0.1));
+  CHECK((point_of(world.bodies[0], {0, 2, 0}) - Vec3(1, 2, 0)).norm() < Real(0.1));
+}
+
+TEST_CASE("parameters: what is named is set, all else has its default, and a slider's list gives variants") {
+  Played played;
+  Live& live = played.live;
+  CHECK(live.lanes() == 2);
+  live.set("--slop=0,0.01,0.02");
+  CHECK(played.told.slops == std::vector<Real>{0, Real(0.01), Real(0.02)});
+  live.choose(0, {0, 1, 2});
+  CHECK(live.lanes() == 3);
+  live.set("--boxes=2;--dt=0.01;--sweeps=3;--seconds=7");
+  CHECK(live.world(0).bodies.size() == 3);
+  CHECK(live.steps() == 700);
+  CHECK(played.told.slops.size() == 2);
+  CHECK(contains(live.description(), "\"sweeps\": 3"));
+  live.set("");
+  CHECK(live.world(0).bodies.size() == 5);
+  CHECK(live.steps() == 120);
+  CHECK(contains(live.description(), "\"sweeps\": 10"));
+}
+
+TEST_CASE("what a parameter may not be is refused by name, and nothing changes") {
+  Played played;
+  Live& live = played.live;
+  live.set("--boxes=3");
+  live.go_to(10);
+  const auto [assignments, words] = GENERATE(table<std::string, std::string>({
+      {"--boxes=13", "--boxes: '13' is not allowed: a whole number from 1 to 12 is needed"},
+      {"--boxes=2.5", "--boxes: '2.5' is not allowed"},
+      {"--boxes=2,3", "--boxes: one number is needed"},
+      {"--slop=", "--slop: at least one number is needed"},
+      {"--slop=0.1", "from 0 to 0.05"},
+      {"--slop=nan", "--slop: 'nan'"},
+      {"--slop=0,0", "two variants are called"},
+      {"--slop=0.001x", "--slop: '0.001x'"},
+      {"--bounce=1", "there is no parameter '--bounce'"},
+  }));
+  std::string refusal;
+  try {
+    live.set(assignments);
+  } catch (const InvalidInput& problem) {
+    refusal = problem.what();
+  }
+  INFO(assignments << ": " << refusal);
+  CHECK(contains(refusal, words));
+  CHECK(played.told.boxes == 3);
+  CHECK(played.told.slops.size() == 2);
+  CHECK(live.world(0).bodies.size() == 4);
+  live.go_to(10);
+  CHECK(live.world(1).bodies.back().position.allFinite());
+}
+
+TEST_CASE("numbers are of what was played, and none where that does not suffice") {
+  Played played;
+  Live& live = played.live;
+  CHECK(std::isnan(live.number(0, 0)));
+  live.go_to(120);
+  const Real at_the_end = live.number(0, 0);
+  live.go_to(100);
+  CHECK(live.number(0, 0) == live.samples(0)[99].overlap);
+  CHECK(live.number(0, 1) == live.series(0, 0)[89]);
+  live.go_to(89);
+  CHECK(live.number_in_words(0, 1).first == "–");
+  CHECK(live.number_in_words(0, 0).second == "0.005 m");
+  live.go_to(120);
+  CHECK(live.number(0, 0) == at_the_end);
+}
+
+TEST_CASE("a variant that can go no further stays, and the others go on") {
+  Experiment e("breaks", "?");
+  const auto define = [&e] {
+    e.scene({.name = "a ball", .fill = [](World& world) { world.add(sphere(1, 1)); }, .seconds = 1});
+    e.motion("breaks", [](World& world, Real dt, int) {
+      world.time += dt;
+      if (world.time > Real(0.5)) throw InvalidInput("position is nan");
+      world.bodies[0].position.x() += dt;
+      return std::size_t{0};
+    });
+    e.variant("falls", FullSolver{});
+  };
+  Live live(e, define);
+  live.go_to(60);
+  CHECK(contains(live.mishap(0), "position is nan"));
+  CHECK(live.mishap(1).empty());
+  CHECK(live.samples(1).size() == 60);
+  const std::size_t played = live.samples(0).size();
+  const Real reached = live.world(0).bodies[0].position.x();
+  CHECK(reached == Approx(static_cast<Real>(played) / 60));
+  live.go_to(10);
+  CHECK(live.world(0).bodies[0].position.x() == Approx(Real(10) / 60));
+  live.go_to(60);
+  CHECK(live.world(0).bodies[0].position.x() == reached);
+}
+
+TEST_CASE("a strobe scene leaves an image at each instant, as far as its sheet goes") {
+  Experiment e("strobe", "?");
+  const auto define = [&e] {
+    e.scene({.name = "a ball",
+             .fill = [](World& world) { world.add(sphere(1, 1)); },
+             .seconds = 1,
+             .strobe = Strobe{.every = Real(0.1), .shift_per_second = {10, 0, 0}, .until = Real(0.5)}});
+    e.variant("falls", FullSolver{});
+  };
+  Live live(e, define);
+  const auto images = [&] { return live.picture(0, from_the_front, {}).solids.size(); };
+  CHECK(images() == 1);
+  live.go_to(6);
+  CHECK(images() == 2);
+  live.go_to(15);
+  CHECK(images() == 4);
+  CHECK(live.shift().x() == Approx(2.5));
+  live.go_to(60);
+  CHECK(images() == 7);
+  CHECK(live.shift().x() == Approx(5));
+  live.go_to(12);
+  CHECK(images() == 3);
+}
