@@ -23,13 +23,15 @@ try {
 }
 const pages = pagesOf(book, root);
 fs.rmSync(out, { recursive: true, force: true });
-const eleventy = new Eleventy("book/pages", here(out), { quietMode: true, config });
+const eleventy = new Eleventy("book", here(out), { quietMode: true, config });
 await eleventy.write();
 writeDerived();
 console.log(`${pages.filter(({ sort }) => sort !== "source").length} pages, ${book.sources.length} sources`);
 
 function config(eleventy) {
-  eleventy.setIncludesDirectory("../layouts");
+  eleventy.setIncludesDirectory("layouts");
+  eleventy.setTemplateFormats("html"); // what is added below
+  eleventy.ignores.add("book/live/**");
   eleventy.setUseGitIgnore(false);
   eleventy.addGlobalData("course", courseOf(pages));
   eleventy.addGlobalData("live", fs.existsSync("book/live/live.js"));

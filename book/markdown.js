@@ -60,6 +60,7 @@ function readPage({ tokens, env: page }) {
     }
   });
   if (page.chapter && endsWithNeighbours(tokens)) tokens.splice(-3);
+  alerts(tokens);
   figures(tokens, page);
   tables(tokens);
   linkCases(tokens, page);
@@ -77,6 +78,8 @@ function readInline(token, page, line) {
     if (child.type === "softbreak" || child.type === "hardbreak") ++line;
     if (child.type === "text" && child.content.includes("$"))
       page.problem(line, `a dollar sign that belongs to no formula: ${child.content.trim().slice(0, 60)}`);
+    if (child.type === "text" && /\[\^[^\]]+\]/.test(child.content))
+      page.problem(line, "the book has no footnotes: a note that matters gets a sentence");
     if (child.type === "code_inline" && child.content.length <= 24) child.attrSet("class", "short");
     if (child.type === "link_open") child.attrSet("href", page.target(child.attrGet("href"), line));
     if (child.type === "html_inline") child.content = withLinks(child.content, page, line);
@@ -144,6 +147,19 @@ function codeBlock(token) {
     .join(", ");
   const caption = from ? `<figcaption>${from}</figcaption>` : "";
   return `<figure class="code ${language}">${caption}<pre><code>${lines.join(language === "diff" ? "" : "\n")}</code></pre></figure>\n`;
+}
+
+/// GitHub's alerts: a quotation that begins with [!NOTE] or another of its five words.
+function alerts(tokens) {
+  tokens.forEach((token, i) => {
+    const words = token.type === "blockquote_open" && tokens[i + 2]?.children;
+    const [, kind] = /^\[!(NOTE|TIP|IMPORTANT|WARNING|CAUTION)\]$/.exec(words?.[0]?.content ?? "") ?? [];
+    if (!kind) return;
+    token.attrSet("class", `alert ${kind.toLowerCase()}`);
+    words[0].type = "html_inline";
+    words[0].content = `<strong>${kind[0]}${kind.slice(1).toLowerCase()}</strong>`;
+    if (words[1]) words[1].type = "hardbreak";
+  });
 }
 
 /// A paragraph that is one picture becomes a figure, and a paragraph in italics below it the caption.

@@ -72,7 +72,11 @@ const parts = [
 function gallery(pictures) {
   const address = "gallery.html";
   const once = [
-    ...new Map(pictures.filter(({ page }) => page.part !== "Start").map((picture) => [picture.file, picture])).values(),
+    ...new Map(
+      pictures
+        .filter(({ page, kind }) => page.part !== "Start" || kind === "drawing")
+        .map((picture) => [picture.file, picture]),
+    ).values(),
   ];
   const card = (picture) => {
     const to = `${picture.page.address}${picture.heading?.level > 1 ? `#${picture.heading.id}` : ""}`;

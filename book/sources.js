@@ -6,15 +6,17 @@ import bash from "highlight.js/lib/languages/bash";
 import cmake from "highlight.js/lib/languages/cmake";
 import cpp from "highlight.js/lib/languages/cpp";
 import dockerfile from "highlight.js/lib/languages/dockerfile";
+import javascript from "highlight.js/lib/languages/javascript";
 import json from "highlight.js/lib/languages/json";
 
-for (const [name, grammar] of Object.entries({ bash, cmake, cpp, dockerfile, json }))
+for (const [name, grammar] of Object.entries({ bash, cmake, cpp, dockerfile, javascript, json }))
   hljs.registerLanguage(name, grammar);
 
 const languages = {
   ".h": "cpp",
   ".cpp": "cpp",
   ".sh": "bash",
+  ".js": "javascript",
   ".json": "json",
   ".cmake": "cmake",
   Containerfile: "dockerfile",

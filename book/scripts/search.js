@@ -39,12 +39,11 @@
     }));
 
   const excerpt = (text, terms) => {
-    const at = Math.max(
-      0,
-      Math.min(...terms.map((term) => text.toLowerCase().indexOf(term)).filter((i) => i >= 0), text.length),
-    );
-    const start = at === text.length ? 0 : Math.max(0, text.lastIndexOf(" ", Math.max(0, at - 50)));
-    return (start ? "… " : "") + text.slice(start, start + 150).trim() + (start + 150 < text.length ? " …" : "");
+    const places = terms.map((term) => text.toLowerCase().indexOf(term)).filter((place) => place >= 0);
+    const first = places.length ? Math.min(...places) : 0;
+    const start = first < 60 ? 0 : text.lastIndexOf(" ", first - 40) + 1;
+    const end = start + 150 < text.length ? text.lastIndexOf(" ", start + 150) : text.length;
+    return (start ? "… " : "") + text.slice(start, end) + (end < text.length ? " …" : "");
   };
 
   const marked = (text, terms) => {

@@ -58,6 +58,7 @@ test("broken links, anchors, pictures, formulas and quoted code are refused with
   refused("one $\\nosuch$", 3, "the formula $\\nosuch$ is none: ");
   refused("it costs $5", 3, "a dollar sign that belongs to no formula: it costs $5");
   refused("```cpp\nstruct Clamping {\n  int most = 0;\n```", 3, "this code stands in no source: struct Clamping {");
+  refused("true[^1]\n\n[^1]: not quite", 3, "the book has no footnotes");
   refused("speeds 0 and\n1. Which?", 4, "this line begins with a number and a dot");
   assert.throws(() => readBook(project("[a](b.md) [c](d.md)")), /b\.md.*\n.*d\.md/);
 });
@@ -111,6 +112,13 @@ test("what is folded stays folded; a picture alone is a figure with the line in 
   assert.match(
     html,
     /^<figure class="drawing"><a [^>]*><img src="..\/..\/docs\/figures\/one.svg" alt="seen" width="20" height="10" [^>]*><\/a><figcaption>A caption.<\/figcaption>\s*<\/figure>/,
+  );
+});
+
+test("GitHub's alerts are quotations with a name", () => {
+  assert.match(
+    htmlOf("> [!WARNING]\n> Deep overlaps\n\n> said"),
+    /^<blockquote class="alert warning">\s*<p><strong>Warning<\/strong><br>\s*Deep overlaps<\/p>\s*<\/blockquote>\s*<blockquote>\s*<p>said/,
   );
 });
 

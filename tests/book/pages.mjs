@@ -4,7 +4,6 @@ import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
-import axe from "axe-core";
 import { serve } from "../../book/serve.js";
 import { address, folder, html, isSource, launch, newPage, onAll, pagesIn } from "./support/browser.mjs";
 
@@ -220,32 +219,4 @@ test("without JavaScript the pages and the contents are there", async () => {
   assert.ok(await page.isVisible("article .katex"));
   assert.equal(await page.isVisible("#search"), false);
   await page.close();
-});
-
-test("accessible by the rules of WCAG 2 AA, light and dark", async () => {
-  const names = [
-    "index.html",
-    chapter,
-    "docs/hard_cases.html",
-    "renders/hard_cases/table.html",
-    "docs/notation.html",
-    "gallery.html",
-    sources[0],
-  ];
-  for (const colorScheme of ["light", "dark"]) {
-    await onAll(browser, names, { colorScheme }, async (page, name) => {
-      await page.goto(address(name));
-      await page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
-      await page.addScriptTag({ content: axe.source });
-      const { violations } = await page.evaluate(
-        (dark) => axe.run({ runOnly: dark ? ["color-contrast"] : ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"] }),
-        colorScheme === "dark",
-      );
-      assert.deepEqual(
-        violations.map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 120)} ${nodes[0].failureSummary}`),
-        [],
-        `${name}, ${colorScheme}`,
-      );
-    });
-  }
 });

@@ -31,6 +31,7 @@ export function launch(args = ["--disable-gpu", "--disable-software-rasterizer"]
 /// A page that keeps what went wrong on it: `page.wrong`.
 export async function newPage(browser, options = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, ...options });
+  page.setDefaultTimeout(120000); // for a machine that has much else to do
   page.wrong = [];
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.wrong.push(message.text()));
   page.on("pageerror", (error) => page.wrong.push(error.message));
