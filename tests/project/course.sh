@@ -164,8 +164,9 @@ stand_in git 'echo "git $*"'
 stand_in ctest 'exit 8'
 course test && expect 8
 
-# The presets are those of CMakePresets.json.
+# The presets are those of CMakePresets.json, but for that of the book, which has no programs for this machine.
 for name in $(cd "$root" && cmake --list-presets | sed -n 's/^  "\([^"]*\)".*/\1/p'); do
+  [[ $name != wasm ]] || continue
   listed+=" $name"
   course test --preset "$name" && expect_not "unknown preset"
 done

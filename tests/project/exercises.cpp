@@ -105,7 +105,8 @@ TEST_CASE(
       CHECK(exercise.checks[check].points > 0);
       CHECK_FALSE(exercise.checks[check].says.empty());
       Random random = random_of(1, check, 0);
-      CHECK(exercise.right(check, random).size() == exercise.checks[check].quantities.size());
+      const std::size_t sent = exercise.right(check, random).size(), asked = exercise.checks[check].quantities.size();
+      CHECK((exercise.checks[check].recorded ? sent > asked : sent == asked));
     }
   }
 }
