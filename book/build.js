@@ -53,6 +53,7 @@ function config(eleventy) {
     copy(file, `assets/fonts/${path.basename(file)}`);
   copy("book/live", "live");
   copy("build/wasm/live", "live/wasm");
+  if (!fs.existsSync("book/live")) return;
   copy("node_modules/uplot/dist/uPlot.iife.min.js", "live/uplot/uPlot.js");
   copy("node_modules/uplot/dist/uPlot.min.css", "live/uplot/uPlot.css");
 }
