@@ -34,7 +34,7 @@ function config(eleventy) {
   eleventy.ignores.add("book/live/**");
   eleventy.setUseGitIgnore(false);
   eleventy.addGlobalData("course", courseOf(pages));
-  eleventy.addGlobalData("live", fs.existsSync("book/live/live.js"));
+  eleventy.addGlobalData("live", fs.existsSync("build/wasm/live") ? fs.readdirSync("build/wasm/live") : []);
   for (const entry of pages) {
     const { html, layout, address: permalink } = entry;
     delete entry.html;
@@ -51,9 +51,9 @@ function config(eleventy) {
   copy("node_modules/minisearch/dist/umd/index.js", "assets/minisearch.js");
   for (const file of [...textFonts().files, ...katexFonts().map((name) => `node_modules/katex/dist/fonts/${name}`)])
     copy(file, `assets/fonts/${path.basename(file)}`);
+  if (!fs.existsSync("build/wasm/live")) return; // each page keeps its still pictures
   copy("book/live", "live");
   copy("build/wasm/live", "live/wasm");
-  if (!fs.existsSync("book/live")) return;
   copy("node_modules/uplot/dist/uPlot.iife.min.js", "live/uplot/uPlot.js");
   copy("node_modules/uplot/dist/uPlot.min.css", "live/uplot/uPlot.css");
 }

@@ -1,6 +1,8 @@
 // Films: as long as they should be, side by side, the same bytes again; nothing is left of their frames.
 #include "pushback/common/experiment/film.h"
 
+#include <fmt/format.h>
+
 #include "pushback/common/experiment/experiment.h"
 #include "tests/support/call.h"
 

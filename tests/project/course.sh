@@ -252,7 +252,7 @@ stand_in dpkg-query 'shift 3; for p; do case $p in *mesa*|*gl*) ;; *) printf " i
 course render 03 && expect 0 "  libegl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri" && expect_not libosmesa6-dev
 
 # The book: Node and its packages where they are missing, once; then it is built, shown, or refused.
-course book --srve && expect 2 "unknown option '--srve'" "the options are: --yes --preset --help --serve"
+course book --srve && expect 2 "unknown option '--srve'" "the options are: --yes --preset --help --live --serve"
 course book 03 && expect 2 "'book' takes no words"
 mkdir -p "$scratch/home/book"
 touch "$scratch"/home/book/{package.json,package-lock.json,.npmrc}
