@@ -19,7 +19,8 @@
   /** Where what is in the element is made anew: what had the focus has it again. */
   live.keepingFocus = function (element, work) {
     const all = () => [...element.querySelectorAll("input, button, select")];
-    const had = all().indexOf(document.activeElement), name = had >= 0 && document.activeElement.getAttribute("aria-label");
+    const had = all().indexOf(document.activeElement),
+      name = had >= 0 && document.activeElement.getAttribute("aria-label");
     work();
     if (had < 0) return;
     const now = all();
@@ -34,11 +35,14 @@
     }
     value(notch) {
       const share = notch / notches;
-      const value = this.log ? this.least * (this.most / this.least) ** share : this.least + share * (this.most - this.least);
+      const value = this.log
+        ? this.least * (this.most / this.least) ** share
+        : this.least + share * (this.most - this.least);
       return this.whole ? Math.round(value) : Number(value.toPrecision(3));
     }
     notch(value) {
-      const share = this.log ? Math.log(value / this.least) / Math.log(this.most / this.least)
+      const share = this.log
+        ? Math.log(value / this.least) / Math.log(this.most / this.least)
         : (value - this.least) / (this.most - this.least);
       return Math.round(notches * Math.min(1, Math.max(0, share)));
     }
@@ -56,8 +60,10 @@
     }
 
     get assignments() {
-      return this.engine.parameters.filter(({ flag }) => this.own.has(flag))
-        .map(({ flag }) => `${flag}=${this.own.get(flag).join(",")}`).join(";");
+      return this.engine.parameters
+        .filter(({ flag }) => this.own.has(flag))
+        .map(({ flag }) => `${flag}=${this.own.get(flag).join(",")}`)
+        .join(";");
     }
 
     build() {
@@ -67,7 +73,9 @@
         const now = values[flag];
         if (now.length && JSON.stringify(now) !== JSON.stringify(usual)) this.own.set(flag, now);
       }
-      live.keepingFocus(this.element, () => this.element.replaceChildren(...parameters.map((parameter) => this.row(parameter))));
+      live.keepingFocus(this.element, () =>
+        this.element.replaceChildren(...parameters.map((parameter) => this.row(parameter))),
+      );
     }
 
     /** What a parameter is where nobody has set it: of the time and the sweeps what scene and variant say. */
@@ -87,25 +95,50 @@
       if (symbol) title.append(make("i", { textContent: symbol }), "  ");
       title.append(what);
       const reset = make("button", {
-        type: "button", className: "pb-small", textContent: "reset", hidden: !this.own.has(flag),
-        "aria-label": `Reset: ${what}`, onclick: () => this.change(parameter, null, true),
+        type: "button",
+        className: "pb-small",
+        textContent: "reset",
+        hidden: !this.own.has(flag),
+        "aria-label": `Reset: ${what}`,
+        onclick: () => this.change(parameter, null, true),
       });
-      const row = make("div", { className: "pb-parameter", role: "group", "aria-label": what },
-        make("div", { className: "pb-head" }, title, reset));
+      const row = make(
+        "div",
+        { className: "pb-parameter", role: "group", "aria-label": what },
+        make("div", { className: "pb-head" }, title, reset),
+      );
       row.dataset.flag = flag;
       if (now.length > mostSliders) {
-        row.append(make("input", {
-          type: "text", className: "pb-list", value: now.join(", "), "aria-label": `${what}, separated by commas`,
-          onchange: (event) => this.change(parameter, event.target.value.split(/[,\s]+/).filter(Boolean).map(Number), true),
-        }));
+        row.append(
+          make("input", {
+            type: "text",
+            className: "pb-list",
+            value: now.join(", "),
+            "aria-label": `${what}, separated by commas`,
+            onchange: (event) =>
+              this.change(
+                parameter,
+                event.target.value
+                  .split(/[,\s]+/)
+                  .filter(Boolean)
+                  .map(Number),
+                true,
+              ),
+          }),
+        );
         return row;
       }
       now.forEach((value, i) => row.append(this.slider(parameter, now, i, list, name, unit, what)));
       if (list && now.length < mostSliders) {
-        row.append(make("button", {
-          type: "button", className: "pb-small", textContent: "+ one more", "aria-label": `One more: ${what}`,
-          onclick: () => this.change(parameter, [...now, this.another(parameter, now)], true),
-        }));
+        row.append(
+          make("button", {
+            type: "button",
+            className: "pb-small",
+            textContent: "+ one more",
+            "aria-label": `One more: ${what}`,
+            onclick: () => this.change(parameter, [...now, this.another(parameter, now)], true),
+          }),
+        );
       }
       return row;
     }
@@ -119,15 +152,25 @@
     }
 
     slider(parameter, now, i, list, name, unit, what) {
-      const { least, most, whole } = parameter, scale = new Scale(parameter);
+      const { least, most, whole } = parameter,
+        scale = new Scale(parameter);
       const label = list ? `${what}, ${i + 1} of ${now.length}` : what;
       const range = make("input", {
-        type: "range", min: 0, max: notches, step: whole && !scale.log ? Math.max(1, notches / (most - least)) : 1,
-        value: scale.notch(now[i]), "aria-label": label,
+        type: "range",
+        min: 0,
+        max: notches,
+        step: whole && !scale.log ? Math.max(1, notches / (most - least)) : 1,
+        value: scale.notch(now[i]),
+        "aria-label": label,
       });
       range.setAttribute("aria-valuetext", `${shorter(now[i])} ${unit}`);
       const number = make("input", {
-        type: "number", min: least, max: most, step: whole ? 1 : "any", value: shorter(now[i]), "aria-label": `${label}, as a number`,
+        type: "number",
+        min: least,
+        max: most,
+        step: whole ? 1 : "any",
+        value: shorter(now[i]),
+        "aria-label": `${label}, as a number`,
       });
       const told = (value, done) => {
         const values = [...(this.own.get(parameter.flag) || now)];
@@ -142,12 +185,28 @@
       });
       range.addEventListener("change", () => told(scale.value(Number(range.value)), true));
       number.addEventListener("change", () => told(Number(number.value), true));
-      const row = make("div", { className: "pb-slider" }, range, number, make("span", { className: "pb-unit", textContent: unit }));
+      const row = make(
+        "div",
+        { className: "pb-slider" },
+        range,
+        number,
+        make("span", { className: "pb-unit", textContent: unit }),
+      );
       if (list && now.length > 1) {
-        row.append(make("button", {
-          type: "button", className: "pb-small", textContent: "×", "aria-label": `Leave out: ${label}`,
-          onclick: () => this.change(parameter, now.filter((_, k) => k !== i), true),
-        }));
+        row.append(
+          make("button", {
+            type: "button",
+            className: "pb-small",
+            textContent: "×",
+            "aria-label": `Leave out: ${label}`,
+            onclick: () =>
+              this.change(
+                parameter,
+                now.filter((_, k) => k !== i),
+                true,
+              ),
+          }),
+        );
       }
       return row;
     }

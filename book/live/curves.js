@@ -23,30 +23,62 @@
       const { dt, scene, steps } = engine;
       this.times = Float64Array.from({ length: steps }, (_, i) => (i + 1) * dt);
       const style = getComputedStyle(this.element);
-      const ink = style.color, grid = style.outlineColor;
+      const ink = style.color,
+        grid = style.outlineColor;
       scene.series.forEach((series, which) => {
         if (!series.drawn || !lanes.length) return;
         const figure = document.createElement("div");
         figure.className = "pb-plot";
         this.element.append(figure);
-        const references = which > 0 ? [] : lanes.flatMap((lane) =>
-          lane.references.map((label, i) => ({ label, values: Array.from(engine.reference(lane.lane, i)) })));
-        const axis = { stroke: ink, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1 }, font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif", labelSize: 18 };
+        const references =
+          which > 0
+            ? []
+            : lanes.flatMap((lane) =>
+                lane.references.map((label, i) => ({ label, values: Array.from(engine.reference(lane.lane, i)) })),
+              );
+        const axis = {
+          stroke: ink,
+          grid: { stroke: grid, width: 1 },
+          ticks: { stroke: grid, width: 1 },
+          font: "12px system-ui, sans-serif",
+          labelFont: "12px system-ui, sans-serif",
+          labelSize: 18,
+        };
         const title = series.unit ? `${series.name}, ${series.unit}` : series.name;
-        const plot = new window.uPlot({
-          title,
-          width: Math.max(200, this.element.clientWidth || 600),
-          height: 210,
-          scales: { x: { time: false, range: [0, steps * dt] }, y: { distr: series.log ? 3 : 1 } },
-          axes: [{ ...axis, label: "time, s", size: 34 }, { ...axis, size: 58 }],
-          series: [
-            { label: "t", value: (_, value) => `${three(value)} s` },
-            ...lanes.map((lane) => ({ label: `${lane.marker} ${lane.name}`, stroke: lane.colour, width: 2, points: { show: false }, value: (_, value) => three(value) })),
-            ...references.map(({ label }) => ({ label: label || "should be", stroke: ink, dash: [5, 4], width: 1.2, points: { show: false }, value: (_, value) => three(value) })),
-          ],
-          cursor: { y: false, drag: { x: false, y: false } },
-          hooks: { draw: [(drawn) => this.drawNow(drawn)] },
-        }, this.data(lanes, which, references), figure);
+        const plot = new window.uPlot(
+          {
+            title,
+            width: Math.max(200, this.element.clientWidth || 600),
+            height: 210,
+            scales: { x: { time: false, range: [0, steps * dt] }, y: { distr: series.log ? 3 : 1 } },
+            axes: [
+              { ...axis, label: "time, s", size: 34 },
+              { ...axis, size: 58 },
+            ],
+            series: [
+              { label: "t", value: (_, value) => `${three(value)} s` },
+              ...lanes.map((lane) => ({
+                label: `${lane.marker} ${lane.name}`,
+                stroke: lane.colour,
+                width: 2,
+                points: { show: false },
+                value: (_, value) => three(value),
+              })),
+              ...references.map(({ label }) => ({
+                label: label || "should be",
+                stroke: ink,
+                dash: [5, 4],
+                width: 1.2,
+                points: { show: false },
+                value: (_, value) => three(value),
+              })),
+            ],
+            cursor: { y: false, drag: { x: false, y: false } },
+            hooks: { draw: [(drawn) => this.drawNow(drawn)] },
+          },
+          this.data(lanes, which, references),
+          figure,
+        );
         const point = (event) => {
           const x = event.clientX - plot.over.getBoundingClientRect().left;
           this.seek(Math.round(plot.posToVal(x, "x") / dt));
@@ -63,11 +95,17 @@
     }
 
     data(lanes, which, references) {
-      const { steps } = this.engine, log = this.engine.scene.series[which].log;
-      const fit = (values) => Array.from({ length: steps }, (_, i) =>
-        i < values.length && Number.isFinite(values[i]) && (!log || values[i] > 0) ? values[i] : null);
-      return [this.times, ...lanes.map((lane) => fit(this.engine.series(lane.lane, which))),
-        ...references.map(({ values }) => fit(values))];
+      const { steps } = this.engine,
+        log = this.engine.scene.series[which].log;
+      const fit = (values) =>
+        Array.from({ length: steps }, (_, i) =>
+          i < values.length && Number.isFinite(values[i]) && (!log || values[i] > 0) ? values[i] : null,
+        );
+      return [
+        this.times,
+        ...lanes.map((lane) => fit(this.engine.series(lane.lane, which))),
+        ...references.map(({ values }) => fit(values)),
+      ];
     }
 
     drawNow(plot) {

@@ -7,16 +7,19 @@
   /** Loads a classic script once: it also works where a page is opened from a folder. */
   live.loadScript = function (address) {
     if (!scripts.has(address)) {
-      scripts.set(address, new Promise((resolve, reject) => {
-        const script = document.createElement("script");
-        script.src = address;
-        script.onload = resolve;
-        script.onerror = () => {
-          scripts.delete(address);
-          reject(new Error(`${address} could not be loaded`));
-        };
-        document.head.append(script);
-      }));
+      scripts.set(
+        address,
+        new Promise((resolve, reject) => {
+          const script = document.createElement("script");
+          script.src = address;
+          script.onload = resolve;
+          script.onerror = () => {
+            scripts.delete(address);
+            reject(new Error(`${address} could not be loaded`));
+          };
+          document.head.append(script);
+        }),
+      );
     }
     return scripts.get(address);
   };
@@ -54,10 +57,19 @@
       return problem;
     }
     choose(scene, variants) {
-      return this.text(this.module._live_choose(scene, variants.reduce((bits, place) => bits | (1 << place), 0)));
+      return this.text(
+        this.module._live_choose(
+          scene,
+          variants.reduce((bits, place) => bits | (1 << place), 0),
+        ),
+      );
     }
-    get scene() { return this.description.scenes[this.module._live_scene()]; }
-    get sceneIndex() { return this.module._live_scene(); }
+    get scene() {
+      return this.description.scenes[this.module._live_scene()];
+    }
+    get sceneIndex() {
+      return this.module._live_scene();
+    }
     /** The variants that are shown, each with its place in the scene. */
     get lanes() {
       return Array.from({ length: this.module._live_lanes() }, (_, lane) => {
@@ -65,33 +77,60 @@
         return { lane, place, ...this.scene.variants[place] };
       });
     }
-    get dt() { return this.description.dt; }
+    get dt() {
+      return this.description.dt;
+    }
 
     // ---- time
-    get steps() { return this.module._live_steps(); }
-    get known() { return this.module._live_known(); }
-    get now() { return this.module._live_now(); }
+    get steps() {
+      return this.module._live_steps();
+    }
+    get known() {
+      return this.module._live_known();
+    }
+    get now() {
+      return this.module._live_now();
+    }
     /** Towards a step, for so many milliseconds. Returns where it is then. */
-    goTo(step, milliseconds = 30) { return this.module._live_go_to(step, milliseconds); }
-    played(lane) { return this.module._live_played(lane); }
-    mishap(lane) { return this.text(this.module._live_mishap(lane)); }
+    goTo(step, milliseconds = 30) {
+      return this.module._live_go_to(step, milliseconds);
+    }
+    played(lane) {
+      return this.module._live_played(lane);
+    }
+    mishap(lane) {
+      return this.text(this.module._live_mishap(lane));
+    }
 
     // ---- numbers
-    series(lane, which) { return this.numbers(this.module._live_series(lane, which), this.played(lane)); }
-    reference(lane, which) { return this.numbers(this.module._live_reference(lane, which), this.steps); }
-    number(lane, which) { return JSON.parse(this.text(this.module._live_number(lane, which))); }
+    series(lane, which) {
+      return this.numbers(this.module._live_series(lane, which), this.played(lane));
+    }
+    reference(lane, which) {
+      return this.numbers(this.module._live_reference(lane, which), this.steps);
+    }
+    number(lane, which) {
+      return JSON.parse(this.text(this.module._live_number(lane, which)));
+    }
     column(lane, step) {
-      const count = this.module._live_column(lane, step), first = this.module._live_cells() >> 2;
+      const count = this.module._live_column(lane, step),
+        first = this.module._live_cells() >> 2;
       return this.module.HEAP32.slice(first, first + count);
     }
-    hash(lane) { return this.text(this.module._live_hash(lane)); }
+    hash(lane) {
+      return this.text(this.module._live_hash(lane));
+    }
     /** { position, velocity } of a body. */
     body(lane, index) {
       const six = this.numbers(this.module._live_body(lane, index), 6);
       return { position: [...six.slice(0, 3)], velocity: [...six.slice(3)] };
     }
-    bodies(lane) { return this.module._live_bodies(lane); }
-    shift() { return [...this.numbers(this.module._live_shift(), 3)]; }
+    bodies(lane) {
+      return this.module._live_bodies(lane);
+    }
+    shift() {
+      return [...this.numbers(this.module._live_shift(), 3)];
+    }
     /** Where the bodies that move begin: centre and radius of a ball around them, m. */
     reach() {
       const four = this.numbers(this.module._live_reach(), 4);
@@ -99,25 +138,40 @@
     }
 
     // ---- picture and hand
-    open(selector) { return this.told(selector, (text) => this.module._live_open(text)); }
+    open(selector) {
+      return this.told(selector, (text) => this.module._live_open(text));
+    }
     look(camera) {
       this.module.HEAPF64.set([...camera.eye, ...camera.target, camera.fieldOfView], this.module._live_camera() >> 3);
     }
-    begin() { this.module._live_begin(); }
+    begin() {
+      this.module._live_begin();
+    }
     /** `shown`: 1 points, 2 impulses, 4 marks; `from`, `to`: the columns of the pane that are drawn. */
     draw(lane, shown, x, y, width, height, from = 0, to = width) {
       return this.text(this.module._live_draw(lane, shown, x, y, width, height, from, to));
     }
-    legend() { return JSON.parse(this.text(this.module._live_legend())); }
-    grab(lane, aspect, x, y) { return this.module._live_grab(lane, aspect, x, y) === 1; }
-    pull(aspect, x, y) { this.module._live_pull(aspect, x, y); }
-    letGo() { this.module._live_let_go(); }
+    legend() {
+      return JSON.parse(this.text(this.module._live_legend()));
+    }
+    grab(lane, aspect, x, y) {
+      return this.module._live_grab(lane, aspect, x, y) === 1;
+    }
+    pull(aspect, x, y) {
+      this.module._live_pull(aspect, x, y);
+    }
+    letGo() {
+      this.module._live_let_go();
+    }
 
     // ---- across the border
-    text(pointer) { return this.module.UTF8ToString(pointer); }
+    text(pointer) {
+      return this.module.UTF8ToString(pointer);
+    }
     told(text, call) {
       const { module } = this;
-      const stack = module.stackSave(), size = module.lengthBytesUTF8(text) + 1;
+      const stack = module.stackSave(),
+        size = module.lengthBytesUTF8(text) + 1;
       const at = module.stackAlloc(size);
       module.stringToUTF8(text, at, size);
       try {
@@ -126,6 +180,8 @@
         module.stackRestore(stack);
       }
     }
-    numbers(pointer, count) { return this.module.HEAPF64.slice(pointer >> 3, (pointer >> 3) + count); }
+    numbers(pointer, count) {
+      return this.module.HEAPF64.slice(pointer >> 3, (pointer >> 3) + count);
+    }
   };
 })();

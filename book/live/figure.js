@@ -4,12 +4,16 @@
   const live = (self.PushbackLive = self.PushbackLive || {});
   const { make } = live;
   const speeds = [1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2, 1, 2, 4, 8];
-  const speedName = (speed) => (speed < 1 ? `1/${Math.round(1 / speed)} of real time` : speed === 1 ? "real time" : `${speed} times as fast`);
-  const slowNumber = 12;  // ms: what takes longer is worked out when nothing moves
+  const speedName = (speed) =>
+    speed < 1 ? `1/${Math.round(1 / speed)} of real time` : speed === 1 ? "real time" : `${speed} times as fast`;
+  const slowNumber = 12; // ms: what takes longer is worked out when nothing moves
 
   const symbols = {
-    play: "M3 1.5v13l11-6.5z", pause: "M3 2h4v12H3zM9 2h4v12H9z", step: "M6 2v12l8-6zM2 2h3v12H2z",
-    back: "M10 2v12L2 8zM14 2h-3v12h3z", begin: "M1.5 2h2v12h-2zM9 2v12L4 8zM15 2v12l-5-6z",
+    play: "M3 1.5v13l11-6.5z",
+    pause: "M3 2h4v12H3zM9 2h4v12H9z",
+    step: "M6 2v12l8-6zM2 2h3v12H2z",
+    back: "M10 2v12L2 8zM14 2h-3v12h3z",
+    begin: "M1.5 2h2v12h-2zM9 2v12L4 8zM15 2v12l-5-6z",
   };
   function icon(name) {
     const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
@@ -21,7 +25,11 @@
     return svg;
   }
   function button(name, label, onclick) {
-    return make("button", { type: "button", className: "pb-button", "aria-label": label, title: label, onclick }, icon(name));
+    return make(
+      "button",
+      { type: "button", className: "pb-button", "aria-label": label, title: label, onclick },
+      icon(name),
+    );
   }
 
   live.Player = class {
@@ -49,51 +57,145 @@
     build() {
       this.root_ = make("div", { className: "pb-live" });
       this.alert = make("p", { className: "pb-alert", role: "alert", hidden: true });
-      this.scenes = make("select", { "aria-label": "Scene", onchange: () => this.chooseScene(this.scenes.selectedIndex) });
+      this.scenes = make("select", {
+        "aria-label": "Scene",
+        onchange: () => this.chooseScene(this.scenes.selectedIndex),
+      });
       this.caption = make("p", { className: "pb-caption" });
       const stage = make("div", { className: "pb-stage" });
       this.legend = make("ul", { className: "pb-legend", "aria-label": "What dots, arrows and colours mean" });
       this.playButton = button("play", "Play", () => this.toggle());
       this.line = make("input", {
-        type: "range", min: 0, className: "pb-time", "aria-label": "Time",
-        oninput: () => this.seek(Number(this.line.value)), onchange: () => this.remember(),
+        type: "range",
+        min: 0,
+        className: "pb-time",
+        "aria-label": "Time",
+        oninput: () => this.seek(Number(this.line.value)),
+        onchange: () => this.remember(),
       });
       this.clock = make("output", { className: "pb-clock" });
-      this.speeds = make("select", { className: "pb-speed", "aria-label": "Speed", onchange: () => { this.speed = Number(this.speeds.value); this.remember(); } },
-        ...speeds.map((speed) => make("option", { value: speed, textContent: speedName(speed) })));
-      const transport = make("div", { className: "pb-transport", role: "group", "aria-label": "Time" },
-        button("begin", "To the start", () => this.go(0)), button("back", "One step back", () => this.go(this.engine.now - 1)),
-        this.playButton, button("step", "One step on", () => this.go(this.engine.now + 1)), this.line, this.clock, this.speeds);
+      this.speeds = make(
+        "select",
+        {
+          className: "pb-speed",
+          "aria-label": "Speed",
+          onchange: () => {
+            this.speed = Number(this.speeds.value);
+            this.remember();
+          },
+        },
+        ...speeds.map((speed) => make("option", { value: speed, textContent: speedName(speed) })),
+      );
+      const transport = make(
+        "div",
+        { className: "pb-transport", role: "group", "aria-label": "Time" },
+        button("begin", "To the start", () => this.go(0)),
+        button("back", "One step back", () => this.go(this.engine.now - 1)),
+        this.playButton,
+        button("step", "One step on", () => this.go(this.engine.now + 1)),
+        this.line,
+        this.clock,
+        this.speeds,
+      );
       this.variants = make("fieldset", { className: "pb-variants" });
       const toggle = (text, bit) => {
-        const box = make("input", { type: "checkbox", onchange: () => { this.show(bit, box.checked); } });
+        const box = make("input", {
+          type: "checkbox",
+          onchange: () => {
+            this.show(bit, box.checked);
+          },
+        });
         return [box, make("label", { className: "pb-check" }, box, text)];
       };
       const [points, pointsLabel] = toggle("contact points", 1);
       const [impulses, impulsesLabel] = toggle("impulses", 2);
       const [marks, marksLabel] = toggle("what should be", 4);
-      this.toggles = [[1, points], [2, impulses], [4, marks]];
+      this.toggles = [
+        [1, points],
+        [2, impulses],
+        [4, marks],
+      ];
       this.wiping = make("input", { type: "checkbox", onchange: () => this.setWipe(this.wiping.checked ? 0.5 : null) });
       this.wipeLabel = make("label", { className: "pb-check" }, this.wiping, "wipe between the two");
-      this.following = make("input", { type: "checkbox", onchange: () => { this.stage.follow = this.following.checked; this.changed(); this.remember(); } });
+      this.following = make("input", {
+        type: "checkbox",
+        onchange: () => {
+          this.stage.follow = this.following.checked;
+          this.changed();
+          this.remember();
+        },
+      });
       this.followLabel = make("label", { className: "pb-check" }, this.following, "stay close");
-      const look = make("div", { className: "pb-look", role: "group", "aria-label": "Picture" }, pointsLabel, impulsesLabel, marksLabel,
-        this.followLabel, this.wipeLabel,
-        make("button", { type: "button", className: "pb-small", textContent: "camera as it was", onclick: () => { this.stage.camera.reset(); this.changed(); this.remember(); } }));
+      const look = make(
+        "div",
+        { className: "pb-look", role: "group", "aria-label": "Picture" },
+        pointsLabel,
+        impulsesLabel,
+        marksLabel,
+        this.followLabel,
+        this.wipeLabel,
+        make("button", {
+          type: "button",
+          className: "pb-small",
+          textContent: "camera as it was",
+          onclick: () => {
+            this.stage.camera.reset();
+            this.changed();
+            this.remember();
+          },
+        }),
+      );
       this.numbers = make("div", { className: "pb-numbers" });
       const sliders = make("div", { className: "pb-sliders", role: "group", "aria-label": "Parameters" });
-      const plots = make("div", { className: "pb-plots" }), strips = make("div", { className: "pb-strips" });
+      const plots = make("div", { className: "pb-plots" }),
+        strips = make("div", { className: "pb-strips" });
       this.said = make("p", { className: "pb-said", role: "status", "aria-live": "polite" });
-      this.link = make("button", { type: "button", className: "pb-small", textContent: "copy a link to this", onclick: () => this.copyLink() });
-      const foot = make("div", { className: "pb-foot" },
-        make("button", { type: "button", className: "pb-small", textContent: "save as a picture", onclick: () => live.savePicture(this) }), this.link,
-        make("details", { className: "pb-help" }, make("summary", { textContent: "mouse, touch and keys" }),
-          make("p", { textContent: "Pull a body: it hangs on a spring, in every variant. Beside the bodies, dragging turns the camera; with Shift or the right button it moves it; the wheel zooms once the picture has been clicked; two fingers zoom and move. Keys, when the picture has the focus: space plays, comma and full stop go one step back and on, Home and End to the ends, the arrows turn the camera, plus and minus zoom, 0 puts it back, C shows contact points, I impulses." })));
+      this.link = make("button", {
+        type: "button",
+        className: "pb-small",
+        textContent: "copy a link to this",
+        onclick: () => this.copyLink(),
+      });
+      const foot = make(
+        "div",
+        { className: "pb-foot" },
+        make("button", {
+          type: "button",
+          className: "pb-small",
+          textContent: "save as a picture",
+          onclick: () => live.savePicture(this),
+        }),
+        this.link,
+        make(
+          "details",
+          { className: "pb-help" },
+          make("summary", { textContent: "mouse, touch and keys" }),
+          make("p", {
+            textContent:
+              "Pull a body: it hangs on a spring, in every variant. Beside the bodies, dragging turns the camera; with Shift or the right button it moves it; the wheel zooms once the picture has been clicked; two fingers zoom and move. Keys, when the picture has the focus: space plays, comma and full stop go one step back and on, Home and End to the ends, the arrows turn the camera, plus and minus zoom, 0 puts it back, C shows contact points, I impulses.",
+          }),
+        ),
+      );
       this.root_.append(
-        make("div", { className: "pb-top" }, make("label", { className: "pb-scene" }, "Scene ", this.scenes), this.variants),
-        this.caption, this.alert, stage, transport, look, this.legend,
-        this.numbers, sliders,
-        strips, plots, foot, this.said);
+        make(
+          "div",
+          { className: "pb-top" },
+          make("label", { className: "pb-scene" }, "Scene ", this.scenes),
+          this.variants,
+        ),
+        this.caption,
+        this.alert,
+        stage,
+        transport,
+        look,
+        this.legend,
+        this.numbers,
+        sliders,
+        strips,
+        plots,
+        foot,
+        this.said,
+      );
       this.figure.insertBefore(this.root_, this.figure.querySelector(":scope > figcaption"));
       this.figure.classList.add("pb-running");
       this.stage = new live.Stage(this, stage);
@@ -101,15 +203,21 @@
       this.strips = new live.Strips(strips, (step) => this.go(step));
       this.controls = new live.Controls(sliders, this.engine, (assignments, done) => this.set(assignments, done));
       this.stage.canvas.addEventListener("keydown", (event) => this.key(event));
-      this.watch = new ResizeObserver(() => { this.curves.resize(); this.changed(); });
+      this.watch = new ResizeObserver(() => {
+        this.curves.resize();
+        this.changed();
+      });
       this.watch.observe(stage);
     }
 
     /** The scene that is chosen, from its start. */
     begin() {
-      const { engine } = this, { scene } = engine;
+      const { engine } = this,
+        { scene } = engine;
       this.reach = engine.reach();
-      this.scenes.replaceChildren(...engine.description.scenes.map(({ name }) => make("option", { textContent: name })));
+      this.scenes.replaceChildren(
+        ...engine.description.scenes.map(({ name }) => make("option", { textContent: name })),
+      );
       this.scenes.selectedIndex = engine.sceneIndex;
       this.caption.textContent = scene.caption;
       this.caption.hidden = !scene.caption;
@@ -136,43 +244,72 @@
     }
 
     listVariants() {
-      const { engine } = this, shown = new Set(engine.lanes.map(({ place }) => place)), { variants } = engine.scene;
+      const { engine } = this,
+        shown = new Set(engine.lanes.map(({ place }) => place)),
+        { variants } = engine.scene;
       live.keepingFocus(this.variants, () => {
-        this.variants.replaceChildren(make("legend", { textContent: variants.length > 4 ? "Variants, up to four" : "Variants" }),
+        this.variants.replaceChildren(
+          make("legend", { textContent: variants.length > 4 ? "Variants, up to four" : "Variants" }),
           ...variants.map(({ name, colour, marker }, place) => {
-            const box = make("input", { type: "checkbox", checked: shown.has(place), onchange: () => this.chooseVariant(place, box.checked) });
+            const box = make("input", {
+              type: "checkbox",
+              checked: shown.has(place),
+              onchange: () => this.chooseVariant(place, box.checked),
+            });
             const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
             mark.style.color = colour;
             return make("label", { className: "pb-check" }, box, mark, name);
-          }));
+          }),
+        );
       });
     }
 
     listNumbers() {
-      const { engine } = this, { scene } = engine;
+      const { engine } = this,
+        { scene } = engine;
       this.numbers.replaceChildren();
       this.cells = [];
       if (!scene.numbers.length) return;
       const table = make("table", {}, make("caption", { textContent: "Measured so far" }));
-      table.append(make("thead", {}, make("tr", {}, make("td"), ...engine.lanes.map(({ name, colour, marker }) => {
-        const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
-        mark.style.color = colour;
-        return make("th", { scope: "col" }, mark, name);
-      }))));
+      table.append(
+        make(
+          "thead",
+          {},
+          make(
+            "tr",
+            {},
+            make("td"),
+            ...engine.lanes.map(({ name, colour, marker }) => {
+              const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
+              mark.style.color = colour;
+              return make("th", { scope: "col" }, mark, name);
+            }),
+          ),
+        ),
+      );
       const body = make("tbody");
       scene.numbers.forEach(({ name }, which) => {
-        body.append(make("tr", {}, make("th", { scope: "row", textContent: name }), ...engine.lanes.map(({ lane }) => {
-          const cell = make("td", { textContent: "–" });
-          this.cells.push({ cell, lane, which });
-          return cell;
-        })));
+        body.append(
+          make(
+            "tr",
+            {},
+            make("th", { scope: "row", textContent: name }),
+            ...engine.lanes.map(({ lane }) => {
+              const cell = make("td", { textContent: "–" });
+              this.cells.push({ cell, lane, which });
+              return cell;
+            }),
+          ),
+        );
       });
       table.append(body);
       this.numbers.append(make("div", { className: "pb-scroll" }, table));
     }
 
     // ---- what somebody does
-    toggle() { this.playing ? this.pause() : this.play(); }
+    toggle() {
+      this.playing ? this.pause() : this.play();
+    }
     play() {
       if (this.engine.now >= this.engine.steps) this.seek(0);
       this.playing = true;
@@ -244,9 +381,11 @@
       this.seek(step);
     }
     set(assignments, done) {
-      const began = performance.now(), { engine } = this;
+      const began = performance.now(),
+        { engine } = this;
       this.again(() => {
-        const before = engine.scene.variants.length, all = engine.lanes.length === Math.min(4, before);
+        const before = engine.scene.variants.length,
+          all = engine.lanes.length === Math.min(4, before);
         const problem = engine.set(assignments);
         if (!problem && all && engine.scene.variants.length > before) engine.choose(engine.sceneIndex, [0, 1, 2, 3]);
         return problem;
@@ -275,12 +414,20 @@
       if (event.ctrlKey || event.metaKey || event.altKey) return;
       const { camera } = this.stage;
       const keys = {
-        " ": () => this.toggle(), ".": () => this.go(this.engine.now + 1), ",": () => this.go(this.engine.now - 1),
-        Home: () => this.go(0), End: () => this.go(this.engine.steps),
-        ArrowLeft: () => camera.orbit(0.1, 0), ArrowRight: () => camera.orbit(-0.1, 0),
-        ArrowUp: () => camera.orbit(0, 0.08), ArrowDown: () => camera.orbit(0, -0.08),
-        "+": () => camera.zoomBy(0.87), "-": () => camera.zoomBy(1.15), 0: () => camera.reset(),
-        c: () => this.flip(1), i: () => this.flip(2),
+        " ": () => this.toggle(),
+        ".": () => this.go(this.engine.now + 1),
+        ",": () => this.go(this.engine.now - 1),
+        Home: () => this.go(0),
+        End: () => this.go(this.engine.steps),
+        ArrowLeft: () => camera.orbit(0.1, 0),
+        ArrowRight: () => camera.orbit(-0.1, 0),
+        ArrowUp: () => camera.orbit(0, 0.08),
+        ArrowDown: () => camera.orbit(0, -0.08),
+        "+": () => camera.zoomBy(0.87),
+        "-": () => camera.zoomBy(1.15),
+        0: () => camera.reset(),
+        c: () => this.flip(1),
+        i: () => this.flip(2),
       };
       const act = keys[event.key] || keys[event.key.toLowerCase()];
       if (!act) return;
@@ -302,7 +449,8 @@
     frame() {
       this.asked = 0;
       this.dirty = false;
-      const { engine } = this, now = performance.now();
+      const { engine } = this,
+        now = performance.now();
       if (this.playing) {
         this.owed += (Math.min(100, now - this.before) / 1000) * (this.speed / engine.dt);
         this.before = now;
@@ -315,7 +463,7 @@
           if (reached >= engine.steps) this.pause();
         }
       } else if (engine.now !== this.target) {
-        engine.goTo(this.target, 25);  // what takes long is played bit by bit
+        engine.goTo(this.target, 25); // what takes long is played bit by bit
       }
       this.stage.draw();
       this.readings(now);
@@ -323,7 +471,8 @@
     }
     readings(now) {
       const { engine } = this;
-      const time = engine.now * engine.dt, whole = engine.steps * engine.dt;
+      const time = engine.now * engine.dt,
+        whole = engine.steps * engine.dt;
       this.line.value = engine.now;
       this.clock.textContent = `${time.toFixed(3)} s of ${Number(whole.toPrecision(4))} s`;
       this.line.setAttribute("aria-valuetext", `${time.toFixed(3)} seconds, step ${engine.now}`);
@@ -346,7 +495,10 @@
       this.curves.update();
       this.strips.update();
       const lanes = engine.lanes.map(({ name: one }) => one).join("; ");
-      this.stage.canvas.setAttribute("aria-label", `${engine.scene.name}, at ${time.toFixed(2)} s. From left to right and from the top: ${lanes}.`);
+      this.stage.canvas.setAttribute(
+        "aria-label",
+        `${engine.scene.name}, at ${time.toFixed(2)} s. From left to right and from the top: ${lanes}.`,
+      );
     }
     /** What takes long is worked out when nothing moves. */
     measure() {
@@ -358,18 +510,22 @@
         const [is, should] = engine.number(lane, which);
         if (performance.now() - began > slowNumber) this.slow.add(key);
         cell.replaceChildren(is);
-        if (should) cell.append(make("span", { className: "pb-should", textContent: `\u00a0(should be\u00a0${should})` }));
+        if (should)
+          cell.append(make("span", { className: "pb-should", textContent: `\u00a0(should be\u00a0${should})` }));
       }
     }
     listLegend() {
-      const entries = this.engine.legend(), key = JSON.stringify(entries);
+      const entries = this.engine.legend(),
+        key = JSON.stringify(entries);
       if (key === this.legendKey) return;
       this.legendKey = key;
-      this.legend.replaceChildren(...entries.map(([kind, colour, text]) => {
-        const mark = make("span", { className: `pb-mark pb-${kind}`, "aria-hidden": "true" });
-        mark.style.setProperty("--pb-mark", colour);
-        return make("li", {}, mark, text);
-      }));
+      this.legend.replaceChildren(
+        ...entries.map(([kind, colour, text]) => {
+          const mark = make("span", { className: `pb-mark pb-${kind}`, "aria-hidden": "true" });
+          mark.style.setProperty("--pb-mark", colour);
+          return make("li", {}, mark, text);
+        }),
+      );
     }
 
     // ---- words
@@ -389,23 +545,39 @@
     say() {
       const { engine } = this;
       const time = `At ${(engine.now * engine.dt).toFixed(2)} s`;
-      const numbers = engine.scene.numbers.slice(0, 2).map(({ name }, which) =>
-        `${name}: ${engine.lanes.map((lane) => `${lane.name} ${this.cells.find((c) => c.lane === lane.lane && c.which === which).cell.textContent}`).join(", ")}`);
+      const numbers = engine.scene.numbers
+        .slice(0, 2)
+        .map(
+          ({ name }, which) =>
+            `${name}: ${engine.lanes.map((lane) => `${lane.name} ${this.cells.find((c) => c.lane === lane.lane && c.which === which).cell.textContent}`).join(", ")}`,
+        );
       this.said.textContent = [time, ...numbers].join(". ");
     }
 
     // ---- the address
     get state() {
-      const { engine, stage } = this, { camera } = stage;
+      const { engine, stage } = this,
+        { camera } = stage;
       const state = new URLSearchParams();
       state.set("live", engine.description.name);
       state.set("scene", engine.scene.key);
       const places = engine.lanes.map(({ place }) => place);
-      if (places.join() !== engine.scene.variants.slice(0, 4).map((_, i) => i).join()) state.set("show", places.join(","));
+      if (
+        places.join() !==
+        engine.scene.variants
+          .slice(0, 4)
+          .map((_, i) => i)
+          .join()
+      )
+        state.set("show", places.join(","));
       for (const [flag, values] of this.controls.own) state.set(flag.slice(2), values.join(","));
       if (this.target) state.set("step", this.target);
       if (this.speed !== this.usualSpeed()) state.set("pace", this.speed);
-      if (!camera.isReset) state.set("view", [camera.turn, camera.rise, camera.zoom, ...camera.pan].map((x) => Number(x.toFixed(4))).join(","));
+      if (!camera.isReset)
+        state.set(
+          "view",
+          [camera.turn, camera.rise, camera.zoom, ...camera.pan].map((x) => Number(x.toFixed(4))).join(","),
+        );
       state.set("see", this.shown);
       if (stage.wipe !== null) state.set("wipe", stage.wipe.toFixed(3));
       if (stage.follow) state.set("close", 1);
@@ -417,17 +589,24 @@
       this.shownOf(engine.scene);
       if (!state.of) return;
       const from = state.of;
-      const own = engine.parameters.filter(({ flag }) => from.has(flag.slice(2))).map(({ flag }) => `${flag}=${from.get(flag.slice(2))}`);
+      const own = engine.parameters
+        .filter(({ flag }) => from.has(flag.slice(2)))
+        .map(({ flag }) => `${flag}=${from.get(flag.slice(2))}`);
       this.problem = own.length ? engine.set(own.join(";")) : "";
       const scene = engine.description.scenes.findIndex(({ key }) => key === from.get("scene"));
       const list = (name) => (from.has(name) ? from.get(name).split(",").map(Number).filter(Number.isFinite) : null);
-      if (scene >= 0 || from.has("show")) engine.choose(Math.max(0, scene), (list("show") || [0, 1, 2, 3]).filter((place) => place >= 0 && place < 32));
+      if (scene >= 0 || from.has("show"))
+        engine.choose(
+          Math.max(0, scene),
+          (list("show") || [0, 1, 2, 3]).filter((place) => place >= 0 && place < 32),
+        );
       this.shownOf(engine.scene);
       if (from.has("see")) this.shown = Number(from.get("see")) & 7;
       if (speeds.includes(Number(from.get("pace")))) this.speed = Number(from.get("pace"));
       state.step = Math.max(0, Math.round(Number(from.get("step")) || 0));
       const view = list("view");
-      if (view && view.length === 5 && view[2] > 0) state.view = { turn: view[0], rise: view[1], zoom: view[2], pan: [view[3], view[4]] };
+      if (view && view.length === 5 && view[2] > 0)
+        state.view = { turn: view[0], rise: view[1], zoom: view[2], pan: [view[3], view[4]] };
       const wipe = Number(from.get("wipe"));
       if (from.has("wipe") && wipe >= 0 && wipe <= 1) state.wipe = wipe;
       state.follow = from.has("close");
@@ -438,7 +617,9 @@
       this.remembering = setTimeout(() => {
         try {
           history.replaceState(null, "", `#${this.state}`);
-        } catch (ignored) { /* some browsers refuse it for files: the link can still be copied */ }
+        } catch (ignored) {
+          /* some browsers refuse it for files: the link can still be copied */
+        }
       }, 250);
     }
     async copyLink() {

@@ -9,19 +9,25 @@
   function script(address) {
     return new Promise((resolve, reject) => {
       const element = document.createElement("script");
-      Object.assign(element, { src: address, onload: resolve, onerror: () => reject(new Error(`${address} could not be loaded`)) });
+      Object.assign(element, {
+        src: address,
+        onload: resolve,
+        onerror: () => reject(new Error(`${address} could not be loaded`)),
+      });
       document.head.append(element);
     });
   }
   let loaded = null;
   function load() {
-    loaded = loaded || (async () => {
-      const style = document.createElement("link");
-      Object.assign(style, { rel: "stylesheet", href: `${own}uplot/uPlot.css` });
-      document.head.append(style);
-      await script(`${own}uplot/uPlot.js`).catch(() => {});  // without it there are no curves
-      for (const piece of pieces) await script(own + piece);
-    })();
+    loaded =
+      loaded ||
+      (async () => {
+        const style = document.createElement("link");
+        Object.assign(style, { rel: "stylesheet", href: `${own}uplot/uPlot.css` });
+        document.head.append(style);
+        await script(`${own}uplot/uPlot.js`).catch(() => {}); // without it there are no curves
+        for (const piece of pieces) await script(own + piece);
+      })();
     return loaded;
   }
 
@@ -76,7 +82,12 @@
     said.setAttribute("role", "status");
     if (folded && !folded.open) {
       const guess = document.createElement("input");
-      Object.assign(guess, { type: "text", placeholder: "in a few words", className: "pb-guess", id: `pb-guess-${figure.dataset.chapter}` });
+      Object.assign(guess, {
+        type: "text",
+        placeholder: "in a few words",
+        className: "pb-guess",
+        id: `pb-guess-${figure.dataset.chapter}`,
+      });
       const label = document.createElement("label");
       label.htmlFor = guess.id;
       label.textContent = "Your guess: ";
@@ -86,9 +97,18 @@
       };
       const guessed = button("Run it", () => run(guess.value.trim()));
       guessed.disabled = true;
-      guess.addEventListener("input", () => { guessed.disabled = !guess.value.trim(); });
-      guess.addEventListener("keydown", (event) => { if (event.key === "Enter" && guess.value.trim()) run(guess.value.trim()); });
-      panel.append(label, guess, guessed, button("Show me", () => run("")));
+      guess.addEventListener("input", () => {
+        guessed.disabled = !guess.value.trim();
+      });
+      guess.addEventListener("keydown", (event) => {
+        if (event.key === "Enter" && guess.value.trim()) run(guess.value.trim());
+      });
+      panel.append(
+        label,
+        guess,
+        guessed,
+        button("Show me", () => run("")),
+      );
     } else {
       panel.append(button("Run it here", () => start(figure, {})));
     }

@@ -16,52 +16,66 @@
 
   /** "β = 0, 0.2, d₀ = 0.06 m, h = 0.01667 s": all that can be set. */
   live.parametersInWords = function (player) {
-    return player.engine.parameters.map((parameter) => {
-      const { flag, symbol, unit, what } = parameter;
-      const values = player.controls.own.get(flag) || player.controls.usual(parameter);
-      if (values.length > 8) return "";
-      return `${symbol || what} = ${values.map(shorter).join(", ")}${unit ? ` ${unit}` : ""}`;
-    }).filter(Boolean).join("  ·  ");
+    return player.engine.parameters
+      .map((parameter) => {
+        const { flag, symbol, unit, what } = parameter;
+        const values = player.controls.own.get(flag) || player.controls.usual(parameter);
+        if (values.length > 8) return "";
+        return `${symbol || what} = ${values.map(shorter).join(", ")}${unit ? ` ${unit}` : ""}`;
+      })
+      .filter(Boolean)
+      .join("  ·  ");
   };
 
   /** A canvas. */
   live.pictureOf = function (player) {
     const { engine, stage } = player;
     stage.draw();
-    const canvas = document.createElement("canvas"), pen = canvas.getContext("2d");
-    const k = stage.canvas.width / stage.size.width, margin = 20 * k, wide = stage.canvas.width + 2 * margin;
+    const canvas = document.createElement("canvas"),
+      pen = canvas.getContext("2d");
+    const k = stage.canvas.width / stage.size.width,
+      margin = 20 * k,
+      wide = stage.canvas.width + 2 * margin;
     const font = (size, weight = "") => `${weight} ${size * k}px "DejaVu Sans", system-ui, sans-serif`;
     const inner = wide - 2 * margin;
-    const parts = [];  // { height, draw(y) }
+    const parts = []; // { height, draw(y) }
     const text = (words, size, colour = "#1c202a", weight = "") => {
       pen.font = font(size, weight);
       for (const line of lines(pen, words, inner)) {
-        parts.push({ height: 1.45 * size * k, draw: (y) => {
-          pen.font = font(size, weight);
-          pen.fillStyle = colour;
-          pen.fillText(line, margin, y + 1.1 * size * k);
-        } });
+        parts.push({
+          height: 1.45 * size * k,
+          draw: (y) => {
+            pen.font = font(size, weight);
+            pen.fillStyle = colour;
+            pen.fillText(line, margin, y + 1.1 * size * k);
+          },
+        });
       }
     };
     const gap = (size) => parts.push({ height: size * k, draw() {} });
     text(engine.description.question, 20, "#1c202a", "bold");
     text(`${engine.scene.name}, t = ${(engine.now * engine.dt).toFixed(3)} s`, 14);
     gap(8);
-    parts.push({ height: stage.canvas.height, draw: (y) => {
-      if (stage.problem) return;
-      pen.drawImage(stage.canvas, margin, y);
-      pen.font = font(13, "bold");
-      stage.panes.forEach((pane) => {
-        const { name, colour, marker } = engine.lanes[pane.lane];
-        const right = stage.wiping && pane.lane === 1, label = `${marker} ${name}`;
-        const width = pen.measureText(label).width + 12 * k;
-        const x = margin + k * pane.left + (right ? k * pane.width - width : 0), top = y + k * pane.top;
-        pen.fillStyle = "rgba(255,255,255,0.82)";
-        pen.fillRect(x, top, width, 22 * k);
-        pen.fillStyle = colour;
-        pen.fillText(label, x + 6 * k, top + 15.5 * k);
-      });
-    } });
+    parts.push({
+      height: stage.canvas.height,
+      draw: (y) => {
+        if (stage.problem) return;
+        pen.drawImage(stage.canvas, margin, y);
+        pen.font = font(13, "bold");
+        stage.panes.forEach((pane) => {
+          const { name, colour, marker } = engine.lanes[pane.lane];
+          const right = stage.wiping && pane.lane === 1,
+            label = `${marker} ${name}`;
+          const width = pen.measureText(label).width + 12 * k;
+          const x = margin + k * pane.left + (right ? k * pane.width - width : 0),
+            top = y + k * pane.top;
+          pen.fillStyle = "rgba(255,255,255,0.82)";
+          pen.fillRect(x, top, width, 22 * k);
+          pen.fillStyle = colour;
+          pen.fillText(label, x + 6 * k, top + 15.5 * k);
+        });
+      },
+    });
     gap(10);
     text(live.parametersInWords(player), 12, "#1c202a");
     gap(6);

@@ -12,24 +12,36 @@
 
   /** A camera that goes about its target. Angles in rad; `distance` and `pan` as factors of the scene's own distance. */
   class Camera {
-    constructor() { this.reset(); }
-    reset() { Object.assign(this, { turn: 0, rise: 0, zoom: 1, pan: [0, 0] }); }
-    get isReset() { return this.turn === 0 && this.rise === 0 && this.zoom === 1 && !this.pan[0] && !this.pan[1]; }
+    constructor() {
+      this.reset();
+    }
+    reset() {
+      Object.assign(this, { turn: 0, rise: 0, zoom: 1, pan: [0, 0] });
+    }
+    get isReset() {
+      return this.turn === 0 && this.rise === 0 && this.zoom === 1 && !this.pan[0] && !this.pan[1];
+    }
     orbit(turn, rise) {
       this.turn = (this.turn + turn) % (2 * Math.PI);
       this.rise += rise;
     }
-    zoomBy(factor) { this.zoom = clamp(this.zoom * factor, 0.05, 20); }
-    panBy(x, y) { this.pan = [this.pan[0] + x, this.pan[1] + y]; }
+    zoomBy(factor) {
+      this.zoom = clamp(this.zoom * factor, 0.05, 20);
+    }
+    panBy(x, y) {
+      this.pan = [this.pan[0] + x, this.pan[1] + y];
+    }
     /** `from`: the scene's { eye, target, field_of_view }. */
     seen(from) {
-      const away = minus(from.eye, from.target), distance = length(away);
+      const away = minus(from.eye, from.target),
+        distance = length(away);
       const level = Math.hypot(away[0], away[2]);
       const heading = Math.atan2(away[0], away[2]) + this.turn;
       const height = clamp(Math.atan2(away[1], level) + this.rise, -1.5, 1.5);
       this.rise = height - Math.atan2(away[1], level);
       const direction = [Math.cos(height) * Math.sin(heading), Math.sin(height), Math.cos(height) * Math.cos(heading)];
-      const right = unit(cross([0, 1, 0], direction)), up = cross(direction, right);
+      const right = unit(cross([0, 1, 0], direction)),
+        up = cross(direction, right);
       const across = 2 * distance * this.zoom * Math.tan(from.field_of_view / 2);
       const target = plus(plus(from.target, right, across * this.pan[0]), up, across * this.pan[1]);
       return { eye: plus(target, direction, distance * this.zoom), target, fieldOfView: from.field_of_view };
@@ -43,7 +55,7 @@
       this.element = element;
       this.camera = new Camera();
       this.follow = false;
-      this.wipe = null;  // the part of the width at which one variant ends and the other begins
+      this.wipe = null; // the part of the width at which one variant ends and the other begins
       this.canvas = document.createElement("canvas");
       this.canvas.id = `pushback-live-${++live.Stage.count}`;
       this.canvas.className = "pb-canvas";
@@ -52,7 +64,14 @@
       this.labels = document.createElement("div");
       this.labels.className = "pb-labels";
       this.divider = document.createElement("input");
-      Object.assign(this.divider, { type: "range", min: 0, max: 1000, value: 500, className: "pb-divider", hidden: true });
+      Object.assign(this.divider, {
+        type: "range",
+        min: 0,
+        max: 1000,
+        value: 500,
+        className: "pb-divider",
+        hidden: true,
+      });
       this.divider.setAttribute("aria-label", "Where one variant ends and the other begins");
       this.divider.addEventListener("input", () => {
         this.wipe = this.divider.value / 1000;
@@ -66,7 +85,8 @@
     // ---- panes
     /** Rectangles, CSS pixels from the upper left corner, one a lane; of a wipe one for both. */
     arrange() {
-      const lanes = this.player.engine.lanes, scene = this.player.engine.scene;
+      const lanes = this.player.engine.lanes,
+        scene = this.player.engine.scene;
       const width = this.element.clientWidth || 640;
       const wiping = this.wipe !== null && lanes.length === 2;
       const count = wiping ? 1 : lanes.length;
@@ -80,10 +100,13 @@
       const wide = width / columns;
       const rows = Math.ceil(count / columns);
       const most = Math.max(200, 0.72 * window.innerHeight) / rows;
-      const high = Math.round(clamp(wide / Math.min(aspect, Math.max(wide / 110, 1)), Math.min(110, most), Math.max(most, 110)));
+      const high = Math.round(
+        clamp(wide / Math.min(aspect, Math.max(wide / 110, 1)), Math.min(110, most), Math.max(most, 110)),
+      );
       this.panes = lanes.map((lane, i) => {
         const at = wiping ? 0 : i;
-        const left = Math.round((at % columns) * wide), top = Math.floor(at / columns) * high;
+        const left = Math.round((at % columns) * wide),
+          top = Math.floor(at / columns) * high;
         const right = Math.round(((at % columns) + 1) * wide);
         return { lane: i, left, top, width: right - left, height: high };
       });
@@ -104,7 +127,8 @@
       const from = { ...scene.camera };
       let aspect = scene.aspect;
       if (scene.strobe && this.follow) {
-        const { centre, radius } = this.player.reach, away = unit(minus(from.eye, from.target));
+        const { centre, radius } = this.player.reach,
+          away = unit(minus(from.eye, from.target));
         const shift = engine.shift();
         from.field_of_view = 0.5;
         from.target = plus(plus(centre, shift), [0, 0.15 * radius, 0]);
@@ -124,7 +148,9 @@
       engine.begin();
       for (const pane of this.panes) {
         const pixels = (x) => Math.round(this.scale * x);
-        const x = pixels(pane.left), width = pixels(pane.left + pane.width) - x, height = pixels(pane.height);
+        const x = pixels(pane.left),
+          width = pixels(pane.left + pane.width) - x,
+          height = pixels(pane.height);
         const y = this.canvas.height - pixels(pane.top) - height;
         engine.look(this.cameraFor(pane));
         const at = this.wiping ? Math.round(width * this.wipe) : 0;
@@ -143,21 +169,23 @@
       const key = JSON.stringify([wanted, this.wiping, this.size]);
       if (key === this.labelled) return;
       this.labelled = key;
-      this.labels.replaceChildren(...wanted.map(({ pane, name, colour, marker, mishap }) => {
-        const label = document.createElement("div");
-        label.className = "pb-label";
-        const right = this.wiping && pane.lane === 1;
-        label.style.top = `${pane.top}px`;
-        if (right) label.style.right = "0";
-        else label.style.left = `${pane.left}px`;
-        label.style.maxWidth = `${(this.wiping ? 0.5 : 1) * pane.width}px`;
-        const mark = document.createElement("span");
-        mark.textContent = `${marker} `;
-        mark.style.color = colour;
-        mark.setAttribute("aria-hidden", "true");
-        label.append(mark, mishap ? `${name}: ${mishap}` : name);
-        return label;
-      }));
+      this.labels.replaceChildren(
+        ...wanted.map(({ pane, name, colour, marker, mishap }) => {
+          const label = document.createElement("div");
+          label.className = "pb-label";
+          const right = this.wiping && pane.lane === 1;
+          label.style.top = `${pane.top}px`;
+          if (right) label.style.right = "0";
+          else label.style.left = `${pane.left}px`;
+          label.style.maxWidth = `${(this.wiping ? 0.5 : 1) * pane.width}px`;
+          const mark = document.createElement("span");
+          mark.textContent = `${marker} `;
+          mark.style.color = colour;
+          mark.setAttribute("aria-hidden", "true");
+          label.append(mark, mishap ? `${name}: ${mishap}` : name);
+          return label;
+        }),
+      );
     }
 
     // ---- pointer
@@ -189,7 +217,8 @@
     listen() {
       const { canvas } = this;
       const fingers = new Map();
-      let action = null, held = null;
+      let action = null,
+        held = null;
       canvas.addEventListener("contextmenu", (event) => event.preventDefault());
       canvas.addEventListener("pointerdown", (event) => {
         if (this.problem) return;
@@ -211,7 +240,8 @@
         }
       });
       canvas.addEventListener("pointermove", (event) => {
-        const [x, y] = this.place(event), before = fingers.get(event.pointerId);
+        const [x, y] = this.place(event),
+          before = fingers.get(event.pointerId);
         if (!before) return;
         const [dx, dy] = [x - before[0], y - before[1]];
         const high = this.panes[0].height;
@@ -242,16 +272,24 @@
       canvas.addEventListener("pointerup", end);
       canvas.addEventListener("pointercancel", end);
       // The page scrolls under a finger that moves up or down, unless it holds a body.
-      canvas.addEventListener("touchmove", (event) => {
-        if (action === "pull" || action === "pinch") event.preventDefault();
-      }, { passive: false });
-      canvas.addEventListener("wheel", (event) => {
-        if (document.activeElement !== canvas && !event.ctrlKey) return;
-        event.preventDefault();
-        this.camera.zoomBy(Math.exp(event.deltaY * 0.0012));
-        this.player.changed();
-        this.player.remember();
-      }, { passive: false });
+      canvas.addEventListener(
+        "touchmove",
+        (event) => {
+          if (action === "pull" || action === "pinch") event.preventDefault();
+        },
+        { passive: false },
+      );
+      canvas.addEventListener(
+        "wheel",
+        (event) => {
+          if (document.activeElement !== canvas && !event.ctrlKey) return;
+          event.preventDefault();
+          this.camera.zoomBy(Math.exp(event.deltaY * 0.0012));
+          this.player.changed();
+          this.player.remember();
+        },
+        { passive: false },
+      );
       canvas.addEventListener("webglcontextlost", (event) => {
         event.preventDefault();
         this.problem = "The browser took the graphics of this page away.";

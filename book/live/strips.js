@@ -20,12 +20,18 @@
       this.element.replaceChildren();
       const { raster } = engine.scene;
       if (!raster) return;
-      this.element.append(make("p", { className: "pb-strip-name" }, `A row each ${raster.label}, a column each step: `,
-        ...raster.meaning.flatMap(({ colour, text }) => {
-          const mark = make("span", { className: "pb-mark", "aria-hidden": "true" });
-          mark.style.setProperty("--pb-mark", colour);
-          return [mark, ` ${text}   `];
-        })));
+      this.element.append(
+        make(
+          "p",
+          { className: "pb-strip-name" },
+          `A row each ${raster.label}, a column each step: `,
+          ...raster.meaning.flatMap(({ colour, text }) => {
+            const mark = make("span", { className: "pb-mark", "aria-hidden": "true" });
+            mark.style.setProperty("--pb-mark", colour);
+            return [mark, ` ${text}   `];
+          }),
+        ),
+      );
       for (const { lane, name, colour, marker } of engine.lanes) {
         const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
         mark.style.color = colour;
@@ -40,8 +46,13 @@
           canvas.setPointerCapture(event.pointerId);
           point(event);
         });
-        canvas.addEventListener("pointermove", (event) => { if (event.buttons & 1) point(event); });
-        this.element.append(make("div", { className: "pb-strip-head" }, mark, name), make("div", { className: "pb-strip-frame" }, canvas, line));
+        canvas.addEventListener("pointermove", (event) => {
+          if (event.buttons & 1) point(event);
+        });
+        this.element.append(
+          make("div", { className: "pb-strip-head" }, mark, name),
+          make("div", { className: "pb-strip-frame" }, canvas, line),
+        );
         this.strips.push({ lane, canvas, line, drawn: 0 });
       }
     }
@@ -50,7 +61,8 @@
     update() {
       const { engine } = this;
       for (const strip of this.strips) {
-        const pen = strip.canvas.getContext("2d"), played = engine.played(strip.lane);
+        const pen = strip.canvas.getContext("2d"),
+          played = engine.played(strip.lane);
         if (played < strip.drawn) strip.drawn = 0;
         for (; strip.drawn < played; ++strip.drawn) {
           const column = engine.column(strip.lane, strip.drawn);

@@ -9,14 +9,16 @@ before(async () => (browser = await launch()));
 after(() => browser.close());
 
 const still = { reducedMotion: "reduce" };
-const patience = 120000;  // ms: a machine without a graphics card that has other work, too
+const patience = 120000; // ms: a machine without a graphics card that has other work, too
 
 /// A page whose experiment runs, as `player` there; it does not play by itself.
 async function running(chapter, options = {}, address = pageOf(chapter)) {
   const page = await newPage(browser, { ...still, ...options });
   page.setDefaultTimeout(patience);
   await page.goto(address);
-  await page.evaluate(async () => { window.player = await window.PUSHBACK_LIVE_TEST.start(); });
+  await page.evaluate(async () => {
+    window.player = await window.PUSHBACK_LIVE_TEST.start();
+  });
   return page;
 }
 
@@ -38,13 +40,15 @@ for (const chapter of chapters()) {
         player.chooseScene(which);
         const { engine } = player;
         const all = () => engine.lanes.map(({ lane }) => engine.hash(lane)).join();
-        const last = Math.min(engine.steps, 60), reached = {};
+        const last = Math.min(engine.steps, 60),
+          reached = {};
         const began = performance.now();
         for (let step = 1; step <= last && performance.now() - began < 4000; ++step) {
           engine.goTo(step);
           reached[step] = all();
         }
-        const steps = Object.keys(reached).map(Number), most = steps[steps.length - 1];
+        const steps = Object.keys(reached).map(Number),
+          most = steps[steps.length - 1];
         const wrong = [];
         for (const step of [most - 1, 1, Math.ceil(most / 2), most, Math.ceil(most / 3)]) {
           if (step < 1) continue;
@@ -57,14 +61,18 @@ for (const chapter of chapters()) {
         const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
         gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
         const colours = new Set();
-        for (let i = 0; i < pixels.length; i += 4 * 37) colours.add((pixels[i] << 16) | (pixels[i + 1] << 8) | pixels[i + 2]);
+        for (let i = 0; i < pixels.length; i += 4 * 37)
+          colours.add((pixels[i] << 16) | (pixels[i + 1] << 8) | pixels[i + 2]);
         const numbers = engine.scene.numbers.map((_, i) => engine.number(0, i)[0]);
         return { wrong, most, colours: colours.size, problem: player.stage.problem, numbers, name: engine.scene.name };
       }, scene);
       assert.deepEqual(seen.wrong, [], `${seen.name}: other bits`);
       assert.equal(seen.problem, "", seen.name);
       assert.ok(seen.colours > 20, `${seen.name}: only ${seen.colours} colours`);
-      assert.ok(seen.numbers.every((text) => text.length > 0), `${seen.name}: ${seen.numbers}`);
+      assert.ok(
+        seen.numbers.every((text) => text.length > 0),
+        `${seen.name}: ${seen.numbers}`,
+      );
     }
     assert.deepEqual(page.wrong, []);
     await page.close();
@@ -108,9 +116,19 @@ test("sliders are the parameters of --help, with range and reset, and change wha
   const page = await running("03_baumgarte");
   await seek(page, 20);
   const usual = await bits(page);
-  assert.deepEqual(await page.evaluate(() => player.engine.parameters.map(({ flag, symbol, unit, least, most }) => [flag, symbol, unit, least, most])),
-    [["--beta", "β", "", 0, 2], ["--depth", "d₀", "m", 0.001, 0.2], ["--unstable", "", "m/s", 0.001, 10],
-      ["--sweeps", "", "", 1, 200], ["--dt", "h", "s", 0.001, 0.1], ["--seconds", "", "s", 0.1, 120]]);
+  assert.deepEqual(
+    await page.evaluate(() =>
+      player.engine.parameters.map(({ flag, symbol, unit, least, most }) => [flag, symbol, unit, least, most]),
+    ),
+    [
+      ["--beta", "β", "", 0, 2],
+      ["--depth", "d₀", "m", 0.001, 0.2],
+      ["--unstable", "", "m/s", 0.001, 10],
+      ["--sweeps", "", "", 1, 200],
+      ["--dt", "h", "s", 0.001, 0.1],
+      ["--seconds", "", "s", 0.1, 120],
+    ],
+  );
   const depth = page.getByRole("spinbutton", { name: "Overlap at the start, as a number" });
   await depth.fill("0.1");
   await depth.press("Enter");
@@ -118,14 +136,19 @@ test("sliders are the parameters of --help, with range and reset, and change wha
   assert.equal(await now(page), 20);
   assert.notDeepEqual(await bits(page), usual);
   assert.match(await page.evaluate(() => player.engine.scene.name), /^100 mm too deep/);
-  assert.ok(await page.evaluate(() => player.answered) < 1000);
+  assert.ok((await page.evaluate(() => player.answered)) < 1000);
   await page.getByRole("button", { name: "Reset: Overlap at the start" }).click();
   await settled(page);
   assert.deepEqual(await bits(page), usual);
   await page.getByRole("slider", { name: "Baumgarte factors to put side by side, 4 of 4" }).fill("280");
   await settled(page);
   assert.deepEqual(await page.evaluate(() => player.engine.values["--beta"]), [0, 0.2, 0.5, 1.4]);
-  assert.deepEqual(await page.evaluate(() => player.engine.lanes.map(({ name }) => name)), ["β = 0", "β = 0.2", "β = 0.5", "β = 1.4"]);
+  assert.deepEqual(await page.evaluate(() => player.engine.lanes.map(({ name }) => name)), [
+    "β = 0",
+    "β = 0.2",
+    "β = 0.5",
+    "β = 1.4",
+  ]);
   await page.getByRole("button", { name: "Leave out: Baumgarte factors to put side by side, 1 of 4" }).click();
   await settled(page);
   assert.equal(await page.evaluate(() => player.engine.lanes.length), 3);
@@ -134,7 +157,10 @@ test("sliders are the parameters of --help, with range and reset, and change wha
   assert.equal(await page.evaluate(() => player.engine.lanes.length), 4);
   await depth.fill("5");
   await depth.press("Enter");
-  assert.match(await page.getByRole("alert").textContent(), /--depth: '5' is not allowed: a number from 0.001 to 0.2 is needed/);
+  assert.match(
+    await page.getByRole("alert").textContent(),
+    /--depth: '5' is not allowed: a number from 0.001 to 0.2 is needed/,
+  );
   assert.deepEqual(page.wrong, []);
   await page.close();
 });
@@ -146,7 +172,7 @@ test("numbers stand beside what they should be, and change with the time", async
   const row = page.getByRole("row", { name: /exit speed/ });
   await page.waitForFunction(() => /\(should be/.test(document.querySelector(".pb-numbers tbody").textContent));
   const [is, should] = await page.evaluate(() => player.engine.number(0, 0));
-  assert.equal(should, "0.72 m/s");  // 0.2 * 0.06 m * 60/s
+  assert.equal(should, "0.72 m/s"); // 0.2 * 0.06 m * 60/s
   assert.ok((await row.textContent()).includes(is));
   assert.equal(is, should);
   await page.close();
@@ -171,10 +197,11 @@ test("scenes and variants: up to four, a wipe between two, each seen in its colo
 test("the picture: contacts, impulses, camera by mouse and by keys", async () => {
   const page = await running("03_baumgarte");
   await seek(page, 6);
-  const picture = () => page.evaluate(() => {
-    player.stage.draw();
-    return player.stage.canvas.toDataURL();
-  });
+  const picture = () =>
+    page.evaluate(() => {
+      player.stage.draw();
+      return player.stage.canvas.toDataURL();
+    });
   const whole = await picture();
   for (const name of ["contact points", "impulses", "what should be"]) {
     await page.getByRole("checkbox", { name }).uncheck();
@@ -192,7 +219,11 @@ test("the picture: contacts, impulses, camera by mouse and by keys", async () =>
   assert.ok(await page.evaluate(() => player.stage.camera.turn !== 0), "the camera turns");
   assert.equal(await page.evaluate(() => player.engine.known), 6);
   await canvas.focus();
-  for (const [key, changes] of [["ArrowLeft", "turn"], ["ArrowUp", "rise"], ["+", "zoom"]]) {
+  for (const [key, changes] of [
+    ["ArrowLeft", "turn"],
+    ["ArrowUp", "rise"],
+    ["+", "zoom"],
+  ]) {
     const before = await page.evaluate((what) => player.stage.camera[what], changes);
     await page.keyboard.press(key);
     assert.notEqual(await page.evaluate((what) => player.stage.camera[what], changes), before, key);
@@ -219,20 +250,26 @@ test("a body that is pulled follows in every variant; going back plays the pull 
     scrollTo(0, 0);
     const { stage, engine } = player;
     stage.draw();
-    const pane = stage.panes[0], camera = stage.cameraFor(pane);
-    const body = engine.bodies(0) - 1, shift = engine.shift();
+    const pane = stage.panes[0],
+      camera = stage.cameraFor(pane);
+    const body = engine.bodies(0) - 1,
+      shift = engine.shift();
     const place = engine.body(0, body).position.map((x, i) => x + shift[i]);
     // Seen from the front: metres to pixels.
     const high = 2 * (camera.eye[2] - place[2]) * Math.tan(camera.fieldOfView / 2);
     const box = stage.canvas.getBoundingClientRect();
-    const spot = [box.left + pane.left + pane.width / 2 + ((place[0] - camera.target[0]) / high) * pane.height,
-      box.top + pane.top + pane.height / 2 - ((place[1] - camera.target[1]) / high) * pane.height];
+    const spot = [
+      box.left + pane.left + pane.width / 2 + ((place[0] - camera.target[0]) / high) * pane.height,
+      box.top + pane.top + pane.height / 2 - ((place[1] - camera.target[1]) / high) * pane.height,
+    ];
     return { spot, pixels: pane.height / high };
   });
   await page.mouse.move(...at.spot);
   await page.mouse.down();
   assert.ok(await page.evaluate(() => player.held && player.playing), "the body is held, and time goes on");
-  await page.evaluate(() => { player.speed = 4; });
+  await page.evaluate(() => {
+    player.speed = 4;
+  });
   await page.mouse.move(at.spot[0], at.spot[1] - 0.5 * at.pixels, { steps: 3 });
   await page.waitForFunction(() => player.engine.now >= 30 || !player.playing);
   await page.mouse.up();
@@ -255,15 +292,22 @@ test("the address holds the state, also of what does not fit", async () => {
   await seek(page, 12);
   await page.evaluate(() => player.stage.camera.orbit(0.3, 0.1));
   await page.evaluate(() => player.remember());
-  await page.waitForFunction(() => location.hash.includes("beta=0.2%2C1.4") && location.hash.includes("step=12") && location.hash.includes("view="));
-  const seen = await bits(page), address = page.url();
+  await page.waitForFunction(
+    () =>
+      location.hash.includes("beta=0.2%2C1.4") && location.hash.includes("step=12") && location.hash.includes("view="),
+  );
+  const seen = await bits(page),
+    address = page.url();
   await page.close();
   const again = await newPage(browser, still);
   await again.goto(address);
   await again.waitForFunction(() => (window.player = window.PUSHBACK_LIVE_TEST.player()) && player.engine.now === 12);
   assert.deepEqual(await bits(again), seen);
   assert.equal(await again.evaluate(() => player.shown), 5);
-  assert.deepEqual(await again.evaluate(() => [player.stage.camera.turn, player.stage.camera.rise].map((x) => x.toFixed(2))), ["0.30", "0.10"]);
+  assert.deepEqual(
+    await again.evaluate(() => [player.stage.camera.turn, player.stage.camera.rise].map((x) => x.toFixed(2))),
+    ["0.30", "0.10"],
+  );
   assert.deepEqual(again.wrong, []);
   await again.goto(`${address.split("#")[0]}#live=03_baumgarte&beta=9&scene=nowhere&show=7&step=-4&view=1,2&wipe=7`);
   await again.reload();
@@ -276,7 +320,10 @@ test("the address holds the state, also of what does not fit", async () => {
 test("a picture to keep, with the parameters on it", async () => {
   const page = await running("03_baumgarte");
   await seek(page, 12);
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "save as a picture" }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "save as a picture" }).click(),
+  ]);
   assert.equal(download.suggestedFilename(), "03_baumgarte_gravity.png");
   const words = await page.evaluate(() => window.PushbackLive.parametersInWords(player));
   assert.match(words, /β = 0, 0.2, 0.5, 1 {2}· {2}d₀ = 0.06 m .*h = 0.01667 s/);
@@ -288,7 +335,8 @@ test("curves: one a variant, a line at the instant, and a click goes there", asy
   await seek(page, 48);
   assert.equal(await page.locator(".pb-plot").count(), 1);
   await page.waitForFunction(() => player.curves.plots[0].plot.data[1].filter((y) => y !== null).length === 48);
-  const over = page.locator(".pb-plot .u-over"), box = await over.boundingBox();
+  const over = page.locator(".pb-plot .u-over"),
+    box = await over.boundingBox();
   await over.click({ position: { x: box.width / 2, y: box.height / 2 } });
   await settled(page);
   assert.equal(await now(page), 24);
@@ -310,7 +358,10 @@ test("a page that asks for a guess waits for it, or for 'show me'", async () => 
 });
 
 test("it plays by itself once it is asked for, but not where less motion is wanted", async () => {
-  for (const [reducedMotion, plays] of [["no-preference", true], ["reduce", false]]) {
+  for (const [reducedMotion, plays] of [
+    ["no-preference", true],
+    ["reduce", false],
+  ]) {
     const page = await newPage(browser, { reducedMotion });
     await page.goto(pageOf("03_baumgarte"));
     await page.getByRole("button", { name: "Run it here" }).click();
@@ -352,7 +403,9 @@ test("without WebGL: the still picture and a sentence; numbers and time go on", 
 test("a program that is not there: the still picture and a sentence", async () => {
   const page = await newPage(browser, still);
   await page.goto(pageOf("03_baumgarte"));
-  await page.evaluate(() => { document.querySelector("figure.live").dataset.chapter = "99_none"; });
+  await page.evaluate(() => {
+    document.querySelector("figure.live").dataset.chapter = "99_none";
+  });
   await page.getByRole("button", { name: "Run it here" }).click();
   await page.getByText("cannot be run here").waitFor();
   assert.ok(await page.getByRole("img", { name: "The sheet" }).isVisible());

@@ -10,7 +10,21 @@ import { test } from "node:test";
 import { chapters, root } from "./support/live.mjs";
 
 const build = path.resolve(root, process.env.PUSHBACK_BUILD ?? "build/ci");
-const columns = ["time", "kinetic_energy", "potential_energy", "px", "py", "pz", "lx", "ly", "lz", "deepest_overlap", "contacts", "rows", "residual"];
+const columns = [
+  "time",
+  "kinetic_energy",
+  "potential_energy",
+  "px",
+  "py",
+  "pz",
+  "lx",
+  "ly",
+  "lz",
+  "deepest_overlap",
+  "contacts",
+  "rows",
+  "residual",
+];
 /// So many steps of each variant, since the slowest take a second each.
 const most = Number(process.env.PUSHBACK_LIVE_STEPS ?? 120);
 
@@ -27,13 +41,18 @@ async function engineOf(chapter) {
 function metricsOf(chapter) {
   const out = fs.mkdtempSync(path.join(os.tmpdir(), "pushback_bits_"));
   execFileSync(path.join(build, "chapters", chapter), ["--no-images", "--no-study", "--out", out], { stdio: "ignore" });
-  const [head, ...rows] = fs.readFileSync(path.join(out, chapter, "metrics.csv"), "utf8").trim().split("\n");
+  const [head, ...rows] = fs
+    .readFileSync(path.join(out, chapter, "metrics.csv"), "utf8")
+    .trim()
+    .split("\n");
   fs.rmSync(out, { recursive: true });
-  const names = head.split(","), at = columns.map((name) => names.indexOf(name));
+  const names = head.split(","),
+    at = columns.map((name) => names.indexOf(name));
   const metrics = new Map();
   for (const row of rows) {
     const [, scene, variant, rest] = /^"([^"]*)","([^"]*)",(.*)$/.exec(row);
-    const numbers = rest.split(",").map(Number), key = `${scene} / ${variant}`;
+    const numbers = rest.split(",").map(Number),
+      key = `${scene} / ${variant}`;
     if (!metrics.has(key)) metrics.set(key, []);
     metrics.get(key).push(at.map((column) => numbers[column - 2]));
   }
@@ -43,7 +62,8 @@ function metricsOf(chapter) {
 for (const chapter of chapters()) {
   const there = fs.existsSync(path.join(build, "chapters", chapter));
   test(`${chapter}: the same bits as by g++`, { skip: !there && "its program is not built" }, async () => {
-    const engine = await engineOf(chapter), metrics = metricsOf(chapter);
+    const engine = await engineOf(chapter),
+      metrics = metricsOf(chapter);
     const different = [];
     engine.description.scenes.forEach((scene, which) => {
       for (let first = 0; first < scene.variants.length; first += 4) {
@@ -56,9 +76,14 @@ for (const chapter of chapters()) {
           assert.ok(told, `${scene.name} / ${name} is not in metrics.csv`);
           for (let step = 0; step < Math.min(last, engine.played(lane)); ++step) {
             const seen = engine.numbers(engine.module._live_sample(lane, step), columns.length);
-            const off = columns.filter((_, i) => !Object.is(seen[i] + 0, told[step][i] + 0) && !(Number.isNaN(seen[i]) && Number.isNaN(told[step][i])));
+            const off = columns.filter(
+              (_, i) =>
+                !Object.is(seen[i] + 0, told[step][i] + 0) && !(Number.isNaN(seen[i]) && Number.isNaN(told[step][i])),
+            );
             if (!off.length) continue;
-            different.push(`${scene.name} / ${name}, step ${step + 1}: ${off.map((column) => `${column} ${seen[columns.indexOf(column)]}, not ${told[step][columns.indexOf(column)]}`).join("; ")}`);
+            different.push(
+              `${scene.name} / ${name}, step ${step + 1}: ${off.map((column) => `${column} ${seen[columns.indexOf(column)]}, not ${told[step][columns.indexOf(column)]}`).join("; ")}`,
+            );
             break;
           }
         }

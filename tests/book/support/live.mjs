@@ -9,7 +9,13 @@ const folder = path.join(root, "build/live_pages");
 const built = path.join(root, "build/wasm/live");
 
 export const chapters = () =>
-  fs.existsSync(built) ? fs.readdirSync(built).filter((name) => name.endsWith(".js")).map((name) => name.slice(0, -3)).sort() : [];
+  fs.existsSync(built)
+    ? fs
+        .readdirSync(built)
+        .filter((name) => name.endsWith(".js"))
+        .map((name) => name.slice(0, -3))
+        .sort()
+    : [];
 
 function link(from, to) {
   fs.rmSync(to, { force: true, recursive: true });
@@ -20,34 +26,51 @@ function link(from, to) {
 export function pageOf(chapter, { guess = false } = {}) {
   const live = path.join(folder, "live");
   fs.mkdirSync(path.join(live, "uplot"), { recursive: true });
-  for (const name of fs.readdirSync(path.join(root, "book/live"))) link(path.join(root, "book/live", name), path.join(live, name));
+  for (const name of fs.readdirSync(path.join(root, "book/live")))
+    link(path.join(root, "book/live", name), path.join(live, name));
   link(built, path.join(live, "wasm"));
   const plots = path.join(root, "node_modules/uplot/dist");
   fs.copyFileSync(path.join(plots, "uPlot.iife.min.js"), path.join(live, "uplot/uPlot.js"));
   fs.copyFileSync(path.join(plots, "uPlot.min.css"), path.join(live, "uplot/uPlot.css"));
   link(path.join(root, "renders"), path.join(folder, "renders"));
-  const asked = guess ? "<h2>Your guess</h2><p>How high does it jump?</p><details><summary>Answer</summary><p>631 mm.</p></details>" : "";
+  const asked = guess
+    ? "<h2>Your guess</h2><p>How high does it jump?</p><details><summary>Answer</summary><p>631 mm.</p></details>"
+    : "";
   const name = `${chapter}${guess ? "_guess" : ""}.html`;
-  fs.writeFileSync(path.join(folder, name), `<!doctype html><html lang="en"><head><meta charset="utf-8">
+  fs.writeFileSync(
+    path.join(folder, name),
+    `<!doctype html><html lang="en"><head><meta charset="utf-8">
 <meta name="viewport" content="width=device-width"><title>${chapter}</title><link rel="icon" href="data:,">
 <style>:root { color-scheme: light dark; } body { max-width: 46rem; margin: 1rem auto; padding: 0 1rem; font: 16px/1.5 sans-serif; } img { max-width: 100%; }</style>
 <link rel="stylesheet" href="live/live.css"><script src="live/live.js" defer></script></head>
 <body><h1>${chapter}</h1>${asked}
-<figure class="live sheet" data-chapter="${chapter}" data-root="."><img src="renders/${chapter}/sheet.png" alt="The sheet"></figure></body></html>`);
+<figure class="live sheet" data-chapter="${chapter}" data-root="."><img src="renders/${chapter}/sheet.png" alt="The sheet"></figure></body></html>`,
+  );
   return `file://${folder}/${name}`;
 }
 
 /// Draws by software; `webgl`: whether pages may draw at all.
 export function launch({ webgl = true } = {}) {
-  const drawing = webgl ? ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-gpu", "--disable-3d-apis"];
-  return chromium.launch({ executablePath: process.env.PUSHBACK_CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", ...drawing] });
+  const drawing = webgl
+    ? ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    : ["--disable-gpu", "--disable-3d-apis"];
+  return chromium.launch({
+    executablePath: process.env.PUSHBACK_CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", ...drawing],
+  });
 }
 
 /// A page that keeps what went wrong on it: `page.wrong`.
 export async function newPage(browser, options = {}) {
   const page = await browser.newPage({ viewport: { width: 1000, height: 900 }, ...options });
   page.wrong = [];
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && !message.text().includes("GPU stall") && page.wrong.push(message.text()));
+  page.on(
+    "console",
+    (message) =>
+      ["error", "warning"].includes(message.type()) &&
+      !message.text().includes("GPU stall") &&
+      page.wrong.push(message.text()),
+  );
   page.on("pageerror", (error) => page.wrong.push(error.message));
   page.on("requestfailed", (request) => page.wrong.push(`failed: ${request.url()}`));
   return page;
