@@ -41,8 +41,8 @@
           axes: [{ ...axis, label: "time, s", size: 34 }, { ...axis, size: 58 }],
           series: [
             { label: "t", value: (_, value) => `${three(value)} s` },
-            ...lanes.map((lane) => ({ label: `${lane.marker} ${lane.name}`, stroke: lane.colour, width: 2, points: { show: false }, value: (_, value) => three(value) })),
-            ...references.map(({ label }) => ({ label: label || "should be", stroke: ink, dash: [5, 4], width: 1.2, points: { show: false }, value: (_, value) => three(value) })),
+            ...lanes.map((lane) => ({ label: `${lane.marker} ${lane.name}`, stroke: lane.colour, width: 2, pxAlign: 0, points: { show: false }, value: (_, value) => three(value) })),
+            ...references.map(({ label }) => ({ label: label || "should be", stroke: ink, dash: [5, 4], width: 1.2, pxAlign: 0, points: { show: false }, value: (_, value) => three(value) })),
           ],
           cursor: { y: false, drag: { x: false, y: false } },
           hooks: { draw: [(drawn) => this.drawNow(drawn)] },
@@ -77,6 +77,7 @@
       const pen = plot.ctx;
       pen.save();
       pen.strokeStyle = getComputedStyle(this.element).color;
+      pen.setLineDash([]);
       pen.globalAlpha = 0.6;
       pen.lineWidth = window.devicePixelRatio || 1;
       pen.beginPath();

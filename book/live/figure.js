@@ -153,7 +153,8 @@
       this.numbers.replaceChildren();
       this.cells = [];
       if (!scene.numbers.length) return;
-      const table = make("table", {}, make("caption", { textContent: "Measured so far" }));
+      this.numbers.append(make("p", { textContent: "Measured up to now. What it should be is said of the whole scene." }));
+      const table = make("table", { "aria-label": "What was measured up to now" });
       table.append(make("thead", {}, make("tr", {}, make("td"), ...engine.lanes.map(({ name, colour, marker }) => {
         const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
         mark.style.color = colour;
