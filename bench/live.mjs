@@ -1,60 +1,47 @@
-// How fast the experiments of the pages are, in this machine's chromium without a graphics card: node bench/live.mjs
+// What the experiments of the pages cost: node bench/live.mjs. Processor time, in node, without drawing; so it hardly depends on what
+// else the machine does.
 import fs from "node:fs";
 import path from "node:path";
 import { gzipSync } from "node:zlib";
-import { chapters, launch, newPage, pageOf, root } from "../tests/book/support/live.mjs";
+import { built, chapters, engineOf } from "../tests/book/support/live.mjs";
 
-const browser = await launch();
-const packed = (file) => Math.round(gzipSync(fs.readFileSync(file), { level: 9 }).length / 1000);
-const median = (values) => values.sort((a, b) => a - b)[values.length >> 1];
+const processor = () => {
+  const { user, system } = process.cpuUsage();
+  return (user + system) / 1000; // ms
+};
 
-console.log("| chapter | script, gzip | first picture | a slider answers, the slowest |");
+console.log("| chapter | script, gzip | until it can be played | the slowest slider |");
 console.log("| --- | --- | --- | --- |");
 for (const chapter of chapters()) {
-  const firsts = [];
-  let slowest = 0, of = "";
-  for (let round = 0; round < 3; ++round) {
-    const page = await newPage(browser, { reducedMotion: "reduce" });
-    await page.goto(pageOf(chapter));
-    firsts.push(await page.evaluate(async () => {
-      const began = performance.now();
-      window.player = await window.PUSHBACK_LIVE_TEST.start();
-      player.stage.draw();
-      player.stage.canvas.getContext("webgl2").finish();
-      return performance.now() - began;
-    }));
-    if (round === 0) {
-      const times = await page.evaluate(() => {
-        const all = [];
-        for (const parameter of player.engine.parameters) {
-          const values = [...(player.engine.values[parameter.flag] || [])];
-          if (!values.length) continue;
-          values[values.length - 1] = parameter.whole ? Math.min(parameter.most, values[values.length - 1] + 1) : Math.min(parameter.most, values[values.length - 1] * 1.01);
-          player.seek(0);
-          player.controls.change(parameter, values, false);
-          all.push([player.answered, parameter.flag]);
-          player.controls.change(parameter, null, false);
-        }
-        return all;
-      });
-      [slowest, of] = times.sort((a, b) => b[0] - a[0])[0];
-    }
-    await page.close();
+  const began = processor();
+  const engine = await engineOf(chapter),
+    ready = processor() - began;
+  let slowest = 0,
+    of = "";
+  for (const { flag, whole, most } of engine.parameters) {
+    const values = [...engine.values[flag]];
+    if (!values.length) continue;
+    values.push(Math.min(most, whole ? values.pop() + 1 : 1.01 * values.pop()));
+    const before = processor();
+    engine.set(`${flag}=${values}`);
+    const spent = processor() - before;
+    if (spent > slowest) [slowest, of] = [spent, flag];
+    engine.set("");
   }
-  console.log(`| ${chapter} | ${packed(path.join(root, "build/wasm/live", `${chapter}.js`))} kB | ${(median(firsts) / 1000).toFixed(2)} s | ${slowest.toFixed(0)} ms (${of}) |`);
+  const packed = gzipSync(fs.readFileSync(path.join(built, `${chapter}.js`)), { level: 9 }).length;
+  console.log(
+    `| ${chapter} | ${Math.round(packed / 1000)} kB | ${ready.toFixed(0)} ms | ${slowest.toFixed(0)} ms (${of}) |`,
+  );
+  if (chapter !== "07_warm_start") continue;
+  engine.choose(
+    engine.description.scenes.findIndex(({ key }) => key === "pyramid"),
+    [0, 1],
+  );
+  const before = processor(),
+    steps = 600;
+  while (engine.now < steps) engine.goTo(steps, 1e9);
+  const rate = (1000 * steps) / (processor() - before);
+  console.error(
+    `${chapter}: a pyramid of ${engine.bodies(0) - 1} boxes in two variants, states kept: ${rate.toFixed(0)} steps a second`,
+  );
 }
-
-if (chapters().includes("07_warm_start")) {
-  const page = await newPage(browser, { reducedMotion: "reduce" });
-  await page.goto(pageOf("07_warm_start"));
-  const seen = await page.evaluate(async () => {
-    const player = await window.PUSHBACK_LIVE_TEST.start();
-    player.chooseScene(player.engine.description.scenes.findIndex(({ key }) => key === "pyramid"));
-    player.engine.choose(player.engine.sceneIndex, [0, 1]);
-    const began = performance.now(), steps = 600;
-    while (player.engine.now < steps) player.engine.goTo(steps, 1e9);
-    return { rate: (1000 * steps) / (performance.now() - began), bodies: player.engine.bodies(0) - 1, memory: player.engine.module.HEAP8.length / 1e6 };
-  });
-  console.log(`\nThe pyramid of ${seen.bodies} boxes in two variants, two substeps of two sweeps each: ${seen.rate.toFixed(0)} steps a second, states kept; ${seen.memory.toFixed(0)} MB.`);
-}
-await browser.close();

@@ -61,6 +61,7 @@
                 label: `${lane.marker} ${lane.name}`,
                 stroke: lane.colour,
                 width: 2,
+                pxAlign: 0,
                 points: { show: false },
                 value: (_, value) => three(value),
               })),
@@ -69,6 +70,7 @@
                 stroke: ink,
                 dash: [5, 4],
                 width: 1.2,
+                pxAlign: 0,
                 points: { show: false },
                 value: (_, value) => three(value),
               })),
@@ -115,6 +117,7 @@
       const pen = plot.ctx;
       pen.save();
       pen.strokeStyle = getComputedStyle(this.element).color;
+      pen.setLineDash([]);
       pen.globalAlpha = 0.6;
       pen.lineWidth = window.devicePixelRatio || 1;
       pen.beginPath();

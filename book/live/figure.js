@@ -270,7 +270,10 @@
       this.numbers.replaceChildren();
       this.cells = [];
       if (!scene.numbers.length) return;
-      const table = make("table", {}, make("caption", { textContent: "Measured so far" }));
+      this.numbers.append(
+        make("p", { textContent: "Measured up to now. What it should be is said of the whole scene." }),
+      );
+      const table = make("table", { "aria-label": "What was measured up to now" });
       table.append(
         make(
           "thead",

@@ -68,11 +68,11 @@
             label = `${marker} ${name}`;
           const width = pen.measureText(label).width + 12 * k;
           const x = margin + k * pane.left + (right ? k * pane.width - width : 0),
-            top = y + k * pane.top;
-          pen.fillStyle = "rgba(255,255,255,0.82)";
-          pen.fillRect(x, top, width, 22 * k);
+            top = y + k * (pane.top - live.Stage.head);
+          pen.fillStyle = "#ffffff";
+          pen.fillRect(x, top, right ? width : k * pane.width, k * live.Stage.head);
           pen.fillStyle = colour;
-          pen.fillText(label, x + 6 * k, top + 15.5 * k);
+          pen.fillText(label, x, top + 18 * k);
         });
       },
     });

@@ -10,6 +10,8 @@
   const unit = (a) => a.map((x) => x / length(a));
   const clamp = (x, low, high) => Math.min(high, Math.max(low, x));
 
+  const head = 26; // CSS pixels over each pane, for the variant's name
+
   /** A camera that goes about its target. Angles in rad; `distance` and `pan` as factors of the scene's own distance. */
   class Camera {
     constructor() {
@@ -106,15 +108,15 @@
       this.panes = lanes.map((lane, i) => {
         const at = wiping ? 0 : i;
         const left = Math.round((at % columns) * wide),
-          top = Math.floor(at / columns) * high;
+          top = Math.floor(at / columns) * (high + head) + head;
         const right = Math.round(((at % columns) + 1) * wide);
         return { lane: i, left, top, width: right - left, height: high };
       });
-      this.size = { width, height: rows * high };
+      this.size = { width, height: rows * (high + head) };
       const scale = clamp(window.devicePixelRatio || 1, 1, 2);
-      const [w, h] = [Math.round(scale * width), Math.round(scale * rows * high)];
+      const [w, h] = [Math.round(scale * width), Math.round(scale * this.size.height)];
       if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
-      this.canvas.style.height = `${rows * high}px`;
+      this.canvas.style.height = `${this.size.height}px`;
       this.scale = scale;
       this.divider.hidden = !wiping;
       this.wiping = wiping;
@@ -173,11 +175,12 @@
         ...wanted.map(({ pane, name, colour, marker, mishap }) => {
           const label = document.createElement("div");
           label.className = "pb-label";
-          const right = this.wiping && pane.lane === 1;
-          label.style.top = `${pane.top}px`;
-          if (right) label.style.right = "0";
-          else label.style.left = `${pane.left}px`;
-          label.style.maxWidth = `${(this.wiping ? 0.5 : 1) * pane.width}px`;
+          const [part, from] = this.wiping ? [0.5, pane.lane / 2] : [1, 0];
+          label.style.top = `${pane.top - head}px`;
+          label.style.left = `${pane.left + from * pane.width}px`;
+          label.style.width = `${part * pane.width}px`;
+          label.style.height = `${head}px`;
+          label.style.textAlign = from ? "right" : "left";
           const mark = document.createElement("span");
           mark.textContent = `${marker} `;
           mark.style.color = colour;
@@ -302,4 +305,5 @@
     }
   };
   live.Stage.count = 0;
+  live.Stage.head = head;
 })();

@@ -24,7 +24,7 @@
         make(
           "p",
           { className: "pb-strip-name" },
-          `A row each ${raster.label}, a column each step: `,
+          `${raster.label[0].toUpperCase()}${raster.label.slice(1)}, from step to step:  `,
           ...raster.meaning.flatMap(({ colour, text }) => {
             const mark = make("span", { className: "pb-mark", "aria-hidden": "true" });
             mark.style.setProperty("--pb-mark", colour);

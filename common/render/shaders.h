@@ -111,7 +111,8 @@ float key_visible(vec3 place, vec3 normal) {
   float seen = 0.0;
   for (int i = 0; i < KEY_TAPS; ++i) {
     vec2 aside = key_blur * seed(i, KEY_TAPS);
-    seen += texture(key_map, at + vec3(aside, dot(lean, aside)) / key_size);
+    vec3 tap = at + vec3(aside, dot(lean, aside)) / key_size;
+    seen += texture(key_map, vec3(tap.xy, min(tap.z, 1.0)));  // beyond the map nothing casts shadows
   }
   return seen / float(KEY_TAPS);
 }
@@ -129,7 +130,7 @@ float sky_visible(vec3 place, vec3 normal) {
       for (int i = 0; i < SKY_TAPS; ++i) {
         vec2 aside = sky_blur * seed(i, SKY_TAPS);
         vec3 tap = at + vec3(aside, dot(lean, aside)) / sky_size[k];
-        open += texture(sky_map, vec4(tap.xy, float(k), tap.z)) / float(SKY_TAPS);
+        open += texture(sky_map, vec4(tap.xy, float(k), min(tap.z, 1.0))) / float(SKY_TAPS);
       }
     }
     seen += facing * open;

@@ -7,7 +7,7 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { test } from "node:test";
-import { chapters, root } from "./support/live.mjs";
+import { chapters, engineOf, root } from "./support/live.mjs";
 
 const build = path.resolve(root, process.env.PUSHBACK_BUILD ?? "build/ci");
 const columns = [
@@ -27,15 +27,6 @@ const columns = [
 ];
 /// So many steps of each variant, since the slowest take a second each.
 const most = Number(process.env.PUSHBACK_LIVE_STEPS ?? 120);
-
-globalThis.self = globalThis;
-await import(path.join(root, "book/live/engine.js"));
-
-async function engineOf(chapter) {
-  (0, eval)(fs.readFileSync(path.join(root, "build/wasm/live", `${chapter}.js`), "utf8"));
-  const { create, program } = globalThis.PUSHBACK_LIVE_CHAPTERS[chapter];
-  return new globalThis.PushbackLive.Engine(await create({ wasmBinary: Buffer.from(program, "base64") }));
-}
 
 /// "scene", "variant" -> the rows of its steps.
 function metricsOf(chapter) {

@@ -1,12 +1,13 @@
 /// A page with one live figure, made of book/live/ and of what em++ has built, so that the experiments are tested without the book.
 import fs from "node:fs";
+import { createRequire } from "node:module";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../../..");
 const folder = path.join(root, "build/live_pages");
-const built = path.join(root, "build/wasm/live");
+export const built = path.join(root, process.env.PUSHBACK_WASM ?? "build/wasm/live");
 
 export const chapters = () =>
   fs.existsSync(built)
@@ -16,6 +17,16 @@ export const chapters = () =>
         .map((name) => name.slice(0, -3))
         .sort()
     : [];
+
+/// A chapter's program in node, without a page.
+export async function engineOf(chapter) {
+  // What a loader looks for in node, and a page's script in its window.
+  Object.assign(globalThis, { self: globalThis, require: createRequire(import.meta.url), __dirname: root });
+  await import(path.join(root, "book/live/engine.js"));
+  (0, eval)(fs.readFileSync(path.join(built, `${chapter}.js`), "utf8"));
+  const { create, program } = globalThis.PUSHBACK_LIVE_CHAPTERS[chapter];
+  return new globalThis.PushbackLive.Engine(await create({ wasmBinary: Buffer.from(program, "base64") }));
+}
 
 function link(from, to) {
   fs.rmSync(to, { force: true, recursive: true });
