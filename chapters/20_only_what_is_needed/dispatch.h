@@ -47,8 +47,11 @@ class FittingSolver : public StepSolver {
   void fit(const World& world) { holder_ = holder_->fitting(world); }
 
   void check(World& world, Real dt) { holder_->check(world, dt); }
+  Division division(Real dt) const { return holder_->division(dt); }
+  void detected(World& world, Real dt) { holder_->detected(world, dt); }
   void solve(World& world, Real dt, int sweeps) { holder_->solve(world, dt, sweeps); }
   void after_move(World& world, Real dt) { holder_->after_move(world, dt); }
+  void done(World& world) { holder_->done(world); }
   const Rows& rows() const { return holder_->rows(); }
   const JointRows& joint_rows() const { return holder_->joint_rows(); }
 
@@ -58,8 +61,11 @@ class FittingSolver : public StepSolver {
     virtual std::unique_ptr<AnyHolder> copy() const = 0;
     virtual std::unique_ptr<AnyHolder> fitting(const World& world) const = 0;
     virtual void check(World& world, Real dt) = 0;
+    virtual Division division(Real dt) const = 0;
+    virtual void detected(World& world, Real dt) = 0;
     virtual void solve(World& world, Real dt, int sweeps) = 0;
     virtual void after_move(World& world, Real dt) = 0;
+    virtual void done(World& world) = 0;
     virtual const Rows& rows() const = 0;
     virtual const JointRows& joint_rows() const = 0;
   };
@@ -69,8 +75,11 @@ class FittingSolver : public StepSolver {
     std::unique_ptr<AnyHolder> copy() const override { return std::make_unique<Holder>(*this); }
     std::unique_ptr<AnyHolder> fitting(const World& world) const override { return holder_for(world, full); }
     void check(World& world, Real dt) override { solver.check(world, dt); }
+    Division division(Real dt) const override { return solver.division(dt); }
+    void detected(World& world, Real dt) override { solver.detected(world, dt); }
     void solve(World& world, Real dt, int sweeps) override { solver.solve(world, dt, sweeps); }
     void after_move(World& world, Real dt) override { solver.after_move(world, dt); }
+    void done(World& world) override { solver.done(world); }
     const Rows& rows() const override {
       if constexpr (requires { solver.rows(); }) return solver.rows();
       else return none<Rows>();
@@ -106,8 +115,8 @@ class FittingSolver : public StepSolver {
 /// Everybody, in a scene in which perhaps nothing can touch.
 struct EverybodyFitting : Everybody {
   bool touching = true;
-  void find_contacts(World& world) const {
-    if (touching) world.find_contacts();
+  void find_contacts(World& world, const Margin& margin = {}) const {
+    if (touching) world.find_contacts(margin);
     else world.contacts.clear();
   }
 };

@@ -93,10 +93,10 @@ void Sleep::feel_joints(World& world) {
   }
 }
 
-void Sleep::find_contacts(World& world) {
+void Sleep::find_contacts(World& world, const Margin& margin) {
   feel_forces(world);
   feel_joints(world);
-  while (someone_touched(world)) continue;  // who wakes may touch others
+  while (someone_touched(world, margin)) continue;  // who wakes may touch others
   for (const Force& force : world.forces) {
     for (const int i : force.bodies) {
       Body& body = world.bodies[std::size_t(i)];
@@ -111,17 +111,17 @@ void Sleep::find_contacts(World& world) {
 }
 
 /// Finds the contacts. Returns whether somebody had to be woken: then they are not all there yet.
-bool Sleep::someone_touched(World& world) {
+bool Sleep::someone_touched(World& world, const Margin& margin) {
   if (!arranged_) arrange(world);
   simulated_ = awake_;
   insert_ascending(simulated_, driven_);
   std::vector<int> swept = simulated_;
   insert_ascending(swept, planes_);
-  std::vector<BodyPair> pairs = near_pairs(world.bodies, swept);
+  std::vector<BodyPair> pairs = near_pairs(world.bodies, swept, margin);
   std::vector<int> near;
   for (const int i : simulated_) {
     near.clear();
-    still_.near(bounds_of(world.bodies[std::size_t(i)]), near);
+    still_.near(bounds_of(world.bodies[std::size_t(i)], margin), near);
     for (const int j : near) pairs.push_back(std::minmax(i, j));
   }
   std::sort(pairs.begin(), pairs.end());
@@ -129,7 +129,7 @@ bool Sleep::someone_touched(World& world) {
   const JoinedPairs joined(world.joints);
   for (const auto& [first, second] : pairs) {
     if (joined.contain(first, second)) continue;
-    collide(world.bodies[std::size_t(first)], world.bodies[std::size_t(second)], world.contacts);
+    collide(world.bodies[std::size_t(first)], world.bodies[std::size_t(second)], world.contacts, margin);
   }
   for (const int i : planes_) {  // moved like the driven ones; whom they touch is awake already
     if (moves(world.bodies[std::size_t(i)])) insert_ascending(simulated_, {i});

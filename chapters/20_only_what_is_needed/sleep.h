@@ -30,7 +30,7 @@ class Sleep {
   void check(World& world);
   /// With the applied forces on the bodies: wakes whom they, joints or others touch, and finds the contacts of those awake.
   /// What the woken carried when they fell asleep counts as of the step before.
-  void find_contacts(World& world);
+  void find_contacts(World& world, const Margin& margin = {});
   /// Who is simulated in this step, in ascending order: movable and awake, or moving all the same.
   template <class Act>
   void each(World& world, const Act& act) const {
@@ -61,7 +61,7 @@ class Sleep {
 
   void feel_forces(World& world);
   void feel_joints(World& world);
-  bool someone_touched(World& world);
+  bool someone_touched(World& world, const Margin& margin);
   void wake_island(World& world, int island);
   void put_to_sleep(World& world, const std::vector<int>& bodies);
   void arrange(const World& world);

@@ -40,6 +40,12 @@ Bounds bounds_of(const Body& body) {
   return {body.position + reach.low - rounding, body.position + reach.high + rounding};
 }
 
+Bounds bounds_of(const Body& body, const Margin& margin) {
+  const Bounds now = bounds_of(body);
+  const Vec3 least = Vec3::Constant(margin.least), way = margin.ahead * body.velocity;
+  return {now.low - least + way.cwiseMin(0), now.high + least + way.cwiseMax(0)};
+}
+
 namespace {
 
 /// The bounds of a body that is not a half-space, and which body it is.
@@ -80,7 +86,7 @@ std::vector<BodyPair> in_order(const std::vector<BodyPair>& pairs, std::size_t b
 // Sort and sweep: in the order of their low ends along one axis, each body can only meet those that begin before it
 // ends.
 //   D. Baraff, Dynamic simulation of non-penetrating rigid bodies, PhD thesis, Cornell, 1992.
-std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies) {
+std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const Margin& margin) {
   std::vector<Entry> entries;
   entries.reserve(bodies.size());
   std::vector<int> half_spaces;
@@ -89,7 +95,7 @@ std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies) {
     if (std::holds_alternative<HalfSpace>(body.shape)) {
       half_spaces.push_back(int(i));
     } else {
-      entries.push_back({bounds_of(body), int(i), body.movable()});
+      entries.push_back({bounds_of(body, margin), int(i), body.movable()});
     }
   }
 
@@ -97,8 +103,9 @@ std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies) {
   for (const int half_space : half_spaces) {  // not swept: every body begins before a half-space ends
     const Body& plane = *bodies[std::size_t(half_space)];
     const Vec3 normal = plane.orientation * std::get<HalfSpace>(plane.shape).normal;
+    const Vec3 highest = plane.position + margin.ahead * std::max(Real(0), plane.velocity.dot(normal)) * normal;
     for (const Entry& entry : entries) {
-      if (entry.movable && reaches_into(entry.bounds, normal, plane.position)) {
+      if (entry.movable && reaches_into(entry.bounds, normal, highest)) {
         pairs.push_back(std::minmax(entry.index, half_space));
       }
     }
@@ -128,19 +135,19 @@ std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies) {
 
 }  // namespace
 
-std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies) {
+std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const Margin& margin) {
   std::vector<const Body*> all;
   all.reserve(bodies.size());
   for (const Body& body : bodies) all.push_back(&body);
-  return near_places(all);
+  return near_places(all, margin);
 }
 
-std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<const int> which) {
+std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<const int> which, const Margin& margin) {
   assert(std::adjacent_find(which.begin(), which.end(), std::greater_equal<>()) == which.end());
   std::vector<const Body*> these;
   these.reserve(which.size());
   for (const int index : which) these.push_back(&bodies[std::size_t(index)]);
-  std::vector<BodyPair> pairs = near_places(these);
+  std::vector<BodyPair> pairs = near_places(these, margin);
   for (BodyPair& pair : pairs) pair = {which[std::size_t(pair.first)], which[std::size_t(pair.second)]};
   return pairs;  // in order still: indices ascend as places do
 }

@@ -12,7 +12,8 @@ void touch(const Placed<HalfSpace>& a, const Round& b, Manifold& found) {
   found.normal = a.axes * a.shape.normal;
   const auto try_point = [&](const Vec3& core, std::uint32_t feature) {
     const Real depth = b.radius - found.normal.dot(core - a.centre);
-    if (depth >= -rounding_of(b.radius)) found.add(core + (depth / 2 - b.radius) * found.normal, depth, feature);
+    if (depth >= -rounding_of(b.radius) - found.margin)
+      found.add(core + (depth / 2 - b.radius) * found.normal, depth, feature);
   };
   if (b.half.isZero(0)) {
     try_point(b.centre, somewhere);
@@ -39,7 +40,7 @@ void touch(const Placed<HalfSpace>& a, const Placed<Box>& b, Manifold& found) {
     if (side[down] * slope[down] > 0) continue;
     const Vec3 point = b.centre + b.axes * side.cwiseProduct(extents);
     const Real depth = -found.normal.dot(point - a.centre);
-    if (depth >= -rounding) found.add(point + depth / 2 * found.normal, depth, corner);
+    if (depth >= -rounding - found.margin) found.add(point + depth / 2 * found.normal, depth, corner);
   }
 }
 
@@ -78,10 +79,11 @@ void append(const Body& a, const Body& b, const Manifold& found, bool swapped, C
 
 }  // namespace
 
-void collide(const Body& a, const Body& b, Contacts& contacts) {
+void collide(const Body& a, const Body& b, Contacts& contacts, const Margin& margin) {
   if (!a.movable() && !b.movable()) return;
   const auto meet = [&]<class A, class B>(const A& shape_a, const B& shape_b) {
     Manifold found;
+    found.margin = margin.of(a, b);
     bool swapped = false;
     const auto try_order = [&found](const auto& first, const Body& p, const auto& second, const Body& q) {
       const Placed<std::decay_t<decltype(first)>> one{first, Vec3::Zero(), p.orientation.toRotationMatrix()};

@@ -21,7 +21,7 @@ bool least_overlap_of_faces(const BoxPair& pair, FaceAxis& best) {
   const Mat3 reach = pair.turn.cwiseAbs();
   const Vec3 depth_a = pair.a + reach * pair.b - pair.offset.cwiseAbs();
   const Vec3 depth_b = pair.b + reach.transpose() * pair.a - pair.offset_b.cwiseAbs();
-  if (std::min(depth_a.minCoeff(), depth_b.minCoeff()) < -pair.rounding) return false;
+  if (std::min(depth_a.minCoeff(), depth_b.minCoeff()) < -pair.rounding - pair.margin) return false;
   for (int i = 0; i < 6; ++i) {
     const Real depth = i < 3 ? depth_a[i] : depth_b[i - 3];
     if (depth < best.depth - pair.clearly) best = {i >= 3, i % 3, depth};
@@ -46,7 +46,8 @@ bool least_overlap_of_edges(const BoxPair& pair, EdgeAxis& best) {
       const Real reach_b = pair.b[m] * std::abs(pair.turn(i, n)) + pair.b[n] * std::abs(pair.turn(i, m));
       const Real length = std::sqrt(squared);
       const Real depth = (reach_a + reach_b - std::abs(between)) / length;
-      if (depth < -pair.rounding / length) return false;  // the shorter the product, the less exact its direction
+      if (depth < -pair.rounding / length - pair.margin)
+        return false;  // the shorter the product, the less exact its direction
       if (depth < best.depth - pair.clearly) {
         const Real scale = (between < -pair.clearly * length ? -1 : 1) / length;
         best = {i, j, Vec3::Zero(), depth};
@@ -91,7 +92,8 @@ void touch_at_edges(const Placed<Box>& a, const BoxPair& pair, const EdgeAxis& a
 
 void touch(const Placed<Box>& a, const Placed<Box>& b, Manifold& found) {
   const Vec3 &extents_a = a.shape.half_extents, &extents_b = b.shape.half_extents;
-  BoxPair pair{extents_a, extents_b, a.axes.transpose() * b.axes, a.axes.transpose() * (b.centre - a.centre), {}, 0, 0};
+  BoxPair pair{extents_a, extents_b,   a.axes.transpose() * b.axes, a.axes.transpose() * (b.centre - a.centre), {}, 0,
+               0,         found.margin};
   pair.offset_b = pair.turn.transpose() * pair.offset;
   pair.clearly = Real(1e-3) * std::min(extents_a.minCoeff(), extents_b.minCoeff());
   pair.rounding = rounding_of(std::max(extents_a.maxCoeff(), extents_b.maxCoeff()));

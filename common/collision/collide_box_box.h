@@ -24,6 +24,7 @@ struct BoxPair {
   Vec3 offset_b;  // the same, along B's axes
   Real clearly;   // one overlap is less than another only by this much: rounding must not choose between them
   Real rounding;  // a gap that may be rounding
+  Real margin;    // a gap that counts as touching
 };
 
 /// The axis along which two boxes overlap least, of those that are normals of faces.

@@ -52,7 +52,7 @@ bool touch_at_faces(const Placed<Box>& a, const Placed<Box>& b, const BoxPair& p
     const int corner = corner_between(one, other);
     return of_reference == face.of_b ? corner_of_b(corner) : corner_of_a(corner);
   };
-  const auto candidates = candidates_of(outline, face.of_b, pair.rounding, pair.clearly, name_of_corner);
+  const auto candidates = candidates_of(outline, face.of_b, pair.rounding + pair.margin, pair.clearly, name_of_corner);
   if (candidates.count == 0) return false;
 
   found.normal = box.axes.col(i) * (face.of_b ? -outward : outward);

@@ -144,7 +144,7 @@ void touch(const Placed<Box>& a, const Round& b, Manifold& found) {
   Real t = nearest_on_core(core);
   const Vec3 apart = core.at(t) - core.nearest_in_box(core.at(t));
   const Real distance = apart.norm();
-  if (distance > b.radius + rounding) return;
+  if (distance > b.radius + rounding + found.margin) return;
   // So near, the direction between the two points is mostly rounding: then ask as if the core crossed the box.
   const bool outside = distance > 100 * rounding;
   Vec3 normal = outside ? Vec3(apart / distance) : way_out(core);
@@ -170,7 +170,7 @@ void touch(const Placed<Box>& a, const Round& b, Manifold& found) {
     if (length * core.half.norm() > Real(0.01) * b.radius) {
       const Real depth_begin = depth_at(stretch.begin, straight);
       const Real depth_end = depth_at(stretch.end, straight);
-      if (depth_begin >= -rounding && depth_end >= -rounding) {
+      if (depth_begin >= -rounding - found.margin && depth_end >= -rounding - found.margin) {
         normal = straight;
         found.normal = a.axes * normal;
         add(stretch.begin, depth_begin, lower_end);

@@ -62,7 +62,7 @@ bool try_faces(const HullPair& pair, bool of_b, HullFace& best) {
   for (int f = 0; f < int(hull.solid.faces.size()); ++f) {
     const Vec3& n = hull.normal(f);
     const Real depth = n.dot(hull.on(f)) - other.lowest(n);
-    if (depth < -pair.rounding) return false;
+    if (depth < -pair.rounding - pair.margin) return false;
     if (depth < best.depth - pair.clearly) best = {of_b, f, depth};
   }
   return true;
@@ -93,7 +93,8 @@ bool try_edges(const HullPair& pair, EdgeCrossing& best) {
       const Real length = std::sqrt(squared);
       const Vec3 normal = across / (across.dot(left_a + right_a) > 0 ? length : -length);
       const Real depth = normal.dot(pair.a.corner(edge_a.from) - pair.b.corner(edge_b.from));
-      if (depth < -pair.rounding / length) return false;  // the shorter the product, the less exact its direction
+      if (depth < -pair.rounding / length - pair.margin)
+        return false;  // the shorter the product, the less exact its direction
       if (depth < best.depth - pair.clearly) best = {i, j, normal, depth};
     }
   }
@@ -112,7 +113,7 @@ void touch_at_edges(const HullPair& pair, const EdgeCrossing& edges, Manifold& f
 
 void touch(const Standing& a, const Standing& b, Manifold& found) {
   const HullPair pair{a, b, Real(1e-3) * std::min(a.solid.half_width, b.solid.half_width),
-                      std::max(a.solid.rounding, b.solid.rounding)};
+                      std::max(a.solid.rounding, b.solid.rounding), found.margin};
   HullFace face;
   EdgeCrossing edges;
   if (!try_faces(pair, false, face) || !try_faces(pair, true, face) || !try_edges(pair, edges)) return;
@@ -166,7 +167,7 @@ void touch(const Placed<HalfSpace>& a, const Placed<Hull>& b, Manifold& found) {
   for (int corner = 0; corner < int(hull.solid.corners.size()); ++corner) {
     const Vec3 from = hull.corner(corner) - a.centre;
     const Real depth = -found.normal.dot(from);
-    if (depth < -hull.solid.rounding) continue;
+    if (depth < -hull.solid.rounding - found.margin) continue;
     candidates[std::size_t(count++)] = {across.dot(from), over.dot(from), depth, std::uint32_t(corner)};
   }
   if (count > 4) {

@@ -35,7 +35,7 @@ int face_below(const Standing& hull, const Vec3& n, Real clearly);
 /// `clearly`: one overlap is less than another only by this much, rounding must not choose between them.
 struct HullPair {
   const Standing &a, &b;
-  Real clearly, rounding;
+  Real clearly, rounding, margin;
 };
 
 /// The face along whose normal two polyhedra overlap least.

@@ -53,7 +53,7 @@ bool touch_at_faces(const HullPair& pair, const HullFace& face, Manifold& found)
   const auto corner_name = [&](bool of_reference, int one, int other) {
     return name_of_corner(of_reference ? hull.solid : incident.solid, one, other, of_reference == face.of_b);
   };
-  const auto candidates = candidates_of(outline, face.of_b, pair.rounding, pair.clearly, corner_name);
+  const auto candidates = candidates_of(outline, face.of_b, pair.rounding + pair.margin, pair.clearly, corner_name);
   if (candidates.count == 0) return false;
 
   found.normal = face.of_b ? Vec3(-normal) : normal;

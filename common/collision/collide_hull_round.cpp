@@ -157,7 +157,7 @@ void touch(const Placed<Hull>& a, const Round& b, Manifold& found) {
   const Stretch within = inside(hull, b);
   const Gap gap = within.begin <= within.end ? Gap{0, Vec3::Zero(), 0} : gap_between(hull, b);
   const Real distance = std::sqrt(gap.squared);
-  if (distance > b.radius + rounding) return;
+  if (distance > b.radius + rounding + found.margin) return;
   if (distance > 100 * rounding) {
     t = gap.t;
     depth = b.radius - distance;
@@ -181,7 +181,7 @@ void touch(const Placed<Hull>& a, const Round& b, Manifold& found) {
         return b.radius - support->normal.dot(b.centre + at * b.half - support->on);
       };
       const Real depth_begin = depth_at(support->stretch.begin), depth_end = depth_at(support->stretch.end);
-      if (depth_begin >= -rounding && depth_end >= -rounding) {
+      if (depth_begin >= -rounding - found.margin && depth_end >= -rounding - found.margin) {
         found.normal = support->normal;
         add(begin, depth_begin, lower_end);
         add(end, depth_end, upper_end);

@@ -93,16 +93,16 @@ struct Candidates {
   const Candidate* end() const { return points.data() + count; }
 };
 
-/// What of the outline lies below the reference face, or above it by no more than `rounding`. `of_b`: B has that face.
+/// What of the outline lies below the reference face, or above it by no more than `gap`. `of_b`: B has that face.
 /// `name_of_corner(of the shape with the reference face?, edge, edge)` names the corner in which two edges of one shape
 /// meet.
 template <std::size_t room, class NameOfCorner>
-Candidates<room> candidates_of(const Outline<room>& outline, bool of_b, Real rounding, Real clearly_deeper,
+Candidates<room> candidates_of(const Outline<room>& outline, bool of_b, Real gap, Real clearly_deeper,
                                const NameOfCorner& name_of_corner) {
   Candidates<room> found;
   for (int p = 0; p < outline.count; ++p) {
     const OutlinePoint& point = outline.points[std::size_t(p)];
-    if (point.depth < -rounding) continue;
+    if (point.depth < -gap) continue;
     const bool from_reference = point.arriving >= reference, to_reference = point.leaving >= reference;
     const int arriving = point.arriving & (reference - 1), leaving = point.leaving & (reference - 1);
     std::uint32_t feature;

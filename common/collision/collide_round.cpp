@@ -53,7 +53,7 @@ void touch(const Round& a, const Round& b, Manifold& found) {
   const Real radii = a.radius + b.radius;
   const Real distance = closest.apart.norm();
   const Real rounding = rounding_of(radii);
-  if (distance > radii + rounding) return;
+  if (distance > radii + rounding + found.margin) return;
 
   if (distance > rounding) {
     found.normal = closest.apart / distance;
@@ -79,7 +79,7 @@ void touch(const Round& a, const Round& b, Manifold& found) {
         opposite[i] = segments.nearest_to_a(ends[i]);
         depth[i] = radii - found.normal.dot(segments.at(ends[i], opposite[i]).apart);
       }
-      if (depth[0] >= -rounding && depth[1] >= -rounding) {
+      if (depth[0] >= -rounding - found.margin && depth[1] >= -rounding - found.margin) {
         found.add(point(ends[0], opposite[0]), depth[0], lower_end);
         found.add(point(ends[1], opposite[1]), depth[1], upper_end);
         return;

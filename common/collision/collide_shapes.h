@@ -41,12 +41,13 @@ struct Touch {
 
 /// Where two shapes touch: up to four points that share a normal, from the first shape to the second.
 struct Manifold {
+  Real margin = 0;  ///< m: so far apart still counts
   Vec3 normal = Vec3::UnitY();
   int count = 0;
   Touch touches[4];
 
   void add(const Vec3& point, Real depth, std::uint32_t feature) {
-    if (count < 4) touches[count++] = {point, std::max(Real(0), depth), feature};
+    if (count < 4) touches[count++] = {point, std::max(Real(0) - margin, depth), feature};
   }
 };
 

@@ -30,7 +30,7 @@ enum class ContactState {
 struct Contact {
   Vec3 point = Vec3::Zero();   ///< m, world axes: midway between the two surfaces
   Vec3 normal = Vec3::Zero();  ///< unit, world axes, always from A to B
-  Real depth = 0;              ///< m, positive when overlapping: -(P_B - P_A) . n
+  Real depth = 0;              ///< m, positive when overlapping: -(P_B - P_A) . n; negative within a margin
   Real friction = 0;           ///< mu of the pair
   Real restitution = 0;        ///< e of the pair
   ContactId id;                ///< and with it which bodies: A is id.body_a, B is id.body_b

@@ -123,6 +123,10 @@ struct Watched : StepSolver {
 
   Watched(AnySolver& its_solver, Sample& its_sample) : solver(its_solver), sample(its_sample) {}
   void check(World& world, Real dt) { solver.check(world, dt); }
+  Division division(Real dt) const { return solver.division(dt); }
+  void detected(World& world, Real dt) {
+    timed([&] { solver.detected(world, dt); });
+  }
   void solve(World& world, Real dt, int sweeps) {
     timed([&] { solver.solve(world, dt, sweeps); });
     const AnySolver::Solved solved = solver.solved();
@@ -131,6 +135,9 @@ struct Watched : StepSolver {
   }
   void after_move(World& world, Real dt) {
     timed([&] { solver.after_move(world, dt); });
+  }
+  void done(World& world) {
+    timed([&] { solver.done(world); });
   }
 
   template <class Work>

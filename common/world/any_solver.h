@@ -24,8 +24,11 @@ class AnySolver : public StepSolver {
   ~AnySolver() = default;
 
   void check(World& world, Real dt) { held_->check(world, dt); }
+  Division division(Real dt) const { return held_->division(dt); }
+  void detected(World& world, Real dt) { held_->detected(world, dt); }
   void solve(World& world, Real dt, int sweeps) { held_->solve(world, dt, sweeps); }
   void after_move(World& world, Real dt) { held_->after_move(world, dt); }
+  void done(World& world) { held_->done(world); }
 
   /// What it says of its latest step: how many rows of contacts and joints it solved, 0 where it has none to show; and how
   /// far the worst of them was from being solved, m/s.
@@ -41,8 +44,11 @@ class AnySolver : public StepSolver {
     virtual ~Anything() = default;
     virtual std::unique_ptr<Anything> copy() const = 0;
     virtual void check(World& world, Real dt) = 0;
+    virtual Division division(Real dt) const = 0;
+    virtual void detected(World& world, Real dt) = 0;
     virtual void solve(World& world, Real dt, int sweeps) = 0;
     virtual void after_move(World& world, Real dt) = 0;
+    virtual void done(World& world) = 0;
     virtual Solved solved() const = 0;
     virtual const std::type_info& type() const = 0;
   };
@@ -51,8 +57,11 @@ class AnySolver : public StepSolver {
     explicit Held(ContactSolver its_solver) : solver(std::move(its_solver)) {}
     std::unique_ptr<Anything> copy() const override { return std::make_unique<Held>(*this); }
     void check(World& world, Real dt) override { solver.check(world, dt); }
+    Division division(Real dt) const override { return solver.division(dt); }
+    void detected(World& world, Real dt) override { solver.detected(world, dt); }
     void solve(World& world, Real dt, int sweeps) override { solver.solve(world, dt, sweeps); }
     void after_move(World& world, Real dt) override { solver.after_move(world, dt); }
+    void done(World& world) override { solver.done(world); }
     Solved solved() const override {
       Solved sum;
       [[maybe_unused]] const auto add = [&sum](const auto& rows) {

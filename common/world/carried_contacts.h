@@ -17,9 +17,9 @@ class CarriedContacts : public Everybody {
   /// In the next step contacts are found anew.
   void find_anew() { anew_ = true; }
 
-  void find_contacts(World& world) {
+  void find_contacts(World& world, const Margin& margin = {}) {
     if (anew_) {
-      world.find_contacts();
+      world.find_contacts(margin);
       keep(world);
     } else {
       carry(world);

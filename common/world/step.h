@@ -2,18 +2,33 @@
 #pragma once
 
 #include <concepts>
+#include <tuple>
 
 #include "pushback/common/world/world.h"
 
 namespace pushback {
 
+/// Into how many substeps a solver divides a step, for all of which contacts are detected once, and how far ahead.
+struct Division {
+  int substeps = 1;
+  Margin margin = {};
+};
+
 /// What a solver derives from. It has  void solve(World& world, Real dt, int sweeps),  which changes the velocities of bodies
 /// and says in each contact what was done there; and defines of these what it needs.
 struct StepSolver {
+  static constexpr int usual_sweeps = 10;  ///< of who does not say how many
+
   /// Throws InvalidInput if it cannot solve what is in this world; nothing has changed yet. This one holds no joints.
   void check(World& world, Real /*dt*/) { check_no_joints(world.joints); }
+  /// Of a step of dt.
+  Division division(Real /*dt*/) const { return {}; }
+  /// The contacts have been detected; substeps of dt follow, each with its `solve` and `after_move`.
+  void detected(World&, Real /*dt*/) {}
   /// The bodies have moved.
   void after_move(World&, Real /*dt*/) {}
+  /// The last of the substeps is done.
+  void done(World&) {}
 };
 
 /// What solves joints as well derives from this.
@@ -30,7 +45,7 @@ struct Everybody {
   static void check(const World& world) {
     for (const Body& body : world.bodies) check_state(body);
   }
-  static void find_contacts(World& world) { world.find_contacts(); }
+  static void find_contacts(World& world, const Margin& margin = {}) { world.find_contacts(margin); }
   template <class Act>
   static void each(World& world, const Act& act) {
     for (Body& body : world.bodies) act(body);
@@ -38,17 +53,49 @@ struct Everybody {
   static void end(World&, Real /*dt*/) {}
 };
 
-/// 1 to 3 of a step.
+/// 1 and 2 of a step.
 template <class Simulated>
-void begin_step(World& world, Real dt, Simulated& simulated) {
+void detect(World& world, Simulated& simulated, const Margin& margin) {
   world.contacts_before.swap(world.contacts);
   for (const Force& force : world.forces) force.apply(world);  // 1.  F, tau
-  simulated.find_contacts(world);                              // 2.  points, normals, depths, ids
-  simulated.each(world, [&](Body& body) {                      // 3.  v += h (g + F/m),  w += h I^-1 tau
+  simulated.find_contacts(world, margin);                      // 2.  points, normals, depths, ids
+}
+/// 3.
+template <class Simulated>
+void push_all(World& world, Real dt, Simulated& simulated) {
+  simulated.each(world, [&](Body& body) {  // 3.  v += h (g + F/m),  w += h I^-1 tau
     keep_velocity(body);
     push(body, world.gravity, dt);
   });
 }
+/// 1 to 3.
+template <class Simulated>
+void begin_step(World& world, Real dt, Simulated& simulated) {
+  detect(world, simulated, {});
+  push_all(world, dt, simulated);
+}
+
+/// 1 of the substeps after the first: what was put on bodies by hand lasts for the step, and what acts on them acts on them as they
+/// are now. Who sleeps feels neither.
+class ForcesOfSubsteps {
+ public:
+  /// Before any Force has acted.
+  ForcesOfSubsteps(const World& world, const Division& division) {
+    if (division.substeps == 1) return;
+    for (const Body& body : world.bodies) by_hand_.emplace_back(body.force, body.torque);
+  }
+  void apply(World& world) const {
+    for (std::size_t i = 0; i < by_hand_.size(); ++i)
+      std::tie(world.bodies[i].force, world.bodies[i].torque) = by_hand_[i];
+    for (const Force& force : world.forces) force.apply(world);
+    for (Body& body : world.bodies) {
+      if (body.asleep) body.force.setZero(), body.torque.setZero();
+    }
+  }
+
+ private:
+  std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body
+};
 
 /// Moves those who are simulated on by dt seconds. Throws as World::step does.
 template <class ContactSolver, class Simulated>
@@ -56,14 +103,23 @@ void step(World& world, ContactSolver& solver, Real dt, int sweeps, Simulated& s
   check_step(dt, sweeps, world.gravity);
   simulated.check(world);
   solver.check(world, dt);
-  begin_step(world, dt, simulated);
-  solver.solve(world, dt, sweeps);                              // 4.  start from the last step's impulses
+  const Division division = solver.division(dt);
+  const Real h = dt / static_cast<Real>(division.substeps);
+  const ForcesOfSubsteps forces(world, division);
+  detect(world, simulated, division.margin);
+  solver.detected(world, h);
+  for (int i = 0; i < division.substeps; ++i) {
+    if (i > 0) forces.apply(world);
+    push_all(world, h, simulated);
+    solver.solve(world, h, sweeps);                             // 4.  start from the last step's impulses
                                                                 // 5.  sweep over the rows
                                                                 // 6.  keep the impulses
-  simulated.each(world, [dt](Body& body) { move(body, dt); });  // 7.  x += h v,  q += h/2 (0, w) q,  refresh I^-1
-  world.time += dt;
-  solver.after_move(world, dt);  // 8.  only where a solver has this
-  world.dt_before = dt;
+    simulated.each(world, [h](Body& body) { move(body, h); });  // 7.  x += h v,  q += h/2 (0, w) q,  refresh I^-1
+    world.time += h;
+    solver.after_move(world, h);  // 8.  only where a solver has this
+    world.dt_before = h;
+  }
+  solver.done(world);
   simulated.end(world, dt);
 }
 

@@ -56,12 +56,12 @@ void World::begin_step(Real dt) {
   pushback::begin_step(*this, dt, everybody);
 }
 
-void World::find_contacts() {
+void World::find_contacts(const Margin& margin) {
   contacts.clear();
   const JoinedPairs joined(joints);
-  for (const auto& [first, second] : near_pairs(bodies)) {
+  for (const auto& [first, second] : near_pairs(bodies, margin)) {
     if (joined.contain(first, second)) continue;
-    collide(bodies[static_cast<std::size_t>(first)], bodies[static_cast<std::size_t>(second)], contacts);
+    collide(bodies[static_cast<std::size_t>(first)], bodies[static_cast<std::size_t>(second)], contacts, margin);
   }
   // Pairs arrive in ascending order, and so do the points of a pair: nothing is left to sort.
   assert(

@@ -8,6 +8,7 @@
 
 #include "pushback/common/bodies/body.h"
 #include "pushback/common/collision/contact.h"
+#include "pushback/common/collision/margin.h"
 #include "pushback/common/world/joint.h"
 
 namespace pushback {
@@ -46,12 +47,12 @@ class World {
   /// Moves everything on by dt seconds; see step.h. Throws InvalidInput unless dt > 0, sweeps >= 0, every body's
   /// state is finite, and the solver can solve what is here; then nothing has changed.
   template <class ContactSolver>
-  void step(ContactSolver& solver, Real dt, int sweeps = 10);
+  void step(ContactSolver& solver, Real dt, int sweeps = ContactSolver::usual_sweeps);
 
   /// The first part of a step, for those who solve by themselves: all that goes before the solver.
   void begin_step(Real dt);
-  /// Finds what touches now, in the place of what was found.
-  void find_contacts();
+  /// Finds what touches now, or is within the margin, in the place of what was found.
+  void find_contacts(const Margin& margin = {});
   /// x += h v and the turn, of all bodies; and time goes on.
   void move(Real dt);
 

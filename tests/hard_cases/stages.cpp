@@ -12,7 +12,8 @@ class Doubled : public StepSolver {
  public:
   explicit Doubled(AnySolver solver) : solver_(std::move(solver)) {}
   void check(World& world, Real dt) { solver_.check(world, dt); }
-  void solve(World& world, Real dt, int sweeps) {
+  Division division(Real dt) const { return solver_.division(dt); }
+  void detected(World& world, Real dt) {
     world.contacts_before = twice_;
     twice_.clear();
     for (const Contact& contact : world.contacts) {
@@ -21,10 +22,34 @@ class Doubled : public StepSolver {
         twice_.back().id.feature = 2 * contact.id.feature + copy;
       }
     }
+    with_each_twice(world, [&] { solver_.detected(world, dt); });
+  }
+  void solve(World& world, Real dt, int sweeps) {
     with_each_twice(world, [&] { solver_.solve(world, dt, sweeps); });
   }
   void after_move(World& world, Real dt) {
     with_each_twice(world, [&] { solver_.after_move(world, dt); });
+  }
+  /// A contact stays as long as one of its copies does.
+  void done(World& world) {
+    world.contacts.swap(twice_);
+    solver_.done(world);
+    world.contacts.swap(twice_);
+    auto copy = twice_.begin();  // both lists ascend
+    std::erase_if(world.contacts, [&](Contact& contact) {
+      contact.impulse.setZero();
+      bool stays = false;
+      const auto is_of = [&contact](ContactId id) {
+        id.feature /= 2;
+        return id == contact.id;
+      };
+      for (; copy != twice_.end() && is_of(copy->id); ++copy, stays = true) {
+        contact.depth = copy->depth;
+        contact.impulse += copy->impulse;
+        contact.state = copy->state;
+      }
+      return !stays;
+    });
   }
 
  private:
@@ -43,7 +68,9 @@ class Doubled : public StepSolver {
 };
 
 Stepper steps_by(AnySolver solver, int count, int sweeps) {
-  return [solver, count, sweeps](World& world, Real dt) mutable { substeps(world, solver, dt, count, sweeps); };
+  return [solver, count, sweeps](World& world, Real dt) mutable {
+    substeps(world, solver, dt, count / solver.division(dt).substeps, sweeps);
+  };
 }
 
 /// `choose` sees the world before its first step.

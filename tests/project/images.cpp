@@ -101,3 +101,6 @@ TEST_CASE("the sheet of 19 looks as it did") {
 TEST_CASE("the sheet of 20 looks as it did") {
   compare("20_only_what_is_needed");
 }
+TEST_CASE("the sheet of 21 looks as it did", "[slow]") {
+  compare("21_detected_once");
+}

@@ -1,0 +1,130 @@
+/// A contact whose three rows are made once, and solved in many substeps.
+///
+///   C = C_0 + J dX,   dX = (dx_A, dtheta_A, dx_B, dtheta_B)        what each body has moved since C_0 was detected
+///
+/// J stays, and with it K, M^-1 J^T and the tangents. What that neglects is said in the page of this chapter.
+#pragma once
+
+#include "pushback/chapters/08_friction_cone/friction_cone.h"
+
+namespace pushback {
+
+/// A body that touches something, while contacts are kept.
+struct KeptBody {
+  Body* body;
+  Vec3 way = Vec3::Zero(), turn = Vec3::Zero();             ///< since detection: sum of h v, m, and of h w, rad
+  Vec3 given = Vec3::Zero(), given_turning = Vec3::Zero();  ///< by its contacts' impulses: to v, m/s; to w, rad/s
+
+  void gets(const Vec3& dv, const Vec3& dw) {
+    given += dv;
+    given_turning += dw;
+  }
+};
+
+/// What soft contacts ask for in substeps of one length: see SoftContacts, chapter 12.
+struct PushOut {
+  Real rate;        ///< k / (c + h k), 1/s
+  Real gamma_by_K;  ///< gamma / K
+  Real fastest;     ///< m/s
+  Real threshold;   ///< m/s; what arrives slower does not bounce
+};
+
+/// What a contact point shows: `known`: whether the step before had it.
+template <class Scalar>
+ContactState state_of(bool known, Scalar friction, Scalar pushed, Scalar rubbed1, Scalar rubbed2) {
+  if (!known) return ContactState::fresh;
+  if (friction == 0) return ContactState::warm;
+  constexpr Scalar rounding = 16 * std::numeric_limits<Scalar>::epsilon();  // of what was drawn back to the edge
+  const bool held = std::hypot(rubbed1, rubbed2) < (1 - rounding) * friction * pushed;
+  return held ? ContactState::sticking : ContactState::sliding;
+}
+
+struct KeptContact {
+  Row normal, tangent1, tangent2;
+  Real found;                  // C_0, m
+  Real friction, restitution;  // mu, e
+  Real step_size;              // 1 / k of both tangents (chapter 08), kg
+  std::size_t a = 0, b = 0;    // its bodies, in the solver's list
+  Real softness = 0;           // gamma, 1/kg
+  Real mass = 0;               // 1 / (K + gamma), kg
+  Real bounce = 0;             // e v_n of this substep, m/s; 0: it does not bounce
+
+  /// Of the contact with this index.
+  KeptContact(World& world, std::size_t index, std::size_t body_a, std::size_t body_b)
+      : KeptContact(world, world.contacts[index], tangents_of(world.contacts[index].normal), index) {
+    a = body_a;
+    b = body_b;
+  }
+
+  /// C, m.
+  Real separation(const std::vector<KeptBody>& bodies) const {
+    const KeptBody &moved_a = bodies[a], &moved_b = bodies[b];
+    return found +
+           (normal.n.dot(moved_b.way - moved_a.way) + (normal.rb_n.dot(moved_b.turn) - normal.ra_n.dot(moved_a.turn)));
+  }
+  /// Before the bodies move. What is apart may come as near as it is, JV + C/h >= 0; what would arrive in this substep and
+  /// bounces, bounces now; what overlaps is a spring.
+  void aim(const std::vector<KeptBody>& bodies, const PushOut& push_out, Real h) {
+    const Real C = separation(bodies), approach = restitution > 0 ? speed_before() : 0;
+    bounce = approach < -push_out.threshold && C + h * approach < 0 ? restitution * approach : 0;
+    const Real wanted = push_out.rate * C;
+    if (bounce < 0) ask(bounce, 0);
+    else if (C > 0) ask(C / h, 0);
+    else if (wanted < -push_out.fastest) ask(-push_out.fastest, 0);
+    else ask(wanted, push_out.gamma_by_K);
+  }
+  /// Once they have moved: no push-out any more (chapter 12). What was apart may be as fast as it was: with C/h of where it is now
+  /// it would be stopped before it arrives, and not bounce.
+  void relax() { ask(bounce < 0 ? bounce : std::max(normal.bias, Real(0)), 0); }
+  void push() { normal.reach(normal.impulse - mass * (normal.speed() + (normal.bias + softness * normal.impulse))); }
+  /// As FrictionCone, chapter 08.
+  void rub() {
+    Real total1 = tangent1.impulse - step_size * tangent1.speed();  // both read before either acts
+    Real total2 = tangent2.impulse - step_size * tangent2.speed();
+    const Real radius = friction * normal.impulse, squared = total1 * total1 + total2 * total2;
+    if (squared > radius * radius) [[unlikely]] {
+      const Real kept = radius / std::sqrt(squared);
+      total1 *= kept;
+      total2 *= kept;
+    }
+    tangent1.reach(total1);
+    tangent2.reach(total2);
+  }
+  /// N s, on B.
+  Vec3 impulse() const {
+    return normal.impulse * normal.n + tangent1.impulse * tangent1.n + tangent2.impulse * tangent2.n;
+  }
+  /// The impulses that it starts from (chapter 07). What they give its bodies, those get as each substep begins.
+  void guess(const Vec3& impulse_before) {
+    normal.impulse = impulse_before.dot(normal.n);
+    if (friction == 0) return;
+    tangent1.impulse = impulse_before.dot(tangent1.n);
+    tangent2.impulse = impulse_before.dot(tangent2.n);
+  }
+
+ private:
+  KeptContact(World& world, const Contact& at, const Tangents& tangents, std::size_t index)
+      : normal(world, at, at.normal, index),
+        tangent1(world, at, tangents.tangent1, index),
+        tangent2(world, at, tangents.tangent2, index),
+        found(-at.depth),
+        friction(at.friction),
+        restitution(at.restitution),
+        step_size(1 / TangentBlock(tangent1, tangent2).larger_eigenvalue()) {
+    normal.lo = 0;
+  }
+  /// J V + b + gamma lambda = 0.
+  void ask(Real bias, Real gamma_by_K) {
+    normal.bias = bias;
+    softness = gamma_by_K / normal.effective_mass;
+    mass = normal.effective_mass / (1 + gamma_by_K);
+  }
+  /// J V as the substep began, m/s: before its gravity.
+  Real speed_before() const {
+    const Body &first = *normal.a, &second = *normal.b;
+    return normal.n.dot(second.velocity_before - first.velocity_before) +
+           (normal.rb_n.dot(second.angular_velocity_before) - normal.ra_n.dot(first.angular_velocity_before));
+  }
+};
+
+}  // namespace pushback

@@ -1,0 +1,71 @@
+#include "pushback/chapters/11_substeps/study.h"
+#include "pushback/chapters/21_detected_once/scenes.h"
+#include "pushback/chapters/21_detected_once/study.h"
+
+using namespace pushback;
+using namespace pushback::detected_once_scenes;
+using namespace pushback::substeps_scenes;
+
+int main(int argc, char** argv) {
+  Experiment e("21_detected_once", "How often must contacts be detected?");
+  DetectedOnce once;
+  e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &once.substeps);
+  e.parameter({"--margin", "", "m", "From how far apart bodies count as touching", 0, 0.2}, &once.margin);
+  RollingCube cube;
+  e.parameter({"--spin", "ω", "rad/s", "Spin of the cube that rolls", 0, 30}, &cube.spin);
+  FallingBall ball;
+  e.parameter({"--speed", "v", "m/s", "Speed at which the ball arrives", 0.5, 30}, &ball.speed);
+  int tall = 40;
+  e.parameter({"--boxes", "n", "", "Boxes of the stack", 2, 40}, &tall);
+  HeavyOnLight heavy;
+  e.parameter({"--mass-ratio", "", "", "Mass of the upper box, in masses of the one below", 1, 2000},
+              &heavy.mass_ratio);
+  return e.run(argc, argv, [&] {
+    DetectedInEach in_each;
+    const auto each = [&] {
+      e.variant("detected in each substep", in_each).in_substeps(once.substeps).with_exactly(1).coloured(0);
+    };
+    const auto kept = [&]() -> Variant& { return e.variant("detected once", once).with_exactly(1).coloured(1); };
+
+    e.scene(
+        {.name = "a cube rolls",
+         .fill = cube,
+         .camera = {{Real(4.2), Real(2.4), 30}, {Real(4.2), Real(0.9), 0}, Real(0.098)},
+         .seconds = Real(2.5),
+         .caption =
+             "Every 0.25 s. A step of 1/60 s turns the cube by up to a tenth of a right angle, and then its corner is "
+             "not where its rows expect it.",
+         .strobe = Strobe{.every = Real(0.25), .shift_per_second = {0, 0, 0}, .height = 400}});
+    each();
+    DetectedOnce in_a_quarter = once;
+    in_a_quarter.substeps = std::max(1, once.substeps / 4);
+    kept();
+    e.variant("detected four times", in_a_quarter).in_substeps(4).with_exactly(1).coloured(3);
+    e.series("height", "m", [](const World& world) { return world.bodies[1].position.y(); });
+    e.series_without_curves("way", [](const World& world) { return world.bodies[1].position.x(); });
+    e.number("way", "m", [](const Run& run) { return run.series.at("way").back(); });
+
+    e.scene({.name = "a ball arrives", .fill = ball, .seconds = 2, .pictures = false});
+    each();
+    WithoutMargin late;
+    late.substeps = once.substeps;
+    e.variant("detected once, without a margin", late).with_exactly(1).coloured(2);
+    kept();
+    e.series("height of the ball", "m", [](const World& world) { return world.bodies[1].position.y(); });
+    e.number("deepest", "mm", [](const Run& run) {
+      const auto& heights = run.series.at("height of the ball");
+      return 1000 * std::max(Real(0), Real(0.5) - *std::min_element(heights.begin(), heights.end()));
+    });
+
+    e.scene({.name = "a stack of " + spelled(tall),
+             .fill = [tall](World& world) { stack(world, tall); },
+             .seconds = 10,
+             .pictures = false});
+    watch_stack(e);
+    each();
+    kept();
+    scene_of_heavy(e, heavy);
+    each();
+    kept();
+  });
+}

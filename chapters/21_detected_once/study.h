@@ -1,0 +1,24 @@
+/// What chapter 21's solver is compared with, and what its rows neglect.
+#pragma once
+
+#include "pushback/chapters/11_substeps/substeps.h"
+#include "pushback/chapters/21_detected_once/detected_once.h"
+
+namespace pushback::detected_once_scenes {
+
+/// The same, with contacts detected in each substep.
+using DetectedInEach = RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>;
+
+/// The mistake to avoid: only what touches as the step begins has rows.
+struct WithoutMargin : DetectedOnce {
+  Division division(Real /*dt*/) const { return {substeps, {}}; }
+};
+
+/// m: by how much C_0 + J dX is off after t seconds, at a corner `arm` (m) above the centre of a box that turns.
+///
+///   C = C_0 + arm (cos w t - 1),  J dX = 0
+inline Real neglected(Real arm, Real spin, Real t) {
+  return arm * (1 - std::cos(spin * t));
+}
+
+}  // namespace pushback::detected_once_scenes
