@@ -22,6 +22,7 @@
 #include "pushback/chapters/17_direct_contacts/scenes.h"
 #include "pushback/chapters/18_direct_joints/scenes.h"
 #include "pushback/chapters/20_only_what_is_needed/scenes.h"
+#include "pushback/chapters/21_detected_once/scenes.h"
 
 namespace pushback {
 
@@ -96,6 +97,8 @@ std::vector<NamedScene> all_scenes() {
       {"18-chain", direct_joints_scenes::LoadedChain{}},
       {"20-piles", only_what_is_needed_scenes::FivePiles{}},
       {"20-ice", only_what_is_needed_scenes::cubes_on_ice},
+      {"21-cube", detected_once_scenes::RollingCube{}},
+      {"21-ball", detected_once_scenes::FallingBall{}},
   };
 }
 

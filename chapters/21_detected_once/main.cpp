@@ -33,9 +33,9 @@ int main(int argc, char** argv) {
          .camera = {{Real(4.2), Real(2.4), 30}, {Real(4.2), Real(0.9), 0}, Real(0.098)},
          .seconds = Real(2.5),
          .caption =
-             "Every 0.25 s. A step of 1/60 s turns the cube by up to a tenth of a right angle, and then its corner is "
+             "Every 0.5 s. A step of 1/60 s turns the cube by up to a tenth of a right angle, and then its corner is "
              "not where its rows expect it.",
-         .strobe = Strobe{.every = Real(0.25), .shift_per_second = {0, 0, 0}, .height = 400}});
+         .strobe = Strobe{.every = Real(0.5), .shift_per_second = {0, 0, 0}, .height = 400}});
     each();
     DetectedOnce in_a_quarter = once;
     in_a_quarter.substeps = std::max(1, once.substeps / 4);

@@ -57,6 +57,9 @@ const std::vector<NamedSolver>& all_solvers() {
           "14 joints 20 times", "12 soft contacts with 20 passes over the joints in each sweep"),
       stepping<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, DirectJoints>>(
           "18 direct joint solve", "12 soft contacts with all joints solved directly in each sweep, without a guess"),
+      stepping<DetectedOnce>(
+          "21 detected once",
+          "14 joints 20 times with a friction cone, contacts detected and rows built once in a step"),
       stepping<SteadyJointedSolver>("all together",
                                     "soft contacts, a friction cone, simultaneous impacts, a scaled guess; 32 substeps "
                                     "of one sweep, 20 over joints"),

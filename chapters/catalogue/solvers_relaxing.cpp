@@ -1,5 +1,6 @@
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
+#include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/catalogue/compile.h"
 
 namespace pushback {
@@ -8,5 +9,6 @@ template struct Compiled<RelaxingSolver<SplitJoints, Clamping, SoftContacts, Res
 template struct Compiled<RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>;
 template struct Compiled<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, DirectJoints>>;
 template struct Compiled<SteadyJointedSolver>;
+template struct Compiled<DetectedOnce>;
 
 }  // namespace pushback

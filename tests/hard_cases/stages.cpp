@@ -68,9 +68,7 @@ class Doubled : public StepSolver {
 };
 
 Stepper steps_by(AnySolver solver, int count, int sweeps) {
-  return [solver, count, sweeps](World& world, Real dt) mutable {
-    substeps(world, solver, dt, count / solver.division(dt).substeps, sweeps);
-  };
+  return [solver, count, sweeps](World& world, Real dt) mutable { substeps(world, solver, dt, count, sweeps); };
 }
 
 /// `choose` sees the world before its first step.
@@ -84,15 +82,19 @@ Stepper needed_steps_by(const Choose& choose, int count, int sweeps) {
 
 }  // namespace
 
+int Stage::cut() const {
+  return substeps / solver.division(1).substeps;
+}
+
 Stepper Stage::begin() const {
-  if (!only_needed) return steps_by(solver, substeps, sweeps);
-  return needed_steps_by([choose = fitting](const World& world) { return choose(world, {}); }, substeps, sweeps);
+  if (!only_needed) return steps_by(solver, cut(), sweeps);
+  return needed_steps_by([choose = fitting](const World& world) { return choose(world, {}); }, cut(), sweeps);
 }
 
 Stepper Stage::begin_doubled() const {
   const Doubled doubled(solver);
-  if (!only_needed) return steps_by(doubled, substeps, sweeps);
-  return needed_steps_by([doubled](const World& world) { return OnlyWhatIsNeeded(world, doubled); }, substeps, sweeps);
+  if (!only_needed) return steps_by(doubled, cut(), sweeps);
+  return needed_steps_by([doubled](const World& world) { return OnlyWhatIsNeeded(world, doubled); }, cut(), sweeps);
 }
 
 const std::vector<Stage>& stages() {

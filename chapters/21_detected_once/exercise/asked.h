@@ -1,0 +1,29 @@
+/// What exercise 21 asks for.
+#pragma once
+
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_21 {
+
+/// A contact as it was detected, once in a step.
+struct Found {
+  Vec3 n;             ///< unit, from A to B
+  Vec3 arm_a, arm_b;  ///< m, from each centre of mass to the point
+  Real C;             ///< C_0, m: negative where the bodies overlapped
+};
+
+/// What a body has done since then: sums over the substeps.
+struct Moved {
+  Vec3 way;   ///< of h v, m
+  Vec3 turn;  ///< of h w, rad
+};
+
+struct Answer {
+  Real (*separation)(const Found& found, const Moved& a, const Moved& b);  ///< C now, m
+  Real (*bias)(Real C, Real rate, Real h);                                 ///< b of a substep, m/s
+  Real (*relaxed_bias)(Real bias, Real C, Real h);                         ///< and of its relaxing pass, m/s
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_21
