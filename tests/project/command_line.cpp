@@ -90,7 +90,8 @@ const std::map<std::string, std::vector<std::string>> own_options{
     {"18_direct_joints", {"--links", "--mass-ratio"}},
     {"19_accuracy_and_time", {"--ball-steps", "--chain-steps"}},
     {"20_only_what_is_needed", {"--still-for", "--place", "--speed", "--mass-ratio"}},
-    {"21_detected_once", {"--substeps", "--margin", "--spin", "--speed", "--boxes", "--mass-ratio"}}};
+    {"21_detected_once", {"--substeps", "--margin", "--spin", "--speed", "--boxes", "--mass-ratio"}},
+    {"22_wide", {"--substeps", "--base", "--boxes", "--square", "--mass-ratio"}}};
 
 }  // namespace
 

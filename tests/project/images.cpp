@@ -104,3 +104,6 @@ TEST_CASE("the sheet of 20 looks as it did") {
 TEST_CASE("the sheet of 21 looks as it did", "[slow]") {
   compare("21_detected_once");
 }
+TEST_CASE("the sheet of 22 looks as it did") {
+  compare("22_wide");
+}

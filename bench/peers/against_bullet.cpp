@@ -1,0 +1,97 @@
+/// Chapters 12, 21 and 22 beside Bullet's default (float, 10 sweeps), on the same scenes: steps of 1/60 s, timed in turn within one run.
+#include <benchmark/benchmark.h>
+
+#include "bench/in_turn.h"
+#include "pushback/chapters/19_accuracy_and_time/peers/peer.h"
+#include "pushback/chapters/21_detected_once/study.h"
+#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/common/bodies/random.h"
+#include "pushback/common/world/any_solver.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real dt = Real(1) / 60;
+
+/// n x n columns of n boxes, each turned a little, which fall into a pile.
+void pile(World& world, int n, int high) {
+  world.add(ground());
+  for (int i = 0; i < n * n * high; ++i) {
+    const Vec3 place{static_cast<Real>(i % n) - static_cast<Real>(n) / 2,
+                     Real(0.6) + static_cast<Real>(i / (n * n)) * Real(1.1),
+                     static_cast<Real>(i / n % n) - static_cast<Real>(n) / 2};
+    world.add(box({Real(0.4), Real(0.3), Real(0.45)}, 100)
+                  .turned(static_cast<Real>(i % 7) * Real(0.2), Vec3(1, 2, 3))
+                  .at(place));
+  }
+}
+
+struct Way {
+  const char* name;
+  AnySolver solver;
+  int steps;  // of 1/60 s: into how many it is cut from outside
+};
+
+template <class Solver>
+Solver in(int substeps) {
+  Solver solver;
+  solver.substeps = substeps;
+  return solver;
+}
+
+/// Medians of the ratios to Bullet's time for the same step, and how deep contacts are at the end, mm.
+void beside_bullet(benchmark::State& state, const std::function<void(World&)>& fill, int substeps, int settle) {
+  const std::vector<Way> ways{{"chapter 12", detected_once_scenes::DetectedInEach{}, substeps},
+                              {"once", in<DetectedOnce>(substeps), 1},
+                              {"wide, double", in<Wide<double>>(substeps), 1},
+                              {"wide, float", in<Wide<float>>(substeps), 1}};
+  Motion motion{.name = "", .title = "", .fill = fill, .seconds = 1, .truth = {}};
+  const std::unique_ptr<Player> bullet = peer_methods().front().begin(motion, {.substeps = 1, .sweeps = 10});
+  std::vector<World> worlds(ways.size());
+  std::vector<AnySolver> solvers;
+  std::vector<std::function<double()>> things{[&] { return seconds_of([&] { bullet->substep(); }); }};
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    fill(worlds[i]);
+    solvers.push_back(ways[i].solver);
+  }
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    things.emplace_back([&, i] {
+      return seconds_of([&] {
+        for (int k = 0; k < ways[i].steps; ++k) worlds[i].step(solvers[i], dt / static_cast<Real>(ways[i].steps), 1);
+      });
+    });
+  }
+  for (int i = 0; i < settle; ++i)
+    for (const auto& thing : things) thing();
+  InTurn turns;
+  for (auto _ : state) turns.round(things);
+  state.counters["Bullet, us"] = 1e6 * turns.time(0);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    state.counters[std::string(ways[i].name) + " / Bullet"] = turns.ratio(i + 1, 0);
+    worlds[i].find_contacts();
+    state.counters[std::string(ways[i].name) + ", mm"] = 1000 * deepest_overlap(worlds[i]);
+    state.counters["contacts"] = static_cast<double>(worlds[i].contacts.size());
+  }
+}
+
+void pyramid_of_210(benchmark::State& state) {
+  beside_bullet(state, [](World& world) { pyramid(world, 20); }, 8, 300);
+}
+void stack_of_40(benchmark::State& state) {
+  beside_bullet(state, [](World& world) { stack(world, 40); }, 32, 120);
+}
+void pile_of_512(benchmark::State& state) {
+  beside_bullet(state, [](World& world) { pile(world, 8, 8); }, 8, 240);
+}
+void pile_of_4000(benchmark::State& state) {
+  beside_bullet(state, [](World& world) { pile(world, 20, 10); }, 8, 240);
+}
+BENCHMARK(pyramid_of_210)->Iterations(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK(stack_of_40)->Iterations(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK(pile_of_512)->Iterations(60)->Unit(benchmark::kMicrosecond);
+BENCHMARK(pile_of_4000)->Iterations(20)->Unit(benchmark::kMicrosecond);
+
+}  // namespace

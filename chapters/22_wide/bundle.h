@@ -1,0 +1,88 @@
+/// Contacts of eight pairs of bodies side by side, as plain arrays: what files compiled for different processors hand each other.
+///
+/// Nothing here is a function that two such files could share: the linker would keep one for both.
+#pragma once
+
+namespace pushback {
+
+inline constexpr int lanes_of_bundle = 8;
+
+/// A number for each of eight pairs.
+template <class Real>
+struct alignas(lanes_of_bundle * sizeof(Real)) Eight {
+  Real of[lanes_of_bundle];
+};
+template <class Real>
+struct EightVectors {
+  Eight<Real> x, y, z;
+};
+
+/// A row of chapter 01: what J has beside n, and what M^-1 J^T has beside the masses.
+template <class Real>
+struct WideRow {
+  EightVectors<Real> ra_n, rb_n, dwa, dwb;
+  Eight<Real> impulse;  ///< N s
+};
+/// A point of contact of each pair: a KeptContact of chapter 21.
+template <class Real>
+struct WideContact {
+  WideRow<Real> normal, tangent1, tangent2;
+  Eight<Real> found, restitution, rigid_mass, step_size;  ///< C_0, e, 1 / K, 1 / k; all 0 where a pair has fewer points
+  Eight<Real> bias, softness, mass, bounce;               ///< b, gamma, 1 / (K + gamma), e v_n, of this pass
+};
+/// Eight pairs, no two of which share a body that moves.
+template <class Real>
+struct Bundle {
+  int a[lanes_of_bundle], b[lanes_of_bundle];  ///< in the list of bodies
+  Eight<Real> inverse_mass_a, inverse_mass_b, friction;
+  EightVectors<Real> n, tangent1, tangent2;
+  int first, end;  ///< of its contacts in their list: as many as the pair with the most points has
+};
+
+/// v and w of a body, or x and theta: in m/s and rad/s, or m and rad.
+template <class Real>
+struct alignas(8 * sizeof(Real)) Twist {
+  Real v[3], none_v, w[3], none_w;
+};
+
+/// All of it.
+template <class Real>
+struct Bundles {
+  Bundle<Real>* bundles;
+  int count;
+  WideContact<Real>* contacts;
+  Twist<Real>*now, *before,
+      *moved;  ///< of each body: its velocity; that as the substep began; what it has moved since detection
+};
+
+/// What soft contacts ask for: PushOut of chapter 21.
+template <class Real>
+struct WidePushOut {
+  Real rate, gamma_by_K, fastest, threshold, h;
+};
+
+/// The passes over all contacts, for one number of lanes and one kind of processor.
+template <class Real>
+struct Passes {
+  const char* processor;
+  int lanes;
+  void (*aim)(const Bundles<Real>&, const WidePushOut<Real>&);
+  void (*relax)(const Bundles<Real>&);
+  void (*sweep)(const Bundles<Real>&);
+};
+
+/// For any processor, and for one with AVX2. `lanes`: 1, 4 or 8.
+template <class Real>
+Passes<Real> plain_passes(int lanes);
+template <class Real>
+Passes<Real> avx2_passes(int lanes);
+template <>
+Passes<float> plain_passes(int lanes);
+template <>
+Passes<double> plain_passes(int lanes);
+template <>
+Passes<float> avx2_passes(int lanes);
+template <>
+Passes<double> avx2_passes(int lanes);
+
+}  // namespace pushback

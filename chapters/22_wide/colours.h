@@ -1,0 +1,60 @@
+/// Which pairs of bodies may be solved side by side.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "pushback/common/world/world.h"
+
+namespace pushback {
+
+/// Two bodies that touch: `count` contacts that follow each other in the world's list, from `first` on.
+struct PairOfBodies {
+  std::size_t a, b;  ///< their indices
+  std::size_t first, count;
+};
+/// Sets are solved one after the other, the pairs of a set side by side.
+using Sets = std::vector<std::vector<PairOfBodies>>;
+
+/// In the order of the contacts.
+inline std::vector<PairOfBodies> touching_pairs(const Contacts& contacts) {
+  std::vector<PairOfBodies> pairs;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto& [a, b, feature] = contacts[i].id;
+    if (pairs.empty() || pairs.back().a != a || pairs.back().b != b) pairs.push_back({a, b, i, 0});
+    ++pairs.back().count;
+  }
+  return pairs;
+}
+
+/// No two pairs of a set have a movable body in common, so that nothing one of them does is read by another: greedily, in the
+/// order of the pairs. A body has room for 64 colours; each pair beyond is alone in its set.
+///
+/// Within a set, pairs with more contacts come first: those side by side then have equally many.
+inline Sets coloured(const std::vector<PairOfBodies>& pairs, const World& world) {
+  constexpr int room = 64;
+  std::vector<std::uint64_t> taken(world.bodies.size(), 0);  // of each body: a bit for each colour
+  const auto movable = [&](std::size_t body) { return world.bodies[body].movable(); };
+  Sets sets(room);
+  for (const PairOfBodies& pair : pairs) {
+    std::uint64_t both = 0;
+    for (const std::size_t body : {pair.a, pair.b})
+      if (movable(body)) both |= taken[body];
+    const int colour = std::countr_one(both);
+    if (colour == room) {
+      sets.push_back({pair});
+      continue;
+    }
+    sets[static_cast<std::size_t>(colour)].push_back(pair);
+    for (const std::size_t body : {pair.a, pair.b}) taken[body] |= std::uint64_t(1) << colour;
+  }
+  std::erase_if(sets, [](const auto& set) { return set.empty(); });
+  for (auto& set : sets)
+    std::stable_sort(set.begin(), set.end(),
+                     [](const PairOfBodies& p, const PairOfBodies& q) { return p.count > q.count; });
+  return sets;
+}
+
+}  // namespace pushback

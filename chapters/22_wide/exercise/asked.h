@@ -1,0 +1,23 @@
+/// What exercise 22 asks for.
+#pragma once
+
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_22 {
+
+/// Two bodies that touch, by their indices.
+struct Pair {
+  std::size_t a, b;
+};
+
+using Pairs = std::vector<Pair>;
+using Movable = std::vector<bool>;  ///< of each body
+using Colours = std::vector<int>;   ///< of each pair, from 0 on
+
+struct Answer {
+  Colours (*colours)(const Pairs& pairs, const Movable& movable);
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_22

@@ -1,0 +1,31 @@
+/// Exercise 22: pairs that may be solved side by side. The task is chapters/22_wide/exercise/task.md.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "pushback/chapters/22_wide/exercise/asked.h"
+
+namespace student {
+
+using namespace pushback;
+using exercise_22::Colours;
+using exercise_22::Movable;
+using exercise_22::Pairs;
+
+/// The colour of each pair: greedily, in the order of the pairs, the first that neither of its bodies has.
+///
+/// You read   pairs[i].a, pairs[i].b   the indices of its bodies
+///            movable[a]               whether this body can move; movable.size() is the number of bodies
+/// No body is in more than 60 pairs.
+inline Colours colours(const Pairs& pairs, const Movable& movable) {
+  Colours colours(pairs.size(), 0);
+  // TODO for each pair: what its bodies have, the first colour that is free; then take note of it
+  (void)movable;  // take this line out
+  // TODO ends
+  return colours;
+}
+
+inline const exercise_22::Answer answer{colours};
+
+}  // namespace student

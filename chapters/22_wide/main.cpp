@@ -1,0 +1,122 @@
+#include "pushback/chapters/11_substeps/study.h"
+#include "pushback/chapters/22_wide/scenes.h"
+#include "pushback/chapters/22_wide/study.h"
+#include "pushback/common/render/palette.h"
+
+using namespace pushback;
+using namespace pushback::substeps_scenes;
+using namespace pushback::wide_scenes;
+
+namespace {
+
+Colour colour_of_set(std::size_t set) {
+  const std::array inks{contact_ink(ContactState::fresh),
+                        contact_ink(ContactState::warm),
+                        contact_ink(ContactState::sliding),
+                        contact_ink(ContactState::sticking),
+                        normal_arrow_ink(),
+                        friction_arrow_ink()};
+  return linear(inks[set % inks.size()]);
+}
+
+/// In front of boxes of 1 m: from the middle of each body of a pair to where they touch.
+void draw_sets(Picture& picture, const World& world, Real /*time*/) {
+  const Sets sets = sets_in(world);
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    for (const PairOfBodies& pair : sets[set]) {
+      Vec3 touch = Vec3::Zero();
+      for (std::size_t i = 0; i < pair.count; ++i)
+        touch += world.contacts[pair.first + i].point / static_cast<Real>(pair.count);
+      touch.z() = Real(0.55);
+      std::vector<Vec3> corners;
+      for (const std::size_t body : {pair.a, pair.b}) {
+        if (!world.bodies[body].movable()) continue;
+        const Vec3& middle = world.bodies[body].position;
+        corners = {{middle.x(), middle.y(), touch.z()}, touch};
+        add_line(picture, corners, colour_of_set(set), 6);
+      }
+    }
+  }
+}
+
+void number_sets(Experiment& e) {
+  e.number("sets", "", [](const Run& run) { return static_cast<Real>(sets_in(run.world).size()); });
+  e.number("lanes with a contact", "%", [](const Run& run) { return 100 * part_filled(sets_in(run.world)); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment e("22_wide", "What can be solved side by side?");
+  OnceInAStep set;
+  e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &set.substeps);
+  int base = 10;
+  e.parameter({"--base", "n", "", "Boxes of the pyramid's lowest row", 1, 20}, &base);
+  int tall = 40;
+  e.parameter({"--boxes", "n", "", "Boxes of the stack", 2, 40}, &tall);
+  LoadedSlab slab;
+  e.parameter({"--square", "n", "", "Boxes along each side of the slab", 1, 12}, &slab.boxes);
+  HeavyOnLight heavy;
+  e.parameter({"--mass-ratio", "", "", "Mass of the upper box, in masses of the one below", 1, 2000},
+              &heavy.mass_ratio);
+  return e.run(argc, argv, [&] {
+    DetectedOnce once;
+    Wide<double> doubles;
+    Wide<float> floats;
+    once.substeps = doubles.substeps = floats.substeps = set.substeps;
+    const auto in_three_ways = [&] {
+      e.variant("chapter 21", once).with_exactly(1).coloured(0);
+      e.variant("wide, double", doubles).with_exactly(1).coloured(2);
+      e.variant("wide, float", floats).with_exactly(1).coloured(1);
+    };
+    const auto fill_pyramid = [base](World& world) {
+      pyramid(world, base);
+      for (Body& body : world.bodies)
+        if (body.movable()) body.coloured(1);
+    };
+
+    e.scene({.name = "a pyramid, and its pairs",
+             .fill = fill_pyramid,
+             .camera = {{0, Real(0.47) * static_cast<Real>(base), 3 * static_cast<Real>(base)},
+                        {0, Real(0.47) * static_cast<Real>(base), 0},
+                        Real(0.36)},
+             .seconds = 1,
+             .contacts = Drawn::nothing,
+             .caption = "Each line is a pair of bodies that touch. Pairs of one colour never meet in a box: they are "
+                        "solved side by side.",
+             .start_shown = false,
+             .marks = draw_sets,
+             .strobe = Strobe{.every = 1, .shift_per_second = {0, 0, 0}, .from = 1, .height = 700}});
+    e.variant("wide, float", floats).with_exactly(1).coloured(1).without_curves();
+    number_sets(e);
+
+    e.scene({.name = "the pyramid in three ways", .fill = fill_pyramid, .seconds = 10, .pictures = false});
+    e.series("deepest overlap", "mm", [](const World& world) { return 1000 * deepest_overlap(world); });
+    e.series_without_curves("largest speed", [](const World& world) { return 1000 * largest_speed(world); });
+    e.number("speed at the end", "mm/s", [](const Run& run) { return run.series.at("largest speed").back(); });
+    number_overlap(e);
+    in_three_ways();
+
+    e.scene({.name = "a stack of " + spelled(tall) + " in four orders",
+             .fill = [tall](World& world) { stack(world, tall); },
+             .seconds = 10,
+             .pictures = false});
+    watch_stack(e);
+    const auto in_order = [&](const char* name, auto order) -> Variant& {
+      Wide<double> solver = doubles;
+      solver.sets_of = order;
+      return e.variant(name, solver).with_exactly(1);
+    };
+    in_order("from the ground up", one_by_one).coloured(0);
+    in_order("from the top down", from_the_last).coloured(3);
+    in_order("shuffled", shuffled).coloured(4);
+    in_order("by colours", coloured).coloured(2);
+
+    scene_of_heavy(e, heavy);
+    in_three_ways();
+
+    e.scene({.name = "a slab under many boxes", .fill = slab, .seconds = 1, .pictures = false});
+    e.variant("wide, float", floats).with_exactly(1).coloured(1).without_curves();
+    number_sets(e);
+  });
+}

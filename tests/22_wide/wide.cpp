@@ -1,0 +1,229 @@
+/// Eight pairs at a time: the bits of one at a time, and the same physics as chapter 21's.
+#include "pushback/chapters/22_wide/study.h"
+
+#include <set>
+
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/11_substeps/scenes.h"
+#include "pushback/chapters/21_detected_once/study.h"
+#include "pushback/common/bodies/random.h"
+#include "pushback/common/world/measure.h"
+#include "tests/support/catch.h"
+#include "tests/support/sliding.h"
+#include "tests/support/yardstick.h"
+
+using namespace pushback;
+
+namespace {
+
+/// Boxes, balls and capsules that fall into a heap, some of them bouncy, one without friction.
+void heap(World& world) {
+  Random random(5);
+  world.add(ground());
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 place{static_cast<Real>(i % 4) * Real(0.9), Real(0.5) + static_cast<Real>(i / 4) * Real(0.5),
+                     static_cast<Real>(i / 2 % 2)};
+    Body body = i % 3 == 0   ? box({Real(0.4), Real(0.3), Real(0.45)}, 100)
+                : i % 3 == 1 ? sphere(Real(0.3), 20)
+                             : capsule(Real(0.2), Real(0.3), 10);
+    if (i % 5 == 0) body.bouncy(Real(0.5));
+    if (i % 7 == 0) body.rough(0);
+    world.add(body.turned(random.between(0, 3), random.direction()).at(place + random.vector(Real(0.1))));
+  }
+}
+
+template <class Scalar>
+std::uint64_t hash_after(const Passes<Scalar>& passes, const std::function<void(World&)>& fill, int steps) {
+  World world;
+  fill(world);
+  Wide<Scalar> solver;
+  solver.passes = passes;
+  solver.substeps = 8;
+  for (int i = 0; i < steps; ++i) world.step(solver, h);
+  return hash_of(world);
+}
+
+template <class Scalar>
+void check_same_bits() {
+  const std::function<void(World&)> scenes[] = {heap, [](World& world) { pyramid(world, 5); }};
+  for (const auto& fill : scenes) {
+    const std::uint64_t one = hash_after(plain_passes<Scalar>(1), fill, 90);
+    for (const int lanes : {4, 8}) CHECK(hash_after(plain_passes<Scalar>(lanes), fill, 90) == one);
+    for (const int lanes : {1, 4, 8}) CHECK(hash_after(passes_of_this_processor<Scalar>(lanes), fill, 90) == one);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("wide: one, four and eight lanes give the same bits, on any processor, in float") {
+  check_same_bits<float>();
+}
+TEST_CASE("wide: one, four and eight lanes give the same bits, on any processor, in double") {
+  check_same_bits<double>();
+}
+
+TEST_CASE("wide: no two pairs of a set share a body that moves, every pair is in one set, and few sets do") {
+  Random random(1);
+  for (int i = 0; i < 50; ++i) {
+    const std::size_t bodies = 2 + random.below(40);
+    World world;
+    for (std::size_t k = 0; k < bodies; ++k) world.add(random.below(6) > 0 ? sphere(1, 1) : sphere(1, 1).fixed());
+    const auto movable = [&](std::size_t body) { return world.bodies[body].movable(); };
+    std::vector<PairOfBodies> pairs;
+    for (std::size_t a = 0; a < bodies; ++a)
+      for (std::size_t b = a + 1; b < bodies; ++b)
+        if ((movable(a) || movable(b)) && random.below(3) == 0)
+          pairs.push_back({a, b, pairs.size(), 1 + random.below(4)});
+    std::vector<int> touches(bodies, 0);
+    for (const PairOfBodies& pair : pairs)
+      for (const std::size_t body : {pair.a, pair.b}) touches[body] += movable(body) ? 1 : 0;
+    const auto sets = coloured(pairs, world);
+    std::set<std::size_t> seen;
+    for (const auto& set : sets) {
+      std::set<std::size_t> taken;
+      std::size_t before = 4;
+      for (const PairOfBodies& pair : set) {
+        CHECK(seen.insert(pair.first).second);
+        for (const std::size_t body : {pair.a, pair.b})
+          if (movable(body)) CHECK(taken.insert(body).second);
+        CHECK(pair.count <= before);
+        before = pair.count;
+      }
+    }
+    CHECK(seen.size() == pairs.size());
+    const int most = *std::max_element(touches.begin(), touches.end());
+    CHECK(sets.size() <= static_cast<std::size_t>(std::max(1, 2 * most - 1)));  // what a greedy choice never exceeds
+  }
+}
+
+TEST_CASE("wide: a body under more than 64 others: those beyond are solved one after the other") {
+  World movable, fixed;
+  for (World* world : {&movable, &fixed})
+    for (int i = 0; i < 71; ++i) world->add(i == 0 && world == &fixed ? sphere(1, 1).fixed() : sphere(1, 1));
+  std::vector<PairOfBodies> pairs;
+  for (std::size_t i = 0; i < 70; ++i) pairs.push_back({0, i + 1, i, 1});
+  CHECK(coloured(pairs, movable).size() == 70);
+  CHECK(coloured(pairs, fixed).size() == 1);
+}
+
+TEST_CASE(
+    "wide: pairs are those of the contacts, in their order; all points of a pair have one normal and one friction") {
+  World world;
+  heap(world);
+  FullSolver solver;
+  for (int i = 0; i < 120; ++i) {
+    world.step(solver, h);
+    std::size_t next = 0;
+    for (const PairOfBodies& pair : touching_pairs(world.contacts)) {
+      REQUIRE(pair.first == next);
+      next += pair.count;
+      for (std::size_t k = pair.first; k < next; ++k) {
+        const Contact& contact = world.contacts[k];
+        CHECK((contact.id.body_a == pair.a && contact.id.body_b == pair.b));
+        CHECK(contact.normal == world.contacts[pair.first].normal);
+        CHECK(contact.friction == world.contacts[pair.first].friction);
+        CHECK(contact.restitution == world.contacts[pair.first].restitution);
+      }
+    }
+    REQUIRE(next == world.contacts.size());
+  }
+}
+
+TEST_CASE("wide: what rests ends as it does one contact after the other") {
+  const auto compare = [](const auto& fill, Real seconds, Real allowed) {
+    World once, doubles, floats;
+    for (World* world : {&once, &doubles, &floats}) fill(*world);
+    DetectedOnce of_once;
+    Wide<double> of_doubles;
+    Wide<float> of_floats;
+    for (int i = 0; i < static_cast<int>(std::lround(seconds / h)); ++i) {
+      once.step(of_once, h);
+      doubles.step(of_doubles, h);
+      floats.step(of_floats, h);
+    }
+    for (const World* world : {&doubles, &floats}) {
+      for (std::size_t i = 0; i < once.bodies.size(); ++i) {
+        INFO((world == &floats ? "float" : "double") << ", body " << i);
+        CHECK((once.bodies[i].position - world->bodies[i].position).norm() < allowed);
+      }
+      CHECK(deepest_overlap(*world) == Approx(deepest_overlap(once)).epsilon(0.02).margin(1e-6));
+    }
+  };
+  compare([](World& world) { stack(world, 10); }, 5, Real(0.2e-3));
+  compare([](World& world) { pyramid(world, 8); }, 3, Real(1e-3));
+  compare(substeps_scenes::HeavyOnLight{100}, 3, Real(0.2e-3));
+  compare([](World& world) { box_on_slope(world, Real(0.35), Real(0.3)); }, 1, Real(0.2e-3));
+  compare([](World& world) { box_on_slope(world, Real(0.35), Real(0.5)); }, 1, Real(0.2e-3));
+}
+
+TEST_CASE("wide: in float, a stack stands 100 km from the origin as it does there") {
+  World near, far;
+  stack(near, 10);
+  stack(far, 10);
+  const Vec3 away(Real(1e5), 0, Real(-1e5));
+  for (Body& body : far.bodies)
+    if (body.movable()) body.position += away;
+  Wide<float> of_near, of_far;
+  for (int i = 0; i < 300; ++i) {
+    near.step(of_near, h);
+    far.step(of_far, h);
+  }
+  for (std::size_t i = 1; i < near.bodies.size(); ++i)
+    CHECK((far.bodies[i].position - away - near.bodies[i].position).norm() < (in_double ? Real(1e-5) : Real(0.1)));
+}
+
+TEST_CASE("wide: what nothing touches keeps its bits") {
+  World wide, alone;
+  for (World* world : {&wide, &alone})
+    world->add(box({Real(0.1), Real(0.2), Real(0.3)}, 1).at({0, 50, 0}).moving({1, 2, 3}).spinning({3, 2, 1}));
+  stack(wide, 2);
+  Wide<float> of_wide;
+  DetectedOnce of_alone;
+  for (int i = 0; i < 60; ++i) {
+    wide.step(of_wide, h);
+    alone.step(of_alone, h);
+    REQUIRE(wide.bodies[0].position == alone.bodies[0].position);
+    REQUIRE(wide.bodies[0].angular_velocity == alone.bodies[0].angular_velocity);
+  }
+}
+
+TEST_CASE("wide: a copied world goes on in the same bits with a new solver") {
+  World world;
+  heap(world);
+  Wide<float> solver;
+  for (int i = 0; i < 30; ++i) world.step(solver, h);
+  World copy = world;
+  Wide<float> fresh;
+  for (int i = 0; i < 30; ++i) {
+    world.step(solver, h);
+    copy.step(fresh, h);
+    REQUIRE(hash_of(world) == hash_of(copy));
+  }
+}
+
+TEST_CASE("wide: a pyramid needs few sets, and lanes are full where pairs are alike") {
+  World world;
+  pyramid(world, 20);
+  Wide<float> solver;
+  for (int i = 0; i < 3; ++i) world.step(solver, h);
+  CHECK(wide_scenes::sets_in(world).size() <= 6);
+  CHECK(wide_scenes::part_filled(wide_scenes::sets_in(world)) > Real(0.9));
+}
+
+TEST_CASE("wide: the part of the lanes that has a contact, counted by hand") {
+  const Sets sets{{{0, 1, 0, 4}, {0, 2, 4, 2}}, {{1, 2, 6, 1}}};  // 8 lanes 4 times, then once
+  CHECK(wide_scenes::part_filled(sets) == Approx(7.0 / 40));
+  CHECK(wide_scenes::part_filled({}) == 1);
+}
+
+TEST_CASE("wide: a stack stands whatever the order of its pairs") {
+  for (const auto order : {wide_scenes::one_by_one, wide_scenes::from_the_last, wide_scenes::shuffled, coloured}) {
+    World world;
+    stack(world, 10);
+    Wide<double> solver;
+    solver.sets_of = order;
+    for (int i = 0; i < 300; ++i) world.step(solver, h);
+    CHECK(std::hypot(world.bodies.back().position.x(), world.bodies.back().position.z()) < Real(1e-3));
+    CHECK(largest_speed(world) < Real(1e-3));
+  }
+}
