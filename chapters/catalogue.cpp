@@ -23,6 +23,7 @@
 #include "pushback/chapters/18_direct_joints/scenes.h"
 #include "pushback/chapters/20_only_what_is_needed/scenes.h"
 #include "pushback/chapters/21_detected_once/scenes.h"
+#include "pushback/chapters/22_wide/scenes.h"
 
 namespace pushback {
 
@@ -98,7 +99,8 @@ std::vector<NamedScene> all_scenes() {
       {"20-piles", only_what_is_needed_scenes::FivePiles{}},
       {"20-ice", only_what_is_needed_scenes::cubes_on_ice},
       {"21-cube", detected_once_scenes::RollingCube{}},
-      {"21-ball", detected_once_scenes::FallingBall{}},
+      {"21-ball", detected_once_scenes::FallingBall{.speed = 8}},
+      {"22-slab", wide_scenes::LoadedSlab{.boxes = 4}},
   };
 }
 

@@ -21,7 +21,7 @@ using namespace pushback;
 
 namespace {
 
-constexpr int steps = 120;
+constexpr int steps = 60;
 constexpr std::size_t few = 100;  // contacts: what solves them all directly takes no more
 
 using Stepper = std::function<void(World&)>;

@@ -1,6 +1,7 @@
 #include "pushback/chapters/11_substeps/study.h"
 #include "pushback/chapters/22_wide/scenes.h"
 #include "pushback/chapters/22_wide/study.h"
+#include "pushback/common/experiment/marks.h"
 #include "pushback/common/render/palette.h"
 
 using namespace pushback;
@@ -65,9 +66,9 @@ int main(int argc, char** argv) {
     Wide<float> floats;
     once.substeps = doubles.substeps = floats.substeps = set.substeps;
     const auto in_three_ways = [&] {
-      e.variant("chapter 21", once).with_exactly(1).coloured(0);
-      e.variant("wide, double", doubles).with_exactly(1).coloured(2);
-      e.variant("wide, float", floats).with_exactly(1).coloured(1);
+      e.variant("chapter 21", once).with_exactly(1).coloured(0).without_curves();
+      e.variant("wide, double", doubles).with_exactly(1).coloured(2).without_curves();
+      e.variant("wide, float", floats).with_exactly(1).coloured(1).without_curves();
     };
     const auto fill_pyramid = [base](World& world) {
       pyramid(world, base);
@@ -91,7 +92,6 @@ int main(int argc, char** argv) {
     number_sets(e);
 
     e.scene({.name = "the pyramid in three ways", .fill = fill_pyramid, .seconds = 10, .pictures = false});
-    e.series("deepest overlap", "mm", [](const World& world) { return 1000 * deepest_overlap(world); });
     e.series_without_curves("largest speed", [](const World& world) { return 1000 * largest_speed(world); });
     e.number("speed at the end", "mm/s", [](const Run& run) { return run.series.at("largest speed").back(); });
     number_overlap(e);

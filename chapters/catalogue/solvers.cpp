@@ -10,6 +10,7 @@
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
+#include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/catalogue/compiled.h"
 #include "pushback/common/basics/input.h"
 

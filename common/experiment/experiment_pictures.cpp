@@ -142,8 +142,8 @@ void Experiment::Shots::end() {
   if (strobe_) {
     if (scene_.marks) scene_.marks(*strobe_, marked_, marked_at_);
     result_.cells.push_back(still(*strobe_, output_.strip(scene_.strobe->height)));
-    result_.cell_notes.push_back(fmt::format("every {:.3g} s, up to t = {:.3g} s", scene_.strobe->every, marked_at_) +
-                                 how_magnified());
+    const std::string instants = cells_.size() == 1 ? "" : fmt::format("every {:.3g} s, up to ", scene_.strobe->every);
+    result_.cell_notes.push_back(fmt::format("{}t = {:.3g} s", instants, marked_at_) + how_magnified());
   }
   while (!scene_.strobe && !result_.cells.empty() && result_.cells.size() < cells_.size()) {  // after a mishap
     result_.cells.push_back(result_.cells.back());

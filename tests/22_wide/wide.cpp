@@ -107,7 +107,8 @@ TEST_CASE("wide: a body under more than 64 others: those beyond are solved one a
 }
 
 TEST_CASE(
-    "wide: pairs are those of the contacts, in their order; all points of a pair have one normal and one friction") {
+    "wide: pairs are those of the contacts, in their order, and all points of a pair have one normal and one "
+    "friction") {
   World world;
   heap(world);
   FullSolver solver;

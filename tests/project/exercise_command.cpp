@@ -95,7 +95,7 @@ TEST_CASE("watched, a file is checked at each save") {
     std::this_thread::sleep_for(std::chrono::seconds(2));
     student.write(right);
   });
-  const Ended ended = run_program({EXERCISE_PROGRAM, "04", "--watch", "--in", (student.scratch / "").string()}, 30);
+  const Ended ended = run_program({EXERCISE_PROGRAM, "04", "--watch", "--in", (student.scratch / "").string()}, 20);
   CHECK(ended.status == 124);  // it goes on until it is interrupted
   CHECK(contains(ended.out, "Nothing is written yet."));
   CHECK(contains(ended.out, "Solved."));

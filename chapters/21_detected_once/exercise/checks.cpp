@@ -20,6 +20,7 @@ struct Ball {
   World world;
   Real radius, gap;
   Moved ground_moved{Vec3::Zero(), Vec3::Zero()}, ball_moved = ground_moved;
+  std::optional<Row> row;
 
   Ball(Random& random, Real substeps_to_go, Real fall)
       : h(1 / random.between(400, 500)),
@@ -29,20 +30,21 @@ struct Ball {
     world.add(ground());
     world.add(sphere(radius, random.between(5, 20)).at({0, radius + gap, 0}).moving({0, -fall, 0}));
     world.find_contacts({.least = 1});
+    const Contact& contact = world.contacts[0];
+    row.emplace(world, contact, contact.normal, 0).lo = 0;
   }
   Ball(const Ball&) = delete;  // `row` knows where the bodies are
-  Row row{detected()};
 
   /// One after the other; each with its relaxing pass.
   void substeps(int count, const Answer& answer) {
     for (int i = 0; i < count; ++i) {
       for (Body& body : world.bodies) push(body, world.gravity, h);
-      const Real asked = row.bias = answer.bias(separation(answer), rate, h);
-      row.solve();
+      const Real asked = row->bias = answer.bias(separation(answer), rate, h);
+      row->solve();
       world.move(h);
       ball_moved.way += h * world.bodies[1].velocity;
-      row.bias = answer.relaxed_bias(asked, separation(answer), h);
-      row.solve();
+      row->bias = answer.relaxed_bias(asked, separation(answer), h);
+      row->solve();
     }
   }
   Real speed() const { return world.bodies[1].velocity.y(); }
@@ -50,13 +52,8 @@ struct Ball {
   Real height() const { return 1000 * (world.bodies[1].position.y() - radius); }
 
  private:
-  Row detected() {
-    Row made(world, world.contacts[0], world.contacts[0].normal, 0);
-    made.lo = 0;
-    return made;
-  }
   Real separation(const Answer& answer) const {
-    return answer.separation({row.n, {0, 0, 0}, {0, -radius, 0}, gap}, ground_moved, ball_moved);
+    return answer.separation({row->n, {0, 0, 0}, {0, -radius, 0}, gap}, ground_moved, ball_moved);
   }
 };
 
@@ -228,13 +225,10 @@ std::vector<Mistake<Answer>> mistakes() {
        "to "
        "take its time: rate · C.",
        with_bias([](Real C, Real, Real h) -> Real { return C / h; })},
-      {"no push-out", "it looks as if nothing were asked for where the bodies overlap. Nothing brings them apart then.",
+      {"no push-out",
+       "it looks as if nothing were asked for where the bodies overlap, or b had the wrong sign there. C is negative "
+       "then, and b = rate · C is, too: the row wants JV = -b.",
        with_bias([](Real C, Real, Real h) -> Real { return std::max(C / h, Real(0)); })},
-      {"the push-out's sign",
-       "it looks as if the push-out had the wrong sign. C is negative where the bodies overlap, and b = rate · C is, "
-       "too: "
-       "the row wants JV = -b.",
-       with_bias([](Real C, Real rate, Real h) -> Real { return C > 0 ? C / h : -rate * C; })},
       {"relaxed in the air",
        "it looks as if the relaxing pass asked for b = 0 of bodies that are apart. That stops them where they are. "
        "Only "

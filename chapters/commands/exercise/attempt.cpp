@@ -128,6 +128,8 @@ Command Sandbox::around(Command command, const fs::path& folder, const std::vect
                "--tmpfs",       "/tmp"};
   for (const char* link : {"bin", "lib", "lib64"})
     made = made + Command{"--symlink", fmt::format("usr/{}", link), fmt::format("/{}", link)};
+  made =
+      made + Command{"--ro-bind-try", "/etc/alternatives", "/etc/alternatives"};  // where Debian's /usr/bin/c++ leads
   made = made + Command{"--ro-bind", headers_.path, kit().headers, "--bind", folder, folder, "--chdir", folder};
   for (const fs::path& path : readable) made = made + Command{"--ro-bind", path, path};
   return made + Command{"--"} + command;
