@@ -16,12 +16,22 @@ template <class Real>
 struct EightVectors {
   Eight<Real> x, y, z;
 };
+template <class Real>
+struct EightSymmetric {
+  Eight<Real> xx, xy, xz, yy, yz, zz;
+};
 
 /// A row of chapter 01: what J has beside n, and what M^-1 J^T has beside the masses.
 template <class Real>
 struct WideRow {
   EightVectors<Real> ra_n, rb_n, dwa, dwb;
   Eight<Real> impulse;  ///< N s
+};
+/// Where a point of contact of each pair is: what its rows are made of.
+template <class Real>
+struct WidePoint {
+  EightVectors<Real> arm_a, arm_b;  ///< m, from the centres of mass
+  Eight<Real> present;              ///< 1; or 0 where a pair has fewer points
 };
 /// A point of contact of each pair: a KeptContact of chapter 21.
 template <class Real>
@@ -35,6 +45,7 @@ template <class Real>
 struct Bundle {
   int a[lanes_of_bundle], b[lanes_of_bundle];  ///< in the list of bodies
   Eight<Real> inverse_mass_a, inverse_mass_b, friction;
+  EightSymmetric<Real> inverse_inertia_a, inverse_inertia_b;  ///< I^-1, world axes
   EightVectors<Real> n, tangent1, tangent2;
   int first, end;  ///< of its contacts in their list: as many as the pair with the most points has
 };
@@ -50,9 +61,10 @@ template <class Real>
 struct Bundles {
   Bundle<Real>* bundles;
   int count;
+  const WidePoint<Real>* points;
   WideContact<Real>* contacts;
-  Twist<Real>*now, *before,
-      *moved;  ///< of each body: its velocity; that as the substep began; what it has moved since detection
+  Twist<Real>*now, *before;   ///< of each body: its velocity; that as the substep began
+  Twist<Real>*moved, *given;  ///< what it has moved since detection; what its contacts' impulses add to its velocity
 };
 
 /// What soft contacts ask for: PushOut of chapter 21.
@@ -66,6 +78,7 @@ template <class Real>
 struct Passes {
   const char* processor;
   int lanes;
+  void (*prepare)(const Bundles<Real>&);
   void (*aim)(const Bundles<Real>&, const WidePushOut<Real>&);
   void (*relax)(const Bundles<Real>&);
   void (*sweep)(const Bundles<Real>&);

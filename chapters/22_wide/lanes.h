@@ -27,6 +27,18 @@ template <class Lanes>
 Lanes dot(const Vec<Lanes>& p, const Vec<Lanes>& q) {
   return p.x * q.x + p.y * q.y + p.z * q.z;
 }
+template <class Lanes>
+Vec<Lanes> cross(const Vec<Lanes>& p, const Vec<Lanes>& q) {
+  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+}
+template <class Lanes>
+struct Symmetric {
+  Lanes xx, xy, xz, yy, yz, zz;
+  friend Vec<Lanes> operator*(const Symmetric& m, const Vec<Lanes>& p) {
+    return {m.xx * p.x + m.xy * p.y + m.xz * p.z, m.xy * p.x + m.yy * p.y + m.yz * p.z,
+            m.xz * p.x + m.yz * p.y + m.zz * p.z};
+  }
+};
 
 /// Lanes of eight numbers, from the one at `at` on.
 template <class Lanes, class Real>
@@ -38,8 +50,19 @@ Vec<Lanes> load(const EightVectors<Real>& from, int at) {
   return {load<Lanes>(from.x, at), load<Lanes>(from.y, at), load<Lanes>(from.z, at)};
 }
 template <class Lanes, class Real>
+Symmetric<Lanes> load(const EightSymmetric<Real>& from, int at) {
+  return {load<Lanes>(from.xx, at), load<Lanes>(from.xy, at), load<Lanes>(from.xz, at),
+          load<Lanes>(from.yy, at), load<Lanes>(from.yz, at), load<Lanes>(from.zz, at)};
+}
+template <class Lanes, class Real>
 void store(const Lanes& lanes, Eight<Real>& to, int at) {
   lanes.copy_to(to.of + at, simd::element_aligned);
+}
+template <class Lanes, class Real>
+void store(const Vec<Lanes>& vectors, EightVectors<Real>& to, int at) {
+  store(vectors.x, to.x, at);
+  store(vectors.y, to.y, at);
+  store(vectors.z, to.z, at);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ template <class Lanes>
 struct LanesOfRow {
   Vec<Lanes> n, ra_n, rb_n, dwa, dwb;
   template <class Real>
-  LanesOfRow(const EightVectors<Real>& direction, const WideRow<Real>& row, int at)
+  [[gnu::always_inline]] LanesOfRow(const EightVectors<Real>& direction, const WideRow<Real>& row, int at)
       : n(load<Lanes>(direction, at)),
         ra_n(load<Lanes>(row.ra_n, at)),
         rb_n(load<Lanes>(row.rb_n, at)),
@@ -21,7 +21,7 @@ struct LanesOfRow {
         dwb(load<Lanes>(row.dwb, at)) {}
 };
 
-/// As many pairs of bodies, copied side by side.
+/// As many pairs of bodies, copied side by side. Inlined in any case: what is in memory instead of a register takes a third longer.
 template <class Lanes>
 struct Pairs {
   struct Motion {
@@ -31,24 +31,24 @@ struct Pairs {
   Lanes inverse_mass_a, inverse_mass_b;
 
   template <class Real>
-  Pairs(const Bundle<Real>& bundle, const Twist<Real>* bodies, int at)
+  [[gnu::always_inline]] Pairs(const Bundle<Real>& bundle, const Twist<Real>* bodies, int at)
       : a(fetch(bundle.a + at, bodies)),
         b(fetch(bundle.b + at, bodies)),
         inverse_mass_a(load<Lanes>(bundle.inverse_mass_a, at)),
         inverse_mass_b(load<Lanes>(bundle.inverse_mass_b, at)) {}
   /// J V; of displacements: in m.
-  Lanes along(const LanesOfRow<Lanes>& row) const {
+  [[gnu::always_inline]] Lanes along(const LanesOfRow<Lanes>& row) const {
     return dot(row.n, b.v - a.v) + (dot(row.rb_n, b.w) - dot(row.ra_n, a.w));
   }
   /// V += M^-1 J^T lambda.
-  void apply(const Lanes& lambda, const LanesOfRow<Lanes>& row) {
+  [[gnu::always_inline]] void apply(const Lanes& lambda, const LanesOfRow<Lanes>& row) {
     a.v = a.v - (inverse_mass_a * lambda) * row.n;
     b.v = b.v + (inverse_mass_b * lambda) * row.n;
     a.w = a.w - lambda * row.dwa;
     b.w = b.w + lambda * row.dwb;
   }
   template <class Real>
-  void put_back(const Bundle<Real>& bundle, Twist<Real>* bodies, int at) const {
+  [[gnu::always_inline]] void put_back(const Bundle<Real>& bundle, Twist<Real>* bodies, int at) const {
     put(a, bundle.a + at, bodies);
     put(b, bundle.b + at, bodies);
   }
@@ -78,6 +78,60 @@ template <class Lanes, class Real, class Act>
 void each_bundle(const Bundles<Real>& all, const Act& act) {
   for (int i = 0; i < all.count; ++i)
     for (int at = 0; at < lanes_of_bundle; at += int(Lanes::size())) act(all.bundles[i], at);
+}
+
+/// What the two bodies of a pair have to do with any row of theirs.
+template <class Lanes>
+struct Levers {
+  Vec<Lanes> arm_a, arm_b;
+  Symmetric<Lanes> inverse_inertia_a, inverse_inertia_b;
+  Lanes inverse_masses;
+};
+/// J and M^-1 J^T of a row along `n`. Returns K, 1/kg.
+template <class Lanes, class Real>
+Lanes make_row(WideRow<Real>& row, const Vec<Lanes>& n, const Levers<Lanes>& levers, int at) {
+  const Vec<Lanes> ra_n = cross(levers.arm_a, n), rb_n = cross(levers.arm_b, n);
+  const Vec<Lanes> dwa = levers.inverse_inertia_a * ra_n, dwb = levers.inverse_inertia_b * rb_n;
+  store(ra_n, row.ra_n, at);
+  store(rb_n, row.rb_n, at);
+  store(dwa, row.dwa, at);
+  store(dwb, row.dwb, at);
+  return levers.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
+}
+
+/// Once in a step: the rows, and what the impulses that they start from give the bodies.
+template <class Lanes, class Real>
+void prepare(const Bundles<Real>& all) {
+  each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
+    Pairs<Lanes> given(bundle, all.given, at);
+    Levers<Lanes> levers{.arm_a = {},
+                         .arm_b = {},
+                         .inverse_inertia_a = load<Lanes>(bundle.inverse_inertia_a, at),
+                         .inverse_inertia_b = load<Lanes>(bundle.inverse_inertia_b, at),
+                         .inverse_masses = given.inverse_mass_a + given.inverse_mass_b};
+    for (int c = bundle.first; c < bundle.end; ++c) {
+      WideContact<Real>& contact = all.contacts[c];
+      levers.arm_a = load<Lanes>(all.points[c].arm_a, at);
+      levers.arm_b = load<Lanes>(all.points[c].arm_b, at);
+      const auto present = load<Lanes>(all.points[c].present, at) > 0;
+      const Lanes K = make_row(contact.normal, load<Lanes>(bundle.n, at), levers, at);
+      const Lanes k11 = make_row(contact.tangent1, load<Lanes>(bundle.tangent1, at), levers, at);
+      const Lanes k22 = make_row(contact.tangent2, load<Lanes>(bundle.tangent2, at), levers, at);
+      const LanesOfRow<Lanes> normal(bundle.n, contact.normal, at), tangent1(bundle.tangent1, contact.tangent1, at),
+          tangent2(bundle.tangent2, contact.tangent2, at);
+      const Lanes k12 = dot(tangent2.rb_n, tangent1.dwb) + dot(tangent2.ra_n, tangent1.dwa), half = (k11 - k22) / 2;
+      Lanes mass = 0, step_size = 0;
+      where(present, mass) = 1 / K;
+      where(present, step_size) =
+          1 / ((k11 + k22) / 2 + sqrt(half * half + k12 * k12));  // chapter 08: the larger eigenvalue
+      store(mass, contact.rigid_mass, at);
+      store(step_size, contact.step_size, at);
+      given.apply(load<Lanes>(contact.normal.impulse, at), normal);
+      given.apply(load<Lanes>(contact.tangent1.impulse, at), tangent1);
+      given.apply(load<Lanes>(contact.tangent2.impulse, at), tangent2);
+    }
+    given.put_back(bundle, all.given, at);
+  });
 }
 
 /// J V + b + gamma lambda = 0.
@@ -177,7 +231,7 @@ void sweep(const Bundles<Real>& all) {
 template <class Real, int width>
 Passes<Real> passes_of(const char* processor) {
   using Lanes = LanesOf<Real, width>;
-  return {processor, width, aim<Lanes, Real>, relax<Lanes, Real>, sweep<Lanes, Real>};
+  return {processor, width, prepare<Lanes, Real>, aim<Lanes, Real>, relax<Lanes, Real>, sweep<Lanes, Real>};
 }
 template <class Real>
 Passes<Real> passes_for(const char* processor, int lanes) {

@@ -34,12 +34,13 @@ Vec3 vector_of(const EightVectors<Scalar>& from, std::size_t lane) {
   return {static_cast<Real>(from.x.of[lane]), static_cast<Real>(from.y.of[lane]), static_cast<Real>(from.z.of[lane])};
 }
 template <class Scalar>
-void put(const Row& row, WideRow<Scalar>& into, std::size_t lane) {
-  put(row.ra_n, into.ra_n, lane);
-  put(row.rb_n, into.rb_n, lane);
-  put(Vec3(-row.dwa), into.dwa, lane);
-  put(row.dwb, into.dwb, lane);
-  into.impulse.of[lane] = static_cast<Scalar>(row.impulse);
+void put(const Mat3& symmetric, EightSymmetric<Scalar>& into, std::size_t lane) {
+  into.xx.of[lane] = static_cast<Scalar>(symmetric(0, 0));
+  into.xy.of[lane] = static_cast<Scalar>(symmetric(0, 1));
+  into.xz.of[lane] = static_cast<Scalar>(symmetric(0, 2));
+  into.yy.of[lane] = static_cast<Scalar>(symmetric(1, 1));
+  into.yz.of[lane] = static_cast<Scalar>(symmetric(1, 2));
+  into.zz.of[lane] = static_cast<Scalar>(symmetric(2, 2));
 }
 template <class Scalar>
 Twist<Scalar> twist_of(const Vec3& v, const Vec3& w) {
@@ -75,9 +76,11 @@ std::size_t Wide<Scalar>::place_of(World& world, std::size_t body) {
 
 template <class Scalar>
 void Wide<Scalar>::detected(World& world, Real h) {
+  const NoDenormals none;
   bodies_.clear();
   places_.clear();
   bundles_.clear();
+  points_.clear();
   contacts_.clear();
   Sets sets = sets_of(touching_pairs(world.contacts), world);
   for (auto& set : sets)
@@ -85,57 +88,72 @@ void Wide<Scalar>::detected(World& world, Real h) {
   bodies_.push_back(&world.body(the_world));
   for (auto* twists : {&now_, &before_, &moved_, &given_}) twists->assign(bodies_.size(), Twist<Scalar>{});
   where_.resize(world.contacts.size());
-  known_.assign(world.contacts.size(), false);
-  for (const auto& set : sets) pack(world, set, world.contacts_before, world.impulse_scale(h));
+  start_from_last_step(world, h);
+  for (const auto& set : sets) pack(world, set);
+  passes.prepare(bundles());
 }
 
-/// Rows are chapter 21's, copied side by side.
+/// What each contact starts from, N s.
 template <class Scalar>
-void Wide<Scalar>::pack(World& world, const std::vector<PairOfBodies>& set, const Contacts& before, Real scale) {
+void Wide<Scalar>::start_from_last_step(const World& world, Real h) {
+  const Real scale = world.impulse_scale(h);
+  known_.assign(world.contacts.size(), false);
+  guesses_.assign(world.contacts.size(), Vec3::Zero());
+  auto old = world.contacts_before.begin();  // both lists ascend: walk them side by side
+  for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+    const ContactId id = world.contacts[i].id;
+    while (old != world.contacts_before.end() && old->id < id) ++old;
+    if (old == world.contacts_before.end() || old->id != id) continue;
+    known_[i] = true;
+    guesses_[i] = scale * old->impulse;
+  }
+}
+
+/// Eight pairs side by side: what their rows are made of.
+template <class Scalar>
+void Wide<Scalar>::pack(const World& world, const std::vector<PairOfBodies>& set) {
   const int nobody = static_cast<int>(bodies_.size()) - 1;
   for (std::size_t first = 0; first < set.size(); first += lanes_of_bundle) {
     Bundle<Scalar>& bundle = bundles_.emplace_back();
     std::fill(bundle.a, bundle.a + lanes_of_bundle, nobody);
     std::fill(bundle.b, bundle.b + lanes_of_bundle, nobody);
-    bundle.first = static_cast<int>(contacts_.size());
-    contacts_.resize(contacts_.size() + set[first].count);  // of all in the set that are left, this has the most
-    bundle.end = static_cast<int>(contacts_.size());
+    const std::size_t begin = contacts_.size(), most = set[first].count;  // of all in the set that are left
+    contacts_.resize(begin + most);
+    points_.resize(begin + most);
+    bundle.first = static_cast<int>(begin);
+    bundle.end = static_cast<int>(begin + most);
     for (std::size_t lane = 0; lane < lanes_of_bundle && first + lane < set.size(); ++lane) {
       const PairOfBodies& pair = set[first + lane];
+      const Body &a = *bodies_[pair.a], &b = *bodies_[pair.b];
+      const Contact& of_pair = world.contacts[pair.first];
+      const auto [tangent1, tangent2] = tangents_of(of_pair.normal);
       bundle.a[lane] = static_cast<int>(pair.a);
       bundle.b[lane] = static_cast<int>(pair.b);
-      bundle.inverse_mass_a.of[lane] = static_cast<Scalar>(bodies_[pair.a]->inverse_mass);
-      bundle.inverse_mass_b.of[lane] = static_cast<Scalar>(bodies_[pair.b]->inverse_mass);
-      bundle.friction.of[lane] = static_cast<Scalar>(world.contacts[pair.first].friction);
+      bundle.inverse_mass_a.of[lane] = static_cast<Scalar>(a.inverse_mass);
+      bundle.inverse_mass_b.of[lane] = static_cast<Scalar>(b.inverse_mass);
+      bundle.friction.of[lane] = static_cast<Scalar>(of_pair.friction);
+      put(a.inverse_inertia, bundle.inverse_inertia_a, lane);
+      put(b.inverse_inertia, bundle.inverse_inertia_b, lane);
+      put(of_pair.normal, bundle.n, lane);
+      put(tangent1, bundle.tangent1, lane);
+      put(tangent2, bundle.tangent2, lane);
       for (std::size_t point = 0; point < pair.count; ++point) {
-        const std::size_t index = pair.first + point, contact = static_cast<std::size_t>(bundle.first) + point;
-        KeptContact kept(world, index, pair.a, pair.b);
-        const Contact& now = world.contacts[index];
-        const auto old = std::lower_bound(before.begin(), before.end(), now.id,
-                                          [](const Contact& one, const ContactId& id) { return one.id < id; });
-        known_[index] = old != before.end() && old->id == now.id;
-        if (known_[index]) kept.guess(scale * old->impulse);
-        if (point == 0) {
-          put(kept.normal.n, bundle.n, lane);
-          put(kept.tangent1.n, bundle.tangent1, lane);
-          put(kept.tangent2.n, bundle.tangent2, lane);
+        const std::size_t index = pair.first + point;
+        const Contact& at = world.contacts[index];
+        const Vec3& guess = guesses_[index];
+        WidePoint<Scalar>& where = points_[begin + point];
+        WideContact<Scalar>& wide = contacts_[begin + point];
+        put(Vec3(at.point - a.position), where.arm_a, lane);
+        put(Vec3(at.point - b.position), where.arm_b, lane);
+        where.present.of[lane] = 1;
+        wide.found.of[lane] = static_cast<Scalar>(-at.depth);
+        wide.restitution.of[lane] = static_cast<Scalar>(at.restitution);
+        wide.normal.impulse.of[lane] = static_cast<Scalar>(guess.dot(of_pair.normal));
+        if (of_pair.friction > 0) {
+          wide.tangent1.impulse.of[lane] = static_cast<Scalar>(guess.dot(tangent1));
+          wide.tangent2.impulse.of[lane] = static_cast<Scalar>(guess.dot(tangent2));
         }
-        WideContact<Scalar>& wide = contacts_[contact];
-        put(kept.normal, wide.normal, lane);
-        put(kept.tangent1, wide.tangent1, lane);
-        put(kept.tangent2, wide.tangent2, lane);
-        wide.found.of[lane] = static_cast<Scalar>(kept.found);
-        wide.restitution.of[lane] = static_cast<Scalar>(kept.restitution);
-        wide.rigid_mass.of[lane] = static_cast<Scalar>(kept.normal.effective_mass);
-        wide.step_size.of[lane] = static_cast<Scalar>(kept.step_size);
-        where_[index] = {bundles_.size() - 1, contact, lane};
-        for (const Row* row : {&kept.normal, &kept.tangent1, &kept.tangent2}) {
-          const auto add = [](Twist<Scalar>& to, const Twist<Scalar>& what) {
-            for (int i = 0; i < 3; ++i) to.v[i] += what.v[i], to.w[i] += what.w[i];
-          };
-          add(given_[pair.a], twist_of<Scalar>(row->impulse * row->dva, row->impulse * row->dwa));
-          add(given_[pair.b], twist_of<Scalar>(row->impulse * row->dvb, row->impulse * row->dwb));
-        }
+        where_[index] = {bundles_.size() - 1, begin + point, lane};
       }
     }
   }
@@ -143,8 +161,10 @@ void Wide<Scalar>::pack(World& world, const std::vector<PairOfBodies>& set, cons
 
 template <class Scalar>
 Bundles<Scalar> Wide<Scalar>::bundles() {
-  return {bundles_.data(), static_cast<int>(bundles_.size()), contacts_.data(), now_.data(), before_.data(),
-          moved_.data()};
+  return {bundles_.data(), static_cast<int>(bundles_.size()),
+          points_.data(),  contacts_.data(),
+          now_.data(),     before_.data(),
+          moved_.data(),   given_.data()};
 }
 
 template <class Scalar>

@@ -32,7 +32,8 @@ class Wide : public OnceInAStep {
     std::size_t bundle, contact, lane;
   };
   std::size_t place_of(World& world, std::size_t body);
-  void pack(World& world, const std::vector<PairOfBodies>& set, const Contacts& before, Real scale);
+  void start_from_last_step(const World& world, Real h);
+  void pack(const World& world, const std::vector<PairOfBodies>& set);
   Bundles<Scalar> bundles();
   void sweep(Step& step);
 
@@ -40,9 +41,11 @@ class Wide : public OnceInAStep {
   std::vector<std::size_t> places_;  // of each body of the world, in bodies_
   std::vector<Twist<Scalar>> now_, before_, moved_, given_, start_;
   std::vector<Bundle<Scalar>> bundles_;
+  std::vector<WidePoint<Scalar>> points_;
   std::vector<WideContact<Scalar>> contacts_;
-  std::vector<Place> where_;  // of each contact of the world
-  std::vector<bool> known_;   // and whether the step before had it
+  std::vector<Place> where_;   // of each contact of the world
+  std::vector<bool> known_;    // whether the step before had it,
+  std::vector<Vec3> guesses_;  // and what it starts from, N s
 };
 
 }  // namespace pushback
