@@ -107,7 +107,7 @@ FrozenPoints read_frozen_csv(const std::string& text) {
     throw InvalidInput(fmt::format("the first line is '{}': '{}' is needed", line, csv_heading));
   while (std::getline(in, line)) {
     std::istringstream fields(line);
-    std::string name, contacts, method, row_solves, rest;
+    std::string name, contacts, method, row_solves;
     std::getline(fields, name, ',');
     std::getline(fields, contacts, ',');
     std::getline(fields, method, ',');
