@@ -237,8 +237,9 @@ void place_names(const Panel& panel, PanelLayout& layout) {
     wanted.push_back(name.wanted);
     heights.push_back(name.height);
   }
-  const std::vector<Real> middles = spread(wanted, heights, static_cast<Real>(layout.top - plot_line_height / 2),
-                                           foot + static_cast<Real>(plot_line_height) / 2);
+  const std::vector<Real> middles =
+      spread(wanted, heights, static_cast<Real>(layout.top) - static_cast<Real>(plot_line_height) / 2,
+             foot + static_cast<Real>(plot_line_height) / 2);
   for (std::size_t i = 0; i < middles.size(); ++i) layout.names[i].middle = middles[i];
 }
 
