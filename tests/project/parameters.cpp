@@ -54,7 +54,8 @@ struct Outcome {
 Outcome run(const std::string& chapter, const std::string& arguments) {
   const Scratch scratch;
   const Ended ended = call_program(fs::path(CHAPTER_DIR) / chapter,
-                                   "--no-images --no-study --out '" + (scratch / "out").string() + "' " + arguments);
+                                   "--no-images --no-study --out '" + (scratch / "out").string() + "' " + arguments,
+                                   60);  // s: with sanitizers, chapter 17 at a mass ratio of 10,000 takes more than 20
   const fs::path folder = scratch / "out" / chapter;
   if (ended.status != 0) return {ended.status, ended.err, {}, {}};
   return {0, ended.err, text_of(folder / "numbers.md"), text_of(folder / "metrics.csv")};
