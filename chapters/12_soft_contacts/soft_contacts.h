@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/12_soft_contacts/carry.h"
 #include "pushback/chapters/12_soft_contacts/relaxing_solver.h"
 
 namespace pushback {
@@ -59,27 +60,12 @@ struct SoftContacts : Effect {
   /// To leave angular momentum alone, impulses have to act on both bodies at one point, by the inertias that they have now.
   void relax(RelaxingStep& step) {
     Rows& rows = step.rows;
-    for (Row& row : rows) carry(row, apart_[row.owner]);
+    for (Row& row : rows) carry(row, row.b->position - row.a->position - apart_[row.owner]);
     for (std::size_t i = 0; i < rigid_mass_.size(); ++i) rows[i].bias = bounce_[i];
     std::fill(step.softness.begin(), step.softness.end(), Real(0));
   }
 
  private:
-  /// One point for both:  r_A x n - r_B x n = (x_B - x_A) x n.  What that has changed by, m, the two arms share:
-  ///
-  ///   r_A x n += s m,   r_B x n -= (1 - s) m      so J V changes by  -s m . w_A - (1 - s) m . w_B
-  ///
-  /// The larger part to whom it turns less: then J V stays, and what rolls is not braked. `apart`: x_B - x_A before, m.
-  static void carry(Row& row, const Vec3& apart) {
-    const Vec3 m = (row.b->position - row.a->position - apart).cross(row.n);
-    const Real of_a = std::abs(m.dot(row.a->angular_velocity)), of_b = std::abs(m.dot(row.b->angular_velocity));
-    const Real inverse_masses = row.a->inverse_mass + row.b->inverse_mass;
-    const Real s = of_a + of_b > 0 ? of_b / (of_a + of_b) : row.b->inverse_mass / inverse_masses;
-    row.ra_n += s * m;
-    row.rb_n -= (1 - s) * m;
-    row.weigh();
-  }
-
   Real push_out_rate_ = 0;  // 1/s
   Real gamma_by_K_ = 0;
   std::vector<Real> rigid_mass_;  // 1 / K, kg

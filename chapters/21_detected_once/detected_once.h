@@ -16,14 +16,22 @@ struct OnceInAStep : StepSolver, HoldsJoints {
 
   int substeps = 32;
   Real margin = Real(0.02);    ///< m: beside what a pair may come nearer in a step
+  Real reach = Real(1e-6);     ///< m: by so much bodies may have moved past each other until their rows are made anew
   Real threshold = Real(0.1);  ///< m/s; what arrives slower does not bounce
-  SoftContacts spring;         ///< chapter 12's: hertz, damping ratio, fastest push-out
+  Real precision =
+      Real(1e-6);  ///< of the fastest bounce: what normals are solved to in a substep in which something bounces,
+  int most_rounds = 100;  ///< or until they have been solved so often
+  SoftContacts spring;    ///< chapter 12's: hertz, damping ratio, fastest push-out
   SteadyJoints joints;
 
   void check(World& world, Real dt) {
     if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
     require_not_negative("margin", margin);
+    require_not_negative("reach", reach);
     require_not_negative("threshold", threshold);
+    require_not_negative("precision", precision);
+    if (most_rounds < 1)
+      throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
     Step step = joints_step(world, dt / static_cast<Real>(substeps));
     spring.check(step);
     joints.check(step);
@@ -63,7 +71,13 @@ class DetectedOnce : public OnceInAStep {
   void solve(World& world, Real h, int sweeps) {
     Step step = joints_step(world, h);
     joints.build(step);
-    for (KeptContact& contact : contacts_) contact.aim(bodies_, push_out(h), h);
+    forget_impacts();
+    for (KeptContact& contact : contacts_) {
+      contact.aim(bodies_, push_out(h), h);
+      fastest_ = std::max(fastest_, -contact.bounce);
+    }
+    if (fastest_ > 0)
+      for (KeptContact& contact : contacts_) contact.keep();
     joints.start(step);
     for (KeptBody& each : bodies_) {  // the same rows with the same impulses: one addition a body
       each.body->velocity += each.given;
@@ -79,7 +93,10 @@ class DetectedOnce : public OnceInAStep {
       each.way += h * each.body->velocity;
       each.turn += h * each.body->angular_velocity;
     }
-    for (KeptContact& contact : contacts_) contact.relax();
+    for (KeptContact& contact : contacts_) {
+      contact.carry(bodies_, reach);
+      contact.relax();
+    }
     Step step = joints_step(world, h);
     joints.moved(step);
     sweep(step);
@@ -87,6 +104,7 @@ class DetectedOnce : public OnceInAStep {
   }
   /// Once in a step: contacts know their impulses, and what did not touch is no contact.
   void done(World& world) {
+    forget_impacts();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const KeptContact& kept = contacts_[i];
       Contact& contact = world.contacts[i];
@@ -119,10 +137,7 @@ class DetectedOnce : public OnceInAStep {
       known_[i] = true;
       KeptContact& kept = contacts_[i];
       kept.guess(scale * old->impulse);
-      for (const Row* row : {&kept.normal, &kept.tangent1, &kept.tangent2}) {
-        bodies_[kept.a].gets(row->impulse * row->dva, row->impulse * row->dwa);
-        bodies_[kept.b].gets(row->impulse * row->dvb, row->impulse * row->dwb);
-      }
+      kept.give(bodies_, 1);
     }
   }
   void sweep(Step& step) {
@@ -131,7 +146,7 @@ class DetectedOnce : public OnceInAStep {
       each.given -= each.body->velocity;
       each.given_turning -= each.body->angular_velocity;
     }
-    for (KeptContact& contact : contacts_) contact.push();
+    push();
     for (KeptContact& contact : contacts_)
       if (contact.friction > 0) contact.rub();
     for (KeptBody& each : bodies_) {
@@ -141,6 +156,23 @@ class DetectedOnce : public OnceInAStep {
     rows_solved += 3 * contacts_.size();
   }
 
+  /// An impact is over in one substep: the next one starts from the impulses that it started from.
+  void forget_impacts() {
+    if (fastest_ > 0)
+      for (KeptContact& contact : contacts_) contact.restore(bodies_);
+    fastest_ = 0;
+  }
+  /// Once; in a substep in which something bounces as often as it takes, as in chapter 09.
+  void push() {
+    Real change = fastest_;
+    int round = 0;
+    do {
+      change = 0;
+      for (KeptContact& contact : contacts_) change = std::max(change, contact.push());
+    } while (change > precision * fastest_ && fastest_ > 0 && ++round < most_rounds);
+  }
+
+  Real fastest_ = 0;  // of what bounces in this substep, m/s; 0: nothing
   std::vector<KeptContact> contacts_;
   std::vector<KeptBody> bodies_;     // those that touch
   std::vector<std::size_t> places_;  // of each body of the world, in bodies_

@@ -1,11 +1,14 @@
 /// A contact whose three rows are made once, and solved in many substeps.
 ///
-///   C = C_0 + J dX,   dX = (dx_A, dtheta_A, dx_B, dtheta_B)        what each body has moved since C_0 was detected
+///   C = C_0 + J dX,   dX = (dx_A, dtheta_A, dx_B, dtheta_B)        what each body has moved since C_0 was known
 ///
-/// J stays, and with it K, M^-1 J^T and the tangents. What that neglects is said in the page of this chapter.
+/// J stays, and with it K and M^-1 J^T, until the bodies have moved past each other: then the rows are made anew where they touch by
+/// now. What that neglects is said in the page of this chapter.
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
+#include "pushback/chapters/12_soft_contacts/carry.h"
+#include "pushback/chapters/21_detected_once/bounce.h"
 
 namespace pushback {
 
@@ -47,7 +50,7 @@ struct KeptContact {
   std::size_t a = 0, b = 0;    // its bodies, in the solver's list
   Real softness = 0;           // gamma, 1/kg
   Real mass = 0;               // 1 / (K + gamma), kg
-  Real bounce = 0;             // e v_n of this substep, m/s; 0: it does not bounce
+  Real bounce = 0;             // minus its speed once it has bounced in this substep, m/s; 0: it does not bounce
 
   /// Of the contact with this index.
   KeptContact(World& world, std::size_t index, std::size_t body_a, std::size_t body_b)
@@ -62,21 +65,42 @@ struct KeptContact {
     return found +
            (normal.n.dot(moved_b.way - moved_a.way) + (normal.rb_n.dot(moved_b.turn) - normal.ra_n.dot(moved_a.turn)));
   }
+  /// One point for both bodies again (chapter 12), or their impulses would turn the pair. Of what has moved past each other by less
+  /// than `reach`, the rows stay.
+  void carry(std::vector<KeptBody>& bodies, Real reach) {
+    const Vec3 apart = bodies[b].way - bodies[a].way;
+    if ((apart - carried_).squaredNorm() < reach * reach) return;
+    const Real C = separation(bodies);
+    give(bodies, -1);
+    for (Row* row : {&normal, &tangent1, &tangent2}) pushback::carry(*row, apart - carried_);
+    step_size = 1 / TangentBlock(tangent1, tangent2).larger_eigenvalue();
+    give(bodies, 1);
+    carried_ = apart;
+    found += C - separation(bodies);  // as near as they were
+  }
   /// Before the bodies move. What is apart may come as near as it is, JV + C/h >= 0; what would arrive in this substep and
   /// bounces, bounces now; what overlaps is a spring.
   void aim(const std::vector<KeptBody>& bodies, const PushOut& push_out, Real h) {
     const Real C = separation(bodies), approach = restitution > 0 ? speed_before() : 0;
-    bounce = approach < -push_out.threshold && C + h * approach < 0 ? restitution * approach : 0;
     const Real wanted = push_out.rate * C;
-    if (bounce < 0) ask(bounce, 0);
-    else if (C > 0) ask(C / h, 0);
+    bounce = 0;
+    if (approach < -push_out.threshold && C + h * approach < 0) {
+      const Bounce back(restitution, C, -approach, approach - normal.speed(), h);
+      bounce = -back.speed;
+      ask(-back.way / h, 0);
+    } else if (C > 0) ask(restitution > 0 && C > h * push_out.threshold ? free : C / h, 0);
     else if (wanted < -push_out.fastest) ask(-push_out.fastest, 0);
     else ask(wanted, push_out.gamma_by_K);
   }
   /// Once they have moved: no push-out any more (chapter 12). What was apart may be as fast as it was: with C/h of where it is now
   /// it would be stopped before it arrives, and not bounce.
   void relax() { ask(bounce < 0 ? bounce : std::max(normal.bias, Real(0)), 0); }
-  void push() { normal.reach(normal.impulse - mass * (normal.speed() + (normal.bias + softness * normal.impulse))); }
+  /// By how much it changed the speed, m/s.
+  Real push() {
+    const Real before = normal.impulse;
+    normal.reach(before - mass * (normal.speed() + (normal.bias + softness * before)));
+    return std::abs(normal.impulse - before) / normal.effective_mass;
+  }
   /// As FrictionCone, chapter 08.
   void rub() {
     Real total1 = tangent1.impulse - step_size * tangent1.speed();  // both read before either acts
@@ -101,8 +125,31 @@ struct KeptContact {
     tangent1.impulse = impulse_before.dot(tangent1.n);
     tangent2.impulse = impulse_before.dot(tangent2.n);
   }
+  /// What its impulses give its two bodies, `times` over.
+  void give(std::vector<KeptBody>& bodies, Real times) const {
+    for (const Row* row : {&normal, &tangent1, &tangent2}) {
+      const Real impulse = times * row->impulse;
+      bodies[a].gets(impulse * row->dva, impulse * row->dwa);
+      bodies[b].gets(impulse * row->dvb, impulse * row->dwb);
+    }
+  }
+  /// Before the sweeps of a substep: where it starts from.
+  void keep() { start_ = {normal.impulse, tangent1.impulse, tangent2.impulse}; }
+  /// From there the next one is to start as well.
+  void restore(std::vector<KeptBody>& bodies) {
+    give(bodies, -1);
+    normal.impulse = start_.x(), tangent1.impulse = start_.y(), tangent2.impulse = start_.z();
+    give(bodies, 1);
+  }
 
  private:
+  /// m/s: a row that asks for no more than this does nothing. What something else throws at a bouncy neighbour within this substep
+  /// would be stopped by C/h, and bounces in the next one instead.
+  static constexpr Real free = Real(1e9);
+
+  Vec3 carried_ = Vec3::Zero();  // what B had moved past A, m, when the rows were placed
+  Vec3 start_;                   // impulses along the normal and both tangents, N s
+
   KeptContact(World& world, const Contact& at, const Tangents& tangents, std::size_t index)
       : normal(world, at, at.normal, index),
         tangent1(world, at, tangents.tangent1, index),

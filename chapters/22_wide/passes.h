@@ -223,6 +223,10 @@ void sweep(const Bundles<Real>& all) {
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
     Pairs<Lanes> pairs(bundle, all.now, at);
     for (int c = bundle.first; c < bundle.end; ++c) push(bundle, all.contacts[c], pairs, at);
+    pairs.put_back(bundle, all.now, at);
+  });
+  each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
+    Pairs<Lanes> pairs(bundle, all.now, at);
     for (int c = bundle.first; c < bundle.end; ++c) rub(bundle, all.contacts[c], pairs, at);
     pairs.put_back(bundle, all.now, at);
   });

@@ -1,0 +1,23 @@
+/// A row whose bodies have moved past each other.
+#pragma once
+
+#include "pushback/chapters/01_velocity_constraint/row.h"
+
+namespace pushback {
+
+/// One point for both:  r_A x n - r_B x n = (x_B - x_A) x n.  What that has changed by, m, the two arms share:
+///
+///   r_A x n += s m,   r_B x n -= (1 - s) m      so J V changes by  -s m . w_A - (1 - s) m . w_B
+///
+/// The larger part to whom it turns less: then J V stays, and what rolls is not braked. `way`: by how much x_B - x_A has grown, m.
+inline void carry(Row& row, const Vec3& way) {
+  const Vec3 m = way.cross(row.n);
+  const Real of_a = std::abs(m.dot(row.a->angular_velocity)), of_b = std::abs(m.dot(row.b->angular_velocity));
+  const Real inverse_masses = row.a->inverse_mass + row.b->inverse_mass;
+  const Real s = of_a + of_b > 0 ? of_b / (of_a + of_b) : row.b->inverse_mass / inverse_masses;
+  row.ra_n += s * m;
+  row.rb_n -= (1 - s) * m;
+  row.weigh();
+}
+
+}  // namespace pushback
