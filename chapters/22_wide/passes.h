@@ -49,8 +49,8 @@ struct Pairs {
   }
   template <class Real>
   [[gnu::always_inline]] void put_back(const Bundle<Real>& bundle, Twist<Real>* bodies, int at) const {
-    put(a, bundle.a + at, bodies);
-    put(b, bundle.b + at, bodies);
+    put(a, bundle.a + at, bundle.inverse_mass_a.of + at, bodies);
+    put(b, bundle.b + at, bundle.inverse_mass_b.of + at, bodies);
   }
 
  private:
@@ -62,9 +62,11 @@ struct Pairs {
             {each([](const auto& t) { return t.w[0]; }), each([](const auto& t) { return t.w[1]; }),
              each([](const auto& t) { return t.w[2]; })}};
   }
+  /// What nothing moves is not written: other bundles of the set have it, too.
   template <class Real>
-  static void put(const Motion& motion, const int* which, Twist<Real>* bodies) {
+  static void put(const Motion& motion, const int* which, const Real* inverse_masses, Twist<Real>* bodies) {
     for (int i = 0; i < int(Lanes::size()); ++i) {
+      if (inverse_masses[i] == 0) continue;
       const auto lane = static_cast<std::size_t>(i);
       Twist<Real>& body = bodies[which[i]];
       body.v[0] = motion.v.x[lane], body.v[1] = motion.v.y[lane], body.v[2] = motion.v.z[lane];

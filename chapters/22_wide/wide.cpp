@@ -8,6 +8,8 @@ namespace pushback {
 
 namespace {
 
+constexpr std::size_t least_bundles = 8;  // a part of a pass
+
 /// What is smaller than the smallest normal number counts as 0 while this lives: an impulse that fades away would otherwise take a
 /// hundred times as long to multiply.
 class NoDenormals {
@@ -79,18 +81,18 @@ void Wide<Scalar>::detected(World& world, Real h) {
   const NoDenormals none;
   bodies_.clear();
   places_.clear();
-  bundles_.clear();
-  points_.clear();
-  contacts_.clear();
   Sets sets = sets_of(touching_pairs(world.contacts), world);
   for (auto& set : sets)
     for (PairOfBodies& pair : set) pair.a = place_of(world, pair.a), pair.b = place_of(world, pair.b);
   bodies_.push_back(&world.body(the_world));
-  for (auto* twists : {&now_, &before_, &moved_, &given_}) twists->assign(bodies_.size(), Twist<Scalar>{});
+  for (auto* twists : {&now_, &start_, &before_, &moved_, &given_}) twists->assign(bodies_.size(), Twist<Scalar>{});
   where_.resize(world.contacts.size());
   start_from_last_step(world, h);
-  for (const auto& set : sets) pack(world, set);
-  passes.prepare(bundles());
+  lay_out(sets);
+  each_bundle([&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) pack(world, i, packed_[i]);
+  });
+  set_by_set([&](std::size_t begin, std::size_t end) { passes.prepare(bundles(begin, end)); });
 }
 
 /// What each contact starts from, N s.
@@ -109,62 +111,107 @@ void Wide<Scalar>::start_from_last_step(const World& world, Real h) {
   }
 }
 
-/// Eight pairs side by side: what their rows are made of.
+/// Which pairs are in which bundle, and where its contacts are.
 template <class Scalar>
-void Wide<Scalar>::pack(const World& world, const std::vector<PairOfBodies>& set) {
+void Wide<Scalar>::lay_out(const Sets& sets) {
+  bundles_.clear();
+  packed_.clear();
+  ends_.clear();
+  int contacts = 0;
+  for (const auto& set : sets) {
+    for (std::size_t first = 0; first < set.size(); first += lanes_of_bundle) {
+      Bundle<Scalar>& bundle = bundles_.emplace_back();
+      packed_.push_back(std::span(set).subspan(first, std::min<std::size_t>(lanes_of_bundle, set.size() - first)));
+      bundle.first = contacts;
+      bundle.end = contacts += static_cast<int>(set[first].count);  // the most of all in the set that are left
+    }
+    ends_.push_back(bundles_.size());
+  }
+  contacts_.resize(static_cast<std::size_t>(contacts));
+  points_.resize(static_cast<std::size_t>(contacts));
+}
+
+/// Up to eight pairs side by side: what their rows are made of.
+template <class Scalar>
+void Wide<Scalar>::pack(const World& world, std::size_t at, std::span<const PairOfBodies> pairs) {
   const int nobody = static_cast<int>(bodies_.size()) - 1;
-  for (std::size_t first = 0; first < set.size(); first += lanes_of_bundle) {
-    Bundle<Scalar>& bundle = bundles_.emplace_back();
-    std::fill(bundle.a, bundle.a + lanes_of_bundle, nobody);
-    std::fill(bundle.b, bundle.b + lanes_of_bundle, nobody);
-    const std::size_t begin = contacts_.size(), most = set[first].count;  // of all in the set that are left
-    contacts_.resize(begin + most);
-    points_.resize(begin + most);
-    bundle.first = static_cast<int>(begin);
-    bundle.end = static_cast<int>(begin + most);
-    for (std::size_t lane = 0; lane < lanes_of_bundle && first + lane < set.size(); ++lane) {
-      const PairOfBodies& pair = set[first + lane];
-      const Body &a = *bodies_[pair.a], &b = *bodies_[pair.b];
-      const Contact& of_pair = world.contacts[pair.first];
-      const auto [tangent1, tangent2] = tangents_of(of_pair.normal);
-      bundle.a[lane] = static_cast<int>(pair.a);
-      bundle.b[lane] = static_cast<int>(pair.b);
-      bundle.inverse_mass_a.of[lane] = static_cast<Scalar>(a.inverse_mass);
-      bundle.inverse_mass_b.of[lane] = static_cast<Scalar>(b.inverse_mass);
-      bundle.friction.of[lane] = static_cast<Scalar>(of_pair.friction);
-      put(a.inverse_inertia, bundle.inverse_inertia_a, lane);
-      put(b.inverse_inertia, bundle.inverse_inertia_b, lane);
-      put(of_pair.normal, bundle.n, lane);
-      put(tangent1, bundle.tangent1, lane);
-      put(tangent2, bundle.tangent2, lane);
-      for (std::size_t point = 0; point < pair.count; ++point) {
-        const std::size_t index = pair.first + point;
-        const Contact& at = world.contacts[index];
-        const Vec3& guess = guesses_[index];
-        WidePoint<Scalar>& where = points_[begin + point];
-        WideContact<Scalar>& wide = contacts_[begin + point];
-        put(Vec3(at.point - a.position), where.arm_a, lane);
-        put(Vec3(at.point - b.position), where.arm_b, lane);
-        where.present.of[lane] = 1;
-        wide.found.of[lane] = static_cast<Scalar>(-at.depth);
-        wide.restitution.of[lane] = static_cast<Scalar>(at.restitution);
-        wide.normal.impulse.of[lane] = static_cast<Scalar>(guess.dot(of_pair.normal));
-        if (of_pair.friction > 0) {
-          wide.tangent1.impulse.of[lane] = static_cast<Scalar>(guess.dot(tangent1));
-          wide.tangent2.impulse.of[lane] = static_cast<Scalar>(guess.dot(tangent2));
-        }
-        where_[index] = {bundles_.size() - 1, begin + point, lane};
+  Bundle<Scalar>& bundle = bundles_[at];
+  std::fill(bundle.a, bundle.a + lanes_of_bundle, nobody);
+  std::fill(bundle.b, bundle.b + lanes_of_bundle, nobody);
+  const std::size_t begin = static_cast<std::size_t>(bundle.first);
+  std::fill(contacts_.begin() + bundle.first, contacts_.begin() + bundle.end, WideContact<Scalar>{});
+  std::fill(points_.begin() + bundle.first, points_.begin() + bundle.end, WidePoint<Scalar>{});
+  for (std::size_t lane = 0; lane < pairs.size(); ++lane) {
+    const PairOfBodies& pair = pairs[lane];
+    const Body &a = *bodies_[pair.a], &b = *bodies_[pair.b];
+    const Contact& of_pair = world.contacts[pair.first];
+    const auto [tangent1, tangent2] = tangents_of(of_pair.normal);
+    bundle.a[lane] = static_cast<int>(pair.a);
+    bundle.b[lane] = static_cast<int>(pair.b);
+    bundle.inverse_mass_a.of[lane] = static_cast<Scalar>(a.inverse_mass);
+    bundle.inverse_mass_b.of[lane] = static_cast<Scalar>(b.inverse_mass);
+    bundle.friction.of[lane] = static_cast<Scalar>(of_pair.friction);
+    put(a.inverse_inertia, bundle.inverse_inertia_a, lane);
+    put(b.inverse_inertia, bundle.inverse_inertia_b, lane);
+    put(of_pair.normal, bundle.n, lane);
+    put(tangent1, bundle.tangent1, lane);
+    put(tangent2, bundle.tangent2, lane);
+    for (std::size_t point = 0; point < pair.count; ++point) {
+      const std::size_t index = pair.first + point;
+      const Contact& found = world.contacts[index];
+      const Vec3& guess = guesses_[index];
+      WidePoint<Scalar>& where = points_[begin + point];
+      WideContact<Scalar>& wide = contacts_[begin + point];
+      put(Vec3(found.point - a.position), where.arm_a, lane);
+      put(Vec3(found.point - b.position), where.arm_b, lane);
+      where.present.of[lane] = 1;
+      wide.found.of[lane] = static_cast<Scalar>(-found.depth);
+      wide.restitution.of[lane] = static_cast<Scalar>(found.restitution);
+      wide.normal.impulse.of[lane] = static_cast<Scalar>(guess.dot(of_pair.normal));
+      if (of_pair.friction > 0) {
+        wide.tangent1.impulse.of[lane] = static_cast<Scalar>(guess.dot(tangent1));
+        wide.tangent2.impulse.of[lane] = static_cast<Scalar>(guess.dot(tangent2));
       }
+      where_[index] = {at, begin + point, lane};
     }
   }
 }
 
 template <class Scalar>
-Bundles<Scalar> Wide<Scalar>::bundles() {
-  return {bundles_.data(), static_cast<int>(bundles_.size()),
-          points_.data(),  contacts_.data(),
-          now_.data(),     before_.data(),
-          moved_.data(),   given_.data()};
+Bundles<Scalar> Wide<Scalar>::bundles(std::size_t begin, std::size_t end) {
+  return {bundles_.data() + begin,
+          static_cast<int>(end - begin),
+          points_.data(),
+          contacts_.data(),
+          now_.data(),
+          before_.data(),
+          moved_.data(),
+          given_.data()};
+}
+
+/// `act(i)` for each of the bodies that touch. It changes nothing of any other.
+template <class Scalar>
+template <class Act>
+void Wide<Scalar>::each_body(const Act& act) {
+  workers().each(bodies_.size(), 256, [&](Part part) {
+    for (std::size_t i = part.begin; i < part.end; ++i) act(i);
+  });
+}
+/// `act(begin, end)` for parts of all bundles: it changes no body.
+template <class Scalar>
+template <class Act>
+void Wide<Scalar>::each_bundle(const Act& act) {
+  workers().each(bundles_.size(), least_bundles, [&](Part part) { act(part.begin, part.end); });
+}
+/// The same for the bundles of one set after the other: it changes the bodies of its bundles, and nobody else's.
+template <class Scalar>
+template <class Act>
+void Wide<Scalar>::set_by_set(const Act& act) {
+  std::size_t begin = 0;
+  for (const std::size_t end : ends_) {
+    workers().each(end - begin, least_bundles, [&](Part part) { act(begin + part.begin, begin + part.end); });
+    begin = end;
+  }
 }
 
 template <class Scalar>
@@ -172,17 +219,19 @@ void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
   const NoDenormals none;
   Step step = joints_step(world, h);
   joints.build(step);
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
+  each_body([&](std::size_t i) {
     before_[i] = twist_of<Scalar>(bodies_[i]->velocity_before, bodies_[i]->angular_velocity_before);
+  });
   const PushOut wanted = push_out(h);
-  passes.aim(bundles(),
-             {static_cast<Scalar>(wanted.rate), static_cast<Scalar>(wanted.gamma_by_K),
-              static_cast<Scalar>(wanted.fastest), static_cast<Scalar>(wanted.threshold), static_cast<Scalar>(h)});
+  const WidePushOut<Scalar> in_lanes{static_cast<Scalar>(wanted.rate), static_cast<Scalar>(wanted.gamma_by_K),
+                                     static_cast<Scalar>(wanted.fastest), static_cast<Scalar>(wanted.threshold),
+                                     static_cast<Scalar>(h)};
+  each_bundle([&](std::size_t begin, std::size_t end) { passes.aim(bundles(begin, end), in_lanes); });
   joints.start(step);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  each_body([&](std::size_t i) {
     bodies_[i]->velocity += vector_of(given_[i].v);
     bodies_[i]->angular_velocity += vector_of(given_[i].w);
-  }
+  });
   for (int i = 0; i < sweeps; ++i) sweep(step);
   joints.finish(step);
   joints.report(step);
@@ -191,11 +240,11 @@ void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
 template <class Scalar>
 void Wide<Scalar>::after_move(World& world, Real h) {
   const NoDenormals none;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  each_body([&](std::size_t i) {
     const Twist<Scalar> way = twist_of<Scalar>(h * bodies_[i]->velocity, h * bodies_[i]->angular_velocity);
     for (int k = 0; k < 3; ++k) moved_[i].v[k] += way.v[k], moved_[i].w[k] += way.w[k];
-  }
-  passes.relax(bundles());
+  });
+  each_bundle([&](std::size_t begin, std::size_t end) { passes.relax(bundles(begin, end)); });
   Step step = joints_step(world, h);
   joints.moved(step);
   sweep(step);
@@ -206,11 +255,11 @@ void Wide<Scalar>::after_move(World& world, Real h) {
 template <class Scalar>
 void Wide<Scalar>::sweep(Step& step) {
   joints.sweep(step);
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    now_[i] = twist_of<Scalar>(bodies_[i]->velocity, bodies_[i]->angular_velocity);
-  start_ = now_;
-  passes.sweep(bundles());
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  each_body([&](std::size_t i) {
+    start_[i] = now_[i] = twist_of<Scalar>(bodies_[i]->velocity, bodies_[i]->angular_velocity);
+  });
+  set_by_set([&](std::size_t begin, std::size_t end) { passes.sweep(bundles(begin, end)); });
+  each_body([&](std::size_t i) {
     Twist<Scalar> change{};
     for (int k = 0; k < 3; ++k) {
       change.v[k] = now_[i].v[k] - start_[i].v[k];
@@ -220,29 +269,34 @@ void Wide<Scalar>::sweep(Step& step) {
     }
     bodies_[i]->velocity += vector_of(change.v);
     bodies_[i]->angular_velocity += vector_of(change.w);
-  }
+  });
   rows_solved += 3 * where_.size();
 }
 
 template <class Scalar>
 void Wide<Scalar>::done(World& world) {
-  for (std::size_t i = 0; i < where_.size(); ++i) {
-    const auto [b, c, lane] = where_[i];
-    const Bundle<Scalar>& bundle = bundles_[b];
-    const WideContact<Scalar>& wide = contacts_[c];
-    Contact& contact = world.contacts[i];
-    const Vec3 n = vector_of(bundle.n, lane);
-    const Twist<Scalar>&a_moved = moved_[std::size_t(bundle.a[lane])], &b_moved = moved_[std::size_t(bundle.b[lane])];
-    contact.depth = -static_cast<Real>(wide.found.of[lane]) - n.dot(vector_of(b_moved.v) - vector_of(a_moved.v)) -
-                    vector_of(wide.normal.rb_n, lane).dot(vector_of(b_moved.w)) +
-                    vector_of(wide.normal.ra_n, lane).dot(vector_of(a_moved.w));
-    const Scalar pushed = wide.normal.impulse.of[lane], rubbed1 = wide.tangent1.impulse.of[lane],
-                 rubbed2 = wide.tangent2.impulse.of[lane];
-    contact.impulse = static_cast<Real>(pushed) * n + static_cast<Real>(rubbed1) * vector_of(bundle.tangent1, lane) +
-                      static_cast<Real>(rubbed2) * vector_of(bundle.tangent2, lane);
-    contact.state = state_of(known_[i], bundle.friction.of[lane], pushed, rubbed1, rubbed2);
-  }
+  workers().each(where_.size(), 256, [&](Part part) {
+    for (std::size_t i = part.begin; i < part.end; ++i) tell(world.contacts[i], i);
+  });
   std::erase_if(world.contacts, [](const Contact& c) { return c.depth < 0 && c.impulse.isZero(0); });
+}
+
+/// What was done there.
+template <class Scalar>
+void Wide<Scalar>::tell(Contact& contact, std::size_t i) const {
+  const auto [b, c, lane] = where_[i];
+  const Bundle<Scalar>& bundle = bundles_[b];
+  const WideContact<Scalar>& wide = contacts_[c];
+  const Vec3 n = vector_of(bundle.n, lane);
+  const Twist<Scalar>&a_moved = moved_[std::size_t(bundle.a[lane])], &b_moved = moved_[std::size_t(bundle.b[lane])];
+  contact.depth = -static_cast<Real>(wide.found.of[lane]) - n.dot(vector_of(b_moved.v) - vector_of(a_moved.v)) -
+                  vector_of(wide.normal.rb_n, lane).dot(vector_of(b_moved.w)) +
+                  vector_of(wide.normal.ra_n, lane).dot(vector_of(a_moved.w));
+  const Scalar pushed = wide.normal.impulse.of[lane], rubbed1 = wide.tangent1.impulse.of[lane],
+               rubbed2 = wide.tangent2.impulse.of[lane];
+  contact.impulse = static_cast<Real>(pushed) * n + static_cast<Real>(rubbed1) * vector_of(bundle.tangent1, lane) +
+                    static_cast<Real>(rubbed2) * vector_of(bundle.tangent2, lane);
+  contact.state = state_of(known_[i], bundle.friction.of[lane], pushed, rubbed1, rubbed2);
 }
 
 template Passes<float> passes_of_this_processor(int lanes);

@@ -4,6 +4,9 @@
 ///   world.step(solver, 1.0 / 60);
 #pragma once
 
+#include <memory>
+#include <span>
+
 #include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/22_wide/bundle.h"
 #include "pushback/chapters/22_wide/colours.h"
@@ -21,6 +24,9 @@ class Wide : public OnceInAStep {
   Passes<Scalar> passes = passes_of_this_processor<Scalar>();
   /// Another order of the pairs converges at another rate.
   Sets (*sets_of)(const std::vector<PairOfBodies>& pairs, const World& world) = coloured;
+  /// Who does the bundles of a set, and what else falls into parts; null: this one alone.
+  std::shared_ptr<Workers> crew;
+  Workers& workers() const { return crew ? *crew : alone(); }
 
   void detected(World& world, Real h);
   void solve(World& world, Real h, int sweeps);
@@ -33,14 +39,24 @@ class Wide : public OnceInAStep {
   };
   std::size_t place_of(World& world, std::size_t body);
   void start_from_last_step(const World& world, Real h);
-  void pack(const World& world, const std::vector<PairOfBodies>& set);
-  Bundles<Scalar> bundles();
+  void lay_out(const Sets& sets);
+  void pack(const World& world, std::size_t at, std::span<const PairOfBodies> pairs);
+  Bundles<Scalar> bundles(std::size_t begin, std::size_t end);
+  template <class Act>
+  void each_body(const Act& act);
+  template <class Act>
+  void each_bundle(const Act& act);
+  template <class Act>
+  void set_by_set(const Act& act);
   void sweep(Step& step);
+  void tell(Contact& contact, std::size_t i) const;
 
   std::vector<Body*> bodies_;        // those that touch; the last one stands in empty lanes
   std::vector<std::size_t> places_;  // of each body of the world, in bodies_
   std::vector<Twist<Scalar>> now_, before_, moved_, given_, start_;
   std::vector<Bundle<Scalar>> bundles_;
+  std::vector<std::span<const PairOfBodies>> packed_;  // what is in each bundle
+  std::vector<std::size_t> ends_;                      // of each set, in bundles_
   std::vector<WidePoint<Scalar>> points_;
   std::vector<WideContact<Scalar>> contacts_;
   std::vector<Place> where_;   // of each contact of the world

@@ -86,18 +86,19 @@ std::vector<BodyPair> in_order(const std::vector<BodyPair>& pairs, std::size_t b
 // Sort and sweep: in the order of their low ends along one axis, each body can only meet those that begin before it
 // ends.
 //   D. Baraff, Dynamic simulation of non-penetrating rigid bodies, PhD thesis, Cornell, 1992.
-std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const Margin& margin) {
+std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const Margin& margin, Workers& workers) {
+  constexpr std::size_t least = 128;  // bodies
   std::vector<Entry> entries;
   entries.reserve(bodies.size());
   std::vector<int> half_spaces;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Body& body = *bodies[i];
-    if (std::holds_alternative<HalfSpace>(body.shape)) {
-      half_spaces.push_back(int(i));
-    } else {
-      entries.push_back({bounds_of(body, margin), int(i), body.movable()});
-    }
+    if (std::holds_alternative<HalfSpace>(bodies[i]->shape)) half_spaces.push_back(int(i));
+    else entries.push_back({{Vec3::Zero(), Vec3::Zero()}, int(i), bodies[i]->movable()});
   }
+  workers.each(entries.size(), least, [&](Part part) {
+    for (std::size_t i = part.begin; i < part.end; ++i)
+      entries[i].bounds = bounds_of(*bodies[std::size_t(entries[i].index)], margin);
+  });
 
   std::vector<BodyPair> pairs;
   for (const int half_space : half_spaces) {  // not swept: every body begins before a half-space ends
@@ -115,31 +116,36 @@ std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const 
   std::sort(entries.begin(), entries.end(), [axis](const Entry& p, const Entry& q) {
     return p.bounds.low[axis] != q.bounds.low[axis] ? p.bounds.low[axis] < q.bounds.low[axis] : p.index < q.index;
   });
-  std::vector<const Entry*> met(entries.size());
-  for (auto entry = entries.begin(); entry != entries.end(); ++entry) {
-    const Vec3 low = entry->bounds.low, high = entry->bounds.high;
-    std::size_t count = 0;
-    for (auto other = entry + 1; other != entries.end() && other->bounds.low[axis] <= high[axis]; ++other) {
-      // Written down in any case, kept if near: a branch that nobody can predict would take longer.
-      const Bounds& bounds = other->bounds;
-      met[count] = &*other;
-      count += std::size_t(bounds.low[u] <= high[u]) & std::size_t(low[u] <= bounds.high[u]) &
-               std::size_t(bounds.low[v] <= high[v]) & std::size_t(low[v] <= bounds.high[v]);
+  std::vector<std::vector<BodyPair>> of_others(workers.parts(entries.size(), least) - 1);
+  workers.each(entries.size(), least, [&](Part part) {
+    std::vector<BodyPair>& into = part.index == 0 ? pairs : of_others[part.index - 1];
+    std::vector<const Entry*> met(entries.size());
+    for (std::size_t i = part.begin; i < part.end; ++i) {
+      const Entry& entry = entries[i];
+      const Vec3 low = entry.bounds.low, high = entry.bounds.high;
+      std::size_t count = 0;
+      for (std::size_t k = i + 1; k < entries.size() && entries[k].bounds.low[axis] <= high[axis]; ++k) {
+        // Written down in any case, kept if near: a branch that nobody can predict would take longer.
+        const Bounds& bounds = entries[k].bounds;
+        met[count] = &entries[k];
+        count += std::size_t(bounds.low[u] <= high[u]) & std::size_t(low[u] <= bounds.high[u]) &
+                 std::size_t(bounds.low[v] <= high[v]) & std::size_t(low[v] <= bounds.high[v]);
+      }
+      for (std::size_t k = 0; k < count; ++k)
+        if (entry.movable || met[k]->movable) into.push_back(std::minmax(entry.index, met[k]->index));
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      if (entry->movable || met[i]->movable) pairs.push_back(std::minmax(entry->index, met[i]->index));
-    }
-  }
+  });
+  for (const auto& found : of_others) pairs.insert(pairs.end(), found.begin(), found.end());
   return in_order(pairs, bodies.size());
 }
 
 }  // namespace
 
-std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const Margin& margin) {
+std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const Margin& margin, Workers& workers) {
   std::vector<const Body*> all;
   all.reserve(bodies.size());
   for (const Body& body : bodies) all.push_back(&body);
-  return near_places(all, margin);
+  return near_places(all, margin, workers);
 }
 
 std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<const int> which, const Margin& margin) {
@@ -147,7 +153,7 @@ std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<cons
   std::vector<const Body*> these;
   these.reserve(which.size());
   for (const int index : which) these.push_back(&bodies[std::size_t(index)]);
-  std::vector<BodyPair> pairs = near_places(these, margin);
+  std::vector<BodyPair> pairs = near_places(these, margin, alone());
   for (BodyPair& pair : pairs) pair = {which[std::size_t(pair.first)], which[std::size_t(pair.second)]};
   return pairs;  // in order still: indices ascend as places do
 }

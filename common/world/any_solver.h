@@ -23,6 +23,7 @@ class AnySolver : public StepSolver {
   }
   ~AnySolver() = default;
 
+  Workers& workers() const { return held_->workers(); }
   void check(World& world, Real dt) { held_->check(world, dt); }
   Division division(Real dt) const { return held_->division(dt); }
   void detected(World& world, Real dt) { held_->detected(world, dt); }
@@ -43,6 +44,7 @@ class AnySolver : public StepSolver {
   struct Anything {
     virtual ~Anything() = default;
     virtual std::unique_ptr<Anything> copy() const = 0;
+    virtual Workers& workers() const = 0;
     virtual void check(World& world, Real dt) = 0;
     virtual Division division(Real dt) const = 0;
     virtual void detected(World& world, Real dt) = 0;
@@ -56,6 +58,7 @@ class AnySolver : public StepSolver {
   struct Held final : Anything {
     explicit Held(ContactSolver its_solver) : solver(std::move(its_solver)) {}
     std::unique_ptr<Anything> copy() const override { return std::make_unique<Held>(*this); }
+    Workers& workers() const override { return solver.workers(); }
     void check(World& world, Real dt) override { solver.check(world, dt); }
     Division division(Real dt) const override { return solver.division(dt); }
     void detected(World& world, Real dt) override { solver.detected(world, dt); }

@@ -19,6 +19,9 @@ struct Division {
 struct StepSolver {
   static constexpr int usual_sweeps = 10;  ///< of who does not say how many
 
+  /// Who does what falls into parts, of the step as of the solver.
+  static Workers& workers() { return alone(); }
+
   /// Throws InvalidInput if it cannot solve what is in this world; nothing has changed yet. This one holds no joints.
   void check(World& world, Real /*dt*/) { check_no_joints(world.joints); }
   /// Of a step of dt.
@@ -42,13 +45,18 @@ void check_solvable(const World& world) {
 
 /// Who takes part in a step, and finds what touches. This one leaves nobody out.
 struct Everybody {
+  Workers* workers = &alone();
+
   static void check(const World& world) {
     for (const Body& body : world.bodies) check_state(body);
   }
-  static void find_contacts(World& world, const Margin& margin = {}) { world.find_contacts(margin); }
+  void find_contacts(World& world, const Margin& margin = {}) const { world.find_contacts(margin, *workers); }
+  /// `act` changes its body and reads no other.
   template <class Act>
-  static void each(World& world, const Act& act) {
-    for (Body& body : world.bodies) act(body);
+  void each(World& world, const Act& act) const {
+    workers->each(world.bodies.size(), 64, [&](Part part) {
+      for (std::size_t i = part.begin; i < part.end; ++i) act(world.bodies[i]);
+    });
   }
   static void end(World&, Real /*dt*/) {}
 };
@@ -125,7 +133,7 @@ void step(World& world, ContactSolver& solver, Real dt, int sweeps, Simulated& s
 
 template <class ContactSolver>
 void World::step(ContactSolver& solver, Real dt, int sweeps) {
-  Everybody everybody;
+  Everybody everybody{&solver.workers()};
   pushback::step(*this, solver, dt, sweeps, everybody);
 }
 

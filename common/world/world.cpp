@@ -56,13 +56,21 @@ void World::begin_step(Real dt) {
   pushback::begin_step(*this, dt, everybody);
 }
 
-void World::find_contacts(const Margin& margin) {
+void World::find_contacts(const Margin& margin, Workers& workers) {
+  constexpr std::size_t least = 32;  // pairs
   contacts.clear();
   const JoinedPairs joined(joints);
-  for (const auto& [first, second] : near_pairs(bodies, margin)) {
-    if (joined.contain(first, second)) continue;
-    collide(bodies[static_cast<std::size_t>(first)], bodies[static_cast<std::size_t>(second)], contacts, margin);
-  }
+  const std::vector<BodyPair> pairs = near_pairs(bodies, margin, workers);
+  std::vector<Contacts> of_others(workers.parts(pairs.size(), least) - 1);
+  workers.each(pairs.size(), least, [&](Part part) {
+    Contacts& into = part.index == 0 ? contacts : of_others[part.index - 1];
+    for (std::size_t i = part.begin; i < part.end; ++i) {
+      const auto& [first, second] = pairs[i];
+      if (joined.contain(first, second)) continue;
+      collide(bodies[static_cast<std::size_t>(first)], bodies[static_cast<std::size_t>(second)], into, margin);
+    }
+  });
+  for (const Contacts& found : of_others) contacts.insert(contacts.end(), found.begin(), found.end());
   // Pairs arrive in ascending order, and so do the points of a pair: nothing is left to sort.
   assert(
       std::is_sorted(contacts.begin(), contacts.end(), [](const Contact& p, const Contact& q) { return p.id < q.id; }));

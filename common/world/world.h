@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "pushback/common/basics/workers.h"
 #include "pushback/common/bodies/body.h"
 #include "pushback/common/collision/contact.h"
 #include "pushback/common/collision/margin.h"
@@ -52,7 +53,7 @@ class World {
   /// The first part of a step, for those who solve by themselves: all that goes before the solver.
   void begin_step(Real dt);
   /// Finds what touches now, or is within the margin, in the place of what was found.
-  void find_contacts(const Margin& margin = {});
+  void find_contacts(const Margin& margin = {}, Workers& workers = alone());
   /// x += h v and the turn, of all bodies; and time goes on.
   void move(Real dt);
 
