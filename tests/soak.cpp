@@ -69,3 +69,7 @@ TEST_CASE("a pyramid stands under soft contacts, and its memory does not grow", 
 TEST_CASE("a pyramid stands under all together, and its memory does not grow", "[soak]") {
   soak("all together", 5);
 }
+
+TEST_CASE("a pyramid stands under what is recommended, and its memory does not grow", "[soak]") {
+  soak("22 wide", 10);
+}

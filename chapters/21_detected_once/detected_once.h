@@ -15,20 +15,19 @@ struct OnceInAStep : StepSolver, HoldsJoints {
   static constexpr int usual_sweeps = 1;  // in a substep
 
   int substeps = 32;
-  Real margin = Real(0.02);    ///< m: beside what a pair may come nearer in a step
-  Real reach = Real(1e-6);     ///< m: by so much bodies may have moved past each other until their rows are made anew
-  Real threshold = Real(0.1);  ///< m/s; what arrives slower does not bounce
-  Real precision =
-      Real(1e-6);  ///< of the fastest bounce: what normals are solved to in a substep in which something bounces,
-  int most_rounds = 100;  ///< or until they have been solved so often
-  SoftContacts spring;    ///< chapter 12's: hertz, damping ratio, fastest push-out
+  Real margin = Real(0.02);       ///< m: beside what a pair may come nearer in a step
+  Real threshold = Real(0.1);     ///< m/s; what arrives slower does not bounce
+  Real carried_from = Real(0.5);  ///< m/s; bodies that pass each other slower keep their rows as they were detected
+  Real precision = Real(1e-6);    ///< to which normals are solved while something bounces, of the fastest bounce,
+  int most_rounds = 100;          ///< or until they have been solved so often
+  SoftContacts spring;            ///< chapter 12's: hertz, damping ratio, fastest push-out
   SteadyJoints joints;
 
   void check(World& world, Real dt) {
     if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
     require_not_negative("margin", margin);
-    require_not_negative("reach", reach);
     require_not_negative("threshold", threshold);
+    require_not_negative("carried_from", carried_from);
     require_not_negative("precision", precision);
     if (most_rounds < 1)
       throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
@@ -45,6 +44,33 @@ struct OnceInAStep : StepSolver, HoldsJoints {
     const Real w = spring.angular_frequency(h), damping = 2 * spring.damping_ratio + h * w;
     return {w / damping, 1 / (h * w * damping), spring.fastest_push_out, threshold};
   }
+  /// `act(i, p)` for each contact that the step before had: p, N s, is what it is to start from.
+  template <class Act>
+  void start_from_last_step(const World& world, Real h, const Act& act) {
+    const Real scale = world.impulse_scale(h);
+    known_.assign(world.contacts.size(), false);
+    auto old = world.contacts_before.begin();  // both lists ascend: walk them side by side
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+      const ContactId id = world.contacts[i].id;
+      while (old != world.contacts_before.end() && old->id < id) ++old;
+      if (old == world.contacts_before.end() || old->id != id) continue;
+      known_[i] = true;
+      act(i, scale * old->impulse);
+    }
+  }
+  /// `push()` goes over the normals and says by how much it changed a speed, m/s. Once; in a substep in which something bounces as
+  /// often as it takes, as in chapter 09.
+  template <class Push>
+  void push_until_solved(const Push& push) const {
+    Real change = push();
+    for (int round = 1; round < most_rounds && change > precision * fastest_; ++round) {
+      if (fastest_ == 0) return;
+      change = push();
+    }
+  }
+
+  std::vector<bool> known_;  // of each contact: whether the step before had it
+  Real fastest_ = 0;         // of what bounces in this substep, m/s; 0: nothing
 
  private:
   Rows no_rows_;
@@ -65,7 +91,10 @@ class DetectedOnce : public OnceInAStep {
       const std::size_t a = place_of(world, body_a), b = place_of(world, body_b);
       contacts_.emplace_back(world, i, a, b);
     }
-    start_from_last_step(world, h);
+    start_from_last_step(world, h, [this](std::size_t i, const Vec3& impulse) {
+      contacts_[i].guess(impulse);
+      contacts_[i].give(bodies_, 1);
+    });
   }
   /// In each substep: what each normal is to do, the initial guess, and the sweeps.
   void solve(World& world, Real h, int sweeps) {
@@ -94,7 +123,7 @@ class DetectedOnce : public OnceInAStep {
       each.turn += h * each.body->angular_velocity;
     }
     for (KeptContact& contact : contacts_) {
-      contact.carry(bodies_, reach);
+      contact.carry(bodies_, carried_from);
       contact.relax();
     }
     Step step = joints_step(world, h);
@@ -126,27 +155,17 @@ class DetectedOnce : public OnceInAStep {
     }
     return places_[body];
   }
-  void start_from_last_step(const World& world, Real h) {
-    const Real scale = world.impulse_scale(h);
-    known_.assign(contacts_.size(), false);
-    auto old = world.contacts_before.begin();  // both lists ascend: walk them side by side
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const ContactId id = world.contacts[i].id;
-      while (old != world.contacts_before.end() && old->id < id) ++old;
-      if (old == world.contacts_before.end() || old->id != id) continue;
-      known_[i] = true;
-      KeptContact& kept = contacts_[i];
-      kept.guess(scale * old->impulse);
-      kept.give(bodies_, 1);
-    }
-  }
   void sweep(Step& step) {
     joints.sweep(step);
     for (KeptBody& each : bodies_) {
       each.given -= each.body->velocity;
       each.given_turning -= each.body->angular_velocity;
     }
-    push();
+    push_until_solved([this] {
+      Real change = 0;
+      for (KeptContact& contact : contacts_) change = std::max(change, contact.push());
+      return change;
+    });
     for (KeptContact& contact : contacts_)
       if (contact.friction > 0) contact.rub();
     for (KeptBody& each : bodies_) {
@@ -162,21 +181,10 @@ class DetectedOnce : public OnceInAStep {
       for (KeptContact& contact : contacts_) contact.restore(bodies_);
     fastest_ = 0;
   }
-  /// Once; in a substep in which something bounces as often as it takes, as in chapter 09.
-  void push() {
-    Real change = fastest_;
-    int round = 0;
-    do {
-      change = 0;
-      for (KeptContact& contact : contacts_) change = std::max(change, contact.push());
-    } while (change > precision * fastest_ && fastest_ > 0 && ++round < most_rounds);
-  }
 
-  Real fastest_ = 0;  // of what bounces in this substep, m/s; 0: nothing
   std::vector<KeptContact> contacts_;
   std::vector<KeptBody> bodies_;     // those that touch
   std::vector<std::size_t> places_;  // of each body of the world, in bodies_
-  std::vector<bool> known_;          // of each contact: whether the step before had it
 };
 
 }  // namespace pushback

@@ -65,11 +65,11 @@ struct KeptContact {
     return found +
            (normal.n.dot(moved_b.way - moved_a.way) + (normal.rb_n.dot(moved_b.turn) - normal.ra_n.dot(moved_a.turn)));
   }
-  /// One point for both bodies again (chapter 12), or their impulses would turn the pair. Of what has moved past each other by less
-  /// than `reach`, the rows stay.
-  void carry(std::vector<KeptBody>& bodies, Real reach) {
+  /// One point for both bodies again (chapter 12), or their impulses would turn the pair. Where they pass each other
+  /// slower than this, m/s, the rows stay.
+  void carry(std::vector<KeptBody>& bodies, Real carried_from) {
+    if ((normal.b->velocity - normal.a->velocity).squaredNorm() < carried_from * carried_from) return;
     const Vec3 apart = bodies[b].way - bodies[a].way;
-    if ((apart - carried_).squaredNorm() < reach * reach) return;
     const Real C = separation(bodies);
     give(bodies, -1);
     for (Row* row : {&normal, &tangent1, &tangent2}) pushback::carry(*row, apart - carried_);

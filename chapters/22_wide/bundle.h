@@ -47,13 +47,20 @@ struct Bundle {
   Eight<Real> inverse_mass_a, inverse_mass_b, friction;
   EightSymmetric<Real> inverse_inertia_a, inverse_inertia_b;  ///< I^-1, world axes
   EightVectors<Real> n, tangent1, tangent2;
-  int first, end;  ///< of its contacts in their list: as many as the pair with the most points has
+  EightVectors<Real> carried;  ///< what B had moved past A when the rows were placed, m
+  int first, end;              ///< of its contacts in their list: as many as the pair with the most points has
 };
 
 /// v and w of a body, or x and theta: in m/s and rad/s, or m and rad.
 template <class Real>
 struct alignas(8 * sizeof(Real)) Twist {
   Real v[3], none_v, w[3], none_w;
+};
+
+/// I^-1 of a body, world axes.
+template <class Real>
+struct alignas(8 * sizeof(Real)) Inertia {
+  Real of[6], none[2];  ///< xx, xy, xz, yy, yz, zz
 };
 
 /// All of it.
@@ -65,6 +72,8 @@ struct Bundles {
   WideContact<Real>* contacts;
   Twist<Real>*now, *before;   ///< of each body: its velocity; that as the substep began
   Twist<Real>*moved, *given;  ///< what it has moved since detection; what its contacts' impulses add to its velocity
+  const Inertia<Real>* inertias;
+  EightVectors<Real>* starts;  ///< of each contact: the impulses that a substep in which something bounces starts from
 };
 
 /// What soft contacts ask for: PushOut of chapter 21.
@@ -79,9 +88,13 @@ struct Passes {
   const char* processor;
   int lanes;
   void (*prepare)(const Bundles<Real>&);
-  void (*aim)(const Bundles<Real>&, const WidePushOut<Real>&);
+  Real (*aim)(const Bundles<Real>&, const WidePushOut<Real>&);  ///< returns the fastest bounce, m/s
+  void (*carry)(const Bundles<Real>&, Real carried_from);
   void (*relax)(const Bundles<Real>&);
-  void (*sweep)(const Bundles<Real>&);
+  Real (*push)(const Bundles<Real>&);  ///< all normals; returns by how much it changed a speed, m/s
+  void (*rub)(const Bundles<Real>&);   ///< all tangents
+  void (*keep)(const Bundles<Real>&);
+  void (*restore)(const Bundles<Real>&);
 };
 
 /// For any processor, and for one with AVX2. `lanes`: 1, 4 or 8.

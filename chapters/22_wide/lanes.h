@@ -40,6 +40,17 @@ struct Symmetric {
   }
 };
 
+/// Lane by lane, one or the other.
+template <class Lanes>
+Lanes either(const typename Lanes::mask_type& so, const Lanes& yes, Lanes no) {
+  where(so, no) = yes;
+  return no;
+}
+template <class Lanes>
+Vec<Lanes> either(const typename Lanes::mask_type& so, const Vec<Lanes>& yes, const Vec<Lanes>& no) {
+  return {either(so, yes.x, no.x), either(so, yes.y, no.y), either(so, yes.z, no.z)};
+}
+
 /// Lanes of eight numbers, from the one at `at` on.
 template <class Lanes, class Real>
 Lanes load(const Eight<Real>& from, int at) {

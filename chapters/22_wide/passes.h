@@ -3,6 +3,8 @@
 /// In an anonymous namespace, as lanes.h.
 #pragma once
 
+#include <algorithm>
+
 #include "pushback/chapters/22_wide/lanes.h"
 
 namespace pushback {
@@ -52,6 +54,13 @@ struct Pairs {
     put(a, bundle.a + at, bundle.inverse_mass_a.of + at, bodies);
     put(b, bundle.b + at, bundle.inverse_mass_b.of + at, bodies);
   }
+  /// Where it is not so, the pairs are as they were before.
+  [[gnu::always_inline]] void only_where(const auto& so, const Pairs& before) {
+    for (auto [motion, old] : {std::pair{&a, &before.a}, {&b, &before.b}}) {
+      motion->v = either(so, motion->v, old->v);
+      motion->w = either(so, motion->w, old->w);
+    }
+  }
 
  private:
   template <class Real>
@@ -74,6 +83,13 @@ struct Pairs {
     }
   }
 };
+
+/// I^-1 of these bodies as they lie now.
+template <class Lanes, class Real>
+Symmetric<Lanes> fetch(const int* which, const Inertia<Real>* inertias) {
+  const auto each = [&](int number) { return Lanes([&](int i) { return inertias[which[i]].of[number]; }); };
+  return {each(0), each(1), each(2), each(3), each(4), each(5)};
+}
 
 /// `act(bundle, at)` for each bundle, in the order of the list; lanes from `at` on.
 template <class Lanes, class Real, class Act>
@@ -101,6 +117,22 @@ Lanes make_row(WideRow<Real>& row, const Vec<Lanes>& n, const Levers<Lanes>& lev
   return levers.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
 }
 
+/// 1 / k, kg, of both tangents: k is the larger eigenvalue (chapter 08).
+template <class Lanes>
+Lanes step_of(const LanesOfRow<Lanes>& tangent1, const LanesOfRow<Lanes>& tangent2, const Lanes& k11,
+              const Lanes& k22) {
+  const Lanes k12 = dot(tangent2.rb_n, tangent1.dwb) + dot(tangent2.ra_n, tangent1.dwa), half = (k11 - k22) / 2;
+  return 1 / ((k11 + k22) / 2 + sqrt(half * half + k12 * k12));
+}
+/// What the impulses of a contact give its pair, `times` over.
+template <class Lanes, class Real>
+void give(Pairs<Lanes>& given, const Bundle<Real>& bundle, const WideContact<Real>& contact, const Lanes& times,
+          int at) {
+  given.apply(times * load<Lanes>(contact.normal.impulse, at), {bundle.n, contact.normal, at});
+  given.apply(times * load<Lanes>(contact.tangent1.impulse, at), {bundle.tangent1, contact.tangent1, at});
+  given.apply(times * load<Lanes>(contact.tangent2.impulse, at), {bundle.tangent2, contact.tangent2, at});
+}
+
 /// Once in a step: the rows, and what the impulses that they start from give the bodies.
 template <class Lanes, class Real>
 void prepare(const Bundles<Real>& all) {
@@ -119,18 +151,14 @@ void prepare(const Bundles<Real>& all) {
       const Lanes K = make_row(contact.normal, load<Lanes>(bundle.n, at), levers, at);
       const Lanes k11 = make_row(contact.tangent1, load<Lanes>(bundle.tangent1, at), levers, at);
       const Lanes k22 = make_row(contact.tangent2, load<Lanes>(bundle.tangent2, at), levers, at);
-      const LanesOfRow<Lanes> normal(bundle.n, contact.normal, at), tangent1(bundle.tangent1, contact.tangent1, at),
+      const LanesOfRow<Lanes> tangent1(bundle.tangent1, contact.tangent1, at),
           tangent2(bundle.tangent2, contact.tangent2, at);
-      const Lanes k12 = dot(tangent2.rb_n, tangent1.dwb) + dot(tangent2.ra_n, tangent1.dwa), half = (k11 - k22) / 2;
       Lanes mass = 0, step_size = 0;
       where(present, mass) = 1 / K;
-      where(present, step_size) =
-          1 / ((k11 + k22) / 2 + sqrt(half * half + k12 * k12));  // chapter 08: the larger eigenvalue
+      where(present, step_size) = step_of(tangent1, tangent2, k11, k22);
       store(mass, contact.rigid_mass, at);
       store(step_size, contact.step_size, at);
-      given.apply(load<Lanes>(contact.normal.impulse, at), normal);
-      given.apply(load<Lanes>(contact.tangent1.impulse, at), tangent1);
-      given.apply(load<Lanes>(contact.tangent2.impulse, at), tangent2);
+      give(given, bundle, contact, Lanes(1), at);
     }
     given.put_back(bundle, all.given, at);
   });
@@ -147,29 +175,112 @@ void ask(WideContact<Real>& contact, const Lanes& bias, const Lanes& gamma_by_K,
   store(Lanes(rigid / (1 + gamma_by_K)), contact.mass, at);
 }
 
-/// C = C_0 + J dX, and what each normal is to do in a substep.
+/// A bounce within a substep: Bounce of chapter 21.
+template <class Lanes>
+struct WideBounce {
+  Lanes way, speed;
+
+  WideBounce(const Lanes& e, const Lanes& C, const Lanes& u, const Lanes& gained, const Lanes& h) {
+    const Lanes none = 0;
+    const Lanes ha = max(none, gained), aC = ha * C / h;
+    const Lanes s = max(none, u * u / 2 + aC + ha * u / 2), at_surface = sqrt(2 * s);
+    way = e * h * at_surface;
+    where(C > 0, way) = e * (h * at_surface - C) - C;
+    speed = ha / 2 + sqrt(max(none, ha * ha / 4 + 2 * (e * e * s - aC - ha * way / h)));
+  }
+};
+
+/// m/s: a row that asks for no more than this does nothing. See KeptContact of chapter 21.
+template <class Real>
+constexpr Real free_speed = Real(1e9);
+
+/// C = C_0 + J dX, and what each normal is to do in a substep. Returns the fastest bounce, m/s.
 template <class Lanes, class Real>
-void aim(const Bundles<Real>& all, const WidePushOut<Real>& push_out) {
+Real aim(const Bundles<Real>& all, const WidePushOut<Real>& push_out) {
+  Real fastest = 0;
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
     const Pairs<Lanes> moved(bundle, all.moved, at);
+    const Lanes h = push_out.h;
     for (int c = bundle.first; c < bundle.end; ++c) {
       WideContact<Real>& contact = all.contacts[c];
       const LanesOfRow<Lanes> normal(bundle.n, contact.normal, at);
       const Lanes C = load<Lanes>(contact.found, at) + moved.along(normal), e = load<Lanes>(contact.restitution, at);
-      Lanes bounce = 0;
+      Lanes bias = push_out.rate * C, gamma_by_K = push_out.gamma_by_K, bounce = 0;
+      const auto too_fast = bias < -push_out.fastest, apart = C > 0;
+      where(too_fast, bias) = -push_out.fastest;
+      where(apart, bias) = C / h;
+      where(too_fast || apart, gamma_by_K) = 0;
       if (any_of(e > 0)) {
         const Lanes approach = Pairs<Lanes>(bundle, all.before, at).along(normal);
-        where(approach < -push_out.threshold && C + push_out.h * approach < 0, bounce) = e * approach;
+        const auto bounces = e > 0 && approach < -push_out.threshold && C + h * approach < 0;
+        const WideBounce<Lanes> back(e, C, -approach, approach - Pairs<Lanes>(bundle, all.now, at).along(normal), h);
+        where(e > 0 && C > h * push_out.threshold, bias) = free_speed<Real>;
+        where(bounces, bias) = -back.way / h;
+        where(bounces, gamma_by_K) = 0;
+        where(bounces, bounce) = -back.speed;
+        fastest = std::max(fastest, Real(hmax(Lanes(-bounce))));
       }
-      Lanes bias = push_out.rate * C, gamma_by_K = push_out.gamma_by_K;
-      const auto too_fast = bias < -push_out.fastest, apart = C > 0, bounces = bounce < 0;
-      where(too_fast, bias) = -push_out.fastest;
-      where(apart, bias) = C / push_out.h;
-      where(bounces, bias) = bounce;
-      where(too_fast || apart || bounces, gamma_by_K) = 0;
       store(bounce, contact.bounce, at);
       ask(contact, bias, gamma_by_K, at);
     }
+  });
+  return fastest;
+}
+
+/// A row of bodies that have moved past each other by `way`: one point for both again, chapter 12. Returns K.
+template <class Lanes, class Real, class Where>
+Lanes carry(WideRow<Real>& row, const Vec<Lanes>& n, const Vec<Lanes>& way, const Pairs<Lanes>& now,
+            const Levers<Lanes>& levers, const Where& fast, int at) {
+  const Vec<Lanes> m = cross(way, n);
+  const Lanes of_a = abs(dot(m, now.a.w)), of_b = abs(dot(m, now.b.w)), both = of_a + of_b;
+  Lanes s = now.inverse_mass_b / levers.inverse_masses;
+  where(both > 0, s) = of_b / both;
+  const Vec<Lanes> ra_n = load<Lanes>(row.ra_n, at) + s * m, rb_n = load<Lanes>(row.rb_n, at) - (1 - s) * m;
+  const Vec<Lanes> dwa = levers.inverse_inertia_a * ra_n, dwb = levers.inverse_inertia_b * rb_n;
+  store(either(fast, ra_n, load<Lanes>(row.ra_n, at)), row.ra_n, at);
+  store(either(fast, rb_n, load<Lanes>(row.rb_n, at)), row.rb_n, at);
+  store(either(fast, dwa, load<Lanes>(row.dwa, at)), row.dwa, at);
+  store(either(fast, dwb, load<Lanes>(row.dwb, at)), row.dwb, at);
+  return levers.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
+}
+
+/// The rows of all pairs that pass each other so fast, m/s, or faster: KeptContact::carry of chapter 21.
+template <class Lanes, class Real>
+void carry(const Bundles<Real>& all, Real carried_from) {
+  each_bundle<Lanes>(all, [&](Bundle<Real>& bundle, int at) {
+    const Pairs<Lanes> now(bundle, all.now, at);
+    const Vec<Lanes> passing = now.b.v - now.a.v;
+    const auto fast = dot(passing, passing) >= carried_from * carried_from;
+    if (none_of(fast)) return;
+    const Pairs<Lanes> moved(bundle, all.moved, at), before(bundle, all.given, at);
+    const Vec<Lanes> apart = moved.b.v - moved.a.v, way = apart - load<Lanes>(bundle.carried, at);
+    Pairs<Lanes> given = before;
+    const Levers<Lanes> levers{.arm_a = {},
+                               .arm_b = {},
+                               .inverse_inertia_a = fetch<Lanes>(bundle.a + at, all.inertias),
+                               .inverse_inertia_b = fetch<Lanes>(bundle.b + at, all.inertias),
+                               .inverse_masses = now.inverse_mass_a + now.inverse_mass_b};
+    for (int c = bundle.first; c < bundle.end; ++c) {
+      WideContact<Real>& contact = all.contacts[c];
+      give(given, bundle, contact, Lanes(-1), at);
+      const Lanes C = moved.along({bundle.n, contact.normal, at});
+      const Lanes K = carry(contact.normal, load<Lanes>(bundle.n, at), way, now, levers, fast, at);
+      const Lanes k11 = carry(contact.tangent1, load<Lanes>(bundle.tangent1, at), way, now, levers, fast, at);
+      const Lanes k22 = carry(contact.tangent2, load<Lanes>(bundle.tangent2, at), way, now, levers, fast, at);
+      const Lanes found = load<Lanes>(contact.found, at), mass = load<Lanes>(contact.rigid_mass, at),
+                  step_size = load<Lanes>(contact.step_size, at);
+      const auto present = mass > 0;
+      store(either(fast && present, Lanes(1 / K), mass), contact.rigid_mass, at);
+      store(either(fast && present,
+                   step_of({bundle.tangent1, contact.tangent1, at}, {bundle.tangent2, contact.tangent2, at}, k11, k22),
+                   step_size),
+            contact.step_size, at);
+      store(either(fast, Lanes(found + (C - moved.along({bundle.n, contact.normal, at}))), found), contact.found, at);
+      give(given, bundle, contact, Lanes(1), at);
+    }
+    given.only_where(fast, before);
+    given.put_back(bundle, all.given, at);
+    store(either(fast, apart, load<Lanes>(bundle.carried, at)), bundle.carried, at);
   });
 }
 
@@ -187,8 +298,9 @@ void relax(const Bundles<Real>& all) {
   });
 }
 
+/// Returns by how much it changed the speed, m/s.
 template <class Lanes, class Real>
-void push(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
+Lanes push(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
   const LanesOfRow<Lanes> row(bundle.n, contact.normal, at);
   const Lanes impulse = load<Lanes>(contact.normal.impulse, at);
   const Lanes error = pairs.along(row) + (load<Lanes>(contact.bias, at) + load<Lanes>(contact.softness, at) * impulse);
@@ -196,6 +308,10 @@ void push(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& 
   where(total < 0, total) = 0;
   pairs.apply(total - impulse, row);
   store(total, contact.normal.impulse, at);
+  const Lanes rigid = load<Lanes>(contact.rigid_mass, at);
+  Lanes change = 0;
+  where(rigid > 0, change) = abs(total - impulse) / rigid;
+  return change;
 }
 
 template <class Lanes, class Real>
@@ -219,14 +335,19 @@ void rub(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& p
   store(total2, contact.tangent2.impulse, at);
 }
 
-/// Normals first, then friction, of each bundle.
 template <class Lanes, class Real>
-void sweep(const Bundles<Real>& all) {
+Real push(const Bundles<Real>& all) {
+  Lanes change = 0;
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
     Pairs<Lanes> pairs(bundle, all.now, at);
-    for (int c = bundle.first; c < bundle.end; ++c) push(bundle, all.contacts[c], pairs, at);
+    for (int c = bundle.first; c < bundle.end; ++c) change = max(change, push(bundle, all.contacts[c], pairs, at));
     pairs.put_back(bundle, all.now, at);
   });
+  return hmax(change);
+}
+/// After all normals: what holds a body has to know how it is pressed.
+template <class Lanes, class Real>
+void rub(const Bundles<Real>& all) {
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
     Pairs<Lanes> pairs(bundle, all.now, at);
     for (int c = bundle.first; c < bundle.end; ++c) rub(bundle, all.contacts[c], pairs, at);
@@ -234,10 +355,47 @@ void sweep(const Bundles<Real>& all) {
   });
 }
 
+/// What a substep in which something bounces starts from; and from there the next one is to start as well.
+template <class Lanes, class Real>
+void keep(const Bundles<Real>& all) {
+  each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
+    for (int c = bundle.first; c < bundle.end; ++c) {
+      const WideContact<Real>& contact = all.contacts[c];
+      store(load<Lanes>(contact.normal.impulse, at), all.starts[c].x, at);
+      store(load<Lanes>(contact.tangent1.impulse, at), all.starts[c].y, at);
+      store(load<Lanes>(contact.tangent2.impulse, at), all.starts[c].z, at);
+    }
+  });
+}
+template <class Lanes, class Real>
+void restore(const Bundles<Real>& all) {
+  each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
+    Pairs<Lanes> given(bundle, all.given, at);
+    for (int c = bundle.first; c < bundle.end; ++c) {
+      WideContact<Real>& contact = all.contacts[c];
+      give(given, bundle, contact, Lanes(-1), at);
+      store(load<Lanes>(all.starts[c].x, at), contact.normal.impulse, at);
+      store(load<Lanes>(all.starts[c].y, at), contact.tangent1.impulse, at);
+      store(load<Lanes>(all.starts[c].z, at), contact.tangent2.impulse, at);
+      give(given, bundle, contact, Lanes(1), at);
+    }
+    given.put_back(bundle, all.given, at);
+  });
+}
+
 template <class Real, int width>
 Passes<Real> passes_of(const char* processor) {
   using Lanes = LanesOf<Real, width>;
-  return {processor, width, prepare<Lanes, Real>, aim<Lanes, Real>, relax<Lanes, Real>, sweep<Lanes, Real>};
+  return {processor,
+          width,
+          prepare<Lanes, Real>,
+          aim<Lanes, Real>,
+          carry<Lanes, Real>,
+          relax<Lanes, Real>,
+          push<Lanes, Real>,
+          rub<Lanes, Real>,
+          keep<Lanes, Real>,
+          restore<Lanes, Real>};
 }
 template <class Real>
 Passes<Real> passes_for(const char* processor, int lanes) {

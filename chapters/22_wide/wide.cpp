@@ -1,5 +1,7 @@
 #include "pushback/chapters/22_wide/wide.h"
 
+#include <algorithm>
+
 #ifdef __SSE__
 #include <xmmintrin.h>
 #endif
@@ -51,6 +53,12 @@ Twist<Scalar> twist_of(const Vec3& v, const Vec3& w) {
   return twist;
 }
 template <class Scalar>
+Inertia<Scalar> inertia_of(const Mat3& m) {
+  return {{static_cast<Scalar>(m(0, 0)), static_cast<Scalar>(m(0, 1)), static_cast<Scalar>(m(0, 2)),
+           static_cast<Scalar>(m(1, 1)), static_cast<Scalar>(m(1, 2)), static_cast<Scalar>(m(2, 2))},
+          {}};
+}
+template <class Scalar>
 Vec3 vector_of(const Scalar (&from)[3]) {
   return {static_cast<Real>(from[0]), static_cast<Real>(from[1]), static_cast<Real>(from[2])};
 }
@@ -86,29 +94,15 @@ void Wide<Scalar>::detected(World& world, Real h) {
     for (PairOfBodies& pair : set) pair.a = place_of(world, pair.a), pair.b = place_of(world, pair.b);
   bodies_.push_back(&world.body(the_world));
   for (auto* twists : {&now_, &start_, &before_, &moved_, &given_}) twists->assign(bodies_.size(), Twist<Scalar>{});
+  inertias_.resize(bodies_.size());
   where_.resize(world.contacts.size());
-  start_from_last_step(world, h);
+  guesses_.assign(world.contacts.size(), Vec3::Zero());
+  start_from_last_step(world, h, [this](std::size_t i, const Vec3& impulse) { guesses_[i] = impulse; });
   lay_out(sets);
   each_bundle([&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) pack(world, i, packed_[i]);
   });
   set_by_set([&](std::size_t begin, std::size_t end) { passes.prepare(bundles(begin, end)); });
-}
-
-/// What each contact starts from, N s.
-template <class Scalar>
-void Wide<Scalar>::start_from_last_step(const World& world, Real h) {
-  const Real scale = world.impulse_scale(h);
-  known_.assign(world.contacts.size(), false);
-  guesses_.assign(world.contacts.size(), Vec3::Zero());
-  auto old = world.contacts_before.begin();  // both lists ascend: walk them side by side
-  for (std::size_t i = 0; i < world.contacts.size(); ++i) {
-    const ContactId id = world.contacts[i].id;
-    while (old != world.contacts_before.end() && old->id < id) ++old;
-    if (old == world.contacts_before.end() || old->id != id) continue;
-    known_[i] = true;
-    guesses_[i] = scale * old->impulse;
-  }
 }
 
 /// Which pairs are in which bundle, and where its contacts are.
@@ -129,6 +123,7 @@ void Wide<Scalar>::lay_out(const Sets& sets) {
   }
   contacts_.resize(static_cast<std::size_t>(contacts));
   points_.resize(static_cast<std::size_t>(contacts));
+  starts_.resize(static_cast<std::size_t>(contacts));
 }
 
 /// Up to eight pairs side by side: what their rows are made of.
@@ -138,6 +133,7 @@ void Wide<Scalar>::pack(const World& world, std::size_t at, std::span<const Pair
   Bundle<Scalar>& bundle = bundles_[at];
   std::fill(bundle.a, bundle.a + lanes_of_bundle, nobody);
   std::fill(bundle.b, bundle.b + lanes_of_bundle, nobody);
+  bundle.carried = {};
   const std::size_t begin = static_cast<std::size_t>(bundle.first);
   std::fill(contacts_.begin() + bundle.first, contacts_.begin() + bundle.end, WideContact<Scalar>{});
   std::fill(points_.begin() + bundle.first, points_.begin() + bundle.end, WidePoint<Scalar>{});
@@ -186,7 +182,9 @@ Bundles<Scalar> Wide<Scalar>::bundles(std::size_t begin, std::size_t end) {
           now_.data(),
           before_.data(),
           moved_.data(),
-          given_.data()};
+          given_.data(),
+          inertias_.data(),
+          starts_.data()};
 }
 
 /// `act(i)` for each of the bodies that touch. It changes nothing of any other.
@@ -197,21 +195,34 @@ void Wide<Scalar>::each_body(const Act& act) {
     for (std::size_t i = part.begin; i < part.end; ++i) act(i);
   });
 }
-/// `act(begin, end)` for parts of all bundles: it changes no body.
+/// `act(begin, end)` for parts of all bundles: it changes no body. Returns the largest of what it returns.
 template <class Scalar>
 template <class Act>
-void Wide<Scalar>::each_bundle(const Act& act) {
-  workers().each(bundles_.size(), least_bundles, [&](Part part) { act(part.begin, part.end); });
+Scalar Wide<Scalar>::each_bundle(const Act& act) {
+  return largest_in(0, bundles_.size(), act);
 }
 /// The same for the bundles of one set after the other: it changes the bodies of its bundles, and nobody else's.
 template <class Scalar>
 template <class Act>
-void Wide<Scalar>::set_by_set(const Act& act) {
+Scalar Wide<Scalar>::set_by_set(const Act& act) {
+  Scalar largest = 0;
   std::size_t begin = 0;
   for (const std::size_t end : ends_) {
-    workers().each(end - begin, least_bundles, [&](Part part) { act(begin + part.begin, begin + part.end); });
+    largest = std::max(largest, largest_in(begin, end, act));
     begin = end;
   }
+  return largest;
+}
+template <class Scalar>
+template <class Act>
+Scalar Wide<Scalar>::largest_in(std::size_t begin, std::size_t end, const Act& act) {
+  const std::size_t items = end - begin;
+  largest_.assign(workers().parts(items, least_bundles), 0);
+  workers().each(items, least_bundles, [&](Part part) {
+    if constexpr (std::is_void_v<decltype(act(begin, end))>) act(begin + part.begin, begin + part.end);
+    else largest_[part.index] = act(begin + part.begin, begin + part.end);
+  });
+  return *std::max_element(largest_.begin(), largest_.end());
 }
 
 template <class Scalar>
@@ -219,14 +230,17 @@ void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
   const NoDenormals none;
   Step step = joints_step(world, h);
   joints.build(step);
+  forget_impacts();
   each_body([&](std::size_t i) {
     before_[i] = twist_of<Scalar>(bodies_[i]->velocity_before, bodies_[i]->angular_velocity_before);
+    now_[i] = twist_of<Scalar>(bodies_[i]->velocity, bodies_[i]->angular_velocity);
   });
   const PushOut wanted = push_out(h);
   const WidePushOut<Scalar> in_lanes{static_cast<Scalar>(wanted.rate), static_cast<Scalar>(wanted.gamma_by_K),
                                      static_cast<Scalar>(wanted.fastest), static_cast<Scalar>(wanted.threshold),
                                      static_cast<Scalar>(h)};
-  each_bundle([&](std::size_t begin, std::size_t end) { passes.aim(bundles(begin, end), in_lanes); });
+  fastest_ = each_bundle([&](std::size_t begin, std::size_t end) { return passes.aim(bundles(begin, end), in_lanes); });
+  if (fastest_ > 0) each_bundle([&](std::size_t begin, std::size_t end) { passes.keep(bundles(begin, end)); });
   joints.start(step);
   each_body([&](std::size_t i) {
     bodies_[i]->velocity += vector_of(given_[i].v);
@@ -243,6 +257,10 @@ void Wide<Scalar>::after_move(World& world, Real h) {
   each_body([&](std::size_t i) {
     const Twist<Scalar> way = twist_of<Scalar>(h * bodies_[i]->velocity, h * bodies_[i]->angular_velocity);
     for (int k = 0; k < 3; ++k) moved_[i].v[k] += way.v[k], moved_[i].w[k] += way.w[k];
+    inertias_[i] = inertia_of<Scalar>(bodies_[i]->inverse_inertia);
+  });
+  set_by_set([&](std::size_t begin, std::size_t end) {
+    passes.carry(bundles(begin, end), static_cast<Scalar>(carried_from));
   });
   each_bundle([&](std::size_t begin, std::size_t end) { passes.relax(bundles(begin, end)); });
   Step step = joints_step(world, h);
@@ -258,7 +276,11 @@ void Wide<Scalar>::sweep(Step& step) {
   each_body([&](std::size_t i) {
     start_[i] = now_[i] = twist_of<Scalar>(bodies_[i]->velocity, bodies_[i]->angular_velocity);
   });
-  set_by_set([&](std::size_t begin, std::size_t end) { passes.sweep(bundles(begin, end)); });
+  push_until_solved([this] {
+    return static_cast<Real>(
+        set_by_set([&](std::size_t begin, std::size_t end) { return passes.push(bundles(begin, end)); }));
+  });
+  set_by_set([&](std::size_t begin, std::size_t end) { passes.rub(bundles(begin, end)); });
   each_body([&](std::size_t i) {
     Twist<Scalar> change{};
     for (int k = 0; k < 3; ++k) {
@@ -273,8 +295,16 @@ void Wide<Scalar>::sweep(Step& step) {
   rows_solved += 3 * where_.size();
 }
 
+/// An impact is over in one substep: the next one starts from the impulses that it started from.
+template <class Scalar>
+void Wide<Scalar>::forget_impacts() {
+  if (fastest_ > 0) set_by_set([&](std::size_t begin, std::size_t end) { passes.restore(bundles(begin, end)); });
+  fastest_ = 0;
+}
+
 template <class Scalar>
 void Wide<Scalar>::done(World& world) {
+  forget_impacts();
   workers().each(where_.size(), 256, [&](Part part) {
     for (std::size_t i = part.begin; i < part.end; ++i) tell(world.contacts[i], i);
   });

@@ -38,17 +38,19 @@ class Wide : public OnceInAStep {
     std::size_t bundle, contact, lane;
   };
   std::size_t place_of(World& world, std::size_t body);
-  void start_from_last_step(const World& world, Real h);
   void lay_out(const Sets& sets);
   void pack(const World& world, std::size_t at, std::span<const PairOfBodies> pairs);
   Bundles<Scalar> bundles(std::size_t begin, std::size_t end);
   template <class Act>
   void each_body(const Act& act);
   template <class Act>
-  void each_bundle(const Act& act);
+  Scalar each_bundle(const Act& act);
   template <class Act>
-  void set_by_set(const Act& act);
+  Scalar set_by_set(const Act& act);
+  template <class Act>
+  Scalar largest_in(std::size_t begin, std::size_t end, const Act& act);
   void sweep(Step& step);
+  void forget_impacts();
   void tell(Contact& contact, std::size_t i) const;
 
   std::vector<Body*> bodies_;        // those that touch; the last one stands in empty lanes
@@ -59,9 +61,11 @@ class Wide : public OnceInAStep {
   std::vector<std::size_t> ends_;                      // of each set, in bundles_
   std::vector<WidePoint<Scalar>> points_;
   std::vector<WideContact<Scalar>> contacts_;
-  std::vector<Place> where_;   // of each contact of the world
-  std::vector<bool> known_;    // whether the step before had it,
-  std::vector<Vec3> guesses_;  // and what it starts from, N s
+  std::vector<Inertia<Scalar>> inertias_;     // of bodies_
+  std::vector<EightVectors<Scalar>> starts_;  // of contacts_
+  std::vector<Place> where_;                  // of each contact of the world
+  std::vector<Scalar> largest_;               // of each part of a pass, what it returned
+  std::vector<Vec3> guesses_;                 // what it starts from, N s
 };
 
 }  // namespace pushback

@@ -11,7 +11,7 @@
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/21_detected_once/detected_once.h"
-#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/chapters/22_wide/recommended.h"
 #include "pushback/chapters/catalogue/compiled.h"
 #include "pushback/common/basics/input.h"
 
@@ -62,8 +62,8 @@ const std::vector<NamedSolver>& all_solvers() {
       stepping<DetectedOnce>(
           "21 detected once",
           "14 joints 20 times with a friction cone, contacts detected and rows built once in a step"),
-      stepping<Wide<double>>("22 wide, double", "21 detected once, contacts solved eight pairs of bodies at a time"),
-      stepping<Wide<float>>("22 wide, float", "the same with rows and impulses in float"),
+      stepping<Recommended>("22 wide",
+                            "21 detected once, contacts solved eight pairs of bodies at a time: recommended"),
       stepping<SteadyJointedSolver>("all together",
                                     "soft contacts, a friction cone, simultaneous impacts, a scaled guess; 32 substeps "
                                     "of one sweep, 20 over joints"),

@@ -1,7 +1,7 @@
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/21_detected_once/detected_once.h"
-#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/chapters/22_wide/recommended.h"
 #include "pushback/chapters/catalogue/compile.h"
 
 namespace pushback {
@@ -11,7 +11,6 @@ template struct Compiled<RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Re
 template struct Compiled<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, DirectJoints>>;
 template struct Compiled<SteadyJointedSolver>;
 template struct Compiled<DetectedOnce>;
-template struct Compiled<Wide<double>>;
-template struct Compiled<Wide<float>>;
+template struct Compiled<Recommended>;
 
 }  // namespace pushback

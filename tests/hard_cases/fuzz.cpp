@@ -3,6 +3,7 @@
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
+#include "pushback/chapters/22_wide/recommended.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/common/world/measure.h"
 #include "tests/hard_cases/watcher.h"
@@ -118,6 +119,25 @@ Finding watched(const RandomScene& scene, bool log) {
   return Watched<ContactSolver>(scene, substeps, sweeps, log).run();
 }
 
+/// A solver that divides its steps itself: what is watched is the world after each.
+template <class ContactSolver>
+Finding watched_whole(const RandomScene& scene, bool log) {
+  if (log) print_scene(scene);
+  World world = scene.world;
+  constexpr Real any = std::numeric_limits<Real>::infinity();
+  Watcher watcher(world, {.energy = any, .overlap = any, .isolated = scene.isolated});
+  ContactSolver solver;
+  Finding finding;
+  for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
+    world.step(solver, scene.dt);
+    watcher.look(world, scene.dt, solver.substeps);
+    finding.broken = watcher.broken();
+    finding.step = step;
+  }
+  finding.hash = hash_of(world);
+  return finding;
+}
+
 struct FuzzedStage {
   const char* name;
   Finding (*watched)(const RandomScene& scene, bool log);
@@ -125,6 +145,7 @@ struct FuzzedStage {
 constexpr FuzzedStage stages_with_books[] = {{"07 warm start", watched<BookedFullSolver, 1, 10>},
                                              {"11 substeps", watched<BookedFullSolver, 32, 1>},
                                              {"12 soft contacts", watched<BookedSoftSolver, 32, 1>},
+                                             {"22 wide", watched_whole<Recommended>},
                                              {"all together", watched<BookedAllTogether, 32, 1>}};
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The program that README.md shows. test_student compares the two.
 // README begins
 #include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/22_wide/recommended.h"
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
     e.scene({.name = "my scene", .fill = fill});
     e.variant("without friction", Solver<Clamping, Baumgarte, Slop, Restitution>{});
     e.variant("all seven chapters", FullSolver{});
+    e.variant("recommended", Recommended{}).with_exactly(1);
     e.number("speed of the brick", "m/s", [](const Run& run) { return run.world.bodies[4].velocity.norm(); });
   });
 }
