@@ -44,7 +44,7 @@ int spins_of(int threads) {
 }  // namespace
 
 Crew::Crew(int threads, bool however_little)
-    : Workers(parts_a_thread * static_cast<std::size_t>(checked(threads)), however_little),
+    : Workers(checked(threads) == 1 ? 1 : parts_a_thread * static_cast<std::size_t>(threads), however_little),
       places_(parts_a_thread * static_cast<std::size_t>(threads)),
       spins_(spins_of(threads)) {
   for (std::size_t first = parts_a_thread; first < places_.size(); first += parts_a_thread)
