@@ -221,6 +221,15 @@ TEST_CASE("threads: a crew of none is refused, and so is one of too many") {
                                                  threads, Crew::most));
 }
 
+TEST_CASE("threads: a crew is all that a program adds") {
+  World world;
+  heap(world);
+  Wide<float> solver;
+  solver.crew = std::make_shared<Crew>(2);
+  world.step(solver, 1.0 / 60);
+  CHECK(world.time == Approx(1.0 / 60));
+}
+
 TEST_CASE("threads: any solver hands its crew on to the step") {
   const auto crew = std::make_shared<Crew>(2);
   AnySolver any = wide_with<float>(crew);
