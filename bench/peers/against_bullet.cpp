@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/in_turn.h"
+#include "bench/pile.h"
 #include "pushback/chapters/19_accuracy_and_time/peers/peer.h"
 #include "pushback/chapters/21_detected_once/study.h"
 #include "pushback/chapters/22_wide/wide.h"
@@ -15,19 +16,6 @@ using namespace pushback;
 namespace {
 
 constexpr Real dt = Real(1) / 60;
-
-/// n x n columns of n boxes, each turned a little, which fall into a pile.
-void pile(World& world, int n, int high) {
-  world.add(ground());
-  for (int i = 0; i < n * n * high; ++i) {
-    const Vec3 place{static_cast<Real>(i % n) - static_cast<Real>(n) / 2,
-                     Real(0.6) + static_cast<Real>(i / (n * n)) * Real(1.1),
-                     static_cast<Real>(i / n % n) - static_cast<Real>(n) / 2};
-    world.add(box({Real(0.4), Real(0.3), Real(0.45)}, 100)
-                  .turned(static_cast<Real>(i % 7) * Real(0.2), Vec3(1, 2, 3))
-                  .at(place));
-  }
-}
 
 struct Way {
   const char* name;

@@ -38,8 +38,8 @@ class Crew : public Workers {
     std::exception_ptr failed;
   };
   void share(std::size_t count, const std::function<void(std::size_t)>& act) override;
-  void work(std::size_t who);
-  void take_parts(std::size_t who, unsigned round);
+  void work(std::size_t first);
+  void take_parts(std::size_t first, unsigned round);
 
   std::vector<Place> places_;
   alignas(64) std::atomic<unsigned> round_ = 0;  // of work that is shared; the threads wait for the next

@@ -1,1 +1,151 @@
-int main() {}
+#include "pushback/chapters/23_threads/crew.h"
+#include "pushback/chapters/23_threads/study.h"
+#include "pushback/common/experiment/experiment.h"
+#include "pushback/common/experiment/marks.h"
+#include "pushback/common/render/palette.h"
+#include "pushback/common/world/steps_in.h"
+
+using namespace pushback;
+using namespace pushback::threads_scenes;
+
+namespace {
+
+Sets sets_in(const World& world) {
+  return coloured(touching_pairs(world.contacts), world);
+}
+
+Colour colour_of_thread(std::size_t thread) {
+  const std::array inks{contact_ink(ContactState::fresh), contact_ink(ContactState::warm), normal_arrow_ink(),
+                        contact_ink(ContactState::sliding)};
+  return linear(inks[thread % inks.size()]);
+}
+
+/// Of the set with this number: from the middle of each box of a pair to where they touch, in front of boxes of 1 m.
+void draw_set(Picture& picture, const World& world, std::size_t set, std::size_t threads, const Vec3& shift) {
+  const Sets sets = sets_in(world);
+  if (set >= sets.size()) return;
+  for (std::size_t k = 0; k < sets[set].size(); ++k) {
+    const PairOfBodies& pair = sets[set][k];
+    const std::size_t thread = thread_of(k / lanes_of_bundle, bundles_of(sets[set]), threads);
+    Vec3 touch = Vec3::Zero();
+    for (std::size_t i = 0; i < pair.count; ++i)
+      touch += world.contacts[pair.first + i].point / static_cast<Real>(pair.count);
+    touch.z() = Real(0.55);
+    for (const std::size_t body : {pair.a, pair.b}) {
+      if (!world.bodies[body].movable()) continue;
+      const Vec3& middle = world.bodies[body].position;
+      add_line(picture, {Vec3(middle.x(), middle.y(), touch.z()) + shift, touch + shift}, colour_of_thread(thread), 6);
+    }
+  }
+}
+
+World after_steps(const std::function<void(World&)>& fill, Wide<float> solver, Real seconds, Real dt) {
+  World world;
+  fill(world);
+  for (int i = 0; i < steps_in(seconds, dt); ++i) world.step(solver, dt);
+  return world;
+}
+
+/// How many times as fast a pass over a pyramid could be, against its boxes.
+Panel at_best_by_boxes(const std::vector<int>& threads) {
+  Panel panel{.title = "a pass over a pyramid, counted in bundles",
+              .x_label = "boxes",
+              .y_label = "times as fast, at best",
+              .log_x = true};
+  for (std::size_t k = 0; k < threads.size(); ++k) {
+    Curve& curve = panel.curves.emplace_back();
+    curve.label = fmt::format("{} threads", threads[k]);
+    curve.colour = line_colour(k);
+    curve.style = Curve::Style::line_and_points;
+    for (const int base : {3, 5, 8, 12, 16, 20, 26, 34, 44}) {
+      World world;
+      pyramid(world, base);
+      world.find_contacts();
+      curve.x.push_back(static_cast<Real>(world.bodies.size() - 1));
+      curve.y.push_back(at_best(sets_in(world), static_cast<std::size_t>(threads[k])));
+    }
+  }
+  return panel;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Experiment e("23_threads", "What have threads to wait for?");
+  int substeps = 8;
+  e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &substeps);
+  int base = 14;
+  e.parameter({"--base", "n", "", "Boxes of the pyramid's lowest row", 1, 20}, &base);
+  int threads = 4;
+  e.parameter({"--threads", "T", "", "Threads that the picture is of", 1, 16}, &threads);
+  return e.run(argc, argv, [&] {
+    const auto fill_pyramid = [base](World& world) {
+      pyramid(world, base);
+      for (Body& body : world.bodies)
+        if (body.movable()) body.coloured(1);
+    };
+    const auto wide_with = [substeps](std::shared_ptr<Workers> crew) {
+      Wide<float> solver;
+      solver.substeps = substeps;
+      solver.crew = std::move(crew);
+      return solver;
+    };
+    const Real wide = static_cast<Real>(base), apart = wide + 2;
+
+    e.scene({.name = "four sets of a pyramid",
+             .fill = fill_pyramid,
+             .camera = {{Real(1.5) * apart, Real(0.47) * wide, 8 * wide},
+                        {Real(1.5) * apart, Real(0.47) * wide, 0},
+                        Real(0.162)},
+             .seconds = 1,
+             .contacts = Drawn::nothing,
+             .caption = "The sets of a pyramid, solved from left to right. A colour is a thread; each waits for all "
+                        "before the next set.",
+             .start_shown = false,
+             .marks =
+                 [threads, apart](Picture& picture, const World& world, Real) {
+                   for (std::size_t set = 0; set < 4; ++set)
+                     draw_set(picture, world, set, static_cast<std::size_t>(threads),
+                              static_cast<Real>(set) * apart * Vec3::UnitX());
+                 },
+             .strobe = Strobe{
+                 .every = Real(0.25), .shift_per_second = {4 * apart, 0, 0}, .from = Real(0.25), .height = 420}});
+    e.variant(fmt::format("{} threads", threads), wide_with(std::make_shared<Crew>(threads)))
+        .with_exactly(1)
+        .coloured(1)
+        .without_curves();
+    e.number("sets", "", [](const Run& run) { return static_cast<Real>(sets_in(run.world).size()); });
+    e.number("bundles", "", [](const Run& run) {
+      Real count = 0;
+      for (const auto& set : sets_in(run.world)) count += static_cast<Real>(bundles_of(set));
+      return count;
+    });
+    e.number("times as fast, at best", "",
+             [threads](const Run& run) { return at_best(sets_in(run.world), static_cast<std::size_t>(threads)); });
+
+    e.scene({.name = "who does the work", .fill = fill_pyramid, .seconds = 1, .pictures = false});
+    const Wide<float> alone = wide_with(nullptr);
+    e.number("bodies elsewhere than with one thread", "", [=](const Run& run) {
+      return elsewhere(run.world, after_steps(fill_pyramid, alone, run.world.time, run.dt));
+    });
+    for (const int count : {2, 3, 4, 7})
+      e.variant(fmt::format("{} threads", count), wide_with(std::make_shared<Crew>(count, true)))
+          .with_exactly(1)
+          .without_curves();
+
+    e.study([=, &e] {
+      const auto of_parts = [&](Sets (*sets_of)(const std::vector<PairOfBodies>&, const World&), bool from_the_last) {
+        Wide<float> solver = wide_with(std::make_shared<OneAfterTheOther>(4, from_the_last));
+        solver.sets_of = sets_of;
+        return after_steps(fill_pyramid, solver, e.dt(), e.dt());
+      };
+      const Real by_colours = elsewhere(of_parts(coloured, true), of_parts(coloured, false)),
+                 in_one_set = elsewhere(of_parts(all_in_one, true), of_parts(all_in_one, false));
+      e.remark(fmt::format(
+          "Each set in four parts, done from the last to the first instead of from the first to the last: after "
+          "one step {} of {} boxes differ by colours, {} if all pairs are one set.",
+          by_colours, base * (base + 1) / 2, in_one_set));
+      e.panel(at_best_by_boxes({2, 4, 8}));
+    });
+  });
+}

@@ -135,7 +135,8 @@ TEST_CASE("threads: each item is done once, whatever their number, and little is
         for (std::size_t i = part.begin; i < part.end; ++i) ++done[i];
       });
       CHECK(done == std::vector<int>(items, 1));
-      CHECK(lengths.size() == std::clamp<std::size_t>(items / 10, 1, static_cast<std::size_t>(threads)));
+      CHECK(lengths.size() ==
+            std::clamp<std::size_t>(items / 10, 1, threads == 1 ? 1 : 4 * static_cast<std::size_t>(threads)));
       if (lengths.size() > 1) CHECK(*std::min_element(lengths.begin(), lengths.end()) >= 10);
     }
   }
@@ -218,6 +219,15 @@ TEST_CASE("threads: a crew of none is refused, and so is one of too many") {
   for (const int threads : {-1, 0, Crew::most + 1})
     CHECK_THROWS_WITH(Crew(threads), fmt::format("the number of threads is {}: a whole number from 1 to {} is needed",
                                                  threads, Crew::most));
+}
+
+TEST_CASE("threads: a crew is all that a program adds") {
+  World world;
+  heap(world);
+  Wide<float> solver;
+  solver.crew = std::make_shared<Crew>(2);
+  world.step(solver, 1.0 / 60);
+  CHECK(world.time == Approx(1.0 / 60));
 }
 
 TEST_CASE("threads: any solver hands its crew on to the step") {

@@ -91,7 +91,8 @@ const std::map<std::string, std::vector<std::string>> own_options{
     {"19_accuracy_and_time", {"--ball-steps", "--chain-steps"}},
     {"20_only_what_is_needed", {"--still-for", "--place", "--speed", "--mass-ratio"}},
     {"21_detected_once", {"--substeps", "--margin", "--spin", "--speed", "--boxes", "--mass-ratio"}},
-    {"22_wide", {"--substeps", "--base", "--boxes", "--square", "--mass-ratio"}}};
+    {"22_wide", {"--substeps", "--base", "--boxes", "--square", "--mass-ratio"}},
+    {"23_threads", {"--substeps", "--base", "--threads"}}};
 
 }  // namespace
 

@@ -57,7 +57,7 @@ course render --beta 1 && expect 2 "unknown option '--beta'" "./course render --
 course render --long && expect 2 "unknown option '--long'"
 course study --quik && expect 2 "the options are: --yes --preset --help --quick --peers --keep"
 course clean --all && expect 2 "unknown option '--all'" && expect_not "handed on"
-course test --preset relase && expect 2 "unknown preset 'relase'" "the presets are: release debug sanitize ci clang odr"
+course test --preset relase && expect 2 "unknown preset 'relase'" "the presets are: release debug sanitize threads ci clang odr"
 course test --preset && expect 2 "unknown preset ''"
 course clean up && expect 2 "'clean' takes no words"
 course clean -- up && expect 2 "'clean' hands no options on"

@@ -107,3 +107,6 @@ TEST_CASE("the sheet of 21 looks as it did", "[slow]") {
 TEST_CASE("the sheet of 22 looks as it did") {
   compare("22_wide");
 }
+TEST_CASE("the sheet of 23 looks as it did") {
+  compare("23_threads");
+}

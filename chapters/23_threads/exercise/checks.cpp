@@ -1,0 +1,298 @@
+#include <algorithm>
+#include <numeric>
+
+#include "pushback/chapters/23_threads/exercise/asked.h"
+
+namespace pushback::exercise_23 {
+
+namespace {
+
+/// Several sets, of sizes that cannot be divided evenly; one has fewer bundles than there are threads.
+struct Work {
+  int threads;
+  Sizes sizes;
+  int bundles() const { return std::accumulate(sizes.begin(), sizes.end(), 0); }
+};
+Work some_work(Random& random) {
+  Work work{.threads = 4, .sizes = {}};
+  for (int set = 0; set < 5; ++set) work.sizes.push_back(set == 2 ? 2 : 4 * (2 + int(random.below(4))) + 3);
+  return work;
+}
+
+std::vector<Thread> threads_of(const Answer& answer, const Work& work) {
+  std::vector<Thread> threads;
+  for (int who = 0; who < work.threads; ++who) {
+    threads.emplace_back(who, work.threads);
+    answer.sweep(threads.back(), work.sizes);
+  }
+  return threads;
+}
+/// act(bundle, phase): all that is solved. In each phase the last thread comes first.
+template <class Act>
+void each_solved(const std::vector<Thread>& threads, const Act& act) {
+  std::size_t phases = 0;
+  for (const Thread& thread : threads) phases = std::max(phases, thread.done().size());
+  for (std::size_t phase = 0; phase < phases; ++phase) {
+    for (std::size_t who = threads.size(); who-- > 0;) {
+      if (phase >= threads[who].done().size()) continue;
+      for (const int bundle : threads[who].done()[phase]) act(bundle, phase);
+    }
+  }
+}
+
+/// How often each bundle is solved; what is no bundle counts as one more at the end.
+std::vector<int> times_solved(const std::vector<Thread>& threads, const Work& work) {
+  std::vector<int> times(static_cast<std::size_t>(work.bundles()) + 1, 0);
+  each_solved(threads, [&](int bundle, std::size_t) {
+    ++times[static_cast<std::size_t>(bundle < 0 || bundle > work.bundles() ? work.bundles() : bundle)];
+  });
+  return times;
+}
+std::size_t set_of(int bundle, const Sizes& sizes) {
+  std::size_t set = 0;
+  for (; set < sizes.size() && bundle >= sizes[set]; ++set) bundle -= sizes[set];
+  return set;
+}
+std::vector<Real> waits_of(const std::vector<Thread>& threads) {
+  std::vector<Real> waits;
+  for (const Thread& thread : threads) waits.push_back(static_cast<Real>(thread.done().size() - 1));
+  return waits;
+}
+/// The bundles of the busiest thread, from wait to wait, added up.
+Real busiest(const std::vector<Thread>& threads) {
+  std::vector<std::size_t> most;
+  for (const Thread& thread : threads) {
+    most.resize(std::max(most.size(), thread.done().size()), 0);
+    for (std::size_t phase = 0; phase < thread.done().size(); ++phase)
+      most[phase] = std::max(most[phase], thread.done()[phase].size());
+  }
+  return static_cast<Real>(std::accumulate(most.begin(), most.end(), std::size_t(0)));
+}
+
+/// m/s, balls of 1 kg in a row. A bundle is a pair of neighbours that take on their common velocity: in sets of even number the
+/// pairs (0, 1), (2, 3) and on, in the others (1, 2), (3, 4) and on. All sets are alike in size.
+std::vector<Real> velocities_after(const std::vector<Thread>& threads, const Work& work, std::vector<Real> velocities) {
+  each_solved(threads, [&](int bundle, std::size_t) {
+    if (bundle < 0 || bundle >= work.bundles()) return;
+    const int set = bundle / work.sizes[0], pair = bundle % work.sizes[0];
+    const auto a = static_cast<std::size_t>(2 * pair + set % 2);
+    velocities[a] = velocities[a + 1] = (velocities[a] + velocities[a + 1]) / 2;
+  });
+  return velocities;
+}
+
+/// The page's division.
+void right(Thread& thread, const Sizes& sizes) {
+  int first = 0;
+  for (const int size : sizes) {
+    const int begin = size * thread.who / thread.count, end = size * (thread.who + 1) / thread.count;
+    for (int i = begin; i < end; ++i) thread.solve(first + i);
+    thread.wait_for_all();
+    first += size;
+  }
+}
+
+std::vector<Check<Answer>> checks() {
+  return {
+      {"each bundle is solved once",
+       1,
+       {{"of the bundles, so many are solved by nobody:", "", 0.5},
+        {"so often a bundle is solved that was solved before:", "", 0.5}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Work work = some_work(random);
+         Real missed = 0, again = 0;
+         const std::vector<int> times = times_solved(threads_of(answer, work), work);
+         for (const int count : times) {
+           missed += count == 0 ? 1 : 0;
+           again += static_cast<Real>(std::max(0, count - 1));
+         }
+         return {missed - 1, again};  // nobody solves the one that is none
+       }},
+      {"nobody begins a set before all are done with the one before",
+       2,
+       {{"so many bundles are solved in another phase than that of their set:", "", 0.5},
+        {"the thread that waits least waits so often:", "", 0.5},
+        {"the thread that waits most waits so often:", "", 0.5}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Work work = some_work(random);
+         const std::vector<Thread> threads = threads_of(answer, work);
+         Real early = 0;
+         each_solved(threads,
+                     [&](int bundle, std::size_t phase) { early += set_of(bundle, work.sizes) == phase ? 0 : 1; });
+         const std::vector<Real> waits = waits_of(threads);
+         return {early, *std::min_element(waits.begin(), waits.end()), *std::max_element(waits.begin(), waits.end())};
+       }},
+      {"no thread has more than its share",
+       1,
+       {{"the bundles of the busiest thread of each phase, added up, are", "", 0.5}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         return {busiest(threads_of(answer, some_work(random)))};
+       }},
+      {"balls in a row end as with one thread",
+       1,
+       {{"the velocities of your balls differ from those of one thread by", "m/s", 1e-9}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Work work{.threads = 3, .sizes = Sizes(4, 7 + 3 * int(random.below(3)))};
+         std::vector<Real> velocities;
+         for (int i = 0; i < 2 * work.sizes[0] + 1; ++i) velocities.push_back(random.between(-1, 1));
+         std::vector<Thread> one{Thread(0, 1)};
+         right(one.front(), work.sizes);
+         const std::vector<Real> expected = velocities_after(one, work, velocities),
+                                 found = velocities_after(threads_of(answer, work), work, velocities);
+         Real most = 0;
+         for (std::size_t i = 0; i < expected.size(); ++i) most = std::max(most, std::abs(found[i] - expected[i]));
+         return {most};
+       }},
+  };
+}
+
+std::vector<Mistake<Answer>> mistakes() {
+  return {
+      {"nothing solved", "it looks as if no thread did anything yet.", {[](Thread&, const Sizes&) {}}},
+      {"all by each",
+       "it looks as if every thread solved all bundles. Each takes a share of its own: thread.who says which.",
+       {[](Thread& thread, const Sizes& sizes) {
+         int bundle = 0;
+         for (const int size : sizes) {
+           for (int i = 0; i < size; ++i) thread.solve(bundle++);
+           thread.wait_for_all();
+         }
+       }}},
+      {"all by the first",
+       "it looks as if the first thread solved all bundles, and the others only waited. That is one thread again.",
+       {[](Thread& thread, const Sizes& sizes) {
+         int bundle = 0;
+         for (const int size : sizes) {
+           for (int i = 0; i < size; ++i, ++bundle)
+             if (thread.who == 0) thread.solve(bundle);
+           thread.wait_for_all();
+         }
+       }}},
+      {"no wait",
+       "it looks as if nobody waited. A thread that is done early begins the next set, whose bundles share bodies with "
+       "those "
+       "that others still solve.",
+       {[](Thread& thread, const Sizes& sizes) {
+         Thread waiting(thread.who, thread.count);
+         right(waiting, sizes);
+         for (const auto& phase : waiting.done())
+           for (const int bundle : phase) thread.solve(bundle);
+       }}},
+      {"one wait at the end",
+       "it looks as if threads waited once, at the end of the sweep. They have to after each set.",
+       {[](Thread& thread, const Sizes& sizes) {
+         Thread waiting(thread.who, thread.count);
+         right(waiting, sizes);
+         for (const auto& phase : waiting.done())
+           for (const int bundle : phase) thread.solve(bundle);
+         thread.wait_for_all();
+       }}},
+      {"a share of the whole list",
+       "it looks as if a thread's share were cut from the list of all bundles. It is cut from each set: all threads "
+       "solve the "
+       "same set at the same time.",
+       {[](Thread& thread, const Sizes& sizes) {
+         const int all = std::accumulate(sizes.begin(), sizes.end(), 0);
+         for (int i = all * thread.who / thread.count; i < all * (thread.who + 1) / thread.count; ++i) thread.solve(i);
+         thread.wait_for_all();
+       }}},
+      {"a wait after each bundle",
+       "it looks as if a thread waited after each of its bundles. Within a set nobody has to wait; and who has fewer "
+       "bundles "
+       "waits less often than the others, which then wait for ever.",
+       {[](Thread& thread, const Sizes& sizes) {
+         Thread waiting(thread.who, thread.count);
+         right(waiting, sizes);
+         for (const auto& phase : waiting.done())
+           for (const int bundle : phase) thread.solve(bundle), thread.wait_for_all();
+       }}},
+      {"no wait after the last set",
+       "it looks as if nobody waited after the last set. What follows the sweep reads what others may still be "
+       "writing.",
+       {[](Thread& thread, const Sizes& sizes) {
+         Thread waiting(thread.who, thread.count);
+         right(waiting, sizes);
+         for (std::size_t set = 0; set < sizes.size(); ++set) {
+           if (set > 0) thread.wait_for_all();
+           for (const int bundle : waiting.done()[set]) thread.solve(bundle);
+         }
+       }}},
+      {"no wait without a share",
+       "it looks as if a thread that has no bundle in a set did not wait. It would begin the next set at once, and the "
+       "others "
+       "would wait for it in vain.",
+       {[](Thread& thread, const Sizes& sizes) {
+         Thread waiting(thread.who, thread.count);
+         right(waiting, sizes);
+         for (std::size_t set = 0; set < sizes.size(); ++set) {
+           for (const int bundle : waiting.done()[set]) thread.solve(bundle);
+           if (!waiting.done()[set].empty()) thread.wait_for_all();
+         }
+       }}},
+      {"the rest left out",
+       "it looks as if n / T were rounded down for every thread, so that the last bundles of a set belong to nobody. "
+       "Multiply "
+       "first: n t / T.",
+       {[](Thread& thread, const Sizes& sizes) {
+         int first = 0;
+         for (const int size : sizes) {
+           const int share = size / thread.count;
+           for (int i = share * thread.who; i < share * (thread.who + 1); ++i) thread.solve(first + i);
+           thread.wait_for_all();
+           first += size;
+         }
+       }}},
+      {"the rest to the last",
+       "it looks as if the last thread had what is left over. The others wait for it.",
+       {[](Thread& thread, const Sizes& sizes) {
+         int first = 0;
+         for (const int size : sizes) {
+           const int share = size / thread.count, begin = share * thread.who;
+           const int end = thread.who + 1 == thread.count ? size : begin + share;
+           for (int i = begin; i < end; ++i) thread.solve(first + i);
+           thread.wait_for_all();
+           first += size;
+         }
+       }}},
+      {"its end included",
+       "it looks as if a share reached as far as the first bundle of the next one. It ends before that.",
+       {[](Thread& thread, const Sizes& sizes) {
+         int first = 0;
+         for (const int size : sizes) {
+           const int begin = size * thread.who / thread.count, end = size * (thread.who + 1) / thread.count;
+           for (int i = begin; i <= std::min(end, size - 1); ++i) thread.solve(first + i);
+           thread.wait_for_all();
+           first += size;
+         }
+       }}},
+      {"numbered anew in each set",
+       "it looks as if bundles were counted from 0 in each set. Their numbers go on: the first of set 1 follows the "
+       "last of "
+       "set 0.",
+       {[](Thread& thread, const Sizes& sizes) {
+         for (const int size : sizes) {
+           const int begin = size * thread.who / thread.count, end = size * (thread.who + 1) / thread.count;
+           for (int i = begin; i < end; ++i) thread.solve(i);
+           thread.wait_for_all();
+         }
+       }}},
+  };
+}
+
+}  // namespace
+
+Numbers play(std::size_t check, Random& random, const Answer& answer) {
+  return checks()[check].play(random, answer);
+}
+
+Exercise exercise() {
+  return exercise_of<Answer>(
+      "a sweep by several threads",
+      {"Go through the sets in their order, and keep the number of the first bundle of each.",
+       "Of a set with n bundles, this thread has those from n who / count to before n (who + 1) / "
+       "count, counted from the first of the set.",
+       "Then thread.wait_for_all(), in every set, also where this thread had nothing to do."},
+      checks(), {right}, mistakes());
+}
+
+}  // namespace pushback::exercise_23

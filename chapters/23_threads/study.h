@@ -1,0 +1,56 @@
+/// Who takes which bundle, counted; and parts in another order.
+#pragma once
+
+#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/common/world/measure.h"
+
+namespace pushback::threads_scenes {
+
+/// Of a set.
+inline std::size_t bundles_of(const std::vector<PairOfBodies>& set) {
+  return (set.size() + lanes_of_bundle - 1) / lanes_of_bundle;
+}
+/// Which of the threads has the bundle among its own: as Workers cuts them.
+inline std::size_t thread_of(std::size_t bundle, std::size_t bundles, std::size_t threads) {
+  return ((bundle + 1) * threads - 1) / bundles;
+}
+/// How many times as fast a pass could be: all of its bundles, by those of the busiest thread of each set.
+inline Real at_best(const Sets& sets, std::size_t threads) {
+  std::size_t all = 0, busiest = 0;
+  for (const auto& set : sets) {
+    all += bundles_of(set);
+    busiest += (bundles_of(set) + threads - 1) / threads;
+  }
+  return busiest == 0 ? 1 : static_cast<Real>(all) / static_cast<Real>(busiest);
+}
+
+/// The mistake to avoid: as if any two pairs could be solved side by side.
+inline Sets all_in_one(const std::vector<PairOfBodies>& pairs, const World& /*world*/) {
+  return {pairs};
+}
+
+/// Parts one after the other, on one thread; the first or the last of them first. What is independent does not notice.
+class OneAfterTheOther : public Workers {
+ public:
+  OneAfterTheOther(std::size_t parts, bool from_the_last) : Workers(parts, true), from_the_last_(from_the_last) {}
+
+ private:
+  void share(std::size_t count, const std::function<void(std::size_t)>& act) override {
+    for (std::size_t k = 0; k < count; ++k) act(from_the_last_ ? count - 1 - k : k);
+  }
+  bool from_the_last_;
+};
+
+/// How many bodies are not where, or not as fast as, they are in the other world, to the last bit.
+inline Real elsewhere(const World& world, const World& other) {
+  Real count = 0;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const Body &a = world.bodies[i], &b = other.bodies[i];
+    if (a.position != b.position || a.orientation.coeffs() != b.orientation.coeffs() || a.velocity != b.velocity ||
+        a.angular_velocity != b.angular_velocity)
+      ++count;
+  }
+  return count;
+}
+
+}  // namespace pushback::threads_scenes
