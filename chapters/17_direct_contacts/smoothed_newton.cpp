@@ -48,8 +48,8 @@ struct Rounded {
   }
 
  private:
-  /// Bounded: a contact that sticks resists with 1e10 W at most, one that parts gives way by 1e-12 / W at least.
-  static double ratio(double of_x, double of_z) { return of_x > 0 ? std::clamp(of_z / of_x, 1e-10, 1e12) : 1e12; }
+  /// Bounded: a contact that sticks gives way by 1e-7 W at least, so that B^T D^-1 B keeps the digits of the masses beside it.
+  static double ratio(double of_x, double of_z) { return of_x > 0 ? std::clamp(of_z / of_x, 1e-7, 1e12) : 1e12; }
 };
 
 /// The problem in x, z and y, speeds as parts of the mean of q.

@@ -25,7 +25,7 @@ struct Costs {
 void print_row(const std::string& name, const ContactProblem& problem, const SparseRows& factor, double tolerance,
                Costs* costs) {
   const auto begin = std::chrono::steady_clock::now();
-  const SmoothedSolution found = solve_smoothed(problem, {.tolerance = tolerance}, factor);
+  const SmoothedSolution found = solve_smoothed(problem, {.tolerance = tolerance, .work = 1e12}, factor);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   fmt::print("| {} | {} | {} | {} | {:.0f} | {:.0f} | {:.1e} | {:.1e}{} | {:.3f} |\n", name, problem.contacts(),
              factor.rows() > 0 ? "bodies" : "contacts", found.systems, found.entries, found.fill, found.work,
