@@ -5,10 +5,13 @@
 
 namespace pushback {
 
-/// Those that sweep; and best: what it takes, sweeps and Newton's method.
+/// Those that sweep; smoothed: linear systems alone; and best: what it takes, sweeps and Newton's method.
 std::vector<std::string> method_names();
 
-/// As solve_by_sweeps; `best` counts its own sweeps and takes the tolerance only.
+/// Whether a method is stopped by a number of sweeps: `smoothed` and `best` are not.
+bool counts_sweeps(const std::string& method);
+
+/// As solve_by_sweeps; `smoothed` and `best` take the tolerance only.
 Solution solve(const ContactProblem& problem, const std::string& method, int sweeps, double tolerance);
 
 }  // namespace pushback

@@ -53,7 +53,7 @@ void print(const Asked& asked, const std::string& file, const ContactProblem& pr
 /// A row a method: by how much it breaks each law after `sweeps`.
 void print_laws(const std::string& file, const ContactProblem& problem, int sweeps) {
   for (const std::string& method : method_names()) {
-    const Solution found = solve(problem, method, sweeps, method == "best" ? 1e-13 : 0);
+    const Solution found = solve(problem, method, sweeps, counts_sweeps(method) ? 0 : 1e-13);
     const BrokenLaws broken = broken_laws(problem, found.r);
     fmt::print("| {} | {} | {:.0e} | {:.0e} | {:.0e} | {:.0e} | {:.0e} | {:.0e} |\n",
                std::filesystem::path(file).stem().string(), method, broken.overlap, broken.pull, broken.complementarity,
@@ -65,7 +65,7 @@ void print_laws(const std::string& file, const ContactProblem& problem, int swee
 void print_row(const std::string& file, const ContactProblem& problem) {
   std::string row = fmt::format("| {} | {} ", std::filesystem::path(file).stem().string(), problem.contacts());
   for (const std::string& method : method_names()) {
-    if (method == "best") row += fmt::format("| {:.0e} ", solve(problem, method, 0, 1e-13).residual);
+    if (!counts_sweeps(method)) row += fmt::format("| {:.0e} ", solve(problem, method, 0, 1e-13).residual);
     else
       for (const int sweeps : {10, 100, 1000})
         row += fmt::format("{} {:.0e} ", sweeps == 10 ? "|" : "/", solve(problem, method, sweeps, 0).residual);
@@ -80,14 +80,14 @@ int main(int argc, char** argv) {
   Asked asked;
   app.add_option("file", asked.files, "Files of contact problems")->required();
   app.add_option("--method", asked.method, "How")->check(CLI::IsMember(method_names()))->capture_default_str();
-  app.add_option("--sweeps", asked.sweeps, "At most; best takes what it needs")
+  app.add_option("--sweeps", asked.sweeps, "At most; smoothed and best take what they need")
       ->check(CLI::Range(0, 100000000))
       ->capture_default_str();
   app.add_option("--tolerance", asked.tolerance, "The relative residual that is good enough")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   CLI::Option* table =
-      app.add_flag("--table", asked.table, "A row a file: all methods after 10 / 100 / 1000 sweeps, and best");
+      app.add_flag("--table", asked.table, "A row a file: all methods after 10 / 100 / 1000 sweeps, smoothed and best");
   app.add_flag("--laws", asked.laws, "A row a method: by how much it breaks each law after --sweeps")->excludes(table);
   app.add_option("--write", asked.write, "Where r and u are written to, six numbers a contact");
   return run_program(app, argc, argv, [&] {
@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
     for (const std::string& file : asked.files) problems.push_back(read_problem_file(file));
     if (asked.table)
       fmt::print("| problem | contacts | {} |\n|{}\n", fmt::join(method_names(), " | "),
-                 " --- | --- | --- | --- | --- | --- | --- |");
+                 " --- | --- | --- | --- | --- | --- | --- | --- |");
     if (asked.laws)
       fmt::print(
           "| problem | method | overlap | pull | push and part | outside the cone | not against the slip | all |\n"

@@ -91,7 +91,7 @@ TEST_CASE("solve says how well it did, and what it cannot do") {
   CHECK(table.status == 0);
   const auto lines = lines_of(table.out);
   REQUIRE(lines.size() == 3);
-  for (const std::string& line : lines) CHECK(std::count(line.begin(), line.end(), '|') == 8);
+  for (const std::string& line : lines) CHECK(std::count(line.begin(), line.end(), '|') == 9);
   for (const std::string& wrong :
        std::vector<std::string>{file + " --method guess", file + " --sweeps -1", file + " --tolerance -1",
                                 std::string("/no/such.dat"), file + " /no/such.dat", std::string()})

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/methods.h"
 #include "pushback/chapters/19_accuracy_and_time/stopwatch.h"
 #include "pushback/common/basics/quantile.h"
@@ -19,7 +20,7 @@ Trace::Trace(const ContactProblem& problem, const std::string& method, const Tra
 }
 
 void Trace::again() {
-  if (is_siconos(method_) || method_ == "best") climb();
+  if (is_siconos(method_) || !counts_sweeps(method_)) climb();
   else sweep_along();
 }
 
@@ -70,7 +71,9 @@ TracePoint Trace::climbed_to(Rung& rung, double tolerance) const {
   }
   Stopwatch solving;
   solving.go();
-  const Solution found = solve_best(problem_, {.tolerance = tolerance, .work = limits_.work});
+  const Solution found = method_ == "smoothed"
+                             ? Solution(solve_smoothed(problem_, {.tolerance = tolerance, .work = limits_.work}))
+                             : solve_best(problem_, {.tolerance = tolerance, .work = limits_.work});
   solving.stop();
   return {found.sweeps, found.systems, found.residual, {solving.seconds()}};
 }

@@ -12,7 +12,7 @@ struct TraceLimits {
   int sweeps = 100000;  ///< at most
   double seconds = 2;   ///< of solving, after which no new stretch is begun
   double work =
-      4e9;  ///< multiplications of `best`, at most: some seconds, so that the limit above is the one that is met
+      4e9;  ///< multiplications of `best` and `smoothed`, at most: some seconds, so that the limit above is the one that is met
   double enough = 1e-12;  ///< of relative_residual
   std::vector<double> ladder{1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};  ///< descending
   double quick_run = 0.1;     ///< s: after a run that took longer, only the tolerances below are tried
@@ -31,7 +31,7 @@ struct TracePoint {
 };
 
 /// A sweeping method is looked at after 0, 1, 2, 3 ... sweeps, from 5 on after a quarter more each time. One that only
-/// says how it ended (`best`, Siconos) is run from r = 0 for one tolerance of the ladder after the other (where runs are long, for
+/// says how it ended (`smoothed`, `best`, Siconos) is run from r = 0 for one tolerance of the ladder after the other (where runs are long, for
 /// those of the tables alone), and has a point for each that it reached by relative_residual. Siconos has no limit of time: its runs begin with few iterations, and have
 /// four times as many until one reaches the tolerance or has taken longer than the limit. Where it has reached it by its own
 /// measure only (siconos_unit), it is asked for so much less.

@@ -1,0 +1,106 @@
+/// ./course growth: what a direct solve costs as problems grow.
+#include <array>
+#include <chrono>
+
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/chapters/16_whole_problem/problem_file.h"
+#include "pushback/chapters/17_direct_contacts/growth.h"
+#include "pushback/chapters/17_direct_contacts/newton_system.h"
+#include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
+#include "pushback/common/experiment/program.h"
+#include "pushback/common/world/situations.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real dt = Real(1) / 60;
+
+struct Costs {
+  std::vector<std::pair<double, double>> entries, fill, work, seconds;
+};
+
+/// A row of the table. What did not reach the tolerance is no part of the growth.
+void print_row(const std::string& name, const ContactProblem& problem, const SparseRows& factor, double tolerance,
+               Costs* costs) {
+  const auto begin = std::chrono::steady_clock::now();
+  const SmoothedSolution found = solve_smoothed(problem, {.tolerance = tolerance, .work = 1e12}, factor);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  fmt::print("| {} | {} | {} | {} | {:.0f} | {:.0f} | {:.1e} | {:.1e}{} | {:.3f} |\n", name, problem.contacts(),
+             factor.rows() > 0 ? "bodies" : "contacts", found.systems, found.entries, found.fill, found.work,
+             found.residual, found.residual <= tolerance ? "" : ": not reached", seconds);
+  std::fflush(stdout);
+  if (costs == nullptr || !(found.residual <= tolerance)) return;
+  const double contacts = static_cast<double>(problem.contacts());
+  costs->entries.emplace_back(contacts, found.entries);
+  costs->fill.emplace_back(contacts, found.fill);
+  costs->work.emplace_back(contacts, found.work / found.systems);
+  costs->seconds.emplace_back(contacts, seconds);
+}
+
+void print_growth(const std::string& between, const Costs& costs) {
+  if (costs.entries.size() < 2) return;
+  fmt::print(
+      "pyramids, between {}: contacts to the power of {:.2f} in the matrix, {:.2f} with fill, {:.2f} in "
+      "multiplications a system, {:.2f} in time\n",
+      between, growth_exponent(costs.entries), growth_exponent(costs.fill), growth_exponent(costs.work),
+      growth_exponent(costs.seconds));
+}
+
+/// A thousand boxes, each turned a little, four seconds after they were let go.
+void heap(World& world) {
+  world.add(ground());
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 place{static_cast<Real>(i % 10) - Real(4.5), Real(0.6) + static_cast<Real>(i / 100) * Real(1.1),
+                     static_cast<Real>(i / 10 % 10) - Real(4.5)};
+    world.add(box({Real(0.4), Real(0.3), Real(0.45)}, 100)
+                  .turned(static_cast<Real>(i % 7) * Real(0.2), Vec3(1, 2, 3))
+                  .at(place));
+  }
+  SteadySolver solver;
+  for (int step = 0; step < 240; ++step) substeps(world, solver, dt, 8);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"All contacts solved at once by linear systems: pyramids of growing size, a heap, and files."};
+  double tolerance = 1e-8;
+  bool largest = false, heaped = false;
+  std::vector<std::string> files;
+  app.add_option("file", files, "Contact problems in the format of Siconos to solve as well");
+  app.add_option("--tolerance", tolerance, "The relative residual that is good enough")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_flag("--largest", largest, "A pyramid of 2016 boxes as well, 15,876 contacts");
+  app.add_flag("--heap", heaped, "A heap of 1000 boxes as well: a minute");
+  return run_program(app, argc, argv, [&] {
+    std::vector<ContactProblem> problems;  // all read before anything is solved
+    for (const std::string& file : files) problems.push_back(read_problem_file(file));
+    fmt::print(
+        "| problem | contacts | systems between | systems | numbers in the matrix | in its factors | multiplications "
+        "| residual | s |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+    Costs bodies, contacts;
+    for (const int base : {5, 10, 20, 32, 63}) {
+      if (base == 63 && !largest) continue;
+      World world;
+      pyramid(world, base);
+      world.begin_step(dt);
+      const ContactProblem problem = problem_of(world);
+      const std::string name = fmt::format("pyramid of {} boxes", world.bodies.size() - 1);
+      print_row(name, problem, factor_of(world), tolerance, &bodies);
+      if (base <= 20) print_row(name, problem, {}, tolerance, &contacts);
+    }
+    if (heaped) {
+      World world;
+      heap(world);
+      world.begin_step(dt);
+      print_row("heap of 1000 boxes", problem_of(world), factor_of(world), tolerance, nullptr);
+    }
+    for (std::size_t i = 0; i < files.size(); ++i)
+      print_row(std::filesystem::path(files[i]).stem().string(), problems[i], {}, tolerance, nullptr);
+    print_growth("bodies", bodies);
+    print_growth("contacts", contacts);
+  });
+}

@@ -1,0 +1,177 @@
+/// Chapter 17: Coulomb's law with its kinks rounded, solved in systems between bodies or between contacts.
+#include <array>
+#include <filesystem>
+#include <random>
+#include <set>
+
+#include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/chapters/16_whole_problem/problem_file.h"
+#include "pushback/chapters/17_direct_contacts/best.h"
+#include "pushback/chapters/17_direct_contacts/growth.h"
+#include "pushback/chapters/17_direct_contacts/newton_system.h"
+#include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
+#include "pushback/common/world/situations.h"
+#include "tests/support/catch.h"
+#include "tests/support/frame.h"
+
+using namespace pushback;
+
+namespace {
+
+ContactProblem problem_with(const Eigen::MatrixXd& w, const Vector& q, double mu) {
+  return {SparseRows(w.sparseView(0, 0)), q, Vector::Constant(q.size() / 3, mu)};
+}
+
+/// Boxes of different sides, turned, each on the one below or beside it, thrown.
+void thrown(World& world) {
+  world.add(ground());
+  for (int i = 0; i < 4; ++i)
+    world.add(box({Real(0.5), Real(0.3), Real(0.4)}, 100 + 50 * i)
+                  .turned(Real(0.3) * static_cast<Real>(i), {0, 1, 0})
+                  .at({Real(0.1) * static_cast<Real>(i), Real(0.299) + Real(0.598) * static_cast<Real>(i), 0})
+                  .moving({static_cast<Real>(i), -1, Real(0.5)}));
+}
+
+constexpr double rounding = std::is_same_v<Real, float> ? 1e-6 : 1e-13;
+
+}  // namespace
+
+TEST_CASE("W is B B^T, whatever the bodies' sides and turns") {
+  for (void (*fill)(World&) : {+[](World& world) { pyramid(world, 4); }, thrown}) {
+    Frame frame(fill);
+    const ContactProblem problem = problem_of(frame.world);
+    REQUIRE(problem.contacts() > 12);
+    const SparseRows b = factor_of(frame.world), transposed = b.transpose(), product = b * transposed;
+    CHECK(SparseRows(product - problem.w).norm() < rounding * problem.w.norm());
+  }
+}
+
+TEST_CASE("systems between bodies and between contacts lead to the same speeds") {
+  for (void (*fill)(World&) : {+[](World& world) { pyramid(world, 6); }, thrown}) {
+    Frame frame(fill);
+    const ContactProblem problem = problem_of(frame.world);
+    const SmoothedSolution contacts = solve_smoothed(problem, {.tolerance = 1e-9}),
+                           bodies = solve_smoothed(problem, {.tolerance = 1e-9}, factor_of(frame.world));
+    CHECK(contacts.residual <= 1e-9);
+    CHECK(bodies.residual <= (std::is_same_v<Real, float> ? 1e-5 : 1e-9));
+    CHECK((problem.speeds(contacts.r) - problem.speeds(bodies.r)).norm() < 1e6 * rounding * problem.q.norm());
+    CHECK(bodies.fill < contacts.fill / 3);  // six rows a body, twelve a face
+  }
+}
+
+TEST_CASE("random problems with W positive definite are solved, and what is reported is true") {
+  std::mt19937 random(7);
+  std::normal_distribution<double> number;
+  int missed = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Eigen::Index size = 3 * (1 + trial % 4);
+    Eigen::MatrixXd root(size, size);
+    for (double& each : root.reshaped()) each = number(random);
+    Vector q(size);
+    for (double& each : q) each = number(random);
+    const double mu = std::array{0.0, 0.3, 0.7, 1.0}[static_cast<std::size_t>(trial / 4 % 4)];
+    const ContactProblem problem =
+        problem_with(root * root.transpose() + 0.05 * Eigen::MatrixXd::Identity(size, size), q, mu);
+    const SmoothedSolution found = solve_smoothed(problem, {.tolerance = 1e-10});
+    CHECK(found.residual == relative_residual(problem, found.r));
+    CHECK(found.systems <= SmoothedLimits{}.systems);
+    CHECK(solve_best(problem, {.tolerance = 1e-10}).residual <= 1e-10);
+    if (!(found.residual <= 1e-10)) ++missed;
+    if (mu == 0)
+      for (Eigen::Index i = 0; i < size; ++i)
+        if (i % 3 > 0) CHECK(found.r[i] == 0);
+  }
+  WARN(missed << " of 200 random problems are not solved");
+  CHECK(missed == 0);
+}
+
+TEST_CASE("each r is within its cone, to rounding, however early it ends") {
+  Frame frame(thrown);
+  const ContactProblem problem = problem_of(frame.world);
+  for (const int systems : {1, 2, 5, 100}) {
+    const Vector r = solve_smoothed(problem, {.systems = systems}, factor_of(frame.world)).r;
+    for (Eigen::Index c = 0; c < problem.contacts(); ++c) {
+      CHECK(r[3 * c] >= 0);
+      CHECK(r.segment<2>(3 * c + 1).norm() <= problem.mu[c] * r[3 * c] * (1 + 1e-12));
+    }
+  }
+}
+
+TEST_CASE("the smoothed method stops after counted work, in the same bits, and never worse for more of it") {
+  Frame frame([](World& world) { pyramid(world, 6); });
+  const ContactProblem problem = problem_of(frame.world);
+  const SparseRows factor = factor_of(frame.world);
+  const SmoothedSolution whole = solve_smoothed(problem, {}, factor);
+  REQUIRE(whole.residual <= 1e-8);
+  double last = relative_residual(problem, Vector::Zero(problem.q.size()));
+  for (const double part : {0.0, 0.01, 0.3, 0.6, 0.99}) {
+    const SmoothedSolution one = solve_smoothed(problem, {.work = part * whole.work}, factor),
+                           two = solve_smoothed(problem, {.work = part * whole.work}, factor);
+    CHECK(one.r == two.r);
+    CHECK(one.work >= part * whole.work);
+    CHECK(one.work <= (part + 0.5) * whole.work);
+    CHECK(one.residual <= last);
+    last = one.residual;
+  }
+  CHECK(solve_smoothed(problem, {.systems = 3}, factor).systems == 3);
+}
+
+TEST_CASE("as a pyramid grows, systems do not, and the matrix grows as its contacts do") {
+  std::vector<std::pair<double, double>> entries, fill;
+  for (const int base : {5, 8, 12, 16}) {
+    Frame frame([base](World& world) { pyramid(world, base); });
+    const ContactProblem problem = problem_of(frame.world);
+    const SmoothedSolution found = solve_smoothed(problem, {}, factor_of(frame.world));
+    INFO(base << ": " << found.systems << " systems, " << found.residual);
+    CHECK(found.residual <= 1e-8);
+    CHECK(found.systems <= 14);
+    entries.emplace_back(static_cast<double>(problem.contacts()), found.entries);
+    fill.emplace_back(static_cast<double>(problem.contacts()), found.fill);
+  }
+  CHECK(growth_exponent(entries) == Approx(1).margin(0.1));
+  CHECK(growth_exponent(fill) > growth_exponent(entries));
+  CHECK(growth_exponent(fill) < 1.7);
+}
+
+TEST_CASE("the exponent of a power is found, and noise about it evens out") {
+  CHECK(growth_exponent({{10, 3 * std::pow(10, 1.5)}, {20, 3 * std::pow(20, 1.5)}, {70, 3 * std::pow(70, 1.5)}}) ==
+        Approx(1.5));
+  CHECK(growth_exponent({{1, 2}, {1, 0.5}, {4, 32}, {4, 8}}) == Approx(2));
+}
+
+TEST_CASE("where there is no solution, the smoothed method ends and says so") {
+  Eigen::MatrixXd w = Eigen::MatrixXd::Zero(6, 6);
+  for (const Eigen::Index tangent : {0, 1, 2})
+    for (const Eigen::Index a : {0, 3})
+      for (const Eigen::Index b : {0, 3}) w(tangent + a, tangent + b) = tangent == 0 && a != b ? -1 : 1;
+  Vector q = Vector::Zero(6);
+  q[0] = q[3] = -1;  // a body between two walls that both come closer
+  const SmoothedSolution driven = solve_smoothed(problem_with(w, q, 0.5));
+  CHECK(driven.residual > 0.5);
+  CHECK(driven.systems <= SmoothedLimits{}.systems);
+  q[0] = 1;
+  CHECK(solve_smoothed(problem_with(w, q, 0.5)).residual <= 1e-8);
+}
+
+TEST_CASE("problems that others wrote are solved by some linear systems, all but the pile of rocks") {
+  const char* named = std::getenv("PUSHBACK_PROBLEMS");
+  const std::filesystem::path folder = named != nullptr ? named : "../shared/data/contact_problems";
+  std::set<std::filesystem::path> files;
+  if (std::filesystem::is_directory(folder))
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().extension() == ".dat") files.insert(entry.path());
+  if (files.empty()) {
+    WARN("skipped: there are no contact problems in " << folder);
+    return;
+  }
+  for (const std::filesystem::path& file : files) {
+    INFO(file);
+    const ContactProblem problem = read_problem_file(file);
+    const SmoothedSolution found = solve_smoothed(problem);
+    CHECK(found.residual == relative_residual(problem, found.r));
+    CHECK(found.systems <= SmoothedLimits{}.systems);
+    if (file.stem() == "RockPile_tob1") continue;  // its path bends back before it is there
+    CHECK(found.residual <= 1e-8);
+    CHECK(found.systems <= 40);
+  }
+}
