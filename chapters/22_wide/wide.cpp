@@ -1,6 +1,6 @@
 #include "pushback/chapters/22_wide/wide.h"
 
-#ifdef __SSE__
+#if defined(__SSE__) && !defined(__EMSCRIPTEN__)
 #include <xmmintrin.h>
 #endif
 
@@ -12,7 +12,7 @@ namespace {
 /// hundred times as long to multiply.
 class NoDenormals {
  public:
-#ifdef __SSE__
+#if defined(__SSE__) && !defined(__EMSCRIPTEN__)
   NoDenormals() { _mm_setcsr(before_ | 0x8040); }
   ~NoDenormals() { _mm_setcsr(before_); }
 
