@@ -36,6 +36,11 @@ const roundedOtherwise = {
   "15_limits_motors_springs / two winches": "atan2",
   "15_limits_motors_springs / two pulleys": "atan2",
   "15_limits_motors_springs / down the stairs": "atan2",
+  "21_detected_once / a cube rolls / detected in each substep": "hypot",
+  "21_detected_once / a stack of forty": "hypot",
+  "21_detected_once / a thousand times heavier than what it lies on": "hypot",
+  "22_wide / the pyramid in three ways / chapter 21": "hypot",
+  "22_wide / a thousand times heavier than what it lies on / chapter 21": "hypot",
 };
 const rounding = 1e-12; // of a number, or in its unit where that is less than 1
 /// So many steps of each variant, since the slowest take a second each.
