@@ -14,7 +14,7 @@ target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 # SSE2 into WebAssembly's vectors. It has no mmintrin.h, which Eigen includes and does not need; and Eigen leaves out its
 # assembler for compilers that call themselves neither an old nor a new g++. SSE3 adds no other order of sums: with SSE2 alone,
 # clang++ 14 never ends compiling a product of quaternions.
-file(WRITE ${linked}/mmintrin.h "")
+file(CONFIGURE OUTPUT ${linked}/mmintrin.h CONTENT "")
 add_compile_options(-fexceptions -msimd128 -msse3 -fgnuc-version=5.13.0)
 add_link_options(-fexceptions)
 # The optimiser of the loader looks for acorn where Debian has it, which a node from elsewhere does not.
