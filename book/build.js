@@ -1,4 +1,5 @@
-/// Builds the book: node book/build.js [--root FOLDER] [--out FOLDER]. Eleventy lays the pages out, writes them, and copies files.
+/// Builds the book: node book/build.js [--root FOLDER] [--out FOLDER] [--still]. Eleventy lays the pages out, writes them, and
+/// copies files. A page whose experiment is compiled for the browser can run it, unless the book is to be still.
 import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -8,10 +9,13 @@ import { Problems, readBook, stillOf } from "./book.js";
 import { courseOf, pagesOf } from "./pages.js";
 
 const home = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
-const { values } = parseArgs({ options: { root: { type: "string", default: home }, out: { type: "string" } } });
+const { values } = parseArgs({
+  options: { root: { type: "string", default: home }, out: { type: "string" }, still: { type: "boolean" } },
+});
 const root = path.resolve(values.root);
 const out = path.resolve(values.out ?? path.join(root, "build/book"));
 process.chdir(home); // Eleventy reads and copies relative to where it runs
+const live = !values.still && fs.existsSync("build/wasm/live");
 const here = (...names) => path.relative(".", path.join(...names));
 
 let book;
@@ -34,7 +38,7 @@ function config(eleventy) {
   eleventy.ignores.add("book/live/**");
   eleventy.setUseGitIgnore(false);
   eleventy.addGlobalData("course", courseOf(pages));
-  eleventy.addGlobalData("live", fs.existsSync("build/wasm/live") ? fs.readdirSync("build/wasm/live") : []);
+  eleventy.addGlobalData("live", live ? fs.readdirSync("build/wasm/live") : []);
   for (const entry of pages) {
     const { html, layout, address: permalink } = entry;
     delete entry.html;
@@ -51,7 +55,7 @@ function config(eleventy) {
   copy("node_modules/minisearch/dist/umd/index.js", "assets/minisearch.js");
   for (const file of [...textFonts().files, ...katexFonts().map((name) => `node_modules/katex/dist/fonts/${name}`)])
     copy(file, `assets/fonts/${path.basename(file)}`);
-  if (!fs.existsSync("build/wasm/live")) return; // each page keeps its still pictures
+  if (!live) return;
   copy("book/live", "live");
   copy("build/wasm/live", "live/wasm");
   copy("node_modules/uplot/dist/uPlot.iife.min.js", "live/uplot/uPlot.js");

@@ -4,7 +4,7 @@ set(calls description parameters values set choose scene lanes variant steps kno
     played series reference number column cells sample hash body bodies open begin draw legend)
 list(TRANSFORM calls REPLACE "(.+)" "_live_\\1")
 function(add_to_page name)
-  if(NOT name MATCHES "^(0[0-9]|1[01])_")  # the others are still to come
+  if(name MATCHES "^1[6-9]_")  # still to come: one problem, iteration by iteration, says more there than a scene
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
     return()
   endif()

@@ -3,9 +3,12 @@
 /// In an anonymous namespace: each file that includes this has its own, made for the processor that it is compiled for.
 #pragma once
 
-#include <experimental/simd>
-
 #include "pushback/chapters/22_wide/bundle.h"
+
+#ifdef __EMSCRIPTEN__
+#include "pushback/chapters/22_wide/one_lane.h"
+#else
+#include <experimental/simd>
 
 namespace pushback {
 namespace {
@@ -14,7 +17,14 @@ namespace simd = std::experimental;
 
 /// `width` lanes: what is done to one of them is done to all. With one, it is a number.
 template <class Real, int width>
-using LanesOf = simd::simd<Real, simd::simd_abi::deduce_t<Real, width>>;
+using LanesOf = simd::simd<Real, simd::simd_abi::deduce_t<Real, width> >;
+
+}  // namespace
+}  // namespace pushback
+#endif
+
+namespace pushback {
+namespace {
 
 template <class Lanes>
 struct Vec {

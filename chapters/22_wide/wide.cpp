@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#ifdef __SSE__
+#if defined(__SSE__) && !defined(__EMSCRIPTEN__)
 #include <xmmintrin.h>
 #endif
 
@@ -16,7 +16,7 @@ constexpr std::size_t least_bundles = 8;  // a part of a pass
 /// hundred times as long to multiply.
 class NoDenormals {
  public:
-#ifdef __SSE__
+#if defined(__SSE__) && !defined(__EMSCRIPTEN__)
   NoDenormals() { _mm_setcsr(before_ | 0x8040); }
   ~NoDenormals() { _mm_setcsr(before_); }
 

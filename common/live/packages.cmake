@@ -12,9 +12,10 @@ add_library(fmt::fmt INTERFACE IMPORTED)
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 # Eigen adds up four numbers in pairs where the processor has SSE2, so the same bits need the same code: emscripten translates
 # SSE2 into WebAssembly's vectors. It has no mmintrin.h, which Eigen includes and does not need; and Eigen leaves out its
-# assembler for compilers that call themselves neither an old nor a new g++.
-file(WRITE ${linked}/mmintrin.h "")
-add_compile_options(-fexceptions -msimd128 -msse2 -fgnuc-version=5.13.0)
+# assembler for compilers that call themselves neither an old nor a new g++. SSE3 adds no other order of sums: with SSE2 alone,
+# clang++ 14 never ends compiling a product of quaternions.
+file(CONFIGURE OUTPUT ${linked}/mmintrin.h CONTENT "")
+add_compile_options(-fexceptions -msimd128 -msse3 -fgnuc-version=5.13.0)
 add_link_options(-fexceptions)
 # The optimiser of the loader looks for acorn where Debian has it, which a node from elsewhere does not.
 set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")

@@ -252,21 +252,26 @@ stand_in dpkg-query 'shift 3; for p; do case $p in *mesa*|*gl*) ;; *) printf " i
 course render 03 && expect 0 "  libegl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri" && expect_not libosmesa6-dev
 
 # The book: Node and its packages where they are missing, once; then it is built, shown, or refused.
-course book --srve && expect 2 "unknown option '--srve'" "the options are: --yes --preset --help --live --serve"
+course book --srve && expect 2 "unknown option '--srve'" "the options are: --yes --preset --help --still --serve"
 course book 03 && expect 2 "'book' takes no words"
 mkdir -p "$scratch/home/book"
 touch "$scratch"/home/book/{package.json,package-lock.json,.npmrc}
 for tool in cmp cp ln; do ln -sf "$(type -P $tool)" "$scratch/bin/$tool"; done
 stand_in dpkg-query 'true'
-course book && expect 1 "  nodejs npm" "npm ci failed" && expect_not "g++"
+course book --still && expect 1 "  nodejs npm" "npm ci failed" && expect_not "g++"
 stand_in npm 'echo "npm $*"'
 stand_in node 'echo "node $*"'
-course book && expect 0 "npm ci --prefix build/node" "node book/build.js" "the book: build/book/index.html" && expect_not "packages are missing"
-course book --serve && expect 0 "node book/serve.js build/book" && expect_not "npm ci"
+course book --still && expect 0 "npm ci --prefix build/node" "node book/build.js --still" "the book: build/book/index.html" && expect_not "packages are missing"
+expect_not cmake
+# Experiments run in it where em++ can be had; where it cannot, the pages keep their pictures, and that is said.
+course book && expect 0 "  nodejs npm emscripten" "no em++" "keep their still pictures" "node book/build.js" && expect_not "cmake --build"
+stand_in em++ 'true'
+course book && expect 0 "cmake --preset wasm" "cmake --build --preset wasm" "node book/build.js" && expect_not "still pictures"
+course book --still --serve && expect 0 "node book/serve.js build/book" && expect_not "npm ci"
 echo newer >"$scratch/home/book/package-lock.json"
-course book && expect 0 "npm ci --prefix build/node"
+course book --still && expect 0 "npm ci --prefix build/node"
 stand_in node '[ "$1" != book/build.js ]'
-course book && expect 1 "the book was not built"
+course book --still && expect 1 "the book was not built"
 
 # Random scenes.
 mkdir -p "$scratch/home/build/release/tests/hard_cases"
