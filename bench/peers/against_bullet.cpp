@@ -5,7 +5,7 @@
 #include "bench/pile.h"
 #include "pushback/chapters/19_accuracy_and_time/peers/peer.h"
 #include "pushback/chapters/21_detected_once/study.h"
-#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/chapters/22_wide/recommended.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
@@ -68,6 +68,9 @@ void beside_bullet(benchmark::State& state, const std::function<void(World&)>& f
 void pyramid_of_210(benchmark::State& state) {
   beside_bullet(state, [](World& world) { pyramid(world, 20); }, 8, 300);
 }
+void pyramid_of_210_as_recommended(benchmark::State& state) {
+  beside_bullet(state, [](World& world) { pyramid(world, 20); }, Recommended{}.substeps, 120);
+}
 void stack_of_40(benchmark::State& state) {
   beside_bullet(state, [](World& world) { stack(world, 40); }, 32, 120);
 }
@@ -78,6 +81,7 @@ void pile_of_4000(benchmark::State& state) {
   beside_bullet(state, [](World& world) { pile(world, 20, 10); }, 8, 240);
 }
 BENCHMARK(pyramid_of_210)->Iterations(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK(pyramid_of_210_as_recommended)->Iterations(60)->Unit(benchmark::kMicrosecond);
 BENCHMARK(stack_of_40)->Iterations(200)->Unit(benchmark::kMicrosecond);
 BENCHMARK(pile_of_512)->Iterations(60)->Unit(benchmark::kMicrosecond);
 BENCHMARK(pile_of_4000)->Iterations(20)->Unit(benchmark::kMicrosecond);

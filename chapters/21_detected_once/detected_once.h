@@ -15,12 +15,12 @@ struct OnceInAStep : StepSolver, HoldsJoints {
   static constexpr int usual_sweeps = 1;  // in a substep
 
   int substeps = 32;
-  Real margin = Real(0.02);       ///< m: beside what a pair may come nearer in a step
-  Real threshold = Real(0.1);     ///< m/s; what arrives slower does not bounce
-  Real carried_from = Real(0.5);  ///< m/s; bodies that pass each other slower keep their rows as they were detected
-  Real precision = Real(1e-6);    ///< to which normals are solved while something bounces, of the fastest bounce,
-  int most_rounds = 100;          ///< or until they have been solved so often
-  SoftContacts spring;            ///< chapter 12's: hertz, damping ratio, fastest push-out
+  Real margin = Real(0.02);        ///< m: beside what a pair may come nearer in a step
+  Real threshold = Real(0.1);      ///< m/s; what arrives slower does not bounce
+  Real carried_from = Real(1e-3);  ///< m/s; bodies that pass each other slower keep their rows as they were detected
+  Real precision = Real(1e-6);     ///< to which normals are solved while something bounces, of the fastest bounce,
+  int most_rounds = 100;           ///< or until they have been solved so often
+  SoftContacts spring;             ///< chapter 12's: hertz, damping ratio, fastest push-out
   SteadyJoints joints;
 
   void check(World& world, Real dt) {

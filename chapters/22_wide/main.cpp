@@ -107,10 +107,10 @@ int main(int argc, char** argv) {
       solver.sets_of = order;
       return e.variant(name, solver).with_exactly(1);
     };
-    in_order("from the ground up", one_by_one).coloured(0);
-    in_order("from the top down", from_the_last).coloured(3);
-    in_order("shuffled", shuffled).coloured(4);
-    in_order("by colours", coloured).coloured(2);
+    in_order("from the ground up", one_by_one).coloured(0).without_curves();
+    in_order("from the top down", from_the_last).coloured(3).without_curves();
+    in_order("shuffled", shuffled).coloured(4).without_curves();
+    in_order("by colours", coloured).coloured(2).without_curves();
 
     scene_of_heavy(e, heavy);
     in_three_ways();

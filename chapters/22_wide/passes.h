@@ -229,8 +229,8 @@ Real aim(const Bundles<Real>& all, const WidePushOut<Real>& push_out) {
 
 /// A row of bodies that have moved past each other by `way`: one point for both again, chapter 12. Returns K.
 template <class Lanes, class Real, class Where>
-Lanes carry(WideRow<Real>& row, const Vec<Lanes>& n, const Vec<Lanes>& way, const Pairs<Lanes>& now,
-            const Levers<Lanes>& levers, const Where& fast, int at) {
+Lanes carry_row(WideRow<Real>& row, const Vec<Lanes>& n, const Vec<Lanes>& way, const Pairs<Lanes>& now,
+                const Levers<Lanes>& levers, const Where& fast, int at) {
   const Vec<Lanes> m = cross(way, n);
   const Lanes of_a = abs(dot(m, now.a.w)), of_b = abs(dot(m, now.b.w)), both = of_a + of_b;
   Lanes s = now.inverse_mass_b / levers.inverse_masses;
@@ -246,7 +246,7 @@ Lanes carry(WideRow<Real>& row, const Vec<Lanes>& n, const Vec<Lanes>& way, cons
 
 /// The rows of all pairs that pass each other so fast, m/s, or faster: KeptContact::carry of chapter 21.
 template <class Lanes, class Real>
-void carry(const Bundles<Real>& all, Real carried_from) {
+void carry_along(const Bundles<Real>& all, Real carried_from) {
   each_bundle<Lanes>(all, [&](Bundle<Real>& bundle, int at) {
     const Pairs<Lanes> now(bundle, all.now, at);
     const Vec<Lanes> passing = now.b.v - now.a.v;
@@ -264,9 +264,9 @@ void carry(const Bundles<Real>& all, Real carried_from) {
       WideContact<Real>& contact = all.contacts[c];
       give(given, bundle, contact, Lanes(-1), at);
       const Lanes C = moved.along({bundle.n, contact.normal, at});
-      const Lanes K = carry(contact.normal, load<Lanes>(bundle.n, at), way, now, levers, fast, at);
-      const Lanes k11 = carry(contact.tangent1, load<Lanes>(bundle.tangent1, at), way, now, levers, fast, at);
-      const Lanes k22 = carry(contact.tangent2, load<Lanes>(bundle.tangent2, at), way, now, levers, fast, at);
+      const Lanes K = carry_row(contact.normal, load<Lanes>(bundle.n, at), way, now, levers, fast, at);
+      const Lanes k11 = carry_row(contact.tangent1, load<Lanes>(bundle.tangent1, at), way, now, levers, fast, at);
+      const Lanes k22 = carry_row(contact.tangent2, load<Lanes>(bundle.tangent2, at), way, now, levers, fast, at);
       const Lanes found = load<Lanes>(contact.found, at), mass = load<Lanes>(contact.rigid_mass, at),
                   step_size = load<Lanes>(contact.step_size, at);
       const auto present = mass > 0;
@@ -390,7 +390,7 @@ Passes<Real> passes_of(const char* processor) {
           width,
           prepare<Lanes, Real>,
           aim<Lanes, Real>,
-          carry<Lanes, Real>,
+          carry_along<Lanes, Real>,
           relax<Lanes, Real>,
           push<Lanes, Real>,
           rub<Lanes, Real>,

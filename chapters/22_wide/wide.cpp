@@ -96,6 +96,8 @@ void Wide<Scalar>::detected(World& world, Real h) {
   for (auto* twists : {&now_, &start_, &before_, &moved_, &given_}) twists->assign(bodies_.size(), Twist<Scalar>{});
   inertias_.resize(bodies_.size());
   where_.resize(world.contacts.size());
+  bouncy_ =
+      std::any_of(world.contacts.begin(), world.contacts.end(), [](const Contact& c) { return c.restitution > 0; });
   guesses_.assign(world.contacts.size(), Vec3::Zero());
   start_from_last_step(world, h, [this](std::size_t i, const Vec3& impulse) { guesses_[i] = impulse; });
   lay_out(sets);
@@ -231,10 +233,12 @@ void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
   Step step = joints_step(world, h);
   joints.build(step);
   forget_impacts();
-  each_body([&](std::size_t i) {
-    before_[i] = twist_of<Scalar>(bodies_[i]->velocity_before, bodies_[i]->angular_velocity_before);
-    now_[i] = twist_of<Scalar>(bodies_[i]->velocity, bodies_[i]->angular_velocity);
-  });
+  if (bouncy_) {
+    each_body([&](std::size_t i) {
+      before_[i] = twist_of<Scalar>(bodies_[i]->velocity_before, bodies_[i]->angular_velocity_before);
+      now_[i] = twist_of<Scalar>(bodies_[i]->velocity, bodies_[i]->angular_velocity);
+    });
+  }
   const PushOut wanted = push_out(h);
   const WidePushOut<Scalar> in_lanes{static_cast<Scalar>(wanted.rate), static_cast<Scalar>(wanted.gamma_by_K),
                                      static_cast<Scalar>(wanted.fastest), static_cast<Scalar>(wanted.threshold),
@@ -257,16 +261,29 @@ void Wide<Scalar>::after_move(World& world, Real h) {
   each_body([&](std::size_t i) {
     const Twist<Scalar> way = twist_of<Scalar>(h * bodies_[i]->velocity, h * bodies_[i]->angular_velocity);
     for (int k = 0; k < 3; ++k) moved_[i].v[k] += way.v[k], moved_[i].w[k] += way.w[k];
-    inertias_[i] = inertia_of<Scalar>(bodies_[i]->inverse_inertia);
   });
-  set_by_set([&](std::size_t begin, std::size_t end) {
-    passes.carry(bundles(begin, end), static_cast<Scalar>(carried_from));
-  });
+  carry();
   each_bundle([&](std::size_t begin, std::size_t end) { passes.relax(bundles(begin, end)); });
   Step step = joints_step(world, h);
   joints.moved(step);
   sweep(step);
   joints.report(step);
+}
+
+/// Two that pass each other so fast are not both slower than half of that.
+template <class Scalar>
+void Wide<Scalar>::carry() {
+  const Real least = carried_from * carried_from / 4;
+  if (std::none_of(bodies_.begin(), bodies_.end(),
+                   [least](const Body* b) { return b->velocity.squaredNorm() >= least; }))
+    return;
+  each_body([&](std::size_t i) {
+    now_[i] = twist_of<Scalar>(bodies_[i]->velocity, bodies_[i]->angular_velocity);
+    inertias_[i] = inertia_of<Scalar>(bodies_[i]->inverse_inertia);
+  });
+  set_by_set([&](std::size_t begin, std::size_t end) {
+    passes.carry(bundles(begin, end), static_cast<Scalar>(carried_from));
+  });
 }
 
 /// Velocities are copied here, and what the contacts have added to them back: what nothing pushes keeps its bits.

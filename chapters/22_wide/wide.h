@@ -22,7 +22,7 @@ template <class Scalar>
 class Wide : public OnceInAStep {
  public:
   Passes<Scalar> passes = passes_of_this_processor<Scalar>();
-  /// Another order of the pairs converges at another rate.
+  /// The order in which pairs are solved; each set at once.
   Sets (*sets_of)(const std::vector<PairOfBodies>& pairs, const World& world) = coloured;
   /// Who does the bundles of a set, and what else falls into parts; null: this one alone.
   std::shared_ptr<Workers> crew;
@@ -50,6 +50,7 @@ class Wide : public OnceInAStep {
   template <class Act>
   Scalar largest_in(std::size_t begin, std::size_t end, const Act& act);
   void sweep(Step& step);
+  void carry();
   void forget_impacts();
   void tell(Contact& contact, std::size_t i) const;
 
@@ -65,6 +66,7 @@ class Wide : public OnceInAStep {
   std::vector<EightVectors<Scalar>> starts_;  // of contacts_
   std::vector<Place> where_;                  // of each contact of the world
   std::vector<Scalar> largest_;               // of each part of a pass, what it returned
+  bool bouncy_ = false;                       // whether any contact is
   std::vector<Vec3> guesses_;                 // what it starts from, N s
 };
 

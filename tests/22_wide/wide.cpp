@@ -5,7 +5,11 @@
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/11_substeps/scenes.h"
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/13_joints/hinge.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/chapters/21_detected_once/study.h"
+#include "pushback/chapters/22_wide/recommended.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
@@ -226,5 +230,69 @@ TEST_CASE("wide: a stack stands whatever the order of its pairs") {
     for (int i = 0; i < 300; ++i) world.step(solver, h);
     CHECK(std::hypot(world.bodies.back().position.x(), world.bodies.back().position.z()) < Real(1e-3));
     CHECK(largest_speed(world) < Real(1e-3));
+  }
+}
+
+TEST_CASE("wide: what bounces, and what strikes off its centre, goes as in chapter 21") {
+  const auto bouncing = [](World& world) {
+    world.add(ground().bouncy(Real(0.7)));
+    world.add(sphere(Real(0.5), 10).at({0, 3, 0}).bouncy(Real(0.7)));
+    world.add(sphere(Real(0.3), 2).at({3, 2, 0}).moving({1, 0, 0}).spinning({0, 0, 5}).bouncy(Real(0.9)));
+  };
+  const auto striking = [](World& world) {
+    world.gravity.setZero();
+    world.add(box({Real(0.5), Real(0.3), Real(0.4)}, 20).spinning({1, 2, 3}));
+    world.add(box({Real(0.3), Real(0.6), Real(0.2)}, 7).at({-2, Real(0.5), Real(0.1)}).moving({12, 0, 0}));
+  };
+  for (const std::function<void(World&)>& fill : {std::function<void(World&)>(bouncing), {striking}}) {
+    World one_by_one, wide;
+    fill(one_by_one);
+    fill(wide);
+    DetectedOnce of_one_by_one;
+    Wide<double> of_wide;
+    for (int i = 0; i < 60; ++i) {
+      one_by_one.step(of_one_by_one, h);
+      wide.step(of_wide, h);
+      for (std::size_t k = 0; k < wide.bodies.size(); ++k)
+        REQUIRE((wide.bodies[k].position - one_by_one.bodies[k].position).norm() <
+                (in_double ? Real(1e-9) : Real(1e-2)));
+    }
+  }
+}
+
+TEST_CASE(
+    "wide: what is recommended moves in the same bits with what is called for, and rests asleep until it is hit") {
+  World world, needed;
+  for (World* each : {&world, &needed}) stack(*each, 3);
+  Recommended solver;
+  OnlyWhatIsNeeded chosen(needed, solver);
+  for (int i = 0; i < 60; ++i) {
+    world.step(solver, h);
+    chosen.step(needed, h, 1);
+    REQUIRE(hash_of(world) == hash_of(needed));
+  }
+  OnlyWhatIsNeeded resting(world, solver, Sleep{});
+  for (int i = 0; i < 120; ++i) resting.step(world, h, 1);
+  for (int i = 1; i <= 3; ++i) CHECK(world.bodies[static_cast<std::size_t>(i)].asleep);
+  world.add(sphere(Real(0.3), 50).at({-3, Real(0.5), 0}).moving({6, 0, 0}));
+  for (int i = 0; i < 30; ++i) resting.step(world, h, 1);
+  CHECK_FALSE(world.bodies[1].asleep);
+  CHECK(world.bodies[1].position.x() > Real(0.01));
+}
+
+TEST_CASE("wide: joints move in the bits of chapter 21 where nothing touches") {
+  World one_by_one, wide;
+  for (World* world : {&one_by_one, &wide}) {
+    world->add(box({Real(0.1), Real(0.3), Real(0.1)}, 1).at({0, 4, 0}));
+    world->add(box({Real(0.1), Real(0.3), Real(0.1)}, 1).at({0, 3, 0}).moving({1, 0, 0}));
+    world->joints.push_back(ball_and_socket(*world, the_world, 0, {0, Real(4.5), 0}));
+    world->joints.push_back(hinge(*world, 0, 1, {0, Real(3.5), 0}, Vec3::UnitZ()));
+  }
+  DetectedOnce of_one_by_one;
+  Recommended of_wide;
+  for (int i = 0; i < 60; ++i) {
+    one_by_one.step(of_one_by_one, h);
+    wide.step(of_wide, h);
+    REQUIRE(hash_of(one_by_one) == hash_of(wide));
   }
 }

@@ -38,7 +38,6 @@ const std::set<std::pair<std::string, std::string>> fails{
     {"row-sequential", "22 wide"},
     {"row-simultaneous", "07 warm start"},
     {"born-deep", "07 warm start"},
-    {"born-deep", "22 wide"},
     {"slop", "all together"},
     {"slop", "22 wide"},
     {"painleve", "all together"},
