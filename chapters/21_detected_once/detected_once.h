@@ -63,10 +63,8 @@ struct OnceInAStep : StepSolver, HoldsJoints {
   template <class Push>
   void push_until_solved(const Push& push) const {
     Real change = push();
-    for (int round = 1; round < most_rounds && change > precision * fastest_; ++round) {
-      if (fastest_ == 0) return;
-      change = push();
-    }
+    if (fastest_ == 0) return;
+    for (int round = 1; round < most_rounds && change > precision * fastest_; ++round) change = push();
   }
 
   std::vector<bool> known_;  // of each contact: whether the step before had it

@@ -42,6 +42,15 @@ ContactState state_of(bool known, Scalar friction, Scalar pushed, Scalar rubbed1
   return held ? ContactState::sticking : ContactState::sliding;
 }
 
+/// An impulse of the step before, N s, drawn into the cone of friction about a normal that may have turned: a substep in which
+/// something bounces ends with what it started from.
+inline Vec3 within_cone(const Vec3& impulse, const Vec3& n, Real friction) {
+  const Real pressed = std::max(Real(0), impulse.dot(n));
+  const Vec3 rubbed = impulse - impulse.dot(n) * n;
+  const Real size = rubbed.norm();
+  return pressed * n + (size > friction * pressed ? friction * pressed / size : 1) * rubbed;
+}
+
 struct KeptContact {
   Row normal, tangent1, tangent2;
   Real found;                  // C_0, m
@@ -120,10 +129,11 @@ struct KeptContact {
   }
   /// The impulses that it starts from (chapter 07). What they give its bodies, those get as each substep begins.
   void guess(const Vec3& impulse_before) {
-    normal.impulse = impulse_before.dot(normal.n);
+    const Vec3 within = within_cone(impulse_before, normal.n, friction);
+    normal.impulse = within.dot(normal.n);
     if (friction == 0) return;
-    tangent1.impulse = impulse_before.dot(tangent1.n);
-    tangent2.impulse = impulse_before.dot(tangent2.n);
+    tangent1.impulse = within.dot(tangent1.n);
+    tangent2.impulse = within.dot(tangent2.n);
   }
   /// What its impulses give its two bodies, `times` over.
   void give(std::vector<KeptBody>& bodies, Real times) const {

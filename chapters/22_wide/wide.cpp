@@ -157,7 +157,7 @@ void Wide<Scalar>::pack(const World& world, std::size_t at, std::span<const Pair
     for (std::size_t point = 0; point < pair.count; ++point) {
       const std::size_t index = pair.first + point;
       const Contact& found = world.contacts[index];
-      const Vec3& guess = guesses_[index];
+      const Vec3 guess = within_cone(guesses_[index], of_pair.normal, of_pair.friction);
       WidePoint<Scalar>& where = points_[begin + point];
       WideContact<Scalar>& wide = contacts_[begin + point];
       put(Vec3(found.point - a.position), where.arm_a, lane);

@@ -120,13 +120,26 @@ Finding watched(const RandomScene& scene, bool log) {
 }
 
 /// A solver that divides its steps itself: what is watched is the world after each.
+template <class Full>
+struct Felt : Full {
+  Watcher* watcher = nullptr;
+  void solve(World& world, Real h, int sweeps) {
+    Full::solve(world, h, sweeps);
+    watcher->feel(world);
+  }
+  void after_move(World& world, Real h) {
+    Full::after_move(world, h);
+    watcher->feel(world);
+  }
+};
 template <class ContactSolver>
 Finding watched_whole(const RandomScene& scene, bool log) {
   if (log) print_scene(scene);
   World world = scene.world;
   constexpr Real any = std::numeric_limits<Real>::infinity();
   Watcher watcher(world, {.energy = any, .overlap = any, .isolated = scene.isolated});
-  ContactSolver solver;
+  Felt<ContactSolver> solver;
+  solver.watcher = &watcher;
   Finding finding;
   for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
     world.step(solver, scene.dt);

@@ -32,8 +32,8 @@ TEST_CASE("README.md shows the program that is tested here, line by line") {
 TEST_CASE("the README's program runs and leaves its numbers behind") {
   const Scratch scratch;
   CHECK(call_program(STUDENT_PROGRAM, "--no-images --out '" + (scratch / "").string() + "'").status == 0);
-  // Two variants of 2 s, 120 steps each, and the header.
-  CHECK(lines_of(text_of(scratch / "my_experiment/metrics.csv")).size() == 1 + 2 * 120);
+  // Three variants of 2 s, 120 steps each, and the header.
+  CHECK(lines_of(text_of(scratch / "my_experiment/metrics.csv")).size() == 1 + 3 * 120);
 }
 
 TEST_CASE("its bodies do what the README says: the boxes stand, the brick stops, the ball bounces") {

@@ -96,31 +96,30 @@ std::vector<Check<Answer>> checks() {
   return {
       {"each bundle is solved once",
        1,
-       {{"of the bundles, so many are solved by nobody:", "", 0.5},
+       {{"so many bundles are solved by somebody:", "", 0.5},
         {"so often a bundle is solved that was solved before:", "", 0.5}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Work work = some_work(random);
-         Real missed = 0, again = 0;
-         const std::vector<int> times = times_solved(threads_of(answer, work), work);
-         for (const int count : times) {
-           missed += count == 0 ? 1 : 0;
+         Real solved = 0, again = 0;
+         for (const int count : times_solved(threads_of(answer, work), work)) {
+           solved += count > 0 ? 1 : 0;
            again += static_cast<Real>(std::max(0, count - 1));
          }
-         return {missed - 1, again};  // nobody solves the one that is none
+         return {solved, again};
        }},
       {"nobody begins a set before all are done with the one before",
        2,
-       {{"so many bundles are solved in another phase than that of their set:", "", 0.5},
+       {{"so many bundles are solved in the phase of their set:", "", 0.5},
         {"the thread that waits least waits so often:", "", 0.5},
         {"the thread that waits most waits so often:", "", 0.5}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Work work = some_work(random);
          const std::vector<Thread> threads = threads_of(answer, work);
-         Real early = 0;
+         Real in_time = 0;
          each_solved(threads,
-                     [&](int bundle, std::size_t phase) { early += set_of(bundle, work.sizes) == phase ? 0 : 1; });
+                     [&](int bundle, std::size_t phase) { in_time += set_of(bundle, work.sizes) == phase ? 1 : 0; });
          const std::vector<Real> waits = waits_of(threads);
-         return {early, *std::min_element(waits.begin(), waits.end()), *std::max_element(waits.begin(), waits.end())};
+         return {in_time, *std::min_element(waits.begin(), waits.end()), *std::max_element(waits.begin(), waits.end())};
        }},
       {"no thread has more than its share",
        1,
@@ -130,7 +129,8 @@ std::vector<Check<Answer>> checks() {
        }},
       {"balls in a row end as with one thread",
        1,
-       {{"the velocities of your balls differ from those of one thread by", "m/s", 1e-9}},
+       {{"the velocities of your balls differ from those of one thread by", "m/s", 1e-9},
+        {"the kinetic energy of your balls is", "J", 1e-9}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Work work{.threads = 3, .sizes = Sizes(4, 7 + 3 * int(random.below(3)))};
          std::vector<Real> velocities;
@@ -139,9 +139,12 @@ std::vector<Check<Answer>> checks() {
          right(one.front(), work.sizes);
          const std::vector<Real> expected = velocities_after(one, work, velocities),
                                  found = velocities_after(threads_of(answer, work), work, velocities);
-         Real most = 0;
-         for (std::size_t i = 0; i < expected.size(); ++i) most = std::max(most, std::abs(found[i] - expected[i]));
-         return {most};
+         Real most = 0, energy = 0;
+         for (std::size_t i = 0; i < expected.size(); ++i) {
+           most = std::max(most, std::abs(found[i] - expected[i]));
+           energy += found[i] * found[i] / 2;
+         }
+         return {most, energy};
        }},
   };
 }
