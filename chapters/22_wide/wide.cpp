@@ -294,6 +294,7 @@ void Wide<Scalar>::sweep(Step& step) {
     start_[i] = now_[i] = twist_of<Scalar>(bodies_[i]->velocity, bodies_[i]->angular_velocity);
   });
   push_until_solved([this] {
+    rows_solved += where_.size();
     return static_cast<Real>(
         set_by_set([&](std::size_t begin, std::size_t end) { return passes.push(bundles(begin, end)); }));
   });
@@ -309,7 +310,7 @@ void Wide<Scalar>::sweep(Step& step) {
     bodies_[i]->velocity += vector_of(change.v);
     bodies_[i]->angular_velocity += vector_of(change.w);
   });
-  rows_solved += 3 * where_.size();
+  rows_solved += 2 * where_.size();
 }
 
 /// An impact is over in one substep: the next one starts from the impulses that it started from.
