@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <sstream>
 
 #include "pushback/chapters/19_accuracy_and_time/stopwatch.h"
 #include "pushback/common/basics/quantile.h"
@@ -124,7 +125,10 @@ int number_in(const std::string& text, const std::string& asked, int most) {
 }
 
 Asked read(const std::string& asked, const Motion& motion, const std::vector<Method>& methods) {
-  std::vector<std::string> words = CLI::detail::split(asked, '/');
+  std::vector<std::string> words;
+  std::istringstream parts(asked);
+  for (std::string word; std::getline(parts, word, '/');) words.push_back(word);
+  if (words.empty()) words.emplace_back();
   std::vector<std::string> names;
   for (const Method& method : methods) {
     if (!method.plays(motion)) continue;
@@ -158,20 +162,18 @@ std::string built_by() {
 
 int play_program(int argc, const char* const* argv, const std::string& about, const std::string& version,
                  const std::vector<Method>& methods) {
-  CLI::App app{about};
-  app.set_version_flag("--version", version, "Which engine plays, of which version, built how");
+  CommandLine line(about);
+  line.version(version, "Which engine plays, of which version, built how");
   std::string motion_name;
   std::vector<std::string> settings;
   Patience patience;
-  app.add_option("motion", motion_name, "What is played; without, the motions are listed");
-  app.add_option("settings", settings, "METHOD/SMALL-STEPS/SWEEPS ...; without, the motion's methods are listed");
-  app.add_option("--at-least", patience.at_least, "Each is played again until that took so long, s")
-      ->check(CLI::Range(0.0, 60.0))
-      ->capture_default_str();
-  app.add_option("--at-most", patience.at_most, "Each is given up after so long, s")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  return run_program(app, argc, argv, [&] {
+  line.option("motion", motion_name, "What is played; without, the motions are listed");
+  line.option("settings", settings, "METHOD/SMALL-STEPS/SWEEPS ...; without, the motion's methods are listed");
+  line.option("--at-least", patience.at_least, "Each is played again until that took so long, s")
+      .between(0.0, 60.0)
+      .shows_default();
+  line.option("--at-most", patience.at_most, "Each is given up after so long, s").between(0.0, 3600.0).shows_default();
+  return line.run(argc, argv, [&] {
     require_between("--at-least", static_cast<Real>(patience.at_least), 0, 60);  // the ranges above let nan pass
     require_between("--at-most", static_cast<Real>(patience.at_most), 0, 3600);
     if (settings.empty()) {

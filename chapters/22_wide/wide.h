@@ -33,6 +33,10 @@ class Wide : public OnceInAStep {
   void after_move(World& world, Real h);
   void done(World& world);
 
+ protected:
+  /// Says in the i-th contact of the world what was done there so far.
+  void tell(Contact& contact, std::size_t i) const;
+
  private:
   struct Place {  // of a contact of the world
     std::size_t bundle, contact, lane;
@@ -52,7 +56,6 @@ class Wide : public OnceInAStep {
   void sweep(Step& step);
   void carry();
   void forget_impacts();
-  void tell(Contact& contact, std::size_t i) const;
 
   std::vector<Body*> bodies_;        // those that touch; the last one stands in empty lanes
   std::vector<std::size_t> places_;  // of each body of the world, in bodies_

@@ -34,11 +34,11 @@ void print_table(const std::vector<NamedScene>& scenes) {
 
 int main(int argc, char** argv) {
   const std::vector<NamedScene> scenes = all_scenes();
-  CLI::App app{"What a scene calls for, and why."};
+  CommandLine line("What a scene calls for, and why.");
   std::vector<std::string> wanted{"all"};
-  app.add_option("scene", wanted, "Scenes by name, or all")->capture_default_str();
-  app.footer(fmt::format("The scenes: {}", fmt::join(names_of(scenes), ", ")));
-  return run_program(app, argc, argv, [&] {
+  line.option("scene", wanted, "Scenes by name, or all").shows_default();
+  line.ends_with(fmt::format("The scenes: {}", fmt::join(names_of(scenes), ", ")));
+  return line.run(argc, argv, [&] {
     std::vector<NamedScene> chosen;
     for (const std::string& name : wanted)
       if (name != "all") chosen.push_back(named("scene", scenes, name));

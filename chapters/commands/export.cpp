@@ -29,16 +29,17 @@ ContactProblem problem_after(const NamedScene& scene, int steps, World& world) {
 
 int main(int argc, char** argv) {
   const std::vector<NamedScene> scenes = all_scenes();
-  CLI::App app{"Writes the contacts of one step of a scene as a problem in the format of Siconos, for ./course solve."};
+  CommandLine line(
+      "Writes the contacts of one step of a scene as a problem in the format of Siconos, for ./course solve.");
   std::string name, file;
   int steps = 0;
-  app.add_option("scene", name, "A scene by its name")->required();
-  app.add_option("file", file, "The file to write")->required();
-  app.add_option("--step", steps, "How many steps of 1/60 s, of 10 sweeps, go before the one that is written")
-      ->check(CLI::Range(0, 1000000))
-      ->capture_default_str();
-  app.footer(fmt::format("The scenes: {}", fmt::join(names_of(scenes), ", ")));
-  return run_program(app, argc, argv, [&] {
+  line.option("scene", name, "A scene by its name").required();
+  line.option("file", file, "The file to write").required();
+  line.option("--step", steps, "How many steps of 1/60 s, of 10 sweeps, go before the one that is written")
+      .between(0, 1000000)
+      .shows_default();
+  line.ends_with(fmt::format("The scenes: {}", fmt::join(names_of(scenes), ", ")));
+  return line.run(argc, argv, [&] {
     World world;
     const ContactProblem problem = problem_after(named("scene", scenes, name), steps, world);
     write_text_file(file, problem_text(problem));

@@ -65,17 +65,15 @@ void heap(World& world) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"All contacts solved at once by linear systems: pyramids of growing size, a heap, and files."};
+  CommandLine line("All contacts solved at once by linear systems: pyramids of growing size, a heap, and files.");
   double tolerance = 1e-8;
   bool largest = false, heaped = false;
   std::vector<std::string> files;
-  app.add_option("file", files, "Contact problems in the format of Siconos to solve as well");
-  app.add_option("--tolerance", tolerance, "The relative residual that is good enough")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  app.add_flag("--largest", largest, "A pyramid of 2016 boxes as well, 15,876 contacts");
-  app.add_flag("--heap", heaped, "A heap of 1000 boxes as well: a minute");
-  return run_program(app, argc, argv, [&] {
+  line.option("file", files, "Contact problems in the format of Siconos to solve as well");
+  line.option("--tolerance", tolerance, "The relative residual that is good enough").between(0.0, 1e6).shows_default();
+  line.flag("--largest", largest, "A pyramid of 2016 boxes as well, 15,876 contacts");
+  line.flag("--heap", heaped, "A heap of 1000 boxes as well: a minute");
+  return line.run(argc, argv, [&] {
     std::vector<ContactProblem> problems;  // all read before anything is solved
     for (const std::string& file : files) problems.push_back(read_problem_file(file));
     fmt::print(

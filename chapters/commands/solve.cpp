@@ -76,21 +76,21 @@ void print_row(const std::string& file, const ContactProblem& problem) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Contact problems in the format of Siconos: how well a method solves them."};
+  CommandLine line("Contact problems in the format of Siconos: how well a method solves them.");
   Asked asked;
-  app.add_option("file", asked.files, "Files of contact problems")->required();
-  app.add_option("--method", asked.method, "How")->check(CLI::IsMember(method_names()))->capture_default_str();
-  app.add_option("--sweeps", asked.sweeps, "At most; smoothed and best take what they need")
-      ->check(CLI::Range(0, 100000000))
-      ->capture_default_str();
-  app.add_option("--tolerance", asked.tolerance, "The relative residual that is good enough")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  CLI::Option* table =
-      app.add_flag("--table", asked.table, "A row a file: all methods after 10 / 100 / 1000 sweeps, smoothed and best");
-  app.add_flag("--laws", asked.laws, "A row a method: by how much it breaks each law after --sweeps")->excludes(table);
-  app.add_option("--write", asked.write, "Where r and u are written to, six numbers a contact");
-  return run_program(app, argc, argv, [&] {
+  line.option("file", asked.files, "Files of contact problems").required();
+  line.option("--method", asked.method, "How").one_of(method_names()).shows_default();
+  line.option("--sweeps", asked.sweeps, "At most; smoothed and best take what they need")
+      .between(0, 100000000)
+      .shows_default();
+  line.option("--tolerance", asked.tolerance, "The relative residual that is good enough")
+      .between(0.0, 1e6)
+      .shows_default();
+  const CommandLine::Option table =
+      line.flag("--table", asked.table, "A row a file: all methods after 10 / 100 / 1000 sweeps, smoothed and best");
+  line.flag("--laws", asked.laws, "A row a method: by how much it breaks each law after --sweeps").without(table);
+  line.option("--write", asked.write, "Where r and u are written to, six numbers a contact");
+  return line.run(argc, argv, [&] {
     if (!asked.write.empty()) check_place_of_solution(asked);
     std::vector<ContactProblem> problems;  // all read before anything is solved
     for (const std::string& file : asked.files) problems.push_back(read_problem_file(file));

@@ -1,33 +1,62 @@
-/// What every small program does around its work.
+/// What every small program does around its work: it reads its command line, and says what went wrong.
 #pragma once
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "pushback/common/basics/input.h"
 
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
 namespace pushback {
 
-/// Reads the command line and does the work. Returns the program's exit status: 0; 2 after a message where a value cannot be
-/// used; 1 where something else went wrong.
-template <class Work>
-int run_program(CLI::App& app, int argc, const char* const* argv, const Work& work) {
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? 0 : 2;
-  }
-  try {
-    work();
-  } catch (const InvalidInput& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 2;
-  } catch (const std::exception& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 1;
-  }
-  return 0;
-}
+/// CLI11, compiled once: it takes longer than most programs that use it.
+class CommandLine {
+ public:
+  /// An option, or a word without a name. Each function returns the option itself.
+  class Option {
+   public:
+    explicit Option(CLI::Option* option) : option_(option) {}
+    Option& required();
+    Option& shows_default();
+    Option& between(int least, int most);
+    Option& between(double least, double most);
+    Option& one_of(const std::vector<std::string>& words);
+    Option& split_at_commas();
+    Option& at_most_once();
+    Option& without(const Option& other);
+    Option& from_environment(const std::string& variable);
+    bool given() const;
+
+   private:
+    CLI::Option* option_;
+  };
+
+  explicit CommandLine(const std::string& about, const std::string& called = "");
+  ~CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  Option flag(const std::string& name, bool& value, const std::string& help);
+  /// `Value` is a number, words, a path, or several of them: those that program.cpp lists.
+  template <class Value>
+  Option option(const std::string& name, Value& value, const std::string& help);
+  void version(const std::string& text, const std::string& help);
+  void ends_with(const std::string& text);
+
+  /// Reads the command line and does the work. Returns the program's exit status: 0; 2 after a message where a value cannot be
+  /// used; 1 where something else went wrong.
+  int run(int argc, const char* const* argv, const std::function<void()>& work);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+};
 
 }  // namespace pushback

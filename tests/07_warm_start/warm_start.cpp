@@ -88,7 +88,7 @@ double hard_case(const std::string& name, const std::string& stage, const std::s
 }  // namespace
 
 TEST_CASE("07: in steps of 1/120 s both piles fall cold and stand for a minute warm, from each of many starts",
-          "[slow]") {
+          "[checked]") {
   struct Pile {
     std::string name;
     std::function<void(World&)> fill;
@@ -112,7 +112,8 @@ TEST_CASE("07: in steps of 1/120 s both piles fall cold and stand for a minute w
   }
 }
 
-TEST_CASE("07: warm, ten boxes in steps of 1/60 s fall within a minute, unless they have twice the sweeps", "[slow]") {
+TEST_CASE("07: warm, ten boxes in steps of 1/60 s fall within a minute, unless they have twice the sweeps",
+          "[checked]") {
   const auto ten_boxes = [](World& world) { stack(world, 10); };
   int fallen = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {

@@ -125,10 +125,16 @@ struct Felt : Full {
   Watcher* watcher = nullptr;
   void solve(World& world, Real h, int sweeps) {
     Full::solve(world, h, sweeps);
-    watcher->feel(world);
+    feel(world);
   }
   void after_move(World& world, Real h) {
     Full::after_move(world, h);
+    feel(world);
+  }
+
+ private:
+  void feel(World& world) {
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) Full::tell(world.contacts[i], i);
     watcher->feel(world);
   }
 };

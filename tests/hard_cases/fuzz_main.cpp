@@ -57,28 +57,28 @@ Findings read_parts(const std::vector<std::string>& files) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Random scenes, watched: what must hold in any scene and under any solver", "fuzz");
+  CommandLine line("Random scenes, watched: what must hold in any scene and under any solver", "fuzz");
   std::vector<std::string> only = fuzzed_stages();
   std::uint64_t first = 1, scenes = 500, seed = 0;
-  app.add_option("--stage", only, "Stages, separated by commas")->delimiter(',')->check(CLI::IsMember(fuzzed_stages()));
-  app.add_option("--first", first, "The first seed")->capture_default_str();
-  app.add_option("--scenes", scenes, "How many seeds from there on")->capture_default_str();
+  line.option("--stage", only, "Stages, separated by commas").split_at_commas().one_of(fuzzed_stages());
+  line.option("--first", first, "The first seed").shows_default();
+  line.option("--scenes", scenes, "How many seeds from there on").shows_default();
   std::set<std::uint64_t> known;
-  app.add_option("--known", known, "Seeds that are known to fail; one that does not is a failure too")->delimiter(',');
+  line.option("--known", known, "Seeds that are known to fail; one that does not is a failure too").split_at_commas();
   bool no_room = false;
-  app.add_flag("--no-room", no_room, "Half-spaces may leave no room for anything; this is expected to fail");
+  line.flag("--no-room", no_room, "Half-spaces may leave no room for anything; this is expected to fail");
   std::string shard_text = "1/1", save;
   std::vector<std::string> parts;
-  app.add_option("--shard", shard_text, "2/5: the second of five parts of these scenes, for a machine of its own");
-  app.add_option("--save", save, "A file for what was found, to be joined");
-  app.add_option("--join", parts,
-                 "Nothing is played: what the parts have saved, said as of the whole, with the same options");
-  CLI::Option* one = app.add_option("--seed", seed, "Only this scene, and print every step");
-  return run_program(app, argc, argv, [&] {
+  line.option("--shard", shard_text, "2/5: the second of five parts of these scenes, for a machine of its own");
+  line.option("--save", save, "A file for what was found, to be joined");
+  line.option("--join", parts,
+              "Nothing is played: what the parts have saved, said as of the whole, with the same options");
+  const CommandLine::Option one = line.option("--seed", seed, "Only this scene, and print every step");
+  return line.run(argc, argv, [&] {
     const Shard shard = shard_of(shard_text);
     const Findings known_parts = read_parts(parts);
     std::string saved;
-    const bool replay = one->count() > 0;
+    const bool replay = one.given();
     if (replay) {
       first = seed;
       scenes = 1;

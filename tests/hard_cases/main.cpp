@@ -98,30 +98,30 @@ int main(int argc, char** argv) {
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   int starts = many_starts;
   bool quick = false, only_needed = false, no_images = false, list = false, redraw = false;
-  CLI::App app("Every hard case under every stage of the solver: which feature keeps which case stable?",
-               "hard_cases_table");
-  app.add_option("NAME", names, "Only these cases, by their names or a part of them");
-  app.add_option("--stages", stage_names, "Only these stages, by their names or a part of them, separated by commas")
-      ->delimiter(',');
-  app.add_flag("--quick", quick, "Only the chapters' stages, without the stages that came after");
-  app.add_flag("--only-what-is-needed", only_needed,
-               "Through the dispatch of chapter 20: each world by what it calls for. The same numbers, in the folder "
-               "hard_cases/only_what_is_needed");
-  app.add_option("--out", out,
-                 "Folder in which the folder hard_cases is made; what is not the whole table goes to hard_cases/part")
-      ->capture_default_str();
-  app.add_option("--jobs", jobs, "So many threads; the results do not depend on it")->capture_default_str();
-  app.add_option("--starts", starts,
-                 "At most so many starts of the cases at a knife's edge; with fewer than 30 not the whole table")
-      ->capture_default_str();
-  app.add_option("--shard", shard_text, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
-  app.add_option("--join", parts,
-                 "5: nothing is played; the whole of the five parts that were played with the same options")
-      ->check(CLI::Range(2, 1000));
-  app.add_flag("--no-images", no_images, "Only table.csv, table.md and times.csv");
-  app.add_flag("--redraw", redraw, "Nothing is played: table.md and overview.png of what is in hard_cases/table.csv");
-  app.add_flag("--list", list, "List the cases and the stages, and do nothing");
-  return run_program(app, argc, argv, [&] {
+  CommandLine line("Every hard case under every stage of the solver: which feature keeps which case stable?",
+                   "hard_cases_table");
+  line.option("NAME", names, "Only these cases, by their names or a part of them");
+  line.option("--stages", stage_names, "Only these stages, by their names or a part of them, separated by commas")
+      .split_at_commas();
+  line.flag("--quick", quick, "Only the chapters' stages, without the stages that came after");
+  line.flag("--only-what-is-needed", only_needed,
+            "Through the dispatch of chapter 20: each world by what it calls for. The same numbers, in the folder "
+            "hard_cases/only_what_is_needed");
+  line.option("--out", out,
+              "Folder in which the folder hard_cases is made; what is not the whole table goes to hard_cases/part")
+      .shows_default();
+  line.option("--jobs", jobs, "So many threads; the results do not depend on it").shows_default();
+  line.option("--starts", starts,
+              "At most so many starts of the cases at a knife's edge; with fewer than 30 not the whole table")
+      .shows_default();
+  line.option("--shard", shard_text, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
+  line.option("--join", parts,
+              "5: nothing is played; the whole of the five parts that were played with the same options")
+      .between(2, 1000);
+  line.flag("--no-images", no_images, "Only table.csv, table.md and times.csv");
+  line.flag("--redraw", redraw, "Nothing is played: table.md and overview.png of what is in hard_cases/table.csv");
+  line.flag("--list", list, "List the cases and the stages, and do nothing");
+  return line.run(argc, argv, [&] {
     if (jobs < 1 || jobs > 256)
       throw InvalidInput(fmt::format("--jobs is {}: a whole number from 1 to 256 is needed", jobs));
     if (starts < 1 || starts > many_starts)

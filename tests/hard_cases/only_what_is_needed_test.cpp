@@ -36,7 +36,7 @@ void hold_to_direct(HardCase hard_case, const Stage& stage) {
 
 }  // namespace
 
-TEST_CASE("hard cases by what they call for: some under all stages", "[slow]") {
+TEST_CASE("hard cases by what they call for: some under all stages", "[checked]") {
   for (const std::string& name : quick) {
     for (const Stage& stage : stages()) hold_to_direct(hard_case_named(name), stage);
   }

@@ -63,7 +63,7 @@ const std::set<std::pair<std::string, std::string>> fails{
     {"ragdoll", "22 wide"},
 };
 
-/// What takes `best` longer than the rest: with sanitizers on, it is labelled long.
+/// What takes `best` longer than the rest: ./course check plays it.
 const std::vector<std::string> slow{"stack-40", "plank-tower", "rubble", "any-order"};
 /// And what takes it longest: always labelled long.
 const std::vector<std::string> slowest{"pyramid-20", "jenga-30", "brick-wall"};
@@ -131,7 +131,7 @@ TEST_CASE("hard cases: a solver that holds no joints says so, and the case count
     for (const Real number : outcome.numbers) CHECK(std::isnan(number));
   }
 }
-TEST_CASE("hard cases: the slow ones under the best solver", "[slow]") {
+TEST_CASE("hard cases: the slow ones under the best solver", "[checked]") {
   for (const std::string& name : slow) hold_to_the_list(hard_case_named(name), best);
 }
 TEST_CASE("hard cases: the slowest ones under the best solver", "[long]") {

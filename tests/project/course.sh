@@ -141,7 +141,7 @@ printf '#!/bin/sh\nexit 2\n' >"$scratch/home/build/release/tests/hard_cases/hard
 course hard-cases stak && expect 2 && expect_not "took"
 
 # Tests: without the long ones unless asked for, by name, with more options for ctest.
-course test && expect 0 "ctest --preset release -j" "-LE ^long\$"
+course test && expect 0 "ctest --preset release -j" "-LE ^(long|checked)\$"
 course test --long && expect 0 "ctest --preset release" && expect_not "-LE"
 course test one two -- --verbose && expect 0 "-R one|two --verbose"
 mkdir -p "$scratch/home/tests/04_four"
@@ -157,9 +157,9 @@ stand_in git 'case "$*" in
   "diff --name-only HEAD") printf "chapters/03_three/README.md\nchapters/04_four/exercise/transfer/checks.cpp\n" ;;
   log*abc..HEAD) printf "tests/10_ten/exercise/rebuild.txt\ntests/03_three/three.cpp\nchapters/05_five/five.h\nchapters/04_four/four.h\nchapters/06_six/six.h\nchapters/07_seven/seven.h\n" ;;
 esac'
-course test --changed && expect 0 "-LE ^long\$" "-L ^long\$ -R ^exercise (04_four|10_ten)(_transfer)?: "
+course test --changed && expect 0 "-LE ^(long|checked)\$" "-L ^checked\$ -R ^exercise (04_four|10_ten)(_transfer)?: "
 stand_in git true
-course test --changed && expect 0 "-LE ^long\$" && expect_not "-L ^long"
+course test --changed && expect 0 "-LE ^(long|checked)\$" && expect_not "-L ^checked"
 stand_in git 'echo "git $*"'
 stand_in ctest 'exit 8'
 course test && expect 8

@@ -59,7 +59,7 @@ TEST_CASE("the sheet of 05 looks as it did") {
 TEST_CASE("the sheet of 06 looks as it did") {
   compare("06_friction");
 }
-TEST_CASE("the sheet of 07 looks as it did", "[slow]") {
+TEST_CASE("the sheet of 07 looks as it did", "[checked]") {
   compare("07_warm_start");
 }
 TEST_CASE("the sheet of 08 looks as it did") {
@@ -71,16 +71,16 @@ TEST_CASE("the sheet of 09 looks as it did") {
 TEST_CASE("the sheet of 10 looks as it did", "[slow]") {
   compare("10_position_correction");
 }
-TEST_CASE("the sheet of 11 looks as it did", "[slow]") {
+TEST_CASE("the sheet of 11 looks as it did", "[checked]") {
   compare("11_substeps");
 }
-TEST_CASE("the sheet of 12 looks as it did", "[slow]") {
+TEST_CASE("the sheet of 12 looks as it did", "[checked]") {
   compare("12_soft_contacts");
 }
 TEST_CASE("the sheet of 13 looks as it did") {
   compare("13_joints");
 }
-TEST_CASE("the sheet of 14 looks as it did", "[slow]") {
+TEST_CASE("the sheet of 14 looks as it did", "[checked]") {
   compare("14_joints_under_load");
 }
 TEST_CASE("the sheet of 15 looks as it did") {

@@ -50,7 +50,7 @@ sources() {  # sources LINE...: the libraries come along, and no test, option or
   local targets
   configure "$@"
   targets=$(ninja -C "$way/build" -t targets all | sed -En 's%^([^ ]*): CXX_(STATIC_LIBRARY|EXECUTABLE)_LINKER.*%\1%p' | xargs -n 1 basename | sort | tr '\n' ' ')
-  [[ $targets == "libpushback.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libwide.a my_program " ]] ||
+  [[ $targets == "libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libwide.a my_program " ]] ||
     wrong "the other project builds: $targets"
   ctest --test-dir "$way/build" -N | grep -q '^Total Tests: 0$' || wrong "the other project has tests of ours"
   ! grep -E '^PUSHBACK_(TESTS|BENCH|PEERS|WERROR)' "$way/build/CMakeCache.txt" || wrong "it is asked for what is built only here"

@@ -91,6 +91,46 @@ std::vector<Cell> cells_of(const std::string& numbers, const std::string& varian
   return cells;
 }
 
+/// In the default tests those that take the fewest seconds; ./course check runs them all.
+const std::vector<std::string> quick{"00_naive_impulses", "02_clamping", "05_restitution", "22_wide"};
+std::vector<std::string> others() {
+  std::vector<std::string> names = chapters();
+  std::erase_if(names, [](const std::string& name) { return std::ranges::count(quick, name) > 0; });
+  return names;
+}
+
+void refuse_beyond_the_ends(const std::string& chapter) {
+  for (const Slider& slider : sliders_of(chapter)) {
+    const double least = std::stod(slider.least), most = std::stod(slider.most);
+    std::vector<std::string> refused{fmt::format("{}", least - 1), fmt::format("{}", 2 * most + 1), "nan", "inf",
+                                     "many"};
+    if (slider.whole) refused.push_back(fmt::format("{}", least + 0.5));
+    for (const std::string& value : refused) {
+      const Outcome outcome = run(chapter, slider.flag + "=" + value);
+      INFO(chapter << " " << slider.flag << " " << value << ": " << outcome.err);
+      CHECK(outcome.status == 2);
+      CHECK(contains(outcome.err, slider.flag));
+      CHECK(contains(outcome.err, value));
+      CHECK(contains(outcome.err, fmt::format("from {} to {}", slider.least, slider.most)));
+    }
+  }
+}
+
+void end_well_at_the_ends(const std::string& chapter) {
+  const std::string shortly = "--seconds 0.15 ";
+  const Outcome by_default = run(chapter, shortly);
+  INFO(chapter << ": " << by_default.err);
+  REQUIRE(by_default.status == 0);
+  for (const Slider& slider : sliders_of(chapter)) {
+    for (const std::string& value : {slider.least, slider.most}) {
+      const Outcome outcome = run(chapter, shortly + slider.flag + " " + value);
+      INFO(slider.flag << " " << value << ": " << outcome.err << "\n" << outcome.numbers);
+      CHECK(outcome.status == 0);
+      CHECK(no_numbers(outcome) <= no_numbers(by_default));
+    }
+  }
+}
+
 }  // namespace
 
 TEST_CASE("every chapter has parameters, each with ends in order around its default") {
@@ -114,39 +154,16 @@ TEST_CASE("every chapter has parameters, each with ends in order around its defa
 }
 
 TEST_CASE("beyond its ends a parameter is refused: status 2, and a message with the value and what is allowed") {
-  for (const std::string& chapter : chapters()) {
-    for (const Slider& slider : sliders_of(chapter)) {
-      const double least = std::stod(slider.least), most = std::stod(slider.most);
-      std::vector<std::string> refused{fmt::format("{}", least - 1), fmt::format("{}", 2 * most + 1), "nan", "inf",
-                                       "many"};
-      if (slider.whole) refused.push_back(fmt::format("{}", least + 0.5));
-      for (const std::string& value : refused) {
-        const Outcome outcome = run(chapter, slider.flag + "=" + value);
-        INFO(chapter << " " << slider.flag << " " << value << ": " << outcome.err);
-        CHECK(outcome.status == 2);
-        CHECK(contains(outcome.err, slider.flag));
-        CHECK(contains(outcome.err, value));
-        CHECK(contains(outcome.err, fmt::format("from {} to {}", slider.least, slider.most)));
-      }
-    }
-  }
+  for (const std::string& chapter : quick) refuse_beyond_the_ends(chapter);
 }
-
+TEST_CASE("beyond its ends a parameter is refused: in all other chapters", "[checked]") {
+  for (const std::string& chapter : others()) refuse_beyond_the_ends(chapter);
+}
 TEST_CASE("at both ends of each parameter a chapter ends with status 0, and with numbers where the default has them") {
-  for (const std::string& chapter : chapters()) {
-    const std::string shortly = "--seconds 0.15 ";
-    const Outcome by_default = run(chapter, shortly);
-    INFO(chapter << ": " << by_default.err);
-    REQUIRE(by_default.status == 0);
-    for (const Slider& slider : sliders_of(chapter)) {
-      for (const std::string& value : {slider.least, slider.most}) {
-        const Outcome outcome = run(chapter, shortly + slider.flag + " " + value);
-        INFO(slider.flag << " " << value << ": " << outcome.err << "\n" << outcome.numbers);
-        CHECK(outcome.status == 0);
-        CHECK(no_numbers(outcome) <= no_numbers(by_default));
-      }
-    }
-  }
+  for (const std::string& chapter : quick) end_well_at_the_ends(chapter);
+}
+TEST_CASE("at both ends of each parameter: in all other chapters", "[checked]") {
+  for (const std::string& chapter : others()) end_well_at_the_ends(chapter);
 }
 
 TEST_CASE("closed forms follow the parameters of their scenes") {

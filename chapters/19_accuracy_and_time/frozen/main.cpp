@@ -19,16 +19,16 @@ void draw(const std::string& csv, const std::filesystem::path& to) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Every method on every frozen problem: how far it comes in what time."};
+  CommandLine line("Every method on every frozen problem: how far it comes in what time.");
   FrozenOptions options;
   std::string folder, out = "renders";
   bool redraw = false;
-  app.add_flag("--quick", options.quick, "Seconds instead of minutes");
-  app.add_flag("--redraw", redraw, "Nothing is solved: pictures of what is in frozen.csv");
-  app.add_option("--problems", folder, "A folder of contact problems (*.dat) to solve beside our own")
-      ->envname("PUSHBACK_PROBLEMS");
-  app.add_option("--out", out, "Where the folder 19_accuracy_and_time is written to")->capture_default_str();
-  return run_program(app, argc, argv, [&] {
+  line.flag("--quick", options.quick, "Seconds instead of minutes");
+  line.flag("--redraw", redraw, "Nothing is solved: pictures of what is in frozen.csv");
+  line.option("--problems", folder, "A folder of contact problems (*.dat) to solve beside our own")
+      .from_environment("PUSHBACK_PROBLEMS");
+  line.option("--out", out, "Where the folder 19_accuracy_and_time is written to").shows_default();
+  return line.run(argc, argv, [&] {
     const std::filesystem::path to = std::filesystem::path(out) / "19_accuracy_and_time";
     if (redraw) {
       draw(read_text_file(to / "frozen.csv"), to);

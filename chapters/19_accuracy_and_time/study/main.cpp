@@ -99,18 +99,17 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"What accuracy costs in time: all motions in all settings, timed round after round."};
+  CommandLine line("What accuracy costs in time: all motions in all settings, timed round after round.");
   Asked asked;
-  app.add_flag("--quick", asked.quick, "Fewer settings, fewer rounds: in two minutes");
-  app.add_flag("--peers", asked.others, "Bullet, ODE and MuJoCo as well, where they were built");
-  app.add_option("--rounds", asked.rounds, "In which all that is near a front is timed; 3, or 1 with --quick")
-      ->check(CLI::Range(1, 1000));
-  app.add_flag("--redraw", asked.redraw, "Nothing is measured: pictures and tables of what is in study.csv");
-  app.add_option("--only", asked.only, "These motions");
-  app.add_option("--shard", asked.shard, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
-  app.add_option("--join", asked.parts, "5: nothing is measured; pictures and tables of five such parts")
-      ->check(CLI::Range(2, 1000));
-  app.add_option("--out", asked.out, "The folder to write to")->capture_default_str();
-  return run_program(app, argc, argv,
-                     [&] { measure_and_draw(asked, std::filesystem::canonical("/proc/self/exe").parent_path()); });
+  line.flag("--quick", asked.quick, "Fewer settings, fewer rounds: in two minutes");
+  line.flag("--peers", asked.others, "Bullet, ODE and MuJoCo as well, where they were built");
+  line.option("--rounds", asked.rounds, "In which all that is near a front is timed; 3, or 1 with --quick")
+      .between(1, 1000);
+  line.flag("--redraw", asked.redraw, "Nothing is measured: pictures and tables of what is in study.csv");
+  line.option("--only", asked.only, "These motions");
+  line.option("--shard", asked.shard, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
+  line.option("--join", asked.parts, "5: nothing is measured; pictures and tables of five such parts").between(2, 1000);
+  line.option("--out", asked.out, "The folder to write to").shows_default();
+  return line.run(argc, argv,
+                  [&] { measure_and_draw(asked, std::filesystem::canonical("/proc/self/exe").parent_path()); });
 }

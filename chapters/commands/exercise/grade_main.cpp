@@ -13,32 +13,28 @@ int main(int argc, char** argv) {
   std::vector<std::string> words;
   std::string points, tasks, shard = "1/1";
   bool no_sandbox = false, no_sheet = false;
-  CLI::App app(
+  CommandLine line(
       "Grades what students have handed in: a folder or an archive each, with files as 03_baumgarte_transfer.h.",
       "./course grade");
-  app.add_option("FOLDER", grading.given,
-                 "For each student a folder, or an archive of one (.zip, .tar.gz), named after the student")
-      ->required();
-  app.add_option("--exercises", words, "03-transfer,04: these, instead of all transfer exercises and all of your own")
-      ->delimiter(',');
-  app.add_option("--points", points, "A file with the points of each check, as ./course handout writes it");
-  app.add_option("--out", grading.out, "Where results go")->capture_default_str();
-  app.add_option("--jobs", grading.jobs, "Students at the same time")->check(CLI::Range(1, 256))->capture_default_str();
-  app.add_option(
+  line.option("FOLDER", grading.given,
+              "For each student a folder, or an archive of one (.zip, .tar.gz), named after the student")
+      .required();
+  line.option("--exercises", words, "03-transfer,04: these, instead of all transfer exercises and all of your own")
+      .split_at_commas();
+  line.option("--points", points, "A file with the points of each check, as ./course handout writes it");
+  line.option("--out", grading.out, "Where results go").shows_default();
+  line.option("--jobs", grading.jobs, "Students at the same time").between(1, 256).shows_default();
+  line.option(
       "--shard", shard,
       "2/5: the second of five parts, each for a machine of its own; with the same --out, the last one to end has all");
-  app.add_option("--seed", grading.seed,
-                 "Of all random scenes; by default drawn once, and kept in the folder of the results");
-  app.add_option("--seconds", grading.limits.seconds, "For all checks of an exercise")
-      ->check(CLI::Range(1, 3600))
-      ->capture_default_str();
-  app.add_option("--megabytes", grading.limits.megabytes, "Of memory")
-      ->check(CLI::Range(64, 1 << 20))
-      ->capture_default_str();
-  app.add_flag("--no-sandbox", no_sandbox, "Run what students wrote with all rights that you have yourself");
-  app.add_flag("--no-sheet", no_sheet, "No pictures of the students' numbers beside the right ones");
-  app.add_option("--tasks", tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
-  return run_program(app, argc, argv, [&] {
+  line.option("--seed", grading.seed,
+              "Of all random scenes; by default drawn once, and kept in the folder of the results");
+  line.option("--seconds", grading.limits.seconds, "For all checks of an exercise").between(1, 3600).shows_default();
+  line.option("--megabytes", grading.limits.megabytes, "Of memory").between(64, 1 << 20).shows_default();
+  line.flag("--no-sandbox", no_sandbox, "Run what students wrote with all rights that you have yourself");
+  line.flag("--no-sheet", no_sheet, "No pictures of the students' numbers beside the right ones");
+  line.option("--tasks", tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
+  return line.run(argc, argv, [&] {
     const std::vector<Exercise> all = exercises_with(tasks);
     for (const std::string& word : words) grading.exercises.push_back(&exercise_named(all, word));
     for (const Exercise& exercise : all)

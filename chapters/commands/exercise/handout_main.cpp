@@ -27,13 +27,14 @@ std::string how_to(const std::vector<const Exercise*>& exercises, const std::str
 int main(int argc, char** argv) {
   fs::path folder, tasks;
   std::vector<std::string> with, without;
-  CLI::App app("Writes tasks and files with gaps into a folder, and the points of each check; no answers, no checks.",
-               "./course handout");
-  app.add_option("FOLDER", folder, "A new folder")->required();
-  app.add_option("--with", with, "02,03,03-transfer: these; all by default")->delimiter(',');
-  app.add_option("--without", without, "04: all but these")->delimiter(',');
-  app.add_option("--tasks", tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
-  return run_program(app, argc, argv, [&] {
+  CommandLine line(
+      "Writes tasks and files with gaps into a folder, and the points of each check; no answers, no checks.",
+      "./course handout");
+  line.option("FOLDER", folder, "A new folder").required();
+  line.option("--with", with, "02,03,03-transfer: these; all by default").split_at_commas();
+  line.option("--without", without, "04: all but these").split_at_commas();
+  line.option("--tasks", tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
+  return line.run(argc, argv, [&] {
     const std::vector<Exercise> all = exercises_with(tasks);
     std::vector<const Exercise*> exercises;
     for (const std::string& word : with) exercises.push_back(&exercise_named(all, word));

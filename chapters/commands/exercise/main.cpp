@@ -116,21 +116,20 @@ void show_hints(const Exercise& exercise, StudentFiles& files) {
 
 int main(int argc, char** argv) {
   Asked asked;
-  CLI::App app("Exercises that check themselves.", kit().call());
-  app.add_option("EXERCISE", asked.words, "03, or 03-transfer; none: all are listed")->expected(0, 1);
-  app.add_flag("--hint", asked.hint, "One hint more each time");
-  app.add_flag("--reset", asked.reset, "The file as it was; yours is kept, with .old at its end");
-  app.add_flag("--watch", asked.watch, "Check again at each save, until interrupted");
-  app.add_flag("--no-sheet", asked.no_sheet, "No picture of your numbers beside the right ones");
-  app.add_option("--seed", asked.seed, "The same random scenes as last time");
-  app.add_flag("--all", asked.all, "Every file that you have written in and that is not solved");
-  app.add_option("--in", asked.folder, "The folder with your files, exercises/ by default");
-  app.add_option("--tasks", asked.tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
-  app.add_option(
-      "--new", asked.own_folder,
-      "Make a folder of your own, which needs nothing but an installed Pushback: its build says the verdict");
+  CommandLine line("Exercises that check themselves.", kit().call());
+  line.option("EXERCISE", asked.words, "03, or 03-transfer; none: all are listed").at_most_once();
+  line.flag("--hint", asked.hint, "One hint more each time");
+  line.flag("--reset", asked.reset, "The file as it was; yours is kept, with .old at its end");
+  line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
+  line.flag("--no-sheet", asked.no_sheet, "No picture of your numbers beside the right ones");
+  line.option("--seed", asked.seed, "The same random scenes as last time");
+  line.flag("--all", asked.all, "Every file that you have written in and that is not solved");
+  line.option("--in", asked.folder, "The folder with your files, exercises/ by default");
+  line.option("--tasks", asked.tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
+  line.option("--new", asked.own_folder,
+              "Make a folder of your own, which needs nothing but an installed Pushback: its build says the verdict");
   bool passed = true;
-  const int status = run_program(app, argc, argv, [&] {
+  const int status = line.run(argc, argv, [&] {
     const std::vector<Exercise> all = exercises_with(asked.tasks);
     if (!asked.own_folder.empty()) {
       std::vector<const Exercise*> exercises;
