@@ -278,6 +278,11 @@ mkdir -p "$scratch/home/build/release/tests/hard_cases"
 printf '#!/bin/sh\necho "fuzz: $*"\nexit 1\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_fuzz"
 chmod +x "$scratch/home/build/release/tests/hard_cases/hard_cases_fuzz"
 course fuzz -- --seed 7 --stage "07 warm start" && expect 1 "--target hard_cases_fuzz" "fuzz: --seed 7 --stage 07 warm start"
+stand_in nproc 'echo 2'
+course fuzz -- --scenes 9 && expect 1 "fuzz: --scenes 9 --join" && expect_not "--shard"
+[[ $(cat "$scratch/home/build/release/fuzz/"*.said) == *"fuzz: --scenes 9 --shard 1/2 --save build/release/fuzz/1"*"--shard 2/2"* ]] || { echo "not a part for each core"; ((++failures)); }
+printf '#!/bin/sh\necho "no such stage"\nexit 2\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_fuzz"
+course fuzz -- --stage x && expect 2 "no such stage" && expect_not "--join"
 course fuzz 7 && expect 2 "'fuzz' takes no words"
 
 # What scenes call for.
