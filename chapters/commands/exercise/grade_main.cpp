@@ -19,7 +19,9 @@ int main(int argc, char** argv) {
   app.add_option("FOLDER", grading.given,
                  "For each student a folder, or an archive of one (.zip, .tar.gz), named after the student")
       ->required();
-  app.add_option("--exercises", words, "03-transfer,04: these, instead of all transfer exercises and all of your own")
+  app.add_option(
+         "--exercises", words,
+         "03-transfer,04: these, instead of all transfer exercises and all of your own, as far as --points names them")
       ->delimiter(',');
   app.add_option("--points", points, "A file with the points of each check, as ./course handout writes it");
   app.add_option("--out", grading.out, "Where results go")->capture_default_str();
@@ -41,9 +43,13 @@ int main(int argc, char** argv) {
   return run_program(app, argc, argv, [&] {
     const std::vector<Exercise> all = exercises_with(tasks);
     for (const std::string& word : words) grading.exercises.push_back(&exercise_named(all, word));
-    for (const Exercise& exercise : all)
-      if (words.empty() && exercise.graded()) grading.exercises.push_back(&exercise);
     if (!points.empty()) grading.points = Points(all, points);
+    for (const Exercise& exercise : all)
+      if (words.empty() && exercise.graded() && (points.empty() || grading.points.has(exercise)))
+        grading.exercises.push_back(&exercise);
+    if (grading.exercises.empty())
+      throw InvalidInput(
+          fmt::format("--points: '{}' names no exercise that is graded; --exercises may name others", points));
     grading.shard = shard_of(shard);
     grading.sandboxed = !no_sandbox;
     grading.sheets = !no_sheet;
