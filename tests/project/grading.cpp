@@ -124,11 +124,12 @@ TEST_CASE(
     CHECK(said);
   };
   for (const std::string right : {"flat", "deep", "deep2", "plain"}) graded(right, "03-transfer 6/6");
-  graded("ben", "4/6 (cap forgotten)");
-  for (const std::string none : {"link", "link2", "link3", "buried", "buried2"}) graded(none, "0/6 (not handed in)");
+  graded("ben", "03-transfer 4/6 (cap forgotten)");
+  for (const std::string none : {"link", "link2", "link3", "buried", "buried2"})
+    graded(none, "03-transfer 0/6 (not handed in)");
   for (const std::string bad : {"dots", "absolute", "escaped", "twice", "twice2", "large", "large2", "many", "many2",
                                 "junk", "junk2", "secret"})
-    graded(bad, "0/6 (archive)");
+    graded(bad, "03-transfer 0/6 (archive)");
   const std::string json = text_of(all.scratch / "out/results.json");
   CHECK(contains(json, "leads out of its folder"));
   CHECK(contains(json, "it has 1501 entries, at most 1000 are taken"));
