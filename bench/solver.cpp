@@ -169,25 +169,17 @@ BENCHMARK(substeps_of<FullSolver>)->Apply(many_sweeps)->Apply(many_steps);
 BENCHMARK(substeps_of<SoftSolver>)->Apply(many_steps);
 BENCHMARK(substeps_of<SteadySolver>)->Apply(many_steps);
 
-/// A thousand boxes that fell into a heap: 10 x 10 columns, each box turned a little.
-void heap(World& world) {
-  world.add(ground());
-  for (int i = 0; i < 1000; ++i) {
-    const Vec3 place{static_cast<Real>(i % 10) - Real(4.5), Real(0.6) + static_cast<Real>(i / 100) * Real(1.1),
-                     static_cast<Real>(i / 10 % 10) - Real(4.5)};
-    world.add(box({Real(0.4), Real(0.3), Real(0.45)}, 100)
-                  .turned(static_cast<Real>(i % 7) * Real(0.2), Vec3(1, 2, 3))
-                  .at(place));
-  }
+void thousand_boxes(World& world) {
+  heap(world, 10, 10, Real(-4.5));
 }
 void step_of_heap(benchmark::State& state) {
-  whole_step(state, heap, 240);
+  whole_step(state, thousand_boxes, 240);
 }
 BENCHMARK(step_of_heap)->Unit(benchmark::kMicrosecond);
 
 void find_contacts_of_heap(benchmark::State& state) {
   World world;
-  heap(world);
+  thousand_boxes(world);
   FullSolver solver;
   for (int step = 0; step < 240; ++step) world.step(solver, dt, 10);
   for (auto _ : state) world.find_contacts();

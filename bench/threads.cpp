@@ -2,7 +2,6 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/in_turn.h"
-#include "bench/pile.h"
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/chapters/23_threads/crew.h"
 #include "pushback/common/world/situations.h"
@@ -89,7 +88,7 @@ void shared(benchmark::State& state, const std::function<void(World&)>& fill, in
 }
 
 void pile_of(benchmark::State& state, int n, int high) {
-  shared(state, [=](World& world) { pile(world, n, high); }, 2, 240);
+  shared(state, [=](World& world) { heap(world, n, high, -static_cast<Real>(n) / 2); }, 2, 240);
 }
 void pyramid_of(benchmark::State& state, int base) {
   shared(state, [=](World& world) { pyramid(world, base); }, 2, 120);

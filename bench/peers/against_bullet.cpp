@@ -2,7 +2,6 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/in_turn.h"
-#include "bench/pile.h"
 #include "pushback/chapters/19_accuracy_and_time/peers/peer.h"
 #include "pushback/chapters/21_detected_once/study.h"
 #include "pushback/chapters/22_wide/recommended.h"
@@ -75,10 +74,10 @@ void stack_of_40(benchmark::State& state) {
   beside_bullet(state, [](World& world) { stack(world, 40); }, 32, 120);
 }
 void pile_of_512(benchmark::State& state) {
-  beside_bullet(state, [](World& world) { pile(world, 8, 8); }, 8, 240);
+  beside_bullet(state, [](World& world) { heap(world, 8, 8, -4); }, 8, 240);
 }
 void pile_of_4000(benchmark::State& state) {
-  beside_bullet(state, [](World& world) { pile(world, 20, 10); }, 8, 240);
+  beside_bullet(state, [](World& world) { heap(world, 20, 10, -10); }, 8, 240);
 }
 BENCHMARK(pyramid_of_210)->Iterations(200)->Unit(benchmark::kMicrosecond);
 BENCHMARK(pyramid_of_210_as_recommended)->Iterations(60)->Unit(benchmark::kMicrosecond);

@@ -14,6 +14,10 @@ Real depth(const World& world) {
   return 1000 * (std::get<Box>(last.shape).half_extents.y() - last.position.y());
 }
 
+Real height(const World& world) {
+  return -depth(world);
+}
+
 /// A ruler across the picture: the surface, and a thin line for every 200 mm above it.
 void add_ruler(Picture& picture) {
   for (int line = 0; line <= 3; ++line) {
@@ -69,7 +73,8 @@ int main(int argc, char** argv) {
       e.variant(fmt::format("β = {}", betas[i]), with_beta<Solver<Clamping, Baumgarte>>(betas[i]))
           .coloured(static_cast<int>(i));
     }
-    e.series("overlap", "mm", depth);
+    e.series("height over the ground", "mm", height);
+    e.series_without_curves("overlap", depth);
     e.number("highest jump", "mm", [](const Run& run) {
       return std::max(Real(0), -*std::min_element(run.series.at("overlap").begin(), run.series.at("overlap").end()));
     });
@@ -86,9 +91,9 @@ int main(int argc, char** argv) {
       e.variant(fmt::format("contact, β = {}", beta), with_beta<Solver<Clamping, Baumgarte>>(beta))
           .coloured(static_cast<int>(i))
           .expect("exit speed", beta * d0 / h)
-          .reference("d₀ (1 − kβ)", [=](Real t) { return 1000 * d0 * (1 - beta * t / h); });
+          .reference("d₀ (kβ − 1)", [=](Real t) { return 1000 * d0 * (beta * t / h - 1); });
     }
-    e.series("overlap", "mm", depth);
+    e.series("height over the ground", "mm", height);
     e.number("exit speed", "m/s", speed_upwards);
 
     e.scene({.name = "an equality row follows d₀ (1−β)ᵏ", .fill = weightless, .seconds = Real(0.4), .pictures = false});

@@ -34,8 +34,8 @@ int main(int argc, char** argv) {
     const Solver<Clamping, Baumgarte, RestitutionAdded> added;
     const Solver<Clamping, Baumgarte, RestitutionApart> apart;
     const Solver<Clamping, Baumgarte, RestitutionWithGravity> with_gravity;
-    compare(e.variant("the larger", larger).coloured(0), threshold);
-    compare(e.variant("their sum", added), 0);
+    compare(e.variant("bounce or push-out", larger).coloured(0), threshold);
+    compare(e.variant("bounce + push-out", added), 0);
     compare(e.variant("gravity counted in", with_gravity), 0);
     compare(e.variant("bounce in a pass of its own", apart).without_curves(), 0);
     for (std::size_t ball = bounciness.size(); ball-- > 0;) {
@@ -54,8 +54,9 @@ int main(int argc, char** argv) {
              .seconds = watched,
              .contacts = Drawn::points,
              .key = "strobe",
-             .caption = "Each line is where the ball's top should just arrive after a bounce. The contact asks for the "
-                        "larger of bounce and push-out, or for their sum, or for a bounce that counts in gravity.",
+             .caption = "Each line is where the ball's top should just arrive after a bounce. A contact asks for a "
+                        "bounce or a push-out, whichever is faster; for their sum; or for a bounce that counts in "
+                        "gravity.",
              .marks =
                  [=](Picture& picture, const World&, Real time) {
                    for (int k = 0; ball.lands(k) < time; ++k) {
@@ -66,8 +67,8 @@ int main(int argc, char** argv) {
                  },
              .strobe = Strobe{.every = Real(1) / 15, .shift_per_second = pace * Vec3::UnitX(), .height = 360},
              .in_brief = {{0, 1}}});
-    for (Variant* variant : {&e.variant("the larger", larger).coloured(0), &e.variant("their sum", added),
-                             &e.variant("gravity counted in", with_gravity)}) {
+    for (Variant* variant : {&e.variant("bounce or push-out", larger).coloured(0),
+                             &e.variant("bounce + push-out", added), &e.variant("gravity counted in", with_gravity)}) {
       for (int k = 1; k <= 3; ++k) variant->expect(fmt::format("apex {}", k), ball.apex(k));
     }
     e.series_without_curves("height", [=](const World& world) { return world.bodies[1].position.y() - ball.radius; });

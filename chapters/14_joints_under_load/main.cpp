@@ -70,7 +70,9 @@ int main(int argc, char** argv) {
              .seconds = 4,
              .instants = {0, 1, 4},
              .key = "chain",
-             .caption = "The weight should hang where the outline is. It should never move.",
+             .caption =
+                 "The weight should hang where the outline is, and never move. Grey bars mark the upper end of the "
+                 "chain and the underside of the outline.",
              .start_shown = false,
              .marks =
                  [length](Picture& picture, const World&, Real) {

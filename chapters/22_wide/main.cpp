@@ -29,12 +29,10 @@ void draw_sets(Picture& picture, const World& world, Real /*time*/) {
       for (std::size_t i = 0; i < pair.count; ++i)
         touch += world.contacts[pair.first + i].point / static_cast<Real>(pair.count);
       touch.z() = Real(0.55);
-      std::vector<Vec3> corners;
       for (const std::size_t body : {pair.a, pair.b}) {
         if (!world.bodies[body].movable()) continue;
         const Vec3& middle = world.bodies[body].position;
-        corners = {{middle.x(), middle.y(), touch.z()}, touch};
-        add_line(picture, corners, colour_of_set(set), 6);
+        add_line(picture, {{middle.x(), middle.y(), touch.z()}, touch}, colour_of_set(set), 6);
       }
     }
   }
@@ -49,8 +47,8 @@ void number_sets(Experiment& e) {
 
 int main(int argc, char** argv) {
   Experiment e("22_wide", "What can be solved side by side?");
-  OnceInAStep set;
-  e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &set.substeps);
+  OnceInAStep settings;
+  e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &settings.substeps);
   int base = 10;
   e.parameter({"--base", "n", "", "Boxes of the pyramid's lowest row", 1, 20}, &base);
   int tall = 40;
@@ -64,7 +62,7 @@ int main(int argc, char** argv) {
     DetectedOnce once;
     Wide<double> doubles;
     Wide<float> floats;
-    once.substeps = doubles.substeps = floats.substeps = set.substeps;
+    once.substeps = doubles.substeps = floats.substeps = settings.substeps;
     const auto in_three_ways = [&] {
       e.variant("chapter 21", once).with_exactly(1).coloured(0).without_curves();
       e.variant("wide, double", doubles).with_exactly(1).coloured(2).without_curves();

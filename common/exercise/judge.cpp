@@ -135,7 +135,7 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outco
     verdict.resembles = shows;
     verdict.sentence += ": " + shows->hint;
   } else {
-    verdict.sentence += ".";
+    verdict.sentence += likely.empty() ? ". None of the mistakes that are known here shows these numbers." : ".";
   }
   if (!outcome.problem.empty()) verdict.sentence += " And then: " + outcome.problem;
   return verdict;

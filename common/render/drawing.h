@@ -15,6 +15,8 @@ struct Lighting {
   Lighting(int key_resolution, int sky_resolution, float key_radius, float sky_radius, const char* taps);
   /// Of a single pass, which has to blur its few shadows.
   static Lighting of_single_pass() { return {1024, 256, 0.005f, 0.03f, "#define KEY_TAPS 9\n#define SKY_TAPS 3\n"}; }
+  /// Of one of many passes, which blur shadows by moving the lights.
+  static Lighting of_many_passes() { return {1024, 512, 0.005f, 0, "#define KEY_TAPS 5\n#define SKY_TAPS 1\n"}; }
 
   ShadowMap key, sky;
   float key_blur, sky_blur;  ///< radius of the filter over the distance to the target; at least a texel is taken

@@ -53,8 +53,7 @@ struct Painter::State {
   int width, height;
   Drawing drawing;
   Lighting single = Lighting::of_single_pass();
-  // Many passes blur shadows by moving the lights.
-  Lighting one_of_many{1024, 512, 0.005f, 0, "#define KEY_TAPS 5\n#define SKY_TAPS 1\n"};
+  Lighting one_of_many = Lighting::of_many_passes();
   Target plain, multisampled;
   std::vector<std::uint8_t> levels;
 };

@@ -1,8 +1,8 @@
 /// The colours of everything: as Ink for legends and text, as linear Colour for the painter.
 ///
-/// Chosen by simulating the three kinds of colour blindness: any two contact states, and any state and any body, stay
-/// clearly apart (CIE76 distance of 19 or more for each), as do the two kinds of arrow. The bodies are muted, so that
-/// what the solver did stands out against them.
+/// Chosen by simulating colour blindness: any two contact states, and any state and any body, stay clearly apart (CIE76 distance
+/// of 19 or more for each), as do the two kinds of arrow. A test asserts it. The bodies are muted, so that what the solver did
+/// stands out against them.
 #pragma once
 
 #include <array>

@@ -14,6 +14,9 @@ void stack(World& world, int count, Real gap = 0, Real mass = 100);
 void stack_before_posts(World& world, int count);
 /// A pyramid of boxes of 1 m and 100 kg with `base` boxes in its lowest row, standing in the plane z = 0.
 void pyramid(World& world, int base);
+/// n x n columns of `high` boxes of 100 kg, 1 m apart and each box turned a little, which fall into a heap. The first column
+/// stands at x = z = `first`.
+void heap(World& world, int n, int high, Real first);
 /// A plane through the origin that rises by `angle` (rad) along +x, drawn as a fixed slab 12 m long, 4 m wide.
 /// Returns the slab's index.
 int incline(World& world, Real angle, Real friction = Real(0.5));

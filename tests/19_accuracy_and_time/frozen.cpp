@@ -7,8 +7,9 @@
 #include "pushback/chapters/19_accuracy_and_time/frozen/frozen.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/methods.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/pictures.h"
-#include "pushback/chapters/19_accuracy_and_time/frozen/traced.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/words.h"
 #include "pushback/common/basics/files.h"
+#include "pushback/common/basics/shard.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
@@ -221,8 +222,9 @@ TEST_CASE("the pyramid does not reach what slides askew, and the table says so")
     for (const std::string& method : methods)
       all.back().traces.emplace_back(all.back().frozen->problem, method, limited_to(400));
   }
+  const FrozenPoints points = read_frozen_csv(csv_of(all));
   for (const double tolerance : tolerances) {
-    const Costs times = times_to(tolerance, all);
+    const Costs times = times_to(tolerance, points);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       INFO(methods[m] << " to " << tolerance);
       const bool wrong_law = methods[m] == "pgs" || methods[m] == "scaled-back";
@@ -230,16 +232,15 @@ TEST_CASE("the pyramid does not reach what slides askew, and the table says so")
       if (methods[m] == "cone") CHECK(times[0][m] < not_reached);
     }
   }
-  CHECK(tables_of(all).size() == tolerances.size());
-  CHECK(contains(tables_of(all)[0], "| twelve planks sliding | 48 | - | - |"));
-  const std::string reached = reached_of(all);
+  CHECK(tables_of(points).size() == tolerances.size());
+  CHECK(contains(tables_of(points)[0], "| twelve planks sliding | 48 | - | - |"));
+  const std::string reached = reached_of(points);
   CHECK(contains(reached, "Of 2 problems"));
   CHECK(contains(reached, "| scaled-back | 1, "));  // the pile that rests, and not what slides
   for (const std::string& method : methods) CHECK(contains(reached, "| " + method + " | "));
   const std::vector<std::string> csv = lines_of(csv_of(all));
   const auto commas = std::count(csv[0].begin(), csv[0].end(), ',');
   for (const std::string& line : csv) CHECK(std::count(line.begin(), line.end(), ',') == commas);
-  const FrozenPoints points = read_frozen_csv(csv_of(all));
   for (const Panel& panel : profile_panels(points))
     for (const Curve& curve : panel.curves) CHECK(std::is_sorted(curve.y.begin(), curve.y.end()));
 }
@@ -289,7 +290,66 @@ TEST_CASE("a folder of problems that is none is refused by name") {
   CHECK(contains(missing, (empty / "nowhere").string()));
   CHECK(!contains(missing, ".dat"));  // not as if there were a folder, with nothing in it
   CHECK(contains(complaint([&] { foreign_problems(empty); }), empty.string()));
-  CHECK(contains(complaint([&] { study_frozen({.quick = true, .folder = empty / "nowhere"}); }), "nowhere"));
+  const Ended ended =
+      call_program(FROZEN_PROGRAM, fmt::format("--quick --problems '{0}/nowhere' --out '{0}'", empty.string()));
+  CHECK(ended.status == 2);
+  CHECK(contains(ended.err, "nowhere"));
+  CHECK(fs::is_empty(empty));
   write_text_file(empty / "bad.dat", "3 1 oops");
   CHECK(contains(complaint([&] { foreign_problems(empty); }), "bad.dat"));
+}
+
+TEST_CASE("parts of the frozen problems, each solved on a machine of its own, make the whole") {
+  const Scratch scratch;
+  const fs::path folder = scratch / "19_accuracy_and_time";
+  constexpr std::size_t count = 3;
+  std::string whole = std::string(csv_heading) + "\n";
+  std::vector<std::string> parts(count, whole);
+  std::set<std::string> so_far;
+  for (const std::string& line : lines_of(text_of("renders/19_accuracy_and_time/frozen.csv"))) {
+    const std::string name = fields_of(line)[0];
+    if (std::none_of(ours().begin(), ours().end(), [&](const FrozenProblem& of) { return of.name == name; })) continue;
+    so_far.insert(name);
+    whole += line + "\n";
+    parts[(so_far.size() - 1) % count] += line + "\n";
+  }
+  REQUIRE(so_far.size() == ours().size());
+  const auto call = [&](const std::string& what) {
+    return call_program(FROZEN_PROGRAM, what + " --out '" + (scratch / "").string() + "'", 100);
+  };
+  for (std::size_t i = 1; i <= count; ++i) {
+    const fs::path part = folder / Shard{i, count}.folder();
+    fs::create_directories(part);
+    if (i < count) write_text_file(part / "frozen.csv", parts[i - 1]);
+  }
+  const Ended early = call("--join 3");
+  CHECK(early.status == 2);
+  CHECK(contains(early.err, "shard_3_of_3"));
+  write_text_file(folder / "shard_3_of_3/frozen.csv", parts[2]);
+  const Ended ended = call("--join 3");
+  INFO(ended.err);
+  REQUIRE(ended.status == 0);
+  CHECK(text_of(folder / "frozen.csv") == whole);
+  for (const std::string file : {"frozen.png", "profiles.png"}) CHECK(fs::exists(folder / file));
+  std::string said;
+  for (const std::string& remark : remarks_of(read_frozen_csv(whole), ours())) said += "- " + remark + "\n";
+  CHECK(contains(said, "of 21 problems"));
+  CHECK(contains(text_of(folder / "reached.md"), said));
+  CHECK(contains(text_of(folder / "frozen.md"), said));
+
+  REQUIRE(call("--quick --shard 1/21").status == 0);  // that is one problem, and no word on the whole
+  const fs::path first = folder / "shard_1_of_21";
+  const FrozenPoints points = read_frozen_csv(text_of(first / "frozen.csv"));
+  REQUIRE(points.problems.size() == 1);
+  CHECK(points.problems[0].name == ours()[0].name);
+  CHECK(!fs::exists(first / "frozen.md"));
+  CHECK(contains(call("--shard 1/99").err, "there are 21 problems"));
+  CHECK(contains(call("--shard 0/2").err, "--shard is '0/2'"));
+}
+
+TEST_CASE("remarks on a problem that is not there are refused, and say what is missing") {
+  const FrozenPoints points = read_frozen_csv(std::string(csv_heading) + "\nof others,3,pgs,1,9,0,1e-3,2e-6,1,1\n");
+  const std::string said = complaint([&] { remarks_of(points, ours()); });
+  CHECK(contains(said, "'of others'"));
+  CHECK(contains(said, "--problems"));
 }

@@ -5,13 +5,13 @@
 #include "pushback/chapters/11_substeps/scenes.h"
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/13_joints/ball_and_socket.h"
-#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/chapters/21_detected_once/scenes.h"
 #include "pushback/chapters/21_detected_once/study.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
+#include "tests/support/sleep.h"
 #include "tests/support/sliding.h"
 #include "tests/support/yardstick.h"
 
@@ -383,24 +383,7 @@ TEST_CASE("detected once: asks for one sweep in a substep, and ends a step with 
 }
 
 TEST_CASE("detected once: what is called for moves in the same bits, and rests asleep until it is hit") {
-  World world, needed;
-  for (World* each : {&world, &needed}) stack(*each, 3);
-  DetectedOnce solver;
-  OnlyWhatIsNeeded chosen(needed, solver);
-  for (int i = 0; i < 60; ++i) {
-    world.step(solver, h);
-    chosen.step(needed, h, 1);
-    REQUIRE(hash_of(world) == hash_of(needed));
-  }
-  World sleepy;
-  stack(sleepy, 3);
-  OnlyWhatIsNeeded resting(sleepy, solver, Sleep{});
-  for (int i = 0; i < 120; ++i) resting.step(sleepy, h, 1);
-  for (int i = 1; i <= 3; ++i) CHECK(sleepy.bodies[static_cast<std::size_t>(i)].asleep);
-  sleepy.add(sphere(Real(0.3), 50).at({-3, Real(0.5), 0}).moving({6, 0, 0}));
-  for (int i = 0; i < 30; ++i) resting.step(sleepy, h, 1);
-  CHECK_FALSE(sleepy.bodies[1].asleep);
-  CHECK(sleepy.bodies[1].position.x() > Real(0.01));
+  check_called_for_and_asleep(DetectedOnce{});
 }
 
 TEST_CASE("detected once: a setting that cannot be used is refused by name, and nothing has moved") {

@@ -7,12 +7,12 @@
 #include "pushback/chapters/11_substeps/scenes.h"
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/13_joints/hinge.h"
-#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/chapters/21_detected_once/study.h"
 #include "pushback/chapters/22_wide/recommended.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
+#include "tests/support/sleep.h"
 #include "tests/support/sliding.h"
 #include "tests/support/yardstick.h"
 
@@ -262,22 +262,7 @@ TEST_CASE("wide: what bounces, and what strikes off its centre, goes as in chapt
 
 TEST_CASE(
     "wide: what is recommended moves in the same bits with what is called for, and rests asleep until it is hit") {
-  World world, needed;
-  for (World* each : {&world, &needed}) stack(*each, 3);
-  Recommended solver;
-  OnlyWhatIsNeeded chosen(needed, solver);
-  for (int i = 0; i < 60; ++i) {
-    world.step(solver, h);
-    chosen.step(needed, h, 1);
-    REQUIRE(hash_of(world) == hash_of(needed));
-  }
-  OnlyWhatIsNeeded resting(world, solver, Sleep{});
-  for (int i = 0; i < 120; ++i) resting.step(world, h, 1);
-  for (int i = 1; i <= 3; ++i) CHECK(world.bodies[static_cast<std::size_t>(i)].asleep);
-  world.add(sphere(Real(0.3), 50).at({-3, Real(0.5), 0}).moving({6, 0, 0}));
-  for (int i = 0; i < 30; ++i) resting.step(world, h, 1);
-  CHECK_FALSE(world.bodies[1].asleep);
-  CHECK(world.bodies[1].position.x() > Real(0.01));
+  check_called_for_and_asleep(Recommended{});
 }
 
 TEST_CASE("wide: joints move in the bits of chapter 21 where nothing touches") {

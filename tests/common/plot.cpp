@@ -10,6 +10,7 @@
 #include "pushback/common/experiment/plot_layout.h"
 #include "pushback/common/render/canvas.h"
 #include "tests/support/call.h"
+#include "tests/support/colour_blind.h"
 
 using namespace pushback;
 
@@ -45,21 +46,6 @@ Panel random_panel(Random& random) {
   if (random.below(3) == 0) panel.equal_units = !panel.log_x && !panel.log_y;
   panel.lines = {{Real(1e-2), "1 cm"}, {Real(1e-3), "1 mm"}};
   return panel;
-}
-
-/// CIELAB of a colour as it is seen with the given matrix on linear red, green and blue.
-Vec3 seen(const std::string& colour, const Mat3& how) {
-  const unsigned long rgb = std::stoul(colour.substr(1), nullptr, 16);
-  const auto linear = [&](int shift) {
-    const Real level = static_cast<Real>(rgb >> shift & 255) / 255;
-    return level <= Real(0.04045) ? level / Real(12.92) : std::pow((level + Real(0.055)) / Real(1.055), Real(2.4));
-  };
-  const Vec3 light = (how * Vec3(linear(16), linear(8), linear(0))).cwiseMax(0).cwiseMin(1);
-  const auto f = [](Real t) { return t > Real(0.008856) ? std::cbrt(t) : Real(7.787) * t + Real(16) / 116; };
-  const Real x = f(light.dot(Vec3(Real(0.4124), Real(0.3576), Real(0.1805))) / Real(0.9505));
-  const Real y = f(light.dot(Vec3(Real(0.2126), Real(0.7152), Real(0.0722))));
-  const Real z = f(light.dot(Vec3(Real(0.0193), Real(0.1192), Real(0.9505))) / Real(1.089));
-  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
 int pixels_of(const Image& image, const std::string& colour, int left, int top, int right, int bottom) {
@@ -304,18 +290,12 @@ TEST_CASE("curves of one colour are told apart by their shapes") {
 }
 
 TEST_CASE("the colours of curves stay apart for the colour-blind") {
-  // On linear red, green and blue: Machado, Oliveira and Fernandes 2009, all of the kind of cones missing.
-  Mat3 protanopia, deuteranopia;
-  protanopia << Real(0.152286), Real(1.052583), Real(-0.204868), Real(0.114503), Real(0.786281), Real(0.099216),
-      Real(-0.003882), Real(-0.048116), Real(1.051998);
-  deuteranopia << Real(0.367322), Real(0.860646), Real(-0.227968), Real(0.280085), Real(0.672501), Real(0.047413),
-      Real(-0.011820), Real(0.042940), Real(0.968881);
-  for (const Mat3& how : {Mat3(Mat3::Identity()), protanopia, deuteranopia}) {
+  for (const Mat3& eyes : ways_to_see()) {
     for (std::size_t a = 0; a < 8; ++a) {
-      CHECK((seen(line_colour(a), how) - seen("#ffffff", how)).norm() > 30);
+      CHECK(apart(ink_of(line_colour(a)), {255, 255, 255}, eyes) > 30);
       for (std::size_t b = 0; b < a; ++b) {
         INFO(line_colour(a) << " " << line_colour(b));
-        CHECK((seen(line_colour(a), how) - seen(line_colour(b), how)).norm() > 17);
+        CHECK(apart(ink_of(line_colour(a)), ink_of(line_colour(b)), eyes) > 17);
       }
     }
   }

@@ -17,6 +17,7 @@
 #include "pushback/common/render/painter.h"
 #include "pushback/common/render/palette.h"
 #include "tests/support/catch.h"
+#include "tests/support/colour_blind.h"
 
 using namespace pushback;
 namespace fs = std::filesystem;
@@ -387,4 +388,28 @@ TEST_CASE("a camera that looks at nothing is refused") {
   CHECK_THROWS_AS(painter.draw(picture), InvalidInput);
   picture.camera = Camera();
   CHECK_THROWS_AS(painter.draw_still(picture, 0), InvalidInput);
+}
+
+TEST_CASE("what contacts, arrows and bodies are coloured stays apart for the colour-blind") {
+  const std::array states{contact_ink(ContactState::fresh), contact_ink(ContactState::warm),
+                          contact_ink(ContactState::sliding), contact_ink(ContactState::sticking)};
+  const std::array arrows{normal_arrow_ink(), friction_arrow_ink()};
+  std::vector<Ink> bodies{asleep_ink(), fixed_ink()};
+  for (int i = 0; i < 6; ++i) bodies.push_back(body_ink(i));
+  for (const Mat3& eyes : ways_to_see()) {
+    CHECK(apart(arrows[0], arrows[1], eyes) > 34);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) CHECK(apart(states[i], states[k], eyes) > 44);
+      for (const Ink arrow : arrows) CHECK(apart(states[i], arrow, eyes) > 19);  // chapter 22 has a set in each
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      INFO("body " << i);
+      for (const Ink state : states) CHECK(apart(state, bodies[i], eyes) > 19);
+      for (const Ink arrow : arrows) CHECK(apart(arrow, bodies[i], eyes) > 19);
+      for (std::size_t k = 0; k < i; ++k)
+        CHECK(apart(bodies[i], bodies[k], eyes) > 13);  // they are lit and shaded, too
+    }
+    for (const auto& [one, other] : {std::pair{body_ink(3), near_black_ink()}, {body_ink(2), asleep_ink()}})
+      CHECK(apart(one, other, eyes) > 60);  // what strips tell apart: new and missing contacts, awake and asleep
+  }
 }

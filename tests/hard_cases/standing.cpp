@@ -67,6 +67,11 @@ HardCase must_settle(const SettlingCase& what) {
   return c;
 }
 
+void falling_and_sliding(World& world, Real height) {
+  stack(world, 3, Real(0.01));
+  world.add(box({Real(0.3), Real(0.2), Real(0.3)}, 50).at({-2, height, 2}).moving({3, 0, 0}));
+}
+
 Camera view(const Vec3& centre, Real size) {
   const Real far = size * Real(1.15) / (2 * std::tan(Camera{}.field_of_view / 2));
   return {centre + far * Vec3(Real(0.4), Real(0.25), 1).normalized(), centre};

@@ -44,6 +44,9 @@ struct SettlingCase {
 };
 HardCase must_settle(const SettlingCase& what);
 
+/// A stack of three that falls a little, and past it slides a box 0.4 m high, its centre `height` m up.
+void falling_and_sliding(World& world, Real height);
+
 /// Sees what is `size` m across and high round `centre`, from the front, a little from the right and above.
 Camera view(const Vec3& centre, Real size);
 

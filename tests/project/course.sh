@@ -158,6 +158,8 @@ stand_in git 'case "$*" in
   log*abc..HEAD) printf "tests/10_ten/exercise/rebuild.txt\ntests/03_three/three.cpp\nchapters/05_five/five.h\nchapters/04_four/four.h\nchapters/06_six/six.h\nchapters/07_seven/seven.h\n" ;;
 esac'
 course test --changed && expect 0 "-LE ^(long|checked)\$" "-L ^checked\$ -R ^exercise (04_four|10_ten)(_transfer)?: "
+stand_in git 'case "$*" in log*) printf "chapters/03_three/main.cpp\nchapters/05_five/five.h\n" ;; esac'
+course test --changed && expect 0 "-R ^exercise (05_five)(_transfer)?: "
 stand_in git true
 course test --changed && expect 0 "-LE ^(long|checked)\$" && expect_not "-L ^checked"
 stand_in git 'echo "git $*"'

@@ -60,6 +60,9 @@ TEST_CASE("the way of a student: the file, the gap, hints, a mistake, the answer
   CHECK(fs::exists(student.scratch / "04_slop.png"));
   CHECK(contains(student.call("").out, "04           begun"));
 
+  student.write("for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].separation *= Real(0.37);\n");
+  CHECK(contains(student.call("04").out, "None of the mistakes that are known here shows these numbers."));
+
   student.write("row = ;\n");
   CHECK_FALSE(contains(student.call("04").out, "picture"));
   CHECK_FALSE(fs::exists(student.scratch / "04_slop.png"));  // none of other lines than those that are there

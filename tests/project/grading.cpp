@@ -102,6 +102,8 @@ TEST_CASE(
       "tar -cPf in/dots.tar ../$(basename $PWD)/anna; tar -cPf in/absolute.tar $PWD/anna\n"
       "zip -qry in/link.zip carl; tar -cf in/link2.tar carl\n"
       "mkdir linked; ln -s $PWD/anna linked/exercises; tar -cf in/link3.tar linked\n"
+      "mkdir -p a/b/c; cp anna/* a/b/c; zip -qr in/buried.zip a; tar -cf in/buried2.tar a\n"
+      "mkdir 'back\\slash'; cp anna/* 'back\\slash'; tar --no-unquote -cf in/escaped.tar 'back\\slash'\n"
       "mkdir twice; cp -r anna twice/a; cp -r anna twice/b; zip -qr in/twice.zip twice; tar -cf in/twice2.tar twice\n"
       "mkdir large; truncate -s 3G large/03_baumgarte_transfer.h; tar -Scf in/large.tar large; tar -czf in/large2.tgz "
       "-S large\n"
@@ -122,11 +124,12 @@ TEST_CASE(
     CHECK(said);
   };
   for (const std::string right : {"flat", "deep", "deep2", "plain"}) graded(right, "03-transfer 6/6");
-  graded("ben", "4/6 (cap forgotten)");
-  for (const std::string none : {"link", "link2", "link3"}) graded(none, "0/6 (not handed in)");
-  for (const std::string bad :
-       {"dots", "absolute", "twice", "twice2", "large", "large2", "many", "many2", "junk", "junk2", "secret"})
-    graded(bad, "0/6 (archive)");
+  graded("ben", "03-transfer 4/6 (cap forgotten)");
+  for (const std::string none : {"link", "link2", "link3", "buried", "buried2"})
+    graded(none, "03-transfer 0/6 (not handed in)");
+  for (const std::string bad : {"dots", "absolute", "escaped", "twice", "twice2", "large", "large2", "many", "many2",
+                                "junk", "junk2", "secret"})
+    graded(bad, "03-transfer 0/6 (archive)");
   const std::string json = text_of(all.scratch / "out/results.json");
   CHECK(contains(json, "leads out of its folder"));
   CHECK(contains(json, "it has 1501 entries, at most 1000 are taken"));
@@ -141,6 +144,20 @@ TEST_CASE(
                          (all.scratch / "anna/03_baumgarte_transfer.h").string() + options,
                      120)
             .status == 2);
+}
+
+TEST_CASE("a folder whose files are in another one, or too large, has handed in nothing") {
+  Class all;
+  const fs::path name = "03_baumgarte_transfer.h", linked = all.scratch / "linked", large = all.scratch / "large";
+  fs::create_directories(linked);
+  fs::create_directory_symlink(all.scratch / "anna", linked / "exercises");
+  fs::create_directories(large);
+  write_text_file(large / name, text_of(all.scratch / "anna" / name) + "//" + std::string(1'000'000, 'x') + "\n");
+  for (const fs::path& folder : {linked, large}) all.folders += "'" + folder.string() + "' ";
+  const Ended ended = all.grade("--no-sheet");
+  CHECK(contains(ended.out, "anna        6 of 6"));
+  CHECK(contains(ended.out, "large       0 of 6  03-transfer 0/6 (not handed in)\n"));
+  CHECK(contains(ended.out, "linked      0 of 6  03-transfer 0/6 (not handed in)\n"));
 }
 
 TEST_CASE("what cannot be graded is refused, and nothing is left behind") {
@@ -188,4 +205,22 @@ TEST_CASE("a handout has tasks and gaps, and neither answers nor checks, and its
   CHECK(call_program(HANDOUT_PROGRAM, folder).status == 2);
   CHECK(call_program(HANDOUT_PROGRAM, (scratch / "none").string() + " --with 03 --without 03").status == 2);
   CHECK_FALSE(fs::exists(scratch / "none"));
+}
+
+TEST_CASE("what was handed out is what is graded") {
+  Class all;
+  const std::string points = (all.scratch / "handout.points").string();
+  const auto handed_out = [&](const std::string& which) {
+    fs::remove_all(all.scratch / "handout");
+    call_program(HANDOUT_PROGRAM, (all.scratch / "handout").string() + " --with " + which);
+    return call_program(
+        GRADE_PROGRAM,
+        all.folders + "--no-sandbox --no-sheet --points " + points + " --out " + (all.scratch / "out").string(), 120);
+  };
+  CHECK(contains(handed_out("03,03-transfer").out, "anna        6 of 6  03-transfer 6/6\n"));
+  CHECK(contains(handed_out("03-transfer,04-transfer").out,
+                 "anna        6 of 13  03-transfer 6/6  04-transfer 0/7 (not handed in)\n"));
+  const Ended none = handed_out("03");
+  CHECK(none.status == 2);
+  CHECK(contains(none.err, "handout.points' names no exercise that is graded"));
 }

@@ -18,6 +18,18 @@ struct Tasks {
     for (const auto& entry : fs::directory_iterator(SOURCE_DIR "/tests/own_tasks/brake"))
       fs::copy_file(entry.path(), brake / entry.path().filename());
   }
+  /// The same exercise under another name.
+  fs::path again_as(const std::string& name) {
+    const fs::path to = scratch / ("tasks/" + name);
+    fs::create_directories(to);
+    for (const auto& entry : fs::directory_iterator(brake)) {
+      std::string text = text_of(entry.path());
+      for (std::size_t at = 0; (at = text.find("exercise_brake", at)) != std::string::npos;)
+        text.replace(at, 14, "exercise_" + name);
+      if (entry.is_regular_file()) write_text_file(to / entry.path().filename(), text);
+    }
+    return to;
+  }
   void write(const std::string& student, const std::string& lines) {
     const std::string stub = text_of(brake / "student.h");
     const std::size_t from = stub.rfind('\n', stub.find("TODO")) + 1, to = stub.rfind('\n', stub.find("TODO ends"));
@@ -124,6 +136,9 @@ TEST_CASE("what is wrong with a folder of tasks is said") {
   refused(tasks.scratch / "nowhere", "nowhere' is no folder");
   fs::create_directories(tasks.scratch / "empty");
   refused(tasks.scratch / "empty", "has no exercises");
+  const fs::path ours = tasks.again_as("03_baumgarte");
+  refused(tasks.folder, "there is an exercise named 03_baumgarte already");
+  fs::remove_all(ours);
   write_text_file(tasks.brake / "checks.cpp", text_of(tasks.brake / "checks.cpp") + "int main( {\n");
   refused(tasks.folder, "brake does not compile:");
   fs::remove(tasks.brake / "task.md");

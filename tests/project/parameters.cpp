@@ -189,7 +189,7 @@ TEST_CASE("closed forms follow the parameters of their scenes") {
            {"03_baumgarte", "contact, β", 0.01, 0, {"--depth 0.001", "--depth 0.2", "--beta 0.03,0.3,0.97"}},
            {"03_baumgarte", "equality, β", 0, 1e-6, {"--depth 0.001", "--depth 0.2", "--beta 0.03,0.3,0.97"}},
            {"05_restitution",
-            "the larger",
+            "bounce or push-out",
             0.01,
             0,
             {"--bounciness 1", "--bounciness 1 --drop 1 --threshold 3"},

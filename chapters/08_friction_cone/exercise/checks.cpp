@@ -123,6 +123,10 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if each tangent were clamped by itself. That allows a square, and friction is carried to its "
       "corner; "
       "|λ_t| ≤ bound is a disc.";
+  const std::string root =
+      "it looks as if there were a slip under the root. There stand two squares: of k₁₂, and of (k₁₁ − k₂₂)/2, which "
+      "is "
+      "a difference, and halved.";
   return {
       {"solved and scaled back",
        "it looks as if the 2×2 block were solved, and the result scaled back to the disc. At its fixed point friction "
@@ -207,6 +211,14 @@ std::vector<Mistake<Answer>> mistakes() {
        {[](Row& one, Row& two, Real, Real bound) {
          const TangentBlock k(one, two);
          step_of(2 / (k.k11 + k.k22), one, two, bound);
+       }}},
+      {"a slip under the root", root, {[](Row& one, Row& two, Real k12, Real bound) {
+         const TangentBlock k(one, two);
+         step_of(1 / ((k.k11 + k.k22) / 2 + std::hypot((k.k11 + k.k22) / 2, k12)), one, two, bound);
+       }}},
+      {"a slip under the root", root, {[](Row& one, Row& two, Real k12, Real bound) {
+         const TangentBlock k(one, two);
+         step_of(1 / ((k.k11 + k.k22) / 2 + std::hypot(k.k11 - k.k22, k12)), one, two, bound);
        }}},
       {"the sum of both eigenvalues",
        "it looks as if the step were 1 / (k₁₁ + k₂₂). That arrives as well, but more slowly: it is the sum of both "

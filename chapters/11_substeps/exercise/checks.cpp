@@ -111,6 +111,25 @@ std::vector<Check<Answer>> checks() {
   };
 }
 
+/// The loop that the mistakes are made in: `substep(h, scale)` for each, with what it should be called with.
+template <class Substep>
+void loop(Real dt, int count, Real before, const Substep& substep) {
+  const Real h = dt / static_cast<Real>(count);
+  for (int i = 0; i < count; ++i) {
+    substep(h, h / before);
+    before = h;
+  }
+}
+
+void always_scaled_by(Real scale, Parts& parts, Real dt, int count) {
+  loop(dt, count, dt, [&](Real h, Real) {
+    parts.add_gravity(h);
+    parts.detect();
+    parts.solve(h, scale);
+    parts.move(h);
+  });
+}
+
 /// The chapter's own loop. World::step finds the scale itself: it remembers how long the step before was.
 void right(Parts& parts, Real dt, int count, Real before) {
   parts.world().dt_before = before;
@@ -123,104 +142,80 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if all of the frame's gravity were added before the first substep. The speed at the end is the "
       "same, "
       "but the bodies fall at it from the start, and the first iteration has the error of a whole step to undo.";
-  const std::string scale =
+  const std::string not_rescaled =
       "it looks as if the impulses were not rescaled. What carried a weight for `before` seconds is too much for a "
       "shorter substep, and the column is thrown up: an impulse is a force times a time.";
   return {
       {"gravity once a frame", once, {[](Parts& parts, Real dt, int count, Real before) {
          parts.add_gravity(dt);
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
+         loop(dt, count, before, [&](Real h, Real scale) {
            parts.detect();
-           parts.solve(h, h / before);
-           before = h;
+           parts.solve(h, scale);
            parts.move(h);
-         }
+         });
        }}},
       {"the frame's gravity in each substep",
        "it looks as if each substep added the gravity of the whole frame.",
        {[](Parts& parts, Real dt, int count, Real before) {
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
+         loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(dt);
            parts.detect();
-           parts.solve(h, h / before);
-           before = h;
+           parts.solve(h, scale);
            parts.move(h);
-         }
+         });
        }}},
-      {"impulses not rescaled", scale, {[](Parts& parts, Real dt, int count, Real) {
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
-           parts.add_gravity(h);
-           parts.detect();
-           parts.solve(h, 1);
-           parts.move(h);
-         }
+      {"impulses not rescaled", not_rescaled, {[](Parts& parts, Real dt, int count, Real) {
+         always_scaled_by(1, parts, dt, count);
        }}},
       {"rescaled in each substep",
        "it looks as if every substep scaled by h / `before`. The second one starts from the impulses of the first, "
        "which "
        "was as long as itself: `before` is then h.",
        {[](Parts& parts, Real dt, int count, Real before) {
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
+         loop(dt, count, before, [&](Real h, Real) {
            parts.add_gravity(h);
            parts.detect();
            parts.solve(h, h / before);
            parts.move(h);
-         }
+         });
        }}},
       {"scale upside down",
        "it looks as if the scale were upside down. A shorter substep needs less: new length over old length.",
        {[](Parts& parts, Real dt, int count, Real before) {
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
+         loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(h);
            parts.detect();
-           parts.solve(h, before / h);
-           before = h;
+           parts.solve(h, 1 / scale);
            parts.move(h);
-         }
+         });
        }}},
       {"scaled as if the last step were a frame",
        "it looks as if the impulses were scaled by 1 / count, as if they were of a step of `dt`. They are of one of "
        "`before` seconds.",
        {[](Parts& parts, Real dt, int count, Real) {
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
+         loop(dt, count, dt, [&](Real h, Real scale) {
            parts.add_gravity(h);
            parts.detect();
-           parts.solve(h, i == 0 ? 1 / static_cast<Real>(count) : 1);
+           parts.solve(h, scale);
            parts.move(h);
-         }
+         });
        }}},
       {"nothing remembered",
        "it looks as if every substep started from impulses of 0. One iteration is not enough then; substeps share "
        "their "
        "work only by what they remember.",
-       {[](Parts& parts, Real dt, int count, Real) {
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
-           parts.add_gravity(h);
-           parts.detect();
-           parts.solve(h, 0);
-           parts.move(h);
-         }
-       }}},
+       {[](Parts& parts, Real dt, int count, Real) { always_scaled_by(0, parts, dt, count); }}},
       {"dt of the frame in b",
        "it looks as if b were made with the frame's dt. The push-out is to undo the part β in one step, and the step "
        "is "
        "a substep now.",
        {[](Parts& parts, Real dt, int count, Real before) {
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
+         loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(h);
            parts.detect();
-           parts.solve(dt, h / before);
-           before = h;
+           parts.solve(dt, scale);
            parts.move(h);
-         }
+         });
        }}},
       {"detected once a frame",
        "it looks as if contacts were detected once, before the first substep. A ball that arrives later meets nothing, "
@@ -228,38 +223,32 @@ std::vector<Mistake<Answer>> mistakes() {
        "one that is pushed out is pushed as if it were still where it was.",
        {[](Parts& parts, Real dt, int count, Real before) {
          parts.detect();
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
+         loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(h);
-           parts.solve(h, h / before);
-           before = h;
+           parts.solve(h, scale);
            parts.move(h);
-         }
+         });
        }}},
       {"moved by dt in each substep",
        "it looks as if each substep moved the bodies by the time of the whole frame.",
        {[](Parts& parts, Real dt, int count, Real before) {
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
+         loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(h);
            parts.detect();
-           parts.solve(h, h / before);
-           before = h;
+           parts.solve(h, scale);
            parts.move(dt);
-         }
+         });
        }}},
       {"moved once a frame",
        "it looks as if the bodies were moved once, after the last substep. Then all substeps see the same positions: "
        "they "
        "are iterations of one step, and no more.",
        {[](Parts& parts, Real dt, int count, Real before) {
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
+         loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(h);
            parts.detect();
-           parts.solve(h, h / before);
-           before = h;
-         }
+           parts.solve(h, scale);
+         });
          parts.move(dt);
        }}},
       {"steps of dt",
@@ -278,28 +267,24 @@ std::vector<Mistake<Answer>> mistakes() {
        "has "
        "held.",
        {[](Parts& parts, Real dt, int count, Real before) {
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
+         loop(dt, count, before, [&](Real h, Real scale) {
            parts.detect();
-           parts.solve(h, h / before);
-           before = h;
+           parts.solve(h, scale);
            parts.add_gravity(h);
            parts.move(h);
-         }
+         });
        }}},
       {"moved before the solver",
        "it looks as if the bodies were moved before the solver had changed their velocities. The order is gravity, "
        "solver, "
        "move.",
        {[](Parts& parts, Real dt, int count, Real before) {
-         for (int i = 0; i < count; ++i) {
-           const Real h = dt / static_cast<Real>(count);
+         loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(h);
            parts.move(h);
            parts.detect();
-           parts.solve(h, h / before);
-           before = h;
-         }
+           parts.solve(h, scale);
+         });
        }}},
   };
 }

@@ -1,18 +1,20 @@
 #include "pushback/chapters/19_accuracy_and_time/frozen/frozen.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "pushback/chapters/19_accuracy_and_time/frozen/methods.h"
-#include "pushback/chapters/19_accuracy_and_time/frozen/traced.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/points.h"
 
 namespace pushback::frozen {
 
 namespace {
 
-Traced traced(const FrozenProblem& frozen, const FrozenOptions& options) {
+Traced traced(const FrozenProblem& frozen, bool quick) {
   TraceLimits limits;
   limits.asked.assign(tolerances.begin(), tolerances.end());
-  if (options.quick) {
+  if (quick) {
     limits.seconds = 0.03;
     limits.work = 1e8;
     limits.ladder = limits.asked;
@@ -22,7 +24,7 @@ Traced traced(const FrozenProblem& frozen, const FrozenOptions& options) {
   double longest = 0;  // s, of one method
   for (const Trace& trace : all.traces)
     if (!trace.points().empty()) longest = std::max(longest, trace.points().back().time());
-  const int rounds = options.quick || longest > limits.seconds / 4 ? 3 : 7;
+  const int rounds = quick || longest > limits.seconds / 4 ? 3 : 7;
   for (int round = 1; round < rounds; ++round)
     for (Trace& trace : all.traces) trace.again();
   return all;
@@ -30,17 +32,22 @@ Traced traced(const FrozenProblem& frozen, const FrozenOptions& options) {
 
 }  // namespace
 
-FrozenStudy study_frozen(const FrozenOptions& options) {
-  std::vector<FrozenProblem> problems;
-  if (options.folder)
-    problems = foreign_problems(*options.folder);  // first: a bad folder is said before anything takes time
-  const std::vector<FrozenProblem> own = own_problems();
-  problems.insert(problems.begin(), own.begin(), own.end());
+std::string csv_of(const std::vector<Traced>& all) {
+  std::string text = fmt::format("{}\n", csv_heading);
+  for (const Traced& of : all)
+    for (std::size_t m = 0; m < of.traces.size(); ++m)
+      for (const TracePoint& point : of.traces[m].points())
+        text += fmt::format("{},{},{},{},{},{},{:.6e},{:.3e},{:.3e},{:.3e}\n", of.frozen->name,
+                            of.frozen->problem.contacts(), frozen_methods()[m], point.sweeps,
+                            of.traces[m].counts_rows() ? fmt::format("{:.0f}", of.traces[m].row_solves(point)) : "-",
+                            point.systems, point.residual, point.time(), point.time(0.25), point.time(0.75));
+  return text;
+}
+
+std::string study_frozen(const std::vector<FrozenProblem>& problems, bool quick) {
   std::vector<Traced> all;
-  for (const FrozenProblem& problem : problems) all.push_back(traced(problem, options));
-  FrozenStudy study{remarks_of(all), reached_of(all), tables_of(all), csv_of(all)};
-  if (!options.folder) study.remarks.push_back("no folder of foreign problems was given: only our own are here");
-  return study;
+  for (const FrozenProblem& problem : problems) all.push_back(traced(problem, quick));
+  return csv_of(all);
 }
 
 }  // namespace pushback::frozen

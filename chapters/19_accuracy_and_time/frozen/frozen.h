@@ -1,28 +1,25 @@
 /// What accuracy costs on one problem: every method on every frozen problem, how far it comes in what time.
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "pushback/chapters/19_accuracy_and_time/frozen/problems.h"
+#include "pushback/chapters/19_accuracy_and_time/frozen/trace.h"
+
 namespace pushback::frozen {
 
-struct FrozenOptions {
-  bool quick = false;                                ///< a thirtieth of a second for each, fewer tolerances
-  std::optional<std::filesystem::path> folder = {};  ///< of foreign problems; without: none
+/// All methods on one problem.
+struct Traced {
+  const FrozenProblem* frozen;
+  std::vector<Trace> traces;  ///< in the order of frozen_methods()
 };
+/// What points.h reads.
+std::string csv_of(const std::vector<Traced>& all);
 
-/// Sweeps, systems and residuals are the same whenever they are there; times, and so who is fastest, are those of the day.
-struct FrozenStudy {
-  std::vector<std::string> remarks;  ///< what the numbers say, a sentence each
-  std::string reached;               ///< markdown, a row a method, with its heading
-  std::vector<std::string> tables;   ///< markdown, one for each tolerance, with its heading
-  std::string csv;                   ///< every point that was traced: what pictures.h draws
-};
-
-/// Takes minutes, or seconds if quick. Rounds go over all methods, one after the other, and then over all again. Throws
-/// InvalidInput where the folder is not one of problems.
-FrozenStudy study_frozen(const FrozenOptions& options);
+/// frozen.csv of these problems. Takes minutes, or seconds if quick: a thirtieth of a second for each, fewer tolerances. Rounds
+/// go over all methods, one after the other, and then over all again. Sweeps, systems and residuals are the same whenever they
+/// are there; times, and so who is fastest, are those of the day.
+std::string study_frozen(const std::vector<FrozenProblem>& problems, bool quick);
 
 }  // namespace pushback::frozen

@@ -5,11 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
-#include "pushback/chapters/19_accuracy_and_time/frozen/profile.h"
-#include "pushback/chapters/19_accuracy_and_time/frozen/traced.h"
-#include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/marker.h"
 
 namespace pushback::frozen {
@@ -20,15 +16,6 @@ namespace {
 constexpr std::array telling{"stack of 20",          "pile of 48 shapes after 2 s", "KaplasTower-i1061-4.hdf5",
                              "heavy on four 1:1000", "twelve planks sliding",       "RockPile_tob1",
                              "arch of 11 stones",    "pyramid of 10 after 1 s"};
-
-/// Where it is in the list; at its end, if it is new.
-template <class List, class Is>
-std::size_t place_in(List& list, const Is& is, typename List::value_type fresh) {
-  const auto found = std::find_if(list.begin(), list.end(), is);
-  const auto place = static_cast<std::size_t>(found - list.begin());
-  if (found == list.end()) list.push_back(std::move(fresh));
-  return place;
-}
 
 Curve curve_of(const std::string& method, std::size_t index) {
   return {method, {}, {}, line_colour(index), Curve::Style::line, marker_of(index)};
@@ -63,21 +50,6 @@ Panel trace_panel(const FrozenPoints& all, const FrozenPoints::Problem& of, bool
   return panel;
 }
 
-/// What each method pays until its residual is that low.
-template <class Cost>
-Costs costs_to(double tolerance, const FrozenPoints& all, const Cost& cost) {
-  Costs costs;
-  for (const FrozenPoints::Problem& of : all.problems) {
-    costs.emplace_back();
-    for (const std::vector<FrozenPoint>& points : of.of_method) {
-      const auto found = std::find_if(points.begin(), points.end(),
-                                      [&](const FrozenPoint& point) { return point.residual <= tolerance; });
-      costs.back().push_back(found == points.end() ? not_reached : cost(*found));
-    }
-  }
-  return costs;
-}
-
 Panel profile_panel(const std::string& title, const std::string& unit, const Costs& costs, const FrozenPoints& all,
                     const std::vector<std::size_t>& methods) {
   Panel panel{.title = title,
@@ -98,41 +70,6 @@ Panel profile_panel(const std::string& title, const std::string& unit, const Cos
 }
 
 }  // namespace
-
-FrozenPoints read_frozen_csv(const std::string& text) {
-  FrozenPoints all;
-  std::istringstream in(text);
-  std::string line;
-  if (!std::getline(in, line) || line != csv_heading)
-    throw InvalidInput(fmt::format("the first line is '{}': '{}' is needed", line, csv_heading));
-  while (std::getline(in, line)) {
-    std::istringstream fields(line);
-    std::string name, contacts, method, row_solves;
-    std::getline(fields, name, ',');
-    std::getline(fields, contacts, ',');
-    std::getline(fields, method, ',');
-    FrozenPoint point;
-    char comma = 0;
-    fields >> point.sweeps >> comma;
-    std::getline(fields, row_solves, ',');
-    fields >> point.systems >> comma >> point.residual >> comma >> point.seconds;
-    const auto is_count = [](const std::string& word) {
-      return !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
-    };
-    if (!fields || method.empty() || !is_count(contacts) || contacts.size() > 9 ||
-        !(row_solves == "-" || is_count(row_solves)))
-      throw InvalidInput(fmt::format("'{}' is not a line of frozen.csv", line));
-    if (row_solves != "-") point.row_solves = std::stod(row_solves);
-    const std::size_t m = place_in(all.methods, [&](const std::string& other) { return other == method; }, method);
-    const std::size_t p = place_in(all.problems, [&](const FrozenPoints::Problem& other) { return other.name == name; },
-                                   {name, std::stoi(contacts), {}});
-    std::vector<std::vector<FrozenPoint>>& of_method = all.problems[p].of_method;
-    of_method.resize(std::max(of_method.size(), m + 1));
-    of_method[m].push_back(point);
-  }
-  for (FrozenPoints::Problem& of : all.problems) of.of_method.resize(all.methods.size());
-  return all;
-}
 
 std::vector<Panel> trace_panels(const FrozenPoints& all) {
   std::vector<Panel> panels;
@@ -156,11 +93,10 @@ std::vector<Panel> profile_panels(const FrozenPoints& all) {
       sweeping.push_back(m);
   }
   std::vector<Panel> panels;
-  const auto seconds = [](const FrozenPoint& point) { return point.seconds; };
   for (const double tolerance : tolerances)
     panels.push_back(
         profile_panel(fmt::format("time to a residual of {:.0e}, {} problems", tolerance, all.problems.size()), "time",
-                      costs_to(tolerance, all, seconds), all, every));
+                      times_to(tolerance, all), all, every));
   Costs rows = costs_to(tolerances[1], all,
                         [](const FrozenPoint& point) { return std::max(1.0, point.row_solves.value_or(not_reached)); });
   for (std::vector<double>& of : rows)  // nobody is held against what is not shown

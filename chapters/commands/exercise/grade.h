@@ -18,6 +18,10 @@ class Points {
   /// A file as `text_of` writes it. Throws InvalidInput, with the line.
   Points(const std::vector<Exercise>& all, const std::filesystem::path& file);
   int of(const Exercise& exercise, std::size_t check) const;
+  /// Whether the file had a line on it.
+  bool has(const Exercise& exercise) const {
+    return set_.lower_bound({exercise.name, 0}) != set_.lower_bound({exercise.name, exercise.checks.size()});
+  }
 
  private:
   std::map<std::pair<std::string, std::size_t>, int> set_;

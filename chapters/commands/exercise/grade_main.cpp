@@ -19,7 +19,9 @@ int main(int argc, char** argv) {
   line.option("FOLDER", grading.given,
               "For each student a folder, or an archive of one (.zip, .tar.gz), named after the student")
       .required();
-  line.option("--exercises", words, "03-transfer,04: these, instead of all transfer exercises and all of your own")
+  line.option(
+          "--exercises", words,
+          "03-transfer,04: these, instead of all transfer exercises and all of your own, as far as --points names them")
       .split_at_commas();
   line.option("--points", points, "A file with the points of each check, as ./course handout writes it");
   line.option("--out", grading.out, "Where results go").shows_default();
@@ -37,9 +39,13 @@ int main(int argc, char** argv) {
   return line.run(argc, argv, [&] {
     const std::vector<Exercise> all = exercises_with(tasks);
     for (const std::string& word : words) grading.exercises.push_back(&exercise_named(all, word));
-    for (const Exercise& exercise : all)
-      if (words.empty() && exercise.graded()) grading.exercises.push_back(&exercise);
     if (!points.empty()) grading.points = Points(all, points);
+    for (const Exercise& exercise : all)
+      if (words.empty() && exercise.graded() && (points.empty() || grading.points.has(exercise)))
+        grading.exercises.push_back(&exercise);
+    if (grading.exercises.empty())
+      throw InvalidInput(
+          fmt::format("--points: '{}' names no exercise that is graded; --exercises may name others", points));
     grading.shard = shard_of(shard);
     grading.sandboxed = !no_sandbox;
     grading.sheets = !no_sheet;
