@@ -28,6 +28,7 @@ const columns = [
 ];
 /// Those that differ: how "chapter / scene / variant" begins, and by which function.
 const roundedOtherwise = {
+  "08_friction_cone / twelve planks, and where they should stop / cone": "hypot",
   "12_soft_contacts / a stack of forty / 32 substeps, all together": "hypot",
   "13_joints / a door on a hinge": "atan2",
   "15_limits_motors_springs / a bar, let go, and a stop at 30° / limit": "atan2",
