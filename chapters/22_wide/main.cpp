@@ -11,11 +11,11 @@ using namespace pushback::wide_scenes;
 namespace {
 
 Colour colour_of_set(std::size_t set) {
-  const std::array inks{contact_ink(ContactState::fresh),
+  const std::array inks{normal_arrow_ink(),
                         contact_ink(ContactState::warm),
                         contact_ink(ContactState::sliding),
                         contact_ink(ContactState::sticking),
-                        normal_arrow_ink(),
+                        contact_ink(ContactState::fresh),
                         friction_arrow_ink()};
   return linear(inks[set % inks.size()]);
 }

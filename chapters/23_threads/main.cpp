@@ -15,7 +15,7 @@ Sets sets_in(const World& world) {
 }
 
 Colour colour_of_thread(std::size_t thread) {
-  const std::array inks{contact_ink(ContactState::fresh), contact_ink(ContactState::warm), normal_arrow_ink(),
+  const std::array inks{contact_ink(ContactState::sticking), contact_ink(ContactState::warm), normal_arrow_ink(),
                         contact_ink(ContactState::sliding)};
   return linear(inks[thread % inks.size()]);
 }
@@ -99,8 +99,8 @@ int main(int argc, char** argv) {
                         Real(0.162)},
              .seconds = 1,
              .contacts = Drawn::nothing,
-             .caption = "The sets of a pyramid, solved from left to right. A colour is a thread; each waits for all "
-                        "before the next set.",
+             .caption = "The same pyramid four times: its sets, solved from left to right. A colour is a thread; each "
+                        "waits for all before the next set.",
              .start_shown = false,
              .marks =
                  [threads, apart](Picture& picture, const World& world, Real) {
@@ -108,8 +108,11 @@ int main(int argc, char** argv) {
                      draw_set(picture, world, set, static_cast<std::size_t>(threads),
                               static_cast<Real>(set) * apart * Vec3::UnitX());
                  },
-             .strobe = Strobe{
-                 .every = Real(0.25), .shift_per_second = {4 * apart, 0, 0}, .from = Real(0.25), .height = 420}});
+             .strobe = Strobe{.every = Real(0.25),
+                              .shift_per_second = {4 * apart, 0, 0},
+                              .from = Real(0.25),
+                              .height = 420,
+                              .note = "sets 1 to 4; threads 1 to 4: black, yellow, blue, pink"}});
     e.variant(fmt::format("{} threads", threads), wide_with(std::make_shared<Crew>(threads)))
         .with_exactly(1)
         .coloured(1)

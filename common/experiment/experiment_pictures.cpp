@@ -143,7 +143,8 @@ void Experiment::Shots::end() {
     if (scene_.marks) scene_.marks(*strobe_, marked_, marked_at_);
     result_.cells.push_back(still(*strobe_, output_.strip(scene_.strobe->height)));
     const std::string instants = cells_.size() == 1 ? "" : fmt::format("every {:.3g} s, up to ", scene_.strobe->every);
-    result_.cell_notes.push_back(fmt::format("{}t = {:.3g} s", instants, marked_at_) + how_magnified());
+    const std::string when = fmt::format("{}t = {:.3g} s", instants, marked_at_);
+    result_.cell_notes.push_back((scene_.strobe->note.empty() ? when : scene_.strobe->note) + how_magnified());
   }
   while (!scene_.strobe && !result_.cells.empty() && result_.cells.size() < cells_.size()) {  // after a mishap
     result_.cells.push_back(result_.cells.back());

@@ -23,6 +23,7 @@ struct Strobe {
   Real until = 0;         ///< s; 0: to the end of the scene
   /// What else stands with the bodies at each instant, moved as they are.
   std::function<void(Picture&, const World&)> marks = {};
+  std::string note = {};  ///< what is said under it; empty: when the instants are
 };
 
 /// A strip of coloured cells, a column of them per step.
