@@ -9,8 +9,9 @@ import { includedBy, Sources } from "./sources.js";
 const copied = /\.(png|svg|webp|csv)$/;
 
 /// {pages, sources, folders, files, pictures}: `sources` are shown as pages of their own, `files` are copied as they are.
-export function readBook(root) {
-  const reader = new Reader(root);
+/// `live`: the experiments that are there to be run.
+export function readBook(root, live = []) {
+  const reader = new Reader(root, live);
   for (const page of reader.pages) reader.read(page);
   reader.checkAnchors();
   if (reader.problems.length) throw new Problems(reader.problems);
@@ -32,11 +33,15 @@ class Reader {
   #folders = new Set();
   #names;
 
-  constructor(root) {
+  constructor(root, live) {
     this.root = root;
     this.code = new Sources(root);
     this.md = markdown();
-    this.pages = outline(root).map((page) => ({ ...page, address: addressOf(page.file) }));
+    this.pages = outline(root).map((page) => ({
+      ...page,
+      address: addressOf(page.file),
+      live: live.find((name) => name === page.experiment),
+    }));
     this.#names = new Map(this.pages.map((page) => [page.file, page]));
   }
 
@@ -44,6 +49,7 @@ class Reader {
     page.text = fs.readFileSync(path.join(this.root, page.file), "utf8");
     page.title ??= /^# (.*)$/m.exec(page.text)?.[1] ?? page.file;
     page.root = toRoot(page.address);
+    page.played = this.pages.find((one) => one.live === "hard_cases");
     page.problem = (line, text) => this.problems.push(`${page.file}:${line}: ${text}`);
     page.target = (address, line) => this.#target(page, address, line);
     page.picture = (address, alt, heading, line) => this.#picture(page, address, alt, heading, line);

@@ -15,12 +15,15 @@ const { values } = parseArgs({
 const root = path.resolve(values.root);
 const out = path.resolve(values.out ?? path.join(root, "build/book"));
 process.chdir(home); // Eleventy reads and copies relative to where it runs
-const live = !values.still && fs.existsSync("build/wasm/live");
+const live =
+  values.still || !fs.existsSync("build/wasm/live")
+    ? []
+    : fs.readdirSync("build/wasm/live").map((name) => path.parse(name).name);
 const here = (...names) => path.relative(".", path.join(...names));
 
 let book;
 try {
-  book = readBook(root);
+  book = readBook(root, live);
 } catch (error) {
   console.error(error instanceof Problems ? error.message : error);
   process.exit(1);
@@ -38,7 +41,6 @@ function config(eleventy) {
   eleventy.ignores.add("book/live/**");
   eleventy.setUseGitIgnore(false);
   eleventy.addGlobalData("course", courseOf(pages));
-  eleventy.addGlobalData("live", live ? fs.readdirSync("build/wasm/live") : []);
   for (const entry of pages) {
     const { html, layout, address: permalink } = entry;
     delete entry.html;
@@ -55,7 +57,7 @@ function config(eleventy) {
   copy("node_modules/minisearch/dist/umd/index.js", "assets/minisearch.js");
   for (const file of [...textFonts().files, ...katexFonts().map((name) => `node_modules/katex/dist/fonts/${name}`)])
     copy(file, `assets/fonts/${path.basename(file)}`);
-  if (!live) return;
+  if (!live.length) return;
   copy("book/live", "live");
   copy("build/wasm/live", "live/wasm");
   copy("node_modules/uplot/dist/uPlot.iife.min.js", "live/uplot/uPlot.js");

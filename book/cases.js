@@ -5,13 +5,15 @@ const table = "renders/hard_cases/table.md";
 const told = "docs/hard_cases.md";
 
 /// In the table `#stack-10` is the row of a case, `#stack-10-after` that of the stages that came after, `#stack-10-asked` what is
-/// asked of it; each cell knows its case and its stage. On the page `#stack-10` is what is told of it.
+/// asked of it; each cell leads to where its case is played under its stage, if it is played anywhere: then `page.cases` is
+/// given {title, address} of each, played under the last of the chapters and under the last stage. On the page `#stack-10` is
+/// what is told of it.
 export function linkCases(tokens, page) {
-  if (page.file === table) linkTable(tokens);
+  if (page.file === table) linkTable(tokens, page);
   else if (page.file === told) linkNames(tokens, page);
 }
 
-function linkTable(tokens) {
+function linkTable(tokens, page) {
   const names = new Map();
   tokens.forEach((token, i) => {
     const children = token.type === "inline" ? token.children : [];
@@ -21,21 +23,39 @@ function linkTable(tokens) {
     names.set(children[bold + 1].content, name);
     tokens[i - 2].attrSet("id", `${name}-asked`);
   });
-  let stages = [];
-  let tables = 0;
-  let row, column, name;
+  const text = (cell) => cell.children.map(({ content }) => content).join("");
+  const stages = []; // of all tables, one after the other
+  const last = []; // of each table, the place of its last stage
+  let row, column, before, name;
   tokens.forEach((token, i) => {
-    if (token.type === "table_open") ((stages = []), ++tables);
-    if (token.type === "th_open") stages.push(tokens[i + 1].children.map(({ content }) => content).join(""));
+    if (token.type === "table_open") before = stages.length;
+    if (token.type === "table_close") last.push(stages.length - 1);
     if (token.type === "tr_open") ((row = token), (column = -1), (name = undefined));
-    if (token.type !== "td_open") return;
-    if (++column > 0) return name && (token.attrSet("data-case", name), token.attrSet("data-stage", stages[column]));
+    if (!["th_open", "td_open"].includes(token.type)) return;
     const cell = tokens[i + 1];
-    name = names.get(cell.children.map(({ content }) => content).join(""));
+    const stage = before + column++;
+    if (token.type === "th_open") return column > 0 && stages.push(text(cell));
+    if (column > 0) {
+      if (name && page.played) cell.children = linked(cell, cell.children, played(page, name, [stage]), stages[stage]);
+      return;
+    }
+    name = names.get(text(cell));
     if (!name) return;
-    row.attrSet("id", tables === 1 ? name : `${name}-after`);
+    row.attrSet("id", before === 0 ? name : `${name}-after`);
     cell.children = linked(cell, cell.children, `#${name}-asked`);
   });
+  if (!page.played) return;
+  const note = new tokens[0].constructor("html_block", "", 0);
+  note.content = "<p>Each cell is a link: it plays its case under its stage.</p>\n";
+  tokens.splice(tokens.findIndex(({ type }) => type === "paragraph_close") + 1, 0, note);
+  page.cases = [...names].map(([title, name]) => ({ title, address: played({ ...page, address: "" }, name, last) }));
+}
+
+/// The address of a case that is played under the stages with these places. Those that are of a step have it in their names: dt-240.
+function played(page, name, places) {
+  const [, rate] = /^dt-(\d+)$/.exec(name) ?? [];
+  const own = rate ? `&dt=${1 / rate}` : "";
+  return `${relative(page.address, page.played.address)}#live=hard_cases&scene=${name}&show=${places}${own}`;
 }
 
 function linkNames(tokens, page) {
@@ -52,8 +72,9 @@ function linkNames(tokens, page) {
   });
 }
 
-function linked(token, children, href) {
+function linked(token, children, href, title) {
   const open = new token.constructor("link_open", "a", 1);
   open.attrSet("href", href);
+  if (title) open.attrSet("title", title);
   return [open, ...children, new token.constructor("link_close", "a", -1)];
 }

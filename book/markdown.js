@@ -164,7 +164,7 @@ function alerts(tokens) {
 
 /// A paragraph that is one picture becomes a figure, and a paragraph in italics below it the caption.
 function figures(tokens, page) {
-  let live = page.chapter;
+  let live = page.live; // in the place of the first sheet; on a page that is no chapter's, of the first picture
   for (let i = 0; i + 2 < tokens.length; ++i) {
     const image = tokens[i].type === "paragraph_open" && onlyImage(tokens[i + 1]);
     if (!image) continue;
@@ -174,9 +174,9 @@ function figures(tokens, page) {
     tokens[i].attrSet("class", kind);
     if (kind === "film") film(tokens[i + 1], image);
     else if (tokens[i + 1].children.length === 1) linked(tokens[i + 1], image);
-    if (live && kind === "sheet") {
-      tokens[i].attrSet("class", "live sheet");
-      tokens[i].attrSet("data-chapter", page.chapter);
+    if (live && (kind === "sheet" || !page.chapter)) {
+      tokens[i].attrSet("class", `live ${kind}`);
+      tokens[i].attrSet("data-chapter", live);
       tokens[i].attrSet("data-root", page.root);
       live = false;
     }

@@ -25,7 +25,8 @@ export function relative(from, to) {
   return path.posix.relative(path.posix.dirname(from), to);
 }
 
-/// [{file, part, chapter, parent}]: the pages that are read one after the other, and behind each chapter's its exercises (`parent`).
+/// [{file, part, chapter, parent, experiment}]: the pages that are read one after the other, and behind each chapter's its exercises
+/// (`parent`). `experiment`: what can be run on the page, where it is compiled for the browser.
 export function outline(root) {
   const has = (file) => fs.existsSync(path.join(root, file));
   const names = (folder) => (has(folder) ? fs.readdirSync(path.join(root, folder)).sort() : []);
@@ -37,14 +38,14 @@ export function outline(root) {
   add("Start", "docs/before_you_start.md");
   for (const chapter of names("chapters").filter((name) => /^\d\d_/.test(name))) {
     const parent = `chapters/${chapter}/README.md`;
-    add("Chapters", parent, { chapter });
+    add("Chapters", parent, { chapter, experiment: chapter });
     add("Exercises", `chapters/${chapter}/exercise/task.md`, { parent });
     add("Exercises", `chapters/${chapter}/exercise/transfer/task.md`, { parent });
   }
   const docs = names("docs")
     .filter((name) => name.endsWith(".md") && name !== "before_you_start.md")
     .map((name) => name.slice(0, -3));
-  for (const name of docs.sort((a, b) => place(a) - place(b))) add("Further", `docs/${name}.md`);
+  for (const name of docs.sort((a, b) => place(a) - place(b))) add("Further", `docs/${name}.md`, { experiment: name });
   add("Tables", "renders/hard_cases/table.md", { parent: "docs/hard_cases.md", title: "All cases under all stages" });
   add("Tables", "renders/19_accuracy_and_time/frozen.md", {
     parent: "docs/accuracy_and_time.md",

@@ -9,7 +9,7 @@ export function pagesOf(book, root) {
   pages.splice(
     pages.findLastIndex((page) => page.part === "Chapters" || page.part === "Exercises") + 1,
     0,
-    gallery(book.pictures),
+    gallery(book),
   );
   const read = pages.filter((page) => !page.parent);
   for (const page of pages) {
@@ -42,9 +42,9 @@ export function courseOf(pages) {
   }));
 }
 
-function described({ file, part, chapter, parent, address, root, title, headings, sections, html }) {
+function described({ file, part, chapter, live, parent, address, root, title, headings, sections, html }) {
   const numbered = html.replace(/(<h1[^>]*>)(\d\d) /, '$1<span class="number">$2</span> ');
-  const page = { file, part, chapter, parent, address, root, title, html: numbered };
+  const page = { file, part, chapter, live, parent, address, root, title, html: numbered };
   const [, number, name = title] = /^(\d\d) (.*)$/.exec(page.title) ?? [];
   const task = { "exercise/task.md": "Write it yourself", "exercise/transfer/task.md": "Use it elsewhere" }[
     path.posix.relative(path.posix.dirname(parent ?? "."), file)
@@ -69,7 +69,7 @@ const parts = [
   { id: "drawings", title: "Figures", kind: "drawing" },
 ];
 
-function gallery(pictures) {
+function gallery({ pictures, pages }) {
   const address = "gallery.html";
   const once = [
     ...new Map(
@@ -78,11 +78,17 @@ function gallery(pictures) {
         .map((picture) => [picture.file, picture]),
     ).values(),
   ];
+  // A sheet is of one scene: sheet_KEY.png, or sheet.png of the first.
+  const run = ({ kind, file, page }) => {
+    if (!page.live || kind !== "sheet") return "";
+    const [, key] = /sheet_(.*)\.png$/.exec(file) ?? [];
+    return `<a class="run" href="${page.address}#live=${page.live}${key ? `&amp;scene=${key}` : ""}">Run it</a>`;
+  };
   const card = (picture) => {
     const to = `${picture.page.address}${picture.heading?.level > 1 ? `#${picture.heading.id}` : ""}`;
     return (
       `<li><a href="${to}"><img src="${picture.file}" width="${picture.width}" height="${picture.height}" alt="${escaped(picture.alt)}" ` +
-      `loading="lazy" decoding="async"><span>${escaped(picture.page.title)}</span></a></li>`
+      `loading="lazy" decoding="async"><span>${escaped(picture.page.title)}</span></a>${run(picture)}</li>`
     );
   };
   const html = parts.map(({ id, title, kind }) => {
@@ -92,6 +98,16 @@ function gallery(pictures) {
       .join("\n");
     return `<h2 id="${id}">${title}</h2>\n<ul class="gallery ${id}">\n${cards}\n</ul>`;
   });
+  const cases = pages.flatMap((page) => page.cases ?? []);
+  const contents = parts.map(({ id, title }) => ({ id, text: title }));
+  if (cases.length) {
+    const items = cases.map(({ title, address: to }) => `<li><a href="${escaped(to)}">${escaped(title)}</a></li>`);
+    html.push(
+      `<h2 id="hard-cases">Hard cases</h2>\n<p>Each is run under chapter 07's solver and under all together.</p>`,
+      `<ul class="gallery cases">\n${items.join("\n")}\n</ul>`,
+    );
+    contents.push({ id: "hard-cases", text: "Hard cases" });
+  }
   return {
     file: address,
     address,
@@ -101,7 +117,7 @@ function gallery(pictures) {
     name: "Gallery",
     sort: "pictures",
     root: ".",
-    contents: parts.map(({ id, title }) => ({ id, text: title })),
+    contents,
     html: `<p>Every sheet, plot and figure of the book. Each leads to the place where it is explained.</p>\n${html.join("\n")}`,
   };
 }

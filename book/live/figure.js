@@ -351,7 +351,7 @@
     }
     chooseScene(scene) {
       this.playing = false;
-      this.tell(this.engine.choose(scene, [0, 1, 2, 3]));
+      this.tell(this.engine.choose(scene, this.shownIn(scene)));
       this.stage.camera.reset();
       this.speed = null;
       this.target = 0;
@@ -360,6 +360,13 @@
       this.controls.build();
       this.changed();
       this.remember();
+    }
+    /** Of another scene the same variants, where it has the same; else the first four. */
+    shownIn(scene) {
+      const { engine } = this;
+      const names = ({ variants }) => variants.map(({ name }) => name).join("\n");
+      const same = names(engine.description.scenes[scene]) === names(engine.scene);
+      return same ? engine.lanes.map(({ place }) => place) : [0, 1, 2, 3];
     }
     shownOf(scene) {
       this.shown = 4 | (scene.contacts ? 1 : 0) | (scene.impulses ? 2 : 0);
@@ -372,6 +379,7 @@
         return this.listVariants();
       }
       this.again(() => this.engine.choose(this.engine.sceneIndex, places));
+      this.controls.build(); // a variant may have sweeps of its own
       this.remember();
     }
     /** After a change the scene is played again, up to where it was. */
@@ -589,6 +597,8 @@
     /** The state that an address says; what it says wrongly is left as it is. */
     take(state) {
       const { engine } = this;
+      const pictured = engine.description.scenes.findIndex(({ pictures }) => pictures);
+      if (pictured > 0) engine.choose(pictured, [0, 1, 2, 3]); // the scene of the sheet
       this.shownOf(engine.scene);
       if (!state.of) return;
       const from = state.of;
@@ -600,7 +610,7 @@
       const list = (name) => (from.has(name) ? from.get(name).split(",").map(Number).filter(Number.isFinite) : null);
       if (scene >= 0 || from.has("show"))
         engine.choose(
-          Math.max(0, scene),
+          scene < 0 ? engine.sceneIndex : scene,
           (list("show") || [0, 1, 2, 3]).filter((place) => place >= 0 && place < 32),
         );
       this.shownOf(engine.scene);

@@ -3,9 +3,8 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { gzipSync } from "node:zlib";
 import { serve } from "../../book/serve.js";
-import { address, folder, html, isSource, launch, newPage, onAll, pagesIn } from "./support/browser.mjs";
+import { address, folder, html, isSource, launch, newPage, onAll, pagesIn, weight } from "./support/browser.mjs";
 
 const all = pagesIn();
 const read = all.filter((page) => !isSource(page));
@@ -18,12 +17,6 @@ async function loadAll() {
   for (const picture of document.images) picture.loading = "eager";
   await Promise.all([...document.images].map((picture) => picture.decode().catch(() => {})));
   await document.fonts.ready;
-}
-
-/// The bytes that a server sends for a file: texts compressed.
-function weight(file) {
-  const bytes = fs.readFileSync(file);
-  return /\.(html|css|js|svg)$/.test(file) ? gzipSync(bytes).length : bytes.length;
 }
 
 before(async () => (browser = await launch()));
@@ -47,7 +40,11 @@ test("every link and every picture of every page, sources among them, is there, 
         fs.statSync(path.join(folder, file)).isDirectory()
       )
         wrong.push(`${page}: ${target}`);
-      else if (anchor && !ids.get(file)?.has(anchor)) wrong.push(`${page}: ${target}: no such anchor`);
+      else if (anchor?.startsWith("live=")) {
+        const [, experiment] = /^live=(\w+)/.exec(anchor);
+        if (!html(file).includes(`data-chapter="${experiment}"`))
+          wrong.push(`${page}: ${target}: it is not played there`);
+      } else if (anchor && !ids.get(file)?.has(anchor)) wrong.push(`${page}: ${target}: no such anchor`);
     }
   }
   assert.deepEqual(wrong, []);

@@ -88,6 +88,15 @@ Real larger(Real p, Real q) {
 
 }  // namespace
 
+std::string criteria_of(const HardCase& hard_case) {
+  std::string text;
+  for (const Criterion& c : hard_case.criteria) {
+    text +=
+        fmt::format("{}{} ≤ {:g}{}{}", text.empty() ? "" : "; ", c.what, c.limit, c.unit.empty() ? "" : " ", c.unit);
+  }
+  return text;
+}
+
 bool Outcome::passed(const HardCase& of) const {
   return within(largest, of.criteria) && broken.empty();
 }

@@ -96,6 +96,9 @@ struct HardCase {
   int starts = 1;  ///< it passes if it does from each of them
 };
 
+/// "drift after 10 s ≤ 1 mm; speed in the last second ≤ 1 mm/s"
+std::string criteria_of(const HardCase& hard_case);
+
 struct Outcome {
   std::vector<Real> numbers;            ///< one a criterion, of the scene as it is; NaN where a world was not sound
   std::string broken;                   ///< the invariant that broke first, and from which start; empty: none did

@@ -18,9 +18,7 @@ struct Stage : NamedSolver {
 
   Stepper begin() const;
   Stepper begin_doubled() const;  ///< the same, with every contact given to the solver twice
-
- private:
-  int cut() const;  // into how many steps: a solver may divide each of them by itself
+  int cut() const;                ///< into how many steps it cuts one: a solver may divide each of them by itself
 };
 
 /// All of the catalogue's solvers.

@@ -97,15 +97,6 @@ std::string passed_of_starts(const Outcome& outcome) {
   return outcome.starts > 1 ? fmt::format("{}/{}", outcome.starts_passed, outcome.starts) : "";
 }
 
-std::string criteria_of(const HardCase& hard_case) {
-  std::string text;
-  for (const Criterion& c : hard_case.criteria) {
-    text +=
-        fmt::format("{}{} ≤ {:g}{}{}", text.empty() ? "" : "; ", c.what, c.limit, c.unit.empty() ? "" : " ", c.unit);
-  }
-  return text;
-}
-
 // ---- files ---------------------------------------------------------------------------------------------------------
 
 std::string table_csv(const Table& table) {

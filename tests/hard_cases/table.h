@@ -41,8 +41,6 @@ std::string in_a_word(const std::string& broken);
 std::string worst_number(const Table& table, std::size_t row, std::size_t column);
 /// "27/30" where there are several starts; else empty.
 std::string passed_of_starts(const Outcome& outcome);
-/// "drift after 10 s ≤ 1 mm; speed in the last second ≤ 1 mm/s"
-std::string criteria_of(const HardCase& hard_case);
 
 /// case, stage, criterion, unit, limit, number, pass, broken, largest, starts_passed, starts: a line a criterion. `number`
 /// is of the scene as it is, `largest` of all starts. `pass` is 1 where the largest is within the limit; a cell of the table

@@ -2,6 +2,7 @@
 import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../../..");
@@ -19,6 +20,12 @@ export function pagesIn(at = "") {
 
 export const html = (page) => fs.readFileSync(path.join(folder, page), "utf8");
 export const isSource = (page) => html(page).includes('<body class="source">');
+
+/// The bytes that a server sends for a file: texts compressed.
+export function weight(file) {
+  const bytes = fs.readFileSync(file);
+  return /\.(html|css|js|svg)$/.test(file) ? gzipSync(bytes).length : bytes.length;
+}
 
 /// Without a GPU, nor one in software, unless `args` ask for it: pages of text are drawn faster so.
 export function launch(args = ["--disable-gpu", "--disable-software-rasterizer"]) {
