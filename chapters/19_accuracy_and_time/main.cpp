@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
     };
 
     const Motion& billiards = motion_named("break");
-    const Truth of_balls(billiards);
+    static const Truth of_balls(billiards);  // takes its time, and no parameter changes it
     e.scene({.name = billiards.title,
              .fill = billiards.fill,
              .camera = {{Real(0.55), Real(3.3), Real(1)}, {Real(0.55), 0, 0}},
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
     measure_error(of_balls);
 
     const Motion& chain = motion_named("chain");
-    const Truth of_chain(chain);
+    static const Truth of_chain(chain);
     e.scene(
         {.name = chain.title,
          .fill = [&](World& world) { chain.begin(world); },
