@@ -48,6 +48,7 @@ export function pageOf(chapter, { guess = false } = {}) {
     ? "<h2>Your guess</h2><p>How high does it jump?</p><details><summary>Answer</summary><p>631 mm.</p></details>"
     : "";
   const name = `${chapter}${guess ? "_guess" : ""}.html`;
+  const still = chapter === "hard_cases" ? "overview.png" : "sheet.png";
   fs.writeFileSync(
     path.join(folder, name),
     `<!doctype html><html lang="en"><head><meta charset="utf-8">
@@ -55,7 +56,7 @@ export function pageOf(chapter, { guess = false } = {}) {
 <style>:root { color-scheme: light dark; } body { max-width: 46rem; margin: 1rem auto; padding: 0 1rem; font: 16px/1.5 sans-serif; } img { max-width: 100%; }</style>
 <link rel="stylesheet" href="live/live.css"><script src="live/live.js" defer></script></head>
 <body><h1>${chapter}</h1>${asked}
-<figure class="live sheet" data-chapter="${chapter}" data-root="."><img src="renders/${chapter}/sheet.png" alt="The sheet"></figure></body></html>`,
+<figure class="live sheet" data-chapter="${chapter}" data-root="."><img src="renders/${chapter}/${still}" alt="The sheet"></figure></body></html>`,
   );
   return `file://${folder}/${name}`;
 }
