@@ -1,6 +1,9 @@
 #include "pushback/common/experiment/program.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <set>
 
 namespace pushback {
 
@@ -60,7 +63,6 @@ Option CommandLine::option(const std::string& name, Value& value, const std::str
 template Option CommandLine::option(const std::string&, int&, const std::string&);
 template Option CommandLine::option(const std::string&, double&, const std::string&);
 template Option CommandLine::option(const std::string&, std::size_t&, const std::string&);
-template Option CommandLine::option(const std::string&, std::optional<std::uint64_t>&, const std::string&);
 template Option CommandLine::option(const std::string&, std::set<std::uint64_t>&, const std::string&);
 template Option CommandLine::option(const std::string&, std::string&, const std::string&);
 template Option CommandLine::option(const std::string&, std::filesystem::path&, const std::string&);
