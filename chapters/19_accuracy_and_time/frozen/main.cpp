@@ -1,4 +1,7 @@
 /// What accuracy costs on one problem at a time: pictures, a table and all numbers.
+#include <algorithm>
+#include <iterator>
+
 #include "pushback/chapters/19_accuracy_and_time/frozen/frozen.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/pictures.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/words.h"
@@ -55,9 +58,10 @@ int main(int argc, char** argv) {
       return;
     }
     const Shard shard = shard_of(shard_text);
+    std::vector<FrozenProblem> foreign;
+    if (!folder.empty()) foreign = foreign_problems(folder);  // a bad one is said before anything is made or written
     std::vector<FrozenProblem> problems = own_problems();
-    if (!folder.empty())  // a bad one is said before anything is written
-      for (FrozenProblem& foreign : foreign_problems(folder)) problems.push_back(std::move(foreign));
+    std::move(foreign.begin(), foreign.end(), std::back_inserter(problems));
     if (parts > 0) {
       std::vector<std::string> solved;
       for (std::size_t i = 1; i <= parts; ++i)
