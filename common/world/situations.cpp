@@ -37,7 +37,8 @@ void pyramid(World& world, int base) {
 void heap(World& world, int n, int high, Real first) {
   world.add(ground());
   for (int i = 0; i < n * n * high; ++i) {
-    const Vec3 place{static_cast<Real>(i % n) + first, Real(0.6) + static_cast<Real>(i / (n * n)) * Real(1.1),
+    const int layer = i / (n * n);
+    const Vec3 place{static_cast<Real>(i % n) + first, Real(0.6) + static_cast<Real>(layer) * Real(1.1),
                      static_cast<Real>(i / n % n) + first};
     world.add(box({Real(0.4), Real(0.3), Real(0.45)}, 100)
                   .turned(static_cast<Real>(i % 7) * Real(0.2), Vec3(1, 2, 3))
