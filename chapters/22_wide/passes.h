@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "pushback/chapters/22_wide/lanes.h"
+#include "pushback/chapters/22_wide/motions.h"
 
 namespace pushback {
 namespace {
@@ -26,16 +26,13 @@ struct LanesOfRow {
 /// As many pairs of bodies, copied side by side. Inlined in any case: what is in memory instead of a register takes a third longer.
 template <class Lanes>
 struct Pairs {
-  struct Motion {
-    Vec<Lanes> v, w;
-  };
-  Motion a, b;
+  Motions<Lanes> a, b;
   Lanes inverse_mass_a, inverse_mass_b;
 
   template <class Real>
   [[gnu::always_inline]] Pairs(const Bundle<Real>& bundle, const Twist<Real>* bodies, int at)
-      : a(fetch(bundle.a + at, bodies)),
-        b(fetch(bundle.b + at, bodies)),
+      : a(fetch<Lanes>(bundle.a + at, bodies)),
+        b(fetch<Lanes>(bundle.b + at, bodies)),
         inverse_mass_a(load<Lanes>(bundle.inverse_mass_a, at)),
         inverse_mass_b(load<Lanes>(bundle.inverse_mass_b, at)) {}
   /// J V; of displacements: in m.
@@ -59,27 +56,6 @@ struct Pairs {
     for (auto [motion, old] : {std::pair{&a, &before.a}, {&b, &before.b}}) {
       motion->v = either(so, motion->v, old->v);
       motion->w = either(so, motion->w, old->w);
-    }
-  }
-
- private:
-  template <class Real>
-  static Motion fetch(const int* which, const Twist<Real>* bodies) {
-    const auto each = [&](auto number) { return Lanes([&](int i) { return number(bodies[which[i]]); }); };
-    return {{each([](const auto& t) { return t.v[0]; }), each([](const auto& t) { return t.v[1]; }),
-             each([](const auto& t) { return t.v[2]; })},
-            {each([](const auto& t) { return t.w[0]; }), each([](const auto& t) { return t.w[1]; }),
-             each([](const auto& t) { return t.w[2]; })}};
-  }
-  /// What nothing moves is not written: other bundles of the set have it, too.
-  template <class Real>
-  static void put(const Motion& motion, const int* which, const Real* inverse_masses, Twist<Real>* bodies) {
-    for (int i = 0; i < int(Lanes::size()); ++i) {
-      if (inverse_masses[i] == 0) continue;
-      const auto lane = static_cast<std::size_t>(i);
-      Twist<Real>& body = bodies[which[i]];
-      body.v[0] = motion.v.x[lane], body.v[1] = motion.v.y[lane], body.v[2] = motion.v.z[lane];
-      body.w[0] = motion.w.x[lane], body.w[1] = motion.w.y[lane], body.w[2] = motion.w.z[lane];
     }
   }
 };
@@ -300,7 +276,8 @@ void relax(const Bundles<Real>& all) {
 
 /// Returns by how much it changed the speed, m/s.
 template <class Lanes, class Real>
-Lanes push(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
+[[gnu::always_inline]] inline Lanes push_contact(const Bundle<Real>& bundle, WideContact<Real>& contact,
+                                                 Pairs<Lanes>& pairs, int at) {
   const LanesOfRow<Lanes> row(bundle.n, contact.normal, at);
   const Lanes impulse = load<Lanes>(contact.normal.impulse, at);
   const Lanes error = pairs.along(row) + (load<Lanes>(contact.bias, at) + load<Lanes>(contact.softness, at) * impulse);
@@ -315,7 +292,7 @@ Lanes push(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>&
 }
 
 template <class Lanes, class Real>
-void rub(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
+void rub_contact(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
   const LanesOfRow<Lanes> row1(bundle.tangent1, contact.tangent1, at), row2(bundle.tangent2, contact.tangent2, at);
   const Lanes step_size = load<Lanes>(contact.step_size, at);
   const Lanes impulse1 = load<Lanes>(contact.tangent1.impulse, at),
@@ -335,24 +312,42 @@ void rub(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& p
   store(total2, contact.tangent2.impulse, at);
 }
 
+/// `act(bundle, contact, pairs, at)` for each contact of each bundle, of two bundles in turn: while a contact waits for what the one
+/// before it has done to their bodies, the processor does one of other bodies. All bundles are of one set.
+template <class Lanes, class Real, class Act>
+void two_at_a_time(const Bundles<Real>& all, const Act& act) {
+  constexpr int parts = lanes_of_bundle / int(Lanes::size());
+  for (int i = 0; i < all.count * parts; i += 2) {
+    const Bundle<Real>&first = all.bundles[i / parts], &second = all.bundles[(i + 1) / parts];
+    const int at = i % parts * int(Lanes::size()), at2 = (i + 1) % parts * int(Lanes::size());
+    Pairs<Lanes> one(first, all.now, at);
+    if (i + 1 == all.count * parts) {
+      for (int c = first.first; c < first.end; ++c) act(first, all.contacts[c], one, at);
+      one.put_back(first, all.now, at);
+      break;
+    }
+    Pairs<Lanes> two(second, all.now, at2);
+    for (int c = first.first, d = second.first; c < first.end || d < second.end; ++c, ++d) {
+      if (c < first.end) act(first, all.contacts[c], one, at);
+      if (d < second.end) act(second, all.contacts[d], two, at2);
+    }
+    one.put_back(first, all.now, at);
+    two.put_back(second, all.now, at2);
+  }
+}
+
 template <class Lanes, class Real>
 Real push(const Bundles<Real>& all) {
   Lanes change = 0;
-  each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
-    Pairs<Lanes> pairs(bundle, all.now, at);
-    for (int c = bundle.first; c < bundle.end; ++c) change = max(change, push(bundle, all.contacts[c], pairs, at));
-    pairs.put_back(bundle, all.now, at);
-  });
+  two_at_a_time<Lanes>(
+      all, [&](const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at)
+               __attribute__((always_inline)) { change = max(change, push_contact(bundle, contact, pairs, at)); });
   return hmax(change);
 }
 /// After all normals: what holds a body has to know how it is pressed.
 template <class Lanes, class Real>
 void rub(const Bundles<Real>& all) {
-  each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
-    Pairs<Lanes> pairs(bundle, all.now, at);
-    for (int c = bundle.first; c < bundle.end; ++c) rub(bundle, all.contacts[c], pairs, at);
-    pairs.put_back(bundle, all.now, at);
-  });
+  two_at_a_time<Lanes>(all, rub_contact<Lanes, Real>);
 }
 
 /// What a substep in which something bounces starts from; and from there the next one is to start as well.
