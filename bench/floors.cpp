@@ -139,7 +139,8 @@ void pyramid_in_8_substeps(benchmark::State& state) {
   state.counters["1 us"] = took / microsecond;
   state.counters["2 by operations"] = by_operations / microsecond;
   state.counters["3 by bytes"] = by_bytes / microsecond;
-  state.counters["4 times the floor"] = took / std::max(by_operations, by_bytes);
+  const double floor = std::max(by_operations, by_bytes);
+  state.counters["4 times the floor"] = floor > 0 ? took / floor : 0;
   state.counters["5 operations"] = work.operations;
   state.counters["6 quotients and roots"] = work.slow;
   state.counters["7 bytes"] = work.bytes;

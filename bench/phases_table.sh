@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# The bars of docs/speed.md, "Where the time goes", from what ./course bench phases -- --benchmark_format=csv prints; read from the
+# standard input.
+set -euo pipefail
+awk -F, '
+  function bar(t, full,  eighths, drawn) {  # `full`: what one block stands for
+    eighths = int(8 * t / full + 0.5)
+    drawn = ""
+    while (eighths >= 8) { drawn = drawn "█"; eighths -= 8 }
+    return drawn parts[eighths]
+  }
+  BEGIN {
+    split("▏|▎|▍|▌|▋|▊|▉", parts, "|")
+    split("detection, once|rows, once|normals, then friction, in each substep|the relaxing pass, in each substep|what contacts are told at the end|gravity, and moving the bodies, in each substep|all", names, "|")
+    titles["pyramid_in_8_substeps"] = "pyramid of 210 boxes, 8 substeps"
+    titles["stack_in_32_substeps"] = "stack of 40 boxes, 32 substeps"
+    solvers["DetectedOnce"] = "21"; solvers["Wide<double>"] = "wide, double"; solvers["Wide<float>"] = "wide, float"
+    columns = split("DetectedOnce|Wide<double>|Wide<float>", order, "|")
+    split("pyramid_in_8_substeps|stack_in_32_substeps", scenes, "|")
+  }
+  /^"[a-z]/ {  # its counters, sorted by their names, are the last eight fields
+    gsub(/"/, "", $1)
+    scene = $1; sub(/<.*/, "", scene)
+    solver = $1; sub(/^[^<]*</, "", solver); sub(/>\/.*/, "", solver)
+    for (phase = 1; phase <= 7; ++phase) took[scene, solver, phase] = $(NF - 8 + phase)
+  }
+  END {
+    for (s = 1; s <= 2; ++s) {
+      scene = scenes[s]
+      full = took[scene, "DetectedOnce", 3] / 50  # what takes longest
+      printf "%s: µs of a step\n", titles[scene]
+      for (phase = 1; phase <= 7; ++phase) {
+        printf "\n%s\n", names[phase]
+        for (i = 1; i <= columns; ++i)
+          printf "  %-12s %6.0f  %s\n", solvers[order[i]], took[scene, order[i], phase],
+                 phase < 7 ? bar(took[scene, order[i], phase], full) : ""
+      }
+      if (s == 1) printf "\n"
+    }
+  }'
