@@ -494,6 +494,20 @@ TEST_CASE("engines are ours, and those of others that are there") {
   const auto found = engines_in(folder, true);
   REQUIRE(found.size() == 3);
   CHECK((found[0].program == "motion" && found[1].program == "motion_float" && found[2].program == "motion_ode"));
+  CHECK(engines_in(folder, false).size() == 2);
+}
+
+TEST_CASE("the solvers that detect once play with ours, whether others are asked for or not") {
+  StandIns programs;
+  const fs::path folder = programs.options(0).programs;
+  programs.add("motion_wide", "", good);
+  CHECK_THROWS_AS(engines_in(folder, true), std::runtime_error);  // it is none of the others
+  programs.add("motion_ode", "", good);
+  for (const bool others : {false, true}) {
+    const auto found = engines_in(folder, others);
+    REQUIRE(found.size() == (others ? 4 : 3));
+    CHECK(found[2].program == "motion_wide");
+  }
 }
 
 TEST_CASE("the program itself is understood") {

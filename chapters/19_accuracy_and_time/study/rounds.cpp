@@ -131,19 +131,22 @@ Indices indices_of_those_near_front(const Measurements& all, std::size_t first) 
 
 namespace {
 
-const std::vector<Engine> known_engines{
-    {"motion", "ours, double", 0},         {"motion_float", "ours, float", 5},
-    {"motion_bullet", "Bullet, float", 1}, {"motion_bullet_double", "Bullet, double", 4},
-    {"motion_ode", "ODE, double", 2},      {"motion_mujoco", "MuJoCo, double", 3}};
+const std::vector<Engine> known_engines{{"motion", "ours, double", 0},
+                                        {"motion_float", "ours, float", 5},
+                                        {"motion_wide", "ours, detected once", 6},
+                                        {"motion_bullet", "Bullet, float", 1},
+                                        {"motion_bullet_double", "Bullet, double", 4},
+                                        {"motion_ode", "ODE, double", 2},
+                                        {"motion_mujoco", "MuJoCo, double", 3}};
 
 }  // namespace
 
 std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others) {
+  const auto is_there = [&](const Engine& engine) { return std::filesystem::exists(programs / engine.program); };
+  const auto theirs = known_engines.begin() + 3;
   std::vector<Engine> found(known_engines.begin(), known_engines.begin() + 2);
-  if (!others) return found;
-  std::copy_if(known_engines.begin() + 2, known_engines.end(), std::back_inserter(found),
-               [&](const Engine& engine) { return std::filesystem::exists(programs / engine.program); });
-  if (found.size() == 2)
+  std::copy_if(known_engines.begin() + 2, others ? known_engines.end() : theirs, std::back_inserter(found), is_there);
+  if (others && std::none_of(theirs, known_engines.end(), is_there))
     throw std::runtime_error("no other engine's program is there: configure with -DPUSHBACK_PEERS=ON");
   return found;
 }

@@ -15,8 +15,8 @@ struct Engine {
   std::string program, title;
   std::size_t colour = 0;  ///< line_colour's
 };
-/// Ours, in double and in float; and if `others` are asked for, those of Bullet, ODE and MuJoCo whose programs are in the
-/// folder: std::runtime_error where none is.
+/// Ours, in double and in float; `motion_wide`, if it is in the folder of the programs; and if `others` are asked for, those of
+/// Bullet, ODE and MuJoCo that are there: std::runtime_error where none is.
 std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others);
 
 struct RoundOptions {
