@@ -10,6 +10,7 @@
 #include "pushback/chapters/10_position_correction/study.h"
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/common/collision/broad_phase.h"
 #include "pushback/common/world/situations.h"
 
 using namespace pushback;
@@ -186,6 +187,18 @@ void find_contacts_of_heap(benchmark::State& state) {
   state.counters["contacts"] = static_cast<double>(world.contacts.size());
 }
 BENCHMARK(find_contacts_of_heap)->Unit(benchmark::kMicrosecond);
+
+/// As many boxes along each edge of a cube, each near its neighbours.
+void near_pairs_of_cube(benchmark::State& state) {
+  World world;
+  const auto edge = static_cast<int>(state.range(0));
+  for (int i = 0; i < edge * edge * edge; ++i)
+    world.add(box(Vec3::Constant(Real(0.5)), 1).at(Vec3(i % edge, i / edge % edge, i / edge / edge)));
+  std::size_t found = 0;
+  for (auto _ : state) found = near_pairs(world.bodies).size();
+  state.counters["pairs"] = static_cast<double>(found);
+}
+BENCHMARK(near_pairs_of_cube)->Arg(5)->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMicrosecond);
 
 /// Not a time: what a contact takes in memory, in each form.
 void memory_per_contact(benchmark::State& state) {

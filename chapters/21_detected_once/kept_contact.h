@@ -38,7 +38,7 @@ ContactState state_of(bool known, Scalar friction, Scalar pushed, Scalar rubbed1
   if (!known) return ContactState::fresh;
   if (friction == 0) return ContactState::warm;
   constexpr Scalar rounding = 16 * std::numeric_limits<Scalar>::epsilon();  // of what was drawn back to the edge
-  const bool held = std::hypot(rubbed1, rubbed2) < (1 - rounding) * friction * pushed;
+  const bool held = std::sqrt(rubbed1 * rubbed1 + rubbed2 * rubbed2) < (1 - rounding) * friction * pushed;
   return held ? ContactState::sticking : ContactState::sliding;
 }
 

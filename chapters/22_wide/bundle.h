@@ -51,10 +51,10 @@ struct Bundle {
   int first, end;              ///< of its contacts in their list: as many as the pair with the most points has
 };
 
-/// v and w of a body, or x and theta: in m/s and rad/s, or m and rad.
+/// v and w of a body, or x and theta: in m/s and rad/s, or m and rad; and two numbers that are nothing.
 template <class Real>
 struct alignas(8 * sizeof(Real)) Twist {
-  Real v[3], none_v, w[3], none_w;
+  Real of[8];
 };
 
 /// I^-1 of a body, world axes.

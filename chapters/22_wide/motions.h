@@ -79,13 +79,10 @@ template <class Lanes, class Real>
     for (int i = 0; i < twists.bodies; ++i) twists.read(i, bodies[which[i]]);
     twists.transpose();
     const auto lanes = [&](int i) { return std::bit_cast<Lanes>(twists.number(i)); };
-    return {{lanes(0), lanes(1), lanes(2)}, {lanes(4), lanes(5), lanes(6)}};
+    return {{lanes(0), lanes(1), lanes(2)}, {lanes(3), lanes(4), lanes(5)}};
   } else {
-    const auto each = [&](auto number) { return Lanes([&](int i) { return number(bodies[which[i]]); }); };
-    return {{each([](const auto& t) { return t.v[0]; }), each([](const auto& t) { return t.v[1]; }),
-             each([](const auto& t) { return t.v[2]; })},
-            {each([](const auto& t) { return t.w[0]; }), each([](const auto& t) { return t.w[1]; }),
-             each([](const auto& t) { return t.w[2]; })}};
+    const auto each = [&](int number) { return Lanes([&](int i) { return bodies[which[i]].of[number]; }); };
+    return {{each(0), each(1), each(2)}, {each(3), each(4), each(5)}};
   }
 }
 
@@ -98,8 +95,9 @@ template <class Lanes, class Real>
     const auto set = [&](int i, const Lanes& lanes) {
       twists.number(i) = std::bit_cast<typename Twists<Real>::Row>(lanes);
     };
-    set(0, motion.v.x), set(1, motion.v.y), set(2, motion.v.z), set(3, Lanes(0));
-    set(4, motion.w.x), set(5, motion.w.y), set(6, motion.w.z), set(7, Lanes(0));
+    set(0, motion.v.x), set(1, motion.v.y), set(2, motion.v.z);
+    set(3, motion.w.x), set(4, motion.w.y), set(5, motion.w.z);
+    set(6, Lanes(0)), set(7, Lanes(0));
     twists.transpose();
     for (int i = 0; i < twists.bodies; ++i)
       if (inverse_masses[i] != 0) twists.write(i, bodies[which[i]]);
@@ -108,8 +106,8 @@ template <class Lanes, class Real>
       if (inverse_masses[i] == 0) continue;
       const auto lane = static_cast<std::size_t>(i);
       Twist<Real>& body = bodies[which[i]];
-      body.v[0] = motion.v.x[lane], body.v[1] = motion.v.y[lane], body.v[2] = motion.v.z[lane];
-      body.w[0] = motion.w.x[lane], body.w[1] = motion.w.y[lane], body.w[2] = motion.w.z[lane];
+      body.of[0] = motion.v.x[lane], body.of[1] = motion.v.y[lane], body.of[2] = motion.v.z[lane];
+      body.of[3] = motion.w.x[lane], body.of[4] = motion.w.y[lane], body.of[5] = motion.w.z[lane];
     }
   }
 }

@@ -46,11 +46,10 @@ void put(const Mat3& symmetric, EightSymmetric<Scalar>& into, std::size_t lane) 
   into.yz.of[lane] = static_cast<Scalar>(symmetric(1, 2));
   into.zz.of[lane] = static_cast<Scalar>(symmetric(2, 2));
 }
+/// Number by number into its place: a Twist that is made elsewhere, and copied, waits for what was just written.
 template <class Scalar>
-Twist<Scalar> twist_of(const Vec3& v, const Vec3& w) {
-  Twist<Scalar> twist{};
-  for (int i = 0; i < 3; ++i) twist.v[i] = static_cast<Scalar>(v[i]), twist.w[i] = static_cast<Scalar>(w[i]);
-  return twist;
+void put(const Vec3& v, const Vec3& w, Twist<Scalar>& into) {
+  for (int i = 0; i < 3; ++i) into.of[i] = static_cast<Scalar>(v[i]), into.of[3 + i] = static_cast<Scalar>(w[i]);
 }
 template <class Scalar>
 Inertia<Scalar> inertia_of(const Mat3& m) {
@@ -59,10 +58,13 @@ Inertia<Scalar> inertia_of(const Mat3& m) {
           {}};
 }
 template <class Scalar>
-Vec3 vector_of(const Scalar (&from)[3]) {
-  return {static_cast<Real>(from[0]), static_cast<Real>(from[1]), static_cast<Real>(from[2])};
+Vec3 linear(const Twist<Scalar>& of) {
+  return {static_cast<Real>(of.of[0]), static_cast<Real>(of.of[1]), static_cast<Real>(of.of[2])};
 }
-
+template <class Scalar>
+Vec3 angular(const Twist<Scalar>& of) {
+  return {static_cast<Real>(of.of[3]), static_cast<Real>(of.of[4]), static_cast<Real>(of.of[5])};
+}
 }  // namespace
 
 template <class Scalar>
@@ -93,7 +95,7 @@ void Wide<Scalar>::detected(World& world, Real h) {
   for (auto& set : sets)
     for (PairOfBodies& pair : set) pair.a = place_of(world, pair.a), pair.b = place_of(world, pair.b);
   bodies_.push_back(&world.body(the_world));
-  for (auto* twists : {&now_, &start_, &before_, &moved_, &given_}) twists->assign(bodies_.size(), Twist<Scalar>{});
+  for (auto* twists : {&now_, &before_, &moved_, &given_}) twists->assign(bodies_.size(), Twist<Scalar>{});
   inertias_.resize(bodies_.size());
   where_.resize(world.contacts.size());
   bouncy_ =
@@ -137,7 +139,11 @@ void Wide<Scalar>::pack(const World& world, std::size_t at, std::span<const Pair
   std::fill(bundle.b, bundle.b + lanes_of_bundle, nobody);
   bundle.carried = {};
   const std::size_t begin = static_cast<std::size_t>(bundle.first);
-  std::fill(contacts_.begin() + bundle.first, contacts_.begin() + bundle.end, WideContact<Scalar>{});
+  for (int c = bundle.first; c < bundle.end; ++c) {  // what is not written below, or by passes.prepare
+    WideContact<Scalar>& contact = contacts_[static_cast<std::size_t>(c)];
+    contact.normal.impulse = contact.tangent1.impulse = contact.tangent2.impulse = {};
+    contact.found = contact.restitution = {};
+  }
   std::fill(points_.begin() + bundle.first, points_.begin() + bundle.end, WidePoint<Scalar>{});
   for (std::size_t lane = 0; lane < pairs.size(); ++lane) {
     const PairOfBodies& pair = pairs[lane];
@@ -235,8 +241,8 @@ void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
   forget_impacts();
   if (bouncy_) {
     each_body([&](std::size_t i) {
-      before_[i] = twist_of<Scalar>(bodies_[i]->velocity_before, bodies_[i]->angular_velocity_before);
-      now_[i] = twist_of<Scalar>(bodies_[i]->velocity, bodies_[i]->angular_velocity);
+      put(bodies_[i]->velocity_before, bodies_[i]->angular_velocity_before, before_[i]);
+      put(bodies_[i]->velocity, bodies_[i]->angular_velocity, now_[i]);
     });
   }
   const PushOut wanted = push_out(h);
@@ -247,8 +253,8 @@ void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
   if (fastest_ > 0) each_bundle([&](std::size_t begin, std::size_t end) { passes.keep(bundles(begin, end)); });
   joints.start(step);
   each_body([&](std::size_t i) {
-    bodies_[i]->velocity += vector_of(given_[i].v);
-    bodies_[i]->angular_velocity += vector_of(given_[i].w);
+    bodies_[i]->velocity += linear(given_[i]);
+    bodies_[i]->angular_velocity += angular(given_[i]);
   });
   for (int i = 0; i < sweeps; ++i) sweep(step);
   joints.finish(step);
@@ -259,8 +265,11 @@ template <class Scalar>
 void Wide<Scalar>::after_move(World& world, Real h) {
   const NoDenormals none;
   each_body([&](std::size_t i) {
-    const Twist<Scalar> way = twist_of<Scalar>(h * bodies_[i]->velocity, h * bodies_[i]->angular_velocity);
-    for (int k = 0; k < 3; ++k) moved_[i].v[k] += way.v[k], moved_[i].w[k] += way.w[k];
+    const Vec3 &v = bodies_[i]->velocity, &w = bodies_[i]->angular_velocity;
+    for (int k = 0; k < 3; ++k) {
+      moved_[i].of[k] += static_cast<Scalar>(h * v[k]);
+      moved_[i].of[3 + k] += static_cast<Scalar>(h * w[k]);
+    }
   });
   carry();
   each_bundle([&](std::size_t begin, std::size_t end) { passes.relax(bundles(begin, end)); });
@@ -278,7 +287,8 @@ void Wide<Scalar>::carry() {
                    [least](const Body* b) { return b->velocity.squaredNorm() >= least; }))
     return;
   each_body([&](std::size_t i) {
-    now_[i] = twist_of<Scalar>(bodies_[i]->velocity, bodies_[i]->angular_velocity);
+    bodies_[i]->refresh_inertia();
+    put(bodies_[i]->velocity, bodies_[i]->angular_velocity, now_[i]);
     inertias_[i] = inertia_of<Scalar>(bodies_[i]->inverse_inertia);
   });
   set_by_set([&](std::size_t begin, std::size_t end) {
@@ -290,9 +300,7 @@ void Wide<Scalar>::carry() {
 template <class Scalar>
 void Wide<Scalar>::sweep(Step& step) {
   joints.sweep(step);
-  each_body([&](std::size_t i) {
-    start_[i] = now_[i] = twist_of<Scalar>(bodies_[i]->velocity, bodies_[i]->angular_velocity);
-  });
+  each_body([&](std::size_t i) { put(bodies_[i]->velocity, bodies_[i]->angular_velocity, now_[i]); });
   push_until_solved([this] {
     rows_solved += where_.size();
     return static_cast<Real>(
@@ -300,15 +308,14 @@ void Wide<Scalar>::sweep(Step& step) {
   });
   set_by_set([&](std::size_t begin, std::size_t end) { passes.rub(bundles(begin, end)); });
   each_body([&](std::size_t i) {
-    Twist<Scalar> change{};
+    Vec3 &v = bodies_[i]->velocity, &w = bodies_[i]->angular_velocity;
     for (int k = 0; k < 3; ++k) {
-      change.v[k] = now_[i].v[k] - start_[i].v[k];
-      change.w[k] = now_[i].w[k] - start_[i].w[k];
-      given_[i].v[k] += change.v[k];
-      given_[i].w[k] += change.w[k];
+      const Scalar dv = now_[i].of[k] - static_cast<Scalar>(v[k]), dw = now_[i].of[3 + k] - static_cast<Scalar>(w[k]);
+      given_[i].of[k] += dv;
+      given_[i].of[3 + k] += dw;
+      v[k] += static_cast<Real>(dv);
+      w[k] += static_cast<Real>(dw);
     }
-    bodies_[i]->velocity += vector_of(change.v);
-    bodies_[i]->angular_velocity += vector_of(change.w);
   });
   rows_solved += 2 * where_.size();
 }
@@ -337,9 +344,9 @@ void Wide<Scalar>::tell(Contact& contact, std::size_t i) const {
   const WideContact<Scalar>& wide = contacts_[c];
   const Vec3 n = vector_of(bundle.n, lane);
   const Twist<Scalar>&a_moved = moved_[std::size_t(bundle.a[lane])], &b_moved = moved_[std::size_t(bundle.b[lane])];
-  contact.depth = -static_cast<Real>(wide.found.of[lane]) - n.dot(vector_of(b_moved.v) - vector_of(a_moved.v)) -
-                  vector_of(wide.normal.rb_n, lane).dot(vector_of(b_moved.w)) +
-                  vector_of(wide.normal.ra_n, lane).dot(vector_of(a_moved.w));
+  contact.depth = -static_cast<Real>(wide.found.of[lane]) - n.dot(linear(b_moved) - linear(a_moved)) -
+                  vector_of(wide.normal.rb_n, lane).dot(angular(b_moved)) +
+                  vector_of(wide.normal.ra_n, lane).dot(angular(a_moved));
   const Scalar pushed = wide.normal.impulse.of[lane], rubbed1 = wide.tangent1.impulse.of[lane],
                rubbed2 = wide.tangent2.impulse.of[lane];
   contact.impulse = static_cast<Real>(pushed) * n + static_cast<Real>(rubbed1) * vector_of(bundle.tangent1, lane) +

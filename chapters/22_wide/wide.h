@@ -28,6 +28,11 @@ class Wide : public OnceInAStep {
   std::shared_ptr<Workers> crew;
   Workers& workers() const { return crew ? *crew : alone(); }
 
+  Division division(Real dt) const {
+    Division divided = OnceInAStep::division(dt);
+    divided.reads_inertia = false;  // but for the pairs that are carried
+    return divided;
+  }
   void detected(World& world, Real h);
   void solve(World& world, Real h, int sweeps);
   void after_move(World& world, Real h);
@@ -59,7 +64,7 @@ class Wide : public OnceInAStep {
 
   std::vector<Body*> bodies_;        // those that touch; the last one stands in empty lanes
   std::vector<std::size_t> places_;  // of each body of the world, in bodies_
-  std::vector<Twist<Scalar>> now_, before_, moved_, given_, start_;
+  std::vector<Twist<Scalar>> now_, before_, moved_, given_;
   std::vector<Bundle<Scalar>> bundles_;
   std::vector<std::span<const PairOfBodies>> packed_;  // what is in each bundle
   std::vector<std::size_t> ends_;                      // of each set, in bundles_

@@ -1,6 +1,7 @@
 #include "pushback/common/collision/broad_phase.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <functional>
@@ -82,12 +83,85 @@ std::vector<BodyPair> in_order(const std::vector<BodyPair>& pairs, std::size_t b
   return ordered;
 }
 
+/// Columns along one axis, side by side along the other two, and who reaches into each. They are about twice as wide as bounds are, so
+/// that of many bodies each is in a few columns, and meets those of its column only.
+class Columns {
+ public:
+  /// Of the columns along u and v that one body reaches into.
+  struct Span {
+    std::array<int, 2> first, last;
+  };
+
+  Columns(const std::vector<Entry>& entries, int u, int v) : across_{u, v} {
+    Vec3 low = Vec3::Constant(std::numeric_limits<Real>::max()), high = -low, size = Vec3::Zero();
+    for (const Entry& entry : entries) {
+      low = low.cwiseMin(entry.bounds.low);
+      high = high.cwiseMax(entry.bounds.high);
+      size += (entry.bounds.high - entry.bounds.low) / Real(entries.size());
+    }
+    const Real most = std::sqrt(Real(entries.size()));
+    for (std::size_t i = 0; i < 2; ++i) {
+      const int axis = across_[i];
+      const Real wanted = (high[axis] - low[axis]) / (2 * size[axis]);
+      count_[i] = std::isfinite(wanted) && wanted >= 2 && most >= 2 ? int(std::min(most, wanted)) : 1;
+      origin_[i] = low[axis];
+      per_length_[i] = Real(count_[i]) / (high[axis] - low[axis]);
+    }
+    begin_.assign(std::size_t(count_[0] * count_[1]) + 1, 0);
+    for (const Entry& entry : entries) spans_.push_back(span_of(entry.bounds));
+    each([this](int /*place*/, std::size_t column) { ++begin_[column + 1]; });
+    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+    places_.resize(begin_.back());
+    std::vector<std::size_t> next = begin_;
+    each([&](int place, std::size_t column) { places_[next[column]++] = place; });
+  }
+
+  std::size_t count() const { return begin_.size() - 1; }
+  /// The places of the entries in this column, in their order.
+  std::span<const int> in(std::size_t column) const {
+    return std::span(places_).subspan(begin_[column], begin_[column + 1] - begin_[column]);
+  }
+  /// Of all columns that both reach into, whether this is the first: there the two are found.
+  bool found_in(std::size_t column, int p, int q) const {
+    const Span &one = spans_[std::size_t(p)], &other = spans_[std::size_t(q)];
+    return column == column_at(std::max(one.first[0], other.first[0]), std::max(one.first[1], other.first[1]));
+  }
+
+ private:
+  std::size_t column_at(int u, int v) const { return std::size_t(u * count_[1] + v); }
+  /// It ascends with the coordinate: two bounds that overlap have a column in common.
+  int along(std::size_t i, Real coordinate) const {
+    if (count_[i] == 1) return 0;
+    return std::clamp(int((coordinate - origin_[i]) * per_length_[i]), 0, count_[i] - 1);
+  }
+  Span span_of(const Bounds& bounds) const {
+    const auto [u, v] = across_;
+    return {{along(0, bounds.low[u]), along(1, bounds.low[v])}, {along(0, bounds.high[u]), along(1, bounds.high[v])}};
+  }
+  /// `act(place, column)` for each entry in each of its columns.
+  template <class Act>
+  void each(const Act& act) const {
+    for (std::size_t place = 0; place < spans_.size(); ++place) {
+      const Span& span = spans_[place];
+      for (int u = span.first[0]; u <= span.last[0]; ++u)
+        for (int v = span.first[1]; v <= span.last[1]; ++v) act(int(place), column_at(u, v));
+    }
+  }
+
+  std::array<int, 2> across_, count_{1, 1};
+  std::array<Real, 2> origin_{}, per_length_{};
+  std::vector<Span> spans_;         // of the entries
+  std::vector<std::size_t> begin_;  // of each column, in places_
+  std::vector<int> places_;
+};
+
 /// The near pairs of these, each known by its place among them.
 // Sort and sweep: in the order of their low ends along one axis, each body can only meet those that begin before it
 // ends.
 //   D. Baraff, Dynamic simulation of non-penetrating rigid bodies, PhD thesis, Cornell, 1992.
 std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const Margin& margin, Workers& workers) {
   constexpr std::size_t least = 128;  // bodies
+  constexpr std::size_t least_columns = 16;
   std::vector<Entry> entries;
   entries.reserve(bodies.size());
   std::vector<int> half_spaces;
@@ -116,23 +190,33 @@ std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const 
   std::sort(entries.begin(), entries.end(), [axis](const Entry& p, const Entry& q) {
     return p.bounds.low[axis] != q.bounds.low[axis] ? p.bounds.low[axis] < q.bounds.low[axis] : p.index < q.index;
   });
-  std::vector<std::vector<BodyPair>> of_others(workers.parts(entries.size(), least) - 1);
-  workers.each(entries.size(), least, [&](Part part) {
+  const Columns columns(entries, u, v);
+  std::vector<std::vector<BodyPair>> of_others(workers.parts(columns.count(), least_columns) - 1);
+  workers.each(columns.count(), least_columns, [&](Part part) {
     std::vector<BodyPair>& into = part.index == 0 ? pairs : of_others[part.index - 1];
-    std::vector<const Entry*> met(entries.size());
-    for (std::size_t i = part.begin; i < part.end; ++i) {
-      const Entry& entry = entries[i];
-      const Vec3 low = entry.bounds.low, high = entry.bounds.high;
-      std::size_t count = 0;
-      for (std::size_t k = i + 1; k < entries.size() && entries[k].bounds.low[axis] <= high[axis]; ++k) {
-        // Written down in any case, kept if near: a branch that nobody can predict would take longer.
-        const Bounds& bounds = entries[k].bounds;
-        met[count] = &entries[k];
-        count += std::size_t(bounds.low[u] <= high[u]) & std::size_t(low[u] <= bounds.high[u]) &
-                 std::size_t(bounds.low[v] <= high[v]) & std::size_t(low[v] <= bounds.high[v]);
+    std::vector<Entry> here;
+    std::vector<std::size_t> met(entries.size());
+    for (std::size_t column = part.begin; column < part.end; ++column) {
+      const std::span<const int> places = columns.in(column);
+      here.clear();
+      for (const int place : places) here.push_back(entries[std::size_t(place)]);
+      for (std::size_t i = 0; i < here.size(); ++i) {
+        const Entry& entry = here[i];
+        const Vec3 low = entry.bounds.low, high = entry.bounds.high;
+        std::size_t count = 0;
+        for (std::size_t k = i + 1; k < here.size() && here[k].bounds.low[axis] <= high[axis]; ++k) {
+          // Written down in any case, kept if near: a branch that nobody can predict would take longer.
+          const Bounds& bounds = here[k].bounds;
+          met[count] = k;
+          count += std::size_t(bounds.low[u] <= high[u]) & std::size_t(low[u] <= bounds.high[u]) &
+                   std::size_t(bounds.low[v] <= high[v]) & std::size_t(low[v] <= bounds.high[v]);
+        }
+        for (std::size_t n = 0; n < count; ++n) {
+          const std::size_t k = met[n];
+          if ((entry.movable || here[k].movable) && columns.found_in(column, places[i], places[k]))
+            into.push_back(std::minmax(entry.index, here[k].index));
+        }
       }
-      for (std::size_t k = 0; k < count; ++k)
-        if (entry.movable || met[k]->movable) into.push_back(std::minmax(entry.index, met[k]->index));
     }
   });
   for (const auto& found : of_others) pairs.insert(pairs.end(), found.begin(), found.end());

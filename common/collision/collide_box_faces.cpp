@@ -40,10 +40,10 @@ bool touch_at_faces(const Placed<Box>& a, const Placed<Box>& b, const BoxPair& p
   const int reference_side = outward > 0 ? 1 << i : 0;
   for (const int sign : {0, 1}) {
     const Real side = sign == 1 ? 1 : -1;
-    outline = cut(
+    cut(
         outline, [&](const OutlinePoint& p) { return side * p.u - extents[iu]; }, tolerance,
         reference + edge_at(iv, reference_side | sign << iu));
-    outline = cut(
+    cut(
         outline, [&](const OutlinePoint& p) { return side * p.v - extents[iv]; }, tolerance,
         reference + edge_at(iu, reference_side | sign << iv));
   }

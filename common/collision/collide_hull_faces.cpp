@@ -45,7 +45,7 @@ bool touch_at_faces(const HullPair& pair, const HullFace& face, Manifold& found)
     const Vec3 side = hull.corner(reference_face.corners[next]) - origin - start;
     const Vec3 outward = side.cross(normal).normalized();
     const Real u = u_axis.dot(outward), v = v_axis.dot(outward), limit = outward.dot(start);
-    outline = cut(
+    cut(
         outline, [&](const OutlinePoint& p) { return u * p.u + v * p.v - limit; }, tolerance,
         reference + reference_face.edges[k]);
   }

@@ -40,13 +40,15 @@ struct Outline {
   }
 };
 
-/// What is left of `outline` on the near side of a line: where `beyond`, which is linear, is not above 0. What sticks
+/// Leaves of `outline` what is on the near side of a line: where `beyond`, which is linear, is not above 0. What sticks
 /// out by less than `tolerance` is not cut off, so that two faces whose edges coincide have the same corners whatever
 /// the rounding; what is cut is cut exactly at the line, which is called `edge`.
 ///
 ///   I. Sutherland, G. Hodgman, Reentrant polygon clipping, CACM 17(1), 1974: cutting one side at a time.
 template <std::size_t room, class Beyond>
-Outline<room> cut(const Outline<room>& outline, const Beyond& beyond, Real tolerance, int edge) {
+void cut(Outline<room>& outline, const Beyond& beyond, Real tolerance, int edge) {
+  const auto end = outline.points.begin() + outline.count;
+  if (std::all_of(outline.points.begin(), end, [&](const OutlinePoint& p) { return beyond(p) <= tolerance; })) return;
   Outline<room> left;
   for (int i = 0; i < outline.count; ++i) {
     const OutlinePoint& p = outline.points[std::size_t(i)];
@@ -68,7 +70,8 @@ Outline<room> cut(const Outline<room>& outline, const Beyond& beyond, Real toler
     crossed.leaving = p_stays ? edge : p.leaving;
     left.add(crossed);
   }
-  return left;
+  outline.count = left.count;
+  std::copy_n(left.points.begin(), left.count, outline.points.begin());
 }
 
 /// A point of the manifold, still in the frame of the reference face.

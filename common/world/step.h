@@ -1,6 +1,7 @@
 /// The order of a step, and what it asks of a solver.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <tuple>
 
@@ -12,6 +13,7 @@ namespace pushback {
 struct Division {
   int substeps = 1;
   Margin margin = {};
+  bool reads_inertia = true;  ///< whether the solver needs I^-1 of all bodies as they lie after each substep
 };
 
 /// What a solver derives from. It has  void solve(World& world, Real dt, int sweeps),  which changes the velocities of bodies
@@ -89,10 +91,12 @@ class ForcesOfSubsteps {
  public:
   /// Before any Force has acted.
   ForcesOfSubsteps(const World& world, const Division& division) {
-    if (division.substeps == 1) return;
+    const auto feels = [](const Body& body) { return body.force != Vec3::Zero() || body.torque != Vec3::Zero(); };
+    if (division.substeps == 1 || std::none_of(world.bodies.begin(), world.bodies.end(), feels)) return;
     for (const Body& body : world.bodies) by_hand_.emplace_back(body.force, body.torque);
   }
   void apply(World& world) const {
+    if (by_hand_.empty() && world.forces.empty()) return;
     for (std::size_t i = 0; i < by_hand_.size(); ++i)
       std::tie(world.bodies[i].force, world.bodies[i].torque) = by_hand_[i];
     for (const Force& force : world.forces) force.apply(world);
@@ -100,9 +104,14 @@ class ForcesOfSubsteps {
       if (body.asleep) body.force.setZero(), body.torque.setZero();
     }
   }
+  /// Whether something turns a body, or may.
+  bool turn_bodies(const World& world) const {
+    return !world.forces.empty() ||
+           std::any_of(by_hand_.begin(), by_hand_.end(), [](const auto& of) { return of.second != Vec3::Zero(); });
+  }
 
  private:
-  std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body
+  std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body; none where nobody has any
 };
 
 /// Moves those who are simulated on by dt seconds. Throws as World::step does.
@@ -114,19 +123,22 @@ void step(World& world, ContactSolver& solver, Real dt, int sweeps, Simulated& s
   const Division division = solver.division(dt);
   const Real h = dt / static_cast<Real>(division.substeps);
   const ForcesOfSubsteps forces(world, division);
+  const bool inertia_is_read = division.reads_inertia || forces.turn_bodies(world) || !world.joints.empty();
+  const auto advance = inertia_is_read ? move : displace;
   detect(world, simulated, division.margin);
   solver.detected(world, h);
   for (int i = 0; i < division.substeps; ++i) {
     if (i > 0) forces.apply(world);
     push_all(world, h, simulated);
-    solver.solve(world, h, sweeps);                             // 4.  start from the last step's impulses
-                                                                // 5.  sweep over the rows
-                                                                // 6.  keep the impulses
-    simulated.each(world, [h](Body& body) { move(body, h); });  // 7.  x += h v,  q += h/2 (0, w) q,  refresh I^-1
+    solver.solve(world, h, sweeps);                                // 4.  start from the last step's impulses
+                                                                   // 5.  sweep over the rows
+                                                                   // 6.  keep the impulses
+    simulated.each(world, [&](Body& body) { advance(body, h); });  // 7.  x += h v,  q += h/2 (0, w) q,  refresh I^-1
     world.time += h;
     solver.after_move(world, h);  // 8.  only where a solver has this
     world.dt_before = h;
   }
+  if (!inertia_is_read) simulated.each(world, [](Body& body) { body.refresh_inertia(); });
   solver.done(world);
   simulated.end(world, dt);
 }

@@ -40,15 +40,21 @@ void keep_velocity(Body& body) {
 void push(Body& body, const Vec3& gravity, Real dt) {
   if (body.movable()) {
     body.velocity += dt * (gravity + body.inverse_mass * body.force);
-    body.angular_velocity += dt * body.inverse_inertia * body.torque;
+    if (body.torque != Vec3::Zero()) body.angular_velocity += dt * body.inverse_inertia * body.torque;
   }
   body.force.setZero();
   body.torque.setZero();
 }
 
-void move(Body& body, Real dt) {
+void displace(Body& body, Real dt) {
   body.position += dt * body.velocity;
   if (body.angular_velocity != Vec3::Zero()) spin_freely(body, dt);
+}
+
+void move(Body& body, Real dt) {
+  const bool turns = body.angular_velocity != Vec3::Zero();
+  displace(body, dt);
+  if (turns) body.refresh_inertia();
 }
 
 void World::begin_step(Real dt) {
@@ -104,7 +110,6 @@ Quat turned(const Quat& q, const Vec3& spin, Real dt) {
 
 void spin_evenly(Body& body, Real dt) {
   body.orientation = turned(body.orientation, body.orientation.conjugate() * body.angular_velocity, dt);
-  body.refresh_inertia();
 }
 
 // The implicit midpoint rule for Euler's equation, in body axes, with the momentum p = I w:
@@ -145,7 +150,6 @@ void spin_freely(Body& body, Real dt) {
     q = Quat(Eigen::AngleAxis<Real>(dt * before / size, momentum / size)) * q_before;
     q.normalize();
   }
-  body.refresh_inertia();
   body.angular_velocity = q * Vec3(inverse.cwiseProduct(q.conjugate() * momentum));
 }
 

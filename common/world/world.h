@@ -85,12 +85,14 @@ void check_state(const Body& body);
 void keep_velocity(Body& body);
 /// v += h (g + F/m),  w += h I^-1 tau,  and F = tau = 0.
 void push(Body& body, const Vec3& gravity, Real dt);
-/// x += h v, and the turn.
+/// x += h v, and the turn; I^-1 in world axes stays behind until it is refreshed.
+void displace(Body& body, Real dt);
+/// x += h v, the turn, and I^-1.
 void move(Body& body, Real dt);
 
 /// Whether a body's inertia differs from axis to axis, so that a free spin does not keep its axis.
 bool tumbles(const Body& body);
-/// Turns a body by dt seconds of its own spin. Nothing acts on it, so its angular momentum L stays as it is, and
+/// Turns a body by dt seconds of its own spin, all but its I^-1. Nothing acts on it, so its angular momentum L stays as it is, and
 /// where it tumbles the angular velocity has to follow (the gyroscopic term, w x I w).
 void spin_freely(Body& body, Real dt);
 /// The same for one that does not tumble: its angular velocity stays.   q' = normalise(q + h/2 (0, w) q)

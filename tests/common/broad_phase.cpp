@@ -133,6 +133,21 @@ TEST_CASE("whatever the axis along which a scene is spread, the pairs are the sa
   }
 }
 
+TEST_CASE("whatever their sizes, and however far some are away, the pairs are the same") {
+  Random random(9);
+  for (const Real far : {Real(3), Real(1e3), Real(1e9)}) {
+    World world;
+    for (int i = 0; i < 400; ++i) {
+      const Real size = i % 50 == 0 ? Real(8) : i % 5 == 0 ? Real(1) : Real(0.1);
+      const Vec3 where = random.vector(10) + (i % 100 == 1 ? Vec3(far, -far, far) : Vec3::Zero());
+      world.add(box(size * (random.vector(1).cwiseAbs() + Vec3::Constant(Real(0.1))), 1).at(where));
+    }
+    const std::vector<BodyPair> pairs = near_pairs(world.bodies);
+    REQUIRE(pairs == every_near_pair(world.bodies));
+    REQUIRE(pairs.size() > 400);
+  }
+}
+
 TEST_CASE("no pair that touches is missed") {
   Random random(7);
   for (int scene = 0; scene < 10; ++scene) {
