@@ -31,6 +31,28 @@ struct LeavingBox {
   }
 };
 
+/// A dropped box at the left; at the right another, let go where it touches the underside of a plate.
+struct DroppedAndUnderPlate {
+  DroppedBox dropped;
+
+  static constexpr Real aside = Real(1.1);      ///< m, of each box from the middle
+  static constexpr Real height = Real(2.65);    ///< m, of the other's centre: 1 cm deep in the plate
+  static constexpr Real thickness = Real(0.1);  ///< m, of the plate
+
+  void operator()(World& world) const {
+    dropped(world);
+    world.bodies.back().position.x() = -aside;
+    world.add(
+        box({Real(0.75), thickness / 2, Real(0.55)}, 1).fixed().at({aside, height + Real(0.49) + thickness / 2, 0}));
+    world.add(box(Vec3::Constant(Real(0.5)), 100).at({aside, height, 0}).coloured(3));
+  }
+  /// m, of a box that nothing holds: its speed grows by g h in each step.
+  static Real fallen(Real time, Real h) {
+    const Real steps = std::round(time / h);
+    return World::g * h * h * steps * (steps + 1) / 2;
+  }
+};
+
 /// Both beside each other: the dropped box at the left, the thrown one at the right.
 struct DroppedAndThrown {
   DroppedBox dropped;

@@ -84,22 +84,20 @@ int main(int argc, char** argv) {
   return e.run(argc, argv, [&] {
     const Real h = e.dt();
     constexpr Real seconds = Real(1.5);
-    const Vec3 along{std::cos(slope.theta), std::sin(slope.theta), 0},
-        middle = Real(1.95) * along + Vec3(0, 0, Real(0.08));
+    const Vec3 along{std::cos(slope.theta), std::sin(slope.theta), 0}, middle = Real(3.05) * along;
     e.scene({.name = fmt::format("μ = 0.8, 1.05 and 1.5 times tan θ, θ = {:.0f}°", slope.theta * 180 / pi),
              .fill = slope,
-             .camera = {middle + Vec3(Real(-5.2), Real(3.0), Real(9.6)), middle + Vec3(Real(0.55), Real(0.3), 0),
-                        Real(0.56)},
+             .camera = {middle + Vec3(Real(-13), Real(4.5), 0), middle, Real(0.272)},
              .seconds = seconds,
-             .instants = {Real(1.2)},
-             .arrow = Real(0.45),
+             .instants = {Real(0.9)},
+             .contacts = Drawn::points,
              .key = "slope",
              .caption =
                  "Only the left box, with μ = 0.8 tan θ, should slide, as far as to its outline. All three began "
                  "at the line across the slope.",
              .start_shown = false,
              .marks = [slope](Picture& picture, const World&, Real time) { mark_slope(picture, slope, time); },
-             .cell_height = 560,
+             .cell_height = 420,
              .side_by_side = true});
     const Real a = slope.acceleration(grip[0]);
     const Real steps = std::round(seconds / h);

@@ -1,4 +1,4 @@
-/// A man of capsules and boxes, and stairs to fall down.
+/// A man of capsules and boxes, a bench to lie on, and stairs to fall down.
 #pragma once
 
 #include <algorithm>
@@ -122,6 +122,14 @@ inline Ragdoll down_the_stairs(World& world) {
   for (int body = man.pelvis; body <= man.shins[1]; ++body)
     world.bodies[static_cast<std::size_t>(body)].moving({Real(1.5), 0, 0});
   return man;
+}
+
+/// A ragdoll that lies face down, his head at +x, on a bench from his chest to his knees. Returns the man.
+inline Ragdoll face_down_on_a_bench(World& world) {
+  const Real top = Real(0.7), chest_half = Real(0.11);  // m
+  world.add(ground());
+  world.add(box({Real(0.5), top / 2, Real(0.19)}, 1).fixed().at({0, top / 2, 0}));
+  return add_ragdoll(world, {0, top + chest_half, 0}, Quat(Eigen::AngleAxis<Real>(-pi / 2, Vec3::UnitZ())));
 }
 
 }  // namespace pushback::limits_motors_springs_scenes

@@ -1,10 +1,29 @@
 #include "pushback/chapters/11_substeps/study.h"
 #include "pushback/chapters/21_detected_once/scenes.h"
 #include "pushback/chapters/21_detected_once/study.h"
+#include "pushback/common/experiment/marks.h"
 
 using namespace pushback;
 using namespace pushback::detected_once_scenes;
 using namespace pushback::substeps_scenes;
+
+namespace {
+
+/// The cube as the solver `in_each` has it, at each instant of a strobe.
+void add_first_row(Picture& picture, const RollingCube& cube, DetectedInEach in_each, const Strobe& strobe, Real until,
+                   int substeps, Real dt) {
+  World world;
+  cube(world);
+  const Real h = dt / static_cast<Real>(substeps);
+  for (Real t = strobe.from; t < until + h / 2; t += strobe.every) {
+    while (world.time < t - h / 2) world.step(in_each, h, 1);
+    Body outline = world.bodies.back();
+    outline.position += (t - strobe.from) * strobe.shift_per_second;
+    add_outline(picture, outline, near_black_colour(), Real(3.5));
+  }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   Experiment e("21_detected_once", "How often must contacts be detected?");
@@ -27,15 +46,21 @@ int main(int argc, char** argv) {
     };
     const auto kept = [&]() -> Variant& { return e.variant("detected once", once).with_exactly(1).coloured(1); };
 
+    const Strobe strobe{.every = Real(0.5), .shift_per_second = {4, 0, 0}, .from = 1, .height = 200};
     e.scene(
         {.name = "a cube rolls",
          .fill = cube,
-         .camera = {{Real(4.2), Real(2.4), 30}, {Real(4.2), Real(0.9), 0}, Real(0.098)},
+         .camera = {{Real(9.8), Real(1.3), 40}, {Real(9.8), Real(0.85), 0}, Real(0.0515)},
          .seconds = Real(2.5),
-         .caption =
-             "Every 0.5 s. A step of 1/60 s turns the cube by up to a tenth of a right angle, and then its corner is "
-             "not where its rows expect it.",
-         .strobe = Strobe{.every = Real(0.5), .shift_per_second = {0, 0, 0}, .height = 400}});
+         .contacts = Drawn::nothing,
+         .caption = "The cube every 0.5 s, from 1 s on, each time drawn 2 m farther to the right. Outlines: where "
+                    "the cube of the "
+                    "first row "
+                    "is. Detected once, the cube falls behind.",
+         .marks = [=, h = e.dt()](Picture& picture, const World&,
+                                  Real time) { add_first_row(picture, cube, in_each, strobe, time, once.substeps, h); },
+         .strobe = strobe,
+         .in_brief = {{0, 1}}});
     each();
     DetectedOnce in_a_quarter = once;
     in_a_quarter.substeps = std::max(1, once.substeps / 4);

@@ -1,4 +1,5 @@
 /// A row without limits: J V = 0, in both directions.
+#include "pushback/chapters/01_velocity_constraint/scenes.h"
 #include "pushback/chapters/01_velocity_constraint/solver.h"
 #include "tests/support/catch.h"
 #include "tests/support/on_ground.h"
@@ -42,4 +43,18 @@ TEST_CASE("01: it also pulls: a ball that leaves is held back") {
   world.step(solver, h, one_sweep);
   CHECK(std::abs(ball.velocity.y()) <= 16 * eps * 5);
   CHECK(world.contacts[0].impulse.y() == Approx(-(5 - g * h) * 10).epsilon(64 * eps));
+}
+
+TEST_CASE("01: a box let go under a plate hangs there, pulled by as much as gravity takes") {
+  World world;
+  velocity_constraint_scenes::DroppedAndUnderPlate{}(world);
+  const std::size_t hung = world.bodies.size() - 1;
+  const Real height = world.bodies[hung].position.y();
+  Solver<> solver;
+  for (int step = 0; step < 120; ++step) world.step(solver, h, 10);
+  CHECK(std::abs(world.bodies[hung].position.y() - height) < Real(1e-6));
+  Real upwards = 0;
+  for (const Contact& contact : world.contacts)
+    if (contact.id.body_a == hung || contact.id.body_b == hung) upwards += std::abs(contact.impulse.y());
+  CHECK(upwards == Approx(100 * g * h).epsilon(1e-6));
 }

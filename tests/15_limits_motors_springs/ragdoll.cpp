@@ -81,6 +81,21 @@ TEST_CASE("a ragdoll falls down the stairs: it holds together, bends no knee bac
   CHECK(largest_speed(world) < Real(0.1));
 }
 
+TEST_CASE("face down on a bench his shins stay up, and hang where nothing limits the knees") {
+  for (const bool limited : {true, false}) {
+    World world;
+    const Ragdoll man = face_down_on_a_bench(world);
+    if (!limited) std::erase_if(world.joints, [](const Joint& joint) { return joint.name == "angle limits"; });
+    JointedSolver solver;
+    for (int step = 0; step < 120; ++step) world.step(solver, h, 10);
+    CAPTURE(limited, bent_backwards(world, man) * 180 / pi);
+    for (const int shin : man.shins) {
+      const Real rises = (body_of(world, shin).orientation * Vec3::UnitY()).y();  // 1: it hangs, its foot down
+      CHECK((limited ? std::abs(rises) < Real(0.2) : rises > Real(0.9)));
+    }
+  }
+}
+
 TEST_CASE("in substeps with soft contacts and a relaxing pass it holds together far better") {
   World world;
   const Ragdoll man = down_the_stairs(world);
