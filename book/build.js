@@ -6,6 +6,7 @@ import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import Eleventy from "@11ty/eleventy";
 import { Problems, readBook, stillOf } from "./book.js";
+import { engineOf } from "./experiments.js";
 import { courseOf, pagesOf } from "./pages.js";
 
 const home = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
@@ -28,6 +29,8 @@ try {
   console.error(error instanceof Problems ? error.message : error);
   process.exit(1);
 }
+for (const page of book.pages.filter(({ chapter, live: name }) => chapter && name))
+  page.description = (await engineOf(`build/wasm/live/${page.live}.js`)).description;
 const pages = pagesOf(book, root);
 fs.rmSync(out, { recursive: true, force: true });
 const eleventy = new Eleventy("book", here(out), { quietMode: true, config });

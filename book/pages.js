@@ -69,6 +69,17 @@ const parts = [
   { id: "drawings", title: "Figures", kind: "drawing" },
 ];
 
+/// A sheet is of one scene: sheet_KEY.png, or sheet.png of the first that has one.
+const keyOf = (file) => /sheet_(.*)\.png$/.exec(file)?.[1];
+
+function scenesWithoutSheet(page, pictures) {
+  const { scenes } = page.description;
+  const shown = pictures
+    .filter((picture) => picture.kind === "sheet" && picture.page === page)
+    .map(({ file }) => keyOf(file) ?? (scenes.find((scene) => scene.pictures) ?? scenes[0]).key);
+  return scenes.filter(({ key }) => !shown.includes(key));
+}
+
 function gallery({ pictures, pages }) {
   const address = "gallery.html";
   const once = [
@@ -78,10 +89,9 @@ function gallery({ pictures, pages }) {
         .map((picture) => [picture.file, picture]),
     ).values(),
   ];
-  // A sheet is of one scene: sheet_KEY.png, or sheet.png of the first.
   const run = ({ kind, file, page }) => {
     if (!page.live || kind !== "sheet") return "";
-    const [, key] = /sheet_(.*)\.png$/.exec(file) ?? [];
+    const key = keyOf(file);
     return `<a class="run" href="${page.address}#live=${page.live}${key ? `&amp;scene=${key}` : ""}">Run it</a>`;
   };
   const card = (picture) => {
@@ -98,16 +108,39 @@ function gallery({ pictures, pages }) {
       .join("\n");
     return `<h2 id="${id}">${title}</h2>\n<ul class="gallery ${id}">\n${cards}\n</ul>`;
   });
-  const cases = pages.flatMap((page) => page.cases ?? []);
   const contents = parts.map(({ id, title }) => ({ id, text: title }));
-  if (cases.length) {
-    const items = cases.map(({ title, address: to }) => `<li><a href="${escaped(to)}">${escaped(title)}</a></li>`);
-    html.push(
-      `<h2 id="hard-cases">Hard cases</h2>\n<p>Each is run under chapter 07's solver and under all together.</p>`,
-      `<ul class="gallery cases">\n${items.join("\n")}\n</ul>`,
+  const add = (id, title, words, links) => {
+    if (!links.length) return;
+    const items = links.map((link) => `<li><a href="${escaped(link.address)}">${escaped(link.title)}</a></li>`);
+    html.push(`<h2 id="${id}">${title}</h2>\n<p>${words}</p>\n<ul class="gallery cases">\n${items.join("\n")}\n</ul>`);
+    contents.push({ id, text: title });
+  };
+  const further = pages
+    .filter(({ description }) => description)
+    .flatMap((page) =>
+      scenesWithoutSheet(page, once).map(({ key, name }) => ({
+        address: `${page.address}#live=${page.live}&scene=${key}`,
+        title: `${page.title}: ${name}`,
+      })),
     );
-    contents.push({ id: "hard-cases", text: "Hard cases" });
-  }
+  add("scenes", "Scenes without a sheet", "Each runs on its chapter's page.", further);
+  add(
+    "problems",
+    "One step, iteration by iteration",
+    "A step's problem and its matrix, solved by several methods.",
+    pages.flatMap((page) =>
+      (page.description?.problems ?? []).map((name, i) => ({
+        address: `${page.address}#live=${page.live}&problem=${i}`,
+        title: `${page.title}: ${name}`,
+      })),
+    ),
+  );
+  add(
+    "hard-cases",
+    "Hard cases",
+    "Each is run under chapter 07's solver and under all together.",
+    pages.flatMap((page) => page.cases ?? []),
+  );
   return {
     file: address,
     address,

@@ -1,7 +1,8 @@
 # add_to_page(NAME): the chapter's experiment as one script that a page loads, live/NAME.js.
 find_program(NODE node REQUIRED NO_CMAKE_FIND_ROOT_PATH)
 set(calls description parameters values set choose scene lanes variant steps known now go_to camera grab pull let_go reach shift mishap
-    played series reference number column cells sample hash body bodies open begin draw legend)
+    played series reference number column cells sample hash body bodies open begin draw legend hold problem stored matrix iterate
+    iteration iterated residuals impulses)
 list(TRANSFORM calls REPLACE "(.+)" "_live_\\1")
 function(add_to_page name)
   # The stack holds the variables of main and a step's own; the rest grows.

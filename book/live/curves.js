@@ -4,6 +4,24 @@
   const live = (self.PushbackLive = self.PushbackLive || {});
   const three = (value) => (value === null || value === undefined ? "–" : Number(value.toPrecision(3)).toString());
 
+  /** A line across a plot, at this value of x. */
+  live.lineAt = function (plot, value, colour) {
+    const { left, top, height, width } = plot.bbox;
+    const x = plot.valToPos(value, "x", true);
+    if (x < left - 1 || x > left + width + 1) return;
+    const pen = plot.ctx;
+    pen.save();
+    pen.strokeStyle = colour;
+    pen.setLineDash([]);
+    pen.globalAlpha = 0.6;
+    pen.lineWidth = window.devicePixelRatio || 1;
+    pen.beginPath();
+    pen.moveTo(x, top);
+    pen.lineTo(x, top + height);
+    pen.stroke();
+    pen.restore();
+  };
+
   live.Curves = class {
     /** `seek(step)`: to this instant. */
     constructor(element, seek) {
@@ -76,7 +94,7 @@
               })),
             ],
             cursor: { y: false, drag: { x: false, y: false } },
-            hooks: { draw: [(drawn) => this.drawNow(drawn)] },
+            hooks: { draw: [(drawn) => live.lineAt(drawn, engine.now * engine.dt, ink)] },
           },
           this.data(lanes, which, references),
           figure,
@@ -108,23 +126,6 @@
         ...lanes.map((lane) => fit(this.engine.series(lane.lane, which))),
         ...references.map(({ values }) => fit(values)),
       ];
-    }
-
-    drawNow(plot) {
-      const { left, top, height, width } = plot.bbox;
-      const x = plot.valToPos(this.engine.now * this.engine.dt, "x", true);
-      if (x < left - 1 || x > left + width + 1) return;
-      const pen = plot.ctx;
-      pen.save();
-      pen.strokeStyle = getComputedStyle(this.element).color;
-      pen.setLineDash([]);
-      pen.globalAlpha = 0.6;
-      pen.lineWidth = window.devicePixelRatio || 1;
-      pen.beginPath();
-      pen.moveTo(x, top);
-      pen.lineTo(x, top + height);
-      pen.stroke();
-      pen.restore();
     }
 
     /** What was played since. */

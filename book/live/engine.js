@@ -137,6 +137,33 @@
       return { centre: [...four.slice(0, 3)], radius: four[3] };
     }
 
+    // ---- a problem, iteration by iteration
+    /** Begins one of the description's; `problem` says what it is. */
+    hold(which) {
+      const wrong = this.text(this.module._live_hold(which));
+      if (wrong) throw new Error(wrong);
+      this.problem = JSON.parse(this.text(this.module._live_problem()));
+    }
+    /** Of each number that is stored the row, the column, and itself, 1/kg. */
+    get matrix() {
+      return this.numbers(this.module._live_matrix(), 3 * this.module._live_stored());
+    }
+    get iteration() {
+      return this.module._live_iteration();
+    }
+    /** Towards an iteration, for so many milliseconds. Returns where it is then. */
+    iterate(target, milliseconds = 15) {
+      return this.module._live_iterate(target, milliseconds);
+    }
+    /** After 0, 1, 2 ... iterations, as far as they are known. */
+    residuals(method) {
+      return this.numbers(this.module._live_residuals(method), this.module._live_iterated(method));
+    }
+    /** N s, a row each, as they are now. */
+    impulses(method) {
+      return this.numbers(this.module._live_impulses(method), this.problem.rows);
+    }
+
     // ---- picture and hand
     open(selector) {
       return this.told(selector, (text) => this.module._live_open(text));
@@ -147,7 +174,7 @@
     begin() {
       this.module._live_begin();
     }
-    /** `shown`: 1 points, 2 impulses, 4 marks; `from`, `to`: the columns of the pane that are drawn. */
+    /** `shown`: 1 points, 2 impulses, 4 marks, 8 coarsely; `from`, `to`: the columns of the pane that are drawn. */
     draw(lane, shown, x, y, width, height, from = 0, to = width) {
       return this.text(this.module._live_draw(lane, shown, x, y, width, height, from, to));
     }

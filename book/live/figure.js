@@ -32,6 +32,8 @@
     );
   }
 
+  live.transport = { icon, button };
+
   live.Player = class {
     /** In `figure`, whose picture goes while this runs. `state`: of an address, as `state` gives it. */
     constructor(figure, engine, root, state = {}) {
@@ -45,6 +47,7 @@
       this.slow = new Set();
       this.take(state);
       this.build();
+      this.iterations.begin(state.problem, state.iteration);
       if (state.view) Object.assign(this.stage.camera, state.view);
       this.stage.wipe = state.wipe ?? null;
       this.stage.follow = state.follow ?? (engine.scene.strobe && this.stage.element.clientWidth < 560);
@@ -148,7 +151,8 @@
       this.numbers = make("div", { className: "pb-numbers" });
       const sliders = make("div", { className: "pb-sliders", role: "group", "aria-label": "Parameters" });
       const plots = make("div", { className: "pb-plots" }),
-        strips = make("div", { className: "pb-strips" });
+        strips = make("div", { className: "pb-strips" }),
+        iterations = make("section", { className: "pb-iterations" });
       this.said = make("p", { className: "pb-said", role: "status", "aria-live": "polite" });
       this.link = make("button", {
         type: "button",
@@ -193,6 +197,7 @@
         sliders,
         strips,
         plots,
+        iterations,
         foot,
         this.said,
       );
@@ -202,9 +207,11 @@
       this.curves = new live.Curves(plots, (step) => this.go(step));
       this.strips = new live.Strips(strips, (step) => this.go(step));
       this.controls = new live.Controls(sliders, this.engine, (assignments, done) => this.set(assignments, done));
+      this.iterations = new live.Iterations(iterations, this.engine, () => this.remember());
       this.stage.canvas.addEventListener("keydown", (event) => this.key(event));
       this.watch = new ResizeObserver(() => {
         this.curves.resize();
+        this.iterations.resize();
         this.changed();
       });
       this.watch.observe(stage);
@@ -399,9 +406,11 @@
           all = engine.lanes.length === Math.min(4, before);
         const problem = engine.set(assignments);
         if (!problem && all && engine.scene.variants.length > before) engine.choose(engine.sceneIndex, [0, 1, 2, 3]);
+        if (!problem) this.iterations.changed();
         return problem;
       });
       this.answered = performance.now() - began;
+      if (!done) this.stage.hurry();
       if (done) {
         this.controls.build();
         this.remember();
@@ -592,6 +601,8 @@
       state.set("see", this.shown);
       if (stage.wipe !== null) state.set("wipe", stage.wipe.toFixed(3));
       if (stage.follow) state.set("close", 1);
+      if (this.iterations.which) state.set("problem", this.iterations.which);
+      if (this.iterations.target) state.set("iteration", this.iterations.target);
       return state;
     }
     /** The state that an address says; what it says wrongly is left as it is. */
@@ -623,6 +634,8 @@
       const wipe = Number(from.get("wipe"));
       if (from.has("wipe") && wipe >= 0 && wipe <= 1) state.wipe = wipe;
       state.follow = from.has("close");
+      state.problem = Number(from.get("problem"));
+      state.iteration = Number(from.get("iteration"));
     }
     /** Into the address, once nothing has changed for a moment. */
     remember() {

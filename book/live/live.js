@@ -2,7 +2,17 @@
 // Finds a page's figures with data-chapter and puts the experiment itself in the place of the picture, once it is asked for.
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
-  const pieces = ["engine.js", "stage.js", "curves.js", "controls.js", "strips.js", "figure.js", "picture.js"];
+  const pieces = [
+    "engine.js",
+    "stage.js",
+    "curves.js",
+    "controls.js",
+    "strips.js",
+    "matrix.js",
+    "iterations.js",
+    "figure.js",
+    "picture.js",
+  ];
   const own = document.currentScript.src.replace(/[^/]*$/, "");
   const players = new Map();
 
@@ -122,7 +132,10 @@
     const state = new URLSearchParams(location.hash.slice(1));
     const wanted = figures.find((figure) => figure.dataset.chapter === state.get("live"));
     if (!wanted) return;
-    start(wanted, { of: state }).then(() => wanted.scrollIntoView());
+    start(wanted, { of: state }).then((player) => {
+      const part = state.has("problem") || state.has("iteration") ? player?.iterations.element : null;
+      (part ?? wanted).scrollIntoView();
+    });
   }
 
   // For tests, and for who wants to look inside: the player of a figure, once it runs.

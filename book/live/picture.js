@@ -30,6 +30,7 @@
   /** A canvas. */
   live.pictureOf = function (player) {
     const { engine, stage } = player;
+    stage.coarse = false;
     stage.draw();
     const canvas = document.createElement("canvas"),
       pen = canvas.getContext("2d");

@@ -10,6 +10,8 @@
   const unit = (a) => a.map((x) => x / length(a));
   const clamp = (x, low, high) => Math.min(high, Math.max(low, x));
 
+  const slow = 60; // ms: a picture that takes longer is drawn coarsely while a slider moves
+  const coarseness = 0.4; // of its pixels along each side
   const head = 26; // CSS pixels over each pane, for the variant's name
 
   /** A camera that goes about its target. Angles in rad; `distance` and `pan` as factors of the scene's own distance. */
@@ -57,6 +59,8 @@
       this.element = element;
       this.camera = new Camera();
       this.follow = false;
+      this.cost = 0; // ms, of a whole picture, as far as that is known
+      this.coarse = false;
       this.wipe = null; // the part of the width at which one variant ends and the other begins
       this.canvas = document.createElement("canvas");
       this.canvas.id = `pushback-live-${++live.Stage.count}`;
@@ -113,7 +117,7 @@
         return { lane: i, left, top, width: right - left, height: high };
       });
       this.size = { width, height: rows * (high + head) };
-      const scale = clamp(window.devicePixelRatio || 1, 1, 2);
+      const scale = clamp(window.devicePixelRatio || 1, 1, 2) * (this.coarse ? coarseness : 1);
       const [w, h] = [Math.round(scale * width), Math.round(scale * this.size.height)];
       if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
       this.canvas.style.height = `${this.size.height}px`;
@@ -146,7 +150,8 @@
       this.arrange();
       this.label();
       if (this.problem) return;
-      const { engine, shown } = this.player;
+      const { engine } = this.player,
+        shown = this.player.shown | (this.coarse ? 8 : 0);
       engine.begin();
       for (const pane of this.panes) {
         const pixels = (x) => Math.round(this.scale * x);
@@ -160,6 +165,32 @@
         if (to > from) this.problem = engine.draw(pane.lane, shown, x, y, width, height, from, to);
         if (this.problem) break;
       }
+      if (!this.problem && !this.coarse) this.time();
+    }
+    /** How long the graphics take for the picture that they were given: software may take longer than a hand waits. */
+    time() {
+      if (this.timing) return;
+      const gl = this.canvas.getContext("webgl2"),
+        fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0),
+        began = performance.now();
+      this.timing = true;
+      gl.flush();
+      const look = () => {
+        if (fence && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) return setTimeout(look, 5);
+        this.timing = false;
+        this.cost = performance.now() - began;
+        gl.deleteSync(fence);
+      };
+      setTimeout(look);
+    }
+    /** Until nothing has moved for a while, where whole pictures take long. */
+    hurry() {
+      this.coarse = this.cost > slow;
+      clearTimeout(this.refining);
+      this.refining = setTimeout(() => {
+        this.coarse = false;
+        this.player.changed();
+      }, 250);
     }
 
     label() {

@@ -1,5 +1,6 @@
 #include "pushback/chapters/04_slop/slop.h"
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
+#include "pushback/chapters/16_whole_problem/iterated.h"
 #include "pushback/chapters/16_whole_problem/scenes.h"
 #include "pushback/chapters/16_whole_problem/study.h"
 #include "pushback/common/experiment/experiment.h"
@@ -55,6 +56,9 @@ int main(int argc, char** argv) {
       return sunk[std::min(sunk.size(), static_cast<std::size_t>(std::lround(0.5 / run.dt))) - 1];
     });
     e.number("sunk after 2 s", "m", [gate](const Run& run) { return gate.height_lost_by_top(run.world); });
+    e.iterations(tall, [&e, gate] { return swept_in_all_ways(first_step(gate, e.dt())); });
+    e.iterations("a pyramid of five",
+                 [&e] { return swept_in_all_ways(first_step([](World& world) { pyramid(world, 5); }, e.dt())); });
 
     e.study([&e, tall, stacked, ratio] {
       const Real h = e.dt();

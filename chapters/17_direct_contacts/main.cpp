@@ -1,5 +1,6 @@
 #include "pushback/chapters/04_slop/slop.h"
 #include "pushback/chapters/17_direct_contacts/direct_contacts.h"
+#include "pushback/chapters/17_direct_contacts/iterated.h"
 #include "pushback/chapters/17_direct_contacts/scenes.h"
 #include "pushback/common/experiment/experiment.h"
 
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
     e.variant("direct contact solve", Direct{}).with_exactly(1).expect("sunk by", 0);
     e.series("sunk by", "m", [pile](const World& world) { return pile.height_lost(world); });
     e.number("sunk by", "m", [pile](const Run& run) { return pile.height_lost(run.world); });
+    e.iterations(heavy, [&e, pile] { return swept_and_solved(first_step(pile, e.dt())); });
 
     e.study([&e, heavy, pile] {
       World at_rest;

@@ -1,6 +1,7 @@
 #include "pushback/chapters/14_joints_under_load/split_joints.h"
 #include "pushback/chapters/16_whole_problem/study.h"
 #include "pushback/chapters/18_direct_joints/chain_study.h"
+#include "pushback/chapters/18_direct_joints/iterated.h"
 #include "pushback/chapters/18_direct_joints/scenes.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marks.h"
@@ -46,6 +47,10 @@ int main(int argc, char** argv) {
     e.number("longest", "%", [](const Run& run) {
       const auto& stretch = run.series.at("longer than its links by");
       return *std::max_element(stretch.begin(), stretch.end());
+    });
+    e.iterations("the chain with its load", [&e, chain] { return iterated(chain, e.dt()); });
+    e.iterations("a chain let go at 45°", [&e, links = chain.links] {
+      return iterated([links](World& world) { slanting_chain(world, links); }, e.dt());
     });
 
     e.study([&e] {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "pushback/common/basics/input.h"
+#include "pushback/common/experiment/iterated_problem.h"
 #include "pushback/common/experiment/words.h"
 
 namespace pushback {
@@ -173,6 +174,10 @@ void Experiment::study(std::function<void()> work) {
   studies_.push_back(std::move(work));
 }
 
+void Experiment::iterations(const std::string& of, std::function<IteratedProblem()> make) {
+  posed_.push_back({of, std::move(make)});
+}
+
 void Experiment::panel(Panel panel) {
   own_panels_.push_back(std::move(panel));
 }
@@ -187,6 +192,7 @@ void Experiment::describe(const std::function<void()>& define) {
   acts_.clear();
   variants_.clear();
   studies_.clear();
+  posed_.clear();
   define();
   refuse_twins();
   choose_colours();

@@ -33,6 +33,7 @@
 
 namespace pushback {
 
+struct IteratedProblem;
 struct Sheet;
 
 /// What is read off the world after every step.
@@ -133,6 +134,8 @@ class Experiment {
   void study(std::function<void()> work);
   /// A further diagram that the experiment works out itself, after the scenes' own.
   void panel(Panel panel);
+  /// A step's problem that a page solves iteration by iteration (iterated_problem.h). `make` is called where one asks for it.
+  void iterations(const std::string& of, std::function<IteratedProblem()> make);
   /// A finding that belongs to no single variant; it stands below the tables of numbers.
   void remark(std::string sentence);
 
@@ -159,6 +162,10 @@ class Experiment {
     Scene scene;
     std::vector<Quantity> series;
     std::vector<Number> numbers;
+  };
+  struct Posed {
+    std::string name;
+    std::function<IteratedProblem()> make;
   };
   struct Result;
   class Output;
@@ -198,6 +205,7 @@ class Experiment {
   std::vector<Panel> own_panels_;
   std::vector<std::string> remarks_;
   std::vector<std::function<void()>> studies_;
+  std::vector<Posed> posed_;
 
   std::string out_ = "renders", size_ = "640x360";
   int width_ = 0, height_ = 0;

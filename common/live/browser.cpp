@@ -133,6 +133,52 @@ EMSCRIPTEN_KEEPALIVE const double* live_shift() {
   return numbers_out.data();
 }
 
+/// Begins a problem of the description.
+EMSCRIPTEN_KEEPALIVE const char* live_hold(int problem) {
+  return problem_of([&] { live->hold(static_cast<std::size_t>(problem)); });
+}
+EMSCRIPTEN_KEEPALIVE const char* live_problem() {
+  return answered(live->problem());
+}
+/// How many numbers of its matrix are stored; live_matrix: of each the row, the column, and itself, 1/kg.
+EMSCRIPTEN_KEEPALIVE int live_stored() {
+  return static_cast<int>(live->iterated().problem().matrix.nonZeros());
+}
+EMSCRIPTEN_KEEPALIVE const double* live_matrix() {
+  const auto& matrix = live->iterated().problem().matrix;
+  numbers_out.clear();
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+    for (std::decay_t<decltype(matrix)>::InnerIterator it(matrix, row); it; ++it)
+      numbers_out.insert(numbers_out.end(), {static_cast<Real>(row), static_cast<Real>(it.col()), it.value()});
+  return numbers_out.data();
+}
+/// As far as it comes in so many milliseconds, but one iteration at least. Returns where it is then.
+EMSCRIPTEN_KEEPALIVE int live_iterate(int target, double milliseconds) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  Iterated& iterated = live->iterated();
+  for (int next = std::min(iterated.now() + 1, target); iterated.now() != target; ++next) {
+    iterated.go_to(next);
+    if (iterated.now() != next) break;  // beyond its ends
+    if (std::chrono::duration<double, std::milli>(Clock::now() - begin).count() >= milliseconds) break;
+  }
+  return iterated.now();
+}
+EMSCRIPTEN_KEEPALIVE int live_iteration() {
+  return live->iterated().now();
+}
+/// How many residuals of a method are known; the first is that of no impulse.
+EMSCRIPTEN_KEEPALIVE int live_iterated(int method) {
+  return static_cast<int>(live->iterated().residuals(static_cast<std::size_t>(method)).size());
+}
+EMSCRIPTEN_KEEPALIVE const double* live_residuals(int method) {
+  return live->iterated().residuals(static_cast<std::size_t>(method)).data();
+}
+/// N s, a row each.
+EMSCRIPTEN_KEEPALIVE const double* live_impulses(int method) {
+  return live->iterated().impulses(static_cast<std::size_t>(method)).data();
+}
+
 EMSCRIPTEN_KEEPALIVE const char* live_mishap(int lane) {
   return answered(live->mishap(static_cast<std::size_t>(lane)));
 }
@@ -194,13 +240,13 @@ EMSCRIPTEN_KEEPALIVE const char* live_open(const char* selector) {
 EMSCRIPTEN_KEEPALIVE void live_begin() {
   marks_seen = {};
 }
-/// `shown`: 1 points, 2 impulses, 4 marks.
+/// `shown`: 1 points, 2 impulses, 4 marks; 8: coarsely.
 EMSCRIPTEN_KEEPALIVE const char* live_draw(int lane, int shown, int x, int y, int width, int height, int from, int to) {
   return problem_of([&] {
     const Picture picture =
         live->picture(static_cast<std::size_t>(lane), looking, {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0});
     marks_seen.see(picture);
-    on_canvas->draw(picture, {x, y, width, height, from, to});
+    on_canvas->draw(picture, {x, y, width, height, from, to}, (shown & 8) != 0);
   });
 }
 /// [["dot", "#rrggbb", "sticking contact"], ...]

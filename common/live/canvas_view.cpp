@@ -29,9 +29,10 @@ CanvasView::~CanvasView() {
   emscripten_webgl_destroy_context(context_);
 }
 
-void CanvasView::draw(const Picture& picture, const Pane& pane) {
+void CanvasView::draw(const Picture& picture, const Pane& pane, bool coarse) {
   emscripten_webgl_make_context_current(context_);
   const Frame frame(picture);
+  state_->drawing.coarse = coarse;
   state_->drawing.load(frame);
   state_->drawing.draw(frame, 0, pane, lights_for(frame, 0, 1), Eigen::Vector2f::Zero(), state_->lighting);
 }

@@ -16,7 +16,7 @@ class CanvasView {
   CanvasView(const CanvasView&) = delete;
   CanvasView& operator=(const CanvasView&) = delete;
 
-  void draw(const Picture& picture, const Pane& pane);
+  void draw(const Picture& picture, const Pane& pane, bool coarse);
 
  private:
   struct State;

@@ -11,6 +11,7 @@
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/common/experiment/marker.h"
 #include "pushback/common/experiment/picture_of.h"
 #include "pushback/common/experiment/words.h"
 #include "pushback/common/live/lane.h"
@@ -135,6 +136,7 @@ void Live::set(const std::string& assignments) {
     for (std::size_t i = 0; i < parameters_.size(); ++i) std::visit(Assign{values[i]}, parameters_[i].variable);
   };
   lanes_.clear();  // they refer to what is described
+  iterated_.reset();
   take(after);
   experiment_.told_.swap(told);
   try {
@@ -236,6 +238,14 @@ void Live::pull_to(const Camera& camera, Real aspect, Real x, Real y) {
 
 void Live::let_go() {
   held_.reset();
+}
+
+// ---- a problem ---------------------------------------------------------------------------------------------------------
+
+void Live::hold(std::size_t problem) {
+  if (problem >= experiment_.posed_.size())
+    throw InvalidInput(fmt::format("problem {}: there are {}, the first is 0", problem, experiment_.posed_.size()));
+  iterated_.emplace(experiment_.posed_[problem].make());
 }
 
 // ---- what is to be seen ------------------------------------------------------------------------------------------------
@@ -447,8 +457,22 @@ std::string Live::description() const {
                  }),
         array_of(here, [&](const Variant* variant) { return in_full(*variant); })));
   }
-  return fmt::format(R"({{"name": {}, "question": {}, "dt": {}, "scenes": [{}]}})", pushback::quoted(experiment_.name_),
-                     pushback::quoted(experiment_.question_), experiment_.dt_, fmt::join(scenes, ",\n"));
+  return fmt::format(R"({{"name": {}, "question": {}, "dt": {}, "problems": {}, "scenes": [{}]}})",
+                     pushback::quoted(experiment_.name_), pushback::quoted(experiment_.question_), experiment_.dt_,
+                     array_of(experiment_.posed_, [](const auto& posed) { return pushback::quoted(posed.name); }),
+                     fmt::join(scenes, ",\n"));
+}
+
+std::string Live::problem() const {
+  const IteratedProblem& problem = iterated().problem();
+  std::vector<std::string> methods;
+  for (std::size_t i = 0; i < problem.methods.size(); ++i)
+    methods.push_back(fmt::format(R"({{"name": {}, "colour": "{}", "marker": "{}"}})",
+                                  pushback::quoted(problem.methods[i].name), line_colour(i), marker_of(i)));
+  return fmt::format(
+      R"({{"rows": {}, "block": {}, "blockName": {}, "iteration": {}, "measure": {}, "most": {}, "methods": [{}]}})",
+      problem.matrix.rows(), problem.block, pushback::quoted(problem.block_name), pushback::quoted(problem.iteration),
+      pushback::quoted(problem.measure), problem.most, fmt::join(methods, ", "));
 }
 
 }  // namespace pushback

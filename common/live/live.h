@@ -10,6 +10,7 @@
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/legend.h"
 #include "pushback/common/live/hand.h"
+#include "pushback/common/live/iterated.h"
 #include "pushback/common/render/picture.h"
 
 namespace pushback {
@@ -67,6 +68,16 @@ class Live {
   void let_go();
   const std::optional<Grab>& held() const { return held_; }
 
+  // ---- a problem ------------------------------------------------------------------------------------------------------
+
+  /// Begins a problem of the experiment, by its place. It goes with what a parameter changes.
+  void hold(std::size_t problem);
+  /// The one that was begun last. Throws std::bad_optional_access where there is none.
+  Iterated& iterated() { return iterated_.value(); }
+  const Iterated& iterated() const { return iterated_.value(); }
+  /// Its rows, blocks, measure and methods, as JSON.
+  std::string problem() const;
+
   // ---- what is to be seen --------------------------------------------------------------------------------------------
 
   const World& world(std::size_t lane) const;
@@ -107,6 +118,7 @@ class Live {
   std::vector<Lane> lanes_;
   std::vector<std::optional<Grab>> hand_;  ///< in each step that is known
   std::optional<Grab> held_;
+  std::optional<Iterated> iterated_;
 };
 
 }  // namespace pushback

@@ -72,6 +72,7 @@ void Drawing::draw_shadows(const Frame& frame, const Lighting& lighting, const s
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (i == 0) lighting.key.begin_layer(0);
     else lighting.sky.begin_layer(static_cast<int>(i) - 1);
+    if (coarse && i > 0) continue;
     depth_.set("clip_from_eye", Eigen::Matrix4f(clip_from_map * views[i].map_from_eye));
     geometry_.draw(Geometry::sharp_box, 0, frame.boxes.size());
     geometry_.draw(Geometry::coarse_ball, frame.boxes.size(), frame.balls.size());
@@ -206,7 +207,7 @@ void Drawing::draw(const Frame& frame, GLuint framebuffer, const Pane& pane, con
   begin(lighting.solid);
   set_lights(lighting.solid, frame, lights, lighting, views);
   geometry_.draw(Geometry::bevelled_box, 0, frame.boxes.size());
-  geometry_.draw(Geometry::ball, frame.boxes.size(), frame.balls.size());
+  geometry_.draw(coarse ? Geometry::coarse_ball : Geometry::ball, frame.boxes.size(), frame.balls.size());
   geometry_.draw_hulls(false);
   begin(lighting.plane);
   set_lights(lighting.plane, frame, lights, lighting, views);

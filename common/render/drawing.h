@@ -53,6 +53,8 @@ class Drawing {
   void draw(const Frame& frame, GLuint framebuffer, const Pane& pane, const Lights& lights,
             const Eigen::Vector2f& shift, const Lighting& lighting);
 
+  bool coarse = false;  ///< for who has to be quick: the sky casts no shadows, and what is round has fewer corners
+
  private:
   void draw_shadows(const Frame& frame, const Lighting& lighting, const std::vector<ShadowView>& views) const;
   void set_lights(const Program& program, const Frame& frame, const Lights& lights, const Lighting& lighting,

@@ -2,6 +2,7 @@
 #include <random>
 
 #include "pushback/chapters/06_friction/friction.h"
+#include "pushback/chapters/16_whole_problem/iterated.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/chapters/16_whole_problem/study.h"
 #include "pushback/chapters/17_direct_contacts/methods.h"
@@ -255,5 +256,29 @@ TEST_CASE("a file cut short anywhere, or with a word spoilt, is refused or read,
     std::string spoilt = text;
     for (int k = 0; k < 3; ++k) spoilt[random() % spoilt.size()] = "0123456789-.e \nx"[random() % 16];
     complaint([&] { read_problem(spoilt); });
+  }
+}
+
+TEST_CASE("iteration by iteration, each method leaves what it leaves in one go, and falls") {
+  const SharedProblem step = first_step([](World& world) { pyramid(world, 5); }, Real(1) / 60);
+  IteratedProblem problem = swept_in_all_ways(step);
+  CHECK(problem.matrix.rows() == 3 * step->contacts());
+  CHECK((problem.matrix - step->w).norm() == 0);
+  const std::vector<std::string> names = sweeping_method_names();
+  REQUIRE(problem.methods.size() == names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    INFO(names[i]);
+    Vector r = Vector::Zero(step->q.size());
+    CHECK(problem.residual(r) == relative_residual(*step, r));
+    double before = problem.residual(r);
+    for (int k = 1; k <= 20; ++k) {
+      CHECK(problem.methods[i].iterate(r));
+      if (k != 1 && k != 7 && k != 20) continue;
+      const Solution in_one_go = solve_by_sweeps(*step, names[i], k, 0);
+      CHECK(r == in_one_go.r);
+      CHECK(problem.residual(r) == in_one_go.residual);
+      CHECK(problem.residual(r) < before);
+      before = problem.residual(r);
+    }
   }
 }

@@ -5,7 +5,9 @@
 
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/chapters/17_direct_contacts/direct_contacts.h"
+#include "pushback/chapters/17_direct_contacts/iterated.h"
 #include "pushback/chapters/17_direct_contacts/methods.h"
+#include "pushback/chapters/17_direct_contacts/scenes.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
@@ -145,4 +147,38 @@ TEST_CASE("the pile of rocks, which takes longest, is solved", "[long]") {
   const Solution found = solve_best(read_problem_file(file));
   CHECK(found.residual < 1e-12);
   CHECK(found.work < Effort{}.work / 3);
+}
+
+TEST_CASE("a thousand times heavier on four: Newton's method comes to rounding and ends, sweeps come nowhere") {
+  const SharedProblem step = first_step(direct_contacts_scenes::HeavyOnFour{}, Real(1) / 60);
+  IteratedProblem problem = swept_and_solved(step);
+  REQUIRE(problem.methods.size() == 4);
+  std::vector<double> left;
+  std::vector<int> taken;
+  for (IteratedProblem::Method& method : problem.methods) {
+    INFO(method.name);
+    Vector r = Vector::Zero(step->q.size());
+    int k = 0;
+    while (k < 250 && method.iterate(r)) {
+      ++k;
+      if (method.name.starts_with("best") && k == 200) CHECK(r == solve_by_sweeps(*step, "nscg", 200, 0).r);
+      if (method.name.starts_with("smoothed") && k == 5)
+        CHECK(r == solve_smoothed(*step, {.tolerance = 0, .systems = 5}).r);
+    }
+    const Vector at_end = r;
+    if (k < 250) {
+      CHECK_FALSE(method.iterate(r));
+      CHECK(r == at_end);
+    }
+    left.push_back(problem.residual(r));
+    taken.push_back(k);
+  }
+  CHECK(left[0] > 0.4);
+  CHECK(left[1] > 0.1);
+  CHECK(left[2] < 1e-12);
+  CHECK(left[3] < 1e-12);
+  CHECK(taken[0] == 250);
+  CHECK(taken[2] > 200);
+  CHECK(taken[2] < 250);
+  CHECK(taken[3] < 50);
 }

@@ -5,6 +5,7 @@
 #include "pushback/chapters/13_joints/study.h"
 #include "pushback/chapters/14_joints_under_load/structures.h"
 #include "pushback/chapters/15_limits_motors_springs/scenes.h"
+#include "pushback/chapters/18_direct_joints/iterated.h"
 #include "pushback/chapters/18_direct_joints/scenes.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
@@ -240,4 +241,43 @@ TEST_CASE("joints at once: what a body cannot feel is not asked of it") {
   CHECK(solver.joint_rows().size() == 5);
   CHECK(solver.rows_at_once().size() == 3);
   CHECK((world.bodies[0].position - Vec3(1, 0, 0)).norm() < Real(1e-12));
+}
+
+TEST_CASE("A lambda + q is JV + b of the bodies: what sweeps leave, and the direct solve") {
+  constexpr bool in_float = std::is_same_v<Real, float>;
+  const LoadedChain chain;
+  IteratedProblem problem = iterated(chain, h);
+  CHECK(problem.matrix.rows() == 3 * (chain.links + 1));
+  REQUIRE(problem.methods.size() == 2);
+  Vector swept = Vector::Zero(problem.matrix.rows()), direct = swept;
+  CHECK(problem.residual(swept) == 1);
+  double before = 1;
+  for (int k = 1; k <= 30; ++k) {
+    CHECK(problem.methods[0].iterate(swept));
+    if (k != 1 && k != 8 && k != 30) continue;
+    World world;
+    chain(world);
+    world.begin_step(h);
+    Solver<Joints> solver;
+    solver.solve(world, h, 0);
+    const auto largest = [&solver] {
+      Real most = 0;
+      for (const JointRow& row : solver.joint_rows()) most = std::max(most, std::abs(row.speed() + row.bias));
+      return static_cast<double>(most);
+    };
+    const double at_first = largest();
+    World again;
+    chain(again);
+    again.begin_step(h);
+    solver.solve(again, h, k);
+    CHECK(problem.residual(swept) == Approx(largest() / at_first).epsilon(in_float ? 1e-3 : 1e-9));
+    CHECK(problem.residual(swept) < before);
+    before = problem.residual(swept);
+  }
+  CHECK(problem.methods[1].iterate(direct));
+  CHECK(problem.residual(direct) < (in_float ? 1e-3 : 1e-10));
+  const Vector after_one = direct;
+  CHECK_FALSE(problem.methods[1].iterate(direct));
+  CHECK(direct == after_one);
+  CHECK((swept - direct).norm() > 0.1 * direct.norm());
 }

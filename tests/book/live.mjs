@@ -168,6 +168,26 @@ test("sliders are the parameters of --help, with range and reset, and change wha
   await page.close();
 });
 
+test("where pictures take long, those of a slider that moves are coarse, and the one where it rests is not", async () => {
+  const page = await running("03_baumgarte");
+  await page.waitForFunction(() => player.stage.cost > 0 && !player.stage.timing);
+  const whole = await page.evaluate(() => player.stage.canvas.width);
+  const moved = (cost) =>
+    page.evaluate((ms) => {
+      const slider = document.querySelector('.pb-sliders [data-flag="--depth"] input[type="range"]');
+      player.stage.cost = ms;
+      slider.value = Number(slider.value) + 9;
+      slider.dispatchEvent(new Event("input"));
+      player.stage.draw();
+      return player.stage.canvas.width;
+    }, cost);
+  assert.ok(Math.abs((await moved(1000)) / whole - 0.4) < 0.01);
+  await page.waitForFunction((width) => !player.stage.coarse && player.stage.canvas.width === width, whole);
+  assert.equal(await moved(10), whole);
+  assert.deepEqual(page.wrong, []);
+  await page.close();
+});
+
 test("numbers stand beside what they should be, and change with the time", async () => {
   const page = await running("03_baumgarte");
   await page.getByRole("combobox", { name: "Scene" }).selectOption({ index: 1 });

@@ -265,3 +265,79 @@ TEST_CASE("a strobe scene leaves an image at each instant, as far as its sheet g
   live.go_to(12);
   CHECK(images() == 3);
 }
+
+namespace {
+
+/// Two rows of which each feels half of the other, and half of what is wrong taken away by every iteration, nine times.
+IteratedProblem halving(int& made) {
+  ++made;
+  IteratedProblem problem{.block_name = "pair", .iteration = "a half", .measure = "left"};
+  problem.matrix.resize(2, 2);
+  for (const int row : {0, 1})
+    for (const int column : {0, 1}) problem.matrix.insert(row, column) = row == column ? 1 : Real(0.5);
+  const Eigen::VectorXd solution = Eigen::VectorXd::Constant(2, 1 / 3.0);
+  problem.residual = [solution](const Eigen::VectorXd& r) { return (r - solution).norm(); };
+  problem.methods = {{"halves",
+                      [solution](Eigen::VectorXd& r) {
+                        r = (r + solution) / 2;
+                        return true;
+                      }},
+                     {"nine", [solution, left = 9](Eigen::VectorXd& r) mutable {
+                        if (left-- == 0) return false;
+                        r = (r + solution) / 2;
+                        return true;
+                      }}};
+  problem.most = 20;
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("a problem is solved to and fro in the same bits, and a method that has ended stays there") {
+  int made = 0;
+  Iterated iterated(halving(made));
+  CHECK(iterated.residuals(0).size() == 1);
+  CHECK(iterated.impulses(0).isZero(0));
+  std::vector<Eigen::VectorXd> seen{iterated.impulses(0)};
+  for (int k = 1; k <= 20; ++k) {
+    iterated.go_to(k);
+    CHECK(iterated.residuals(0)[static_cast<std::size_t>(k)] == Approx(std::sqrt(2) / 3 / std::pow(2, k)));
+    seen.push_back(iterated.impulses(0));
+  }
+  for (const int k : {19, 3, 0, 20, 7}) {
+    iterated.go_to(k);
+    CHECK(iterated.now() == k);
+    CHECK(iterated.impulses(0) == seen[static_cast<std::size_t>(k)]);
+    CHECK(iterated.impulses(1) == seen[static_cast<std::size_t>(std::min(k, 9))]);
+  }
+  CHECK(iterated.residuals(1).size() == 10);
+  iterated.go_to(21);
+  CHECK(iterated.now() == 20);
+  iterated.go_to(-1);
+  CHECK(iterated.now() == 0);
+}
+
+TEST_CASE("an experiment's problem is made where it is asked for, and anew once a parameter has changed") {
+  Experiment e("held", "?");
+  int boxes = 2, made = 0;
+  e.parameter({"--boxes", "n", "", "Boxes of the stack", 1, 12}, &boxes);
+  Live live(e, [&] {
+    e.scene({.name = "a stack", .fill = [n = boxes](World& world) { stack(world, n); }});
+    e.variant("full", FullSolver{});
+    e.iterations("halves", [&made] { return halving(made); });
+  });
+  CHECK(contains(live.description(), "\"problems\": [\"halves\"]"));
+  CHECK(made == 0);
+  CHECK_THROWS_AS(live.hold(1), InvalidInput);
+  live.hold(0);
+  CHECK(made == 1);
+  live.iterated().go_to(5);
+  live.choose(0, {0});
+  CHECK(live.iterated().now() == 5);
+  CHECK(contains(live.problem(), R"("rows": 2, "block": 1, "blockName": "pair", "iteration": "a half")"));
+  CHECK(contains(live.problem(), R"({"name": "nine", "colour": "#d55e00", "marker": "■"})"));
+  live.set("--boxes=3");
+  CHECK_THROWS_AS(live.iterated(), std::bad_optional_access);
+  live.hold(0);
+  CHECK(live.iterated().now() == 0);
+}

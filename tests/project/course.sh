@@ -267,7 +267,21 @@ course book --still && expect 0 "npm ci --prefix build/node" "node book/build.js
 expect_not cmake
 # Experiments run in it where em++ can be had; where it cannot, the pages keep their pictures, and that is said.
 course book && expect 0 "  nodejs npm emscripten" "no em++" "keep their still pictures" "node book/build.js" && expect_not "cmake --build"
+# Tests of it, of which one runs an experiment: compiled for it alone, unless all are; left out where there is no compiler, but not in CI.
+mkdir -p "$scratch/home/tests/book"
+touch "$scratch"/home/tests/book/{pages,live,live_page}.mjs
+stand_in chromium 'true'
+course test --book && expect 0 "no em++" "no live page is tested" "1 tests/book/pages.mjs" && expect_not "live_page.mjs"
+course test --book live_page && expect 0 "no live page is tested" && expect_not "node --test"
+CI=true course test --book live_page && expect 1 "no live page can be tested"
 stand_in em++ 'true'
+course test --book pages && expect 0 "1 tests/book/pages.mjs" && expect_not "cmake"
+course test --book && expect 0 "cmake --build --preset wasm" "--target page_04_slop" "1 tests/book/live_page.mjs tests/book/pages.mjs"
+mkdir -p "$scratch/home/build/wasm/live"
+course test --book && expect 0 "1 tests/book/live_page.mjs tests/book/pages.mjs" && expect_not "cmake"
+touch "$scratch/home/build/wasm/live/hard_cases.js"
+course test --book && expect 0 "1 tests/book/live.mjs tests/book/live_page.mjs tests/book/pages.mjs"
+rm -r "$scratch/home/build/wasm"
 course book && expect 0 "cmake --preset wasm" "cmake --build --preset wasm" "node book/build.js" && expect_not "still pictures"
 course book --still --serve && expect 0 "node book/serve.js build/book" && expect_not "npm ci"
 echo newer >"$scratch/home/book/package-lock.json"

@@ -1,9 +1,9 @@
 /// A page with one live figure, made of book/live/ and of what em++ has built, so that the experiments are tested without the book.
 import fs from "node:fs";
-import { createRequire } from "node:module";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
+import { engineOf as engineIn } from "../../../book/experiments.js";
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../../..");
 const folder = path.join(root, "build/live_pages");
@@ -19,14 +19,7 @@ export const chapters = () =>
     : [];
 
 /// A chapter's program in node, without a page.
-export async function engineOf(chapter) {
-  // What a loader looks for in node, and a page's script in its window.
-  Object.assign(globalThis, { self: globalThis, require: createRequire(import.meta.url), __dirname: root });
-  await import(path.join(root, "book/live/engine.js"));
-  (0, eval)(fs.readFileSync(path.join(built, `${chapter}.js`), "utf8"));
-  const { create, program } = globalThis.PUSHBACK_LIVE_CHAPTERS[chapter];
-  return new globalThis.PushbackLive.Engine(await create({ wasmBinary: Buffer.from(program, "base64") }));
-}
+export const engineOf = (chapter) => engineIn(path.join(built, `${chapter}.js`));
 
 function link(from, to) {
   fs.rmSync(to, { force: true, recursive: true });

@@ -1,0 +1,284 @@
+"use strict";
+// One step's problem, solved iteration by iteration: what each method leaves unsolved, and the matrix.
+(function () {
+  const live = (self.PushbackLive = self.PushbackLive || {});
+  const { make } = live;
+  const perSecond = 12; // stops, while it plays
+  const least = 1e-17; // what is less is drawn there
+  const shown = (value) =>
+    value === 0 || value >= 0.01 ? Number(value.toPrecision(3)).toString() : value.toExponential(1);
+
+  /** Where the slider stops, and where it plays through: each of the first, then by ever longer strides. */
+  function stopsUpTo(most) {
+    const stops = [];
+    for (let k = 0; k < most; k += Math.max(1, Math.floor(k / 20))) stops.push(k);
+    return [...stops, most];
+  }
+
+  live.Iterations = class {
+    /** `remember()`: what is shown has changed. */
+    constructor(element, engine, remember) {
+      Object.assign(this, { element, engine, remember });
+      this.which = 0;
+      this.target = 0;
+      element.hidden = !engine.description.problems.length;
+      if (!element.hidden) this.build();
+    }
+
+    build() {
+      const { button } = live.transport,
+        { problems } = this.engine.description;
+      this.problems = make(
+        "select",
+        { "aria-label": "Problem", onchange: () => this.choose(this.problems.selectedIndex) },
+        ...problems.map((name) => make("option", { textContent: name })),
+      );
+      this.said = make("p", { className: "pb-caption" });
+      this.playButton = button("play", "Play the iterations", () => this.toggle());
+      this.line = make("input", {
+        type: "range",
+        min: 0,
+        className: "pb-time",
+        "aria-label": "Iteration",
+        oninput: () => this.go(this.stops[Number(this.line.value)]),
+      });
+      this.clock = make("output", { className: "pb-clock" });
+      this.table = make("tbody");
+      this.measure = make("th", { scope: "col" });
+      const plot = make("div", { className: "pb-plot" }),
+        matrix = make("div");
+      this.plotIn = plot;
+      this.element.append(
+        make("h4", { className: "pb-heading", textContent: "One step, iteration by iteration" }),
+        make("label", { className: "pb-scene" }, "The first step of ", this.problems),
+        this.said,
+        make(
+          "div",
+          { className: "pb-transport", role: "group", "aria-label": "Iterations" },
+          button("begin", "Before the first iteration", () => this.go(0)),
+          button("back", "One iteration back", () => this.go(this.target - 1)),
+          this.playButton,
+          button("step", "One iteration on", () => this.go(this.target + 1)),
+          this.line,
+          this.clock,
+        ),
+        make(
+          "div",
+          { className: "pb-numbers pb-scroll" },
+          make(
+            "table",
+            { "aria-label": "What each method leaves" },
+            make("thead", {}, make("tr", {}, make("td"), this.measure)),
+            this.table,
+          ),
+        ),
+        plot,
+        matrix,
+      );
+      this.picture = new live.MatrixPicture(matrix);
+    }
+
+    // ---- which
+    begin(which = 0, iteration = 0) {
+      if (this.element.hidden) return;
+      const { engine } = this,
+        { problems } = engine.description;
+      this.which = problems[which] ? which : 0;
+      engine.hold(this.which);
+      const { problem } = engine;
+      this.problems.replaceChildren(...problems.map((name) => make("option", { textContent: name })));
+      this.problems.selectedIndex = this.which;
+      this.stops = stopsUpTo(problem.most);
+      this.line.max = this.stops.length - 1;
+      this.said.textContent = `Every method begins with no impulse at all. An iteration is ${problem.iteration}.`;
+      this.measure.textContent = problem.measure;
+      this.cells = problem.methods.map(() => make("td"));
+      this.table.replaceChildren(
+        ...problem.methods.map(({ name, colour, marker }, i) => {
+          const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
+          mark.style.color = colour;
+          return make("tr", {}, make("th", { scope: "row" }, mark, name), this.cells[i]);
+        }),
+      );
+      this.drawn = null;
+      this.picture.impulses = null;
+      this.picture.begin(problem, engine.matrix);
+      this.beginPlot();
+      this.go(iteration);
+    }
+    choose(which) {
+      this.pause();
+      this.begin(which, 0);
+      this.remember();
+    }
+    /** A parameter has changed, and with it the problem: the same iteration of the new one, once the slider rests. */
+    changed() {
+      if (this.element.hidden) return;
+      this.pause();
+      this.element.inert = true;
+      clearTimeout(this.beginning);
+      this.beginning = setTimeout(() => {
+        this.element.inert = false;
+        this.begin(this.which, this.target);
+      }, 200);
+    }
+
+    // ---- to and fro
+    go(iteration) {
+      this.pause();
+      this.head(iteration);
+      this.remember();
+    }
+    head(iteration) {
+      const { most } = this.engine.problem;
+      this.target = Math.min(most, Math.max(0, Math.round(iteration) || 0));
+      this.ask();
+    }
+    ask() {
+      this.asked ||= requestAnimationFrame(() => this.frame());
+    }
+    toggle() {
+      if (this.playing) return this.pause();
+      if (this.target >= this.engine.problem.most) this.target = 0;
+      this.playing = true;
+      this.before = performance.now();
+      this.ask();
+    }
+    pause() {
+      if (!this.playing) return;
+      this.playing = false;
+      this.remember();
+      this.ask();
+    }
+    frame() {
+      this.asked = 0;
+      if (this.element.inert) return; // another problem comes
+      const { engine } = this,
+        now = performance.now();
+      if (this.playing && now - this.before >= 1000 / perSecond && engine.iteration === this.target) {
+        this.before = now;
+        this.target = this.stops.find((stop) => stop > this.target) ?? this.target;
+        if (this.target === engine.problem.most) this.pause();
+      }
+      engine.iterate(this.target);
+      this.show();
+      if (this.playing || engine.iteration !== this.target) this.ask();
+    }
+
+    // ---- what is seen
+    show() {
+      const { engine } = this,
+        { problem, iteration } = engine;
+      const name = this.playing ? "pause" : "play";
+      if (this.playButton.dataset.name !== name) {
+        this.playButton.dataset.name = name;
+        this.playButton.replaceChildren(live.transport.icon(name));
+        this.playButton.title = this.playing ? "Pause the iterations" : "Play the iterations";
+        this.playButton.setAttribute("aria-label", this.playButton.title);
+      }
+      if (this.drawn === iteration) return;
+      this.drawn = iteration;
+      this.clock.textContent = `iteration ${iteration} of ${problem.most}`;
+      this.line.value = this.stops.findLastIndex((stop) => stop <= iteration);
+      this.line.setAttribute("aria-valuetext", this.clock.textContent);
+      const residuals = problem.methods.map((_, i) => engine.residuals(i));
+      residuals.forEach((all, i) => {
+        const last = Math.min(iteration, all.length - 1);
+        this.cells[i].textContent = `${shown(all[last])}${last < iteration ? `, at its end after ${last}` : ""}`;
+      });
+      if (this.plot) this.plot.setData(this.data(residuals));
+      this.picture.draw(problem.methods.map((_, i) => engine.impulses(i)));
+    }
+
+    data(residuals) {
+      const counts = Array.from({ length: this.engine.problem.most }, (_, i) => i + 1);
+      return [counts, ...residuals.map((all) => counts.map((k) => (k < all.length ? Math.max(least, all[k]) : null)))];
+    }
+    beginPlot() {
+      this.plot?.destroy();
+      this.plot = null;
+      if (!window.uPlot) return;
+      const { problem } = this.engine,
+        style = getComputedStyle(this.plotIn.parentElement),
+        ink = style.color,
+        grid = style.outlineColor;
+      const axis = {
+        stroke: ink,
+        grid: { stroke: grid, width: 1 },
+        ticks: { stroke: grid, width: 1 },
+        font: "12px system-ui, sans-serif",
+        labelFont: "12px system-ui, sans-serif",
+        labelSize: 18,
+        filter: (_, all) => all, // uPlot would leave out all but the decades
+      };
+      // Powers of ten, eight at most, from the highest down.
+      const powers = (_, which, low, high) => {
+        const last = Math.floor(Math.log10(high) + 1e-9),
+          first = Math.ceil(Math.log10(low) - 1e-9),
+          stride = Math.ceil((last - first + 1) / 8);
+        return Array.from(
+          { length: Math.floor((last - first) / stride) + 1 },
+          (_, i) => 10 ** (last - i * stride),
+        ).reverse();
+      };
+      const inWords = (_, all) =>
+        all.map((value) => {
+          const exponent = Math.round(Math.log10(value));
+          return Math.abs(exponent) < 4 ? String(Number(value.toPrecision(1))) : `1e${exponent}`;
+        });
+      this.plot = new window.uPlot(
+        {
+          title: problem.measure,
+          width: Math.max(200, this.plotIn.clientWidth || 600),
+          height: 260,
+          scales: {
+            x: { time: false, distr: 3, range: [1, problem.most] },
+            y: {
+              distr: 3,
+              range: (_, low, high) =>
+                low === null ? [0.01, 1] : [Math.min(0.1, 10 ** Math.floor(Math.log10(low))), Math.max(1, high)],
+            },
+          },
+          axes: [
+            { ...axis, label: "iterations", size: 34, splits: powers, values: inWords },
+            { ...axis, size: 58, splits: powers, values: inWords },
+          ],
+          series: [
+            {},
+            ...problem.methods.map(({ name, colour, marker }) => ({
+              label: `${marker} ${name}`,
+              stroke: colour,
+              width: 2,
+              pxAlign: 0,
+              points: {
+                show: (plot, at) => plot.data[at].filter((value) => value !== null).length < 3,
+                size: 9,
+                fill: colour,
+              },
+            })),
+          ],
+          legend: { show: false }, // the table has it
+          cursor: { y: false, drag: { x: false, y: false } },
+          hooks: { draw: [(plot) => live.lineAt(plot, Math.max(1, this.engine.iteration), ink)] },
+        },
+        this.data(problem.methods.map(() => [1])),
+        this.plotIn,
+      );
+      const { over } = this.plot;
+      const point = (event) => this.go(this.plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x"));
+      over.addEventListener("pointerdown", (event) => {
+        over.setPointerCapture(event.pointerId);
+        point(event);
+      });
+      over.addEventListener("pointermove", (event) => {
+        if (event.buttons & 1) point(event);
+      });
+    }
+    resize() {
+      if (this.element.hidden || !this.engine.problem) return;
+      const width = Math.max(200, this.plotIn.clientWidth);
+      if (this.plot && this.plot.width !== width) this.plot.setSize({ width, height: 260 });
+      this.picture.resize();
+    }
+  };
+})();

@@ -1,0 +1,47 @@
+/// The contacts of a scene's first step, as a page solves them iteration by iteration.
+#pragma once
+
+#include <memory>
+
+#include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/chapters/16_whole_problem/sweeping_methods.h"
+#include "pushback/common/experiment/iterated_problem.h"
+
+namespace pushback {
+
+/// Of the methods each keeps it.
+using SharedProblem = std::shared_ptr<const ContactProblem>;
+
+template <class Fill>
+SharedProblem first_step(const Fill& fill, Real dt) {
+  World world;
+  fill(world);
+  world.begin_step(dt);
+  return std::make_shared<const ContactProblem>(problem_of(world));
+}
+
+/// Without methods.
+inline IteratedProblem iterated(const SharedProblem& problem) {
+  return {.matrix = problem->w,
+          .block = 3,
+          .block_name = "contact",
+          .iteration = "a sweep over all contacts",
+          .measure = "relative residual",
+          .residual = [problem](const Vector& r) { return relative_residual(*problem, r); }};
+}
+
+inline IteratedProblem::Method swept(const SharedProblem& problem, const std::string& method, const std::string& name) {
+  return {name, [problem, sweep = sweep_of(*problem, method)](Vector& r) {
+            sweep(r);
+            return true;
+          }};
+}
+
+inline IteratedProblem swept_in_all_ways(const SharedProblem& step) {
+  IteratedProblem problem = iterated(step);
+  problem.methods = {swept(step, "pgs", "pgs"), swept(step, "scaled-back", "scaled back"), swept(step, "cone", "cone"),
+                     swept(step, "nscg", "cone, conjugate")};
+  return problem;
+}
+
+}  // namespace pushback

@@ -1,0 +1,51 @@
+/// The direct methods, as a page follows them iteration by iteration.
+#pragma once
+
+#include "pushback/chapters/16_whole_problem/iterated.h"
+#include "pushback/chapters/17_direct_contacts/proximal_newton.h"
+#include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
+
+namespace pushback {
+
+inline constexpr double iterated_to = 1e-12;  // relative_residual: where rounding of these problems is not far
+
+/// An iteration is a linear system. Its way is the same each time, so it is gone again from the start, one system farther.
+inline IteratedProblem::Method smoothed(const SharedProblem& problem, const std::string& name) {
+  return {name, [problem, systems = 0](Vector& r) mutable {
+            const SmoothedSolution farther =
+                solve_smoothed(*problem, {.tolerance = iterated_to, .systems = systems + 1});
+            if (farther.systems <= systems) return false;
+            systems = farther.systems;
+            r = farther.r;
+            return true;
+          }};
+}
+
+/// The way of `best`: first so many sweeps, then Newton's method, of which an iteration is a round of linear systems.
+inline IteratedProblem::Method swept_then_newton(const SharedProblem& problem, int sweeps, const std::string& name) {
+  return {name, [problem, left = sweeps, sweep = sweep_of(*problem, "nscg"), from = Vector(), rounds = 0,
+                 systems = 0](Vector& r) mutable {
+            if (left-- > 0) {
+              sweep(r);
+              from = r;
+              return true;
+            }
+            Vector farther = from;
+            const NewtonWork work = newton(*problem, farther, {iterated_to, ++rounds, 1.5e10});
+            if (work.systems <= systems) return false;
+            systems = work.systems;
+            r = farther;
+            return true;
+          }};
+}
+
+inline IteratedProblem swept_and_solved(const SharedProblem& step) {
+  IteratedProblem problem = iterated(step);
+  problem.iteration += "; of Newton's method a round of linear systems, of the smoothed one a single system";
+  problem.methods = {swept(step, "cone", "sweeps"), swept(step, "nscg", "conjugate sweeps"),
+                     swept_then_newton(step, 200, "best: 200 of these, then Newton"),
+                     smoothed(step, "smoothed: Newton alone")};
+  return problem;
+}
+
+}  // namespace pushback
