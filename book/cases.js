@@ -3,6 +3,7 @@ import { relative } from "./outline.js";
 
 const table = "renders/hard_cases/table.md";
 const told = "docs/hard_cases.md";
+const tooLong = "19 direct contacts"; // the stage that no page plays: one step may take seconds
 
 /// In the table `#stack-10` is the row of a case, `#stack-10-after` that of the stages that came after, `#stack-10-asked` what is
 /// asked of it; each cell leads to where its case is played under its stage, if it is played anywhere: then `page.cases` is
@@ -29,14 +30,15 @@ function linkTable(tokens, page) {
   let row, column, before, name;
   tokens.forEach((token, i) => {
     if (token.type === "table_open") before = stages.length;
-    if (token.type === "table_close") last.push(stages.length - 1);
+    if (token.type === "table_close") last.push(stages.findLastIndex((stage) => stage !== tooLong));
     if (token.type === "tr_open") ((row = token), (column = -1), (name = undefined));
     if (!["th_open", "td_open"].includes(token.type)) return;
     const cell = tokens[i + 1];
     const stage = before + column++;
     if (token.type === "th_open") return column > 0 && stages.push(text(cell));
     if (column > 0) {
-      if (name && page.played) cell.children = linked(cell, cell.children, played(page, name, [stage]), stages[stage]);
+      if (name && page.played && stages[stage] !== tooLong)
+        cell.children = linked(cell, cell.children, played(page, name, [stage]), stages[stage]);
       return;
     }
     name = names.get(text(cell));
@@ -46,7 +48,7 @@ function linkTable(tokens, page) {
   });
   if (!page.played) return;
   const note = new tokens[0].constructor("html_block", "", 0);
-  note.content = "<p>Each cell is a link: it plays its case under its stage.</p>\n";
+  note.content = `<p>Each cell is a link: it plays its case under its stage. Those of ${tooLong} take too long for that.</p>\n`;
   tokens.splice(tokens.findIndex(({ type }) => type === "paragraph_close") + 1, 0, note);
   page.cases = [...names].map(([title, name]) => ({ title, address: played({ ...page, address: "" }, name, last) }));
 }

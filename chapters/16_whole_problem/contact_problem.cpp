@@ -8,17 +8,16 @@ using Eigen::Index;
 
 namespace {
 
-/// || r - Pi(r - s) || / ||q||, each contact's r multiplied by its `scale`, its u and q divided by it.
-double natural_map_error(const ContactProblem& problem, const Vector& r, const Vector& scale) {
-  const Vector u = problem.speeds(r);
+/// || r - Pi(r - s) || / ||q||, each contact's r multiplied by scale(contact), its u and q divided by it.
+template <class Scale>
+double natural_map_error(const Numbers& r, const Numbers& u, const Numbers& q, const Numbers& mu, const Scale& scale) {
   double squared = 0, unit = 0;
-  for (Index c = 0; c < problem.contacts(); ++c) {
-    const double mu = problem.mu[c];
-    Eigen::Vector3d s = u.segment<3>(3 * c) / scale[c];
-    s[0] += mu * std::hypot(s[1], s[2]);
-    const Eigen::Vector3d at = r.segment<3>(3 * c) * scale[c];
-    squared += (at - projected_to_cone(at - s, mu)).squaredNorm();
-    unit += (problem.q.segment<3>(3 * c) / scale[c]).squaredNorm();
+  for (Index c = 0; c < mu.size(); ++c) {
+    Eigen::Vector3d s = u.segment<3>(3 * c) / scale(c);
+    s[0] += mu[c] * std::hypot(s[1], s[2]);
+    const Eigen::Vector3d at = r.segment<3>(3 * c) * scale(c);
+    squared += (at - projected_to_cone(at - s, mu[c])).squaredNorm();
+    unit += (q.segment<3>(3 * c) / scale(c)).squaredNorm();
   }
   return unit > 0 ? std::sqrt(squared) / std::sqrt(unit) : std::sqrt(squared);
 }
@@ -34,11 +33,16 @@ Eigen::Vector3d projected_to_cone(const Eigen::Vector3d& r, double mu) {
 }
 
 double relative_residual(const ContactProblem& problem, const Vector& r) {
-  return natural_map_error(problem, r, Vector::Ones(problem.contacts()));
+  return relative_residual(r, problem.speeds(r), problem.q, problem.mu);
+}
+
+double relative_residual(const Numbers& r, const Numbers& u, const Numbers& q, const Numbers& mu) {
+  return natural_map_error(r, u, q, mu, [](Index) { return 1.0; });
 }
 
 double unitless_residual(const ContactProblem& problem, const Vector& r) {
-  return natural_map_error(problem, r, unit_scales(problem));
+  const Vector scales = unit_scales(problem);
+  return natural_map_error(r, problem.speeds(r), problem.q, problem.mu, [&](Index c) { return scales[c]; });
 }
 
 Vector unit_scales(const ContactProblem& problem) {

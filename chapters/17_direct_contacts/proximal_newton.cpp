@@ -4,49 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pushback/chapters/16_whole_problem/sweeps.h"
+#include "pushback/chapters/17_direct_contacts/law_as_equation.h"
 
 namespace pushback {
 
 namespace {
 
 using Eigen::Index;
-using Eigen::Matrix2d;
 using Eigen::Matrix3d;
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-
-/// f of one contact, and what it changes by: df = by_u du + by_r dr.
-struct Law {
-  Vector3d f;
-  Matrix3d by_u = Matrix3d::Zero(), by_r = Matrix3d::Zero();
-
-  Law(const ContactBlock& at, double mu, const Vector3d& r, const Vector3d& u) {
-    const double a = at.w(0, 0) > 0 ? 1 / at.w(0, 0) : 1, b = at.larger_eigenvalue > 0 ? 1 / at.larger_eigenvalue : 1;
-    const double normal = r[0] - a * u[0];
-    if (normal <= 0) {  // open: r = 0
-      f = r;
-      by_r.setIdentity();
-      return;
-    }
-    f[0] = a * u[0];
-    by_u(0, 0) = a;
-    const Vector2d t = r.tail<2>() - b * u.tail<2>();
-    const double radius = mu * normal, length = t.norm();
-    if (length <= radius) {  // sticks: u = 0
-      f.tail<2>() = b * u.tail<2>();
-      by_u(1, 1) = by_u(2, 2) = b;
-      return;
-    }
-    const Vector2d way = t / length;  // slides: r_t = radius way
-    const Matrix2d turn = radius / length * (Matrix2d::Identity() - way * way.transpose());
-    f.tail<2>() = r.tail<2>() - radius * way;
-    by_r.bottomRightCorner<2, 2>() = Matrix2d::Identity() - turn;
-    by_u.bottomRightCorner<2, 2>() = b * turn;
-    by_r.bottomLeftCorner<2, 1>() = -mu * way;
-    by_u.bottomLeftCorner<2, 1>() = mu * a * way;
-  }
-};
 
 /// One problem with its pull towards `from`.
 class Proximal {

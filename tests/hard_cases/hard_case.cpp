@@ -112,10 +112,10 @@ std::size_t Outcome::worst(const HardCase& of) const {
 
 Outcome outcome_of(const HardCase& hard_case, const Stage& stage) {
   Outcome outcome;
-  outcome.starts = hard_case.starts;
+  outcome.starts = std::min(hard_case.starts, stage.most_starts);
   double seconds = 0;
   int steps = 0;
-  for (int start = 0; start < hard_case.starts; ++start) {
+  for (int start = 0; start < outcome.starts; ++start) {
     Trial trial(stage, start);
     std::vector<Real> numbers = hard_case.run(trial);
     if (!trial.sound()) numbers.assign(hard_case.criteria.size(), std::numeric_limits<Real>::quiet_NaN());

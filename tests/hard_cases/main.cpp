@@ -133,7 +133,7 @@ int main(int argc, char** argv) {
     }
     std::vector<HardCase> cases = chosen("case", hard_cases(), names);
     for (HardCase& c : cases) c.starts = std::min(c.starts, starts);
-    std::vector<Stage> all = stages();
+    std::vector<Stage> all = table_stages();
     if (quick) all.erase(all.begin() + chapter_stages, all.end());
     std::vector<Stage> columns = chosen("stage", all, stage_names);
     if (only_needed) std::transform(columns.begin(), columns.end(), columns.begin(), only_what_is_needed);
@@ -144,7 +144,7 @@ int main(int argc, char** argv) {
       return;
     }
     const bool whole =
-        cases.size() == hard_cases().size() && columns.size() == stages().size() && starts == many_starts;
+        cases.size() == hard_cases().size() && columns.size() == table_stages().size() && starts == many_starts;
     std::filesystem::path folder = std::filesystem::path(out) / "hard_cases" /
                                    (only_needed ? "only_what_is_needed"
                                     : whole     ? ""

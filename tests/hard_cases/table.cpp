@@ -72,14 +72,15 @@ std::string in_short(Real value, Real limit, const std::string& unit) {
 
 std::string in_a_word(const std::string& broken) {
   // In the words of the watcher, or of World::step; "angular momentum" has to come before "momentum".
-  static constexpr std::array<std::pair<const char*, const char*>, 8> words{{{"gained", "energy"},
+  static constexpr std::array<std::pair<const char*, const char*>, 9> words{{{"gained", "energy"},
                                                                              {"angular momentum", "spin"},
                                                                              {"momentum", "momentum"},
                                                                              {"pulls", "pulls"},
                                                                              {"friction", "friction"},
                                                                              {"overlap", "overlap"},
                                                                              {"not finite", "NaN"},
-                                                                             {"holds no joints", "no joints"}}};
+                                                                             {"holds no joints", "no joints"},
+                                                                             {"too large", "too large"}}};
   for (const auto& [said, word] : words) {
     if (broken.find(said) != std::string::npos) return word;
   }

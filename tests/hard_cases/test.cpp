@@ -131,6 +131,16 @@ TEST_CASE("hard cases: a solver that holds no joints says so, and the case count
     for (const Real number : outcome.numbers) CHECK(std::isnan(number));
   }
 }
+TEST_CASE("hard cases: all contacts solved directly, each case from one start") {
+  const Stage& direct = stage_named("19 direct contacts");
+  for (const char* name : {"stack-20", "heavy-100", "heavy-1000", "slopes", "dt-changing", "painleve"}) {
+    const HardCase& hard_case = hard_case_named(name);
+    const Outcome outcome = outcome_of(hard_case, direct);
+    INFO(name << " " << outcome.broken);
+    CHECK(outcome.starts == 1);
+    CHECK(outcome.passed(hard_case));
+  }
+}
 TEST_CASE("hard cases: the slow ones under the best solver", "[checked]") {
   for (const std::string& name : slow) hold_to_the_list(hard_case_named(name), best);
 }

@@ -73,7 +73,7 @@ std::string name_with(const std::string& word, const std::vector<std::string>& n
 
 std::string stage_with(const std::string& word) {
   std::vector<std::string> names;
-  for (const Stage& stage : stages()) names.push_back(stage.name);
+  for (const Stage& stage : table_stages()) names.push_back(stage.name);
   return name_with(word, names);
 }
 
@@ -160,7 +160,7 @@ std::vector<fs::path> pages() {
 TEST_CASE("the committed table has every case under every stage, with the criteria, limits and starts of today") {
   std::size_t line = 0;
   for (const HardCase& hard_case : hard_cases()) {
-    for (const Stage& stage : stages()) {
+    for (const Stage& stage : table_stages()) {
       for (const Criterion& criterion : hard_case.criteria) {
         REQUIRE(line < written().size());
         const TableLine& there = written()[line++];
@@ -170,7 +170,7 @@ TEST_CASE("the committed table has every case under every stage, with the criter
         CHECK(there.criterion == criterion.what);
         CHECK(there.limit == criterion.limit);
         CHECK(there.unit == criterion.unit);
-        CHECK(there.starts == hard_case.starts);
+        CHECK(there.starts == std::min(hard_case.starts, stage.most_starts));
         CHECK(there.passes == (there.largest <= there.limit));
       }
     }

@@ -215,7 +215,7 @@ TEST_CASE("the committed table is read back to the byte, its page is what it mak
   const std::string csv = text_of("renders/hard_cases/table.csv");
   const Table table = read_table_csv(csv);
   CHECK(table.cases.size() == hard_cases().size());
-  CHECK(table.stages.size() == stages().size());
+  CHECK(table.stages.size() == table_stages().size());
   CHECK(table.chapters == chapter_stages);
   CHECK(table_csv(table) == csv);
   const std::string page = table_md(table, "renders/hard_cases");
@@ -234,7 +234,7 @@ TEST_CASE("the committed table is read back to the byte, its page is what it mak
            {head + "no-such" + line.substr(line.find(',')), "no-such"},
            {head + "stack-10,no such stage,a,b,1,0,0,,0,0,30\n", "no such stage"},
            {head + line, "line 3 should be of stack-10, 00 naive"},
-           {csv.substr(0, csv.rfind('\n', csv.size() - 2) + 1), "should be of ragdoll, all together"},
+           {csv.substr(0, csv.rfind('\n', csv.size() - 2) + 1), "should be of ragdoll, 19 direct contacts"},
            {csv + line, "should be of stack-10"},
            {csv + csv.substr(csv.rfind('\n', csv.size() - 2) + 1), "lines were expected"},
            {head + "stack-10,00 naive,drift after 10 s,mm,one,0,0,,0,0,30\n", "'one' where a number"},
@@ -323,7 +323,7 @@ TEST_CASE("without pictures there are none, and --list writes nothing") {
   const Ended list = call_program(TABLE_PROGRAM, "--list --out '" + (scratch / "none").string() + "'");
   CHECK(list.status == 0);
   for (const HardCase& hard_case : hard_cases()) CHECK(contains(list.out, hard_case.name));
-  for (const Stage& stage : stages()) CHECK(contains(list.out, stage.name));
+  for (const Stage& stage : table_stages()) CHECK(contains(list.out, stage.name));
   CHECK_FALSE(fs::exists(scratch / "none"));
 }
 

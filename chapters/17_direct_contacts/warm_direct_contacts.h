@@ -1,0 +1,30 @@
+/// All contacts at once, from where the last step ended.
+#pragma once
+
+#include "pushback/chapters/08_friction_cone/friction_cone.h"
+#include "pushback/chapters/16_whole_problem/contact_problem.h"
+
+namespace pushback {
+
+/// In the place of DirectContacts, after WarmStart, whose guess it goes on from: what rests is one linear system away from its
+/// solution, or none. Only where Newton's method does not get there in `rounds`, or where there are many contacts, it is solved
+/// from nothing: smoothed, between bodies, and where that ends too far off, as DirectContacts does.
+struct WarmDirectContacts : Effect {
+  double tolerance = 1e-5;  ///< of relative_residual
+  double too_far = 1e-3;    ///< of the same, and solved from nothing
+  int rounds = 3;           ///< of Newton's method, see NewtonLimits
+  /// Multiplications in all steps together. Once they are spent, the next system is refused: InvalidInput.
+  double work = std::numeric_limits<double>::infinity();
+
+  void start(Step& step);
+
+ private:
+  void look_at_guess(Step& step);
+  bool solve_as_handful(const Rows& rows);
+  void solve_as_large(Step& step);
+
+  std::vector<Eigen::Index> places_;  // of each row in the problem
+  Vector r_, u_, q_, mu_;             // of the problem, u with r, q without
+};
+
+}  // namespace pushback
