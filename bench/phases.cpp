@@ -78,6 +78,12 @@ World stack_of_40() {
   return world;
 }
 
+World pile_of_4000() {
+  World world;
+  heap(world, 20, 10, -10);
+  return world;
+}
+
 template <class Full>
 void pyramid_in_8_substeps(benchmark::State& state) {
   phases_of<Full>(state, pyramid_of_210(), 8);
@@ -86,11 +92,18 @@ template <class Full>
 void stack_in_32_substeps(benchmark::State& state) {
   phases_of<Full>(state, stack_of_40(), 32);
 }
+template <class Full>
+void pile_in_8_substeps(benchmark::State& state) {
+  phases_of<Full>(state, pile_of_4000(), 8);
+}
 BENCHMARK(pyramid_in_8_substeps<DetectedOnce>)->Iterations(300);
 BENCHMARK(pyramid_in_8_substeps<Wide<double>>)->Iterations(300);
 BENCHMARK(pyramid_in_8_substeps<Wide<float>>)->Iterations(300);
 BENCHMARK(stack_in_32_substeps<DetectedOnce>)->Iterations(300);
 BENCHMARK(stack_in_32_substeps<Wide<double>>)->Iterations(300);
 BENCHMARK(stack_in_32_substeps<Wide<float>>)->Iterations(300);
+BENCHMARK(pile_in_8_substeps<DetectedOnce>)->Iterations(120);
+BENCHMARK(pile_in_8_substeps<Wide<double>>)->Iterations(120);
+BENCHMARK(pile_in_8_substeps<Wide<float>>)->Iterations(120);
 
 }  // namespace

@@ -13,10 +13,11 @@ awk -F, '
     split("▏|▎|▍|▌|▋|▊|▉", parts, "|")
     split("detection, once|rows, once|normals, then friction, in each substep|the relaxing pass, in each substep|what contacts are told at the end|gravity, and moving the bodies, in each substep|all", names, "|")
     titles["pyramid_in_8_substeps"] = "pyramid of 210 boxes, 8 substeps"
+    titles["pile_in_8_substeps"] = "pile of 4,000 boxes, 8 substeps"
     titles["stack_in_32_substeps"] = "stack of 40 boxes, 32 substeps"
     solvers["DetectedOnce"] = "21"; solvers["Wide<double>"] = "wide, double"; solvers["Wide<float>"] = "wide, float"
     columns = split("DetectedOnce|Wide<double>|Wide<float>", order, "|")
-    split("pyramid_in_8_substeps|stack_in_32_substeps", scenes, "|")
+    count = split("pyramid_in_8_substeps|stack_in_32_substeps|pile_in_8_substeps", scenes, "|")
   }
   /^"[a-z]/ {  # its counters, sorted by their names, are the last eight fields
     gsub(/"/, "", $1)
@@ -25,7 +26,7 @@ awk -F, '
     for (phase = 1; phase <= 7; ++phase) took[scene, solver, phase] = $(NF - 8 + phase)
   }
   END {
-    for (s = 1; s <= 2; ++s) {
+    for (s = 1; s <= count; ++s) {
       scene = scenes[s]
       full = took[scene, "DetectedOnce", 3] / 50  # what takes longest
       printf "%s: µs of a step\n", titles[scene]
@@ -35,6 +36,6 @@ awk -F, '
           printf "  %-12s %6.0f  %s\n", solvers[order[i]], took[scene, order[i], phase],
                  phase < 7 ? bar(took[scene, order[i], phase], full) : ""
       }
-      if (s == 1) printf "\n"
+      if (s < count) printf "\n"
     }
   }'

@@ -10,7 +10,8 @@ namespace {
 
 /// || r - Pi(r - s) || / ||q||, each contact's r multiplied by scale(contact), its u and q divided by it.
 template <class Scale>
-double natural_map_error(const Numbers& r, const Numbers& u, const Numbers& q, const Numbers& mu, const Scale& scale) {
+double natural_map_error(const VectorView& r, const VectorView& u, const VectorView& q, const VectorView& mu,
+                         const Scale& scale) {
   double squared = 0, unit = 0;
   for (Index c = 0; c < mu.size(); ++c) {
     Eigen::Vector3d s = u.segment<3>(3 * c) / scale(c);
@@ -36,7 +37,7 @@ double relative_residual(const ContactProblem& problem, const Vector& r) {
   return relative_residual(r, problem.speeds(r), problem.q, problem.mu);
 }
 
-double relative_residual(const Numbers& r, const Numbers& u, const Numbers& q, const Numbers& mu) {
+double relative_residual(const VectorView& r, const VectorView& u, const VectorView& q, const VectorView& mu) {
   return natural_map_error(r, u, q, mu, [](Index) { return 1.0; });
 }
 

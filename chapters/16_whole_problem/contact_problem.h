@@ -38,8 +38,8 @@ Eigen::Vector3d projected_to_cone(const Eigen::Vector3d& r, double mu);
 /// of the same scene in grams it is another one.
 double relative_residual(const ContactProblem& problem, const Vector& r);
 /// The same where u is known already.
-using Numbers = Eigen::Ref<const Vector>;
-double relative_residual(const Numbers& r, const Numbers& u, const Numbers& q, const Numbers& mu);
+using VectorView = Eigen::Ref<const Vector>;
+double relative_residual(const VectorView& r, const VectorView& u, const VectorView& q, const VectorView& mu);
 
 /// The same error in coordinates that have one unit: each contact's r times sqrt(d), its u and q divided by sqrt(d), where
 /// d, 1/kg, is the mean of the three diagonal entries of its block of W. All are then in sqrt(J).
