@@ -40,7 +40,7 @@ void keep_velocity(Body& body) {
 void push(Body& body, const Vec3& gravity, Real dt) {
   if (body.movable()) {
     body.velocity += dt * (gravity + body.inverse_mass * body.force);
-    if (body.torque != Vec3::Zero()) body.angular_velocity += dt * body.inverse_inertia * body.torque;
+    body.angular_velocity += dt * body.inverse_inertia * body.torque;
   }
   body.force.setZero();
   body.torque.setZero();

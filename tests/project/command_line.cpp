@@ -297,7 +297,10 @@ TEST_CASE("metrics.csv has the documented columns and a row for each variant and
 TEST_CASE("the columns mean what their names say") {
   // Two boxes without a solver for 0.1 s, one let go, one thrown up out of the ground with 5 m/s: momentum m v0 - 2 m g t,
   // energies that add up, contacts in the first step alone.
-  const Numbers numbers = numbers_of("01_velocity_constraint", "--seconds 0.1 --variants no-constraint");
+  Numbers numbers = numbers_of("01_velocity_constraint", "--seconds 0.1 --variants no-constraint");
+  std::erase_if(numbers.rows, [&](const auto& row) {
+    return row[numbers.column("scene")] != "It stops a fall, and holds what leaves";
+  });
   REQUIRE(numbers.rows.size() == 6);
   const auto value = [&](std::size_t row, const std::string& name) {
     return std::stod(numbers.rows[row][numbers.column(name)]);
