@@ -67,6 +67,9 @@ void beside_bullet(benchmark::State& state, const std::function<void(World&)>& f
 void pyramid_of_210(benchmark::State& state) {
   beside_bullet(state, [](World& world) { pyramid(world, 20); }, 8, 300);
 }
+void pyramid_of_210_in_4_substeps(benchmark::State& state) {
+  beside_bullet(state, [](World& world) { pyramid(world, 20); }, 4, 300);
+}
 void pyramid_of_210_as_recommended(benchmark::State& state) {
   beside_bullet(state, [](World& world) { pyramid(world, 20); }, Recommended{}.substeps, 120);
 }
@@ -80,6 +83,7 @@ void pile_of_4000(benchmark::State& state) {
   beside_bullet(state, [](World& world) { heap(world, 20, 10, -10); }, 8, 240);
 }
 BENCHMARK(pyramid_of_210)->Iterations(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK(pyramid_of_210_in_4_substeps)->Iterations(200)->Unit(benchmark::kMicrosecond);
 BENCHMARK(pyramid_of_210_as_recommended)->Iterations(60)->Unit(benchmark::kMicrosecond);
 BENCHMARK(stack_of_40)->Iterations(200)->Unit(benchmark::kMicrosecond);
 BENCHMARK(pile_of_512)->Iterations(60)->Unit(benchmark::kMicrosecond);
