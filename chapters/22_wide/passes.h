@@ -51,13 +51,6 @@ struct Pairs {
     put(a, bundle.a + at, bundle.inverse_mass_a.of + at, bodies);
     put(b, bundle.b + at, bundle.inverse_mass_b.of + at, bodies);
   }
-  /// Where it is not so, the pairs are as they were before.
-  [[gnu::always_inline]] void only_where(const auto& so, const Pairs& before) {
-    for (auto [motion, old] : {std::pair{&a, &before.a}, {&b, &before.b}}) {
-      motion->v = either(so, motion->v, old->v);
-      motion->w = either(so, motion->w, old->w);
-    }
-  }
 };
 
 /// I^-1 of these bodies as they lie now.
@@ -203,21 +196,34 @@ Real aim(const Bundles<Real>& all, const WidePushOut<Real>& push_out) {
   return fastest;
 }
 
-/// A row of bodies that have moved past each other by `way`: one point for both again, chapter 12. Returns K.
-template <class Lanes, class Real, class Where>
-Lanes carry_row(WideRow<Real>& row, const Vec<Lanes>& n, const Vec<Lanes>& way, const Pairs<Lanes>& now,
-                const Levers<Lanes>& levers, const Where& fast, int at) {
-  const Vec<Lanes> m = cross(way, n);
-  const Lanes of_a = abs(dot(m, now.a.w)), of_b = abs(dot(m, now.b.w)), both = of_a + of_b;
-  Lanes s = now.inverse_mass_b / levers.inverse_masses;
+/// What carrying a row needs to know of its pair.
+template <class Lanes>
+struct Carrying {
+  Pairs<Lanes> now;
+  Vec<Lanes> way;                  // by which B has moved past A since the rows were placed; 0 where they stay
+  typename Lanes::mask_type fast;  // where they do not
+  Levers<Lanes> levers;
+};
+/// A row of bodies that have moved past each other: one point for both again, chapter 12. What its impulse gives them is `given`.
+/// Returns K.
+template <class Lanes, class Real>
+Lanes carry_row(WideRow<Real>& row, const Vec<Lanes>& n, const Carrying<Lanes>& pair, Pairs<Lanes>& given, int at) {
+  const Vec<Lanes> m = cross(pair.way, n);
+  const Lanes of_a = abs(dot(m, pair.now.a.w)), of_b = abs(dot(m, pair.now.b.w)), both = of_a + of_b;
+  Lanes s = pair.now.inverse_mass_b / pair.levers.inverse_masses;
   where(both > 0, s) = of_b / both;
   const Vec<Lanes> ra_n = load<Lanes>(row.ra_n, at) + s * m, rb_n = load<Lanes>(row.rb_n, at) - (1 - s) * m;
-  const Vec<Lanes> dwa = levers.inverse_inertia_a * ra_n, dwb = levers.inverse_inertia_b * rb_n;
-  store(either(fast, ra_n, load<Lanes>(row.ra_n, at)), row.ra_n, at);
-  store(either(fast, rb_n, load<Lanes>(row.rb_n, at)), row.rb_n, at);
-  store(either(fast, dwa, load<Lanes>(row.dwa, at)), row.dwa, at);
-  store(either(fast, dwb, load<Lanes>(row.dwb, at)), row.dwb, at);
-  return levers.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
+  const Vec<Lanes> old_dwa = load<Lanes>(row.dwa, at), old_dwb = load<Lanes>(row.dwb, at);
+  const Vec<Lanes> dwa = either(pair.fast, pair.levers.inverse_inertia_a * ra_n, old_dwa);
+  const Vec<Lanes> dwb = either(pair.fast, pair.levers.inverse_inertia_b * rb_n, old_dwb);
+  const Lanes impulse = load<Lanes>(row.impulse, at);
+  given.a.w = given.a.w - impulse * (dwa - old_dwa);
+  given.b.w = given.b.w + impulse * (dwb - old_dwb);
+  store(ra_n, row.ra_n, at);
+  store(rb_n, row.rb_n, at);
+  store(dwa, row.dwa, at);
+  store(dwb, row.dwb, at);
+  return pair.levers.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
 }
 
 /// The rows of all pairs that pass each other so fast, m/s, or faster: KeptContact::carry of chapter 21.
@@ -228,35 +234,35 @@ void carry_along(const Bundles<Real>& all, Real carried_from) {
     const Vec<Lanes> passing = now.b.v - now.a.v;
     const auto fast = dot(passing, passing) >= carried_from * carried_from;
     if (none_of(fast)) return;
-    const Pairs<Lanes> moved(bundle, all.moved, at), before(bundle, all.given, at);
-    const Vec<Lanes> apart = moved.b.v - moved.a.v, way = apart - load<Lanes>(bundle.carried, at);
-    Pairs<Lanes> given = before;
-    const Levers<Lanes> levers{.arm_a = {},
-                               .arm_b = {},
-                               .inverse_inertia_a = fetch<Lanes>(bundle.a + at, all.inertias),
-                               .inverse_inertia_b = fetch<Lanes>(bundle.b + at, all.inertias),
-                               .inverse_masses = now.inverse_mass_a + now.inverse_mass_b};
+    const Pairs<Lanes> moved(bundle, all.moved, at);
+    Pairs<Lanes> given(bundle, all.given, at);
+    const Vec<Lanes> before = load<Lanes>(bundle.carried, at), apart = either(fast, moved.b.v - moved.a.v, before);
+    const Carrying<Lanes> pair{now,
+                               apart - before,
+                               fast,
+                               {.arm_a = {},
+                                .arm_b = {},
+                                .inverse_inertia_a = fetch<Lanes>(bundle.a + at, all.inertias),
+                                .inverse_inertia_b = fetch<Lanes>(bundle.b + at, all.inertias),
+                                .inverse_masses = now.inverse_mass_a + now.inverse_mass_b}};
     for (int c = bundle.first; c < bundle.end; ++c) {
       WideContact<Real>& contact = all.contacts[c];
-      give(given, bundle, contact, Lanes(-1), at);
       const Lanes C = moved.along({bundle.n, contact.normal, at});
-      const Lanes K = carry_row(contact.normal, load<Lanes>(bundle.n, at), way, now, levers, fast, at);
-      const Lanes k11 = carry_row(contact.tangent1, load<Lanes>(bundle.tangent1, at), way, now, levers, fast, at);
-      const Lanes k22 = carry_row(contact.tangent2, load<Lanes>(bundle.tangent2, at), way, now, levers, fast, at);
-      const Lanes found = load<Lanes>(contact.found, at), mass = load<Lanes>(contact.rigid_mass, at),
-                  step_size = load<Lanes>(contact.step_size, at);
-      const auto present = mass > 0;
-      store(either(fast && present, Lanes(1 / K), mass), contact.rigid_mass, at);
-      store(either(fast && present,
-                   step_of({bundle.tangent1, contact.tangent1, at}, {bundle.tangent2, contact.tangent2, at}, k11, k22),
-                   step_size),
-            contact.step_size, at);
-      store(either(fast, Lanes(found + (C - moved.along({bundle.n, contact.normal, at}))), found), contact.found, at);
-      give(given, bundle, contact, Lanes(1), at);
+      const Lanes K = carry_row(contact.normal, load<Lanes>(bundle.n, at), pair, given, at);
+      const Lanes k11 = carry_row(contact.tangent1, load<Lanes>(bundle.tangent1, at), pair, given, at);
+      const Lanes k22 = carry_row(contact.tangent2, load<Lanes>(bundle.tangent2, at), pair, given, at);
+      const Lanes change = C - moved.along({bundle.n, contact.normal, at});  // as near as they were
+      store(Lanes(load<Lanes>(contact.found, at) + change), contact.found, at);
+      Lanes mass = load<Lanes>(contact.rigid_mass, at), step_size = load<Lanes>(contact.step_size, at);
+      const auto here = fast && mass > 0;
+      where(here, mass) = 1 / K;
+      where(here, step_size) =
+          step_of({bundle.tangent1, contact.tangent1, at}, {bundle.tangent2, contact.tangent2, at}, k11, k22);
+      store(mass, contact.rigid_mass, at);
+      store(step_size, contact.step_size, at);
     }
-    given.only_where(fast, before);
     given.put_back(bundle, all.given, at);
-    store(either(fast, apart, load<Lanes>(bundle.carried, at)), bundle.carried, at);
+    store(apart, bundle.carried, at);
   });
 }
 
