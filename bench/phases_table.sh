@@ -28,13 +28,15 @@ awk -F, '
   END {
     for (s = 1; s <= count; ++s) {
       scene = scenes[s]
-      full = took[scene, "DetectedOnce", 3] / 50  # what takes longest
+      full = 0
+      for (phase = 1; phase < 7; ++phase)
+        if (took[scene, "DetectedOnce", phase] / 50 > full) full = took[scene, "DetectedOnce", phase] / 50
       printf "%s: µs of a step\n", titles[scene]
       for (phase = 1; phase <= 7; ++phase) {
         printf "\n%s\n", names[phase]
         for (i = 1; i <= columns; ++i)
-          printf "  %-12s %6.0f  %s\n", solvers[order[i]], took[scene, order[i], phase],
-                 phase < 7 ? bar(took[scene, order[i], phase], full) : ""
+          printf phase < 7 ? "  %-12s %6.0f  %s\n" : "  %-12s %6.0f\n", solvers[order[i]], took[scene, order[i], phase],
+                 bar(took[scene, order[i], phase], full)
       }
       if (s < count) printf "\n"
     }
