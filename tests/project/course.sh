@@ -2,6 +2,7 @@
 # Tests of ./course itself, in a scratch copy where the package manager, CMake and the chapters are stand-ins.
 # shellcheck disable=SC2016  # the stand-ins' scripts are quoted as they are
 set -uo pipefail
+unset CI  # where this is run: a test that means CI says so
 root=$(cd "$(dirname "$0")/../.." && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
