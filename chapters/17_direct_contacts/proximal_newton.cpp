@@ -119,14 +119,14 @@ bool shorten(Proximal& problem, const Vector& step, Vector& r, Vector& f) {
 }
 
 constexpr int most_steps = 40;
-constexpr double rounding = 3e-16;  // what is left of f where nothing more can be said
+constexpr double rounding_of_f = 3e-16;  // what is left of f where nothing more can be said
 
 /// Newton until f is a thousandth of what it was. Returns whether it came to that.
 bool solve(Proximal& problem, Vector& r, int& steps, const NewtonLimits& limits) {
   Vector f = problem.f(r);
   const double enough = f.norm() / 1000;
   for (steps = 0; steps < most_steps; ++steps) {
-    if (f.norm() <= std::max(enough, rounding * r.norm())) return true;
+    if (f.norm() <= std::max(enough, rounding_of_f * r.norm())) return true;
     if (problem.work.multiplications >= limits.multiplications || !shorten(problem, problem.step(r, f), r, f))
       return false;
   }

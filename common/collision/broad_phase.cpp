@@ -107,7 +107,7 @@ class Columns {
       origin_[i] = low[axis];
       per_length_[i] = Real(count_[i]) / (high[axis] - low[axis]);
     }
-    begin_.assign(std::size_t(count_[0] * count_[1]) + 1, 0);
+    begin_.assign(std::size_t(count_[0]) * std::size_t(count_[1]) + 1, 0);
     for (const Entry& entry : entries) spans_.push_back(span_of(entry.bounds));
     each([this](int /*place*/, std::size_t column) { ++begin_[column + 1]; });
     for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
@@ -128,7 +128,7 @@ class Columns {
   }
 
  private:
-  std::size_t column_at(int u, int v) const { return std::size_t(u * count_[1] + v); }
+  std::size_t column_at(int u, int v) const { return std::size_t(u) * std::size_t(count_[1]) + std::size_t(v); }
   /// It ascends with the coordinate: two bounds that overlap have a column in common.
   int along(std::size_t i, Real coordinate) const {
     if (count_[i] == 1) return 0;
