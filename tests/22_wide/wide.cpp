@@ -265,6 +265,26 @@ TEST_CASE(
   check_called_for_and_asleep(Recommended{});
 }
 
+TEST_CASE("wide: what a torque turns, by hand or by a force, turns in the bits of chapter 21") {
+  const Vec3 torque(1, 2, Real(-0.5));  // N m
+  for (const bool by_hand : {true, false}) {
+    World one_by_one, wide;
+    for (World* world : {&one_by_one, &wide}) {
+      world->add(box({Real(0.1), Real(0.3), Real(0.2)}, 1).spinning({3, 1, 5}));
+      if (!by_hand) world->forces.push_back({[=](World& of) { of.bodies[0].torque += torque; }});
+    }
+    DetectedOnce of_one_by_one;
+    Recommended of_wide;
+    for (int i = 0; i < 20; ++i) {
+      if (by_hand)
+        for (World* world : {&one_by_one, &wide}) world->bodies[0].torque = torque;
+      one_by_one.step(of_one_by_one, h);
+      wide.step(of_wide, h);
+      REQUIRE(hash_of(one_by_one) == hash_of(wide));
+    }
+  }
+}
+
 TEST_CASE("wide: joints move in the bits of chapter 21 where nothing touches") {
   World one_by_one, wide;
   for (World* world : {&one_by_one, &wide}) {
