@@ -4,6 +4,16 @@
   const live = (self.PushbackLive = self.PushbackLive || {});
   const three = (value) => (value === null || value === undefined ? "–" : Number(value.toPrecision(3)).toString());
 
+  /** How an axis looks where the page has this style: in its ink, the grid in the colour of its outlines. */
+  live.axisIn = ({ color, outlineColor }) => ({
+    stroke: color,
+    grid: { stroke: outlineColor, width: 1 },
+    ticks: { stroke: outlineColor, width: 1 },
+    font: "12px system-ui, sans-serif",
+    labelFont: "12px system-ui, sans-serif",
+    labelSize: 18,
+  });
+
   /** A line across a plot, at this value of x. */
   live.lineAt = function (plot, value, colour) {
     const { left, top, height, width } = plot.bbox;
@@ -41,8 +51,7 @@
       const { dt, scene, steps } = engine;
       this.times = Float64Array.from({ length: steps }, (_, i) => (i + 1) * dt);
       const style = getComputedStyle(this.element);
-      const ink = style.color,
-        grid = style.outlineColor;
+      const ink = style.color;
       scene.series.forEach((series, which) => {
         if (!series.drawn || !lanes.length) return;
         const figure = document.createElement("div");
@@ -54,14 +63,7 @@
             : lanes.flatMap((lane) =>
                 lane.references.map((label, i) => ({ label, values: Array.from(engine.reference(lane.lane, i)) })),
               );
-        const axis = {
-          stroke: ink,
-          grid: { stroke: grid, width: 1 },
-          ticks: { stroke: grid, width: 1 },
-          font: "12px system-ui, sans-serif",
-          labelFont: "12px system-ui, sans-serif",
-          labelSize: 18,
-        };
+        const axis = live.axisIn(style);
         const title = series.unit ? `${series.name}, ${series.unit}` : series.name;
         const plot = new window.uPlot(
           {

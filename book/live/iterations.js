@@ -200,15 +200,9 @@
       if (!window.uPlot) return;
       const { problem } = this.engine,
         style = getComputedStyle(this.plotIn.parentElement),
-        ink = style.color,
-        grid = style.outlineColor;
+        ink = style.color;
       const axis = {
-        stroke: ink,
-        grid: { stroke: grid, width: 1 },
-        ticks: { stroke: grid, width: 1 },
-        font: "12px system-ui, sans-serif",
-        labelFont: "12px system-ui, sans-serif",
-        labelSize: 18,
+        ...live.axisIn(style),
         filter: (_, all) => all, // uPlot would leave out all but the decades
       };
       // Powers of ten, eight at most, from the highest down.
