@@ -59,9 +59,13 @@ int main(int argc, char** argv) {
       for (const Real drift : same.drift.y) drifts.push_back(fmt::format("{:.3g}", drift));
       e.remark(fmt::format("a stack of {}, 32 sweeps in 1/60 s, in {} substeps: the top drifts by {} mm", spelled(tall),
                            fmt::join(same.drift.x, ", "), fmt::join(drifts, ", ")));
-      const std::string cost = "what a sweep is worth", x = "sweeps in 1/60 s";
-      e.panel(study_panel(cost, x, "drift of the top, mm", {sweeps.drift, steps.drift}));
-      e.panel(study_panel(cost, x, "speed in the last second, mm/s", {sweeps.speed, steps.speed}));
+      const auto worth = [&](const std::string& y, const std::vector<Curve>& curves) {
+        Panel panel = study_panel("what a sweep is worth", "sweeps in 1/60 s", y, curves);
+        panel.ticks_at_points = true;
+        e.panel(panel);
+      };
+      worth("drift of the top, mm", {sweeps.drift, steps.drift});
+      worth("speed in the last second, mm/s", {sweeps.speed, steps.speed});
     });
   });
 }

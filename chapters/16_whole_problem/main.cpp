@@ -76,14 +76,14 @@ int main(int argc, char** argv) {
       }
       Snapshot at_rest(stacked, h);
       const ContactProblem problem = problem_of(at_rest.world);
-      e.panel(
-          {.title = tall + ", from nothing",
-           .x_label = "sweeps",
-           .y_label = "relative residual",
-           .log_x = true,
-           .log_y = true,
-           .curves = {convergence(problem, "pgs", "pyramid", 0), convergence(problem, "scaled-back", "scaled back", 1),
-                      convergence(problem, "cone", "cone", 2), convergence(problem, "nscg", "cone, conjugate", 3)}});
+      e.panel({.title = tall + ", from nothing",
+               .x_label = "sweeps",
+               .y_label = "relative residual",
+               .log_x = true,
+               .log_y = true,
+               .curves = merged(
+                   {convergence(problem, "pgs", "pyramid", 0), convergence(problem, "scaled-back", "scaled back", 1),
+                    convergence(problem, "cone", "cone", 2), convergence(problem, "nscg", "cone, conjugate", 3)})});
       const Fill ten_wide = [](World& world) { pyramid(world, 10); };
       const Fill heavy_on_four = [ratio](World& world) {
         stack(world, 4);

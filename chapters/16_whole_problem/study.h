@@ -1,6 +1,8 @@
 /// What sweeps leave undone, and what they say of it themselves.
 #pragma once
 
+#include <algorithm>
+
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/sweeping_methods.h"
 #include "pushback/common/experiment/plot.h"
@@ -52,6 +54,21 @@ inline Curve convergence(const ContactProblem& problem, const std::string& metho
     curve.y.push_back(static_cast<Real>(std::max(solve_by_sweeps(problem, method, sweeps, 0).residual, 1e-17)));
   }
   return curve;
+}
+
+/// Curves with the same x that are nowhere apart by more than 5 % become one, with the names of all. That is about the
+/// width of a line.
+inline std::vector<Curve> merged(const std::vector<Curve>& curves) {
+  std::vector<Curve> apart;
+  for (const Curve& curve : curves) {
+    const auto same = std::find_if(apart.begin(), apart.end(), [&](const Curve& other) {
+      return std::equal(curve.y.begin(), curve.y.end(), other.y.begin(), other.y.end(),
+                        [](Real a, Real b) { return std::abs(a - b) <= Real(0.05) * std::max(a, b); });
+    });
+    if (same == apart.end()) apart.push_back(curve);
+    else same->label += ", " + curve.label;
+  }
+  return apart;
 }
 
 /// What can be asked after each sweep, and what one would like to know; each as a part of its full size.

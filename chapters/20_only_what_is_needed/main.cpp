@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
 
     e.scene({.name = "the same piles, three solvers", .fill = piles, .seconds = 6, .pictures = false});
     e.variant("everything", Everything{});
-    e.motion("what is called for", Needed{}).without_curves();  // its contacts are the same
+    e.motion("what is called for", Needed{});
     e.motion(asleep, rested);
     measured(piles);
     e.series("contact points", "", [](const World& world) { return static_cast<Real>(world.contacts.size()); });

@@ -40,8 +40,9 @@ struct Panel {
   std::vector<ReferenceLine> lines = {};  ///< drawn where they lie within the range of the data
   Real floor = 0;  ///< of a logarithmic y: what is less is drawn here, and the axis ends here and says so; 0: none
   Range x_range = {}, y_range = {};
-  bool equal_units = false;  ///< a unit of x is as long as one of y, on linear axes
-  std::string extra = "";    ///< further gnuplot commands for this panel; not its ranges and margins
+  bool ticks_at_points = false;  ///< of x, where curves have a few points, all at the same few x
+  bool equal_units = false;      ///< a unit of x is as long as one of y, on linear axes
+  std::string extra = "";        ///< further gnuplot commands for this panel; not its ranges and margins
 };
 
 inline constexpr std::size_t panels_in_a_figure = 4;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "pushback/common/render/canvas.h"
 
@@ -97,6 +98,12 @@ Axis axis_of(const std::vector<Real>& values, const Range& given, bool log, Real
   return axis;
 }
 
+void ticks_at(Axis& axis, const std::vector<Real>& values) {
+  axis.ticks.clear();
+  for (const Real value : std::set<Real>(values.begin(), values.end()))
+    axis.ticks.emplace_back(value, fmt::format("{:g}", value));
+}
+
 /// The axis ends at the floor, and says that what is there may be below.
 void end_at_floor(Axis& axis, Real floor, bool something_below) {
   if (!something_below) return;
@@ -163,6 +170,7 @@ PanelLayout widths(const Panel& panel, int width) {
     if (*first > 0 && *first < *last / 20) xs.push_back(0);
   }
   layout.x = axis_of(xs, panel.x_range, panel.log_x, dots ? Real(0.02) : Real(0), (layout.right - layout.left) / 90);
+  if (panel.ticks_at_points) ticks_at(layout.x, xs);
   return layout;
 }
 

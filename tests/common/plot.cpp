@@ -188,6 +188,15 @@ TEST_CASE("axes are tight, rounding noise is no span, and lines to compare with 
   CHECK(equal.bottom - equal.top == Approx(2 * (equal.right - equal.left)).margin(2));
 }
 
+TEST_CASE("an axis can have its ticks where the points are") {
+  Panel panel{.title = "", .x_label = "", .y_label = "", .log_x = true};
+  panel.curves = {{"a", {16, 32, 64}, {3, 2, 1}, "#000000"}, {"b", {8, 16}, {3, 2}, "#000000"}};
+  panel.ticks_at_points = true;
+  const Axis x = lay_out({panel}).panels[0].x;
+  CHECK(x.ticks == std::vector<std::pair<Real, std::string>>{{8, "8"}, {16, "16"}, {32, "32"}, {64, "64"}});
+  for (const auto& [value, label] : x.ticks) CHECK((x.part(value) >= 0 && x.part(value) <= 1));
+}
+
 TEST_CASE("the label of a line to compare with stands where fewer curves are in its way") {
   Panel panel{.title = "", .x_label = "", .y_label = "", .curves = {straight("down", 1, 0)}};
   panel.lines = {{Real(0.9), "line"}};
