@@ -36,9 +36,8 @@ inline int rope(World& world, const std::vector<Vec3>& places, Real mass, int co
   return first;
 }
 
-/// One rope is hung at both ends, straight down to its middle, and swings until drag has brought it to rest. One falls
-/// over a bar.
-inline void ropes(World& world) {
+/// A rope hung at both ends, straight down to its middle. It swings until drag has brought it to rest.
+inline void hanging_rope(World& world) {
   world.add(ground());
   const Real half = rope_span / 2, down = std::sqrt(std::pow(rope_links * rope_link / 2, 2) - half * half);
   std::vector<Vec3> places;
@@ -53,9 +52,13 @@ inline void ropes(World& world) {
   for (const Real side : {Real(-1), Real(1)})
     world.add(
         box({Real(0.05), rope_y / 2, Real(0.05)}, 1).fixed().at({rope_x + side * (half + Real(0.05)), rope_y / 2, 0}));
+}
 
+/// The same, and a rope that falls over a bar.
+inline void ropes(World& world) {
+  hanging_rope(world);
   world.add(capsule(Real(0.15), 1, 1).fixed().rough(1).turned(pi / 2, Vec3::UnitX()).at({2, Real(1.8), 0}));
-  places.clear();
+  std::vector<Vec3> places;
   for (int i = 0; i <= 24; ++i) places.push_back({2 + Real(0.12) * static_cast<Real>(i - 13), Real(2.1), 0});
   rope(world, places, Real(0.1), 3);
 }
