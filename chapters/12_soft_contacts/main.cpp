@@ -70,22 +70,32 @@ int main(int argc, char** argv) {
     const auto overlap_of_stack = [w](int boxes) {
       return 1000 * 2 * static_cast<Real>(boxes - 1) * World::g / (w * w);
     };
-    const Real top = tall;
-    e.scene({.name = "a stack of " + spelled(tall),
-             .fill = [tall](World& world) { stack(world, tall); },
-             .camera = {{Real(2.6), top + Real(0.3), 13}, {0, top - Real(1.2), 0}, Real(0.215)},
-             .seconds = 10,
-             .instants = {Real(5.5), Real(6.25), 7},
-             .caption = "The top of the stack. Thin lines: where soft contacts should come to rest. Displacements are "
-                        "drawn two hundred times as large as they are.",
-             .start_shown = false,
-             .magnified = 200,
-             .marks =
-                 [w, tall](Picture& picture, const World&, Real) {
-                   for (const Body& rests : stack_that_has_yielded(tall, World::g / (w * w), 200))
-                     add_outline(picture, rests, near_black_colour(), Real(1.8));
-                 },
-             .cell_height = 400});
+    const Real top = tall, times = 1000, yield = World::g / (w * w);
+    // Of a stack on soft contacts at rest, from the ground to its top.
+    const Real height = top - times * yield * top * top;
+    const std::vector<Vec3> rests{{-Real(0.5), 0, Real(0.55)},
+                                  {-Real(0.5), height, Real(0.55)},
+                                  {Real(0.5), height, Real(0.55)},
+                                  {Real(0.5), 0, Real(0.55)}};
+    const Real pace = Real(1.4) * top, middle = Real(1.125) * pace;  // m/s, so that they lean beside each other; m
+    e.scene(
+        {.name = "a stack of " + spelled(tall),
+         .fill = [tall](World& world) { stack(world, tall); },
+         .camera = {{middle - 16, Real(0.08) * top, 20 * top}, {middle, Real(0.51) * top, 0}, Real(0.0555)},
+         .seconds = 10,
+         .contacts = Drawn::nothing,
+         .caption = "The stack is drawn every 0.25 s from left to right, displacements a thousand times as large. "
+                    "Thin lines: where soft contacts should come to rest.",
+         .start_shown = false,
+         .magnified = times,
+         .strobe = Strobe{.every = Real(0.25),
+                          .shift_per_second = {pace, 0, 0},
+                          .from = 5,
+                          .height = 440,
+                          .until = Real(7.25),
+                          .marks = [rests](Picture& picture,
+                                           const World&) { add_line(picture, rests, near_black_colour(), Real(1.2)); }},
+         .in_brief = {{0, 0}}});
     watch_stack(e);
     hard();
     soft().expect("overlap at the end", overlap_of_stack(tall));
