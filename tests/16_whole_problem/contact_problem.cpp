@@ -211,6 +211,16 @@ TEST_CASE("sweeps give each body its g h back, and corrections and closing speed
   }
 }
 
+TEST_CASE("curves that lie on each other become one, with the names of all") {
+  const std::vector<Real> x{1, 2};
+  const std::vector<Curve> curves =
+      merged({{"a", x, {1, Real(0.1)}, ""}, {"b", x, {1, Real(0.11)}, ""}, {"c", x, {1, Real(0.104)}, ""}});
+  REQUIRE(curves.size() == 2);
+  CHECK(curves[0].label == "a, c");
+  CHECK(curves[0].y == std::vector<Real>{1, Real(0.1)});
+  CHECK(curves[1].label == "b");
+}
+
 TEST_CASE("a problem comes back from its file in the same bits") {
   Frame frame([](World& world) { pyramid(world, 4); });
   const ContactProblem problem = problem_of(frame.world), read = read_problem(problem_text(problem));
