@@ -89,6 +89,7 @@ std::size_t Wide<Scalar>::place_of(World& world, std::size_t body) {
 template <class Scalar>
 void Wide<Scalar>::detected(World& world, Real h) {
   const NoDenormals none;
+  at_work_ = &workers().of_bodies(world.bodies.size());
   bodies_.clear();
   places_.clear();
   Sets sets = sets_of(touching_pairs(world.contacts), world);
@@ -199,7 +200,7 @@ Bundles<Scalar> Wide<Scalar>::bundles(std::size_t begin, std::size_t end) {
 template <class Scalar>
 template <class Act>
 void Wide<Scalar>::each_body(const Act& act) {
-  workers().each(bodies_.size(), 256, [&](Part part) {
+  at_work_->each(bodies_.size(), 256, [&](Part part) {
     for (std::size_t i = part.begin; i < part.end; ++i) act(i);
   });
 }
@@ -225,8 +226,8 @@ template <class Scalar>
 template <class Act>
 Scalar Wide<Scalar>::largest_in(std::size_t begin, std::size_t end, const Act& act) {
   const std::size_t items = end - begin;
-  largest_.assign(workers().parts(items, least_bundles), 0);
-  workers().each(items, least_bundles, [&](Part part) {
+  largest_.assign(at_work_->parts(items, least_bundles), 0);
+  at_work_->each(items, least_bundles, [&](Part part) {
     if constexpr (std::is_void_v<decltype(act(begin, end))>) act(begin + part.begin, begin + part.end);
     else largest_[part.index] = act(begin + part.begin, begin + part.end);
   });
@@ -330,7 +331,7 @@ void Wide<Scalar>::forget_impacts() {
 template <class Scalar>
 void Wide<Scalar>::done(World& world) {
   forget_impacts();
-  workers().each(where_.size(), 256, [&](Part part) {
+  at_work_->each(where_.size(), 256, [&](Part part) {
     for (std::size_t i = part.begin; i < part.end; ++i) tell(world.contacts[i], i);
   });
   std::erase_if(world.contacts, [](const Contact& c) { return c.depth < 0 && c.impulse.isZero(0); });

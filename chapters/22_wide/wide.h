@@ -62,6 +62,7 @@ class Wide : public OnceInAStep {
   void carry();
   void forget_impacts();
 
+  Workers* at_work_ = &alone();      // in this step
   std::vector<Body*> bodies_;        // those that touch; the last one stands in empty lanes
   std::vector<std::size_t> places_;  // of each body of the world, in bodies_
   std::vector<Twist<Scalar>> now_, before_, moved_, given_;

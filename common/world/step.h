@@ -145,7 +145,7 @@ void step(World& world, ContactSolver& solver, Real dt, int sweeps, Simulated& s
 
 template <class ContactSolver>
 void World::step(ContactSolver& solver, Real dt, int sweeps) {
-  Everybody everybody{&solver.workers()};
+  Everybody everybody{&solver.workers().of_bodies(bodies.size())};
   pushback::step(*this, solver, dt, sweeps, everybody);
 }
 
