@@ -65,6 +65,39 @@ template <class Scalar>
 Vec3 angular(const Twist<Scalar>& of) {
   return {static_cast<Real>(of.of[3]), static_cast<Real>(of.of[4]), static_cast<Real>(of.of[5])};
 }
+/// Those that are to turn, until there are eight of them.
+class TurningBodies {
+ public:
+  explicit TurningBodies(const Passes<Real>& passes) : turn_(passes.turn) {}
+  void add(Body& body, Real h) {
+    const Quat& q = body.orientation;
+    numbers_.x.of[count_] = q.x(), numbers_.y.of[count_] = q.y(), numbers_.z.of[count_] = q.z();
+    numbers_.s.of[count_] = q.w();
+    put(body.angular_velocity, numbers_.w, count_);
+    put(body.principal_inverse_inertia, numbers_.inverse_inertia, count_);
+    bodies_[count_] = &body;
+    if (++count_ == lanes_of_bundle) turn(h);
+  }
+  void turn(Real h) {
+    turn_(numbers_, h);
+    for (std::size_t i = 0; i < count_; ++i) {
+      Body& body = *bodies_[i];
+      if (numbers_.solved.of[i] == 0) {
+        spin_freely(body, h);
+        continue;
+      }
+      body.orientation = Quat(numbers_.s.of[i], numbers_.x.of[i], numbers_.y.of[i], numbers_.z.of[i]);
+      body.angular_velocity = vector_of(numbers_.w, i);
+    }
+    count_ = 0;
+  }
+
+ private:
+  void (*turn_)(Turning<Real>&, Real);
+  Turning<Real> numbers_{};
+  Body* bodies_[lanes_of_bundle];
+  std::size_t count_ = 0;
+};
 }  // namespace
 
 template <class Scalar>
@@ -260,6 +293,20 @@ void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
   for (int i = 0; i < sweeps; ++i) sweep(step);
   joints.finish(step);
   joints.report(step);
+}
+
+/// Eight at a time of those that turn.
+template <class Scalar>
+void Wide<Scalar>::displace(World& world, Real h) {
+  at_work_->each(world.bodies.size(), 256, [&](Part part) {
+    TurningBodies eight(turning);
+    for (std::size_t i = part.begin; i < part.end; ++i) {
+      Body& body = world.bodies[i];
+      body.position += h * body.velocity;
+      if (body.angular_velocity != Vec3::Zero()) eight.add(body, h);
+    }
+    eight.turn(h);
+  });
 }
 
 template <class Scalar>
