@@ -26,6 +26,12 @@ awk -F, '
     for (phase = 1; phase <= 7; ++phase) took[scene, solver, phase] = $(NF - 8 + phase)
   }
   END {
+    for (s = 1; s <= count; ++s)
+      for (i = 1; i <= columns; ++i)
+        if (!((scenes[s], order[i], 1) in took)) {
+          print "phases_table.sh: nothing was measured of " scenes[s] "<" order[i] ">: all of them are needed" > "/dev/stderr"
+          exit 1
+        }
     for (s = 1; s <= count; ++s) {
       scene = scenes[s]
       full = 0

@@ -50,6 +50,7 @@ class FittingSolver : public StepSolver {
   Division division(Real dt) const { return holder_->division(dt); }
   void detected(World& world, Real dt) { holder_->detected(world, dt); }
   void solve(World& world, Real dt, int sweeps) { holder_->solve(world, dt, sweeps); }
+  void displace(World& world, Real dt) { holder_->displace(world, dt); }
   void after_move(World& world, Real dt) { holder_->after_move(world, dt); }
   void done(World& world) { holder_->done(world); }
   const Rows& rows() const { return holder_->rows(); }
@@ -64,6 +65,7 @@ class FittingSolver : public StepSolver {
     virtual Division division(Real dt) const = 0;
     virtual void detected(World& world, Real dt) = 0;
     virtual void solve(World& world, Real dt, int sweeps) = 0;
+    virtual void displace(World& world, Real dt) = 0;
     virtual void after_move(World& world, Real dt) = 0;
     virtual void done(World& world) = 0;
     virtual const Rows& rows() const = 0;
@@ -78,6 +80,7 @@ class FittingSolver : public StepSolver {
     Division division(Real dt) const override { return solver.division(dt); }
     void detected(World& world, Real dt) override { solver.detected(world, dt); }
     void solve(World& world, Real dt, int sweeps) override { solver.solve(world, dt, sweeps); }
+    void displace(World& world, Real dt) override { solver.displace(world, dt); }
     void after_move(World& world, Real dt) override { solver.after_move(world, dt); }
     void done(World& world) override { solver.done(world); }
     const Rows& rows() const override {

@@ -63,6 +63,15 @@ struct alignas(8 * sizeof(Real)) Inertia {
   Real of[6], none[2];  ///< xx, xy, xz, yy, yz, zz
 };
 
+/// Eight bodies that turn.
+template <class Real>
+struct Turning {
+  Eight<Real> x, y, z, s;              ///< their orientation, a unit quaternion with the scalar part s
+  EightVectors<Real> w;                ///< rad/s, world axes
+  EightVectors<Real> inverse_inertia;  ///< the principal ones, 1/(kg m^2)
+  Eight<Real> solved;                  ///< 1; or 0 where it turns so far that Newton's method has not followed
+};
+
 /// All of it.
 template <class Real>
 struct Bundles {
@@ -95,6 +104,7 @@ struct Passes {
   void (*rub)(const Bundles<Real>&);   ///< all tangents
   void (*keep)(const Bundles<Real>&);
   void (*restore)(const Bundles<Real>&);
+  void (*turn)(Turning<Real>&, Real h);
 };
 
 /// For any processor, and for one with AVX2. `lanes`: 1, 4 or 8.

@@ -21,6 +21,7 @@ template <class Real>
 class OneLane {
  public:
   using mask_type = bool;
+  using value_type = Real;
   OneLane() = default;
   OneLane(Real number) : number_(number) {}
   OneLane(const Real* from, simd::ElementAligned) : number_(*from) {}

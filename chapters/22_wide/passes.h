@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "pushback/chapters/22_wide/motions.h"
+#include "pushback/chapters/22_wide/turn.h"
 
 namespace pushback {
 namespace {
@@ -396,7 +397,8 @@ Passes<Real> passes_of(const char* processor) {
           push<Lanes, Real>,
           rub<Lanes, Real>,
           keep<Lanes, Real>,
-          restore<Lanes, Real>};
+          restore<Lanes, Real>,
+          turn<Lanes, Real>};
 }
 template <class Real>
 Passes<Real> passes_for(const char* processor, int lanes) {

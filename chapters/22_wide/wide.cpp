@@ -65,6 +65,39 @@ template <class Scalar>
 Vec3 angular(const Twist<Scalar>& of) {
   return {static_cast<Real>(of.of[3]), static_cast<Real>(of.of[4]), static_cast<Real>(of.of[5])};
 }
+/// Those that are to turn, until there are eight of them.
+class TurningBodies {
+ public:
+  explicit TurningBodies(const Passes<Real>& passes) : turn_(passes.turn) {}
+  void add(Body& body, Real h) {
+    const Quat& q = body.orientation;
+    numbers_.x.of[count_] = q.x(), numbers_.y.of[count_] = q.y(), numbers_.z.of[count_] = q.z();
+    numbers_.s.of[count_] = q.w();
+    put(body.angular_velocity, numbers_.w, count_);
+    put(body.principal_inverse_inertia, numbers_.inverse_inertia, count_);
+    bodies_[count_] = &body;
+    if (++count_ == lanes_of_bundle) turn(h);
+  }
+  void turn(Real h) {
+    turn_(numbers_, h);
+    for (std::size_t i = 0; i < count_; ++i) {
+      Body& body = *bodies_[i];
+      if (numbers_.solved.of[i] == 0) {
+        spin_freely(body, h);
+        continue;
+      }
+      body.orientation = Quat(numbers_.s.of[i], numbers_.x.of[i], numbers_.y.of[i], numbers_.z.of[i]);
+      body.angular_velocity = vector_of(numbers_.w, i);
+    }
+    count_ = 0;
+  }
+
+ private:
+  void (*turn_)(Turning<Real>&, Real);
+  Turning<Real> numbers_{};
+  Body* bodies_[lanes_of_bundle];
+  std::size_t count_ = 0;
+};
 }  // namespace
 
 template <class Scalar>
@@ -89,6 +122,7 @@ std::size_t Wide<Scalar>::place_of(World& world, std::size_t body) {
 template <class Scalar>
 void Wide<Scalar>::detected(World& world, Real h) {
   const NoDenormals none;
+  at_work_ = &workers().of_bodies(world.bodies.size());
   bodies_.clear();
   places_.clear();
   Sets sets = sets_of(touching_pairs(world.contacts), world);
@@ -199,7 +233,7 @@ Bundles<Scalar> Wide<Scalar>::bundles(std::size_t begin, std::size_t end) {
 template <class Scalar>
 template <class Act>
 void Wide<Scalar>::each_body(const Act& act) {
-  workers().each(bodies_.size(), 256, [&](Part part) {
+  at_work_->each(bodies_.size(), 256, [&](Part part) {
     for (std::size_t i = part.begin; i < part.end; ++i) act(i);
   });
 }
@@ -225,8 +259,8 @@ template <class Scalar>
 template <class Act>
 Scalar Wide<Scalar>::largest_in(std::size_t begin, std::size_t end, const Act& act) {
   const std::size_t items = end - begin;
-  largest_.assign(workers().parts(items, least_bundles), 0);
-  workers().each(items, least_bundles, [&](Part part) {
+  largest_.assign(at_work_->parts(items, least_bundles), 0);
+  at_work_->each(items, least_bundles, [&](Part part) {
     if constexpr (std::is_void_v<decltype(act(begin, end))>) act(begin + part.begin, begin + part.end);
     else largest_[part.index] = act(begin + part.begin, begin + part.end);
   });
@@ -259,6 +293,20 @@ void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
   for (int i = 0; i < sweeps; ++i) sweep(step);
   joints.finish(step);
   joints.report(step);
+}
+
+/// Eight at a time of those that turn.
+template <class Scalar>
+void Wide<Scalar>::displace(World& world, Real h) {
+  at_work_->each(world.bodies.size(), 256, [&](Part part) {
+    TurningBodies eight(turning);
+    for (std::size_t i = part.begin; i < part.end; ++i) {
+      Body& body = world.bodies[i];
+      body.position += h * body.velocity;
+      if (body.angular_velocity != Vec3::Zero()) eight.add(body, h);
+    }
+    eight.turn(h);
+  });
 }
 
 template <class Scalar>
@@ -330,7 +378,7 @@ void Wide<Scalar>::forget_impacts() {
 template <class Scalar>
 void Wide<Scalar>::done(World& world) {
   forget_impacts();
-  workers().each(where_.size(), 256, [&](Part part) {
+  at_work_->each(where_.size(), 256, [&](Part part) {
     for (std::size_t i = part.begin; i < part.end; ++i) tell(world.contacts[i], i);
   });
   std::erase_if(world.contacts, [](const Contact& c) { return c.depth < 0 && c.impulse.isZero(0); });

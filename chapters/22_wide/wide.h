@@ -22,6 +22,7 @@ template <class Scalar>
 class Wide : public OnceInAStep {
  public:
   Passes<Scalar> passes = passes_of_this_processor<Scalar>();
+  Passes<Real> turning = passes_of_this_processor<Real>();  ///< of bodies
   /// The order in which pairs are solved; each set at once.
   Sets (*sets_of)(const std::vector<PairOfBodies>& pairs, const World& world) = coloured;
   /// Who does the bundles of a set, and what else falls into parts; null: this one alone.
@@ -30,11 +31,12 @@ class Wide : public OnceInAStep {
 
   Division division(Real dt) const {
     Division divided = OnceInAStep::division(dt);
-    divided.reads_inertia = false;  // but for the pairs that are carried
+    divided.displaces = true;  // and reads I^-1 of the pairs that are carried alone
     return divided;
   }
   void detected(World& world, Real h);
   void solve(World& world, Real h, int sweeps);
+  void displace(World& world, Real h);
   void after_move(World& world, Real h);
   void done(World& world);
 
@@ -62,6 +64,7 @@ class Wide : public OnceInAStep {
   void carry();
   void forget_impacts();
 
+  Workers* at_work_ = &alone();      // in this step
   std::vector<Body*> bodies_;        // those that touch; the last one stands in empty lanes
   std::vector<std::size_t> places_;  // of each body of the world, in bodies_
   std::vector<Twist<Scalar>> now_, before_, moved_, given_;

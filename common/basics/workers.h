@@ -12,6 +12,11 @@ struct Part {
   std::size_t begin, end, index;
 };
 
+class Workers;
+
+/// For who asks for nobody else.
+Workers& alone();
+
 /// Who does it: this one does it alone. Who derives from it does several parts at a time.
 class Workers {
  public:
@@ -19,6 +24,10 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
   virtual ~Workers() = default;
+
+  /// Who does a step of so many bodies: of fewer this one alone, as to wake another takes longer than its part of the step.
+  static constexpr std::size_t least_bodies = 256;
+  Workers& of_bodies(std::size_t bodies) { return however_little_ || bodies >= least_bodies ? *this : alone(); }
 
   /// Into how many parts `each` cuts so many items: with `least` or more in each, as what is little takes longer shared than alone.
   std::size_t parts(std::size_t items, std::size_t least) const {
@@ -33,7 +42,7 @@ class Workers {
   }
 
  protected:
-  /// With `however_little`, `least` counts as 1: for who looks for what goes wrong in small scenes.
+  /// With `however_little`, nothing is too little to be shared: for who looks for what goes wrong in small scenes.
   explicit Workers(std::size_t most_parts, bool however_little = false)
       : most_parts_(most_parts), however_little_(however_little) {}
 
@@ -45,7 +54,6 @@ class Workers {
   bool however_little_ = false;
 };
 
-/// For who asks for nobody else.
 inline Workers& alone() {
   static Workers one;
   return one;

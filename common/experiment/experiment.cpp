@@ -134,6 +134,7 @@ struct Watched : StepSolver {
     sample.rows = solved.rows;
     sample.residual = solved.residual;
   }
+  void displace(World& world, Real dt) { solver.displace(world, dt); }
   void after_move(World& world, Real dt) {
     timed([&] { solver.after_move(world, dt); });
   }

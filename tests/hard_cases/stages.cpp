@@ -30,6 +30,7 @@ class Doubled : public StepSolver {
   void solve(World& world, Real dt, int sweeps) {
     with_each_twice(world, [&] { solver_.solve(world, dt, sweeps); });
   }
+  void displace(World& world, Real dt) { solver_.displace(world, dt); }
   void after_move(World& world, Real dt) {
     with_each_twice(world, [&] { solver_.after_move(world, dt); });
   }

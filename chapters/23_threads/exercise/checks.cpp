@@ -75,7 +75,7 @@ std::vector<Real> velocities_after(const std::vector<Thread>& threads, const Wor
   each_solved(threads, [&](int bundle, std::size_t) {
     if (bundle < 0 || bundle >= work.bundles()) return;
     const int set = bundle / work.sizes[0], pair = bundle % work.sizes[0];
-    const auto a = static_cast<std::size_t>(2 * pair + set % 2);
+    const auto a = 2 * static_cast<std::size_t>(pair) + static_cast<std::size_t>(set % 2);
     velocities[a] = velocities[a + 1] = (velocities[a] + velocities[a + 1]) / 2;
   });
   return velocities;

@@ -1,0 +1,125 @@
+/// Bodies that turn side by side, beside one after the other.
+#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/common/bodies/random.h"
+#include "tests/support/catch.h"
+#include "tests/support/yardstick.h"
+
+using namespace pushback;
+
+namespace {
+
+/// Of any proportions, however turned, each turning by `angle` in a step of h: the last of every eight about one of its own axes,
+/// the one before it not at all, and two are cubes.
+std::vector<Body> turning(int count, Real angle) {
+  Random random(5);
+  std::vector<Body> bodies;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 half =
+        i % 4 == 1 ? Vec3::Constant(random.between(Real(0.1), 1))
+                   : Vec3(random.between(Real(0.1), 1), random.between(Real(0.1), 1), random.between(Real(0.1), 1));
+    Body body = box(half, random.between(Real(0.1), 10)).turned(random.between(0, 6), random.direction());
+    body.spinning(angle / h * (i % 8 == 7 ? body.orientation * Vec3::UnitY() : random.direction()));
+    if (i % 8 == 6) body.spinning(Vec3::Zero());
+    bodies.push_back(body);
+  }
+  return bodies;
+}
+
+Turning<Real> eight_of(const std::vector<Body>& bodies, std::size_t first) {
+  Turning<Real> eight{};
+  for (std::size_t i = 0; i < lanes_of_bundle; ++i) {
+    const Body& body = bodies[first + i];
+    const Quat& q = body.orientation;
+    eight.x.of[i] = q.x(), eight.y.of[i] = q.y(), eight.z.of[i] = q.z(), eight.s.of[i] = q.w();
+    Eight<Real>* const w[] = {&eight.w.x, &eight.w.y, &eight.w.z};
+    Eight<Real>* const inverse[] = {&eight.inverse_inertia.x, &eight.inverse_inertia.y, &eight.inverse_inertia.z};
+    for (int k = 0; k < 3; ++k)
+      w[k]->of[i] = body.angular_velocity[k], inverse[k]->of[i] = body.principal_inverse_inertia[k];
+  }
+  return eight;
+}
+Quat orientation_in(const Turning<Real>& eight, std::size_t i) {
+  return {eight.s.of[i], eight.x.of[i], eight.y.of[i], eight.z.of[i]};
+}
+Vec3 spin_in(const Turning<Real>& eight, std::size_t i) {
+  return {eight.w.x.of[i], eight.w.y.of[i], eight.w.z.of[i]};
+}
+/// I w, world axes.
+Vec3 spin_momentum(const Quat& q, const Vec3& w, const Body& body) {
+  return q * Vec3((q.conjugate() * w).cwiseQuotient(body.principal_inverse_inertia));
+}
+
+}  // namespace
+
+TEST_CASE("wide: what turns side by side turns as it does alone, and keeps momentum and energy to rounding") {
+  for (const Real angle : {Real(1e-6), Real(0.01), Real(0.3), Real(1)}) {
+    const std::vector<Body> bodies = turning(80, angle);
+    for (std::size_t first = 0; first < bodies.size(); first += lanes_of_bundle) {
+      Turning<Real> eight = eight_of(bodies, first);
+      passes_of_this_processor<Real>().turn(eight, h);
+      for (std::size_t i = 0; i < lanes_of_bundle; ++i) {
+        INFO("body " << first + i << ", by " << angle);
+        const Body& body = bodies[first + i];
+        Body alone = body;
+        spin_freely(alone, h);
+        const Quat q = orientation_in(eight, i);
+        const Vec3 w = spin_in(eight, i);
+        const Real uneven = body.principal_inverse_inertia.maxCoeff() / body.principal_inverse_inertia.minCoeff();
+        CHECK(eight.solved.of[i] == 1);
+        CHECK((q.coeffs() - alone.orientation.coeffs()).norm() < 20 * uneven * eps);
+        CHECK((w - alone.angular_velocity).norm() <= 20 * uneven * eps * w.norm());
+        CHECK(std::abs(q.norm() - 1) < 4 * eps);
+        const Vec3 before = spin_momentum(body.orientation, body.angular_velocity, body),
+                   after = spin_momentum(q, w, body);
+        CHECK((after - before).norm() <= 20 * uneven * eps * before.norm());
+        CHECK(std::abs(w.dot(after) - body.angular_velocity.dot(before)) <= 40 * uneven * eps * w.dot(after));
+        if (i % 8 == 6) CHECK(q.coeffs() == body.orientation.coeffs());
+        if (i % 4 == 1) CHECK(w == body.angular_velocity);
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "wide: bodies turn in the same bits in one, four and eight lanes, on any processor, beside whatever neighbours") {
+  for (const Real angle : {Real(1e-6), Real(0.01), Real(1), Real(30)}) {
+    const std::vector<Body> bodies = turning(24, angle);
+    for (std::size_t first = 0; first < bodies.size(); first += lanes_of_bundle) {
+      const Turning<Real> begin = eight_of(bodies, first);
+      Turning<Real> one = begin;
+      plain_passes<Real>(1).turn(one, h);
+      for (const auto& passes : {plain_passes<Real>(4), plain_passes<Real>(8), passes_of_this_processor<Real>(1),
+                                 passes_of_this_processor<Real>(4), passes_of_this_processor<Real>(8)}) {
+        Turning<Real> several = begin;
+        passes.turn(several, h);
+        for (std::size_t i = 0; i < lanes_of_bundle; ++i) {
+          INFO("body " << first + i << ", by " << angle << ", " << passes.lanes << " lanes");
+          CHECK(several.solved.of[i] == one.solved.of[i]);
+          if (one.solved.of[i] == 0) continue;
+          CHECK(orientation_in(several, i).coeffs() == orientation_in(one, i).coeffs());
+          CHECK(spin_in(several, i) == spin_in(one, i));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("wide: what turns farther than Newton's method follows turns in the bits of one after the other") {
+  World world;
+  for (Body& body : turning(16, 30)) world.add(body.at({0, static_cast<Real>(5 * world.bodies.size()), 0}));
+  const std::vector<Body> before = world.bodies;
+  Wide<float> solver;
+  solver.displace(world, h);
+  int not_followed = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    Turning<Real> eight = eight_of(before, i / lanes_of_bundle * lanes_of_bundle);
+    solver.turning.turn(eight, h);
+    if (eight.solved.of[i % lanes_of_bundle] == 1) continue;
+    Body alone = before[i];
+    spin_freely(alone, h);
+    CHECK(alone.angular_velocity == world.bodies[i].angular_velocity);
+    CHECK(alone.orientation.coeffs() == world.bodies[i].orientation.coeffs());
+    ++not_followed;
+  }
+  CHECK(not_followed >= 2);
+}
