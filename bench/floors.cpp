@@ -79,7 +79,8 @@ Passes<Scalar> counted_passes() {
           push<Lane, Scalar>,
           rub<Lane, Scalar>,
           keep<Lane, Scalar>,
-          restore<Lane, Scalar>};
+          restore<Lane, Scalar>,
+          nullptr};  // which turns bodies: no pass over contacts
 }
 
 constexpr double microsecond = 1e-6;

@@ -19,7 +19,7 @@ std::vector<Body> turning(int count, Real angle) {
                    : Vec3(random.between(Real(0.1), 1), random.between(Real(0.1), 1), random.between(Real(0.1), 1));
     Body body = box(half, random.between(Real(0.1), 10)).turned(random.between(0, 6), random.direction());
     body.spinning(angle / h * (i % 8 == 7 ? body.orientation * Vec3::UnitY() : random.direction()));
-    if (i % 8 == 6) body.spinning(Vec3::Zero());
+    if (i % 8 == 6) body.spinning(Vec3::Zero()), body.orientation.coeffs() *= 1 + 8 * eps;  // to be left as it is
     bodies.push_back(body);
   }
   return bodies;
@@ -64,6 +64,11 @@ TEST_CASE("wide: what turns side by side turns as it does alone, and keeps momen
         spin_freely(alone, h);
         const Quat q = orientation_in(eight, i);
         const Vec3 w = spin_in(eight, i);
+        if (body.angular_velocity.isZero(0)) {
+          CHECK(q.coeffs() == body.orientation.coeffs());
+          CHECK(w.isZero(0));
+          continue;
+        }
         const Real uneven = body.principal_inverse_inertia.maxCoeff() / body.principal_inverse_inertia.minCoeff();
         CHECK(eight.solved.of[i] == 1);
         CHECK((q.coeffs() - alone.orientation.coeffs()).norm() < 20 * uneven * eps);
@@ -73,7 +78,6 @@ TEST_CASE("wide: what turns side by side turns as it does alone, and keeps momen
                    after = spin_momentum(q, w, body);
         CHECK((after - before).norm() <= 20 * uneven * eps * before.norm());
         CHECK(std::abs(w.dot(after) - body.angular_velocity.dot(before)) <= 40 * uneven * eps * w.dot(after));
-        if (i % 8 == 6) CHECK(q.coeffs() == body.orientation.coeffs());
         if (i % 4 == 1) CHECK(w == body.angular_velocity);
       }
     }

@@ -173,7 +173,7 @@ TEST_CASE("closed forms follow the parameters of their scenes") {
     std::vector<std::string> arguments;
     std::string table = "";  // that has it; empty: each table that has such a variant
   };
-  const std::string pendulums = "--variants a-ball-on-a-rod-a-plank-on-a-hinge_one-step-beta-0.2";
+  const std::string pendulums = "--variants a-ball-on-a-rod-a-plank-on-a-hinge_beta-0.2";
   const auto ball = [](int millimetres) {
     return fmt::format(
         " --variants {0}-mm-too-deep-without-gravity_32-substeps-hard,"
@@ -221,7 +221,7 @@ TEST_CASE("closed forms follow the parameters of their scenes") {
             0.01,
             0,
             {"--mass-ratio 1" + pair("one"), "--mass-ratio 100" + pair("a-hundred")}},
-           {"13_joints", "one step", 0.02, 0, {pendulums + " --release 0.1", pendulums + " --release 2.2 --dt 0.004"}},
+           {"13_joints", "β = 0.2", 0.02, 0, {pendulums + " --release 0.1", pendulums + " --release 2.2 --dt 0.004"}},
            {"15_limits_motors_springs", "3.78 kg m²", 0, 0.01, {"--torque 4", "--torque 1000"}},
            {"15_limits_motors_springs", "limit, λ ≥ 0", 0, 1e-3, {"--stop -60", "--stop 0", "--stop 60"}},
            {"15_limits_motors_springs", "1.5 kg", 0.01, 0, {"--load 2.1", "--load 10"}},
