@@ -3,7 +3,7 @@
 /// In an anonymous namespace, as lanes.h.
 #pragma once
 
-#include <bit>
+#include <type_traits>
 #include <utility>
 
 #include "pushback/chapters/22_wide/lanes.h"
@@ -69,8 +69,9 @@ struct Twists {
 };
 /// Whether lanes are just such a register. Then a transposition takes half the time of going number by number.
 template <class Lanes, class Real>
-constexpr bool fill_a_register = int(Lanes::size()) == Square<Real>::width &&
-                                 requires(typename Square<Real>::Row row) { std::bit_cast<Lanes>(row); };
+constexpr bool fill_a_register =
+    int(Lanes::size()) == Square<Real>::width && sizeof(Lanes) == sizeof(typename Square<Real>::Row) &&
+    std::is_trivially_copyable_v<Lanes>;
 
 template <class Lanes, class Real>
 [[gnu::always_inline]] inline Motions<Lanes> fetch(const int* which, const Twist<Real>* bodies) {
@@ -78,7 +79,7 @@ template <class Lanes, class Real>
     Twists<Real> twists;
     for (int i = 0; i < twists.bodies; ++i) twists.read(i, bodies[which[i]]);
     twists.transpose();
-    const auto lanes = [&](int i) { return std::bit_cast<Lanes>(twists.number(i)); };
+    const auto lanes = [&](int i) { return __builtin_bit_cast(Lanes, twists.number(i)); };  // em++ has no std::bit_cast
     return {{lanes(0), lanes(1), lanes(2)}, {lanes(3), lanes(4), lanes(5)}};
   } else {
     const auto each = [&](int number) { return Lanes([&](int i) { return bodies[which[i]].of[number]; }); };
@@ -93,7 +94,7 @@ template <class Lanes, class Real>
   if constexpr (fill_a_register<Lanes, Real>) {
     Twists<Real> twists;
     const auto set = [&](int i, const Lanes& lanes) {
-      twists.number(i) = std::bit_cast<typename Twists<Real>::Row>(lanes);
+      twists.number(i) = __builtin_bit_cast(typename Twists<Real>::Row, lanes);
     };
     set(0, motion.v.x), set(1, motion.v.y), set(2, motion.v.z);
     set(3, motion.w.x), set(4, motion.w.y), set(5, motion.w.z);
