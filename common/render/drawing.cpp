@@ -14,6 +14,11 @@ using Eigen::Vector3f;
 
 constexpr int sky_count = 4;  // as in the shader
 
+/// Pixels, in a picture of this height.
+float radius_of(const Instance& one, const Frame& frame, int height) {
+  return (one.radius + one.half_extents.x()) / one.position.norm() * static_cast<float>(height) / frame.field_of_view;
+}
+
 }  // namespace
 
 Lighting::Lighting(int key_resolution, int sky_resolution, float key_radius, float sky_radius, const char* taps)
@@ -59,7 +64,24 @@ Drawing::Drawing()
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-void Drawing::draw_shadows(const Frame& frame, const Lighting& lighting, const std::vector<ShadowView>& views) const {
+/// Each with as many corners as it needs, in runs of neighbours that need the same.
+void Drawing::draw_balls(const Frame& frame, int height, Geometry::Which finest) const {
+  const auto mesh = [&](std::size_t i) {
+    const float radius = radius_of(frame.balls[i], frame, height);
+    const auto enough = [&](float corners) {  // by what a chord stays inside its circle
+      return radius * (1 - std::cos(static_cast<float>(pi) / corners)) <= out_of_round;
+    };
+    return std::min(finest, enough(12) ? Geometry::bevelled_box : enough(20) ? Geometry::coarse_ball : Geometry::ball);
+  };
+  for (std::size_t from = 0, to = 0; from < frame.balls.size(); from = to) {
+    const Geometry::Which same = mesh(from);
+    for (to = from + 1; to < frame.balls.size() && mesh(to) == same;) ++to;
+    geometry_.draw(same, frame.boxes.size() + from, to - from);
+  }
+}
+
+void Drawing::draw_shadows(const Frame& frame, int height, const Lighting& lighting,
+                           const std::vector<ShadowView>& views) const {
   depth_.use();
   depth_.set("pull", 0.0f);
   glEnable(GL_DEPTH_TEST);
@@ -75,7 +97,7 @@ void Drawing::draw_shadows(const Frame& frame, const Lighting& lighting, const s
     if (coarse && i > 0) continue;
     depth_.set("clip_from_eye", Eigen::Matrix4f(clip_from_map * views[i].map_from_eye));
     geometry_.draw(Geometry::sharp_box, 0, frame.boxes.size());
-    geometry_.draw(Geometry::coarse_ball, frame.boxes.size(), frame.balls.size());
+    draw_balls(frame, height, Geometry::coarse_ball);
     geometry_.draw_hulls(true);
   }
 }
@@ -133,9 +155,8 @@ void Drawing::draw_marks(const Frame& frame, int height) const {
   // What is only a few pixels wide needs few corners.
   const auto widest = [&](const std::vector<Instance>& marks) {
     float radius = 0;
-    for (const Instance& one : marks)
-      radius = std::max(radius, (one.radius + one.half_extents.x()) / one.position.norm());
-    return radius * static_cast<float>(height) / frame.field_of_view;
+    for (const Instance& one : marks) radius = std::max(radius, radius_of(one, frame, height));
+    return radius;
   };
   const float dot_radius = widest(frame.dots);
   const Geometry::Which dot_mesh = dot_radius < 2   ? Geometry::sharp_box
@@ -178,7 +199,7 @@ void Drawing::draw(const Frame& frame, GLuint framebuffer, const Pane& pane, con
   glDisable(GL_SCISSOR_TEST);
   std::vector<ShadowView> views{{frame, lights.key, lighting.key.resolution}};
   for (const Vector3f& direction : lights.sky) views.emplace_back(frame, direction, lighting.sky.resolution);
-  draw_shadows(frame, lighting, views);
+  draw_shadows(frame, pane.height, lighting, views);
 
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(pane.x, pane.y, pane.width, pane.height);
@@ -207,7 +228,7 @@ void Drawing::draw(const Frame& frame, GLuint framebuffer, const Pane& pane, con
   begin(lighting.solid);
   set_lights(lighting.solid, frame, lights, lighting, views);
   geometry_.draw(Geometry::bevelled_box, 0, frame.boxes.size());
-  geometry_.draw(coarse ? Geometry::coarse_ball : Geometry::ball, frame.boxes.size(), frame.balls.size());
+  draw_balls(frame, pane.height, Geometry::ball);
   geometry_.draw_hulls(false);
   begin(lighting.plane);
   set_lights(lighting.plane, frame, lights, lighting, views);

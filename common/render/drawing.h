@@ -15,6 +15,8 @@ struct Lighting {
   Lighting(int key_resolution, int sky_resolution, float key_radius, float sky_radius, const char* taps);
   /// Of a single pass, which has to blur its few shadows.
   static Lighting of_single_pass() { return {1024, 256, 0.005f, 0.03f, "#define KEY_TAPS 9\n#define SKY_TAPS 3\n"}; }
+  /// Of one that has to be quick: shadows with hard edges.
+  static Lighting of_coarse_pass() { return {512, 16, 0, 0, "#define KEY_TAPS 1\n#define SKY_TAPS 1\n"}; }
   /// Of one of many passes, which blur shadows by moving the lights.
   static Lighting of_many_passes() { return {1024, 512, 0.005f, 0, "#define KEY_TAPS 5\n#define SKY_TAPS 1\n"}; }
 
@@ -53,10 +55,14 @@ class Drawing {
   void draw(const Frame& frame, GLuint framebuffer, const Pane& pane, const Lights& lights,
             const Eigen::Vector2f& shift, const Lighting& lighting);
 
-  bool coarse = false;  ///< for who has to be quick: the sky casts no shadows, and what is round has fewer corners
+  // For who has to be quick:
+  bool coarse = false;     ///< the sky casts no shadows
+  float out_of_round = 0;  ///< pixels by which the outline of a ball may be off its circle
 
  private:
-  void draw_shadows(const Frame& frame, const Lighting& lighting, const std::vector<ShadowView>& views) const;
+  void draw_balls(const Frame& frame, int height, Geometry::Which finest) const;
+  void draw_shadows(const Frame& frame, int height, const Lighting& lighting,
+                    const std::vector<ShadowView>& views) const;
   void set_lights(const Program& program, const Frame& frame, const Lights& lights, const Lighting& lighting,
                   const std::vector<ShadowView>& views) const;
   void draw_planes(const Frame& frame, const Program& plane) const;
