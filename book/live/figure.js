@@ -399,8 +399,9 @@
       this.seek(step);
     }
     set(assignments, done) {
-      const began = performance.now(),
-        { engine } = this;
+      const { engine } = this;
+      // Slices of 25 ms that were spent on steps; those before the first picture; ms until that is there, and the last one.
+      this.answer = { began: performance.now(), slices: 0, first: null, shown: null, complete: null };
       this.again(() => {
         const before = engine.scene.variants.length,
           all = engine.lanes.length === Math.min(4, before);
@@ -409,7 +410,7 @@
         if (!problem) this.iterations.changed();
         return problem;
       });
-      this.answered = performance.now() - began;
+      this.answer.slices = 1;
       if (!done) this.stage.hurry();
       if (done) {
         this.controls.build();
@@ -484,10 +485,28 @@
         }
       } else if (engine.now !== this.target) {
         engine.goTo(this.target, 25); // what takes long is played bit by bit
+        if (this.answer) ++this.answer.slices;
       }
-      this.stage.draw();
+      const moving = this.playing || engine.now !== this.target;
+      if (moving) this.stage.hurry();
+      // One picture at a time: where they take long, those that wait would come later than what is asked for next.
+      this.late = Boolean(this.stage.drawing);
+      if (!this.late) {
+        this.stage.draw();
+        if (this.answer) this.answer.first ??= this.answer.slices;
+      }
       this.readings(now);
-      if (this.playing || engine.now !== this.target) this.changed();
+      if (moving) this.changed();
+    }
+    /** The graphics are done with the picture that they were given then. */
+    drawn(began) {
+      const { answer, engine } = this,
+        now = performance.now();
+      if (answer && !answer.complete && began >= answer.began) {
+        answer.shown ??= now - answer.began;
+        if (engine.now === this.target && !this.late) answer.complete = now - answer.began;
+      }
+      if (this.late) this.changed();
     }
     readings(now) {
       const { engine } = this;

@@ -61,6 +61,7 @@
       this.follow = false;
       this.cost = 0; // ms, of a whole picture, as far as that is known
       this.coarse = false;
+      this.drawing = false; // whether the graphics still work on the picture that they were given
       this.wipe = null; // the part of the width at which one variant ends and the other begins
       this.canvas = document.createElement("canvas");
       this.canvas.id = `pushback-live-${++live.Stage.count}`;
@@ -165,21 +166,23 @@
         if (to > from) this.problem = engine.draw(pane.lane, shown, x, y, width, height, from, to);
         if (this.problem) break;
       }
-      if (!this.problem && !this.coarse) this.time();
+      if (!this.problem) this.time();
     }
     /** How long the graphics take for the picture that they were given: software may take longer than a hand waits. */
     time() {
-      if (this.timing) return;
+      if (this.drawing) return;
       const gl = this.canvas.getContext("webgl2"),
         fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0),
-        began = performance.now();
-      this.timing = true;
+        began = performance.now(),
+        { coarse } = this;
+      this.drawing = true;
       gl.flush();
       const look = () => {
-        if (fence && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) return setTimeout(look, 5);
-        this.timing = false;
-        this.cost = performance.now() - began;
+        if (fence && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) return setTimeout(look, 4);
+        this.drawing = false;
+        if (!coarse) this.cost = performance.now() - began;
         gl.deleteSync(fence);
+        this.player.drawn(began);
       };
       setTimeout(look);
     }

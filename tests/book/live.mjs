@@ -139,7 +139,7 @@ test("sliders are the parameters of --help, with range and reset, and change wha
   assert.equal(await now(page), 20);
   assert.notDeepEqual(await bits(page), usual);
   assert.match(await page.evaluate(() => player.engine.scene.name), /^100 mm too deep/);
-  assert.ok((await page.evaluate(() => player.answered)) < 1000);
+  assert.ok((await page.evaluate(() => player.answer.slices)) >= 1);
   await page.getByRole("button", { name: "Reset: Overlap at the start" }).click();
   await settled(page);
   assert.deepEqual(await bits(page), usual);
@@ -170,7 +170,7 @@ test("sliders are the parameters of --help, with range and reset, and change wha
 
 test("where pictures take long, those of a slider that moves are coarse, and the one where it rests is not", async () => {
   const page = await running("03_baumgarte");
-  await page.waitForFunction(() => player.stage.cost > 0 && !player.stage.timing);
+  await page.waitForFunction(() => player.stage.cost > 0 && !player.stage.drawing);
   const whole = await page.evaluate(() => player.stage.canvas.width);
   const moved = (cost) =>
     page.evaluate((ms) => {
@@ -184,6 +184,51 @@ test("where pictures take long, those of a slider that moves are coarse, and the
   assert.ok(Math.abs((await moved(1000)) / whole - 0.4) < 0.01);
   await page.waitForFunction((width) => !player.stage.coarse && player.stage.canvas.width === width, whole);
   assert.equal(await moved(10), whole);
+  assert.deepEqual(page.wrong, []);
+  await page.close();
+});
+
+test("a slider is answered by a picture after two slices of steps at most, however long all of them take", async () => {
+  const page = await running("14_joints_under_load");
+  for (const name of [
+    "a suspension bridge, and three boxes",
+    "a rope hung at both ends, a rope over a bar",
+    "a cloth over a ball",
+  ]) {
+    await page.getByRole("combobox", { name: "Scene" }).selectOption({ label: name });
+    await seek(page, 60);
+    await page.waitForFunction(() => !player.stage.drawing && !player.stage.coarse && !player.asked);
+    const waiting = await page.evaluate(async () => {
+      const { stage } = player,
+        draw = stage.draw.bind(stage);
+      let waiting = 0;
+      stage.draw = () => {
+        if (stage.drawing) ++waiting;
+        draw();
+      };
+      const slider = document.querySelector('.pb-sliders [data-flag="--sweeps"] input[type="range"]');
+      const move = () => {
+        slider.value = Number(slider.value) + 9;
+        slider.dispatchEvent(new Event("input"));
+      };
+      for (let moved = 0; moved < 4; ++moved) {
+        move();
+        await new Promise((resolve) => setTimeout(resolve, 30));
+      }
+      while (!player.answer.complete || stage.coarse || stage.drawing || player.asked)
+        await new Promise((resolve) => setTimeout(resolve, 20));
+      move();
+      return waiting;
+    });
+    await page.waitForFunction(() => player.answer.complete);
+    assert.equal(waiting, 0, `${name}: pictures stand in line`);
+    const { first, shown, complete, slices } = await page.evaluate(() => player.answer);
+    assert.ok(first <= 2, `${name}: the first picture after ${first} slices`);
+    assert.equal(await now(page), 60);
+    console.log(
+      `${name}: a picture after ${Math.round(shown)} ms, all after ${Math.round(complete)} ms, ${slices} slices`,
+    );
+  }
   assert.deepEqual(page.wrong, []);
   await page.close();
 });
