@@ -36,7 +36,7 @@ const roundedOtherwise = {
   "15_limits_motors_springs / θ = sin t": "atan2, sin",
   "15_limits_motors_springs / two winches": "atan2",
   "15_limits_motors_springs / two pulleys": "atan2",
-  "15_limits_motors_springs / face down on a bench / limits": "atan2",
+  "15_limits_motors_springs / face down on a bench": "atan2",
   "15_limits_motors_springs / down the stairs": "atan2",
   "16_whole_problem / a stack of twenty": "hypot",
   "17_direct_contacts / a thousand times heavier on four": "hypot",
