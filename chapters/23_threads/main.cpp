@@ -39,12 +39,37 @@ void draw_set(Picture& picture, const World& world, std::size_t set, std::size_t
   }
 }
 
-World after_steps(const std::function<void(World&)>& fill, Wide<float> solver, Real seconds, Real dt) {
-  World world;
-  fill(world);
-  for (int i = 0; i < steps_in(seconds, dt); ++i) world.step(solver, dt);
-  return world;
+/// Threads; or in a page, where there is but one, that one does the parts of all, the last first: no bit differs.
+std::shared_ptr<Workers> crew_of(int threads, [[maybe_unused]] bool however_little = false) {
+#ifdef __EMSCRIPTEN__
+  return std::make_shared<OneAfterTheOther>(4 * static_cast<std::size_t>(threads), true);
+#else
+  return std::make_shared<Crew>(threads, however_little);
+#endif
 }
+
+/// What others are compared with. It goes on from where it was asked for last.
+class Beside {
+ public:
+  Beside(std::function<void(World&)> fill, Wide<float> solver) : fill_(std::move(fill)), solver_(std::move(solver)) {}
+
+  const World& after(Real seconds, Real dt) {
+    const int steps = steps_in(seconds, dt);
+    if (steps < done_ || done_ == 0) {
+      world_ = World();
+      fill_(world_);
+      done_ = 0;
+    }
+    for (; done_ < steps; ++done_) world_.step(solver_, dt);
+    return world_;
+  }
+
+ private:
+  std::function<void(World&)> fill_;
+  Wide<float> solver_;
+  World world_;
+  int done_ = 0;
+};
 
 /// How many times as fast a pass over a pyramid could be, against its boxes.
 Panel at_best_by_boxes(const std::vector<int>& threads) {
@@ -113,7 +138,7 @@ int main(int argc, char** argv) {
                               .from = Real(0.25),
                               .height = 420,
                               .note = "sets 1 to 4; threads 1 to 4: black, yellow, blue, pink"}});
-    e.variant(fmt::format("{} threads", threads), wide_with(std::make_shared<Crew>(threads)))
+    e.variant(fmt::format("{} threads", threads), wide_with(crew_of(threads)))
         .with_exactly(1)
         .coloured(1)
         .without_curves();
@@ -127,20 +152,18 @@ int main(int argc, char** argv) {
              [threads](const Run& run) { return at_best(sets_in(run.world), static_cast<std::size_t>(threads)); });
 
     e.scene({.name = "who does the work", .fill = fill_pyramid, .seconds = 1, .pictures = false});
-    const Wide<float> alone = wide_with(nullptr);
-    e.number("bodies elsewhere than with one thread", "", [=](const Run& run) {
-      return elsewhere(run.world, after_steps(fill_pyramid, alone, run.world.time, run.dt));
-    });
+    const auto alone = std::make_shared<Beside>(fill_pyramid, wide_with(nullptr));
+    e.number("bodies elsewhere than with one thread", "",
+             [alone](const Run& run) { return elsewhere(run.world, alone->after(run.world.time, run.dt)); });
     for (const int count : {2, 3, 4, 7})
-      e.variant(fmt::format("{} threads", count), wide_with(std::make_shared<Crew>(count, true)))
-          .with_exactly(1)
-          .without_curves();
+      e.variant(fmt::format("{} threads", count), wide_with(crew_of(count, true))).with_exactly(1).without_curves();
 
     e.study([=, &e] {
-      const auto of_parts = [&](Sets (*sets_of)(const std::vector<PairOfBodies>&, const World&), bool from_the_last) {
+      const auto of_parts = [&](Sets (*sets_of)(const std::vector<PairOfBodies>&, const World&),
+                                bool from_the_last) -> World {
         Wide<float> solver = wide_with(std::make_shared<OneAfterTheOther>(4, from_the_last));
         solver.sets_of = sets_of;
-        return after_steps(fill_pyramid, solver, e.dt(), e.dt());
+        return Beside(fill_pyramid, solver).after(e.dt(), e.dt());
       };
       const Real by_colours = elsewhere(of_parts(coloured, true), of_parts(coloured, false)),
                  in_one_set = elsewhere(of_parts(all_in_one, true), of_parts(all_in_one, false));
