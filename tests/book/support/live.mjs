@@ -77,6 +77,12 @@ export async function newPage(browser, options = {}) {
       page.wrong.push(message.text()),
   );
   page.on("pageerror", (error) => page.wrong.push(error.message));
-  page.on("requestfailed", (request) => page.wrong.push(`failed: ${request.url()}`));
+  // What is still on its way when a page is left is no failure.
+  page.on(
+    "requestfailed",
+    (request) =>
+      request.failure()?.errorText !== "net::ERR_ABORTED" &&
+      page.wrong.push(`failed: ${request.url()}, ${request.failure()?.errorText}`),
+  );
   return page;
 }
