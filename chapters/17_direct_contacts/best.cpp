@@ -67,14 +67,14 @@ Solution solve_best(const ContactProblem& problem, const Effort& effort) {
     Vector r = Vector::Zero(problem.q.size());
     ConjugateSweeper<Cone> sweeper(other, r);
     int done = 0;
-    for (const int upto : round == 0 ? std::vector{200, 1000, 5000} : std::vector{50000}) {
+    for (const int upto : round == 0 ? std::vector{200, 1000, 5000} : std::vector{5000, 50000}) {
       for (; done < upto && !spent(); ++done, ++best.sweeps, best.work += of_a_sweep) sweeper.sweep(r);
       if (!r.allFinite()) break;
       keep_if_better(r);
       if (enough()) break;
       Vector refined = r;
       const NewtonWork newton_work =
-          newton(other, refined, {effort.tolerance, round == 0 ? 60 : 400, effort.work - best.work});
+          newton(other, refined, {effort.tolerance, upto <= 5000 ? 30 : 400, effort.work - best.work});
       best.systems += newton_work.systems;
       best.work += newton_work.multiplications;
       keep_if_better(refined);

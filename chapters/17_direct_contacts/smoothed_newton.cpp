@@ -92,28 +92,22 @@ class Smoothed {
   /// The change of y that f' says; not finite where f' cannot be inverted.
   Vector step(const Vector& y, const Vector& f_of_y) {
     std::vector<DiagonalBlock> blocks;
-    std::vector<Matrix3d> slopes;
+    std::vector<Matrix3d> with_slip;  // (I - of_slip)^-1
     for (Index c = 0; 3 * c < y.size(); ++c) {
       const Rounded at(y.segment<3>(3 * c), t);
       const double slip = at.z.tail<2>().norm();
-      Matrix3d of_slip = Matrix3d::Zero();  // d(|z_t| n) by dz
+      Matrix3d of_slip = Matrix3d::Zero();  // d(|z_t| n) by dz; its square is 0
       if (slip > 0) of_slip.block<1, 2>(0, 1) = at.z.tail<2>().transpose() / slip;
-      blocks.push_back({(Matrix3d::Identity() - of_slip) * at.slope, at.inverse * (Matrix3d::Identity() + of_slip)});
-      slopes.push_back(at.slope);
+      with_slip.emplace_back(Matrix3d::Identity() + of_slip);
+      blocks.push_back({(Matrix3d::Identity() - of_slip) * at.slope, at.inverse * with_slip.back()});
     }
     if (!system->factorize(blocks)) return Vector::Constant(y.size(), std::nan(""));
-    Vector dx = system->solve(-f_of_y);
-    for (int refined = 0; refined < 2; ++refined) {  // contacts that stick make the matrix of bodies ill-conditioned
-      Vector rest = -f_of_y - w_ * dx;
-      for (Index c = 0; 3 * c < y.size(); ++c)
-        rest.segment<3>(3 * c) -= blocks[static_cast<std::size_t>(c)].d * dx.segment<3>(3 * c);
-      dx += system->solve(rest);
-    }
-    for (Index c = 0; 3 * c < y.size(); ++c) {  // dy = dx - dz
-      const Vector3d dz = -slopes[static_cast<std::size_t>(c)] * dx.segment<3>(3 * c);
-      dx.segment<3>(3 * c) -= dz;
-    }
-    return dx;
+    const Vector dx = system->solve(-f_of_y);
+    // dy = dx - dz, with dz from W dx - dz + of_slip dz = -f. From dz = -slope dx it has no digits: slopes reach 1e12.
+    Vector dz = f_of_y + w_ * dx;
+    for (Index c = 0; 3 * c < y.size(); ++c)
+      dz.segment<3>(3 * c) = (with_slip[static_cast<std::size_t>(c)] * dz.segment<3>(3 * c)).eval();
+    return dx - dz;
   }
 
  private:
@@ -125,7 +119,7 @@ class Smoothed {
 /// A step halved until |f| falls; false where it does not.
 bool shorten(const Smoothed& problem, const Vector& step, Vector& y, Vector& f) {
   if (!step.allFinite()) return false;
-  for (double part = 1; part > 1e-4; part /= 2) {
+  for (double part = 1; part > 1e-2; part /= 2) {
     const Vector tried = y + part * step, f_of_tried = problem.f(tried);
     if (!(f_of_tried.norm() <= (1 - 1e-4 * part) * f.norm())) continue;
     y = tried;
@@ -135,39 +129,72 @@ bool shorten(const Smoothed& problem, const Vector& step, Vector& y, Vector& f) 
   return false;
 }
 
+/// The path of y as t falls, as far as the limits go.
+class Path {
+ public:
+  Path(const ContactProblem& problem, const SmoothedLimits& limits, const SparseRows& factor, SmoothedSolution& best)
+      : problem_(problem), limits_(limits), smoothed_(problem, factor), best_(best) {}
+
+  void follow() {
+    Vector y = Vector::Zero(problem_.q.size());
+    reach(1, y);  // or as near as it gets
+    double t = 1, fall = 0.1;
+    while (goes_on() && fall < 0.99 && t > least) {
+      Vector farther = y;
+      if (reach(std::max(least, fall * t), farther)) {
+        y = farther;
+        t = smoothed_.t;
+        fall = std::max(0.1, fall * fall);
+      } else {
+        fall = std::sqrt(fall);  // once more from the last point, by a shorter way
+      }
+    }
+    best_.entries = smoothed_.system->entries;
+    best_.fill = smoothed_.system->fill;
+  }
+
+ private:
+  static constexpr int most_systems = 12;  // to a point: beyond that, a shorter way is cheaper
+  static constexpr double least = 1e-15;   // t, where rounding is all that is left
+  static constexpr double near = 0.1;      // |f| of a contact as a part of t
+
+  bool goes_on() const {
+    return best_.residual > limits_.tolerance && best_.systems < limits_.systems && best_.work < limits_.work;
+  }
+  /// From y to the point of t, by Newton's method.
+  bool reach(double t, Vector& y) {
+    smoothed_.t = t;
+    const double enough = near * t * std::sqrt(static_cast<double>(problem_.contacts()));
+    Vector f = smoothed_.f(y);
+    for (int i = 0; i < most_systems && f.norm() > enough && goes_on(); ++i) {
+      const Vector step = smoothed_.step(y, f);
+      ++best_.systems;
+      best_.work = smoothed_.system->work;
+      if (!shorten(smoothed_, step, y, f)) break;
+      keep(smoothed_.impulses(y));
+    }
+    return f.norm() <= enough;
+  }
+  void keep(const Vector& r) {
+    const double residual = relative_residual(problem_, r);
+    if (!(residual < best_.residual)) return;
+    best_.residual = residual;
+    best_.r = r;
+  }
+
+  const ContactProblem& problem_;
+  const SmoothedLimits limits_;
+  Smoothed smoothed_;
+  SmoothedSolution& best_;
+};
+
 }  // namespace
 
 SmoothedSolution solve_smoothed(const ContactProblem& problem, const SmoothedLimits& limits, const SparseRows& factor) {
   SmoothedSolution best;
   best.r = Vector::Zero(problem.q.size());
   best.residual = relative_residual(problem, best.r);
-  if (best.residual <= limits.tolerance) return best;
-  Smoothed smoothed(problem, factor);
-  const double near = std::sqrt(static_cast<double>(problem.contacts()));  // times t: where t may fall again
-  double fall = 0.1;
-  int failed = 0;
-  Vector y = Vector::Zero(problem.q.size()), f = smoothed.f(y);
-  while (best.residual > limits.tolerance && failed < 8 && best.systems < limits.systems && best.work < limits.work) {
-    const Vector step = smoothed.step(y, f);
-    ++best.systems;
-    best.work = smoothed.system->work;
-    if (shorten(smoothed, step, y, f)) {
-      const Vector r = smoothed.impulses(y);
-      if (const double residual = relative_residual(problem, r); residual < best.residual) {
-        best.residual = residual;
-        best.r = r;
-      }
-      if (f.norm() > near * smoothed.t) continue;
-      smoothed.t = std::max(1e-15, smoothed.t * fall);
-    } else {
-      ++failed;
-      smoothed.t *= 10;
-      fall = std::sqrt(fall);
-    }
-    f = smoothed.f(y);
-  }
-  best.entries = smoothed.system->entries;
-  best.fill = smoothed.system->fill;
+  if (best.residual > limits.tolerance) Path(problem, limits, factor, best).follow();
   return best;
 }
 

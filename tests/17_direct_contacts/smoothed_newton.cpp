@@ -4,6 +4,7 @@
 #include <random>
 #include <set>
 
+#include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/chapters/17_direct_contacts/best.h"
@@ -131,6 +132,33 @@ TEST_CASE("as a pyramid grows, systems do not, and the matrix grows as its conta
   CHECK(growth_exponent(entries) == Approx(1).margin(0.1));
   CHECK(growth_exponent(fill) > growth_exponent(entries));
   CHECK(growth_exponent(fill) < 1.7);
+}
+
+TEST_CASE("a heap is solved while it falls and when it lies, though its systems are nearly singular") {
+  Frame frame([](World& world) { heap(world, 4, 4, Real(-1.5)); });
+  SteadySolver solver;
+  for (int second = 1; second <= 4; ++second) {
+    for (int step = 0; step < 60; ++step) substeps(frame.world, solver, Real(1) / 60, 8);
+    frame.world.begin_step(Real(1) / 60);
+    const ContactProblem problem = problem_of(frame.world);
+    const SmoothedSolution found = solve_smoothed(problem, {}, factor_of(frame.world));
+    INFO(second << " s, " << problem.contacts() << " contacts: " << found.systems << " systems, " << found.residual);
+    CHECK(problem.contacts() > 100);
+    CHECK(found.residual <= (std::is_same_v<Real, float> ? 1e-5 : 1e-8));
+    CHECK(found.systems <= 60);
+  }
+}
+
+TEST_CASE("a way that was cut short is the beginning of the longer one") {
+  Frame frame(thrown);
+  const ContactProblem problem = problem_of(frame.world);
+  double last = relative_residual(problem, Vector::Zero(problem.q.size()));
+  for (int systems = 1; systems < 20; ++systems) {
+    const SmoothedSolution found = solve_smoothed(problem, {.tolerance = 0, .systems = systems});
+    CHECK(found.systems == systems);
+    CHECK(found.residual <= last);
+    last = found.residual;
+  }
 }
 
 TEST_CASE("the exponent of a power is found, and noise about it evens out") {
