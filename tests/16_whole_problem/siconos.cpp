@@ -123,6 +123,14 @@ TEST_CASE("Siconos says where it does not arrive, and remembers nothing from one
   }
 }
 
+TEST_CASE("a run of Siconos that does not end is ended") {
+  if (!built_in()) return;
+  const SiconosAnswer ended = solve_by_siconos(own()[0].problem, "Siconos NSGS", 1e-30, 1000000000, 0.2);
+  CHECK(!ended.reached);
+  CHECK(ended.seconds == 0.2);
+  CHECK(ended.r.norm() == 0);
+}
+
 TEST_CASE("a method that Siconos is not asked for is refused by name") {
   CHECK(contains(complaint([] { solve_by_siconos(own()[1].problem, "Siconos GUESS", 1e-6, 10); }), "Siconos GUESS"));
 }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/frozen.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/methods.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/pictures.h"
@@ -113,6 +114,26 @@ TEST_CASE("a scene is frozen in the same bits again") {
     REQUIRE(one[i].problem.w.nonZeros() == two[i].problem.w.nonZeros());
     CHECK(SparseRows(one[i].problem.w - two[i].problem.w).norm() == 0);
   }
+}
+
+TEST_CASE("where bodies are known, W is B B^T, and the smoothed method solves between them") {
+  for (const FrozenProblem& frozen : ours()) {
+    INFO(frozen.name);
+    const SparseRows transposed = frozen.factor.transpose(), product = frozen.factor * transposed;
+    CHECK(SparseRows(product - frozen.problem.w).norm() <=
+          (std::is_same_v<Real, float> ? 1e-5 : 1e-12) * frozen.problem.w.norm());
+  }
+  const FrozenProblem& frozen = named("pyramid of 5");
+  const double from_bodies = Trace(frozen.problem, "smoothed", limited_to(1), frozen.factor).points().back().residual;
+  CHECK(from_bodies == solve_smoothed(frozen.problem, {.tolerance = 1e-6}, frozen.factor).residual);
+  CHECK(from_bodies != solve_smoothed(frozen.problem, {.tolerance = 1e-6}).residual);  // rounded otherwise
+}
+
+TEST_CASE("large problems are studied once, and every method that reaches something is in their table") {
+  const FrozenPoints points = read_frozen_csv(study_large({named("pyramid of 5"), named("stack of 5")}, true));
+  CHECK(points.problems.size() == 2);
+  for (const std::string& method : method_names())
+    CHECK(std::count(points.methods.begin(), points.methods.end(), method) == 1);
 }
 
 TEST_CASE("a trace ends where the method itself ends, and passes where it passes") {

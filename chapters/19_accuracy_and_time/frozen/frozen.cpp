@@ -11,7 +11,7 @@ namespace pushback::frozen {
 
 namespace {
 
-Traced traced(const FrozenProblem& frozen, bool quick) {
+TraceLimits limits_of(bool quick) {
   TraceLimits limits;
   limits.asked.assign(tolerances.begin(), tolerances.end());
   if (quick) {
@@ -19,8 +19,20 @@ Traced traced(const FrozenProblem& frozen, bool quick) {
     limits.work = 1e8;
     limits.ladder = limits.asked;
   }
+  return limits;
+}
+
+/// All methods, once.
+Traced traced(const FrozenProblem& frozen, const TraceLimits& limits) {
   Traced all{&frozen, {}};
-  for (const std::string& method : frozen_methods()) all.traces.emplace_back(frozen.problem, method, limits);
+  for (const std::string& method : frozen_methods())
+    all.traces.emplace_back(frozen.problem, method, limits, frozen.factor);
+  return all;
+}
+
+Traced traced(const FrozenProblem& frozen, bool quick) {
+  const TraceLimits limits = limits_of(quick);
+  Traced all = traced(frozen, limits);
   double longest = 0;  // s, of one method
   for (const Trace& trace : all.traces)
     if (!trace.points().empty()) longest = std::max(longest, trace.points().back().time());
@@ -47,6 +59,18 @@ std::string csv_of(const std::vector<Traced>& all) {
 std::string study_frozen(const std::vector<FrozenProblem>& problems, bool quick) {
   std::vector<Traced> all;
   for (const FrozenProblem& problem : problems) all.push_back(traced(problem, quick));
+  return csv_of(all);
+}
+
+std::string study_large(const std::vector<FrozenProblem>& problems, bool quick) {
+  TraceLimits limits = limits_of(quick);
+  if (!quick) {
+    limits.seconds = 10;
+    limits.work = 2e10;
+    limits.ladder = limits.asked;
+  }
+  std::vector<Traced> all;
+  for (const FrozenProblem& problem : problems) all.push_back(traced(problem, limits));
   return csv_of(all);
 }
 

@@ -21,5 +21,7 @@ std::string csv_of(const std::vector<Traced>& all);
 /// go over all methods, one after the other, and then over all again. Sweeps, systems and residuals are the same whenever they
 /// are there; times, and so who is fastest, are those of the day.
 std::string study_frozen(const std::vector<FrozenProblem>& problems, bool quick);
+/// The same of large problems: 10 s for each method, once.
+std::string study_large(const std::vector<FrozenProblem>& problems, bool quick);
 
 }  // namespace pushback::frozen

@@ -35,15 +35,30 @@ void show(const std::string& csv, const std::vector<FrozenProblem>& problems, co
   draw(points, to);
 }
 
+/// The large problems: tables alone.
+void show_large(std::vector<FrozenProblem> foreign, bool quick, const std::filesystem::path& to) {
+  make_writable_folder(to);
+  std::vector<FrozenProblem> problems = large_problems();
+  std::erase_if(foreign, [](const FrozenProblem& problem) { return problem.problem.contacts() < large_contacts; });
+  std::move(foreign.begin(), foreign.end(), std::back_inserter(problems));
+  std::string page;
+  for (const std::string& table : tables_of(read_frozen_csv(study_large(problems, quick))))
+    page += (page.empty() ? "" : "\n") + table;
+  fmt::print("{}", page);
+  write_text_file(to / "large.md", page);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CommandLine line("Every method on every frozen problem: how far it comes in what time.");
   std::string folder, out = "renders", shard_text = "1/1";
-  bool quick = false, redraw = false;
+  bool quick = false, redraw = false, large = false;
   std::size_t parts = 0;
   line.flag("--quick", quick, "Seconds instead of minutes");
   line.flag("--redraw", redraw, "Nothing is solved: pictures of what is in frozen.csv");
+  line.flag("--large", large,
+            "Problems of hundreds and thousands of contacts instead, each once, into large.md: minutes");
   line.option("--problems", folder, "A folder of contact problems (*.dat) to solve beside our own")
       .from_environment("PUSHBACK_PROBLEMS");
   line.option("--shard", shard_text, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
@@ -52,6 +67,8 @@ int main(int argc, char** argv) {
       .between(2, 1000);
   line.option("--out", out, "Where the folder 19_accuracy_and_time is written to").shows_default();
   return line.run(argc, argv, [&] {
+    if (large && (redraw || parts > 0 || shard_text != "1/1"))
+      throw InvalidInput("--large goes with none of --redraw, --shard, --join: its tables are one small piece of work");
     std::filesystem::path to = std::filesystem::path(out) / "19_accuracy_and_time";
     if (redraw) {
       draw(read_frozen_csv(read_text_file(to / "frozen.csv")), to);
@@ -60,6 +77,10 @@ int main(int argc, char** argv) {
     const Shard shard = shard_of(shard_text);
     std::vector<FrozenProblem> foreign;
     if (!folder.empty()) foreign = foreign_problems(folder);  // a bad one is said before anything is made or written
+    if (large) {
+      show_large(foreign, quick, to);
+      return;
+    }
     std::vector<FrozenProblem> problems = own_problems();
     std::move(foreign.begin(), foreign.end(), std::back_inserter(problems));
     if (parts > 0) {

@@ -8,7 +8,7 @@ std::vector<std::string> siconos_methods() {
   return {};
 }
 
-SiconosAnswer solve_by_siconos(const ContactProblem&, const std::string& method, double, int) {
+SiconosAnswer solve_by_siconos(const ContactProblem&, const std::string& method, double, int, double) {
   throw InvalidInput(fmt::format("method is '{}': a build with PUSHBACK_SICONOS is needed", method));
 }
 

@@ -10,6 +10,7 @@
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
+#include "pushback/chapters/17_direct_contacts/newton_system.h"
 #include "pushback/chapters/19_accuracy_and_time/frozen/scenes.h"
 #include "pushback/common/basics/input.h"
 
@@ -20,13 +21,13 @@ namespace {
 constexpr Real h = Real(1) / 60;
 
 /// The scene's contacts after `seconds`.
-FrozenProblem frozen(const std::string& name, const std::function<void(World&)>& fill, Real seconds) {
+FrozenProblem frozen(const std::string& name, const std::function<void(World&)>& fill, Real seconds, int parts = 32) {
   World world;
   fill(world);
   SteadySolver solver;
-  for (int step = 0; static_cast<Real>(step) * h < seconds; ++step) substeps(world, solver, h, 32);
+  for (int step = 0; static_cast<Real>(step) * h < seconds; ++step) substeps(world, solver, h, parts);
   world.begin_step(h);
-  return {name, problem_of(world)};
+  return {name, problem_of(world), factor_of(world)};
 }
 
 }  // namespace
@@ -64,6 +65,18 @@ std::vector<FrozenProblem> own_problems() {
   };
 }
 
+std::vector<FrozenProblem> large_problems() {
+  std::vector<FrozenProblem> problems;
+  for (const int base : {10, 20})
+    problems.push_back(frozen(
+        fmt::format("pyramid of {} boxes", base * (base + 1) / 2), [base](World& world) { pyramid(world, base); }, 0));
+  for (const int side : {4, 6, 10})
+    problems.push_back(frozen(
+        fmt::format("heap of {} boxes at rest", side * side * side),
+        [side](World& world) { heap(world, side, side, Real(-4.5)); }, 12, 8));
+  return problems;
+}
+
 std::vector<FrozenProblem> foreign_problems(const std::filesystem::path& folder) {
   std::error_code error;
   std::vector<std::filesystem::path> files;
@@ -75,7 +88,7 @@ std::vector<FrozenProblem> foreign_problems(const std::filesystem::path& folder)
   std::sort(files.begin(), files.end());
   std::vector<FrozenProblem> problems;
   for (const std::filesystem::path& file : files)
-    problems.push_back({file.stem().string(), read_problem_file(file), true});
+    problems.push_back({file.stem().string(), read_problem_file(file), {}, true});
   return problems;
 }
 

@@ -8,10 +8,12 @@
 #include <fc3d_compute_error.h>
 #include <sn_error_handling.h>
 
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -99,6 +101,12 @@ bool receive(int pipe, void* what, std::size_t size) {
   return true;
 }
 
+/// Whether there is something to read, or the other end is closed.
+bool answers_within(double seconds, int pipe) {
+  pollfd end{pipe, POLLIN, 0};
+  return poll(&end, 1, static_cast<int>(1000 * seconds)) != 0;
+}
+
 void solve_and_send(int pipe, const ContactProblem& problem, int id, double tolerance, int iterations) {
   be_silent();
   const Problem made = in_siconos(problem);
@@ -123,7 +131,7 @@ void solve_and_send(int pipe, const ContactProblem& problem, int id, double tole
 // In a process of its own: Siconos 4.4 does not give back all the memory that it takes, and after some hundreds of calls there
 // is none left.
 SiconosAnswer solve_by_siconos(const ContactProblem& problem, const std::string& method, double tolerance,
-                               int iterations) {
+                               int iterations, double patience) {
   const Method& asked = named("method", methods, method);
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe to a process for Siconos");
@@ -143,10 +151,16 @@ SiconosAnswer solve_by_siconos(const ContactProblem& problem, const std::string&
   close(ends[1]);
   Sent sent;
   SiconosAnswer answer{.r = Vector::Zero(problem.q.size())};
-  const bool came_back = receive(ends[0], &sent, sizeof sent) &&
+  const bool in_time = answers_within(patience, ends[0]);
+  if (!in_time) kill(child, SIGKILL);
+  const bool came_back = in_time && receive(ends[0], &sent, sizeof sent) &&
                          receive(ends[0], answer.r.data(), sizeof(double) * static_cast<std::size_t>(answer.r.size()));
   close(ends[0]);
   while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
+  if (!in_time) {
+    answer.seconds = patience;
+    return answer;
+  }
   if (!came_back) throw std::runtime_error(method + " has given up by what Siconos calls a fatal error");
   answer.iterations = sent.iterations;
   answer.reached = sent.info == 0;

@@ -23,9 +23,10 @@ struct SiconosAnswer {
 };
 
 /// With the options that are the method's default, but for the tolerance, of siconos_error, and the most iterations.
+/// A run that takes longer than `patience` s is ended, and its answer is r = 0 after so many seconds.
 /// Throws InvalidInput where the method is none, std::runtime_error where Siconos gives up by what it calls a fatal error.
 SiconosAnswer solve_by_siconos(const ContactProblem& problem, const std::string& method, double tolerance,
-                               int iterations);
+                               int iterations, double patience = 600);
 
 /// Siconos' own error of r. It is the natural map's, as in relative_residual, but relative to siconos_unit.
 double siconos_error(const ContactProblem& problem, const Vector& r);

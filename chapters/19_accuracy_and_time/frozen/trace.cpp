@@ -14,8 +14,9 @@ double TracePoint::time(double part) const {
   return quantile(seconds, part);
 }
 
-Trace::Trace(const ContactProblem& problem, const std::string& method, const TraceLimits& limits)
-    : problem_(problem), method_(method), limits_(limits) {
+Trace::Trace(const ContactProblem& problem, const std::string& method, const TraceLimits& limits,
+             const SparseRows& factor)
+    : problem_(problem), method_(method), limits_(limits), factor_(factor) {
   again();
 }
 
@@ -61,7 +62,7 @@ void Trace::sweep_along() {
 
 TracePoint Trace::climbed_to(Rung& rung, double tolerance) const {
   while (is_siconos(method_)) {
-    const SiconosAnswer found = solve_by_siconos(problem_, method_, rung.asked, rung.iterations);
+    const SiconosAnswer found = solve_by_siconos(problem_, method_, rung.asked, rung.iterations, limits_.patience);
     const TracePoint point{found.iterations, 0, relative_residual(problem_, found.r), {found.seconds}};
     if (point.residual <= tolerance || found.seconds > limits_.seconds) return point;
     const double tighter = 0.5 * tolerance * problem_.q.norm() / siconos_unit(problem_, found.r);
@@ -71,9 +72,10 @@ TracePoint Trace::climbed_to(Rung& rung, double tolerance) const {
   }
   Stopwatch solving;
   solving.go();
-  const Solution found = method_ == "smoothed"
-                             ? Solution(solve_smoothed(problem_, {.tolerance = tolerance, .work = limits_.work}))
-                             : solve_best(problem_, {.tolerance = tolerance, .work = limits_.work});
+  const Solution found =
+      method_ == "smoothed"
+          ? Solution(solve_smoothed(problem_, {.tolerance = tolerance, .work = limits_.work}, factor_))
+          : solve_best(problem_, {.tolerance = tolerance, .work = limits_.work});
   solving.stop();
   return {found.sweeps, found.systems, found.residual, {solving.seconds()}};
 }

@@ -9,8 +9,9 @@
 namespace pushback::frozen {
 
 struct TraceLimits {
-  int sweeps = 100000;  ///< at most
-  double seconds = 2;   ///< of solving, after which no new stretch is begun
+  int sweeps = 100000;   ///< at most
+  double seconds = 2;    ///< of solving, after which no new stretch is begun
+  double patience = 60;  ///< s, after which a run of Siconos, which has no such limit, is ended
   double work =
       4e9;  ///< multiplications of `best` and `smoothed`, at most: some seconds, so that the limit above is the one that is met
   double enough = 1e-12;  ///< of relative_residual
@@ -32,14 +33,15 @@ struct TracePoint {
 
 /// A sweeping method is looked at after 0, 1, 2, 3 ... sweeps, from 5 on after a quarter more each time. One that only
 /// says how it ended (`smoothed`, `best`, Siconos) is run from r = 0 for one tolerance of the ladder after the other (where runs are long, for
-/// those of the tables alone), and has a point for each that it reached by relative_residual. Siconos has no limit of time: its runs begin with few iterations, and have
+/// those of the tables alone), and has a point for each that it reached by relative_residual. Siconos' runs begin with few iterations, and have
 /// four times as many until one reaches the tolerance or has taken longer than the limit. Where it has reached it by its own
 /// measure only (siconos_unit), it is asked for so much less.
 class Trace {
  public:
   /// The first round: it finds how far the limits let it go. Keeps a reference to the problem. Throws InvalidInput where
-  /// there is no such method.
-  Trace(const ContactProblem& problem, const std::string& method, const TraceLimits& limits);
+  /// there is no such method. `factor`: B with W = B B^T, between whose bodies `smoothed` solves its systems.
+  Trace(const ContactProblem& problem, const std::string& method, const TraceLimits& limits,
+        const SparseRows& factor = {});
   /// The same sweeps once more, for the times.
   void again();
 
@@ -65,6 +67,7 @@ class Trace {
   const ContactProblem& problem_;
   std::string method_;
   TraceLimits limits_;
+  SparseRows factor_;
   std::vector<TracePoint> points_;
   struct Reached {
     double tolerance;
