@@ -277,7 +277,7 @@ course test --book live_page && expect 0 "no live page is tested" && expect_not 
 CI=true course test --book live_page && expect 1 "no live page can be tested"
 stand_in em++ 'true'
 course test --book pages && expect 0 "1 tests/book/pages.mjs" && expect_not "cmake"
-course test --book && expect 0 "cmake --build --preset wasm" "--target page_04_slop" "1 tests/book/live_page.mjs tests/book/pages.mjs"
+course test --book && expect 0 "cmake --build --preset wasm" "--target page_04_slop wide" "1 tests/book/live_page.mjs tests/book/pages.mjs"
 mkdir -p "$scratch/home/build/wasm/live"
 course test --book && expect 0 "1 tests/book/live_page.mjs tests/book/pages.mjs" && expect_not "cmake"
 touch "$scratch/home/build/wasm/live/hard_cases.js"
