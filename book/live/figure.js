@@ -340,9 +340,13 @@
       this.seek(step);
       this.remember();
     }
+    /** ms: what takes long is played bit by bit, in smaller ones until a slider has its first picture. */
+    get slice() {
+      return this.answer && this.answer.first === null ? 10 : 25;
+    }
     seek(step) {
       this.target = Math.min(this.engine.steps, Math.max(0, step));
-      this.engine.goTo(this.target, 25);
+      this.engine.goTo(this.target, this.slice);
       this.changed();
     }
     show(bit, yes) {
@@ -400,7 +404,7 @@
     }
     set(assignments, done) {
       const { engine } = this;
-      // Slices of 25 ms that were spent on steps; those before the first picture; ms until that is there, and the last one.
+      // Slices that were spent on steps; those before the first picture; ms until that is there, and the last one.
       this.answer = { began: performance.now(), slices: 0, first: null, shown: null, complete: null };
       this.again(() => {
         const before = engine.scene.variants.length,
@@ -484,7 +488,7 @@
           if (reached >= engine.steps) this.pause();
         }
       } else if (engine.now !== this.target) {
-        engine.goTo(this.target, 25); // what takes long is played bit by bit
+        engine.goTo(this.target, this.slice);
         if (this.answer) ++this.answer.slices;
       }
       const moving = this.playing || engine.now !== this.target;

@@ -97,7 +97,7 @@ void Drawing::draw_shadows(const Frame& frame, int height, const Lighting& light
     if (coarse && i > 0) continue;
     depth_.set("clip_from_eye", Eigen::Matrix4f(clip_from_map * views[i].map_from_eye));
     geometry_.draw(Geometry::sharp_box, 0, frame.boxes.size());
-    draw_balls(frame, height, Geometry::coarse_ball);
+    draw_balls(frame, height, coarse ? Geometry::bevelled_box : Geometry::coarse_ball);
     geometry_.draw_hulls(true);
   }
 }
