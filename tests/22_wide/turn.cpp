@@ -110,7 +110,7 @@ TEST_CASE(
 
 TEST_CASE("wide: what turns farther than Newton's method follows turns in the bits of one after the other") {
   World world;
-  for (Body& body : turning(16, 30)) world.add(body.at({0, static_cast<Real>(5 * world.bodies.size()), 0}));
+  for (Body& body : turning(64, 30)) world.add(body.at({0, static_cast<Real>(5 * world.bodies.size()), 0}));
   const std::vector<Body> before = world.bodies;
   Wide<float> solver;
   solver.displace(world, h);
