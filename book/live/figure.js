@@ -340,9 +340,9 @@
       this.seek(step);
       this.remember();
     }
-    /** ms: what takes long is played bit by bit, in smaller ones until a slider has its first picture. */
+    /** ms: what takes long is played bit by bit, in smaller bits until a slider has its first picture. */
     get slice() {
-      return this.answer && this.answer.first === null ? 10 : 25;
+      return this.answer?.first === null ? 10 : 25;
     }
     seek(step) {
       this.target = Math.min(this.engine.steps, Math.max(0, step));
@@ -499,7 +499,9 @@
         this.stage.draw();
         if (this.answer) this.answer.first ??= this.answer.slices;
       }
-      this.readings(now);
+      // Where pictures take long, numbers and curves come after them, not between a slider and its picture.
+      this.unread = this.stage.coarse && Boolean(this.stage.drawing);
+      if (!this.unread) this.readings(now);
       if (moving) this.changed();
     }
     /** The graphics are done with the picture that they were given then. */
@@ -510,6 +512,8 @@
         answer.shown ??= now - answer.began;
         if (engine.now === this.target && !this.late) answer.complete = now - answer.began;
       }
+      if (this.unread) this.readings(now);
+      this.unread = false;
       if (this.late) this.changed();
     }
     readings(now) {

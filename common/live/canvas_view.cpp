@@ -33,7 +33,7 @@ void CanvasView::draw(const Picture& picture, const Pane& pane, bool coarse) {
   emscripten_webgl_make_context_current(context_);
   const Frame frame(picture);
   state_->drawing.coarse = coarse;
-  state_->drawing.out_of_round = coarse ? 0.3f : 0.1f;
+  state_->drawing.out_of_round = coarse ? 1.2f : 0.1f;
   state_->drawing.load(frame);
   state_->drawing.draw(frame, 0, pane, lights_for(frame, 0, 1), Eigen::Vector2f::Zero(),
                        coarse ? state_->coarse : state_->whole);

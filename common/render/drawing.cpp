@@ -71,7 +71,10 @@ void Drawing::draw_balls(const Frame& frame, int height, Geometry::Which finest)
     const auto enough = [&](float corners) {  // by what a chord stays inside its circle
       return radius * (1 - std::cos(static_cast<float>(pi) / corners)) <= out_of_round;
     };
-    return std::min(finest, enough(12) ? Geometry::bevelled_box : enough(20) ? Geometry::coarse_ball : Geometry::ball);
+    return std::min(finest, enough(4)    ? Geometry::sharp_box
+                            : enough(12) ? Geometry::bevelled_box
+                            : enough(20) ? Geometry::coarse_ball
+                                         : Geometry::ball);
   };
   for (std::size_t from = 0, to = 0; from < frame.balls.size(); from = to) {
     const Geometry::Which same = mesh(from);
@@ -97,7 +100,7 @@ void Drawing::draw_shadows(const Frame& frame, int height, const Lighting& light
     if (coarse && i > 0) continue;
     depth_.set("clip_from_eye", Eigen::Matrix4f(clip_from_map * views[i].map_from_eye));
     geometry_.draw(Geometry::sharp_box, 0, frame.boxes.size());
-    draw_balls(frame, height, coarse ? Geometry::bevelled_box : Geometry::coarse_ball);
+    draw_balls(frame, height, coarse ? Geometry::sharp_box : Geometry::coarse_ball);
     geometry_.draw_hulls(true);
   }
 }

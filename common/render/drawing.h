@@ -56,7 +56,7 @@ class Drawing {
             const Eigen::Vector2f& shift, const Lighting& lighting);
 
   // For who has to be quick:
-  bool coarse = false;     ///< the sky casts no shadows, and those of balls have corners
+  bool coarse = false;     ///< the sky casts no shadows, and the shadows of balls have corners
   float out_of_round = 0;  ///< pixels by which the outline of a ball may be off its circle
 
  private:
