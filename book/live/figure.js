@@ -221,7 +221,6 @@
     begin() {
       const { engine } = this,
         { scene } = engine;
-      this.reach = engine.reach();
       this.scenes.replaceChildren(
         ...engine.description.scenes.map(({ name }) => make("option", { textContent: name })),
       );

@@ -134,7 +134,7 @@
       const from = { ...scene.camera };
       let aspect = scene.aspect;
       if (scene.strobe && this.follow) {
-        const { centre, radius } = this.player.reach,
+        const { centre, radius } = engine.reach(),
           away = unit(minus(from.eye, from.target));
         const shift = engine.shift();
         from.field_of_view = 0.5;

@@ -327,15 +327,20 @@ struct Farthest {
 
 std::pair<Vec3, Real> Live::reach() const {
   Eigen::AlignedBox<Real, 3> around;
-  const World& start = lanes_[0].start();
+  const World &start = lanes_[0].start(), &now = lanes_[0].world();
+  Vec3 moved = Vec3::Zero();
+  Real movable = 0;
   for (const Body& body : start.bodies) {
     if (!body.movable()) continue;
+    moved += now.bodies[static_cast<std::size_t>(body.index)].position - body.position;
+    ++movable;
     const Vec3 farthest = Vec3::Constant(std::visit(Farthest{}, body.shape));
     around.extend(Vec3(body.position - farthest));
     around.extend(Vec3(body.position + farthest));
   }
-  return around.isEmpty() ? std::pair(Vec3(Vec3::Zero()), Real(1))
-                          : std::pair(Vec3(around.center()), around.diagonal().norm() / 2);
+  if (around.isEmpty()) return {Vec3::Zero(), Real(1)};
+  moved.y() = 0;
+  return {Vec3(around.center() + moved / movable), around.diagonal().norm() / 2};
 }
 
 Vec3 Live::shift() const {
@@ -426,7 +431,8 @@ std::string Live::description() const {
     std::vector<const Variant*> here;
     for (const Variant& variant : experiment_.variants_)
       if (variant.scene == a) here.push_back(&variant);
-    const double aspect = scene.strobe ? 1520.0 / scene.strobe->height : 500.0 / std::max(281, scene.cell_height);
+    const double aspect =
+        scene.strobe ? 1520.0 / scene.strobe->height : 500.0 / (scene.cell_height > 0 ? scene.cell_height : 281);
     std::string series = array_of(act.series, [](const Experiment::Quantity& quantity) {
       return fmt::format(R"({{"name": {}, "unit": {}, "log": {}, "drawn": {}}})", pushback::quoted(quantity.name),
                          pushback::quoted(quantity.unit), in_json(quantity.log_y), in_json(quantity.drawn));

@@ -229,6 +229,23 @@ test("a slider is answered by a picture after two slices of steps at most, howev
   await page.close();
 });
 
+test("a telephone's camera stays close to what rolls away", async () => {
+  const page = await running("21_detected_once", { viewport: { width: 390, height: 844 } });
+  assert.ok(await page.evaluate(() => player.stage.follow));
+  for (const part of [0, 0.5, 1]) {
+    await seek(page, await page.evaluate((part) => Math.round(part * player.engine.steps), part));
+    const found = await page.evaluate(() => {
+      const { stage } = player,
+        { left, top, width, height } = stage.panes[0];
+      const pane = stage.grabAt(left + width / 2, top + height / 2, height / 8);
+      player.engine.letGo();
+      return Boolean(pane);
+    });
+    assert.ok(found, `nothing in the middle of the picture after ${part} of the time`);
+  }
+  await page.close();
+});
+
 test("numbers stand beside what they should be, and change with the time", async () => {
   const page = await running("03_baumgarte");
   await page.getByRole("combobox", { name: "Scene" }).selectOption({ index: 1 });
