@@ -339,6 +339,8 @@ std::pair<Vec3, Real> Live::reach() const {
     around.extend(Vec3(body.position + farthest));
   }
   if (around.isEmpty()) return {Vec3::Zero(), Real(1)};
+  const Vec3 middle = around.center();
+  around.extend(Vec3(middle.x(), std::min(middle.y(), Real(0)), middle.z()));
   moved.y() = 0;
   return {Vec3(around.center() + moved / movable), around.diagonal().norm() / 2};
 }

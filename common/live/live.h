@@ -94,7 +94,8 @@ class Live {
   /// "0.31 m/s", and what it should be, or an empty text.
   std::pair<std::string, std::string> number_in_words(std::size_t lane, std::size_t which) const;
 
-  /// A ball around the bodies that move, as they begin, and gone along over the ground with them: its centre and its radius, m.
+  /// A ball around the bodies that move, as they begin, and the ground below them, gone along over the ground with them: its centre
+  /// and its radius, m.
   std::pair<Vec3, Real> reach() const;
   /// How far bodies are moved in it, m: those of a strobe scene go across the picture, and leave an image at each instant.
   Vec3 shift() const;
