@@ -1,4 +1,4 @@
-/// Chapter 23's crew beside what libraries have ready: the same parts, given to OpenMP's and oneTBB's threads, in turn within one run.
+/// Chapter 23's crew beside what libraries have ready: the same parts, given to OpenMP's and oneTBB's threads, each beside one thread.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <omp.h>
@@ -44,7 +44,7 @@ class OfTBB : public Workers {
 };
 
 /// Medians over the steps of a pile, in 8 substeps, beside one thread. One of the three at a time: their threads go on turning around
-/// for a while when there is nothing to do, on the core that another one's need.
+/// for a while when there is nothing to do, on the core that those of another need.
 void pile_of(benchmark::State& state, const Those& those, int n, int high) {
   struct {
     World world;

@@ -1,7 +1,7 @@
 /// What detection costs: which pairs are near, and what a near pair takes that touches, or does not.
 #include <benchmark/benchmark.h>
 
-#include <set>
+#include <algorithm>
 
 #include "bench/in_turn.h"
 #include "pushback/chapters/22_wide/wide.h"

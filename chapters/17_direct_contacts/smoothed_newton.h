@@ -29,8 +29,9 @@ struct SmoothedSolution : Solution {
   double fill = 0;     ///< numbers in its factors
 };
 
-/// From nothing. The best point met: `residual` says whether it is good enough. Where a smaller t cannot be reached, t grows again
-/// and falls slower; after eight times it gives up. No solution may be found where there is one: friction bends the path of y.
+/// From nothing. The best point met: `residual` says whether it is good enough. Where a smaller t cannot be reached, Newton's method
+/// begins again at the last point of the path, with a smaller fall of t; it gives up once t would fall by less than 1 %. No solution
+/// may be found where there is one: friction bends the path of y.
 /// `factor`: B with W = B B^T (newton_system.h), or empty.
 SmoothedSolution solve_smoothed(const ContactProblem& problem, const SmoothedLimits& limits = {},
                                 const SparseRows& factor = {});
