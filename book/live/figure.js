@@ -561,7 +561,8 @@
       }
     }
     listLegend() {
-      const entries = this.engine.legend(),
+      const ofScene = this.engine.scene.colours.map(({ colour, text }) => ["body", colour, text]),
+        entries = [...this.engine.legend(), ...ofScene],
         key = JSON.stringify(entries);
       if (key === this.legendKey) return;
       this.legendKey = key;

@@ -39,9 +39,11 @@ Curve circle(Real r) {
 
 constexpr Real thin = Real(1.5);  // pixels, of lines in a cell that is twice as high as others
 
-/// Where the three boxes on the slope began, as a line, and where each should be.
+/// A triangle beside the slope, one side of it level; where the three boxes began, as a line; and where each should be.
 void mark_slope(Picture& picture, const BoxesOnSlope& slope, Real time) {
   const Vec3 along{std::cos(slope.theta), std::sin(slope.theta), 0};
+  const Vec3 foot = Real(1.4) * along - Real(2.02) * Vec3::UnitZ(), top = foot + 3 * along;
+  add_line(picture, {foot, Vec3(top.x(), foot.y(), foot.z()), top, foot}, near_black_colour(), thin);
   World start;
   slope(start);
   const Vec3 middle = start.bodies[2].position - Real(0.4) * along;
@@ -87,14 +89,15 @@ int main(int argc, char** argv) {
     const Vec3 along{std::cos(slope.theta), std::sin(slope.theta), 0}, middle = Real(3.05) * along;
     e.scene({.name = fmt::format("μ = 0.8, 1.05 and 1.5 times tan θ, θ = {:.0f}°", slope.theta * 180 / pi),
              .fill = slope,
-             .camera = {middle + Vec3(Real(-13), Real(4.5), 0), middle, Real(0.272)},
+             .camera = {middle + Vec3(Real(-10), Real(3.4), Real(-7)), middle - Vec3(0, 0, Real(0.3)), Real(0.36)},
              .seconds = seconds,
              .instants = {Real(0.9)},
              .contacts = Drawn::points,
              .key = "slope",
              .caption =
-                 "Only the left box, with μ = 0.8 tan θ, should slide, as far as to its outline. All three began "
-                 "at the line across the slope.",
+                 "Only the box in front, with μ = 0.8 tan θ, should slide, as far as to its outline. All three began "
+                 "at the line across the slope. Distances: after 1.5 s.",
+             .colours = {{body_ink(1), "μ = 0.8 tan θ"}, {body_ink(2), "1.05 tan θ"}, {body_ink(3), "1.5 tan θ"}},
              .start_shown = false,
              .marks = [slope](Picture& picture, const World&, Real time) { mark_slope(picture, slope, time); },
              .cell_height = 420,
@@ -115,7 +118,7 @@ int main(int argc, char** argv) {
 
     const Real stop = push.stopping_distance(h), sliding = push.long_enough(Real(1.2));
     const Vec3 fan = (start + stop) * Vec3(Real(0.67), 0, Real(-0.31));
-    e.scene({.name = fmt::format("{:.3g} m/s under headings of 0°, 22.5° and 45°", push.v0),
+    e.scene({.name = fmt::format("{:.3g} m/s, at 0°, 22.5° and 45° to a tangent", push.v0),
              .fill = [=](World& world) { slide(world, three_headings, push); },
              .camera = {fan + stop * Vec3(Real(-0.3), Real(3.6), Real(1.6)), fan, Real(0.32)},
              .seconds = sliding,
@@ -124,7 +127,8 @@ int main(int argc, char** argv) {
              .key = "headings",
              .caption =
                  "All three boxes should stop on the arc. With a bound for each tangent by itself, friction is up "
-                 "to 1.41 times too large: the box at 45° stops first.",
+                 "to 1.41 times as large as it should be: most for the box at 45°.",
+             .colours = {{body_ink(1), "0°"}, {body_ink(2), "22.5°"}, {body_ink(3), "45°"}},
              .start_shown = false,
              .marks = [=](Picture& picture, const World&, Real) { mark_stops(picture, start + stop); },
              .cell_height = 420});

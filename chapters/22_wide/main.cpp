@@ -10,14 +10,14 @@ using namespace pushback::wide_scenes;
 
 namespace {
 
-Colour colour_of_set(std::size_t set) {
+Ink ink_of_set(std::size_t set) {
   const std::array inks{normal_arrow_ink(),
                         contact_ink(ContactState::warm),
-                        contact_ink(ContactState::sliding),
+                        friction_arrow_ink(),
                         contact_ink(ContactState::sticking),
                         contact_ink(ContactState::fresh),
-                        friction_arrow_ink()};
-  return linear(inks[set % inks.size()]);
+                        contact_ink(ContactState::sliding)};
+  return inks[set % inks.size()];
 }
 
 /// In front of boxes of 1 m: from the middle of each body of a pair to where they touch.
@@ -32,7 +32,7 @@ void draw_sets(Picture& picture, const World& world, Real /*time*/) {
       for (const std::size_t body : {pair.a, pair.b}) {
         if (!world.bodies[body].movable()) continue;
         const Vec3& middle = world.bodies[body].position;
-        add_line(picture, {{middle.x(), middle.y(), touch.z()}, touch}, colour_of_set(set), 6);
+        add_line(picture, {{middle.x(), middle.y(), touch.z()}, touch}, linear(ink_of_set(set)), 6);
       }
     }
   }
@@ -83,6 +83,10 @@ int main(int argc, char** argv) {
              .contacts = Drawn::nothing,
              .caption = "Each line is a pair of bodies that touch. Pairs of one colour never meet in a box: they are "
                         "solved side by side.",
+             .colours = {{ink_of_set(0), "first set"},
+                         {ink_of_set(1), "second"},
+                         {ink_of_set(2), "third"},
+                         {ink_of_set(3), "fourth"}},
              .start_shown = false,
              .marks = draw_sets,
              .strobe = Strobe{.every = 1, .shift_per_second = {0, 0, 0}, .from = 1, .height = 700}});

@@ -14,10 +14,17 @@ Sets sets_in(const World& world) {
   return coloured(touching_pairs(world.contacts), world);
 }
 
-Colour colour_of_thread(std::size_t thread) {
-  const std::array inks{contact_ink(ContactState::sticking), contact_ink(ContactState::warm), normal_arrow_ink(),
-                        contact_ink(ContactState::sliding)};
-  return linear(inks[thread % inks.size()]);
+/// From dark to light: other colours than chapter 22's, which are sets.
+Ink ink_of_thread(std::size_t thread) {
+  constexpr std::array<Ink, 4> inks{{{21, 24, 43}, {190, 70, 10}, {255, 184, 77}, {255, 255, 255}}};
+  return inks[thread % inks.size()];
+}
+
+std::vector<std::pair<Ink, std::string>> colours_of(int threads) {
+  std::vector<std::pair<Ink, std::string>> colours;
+  for (int i = 0; i < std::min(threads, 4); ++i)
+    colours.emplace_back(ink_of_thread(static_cast<std::size_t>(i)), fmt::format("thread {}", i + 1));
+  return colours;
 }
 
 /// Of the set with this number: from the middle of each box of a pair to where they touch, in front of boxes of 1 m.
@@ -34,7 +41,8 @@ void draw_set(Picture& picture, const World& world, std::size_t set, std::size_t
     for (const std::size_t body : {pair.a, pair.b}) {
       if (!world.bodies[body].movable()) continue;
       const Vec3& middle = world.bodies[body].position;
-      add_line(picture, {Vec3(middle.x(), middle.y(), touch.z()) + shift, touch + shift}, colour_of_thread(thread), 6);
+      add_line(picture, {Vec3(middle.x(), middle.y(), touch.z()) + shift, touch + shift}, linear(ink_of_thread(thread)),
+               6);
     }
   }
 }
@@ -116,6 +124,7 @@ int main(int argc, char** argv) {
       return solver;
     };
     const Real wide = static_cast<Real>(base), apart = wide + 2;
+    constexpr Real every = Real(0.25);  // s, a set
 
     e.scene({.name = "four sets of a pyramid",
              .fill = fill_pyramid,
@@ -124,20 +133,24 @@ int main(int argc, char** argv) {
                         Real(0.162)},
              .seconds = 1,
              .contacts = Drawn::nothing,
-             .caption = "The same pyramid four times: its sets, solved from left to right. A colour is a thread; each "
-                        "waits for all before the next set.",
+             .caption =
+                 "The same pyramid four times, with the pairs of its first, second, third and fourth set. Thread 1 has "
+                 "eight pairs in each, and waits for those that have sixteen.",
+             .colours = colours_of(threads),
              .start_shown = false,
              .marks =
-                 [threads, apart](Picture& picture, const World& world, Real) {
-                   for (std::size_t set = 0; set < 4; ++set)
+                 [threads, apart](Picture& picture, const World& world, Real time) {
+                   // In a page they come one after the other; the first stands there from the start.
+                   const auto here = std::clamp<std::size_t>(static_cast<std::size_t>(time / every + Real(0.01)), 1, 4);
+                   for (std::size_t set = 0; set < here; ++set)
                      draw_set(picture, world, set, static_cast<std::size_t>(threads),
                               static_cast<Real>(set) * apart * Vec3::UnitX());
                  },
-             .strobe = Strobe{.every = Real(0.25),
-                              .shift_per_second = {4 * apart, 0, 0},
-                              .from = Real(0.25),
+             .strobe = Strobe{.every = every,
+                              .shift_per_second = {apart / every, 0, 0},
+                              .from = every,
                               .height = 420,
-                              .note = "sets 1 to 4; threads 1 to 4: black, yellow, blue, pink"}});
+                              .note = "the sets, in the order in which they are solved"}});
     e.variant(fmt::format("{} threads", threads), wide_with(crew_of(threads)))
         .with_exactly(1)
         .coloured(1)

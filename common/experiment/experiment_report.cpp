@@ -265,6 +265,7 @@ std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& 
   const auto [one, other] = scene.in_brief.value_or(std::pair(std::size_t{0}, last));
   sheet.in_brief = {std::min(one, last), std::min(other, last)};  // --variants may have left some out
   sheet.legend = legend.entries();
+  for (const auto& [ink, meaning] : scene.colours) sheet.legend.push_back({LegendEntry::Kind::body, ink, meaning});
   return sheet;
 }
 

@@ -49,9 +49,10 @@ struct Scene {
   Drawn contacts = Drawn::impulses;
   Real arrow = 0;        ///< m to draw for an impulse of 1 N s; 0: as long as a body for what holds it against gravity
   std::string key = "";  ///< of the sheet's file, sheet_KEY.png; empty: from the name
-  std::string caption = "";  ///< what to look for, one sentence, on the sheet
-  bool start_shown = true;   ///< whether the sheet's head shows the start, which all variants share
-  Real magnified = 1;        ///< how many times as large as they are displacements and turns from the start are drawn
+  std::string caption = "";                               ///< what to look for, one sentence, on the sheet
+  std::vector<std::pair<Ink, std::string>> colours = {};  ///< what colours mean in this scene alone
+  bool start_shown = true;  ///< whether the sheet's head shows the start, which all variants share
+  Real magnified = 1;       ///< how many times as large as they are displacements and turns from the start are drawn
   /// What else stands in each picture, see marks.h: what should be, as thin lines; arrows. The world is as it is drawn,
   /// magnified where the scene says so. A strobe picture is marked once, with the world of its last instant.
   std::function<void(Picture&, const World&, Real time)> marks = {};

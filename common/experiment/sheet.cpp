@@ -117,7 +117,8 @@ class Drawing {
       if (entry.kind == LegendEntry::Kind::arrow) {
         draw_arrow(image_, {left, middle}, {left + 34, middle}, 4.5F, entry.colour);
       } else if (entry.kind == LegendEntry::Kind::body) {
-        fill_rectangle(image_, x, y_ + 5, 18, 18, entry.colour);
+        fill_rectangle(image_, x, y_ + 5, 18, 18, sheet_dark);
+        fill_rectangle(image_, x + 1, y_ + 6, 16, 16, entry.colour);
       } else {
         fill_disc(image_, left + 9, middle, 9, sheet_dark);  // a rim, since one of the colours is white
         fill_disc(image_, left + 9, middle, 7.2F, entry.colour);

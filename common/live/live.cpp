@@ -426,6 +426,9 @@ std::string Live::description() const {
         variant.substeps, in_json(variant.curves),
         array_of(variant.references, [](const Reference& reference) { return pushback::quoted(reference.label); }));
   };
+  const auto meaning = [](const std::pair<Ink, std::string>& one) {
+    return fmt::format(R"({{"colour": {}, "text": {}}})", in_json(one.first), pushback::quoted(one.second));
+  };
   std::vector<std::string> scenes;
   for (std::size_t a = 0; a < experiment_.acts_.size(); ++a) {
     const Experiment::Act& act = experiment_.acts_[a];
@@ -443,19 +446,16 @@ std::string Live::description() const {
     scenes.push_back(fmt::format(
         R"({{"name": {}, "key": {}, "caption": {}, "pictures": {}, "steps": {}, "aspect": {}, "strobe": {}, "contacts": {}, "impulses": {}, "magnified": {},
 "camera": {{"eye": {}, "target": {}, "field_of_view": {}}},
-"raster": {}, "series": {},
+"colours": {}, "raster": {}, "series": {},
 "numbers": {},
 "variants": {}}})",
         pushback::quoted(scene.name), pushback::quoted(key_of(scene)), pushback::quoted(scene.caption),
         in_json(scene.pictures), experiment_.steps_of(scene), aspect, in_json(scene.strobe.has_value()),
         in_json(scene.contacts != Drawn::nothing), in_json(scene.contacts == Drawn::impulses), scene.magnified,
         in_json(scene.camera.eye), in_json(scene.camera.target), scene.camera.field_of_view,
+        array_of(scene.colours, meaning),
         scene.raster ? fmt::format(R"({{"label": {}, "meaning": {}}})", pushback::quoted(scene.raster->label),
-                                   array_of(scene.raster->meaning,
-                                            [](const std::pair<Ink, std::string>& one) {
-                                              return fmt::format(R"({{"colour": {}, "text": {}}})", in_json(one.first),
-                                                                 pushback::quoted(one.second));
-                                            }))
+                                   array_of(scene.raster->meaning, meaning))
                      : "null",
         series,
         array_of(act.numbers,

@@ -566,6 +566,11 @@ TEST_CASE("the table of the cheapest says which, and what it costs a frame") {
   CHECK(lines_of(table_of_cheapest(only_float))[2] ==
         "| minute | `slim/4/4` in float: 80 µs (80 to 80), 10 row solves, 2.5 mm off, – remains | not reached | not "
         "reached |");
+  auto once = made_up();
+  for (int i = 0; i < 6; ++i)
+    once[0].all.push_back(of("motion_wide", "wide-float", 1 << i, 1, 0.003 * std::pow(2, -i), 0.0006));
+  CHECK(contains(lines_of(table_of_cheapest(once))[2],
+                 "| `wide-float/32/1`: 10 µs (10 to 10), 10 row solves, 0.0938 mm off, < 0.094 mm remains |"));
 }
 
 TEST_CASE("the table of the others says how many times as long they take") {
@@ -579,6 +584,12 @@ TEST_CASE("the table of the others says how many times as long they take") {
   CHECK(others()[2] ==
         "| minute | ODE | 6 times as long | 1.5 times as long | 300 µs, we not at all | we do not reach all of it | – "
         "| – |");
+  all[0].all.push_back(of("motion_wide", "wide", 1, 1, 1e-5, 0.006));  // ours as well
+  REQUIRE(others().size() == 3);
+  CHECK(others()[2] ==
+        "| minute | ODE | 6 times as long | 3 times as long | 3 times as long | 0.33 times its time | – | – |");
+  all[0].all.push_back(of("motion_wide", "wide", 1, 1, 1e-5, 0.0001234));
+  CHECK(contains(others()[2], "| 146 times as long | 146 times as long | 146 times as long | 0.0069 times its time |"));
   all[0].all.resize(7);
   CHECK(contains(others()[2], "| it does not play this |"));
   all[0].all.push_back(of("motion_ode", "o", 1, 1, 0.5, 1));
@@ -619,6 +630,10 @@ TEST_CASE("each table says what remains, of which method, by which law") {
   CHECK(lines_of(limits).size() == 3 + 1 + 4);  // two tables and a line between them; nothing of float
   CHECK(contains(table_of_others(all, three), "| < 1.6 mm (`ode`) | 2.0 mm (`slim`) |\n"));
   CHECK(contains(table_of_cheapest(all), "7 mm off, 2.0 mm remains "));
+  auto with_once = all;
+  for (int i = 0; i < 6; ++i)
+    with_once[0].all.push_back(of("motion_wide", "once", 1 << i, 4, 0.001 + 0.01 * std::pow(2, -i), 1));
+  CHECK(contains(table_of_others(with_once, three), "| < 1.6 mm (`ode`) | 1.0 mm (`once`) |\n"));
   CHECK(lines_of(table_of_hops(all)).back() ==
         "| a box slides and stops | 2.400 m/s | 293.6 mm | 328.2 mm | 330 mm | – |");
   auto made = made_up();
@@ -628,15 +643,17 @@ TEST_CASE("each table says what remains, of which method, by which law") {
 }
 
 TEST_CASE("every method that plays anything has its law in the table of limits") {
-  for (const Motion& motion : all_motions()) {
-    const Ended listed = call_program(MOTION_PROGRAM, motion.name);
-    REQUIRE(listed.status == 0);
-    for (const std::string& line : lines_of(listed.out)) {
-      const std::string name = line.substr(0, line.find_first_of("/:"));
-      INFO(motion.name << " " << name);
-      const std::string text = table_of_limits({{&motion, {of("motion", name, 1, 1, 1, 1)}}});
-      CHECK(contains(text, "| `" + name + "` | "));
-      CHECK(!contains(text, "` | – |"));
+  for (const auto& [engine, program] : {std::pair{"motion", MOTION_PROGRAM}, {"motion_wide", MOTION_WIDE_PROGRAM}}) {
+    for (const Motion& motion : all_motions()) {
+      const Ended listed = call_program(program, motion.name);
+      REQUIRE(listed.status == 0);
+      for (const std::string& line : lines_of(listed.out)) {
+        const std::string name = line.substr(0, line.find_first_of("/:"));
+        INFO(motion.name << " " << name);
+        const std::string text = table_of_limits({{&motion, {of(engine, name, 1, 1, 1, 1)}}});
+        CHECK(contains(text, "| `" + name + "` | "));
+        CHECK(!contains(text, "` | – |"));
+      }
     }
   }
 }

@@ -22,7 +22,10 @@ struct Told {
     e.parameter({"--slop", "s", "m", "Slops to put side by side", 0, 0.05}, &slops);
   }
   void operator()() {
-    e.scene({.name = "a stack", .fill = [n = boxes](World& world) { stack(world, n); }, .seconds = 2});
+    e.scene({.name = "a stack",
+             .fill = [n = boxes](World& world) { stack(world, n); },
+             .seconds = 2,
+             .colours = {{Ink{255, 0, 16}, "the top"}}});
     for (const Real slop : slops) {
       FullSolver solver;
       solver.slop = slop;
@@ -167,6 +170,7 @@ TEST_CASE("parameters: what is named is set, all else has its default, and a sli
   CHECK(live.world(0).bodies.size() == 5);
   CHECK(live.steps() == 120);
   CHECK(contains(live.description(), "\"sweeps\": 10"));
+  CHECK(contains(live.description(), R"("colours": [{"colour": "#ff0010", "text": "the top"}])"));
 }
 
 TEST_CASE("what a parameter may not be is refused by name, and nothing changes") {

@@ -37,15 +37,17 @@ Panel trace_panel(const FrozenPoints& all, const FrozenPoints::Problem& of, bool
       continue;
     }
     if (!against_time && !points[0].row_solves) continue;
-    const bool wrong_law = curve.label == "pgs" || curve.label == "scaled-back", every_sweep = points[0].sweeps == 0;
+    const auto at_start = [](const FrozenPoint& point) { return point.sweeps == 0 && point.systems == 0; };
+    const bool wrong_law = curve.label == "pgs" || curve.label == "scaled-back", every_sweep = at_start(points[0]);
     if (wrong_law) curve.style = Curve::Style::dashed;
     if (!every_sweep) curve.style = Curve::Style::line_and_points;
     for (const FrozenPoint& point : points) {
-      if (point.sweeps == 0) continue;  // no place for it on a logarithmic axis
-      curve.x.push_back(static_cast<Real>(against_time ? 1e3 * point.seconds : *point.row_solves));
+      const double x = against_time ? 1e3 * point.seconds : *point.row_solves;
+      if (at_start(point) || x == 0) continue;  // no place for it on a logarithmic axis
+      curve.x.push_back(static_cast<Real>(x));
       curve.y.push_back(static_cast<Real>(point.residual));
     }
-    panel.curves.push_back(curve);
+    if (against_time || !curve.x.empty()) panel.curves.push_back(curve);
   }
   return panel;
 }

@@ -28,8 +28,11 @@ Measurements those(const Measurements& all, const Which& which) {
 Measurements of_engine(const Measurements& all, const std::string& engine) {
   return those(all, [&](const Measured& one) { return one.engine == engine; });
 }
+bool is_ours(const std::string& engine) {
+  return engine == "motion" || engine == "motion_float" || engine == "motion_wide";
+}
 Measurements ours(const Measurements& all) {
-  return those(all, [](const Measured& one) { return one.engine == "motion" || one.engine == "motion_float"; });
+  return those(all, [](const Measured& one) { return is_ours(one.engine); });
 }
 
 Curve curve_of(const Measurements& points, const Motion& motion, const std::string& label, const std::string& colour,
@@ -63,10 +66,19 @@ Panel error_against_time(const Motion& motion) {
 std::string plain(double value) {
   return value < 100 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
 }
+/// And no exponent.
+std::string two_digits(double value) {
+  return value < 100 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
+}
 
-std::string least_remaining(const Measurements& all, const std::string& engine) {
-  const auto [method, limit] = least_limit(all, engine);
-  return method.empty() ? "–" : fmt::format("{} (`{}`)", limit.remains(), method);
+/// Of all methods of these engines; float is left to those that have nothing else.
+std::string least_remaining(const Measurements& all, const std::vector<std::string>& engines) {
+  std::pair<std::string, Limit> least;
+  for (const std::string& engine : engines) {
+    const auto of_this = least_limit(all, engine);
+    if (least.first.empty() || (!of_this.first.empty() && of_this.second.most < least.second.most)) least = of_this;
+  }
+  return least.first.empty() ? "–" : fmt::format("{} (`{}`)", least.second.remains(), least.first);
 }
 
 /// us of wall time for a frame.
@@ -114,10 +126,12 @@ std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
       const auto rows = [&] { return found->row_solves ? plain(*found->row_solves / measured.motion->frames()) : "–"; };
       text +=
           found ? fmt::format("| `{}`{}: {} µs ({} to {}), {} row solves, {} mm off, {} remains ", found->setting(),
-                              found->engine == "motion" ? "" : " in float", frame(found->median()),
+                              found->engine == "motion_float" ? " in float" : "", frame(found->median()),
                               frame(found->quartile(1)), frame(found->quartile(3)), rows(), plain(1000 * found->error),
                               // in double, where its method was played with all steps
-                              limit_of(measured.all, "motion", found->method, found->sweeps).remains())
+                              limit_of(measured.all, found->engine == "motion_float" ? "motion" : found->engine,
+                                       found->method, found->sweeps)
+                                  .remains())
                 : "| not reached ";
     }
     text += "|\n";
@@ -133,20 +147,21 @@ std::string table_of_others(const std::vector<MotionMeasured>& all, const std::v
   for (const MotionMeasured& measured : all) {
     for (const Engine& engine : engines) {
       const Measurements theirs = of_engine(measured.all, engine.program), our = ours(measured.all);
-      if (engine.program == "motion" || engine.program == "motion_float") continue;
+      if (is_ours(engine.program)) continue;
       text += fmt::format("| {} | {} ", measured.motion->title, engine.title);
       for (const Tolerance& tolerance : tolerances) {
         const auto found = cheapest(theirs, tolerance.error), best = cheapest(our, tolerance.error);
         text += !found  ? "| not reached "
                 : !best ? fmt::format("| {} µs, we not at all ", plain(per_frame(*measured.motion, found->median())))
-                        : fmt::format("| {:.2g} times as long ", found->median() / best->median());
+                        : fmt::format("| {} times as long ", two_digits(found->median() / best->median()));
       }
       const double slower = times_slower(our, theirs, 1e-5, 1e-1);
       text += theirs.empty()       ? "| it does not play this "
               : slower == 0        ? "| it has no such front "
               : std::isinf(slower) ? "| we do not reach all of it "
-                                   : fmt::format("| {:.2g} times its time ", slower);
-      text += fmt::format("| {} | {} |\n", least_remaining(theirs, engine.program), least_remaining(our, "motion"));
+                                   : fmt::format("| {} times its time ", two_digits(slower));
+      text += fmt::format("| {} | {} |\n", least_remaining(theirs, {engine.program}),
+                          least_remaining(our, {"motion", "motion_wide"}));
     }
   }
   return text;
