@@ -590,6 +590,8 @@ TEST_CASE("the table of the others says how many times as long they take") {
         "| minute | ODE | 6 times as long | 3 times as long | 3 times as long | 0.33 times its time | – | – |");
   all[0].all.push_back(of("motion_wide", "wide", 1, 1, 1e-5, 0.0001234));
   CHECK(contains(others()[2], "| 146 times as long | 146 times as long | 146 times as long | 0.0069 times its time |"));
+  all[0].all.back().seconds = {0.018 / 99.7};
+  CHECK(contains(others()[2], "| 100 times as long |"));
   all[0].all.resize(7);
   CHECK(contains(others()[2], "| it does not play this |"));
   all[0].all.push_back(of("motion_ode", "o", 1, 1, 0.5, 1));

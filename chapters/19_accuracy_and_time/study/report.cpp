@@ -62,13 +62,9 @@ Panel error_against_time(const Motion& motion) {
   return panel;
 }
 
-/// Three digits, and no exponent.
-std::string plain(double value) {
-  return value < 100 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
-}
-/// And no exponent.
-std::string two_digits(double value) {
-  return value < 100 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
+/// So many digits, and no exponent; of what is larger, all before the point.
+std::string plain(double value, int digits = 3) {
+  return value < 99.5 ? fmt::format("{:.{}g}", value, digits) : fmt::format("{:.0f}", value);
 }
 
 /// Of all methods of these engines; float is left to those that have nothing else.
@@ -153,13 +149,13 @@ std::string table_of_others(const std::vector<MotionMeasured>& all, const std::v
         const auto found = cheapest(theirs, tolerance.error), best = cheapest(our, tolerance.error);
         text += !found  ? "| not reached "
                 : !best ? fmt::format("| {} µs, we not at all ", plain(per_frame(*measured.motion, found->median())))
-                        : fmt::format("| {} times as long ", two_digits(found->median() / best->median()));
+                        : fmt::format("| {} times as long ", plain(found->median() / best->median(), 2));
       }
       const double slower = times_slower(our, theirs, 1e-5, 1e-1);
       text += theirs.empty()       ? "| it does not play this "
               : slower == 0        ? "| it has no such front "
               : std::isinf(slower) ? "| we do not reach all of it "
-                                   : fmt::format("| {} times its time ", two_digits(slower));
+                                   : fmt::format("| {} times its time ", plain(slower, 2));
       text += fmt::format("| {} | {} |\n", least_remaining(theirs, {engine.program}),
                           least_remaining(our, {"motion", "motion_wide"}));
     }
