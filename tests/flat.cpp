@@ -12,9 +12,9 @@
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/08_friction_cone/flat.h"
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
-#include "pushback/chapters/catalogue.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/tools/catalogue/catalogue.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;

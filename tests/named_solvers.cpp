@@ -5,9 +5,9 @@
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/13_joints/ball_and_socket.h"
-#include "pushback/chapters/catalogue/solvers.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/tools/catalogue/solvers.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 

@@ -9,8 +9,8 @@
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
-#include "tests/hard_cases/random_scene.h"
-#include "tests/hard_cases/stages.h"
+#include "pushback/tools/hard_cases/random_scene.h"
+#include "pushback/tools/hard_cases/stages.h"
 #include "tests/support/catch.h"
 #include "tests/support/stored_hashes.h"
 
@@ -89,12 +89,12 @@ std::map<std::string, std::string> all_hashes() {
 }  // namespace
 
 #ifndef PUSHBACK_FLOAT
-TEST_CASE("600 steps end in the same bits in every build") {
+TEST_CASE("600 steps end in the same bits in every build", "[slow]") {
   check_stored("tests/reference_hashes.txt", all_hashes());
 }
 #endif
 
-TEST_CASE("two worlds stepped by two threads at once go as they do one after the other") {
+TEST_CASE("two worlds stepped by two threads at once go as they do one after the other", "[slow]") {
   for (const char* name : {"07 warm start", "12 soft contacts", "all together"}) {
     const Stage& stage = stage_named(name);
     const std::uint64_t alone[2] = {hash_after(scenes[1], stage), hash_after(scenes[2], stage)};

@@ -1,5 +1,5 @@
 /// The list of all scenes: complete, each once, and each one that a solver can step.
-#include "pushback/chapters/catalogue.h"
+#include "pushback/tools/catalogue/catalogue.h"
 
 #include <map>
 #include <regex>
@@ -7,8 +7,8 @@
 
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/tools/hard_cases/finite.h"
 #include "tests/support/catch.h"
-#include "tests/support/finite.h"
 
 using namespace pushback;
 

@@ -7,7 +7,7 @@
 
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
-#include "tests/hard_cases/stages.h"
+#include "pushback/tools/hard_cases/stages.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;
@@ -58,18 +58,18 @@ void soak(const char* stage, int base) {
 
 }  // namespace
 
-TEST_CASE("a pyramid stands under the full solver, and its memory does not grow", "[soak]") {
+TEST_CASE("a pyramid stands under the full solver, and its memory does not grow", "[soak][long]") {
   soak("07 warm start", 10);
 }
 
-TEST_CASE("a pyramid stands under soft contacts, and its memory does not grow", "[soak]") {
+TEST_CASE("a pyramid stands under soft contacts, and its memory does not grow", "[soak][long]") {
   soak("12 soft contacts", 5);
 }
 
-TEST_CASE("a pyramid stands under all together, and its memory does not grow", "[soak]") {
+TEST_CASE("a pyramid stands under all together, and its memory does not grow", "[soak][long]") {
   soak("all together", 5);
 }
 
-TEST_CASE("a pyramid stands under what is recommended, and its memory does not grow", "[soak]") {
+TEST_CASE("a pyramid stands under what is recommended, and its memory does not grow", "[soak][long]") {
   soak("22 wide", 10);
 }

@@ -9,9 +9,9 @@
 #include "pushback/chapters/17_direct_contacts/direct_contacts.h"
 #include "pushback/chapters/17_direct_contacts/warm_direct_contacts.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
-#include "pushback/chapters/catalogue/solvers.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/tools/catalogue/solvers.h"
 #include "tests/support/catch.h"
 #include "tests/support/stored_hashes.h"
 #include "tests/support/with_joints.h"
@@ -108,6 +108,6 @@ std::map<std::string, std::string> all_hashes() {
 
 }  // namespace
 
-TEST_CASE("every scene moves in the same bits under joints, sleep, corrections and direct solves") {
+TEST_CASE("every scene moves in the same bits under joints, sleep, corrections and direct solves", "[slow]") {
   check_stored("tests/wide_hashes.txt", all_hashes());
 }

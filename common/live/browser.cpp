@@ -1,4 +1,4 @@
-/// An experiment in a page: Experiment::run hands itself to whoever calls these functions. book/live/ does.
+/// An experiment in a page: Experiment::run hands itself to whoever calls these functions. tools/book/live/ does.
 ///
 /// Text is UTF-8 and stays as it is until the next call. Where a text says what went wrong, an empty one says that nothing did.
 #include <emscripten.h>

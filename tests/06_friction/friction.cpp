@@ -1,8 +1,8 @@
 /// How far a box slides, when a ball rolls.
 #include "pushback/chapters/06_friction/friction.h"
+#include "pushback/tools/hard_cases/sliding.h"
 #include "tests/support/catch.h"
 #include "tests/support/on_ground.h"
-#include "tests/support/sliding.h"
 
 using namespace pushback;
 

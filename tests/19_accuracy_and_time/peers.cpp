@@ -1,8 +1,8 @@
 // Other engines in the motions of chapter 19, built only with PUSHBACK_PEERS, once for each engine: what is ours is the
 // conversion, so it is looked at where an engine has hardly a way to be wrong.
-#include "pushback/chapters/19_accuracy_and_time/peers/peer.h"
-#include "pushback/chapters/19_accuracy_and_time/relaxed_law.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
+#include "pushback/tools/peers/peer.h"
+#include "pushback/tools/study/relaxed_law.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;

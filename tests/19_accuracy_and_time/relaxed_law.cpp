@@ -1,6 +1,6 @@
 /// Chapter 19: the convex relaxation of Coulomb's law, solved here by itself. What lifts a sliding body off is the law, and no
 /// engine's way of solving it.
-#include "pushback/chapters/19_accuracy_and_time/relaxed_law.h"
+#include "pushback/tools/study/relaxed_law.h"
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/17_direct_contacts/best.h"
 #include "tests/support/catch.h"

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <random>
 
-#include "pushback/chapters/19_accuracy_and_time/study/limits.h"
-#include "pushback/chapters/19_accuracy_and_time/study/machine.h"
-#include "pushback/chapters/19_accuracy_and_time/study/report.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/plot_layout.h"
+#include "pushback/tools/study/limits.h"
+#include "pushback/tools/study/machine.h"
+#include "pushback/tools/study/report.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 

@@ -11,9 +11,9 @@
 #include "pushback/chapters/22_wide/recommended.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/tools/hard_cases/sliding.h"
 #include "tests/support/catch.h"
 #include "tests/support/sleep.h"
-#include "tests/support/sliding.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

@@ -4,13 +4,13 @@
 
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/chapters/23_threads/crew.h"
-#include "pushback/chapters/catalogue.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/collision/broad_phase.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/tools/catalogue/catalogue.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 

@@ -5,8 +5,8 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { test } from "node:test";
-import { readBook, stillOf } from "../../book/book.js";
-import { highlightedDifference, highlightedLines } from "../../book/sources.js";
+import { readBook, stillOf } from "../../tools/book/book.js";
+import { highlightedDifference, highlightedLines } from "../../tools/book/sources.js";
 import { root } from "./support/browser.mjs";
 
 const header = "#pragma once\n\nstruct Clamping {\n  int least = 0;\n};\n";
@@ -65,7 +65,7 @@ test("broken links, anchors, pictures, formulas and quoted code are refused with
 
 test("the command names what is wrong, ends with 1, and writes nothing", () => {
   const folder = project("[a](nowhere.md)");
-  const run = spawnSync(process.execPath, [path.join(root, "book/build.js"), "--root", folder], { encoding: "utf8" });
+  const run = spawnSync(process.execPath, [path.join(root, "tools/book/build.js"), "--root", folder], { encoding: "utf8" });
   assert.equal(run.status, 1);
   assert.equal(
     run.stderr,
@@ -154,5 +154,5 @@ test("the still of a film is its first picture", () => {
 });
 
 test("the list of packages holds no address", () => {
-  assert.doesNotMatch(fs.readFileSync(path.join(root, "book/package-lock.json"), "utf8"), /"[a-z+]+:\/\//);
+  assert.doesNotMatch(fs.readFileSync(path.join(root, "tools/book/package-lock.json"), "utf8"), /"[a-z+]+:\/\//);
 });

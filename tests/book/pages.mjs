@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { serve } from "../../book/serve.js";
+import { serve } from "../../tools/book/serve.js";
 import { address, folder, html, isSource, launch, newPage, onAll, pagesIn, weight } from "./support/browser.mjs";
 
 const all = pagesIn();

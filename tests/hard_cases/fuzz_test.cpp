@@ -1,10 +1,10 @@
 /// The books are kept beside the solver, not in it.
-#include "tests/hard_cases/fuzz.h"
+#include "pushback/tools/hard_cases/fuzz.h"
 
 #include <set>
 
 #include "pushback/common/world/measure.h"
-#include "tests/hard_cases/stages.h"
+#include "pushback/tools/hard_cases/stages.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;

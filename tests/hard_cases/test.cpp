@@ -5,7 +5,7 @@
 #include <fstream>
 #include <set>
 
-#include "tests/hard_cases/cases.h"
+#include "pushback/tools/hard_cases/cases.h"
 #include "tests/support/call.h"
 
 using namespace pushback;

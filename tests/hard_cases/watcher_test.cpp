@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "tests/hard_cases/stages.h"
-#include "tests/hard_cases/watcher.h"
+#include "pushback/tools/hard_cases/stages.h"
+#include "pushback/tools/hard_cases/watcher.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 

@@ -8,7 +8,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failures=0 listed=""
 
-mkdir -p "$scratch"/{bin,sub,home/build/release/chapters,home/build/release/tests/hard_cases,home/chapters/{03_three,04_four,10_ten}}
+mkdir -p "$scratch"/{bin,sub,home/build/release/programs,home/chapters/{03_three,04_four,10_ten}}
 cp "$root/course" "$root/CMakePresets.json" "$scratch/home"
 touch "$scratch/home/build/release/build.ninja"
 
@@ -20,8 +20,8 @@ stand_in() {  # removed first: writing through a link would change the system's 
   rm -f "$scratch/bin/$1"
   printf '#!/bin/sh\n%s\n' "$2" >"$scratch/bin/$1" && chmod +x "$scratch/bin/$1"
 }
-printf '#!/bin/sh\necho "table: $*"\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_table"
-chmod +x "$scratch"/home/build/release/tests/hard_cases/*
+printf '#!/bin/sh\necho "table: $*"\n' >"$scratch/home/build/release/programs/hard_cases_table"
+chmod +x "$scratch"/home/build/release/programs/*
 stand_in cmake 'echo "cmake $*"'
 stand_in ctest 'echo "ctest $*"'
 stand_in git 'echo "git $*"'
@@ -74,15 +74,15 @@ project(home LANGUAGES NONE)
 include(chapters/draw.cmake)
 foreach(name 03_three 04_four 10_ten)
   add_executable(${name} IMPORTED)
-  set_target_properties(${name} PROPERTIES IMPORTED_LOCATION ${PROJECT_BINARY_DIR}/chapters/${name})
+  set_target_properties(${name} PROPERTIES IMPORTED_LOCATION ${PROJECT_BINARY_DIR}/programs/${name})
   add_drawing(${name})
 endforeach()
 END
 rm "$scratch/home/build/release/build.ninja"
 chapter() {  # chapter NAME [FIRST]: what its program does
   printf '#!/bin/sh\n%s\necho "run %s: $*"\nmkdir -p renders/%s && cd renders/%s && touch sheet.png plot.png && echo "numbers of %s" >numbers.md\n' \
-    "${2-}" $1 $1 $1 $1 >"$scratch/home/build/release/chapters/$1"
-  chmod +x "$scratch/home/build/release/chapters/$1"
+    "${2-}" $1 $1 $1 $1 >"$scratch/home/build/release/programs/$1"
+  chmod +x "$scratch/home/build/release/programs/$1"
 }
 for name in 03_three 04_four 10_ten; do chapter $name; done
 # Where there is no apt, it goes on without.
@@ -138,7 +138,7 @@ touch "$scratch/home/build/release/build.ninja"
 course hard-cases && expect 0 "cmake --build --preset release" "--target hard_cases_table" "table: " "took "
 course hard-cases stack-20 arch --quick -- --jobs 1 && expect 0 "table: --quick stack-20 arch --jobs 1"
 course hard-cases --quik && expect 2 "unknown option '--quik'" "--quick"
-printf '#!/bin/sh\nexit 2\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_table"
+printf '#!/bin/sh\nexit 2\n' >"$scratch/home/build/release/programs/hard_cases_table"
 course hard-cases stak && expect 2 && expect_not "took"
 
 # Tests: without the long ones unless asked for, by name, with more options for ctest.
@@ -155,7 +155,7 @@ course test 99 && expect 2 "unknown chapter '99'" "the chapters are: 03_three 04
 for tool in paste awk; do [[ -e $scratch/bin/$tool ]] || ln -s "$(type -P $tool)" "$scratch/bin/$tool"; done
 stand_in git 'case "$*" in
   merge-base*) echo abc ;;
-  "diff --name-only HEAD") printf "chapters/03_three/README.md\nchapters/04_four/exercise/transfer/checks.cpp\n" ;;
+  "diff --name-only HEAD") printf "chapters/03_three/README.md\ntools/classroom/checks/04_four_transfer.cpp\n" ;;
   log*abc..HEAD) printf "tests/10_ten/exercise/rebuild.txt\ntests/03_three/three.cpp\nchapters/05_five/five.h\nchapters/04_four/four.h\nchapters/06_six/six.h\nchapters/07_seven/seven.h\n" ;;
 esac'
 course test --changed && expect 0 "-LE ^(long|checked)\$" "-L ^checked\$ -R ^exercise (04_four|10_ten)(_transfer)?: "
@@ -257,17 +257,17 @@ course render 03 && expect 0 "  libegl-dev libgl-dev libegl-mesa0 libgl1-mesa-dr
 # The book: Node and its packages where they are missing, once; then it is built, shown, or refused.
 course book --srve && expect 2 "unknown option '--srve'" "the options are: --yes --preset --help --still --serve"
 course book 03 && expect 2 "'book' takes no words"
-mkdir -p "$scratch/home/book"
-touch "$scratch"/home/book/{package.json,package-lock.json,.npmrc}
+mkdir -p "$scratch/home/tools/book"
+touch "$scratch"/home/tools/book/{package.json,package-lock.json,.npmrc}
 for tool in cmp cp ln; do ln -sf "$(type -P $tool)" "$scratch/bin/$tool"; done
 stand_in dpkg-query 'true'
 course book --still && expect 1 "  nodejs npm" "npm ci failed" && expect_not "g++"
 stand_in npm 'echo "npm $*"'
 stand_in node 'echo "node $*"'
-course book --still && expect 0 "npm ci --prefix build/node" "node book/build.js --still" "the book: build/book/index.html" && expect_not "packages are missing"
+course book --still && expect 0 "npm ci --prefix build/node" "node tools/book/build.js --still" "the book: build/book/index.html" && expect_not "packages are missing"
 expect_not cmake
 # Experiments run in it where em++ can be had; where it cannot, the pages keep their pictures, and that is said.
-course book && expect 0 "  nodejs npm emscripten" "no em++" "keep their still pictures" "node book/build.js" && expect_not "cmake --build"
+course book && expect 0 "  nodejs npm emscripten" "no em++" "keep their still pictures" "node tools/book/build.js" && expect_not "cmake --build"
 # Tests of it, of which one runs an experiment: compiled for it alone, unless all are; left out where there is no compiler, but not in CI.
 mkdir -p "$scratch/home/tests/book"
 touch "$scratch"/home/tests/book/{pages,live,live_page}.mjs
@@ -283,42 +283,41 @@ course test --book && expect 0 "1 tests/book/live_page.mjs tests/book/pages.mjs"
 touch "$scratch/home/build/wasm/live/hard_cases.js"
 course test --book && expect 0 "1 tests/book/live.mjs tests/book/live_page.mjs tests/book/pages.mjs"
 rm -r "$scratch/home/build/wasm"
-course book && expect 0 "cmake --preset wasm" "cmake --build --preset wasm" "node book/build.js" && expect_not "still pictures"
-course book --still --serve && expect 0 "node book/serve.js build/book" && expect_not "npm ci"
-echo newer >"$scratch/home/book/package-lock.json"
+course book && expect 0 "cmake --preset wasm" "cmake --build --preset wasm" "node tools/book/build.js" && expect_not "still pictures"
+course book --still --serve && expect 0 "node tools/book/serve.js build/book" && expect_not "npm ci"
+echo newer >"$scratch/home/tools/book/package-lock.json"
 course book --still && expect 0 "npm ci --prefix build/node"
-stand_in node '[ "$1" != book/build.js ]'
+stand_in node '[ "$1" != tools/book/build.js ]'
 course book --still && expect 1 "the book was not built"
 
 # Random scenes.
-mkdir -p "$scratch/home/build/release/tests/hard_cases"
-printf '#!/bin/sh\necho "fuzz: $*"\nexit 1\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_fuzz"
-chmod +x "$scratch/home/build/release/tests/hard_cases/hard_cases_fuzz"
+printf '#!/bin/sh\necho "fuzz: $*"\nexit 1\n' >"$scratch/home/build/release/programs/hard_cases_fuzz"
+chmod +x "$scratch/home/build/release/programs/hard_cases_fuzz"
 course fuzz -- --seed 7 --stage "07 warm start" && expect 1 "--target hard_cases_fuzz" "fuzz: --seed 7 --stage 07 warm start"
 stand_in nproc 'echo 2'
 course fuzz -- --scenes 9 && expect 1 "fuzz: --scenes 9 --join" && expect_not "--shard"
 [[ $(cat "$scratch/home/build/release/fuzz/"*.said) == *"fuzz: --scenes 9 --shard 1/2 --save build/release/fuzz/1"*"--shard 2/2"* ]] || { echo "not a part for each core"; ((++failures)); }
-printf '#!/bin/sh\necho "no such stage"\nexit 2\n' >"$scratch/home/build/release/tests/hard_cases/hard_cases_fuzz"
+printf '#!/bin/sh\necho "no such stage"\nexit 2\n' >"$scratch/home/build/release/programs/hard_cases_fuzz"
 course fuzz -- --stage x && expect 2 "no such stage" && expect_not "--join"
 course fuzz 7 && expect 2 "'fuzz' takes no words"
 
 # What scenes call for.
-printf '#!/bin/sh\necho "effects: $*"\nexit 2\n' >"$scratch/home/build/release/chapters/effects"
-chmod +x "$scratch/home/build/release/chapters/effects"
+printf '#!/bin/sh\necho "effects: $*"\nexit 2\n' >"$scratch/home/build/release/programs/effects"
+chmod +x "$scratch/home/build/release/programs/effects"
 course effects 06-slope all && expect 2 "--target effects" "effects: 06-slope all"
 
 # Figures: drawn from the root of the project, wherever one stands.
-printf '#!/bin/sh\necho "figures: $* in $PWD"\n' >"$scratch/home/build/release/chapters/draw_figures"
-chmod +x "$scratch/home/build/release/chapters/draw_figures"
+printf '#!/bin/sh\necho "figures: $* in $PWD"\n' >"$scratch/home/build/release/programs/draw_figures"
+chmod +x "$scratch/home/build/release/programs/draw_figures"
 course figures --out x && expect 0 "--target draw_figures" "figures: --out x in $scratch/home"
 
 # Contact problems: words and options go on as they are, and files are named as seen from where one stands.
-printf '#!/bin/sh\necho "solve: $* in $PWD"\nexit 2\n' >"$scratch/home/build/release/chapters/solve"
-chmod +x "$scratch/home/build/release/chapters/solve"
+printf '#!/bin/sh\necho "solve: $* in $PWD"\nexit 2\n' >"$scratch/home/build/release/programs/solve"
+chmod +x "$scratch/home/build/release/programs/solve"
 course solve a.dat --method best --sweeps 5 && expect 2 "--target solve" "solve: a.dat --method best --sweeps 5 in $scratch/sub"
 course solve --preset relase a.dat && expect 2 "unknown preset 'relase'"
-printf '#!/bin/sh\necho "export: $* in $PWD"\nexit 2\n' >"$scratch/home/build/release/chapters/export_problem"
-chmod +x "$scratch/home/build/release/chapters/export_problem"
+printf '#!/bin/sh\necho "export: $* in $PWD"\nexit 2\n' >"$scratch/home/build/release/programs/export_problem"
+chmod +x "$scratch/home/build/release/programs/export_problem"
 course export 07-pyramid --step 60 a.dat && expect 2 "--target export_problem" "export: 07-pyramid --step 60 a.dat in $scratch/sub"
 # Their --help is the program's own; everywhere else it is that of ./course.
 course solve --help && expect 2 "solve: --help in" && expect_not "usage: ./course"
@@ -328,20 +327,20 @@ course effects --help && expect 0 "usage: ./course"
 
 # Exercises: what is handed on goes to the program, which is called from where one stands.
 for name in exercise grade handout; do
-  printf '#!/bin/sh\necho "%s: $* in $PWD"\nexit 1\n' $name >"$scratch/home/build/release/chapters/$name"
-  chmod +x "$scratch/home/build/release/chapters/$name"
+  printf '#!/bin/sh\necho "%s: $* in $PWD"\nexit 1\n' $name >"$scratch/home/build/release/programs/$name"
+  chmod +x "$scratch/home/build/release/programs/$name"
 done
 course exercise 03-transfer --hint && expect 1 "--target exercise" "exercise: 03-transfer --hint in $scratch/sub"
 course exercise && expect 1 "exercise:  in $scratch/sub" && expect_not "only this once"
-rm "$scratch/home/build/release/chapters/exercise"
+rm "$scratch/home/build/release/programs/exercise"
 course exercise && expect 127 "is built first, only this once"
 course grade a b --jobs 2 && expect 1 "--target grade" "grade: a b --jobs 2 in $scratch/sub"
 course handout to --with 03 && expect 1 "--target handout" "handout: to --with 03 in $scratch/sub"
 
 # The study of accuracy and time, and the other engines, which are built only when they are asked for.
 for name in study frozen; do
-  printf '#!/bin/sh\necho "%s: $*"\n' $name >"$scratch/home/build/release/chapters/$name"
-  chmod +x "$scratch/home/build/release/chapters/$name"
+  printf '#!/bin/sh\necho "%s: $*"\n' $name >"$scratch/home/build/release/programs/$name"
+  chmod +x "$scratch/home/build/release/programs/$name"
 done
 course study --quick && expect 0 "--target study frozen" "study: --out renders/here --quick" "frozen: --out renders/here --quick"
 expect_not "peers"

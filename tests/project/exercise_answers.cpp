@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "pushback/chapters/commands/exercise/all_exercises.h"
+#include "pushback/tools/classroom/all_exercises.h"
 #include "tests/support/answers.h"
 
 using namespace pushback;

@@ -2,7 +2,7 @@
 #include <csignal>
 #include <thread>
 
-#include "pushback/chapters/commands/exercise/all_exercises.h"
+#include "pushback/tools/classroom/all_exercises.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
 

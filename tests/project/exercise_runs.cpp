@@ -1,6 +1,6 @@
 /// What students' files may do to whoever checks them, and how the verdict calls it.
-#include "pushback/chapters/commands/exercise/all_exercises.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/tools/classroom/all_exercises.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
 
@@ -112,11 +112,11 @@ TEST_CASE("in the sandbox there is no answer to be read, nothing to be written o
   fails_as(verdict_on_lines("*reinterpret_cast<volatile int*>(row.owner) = 1;\n", &sandbox), "crash",
            "memory that is not its own");
   const std::string tests = SOURCE_DIR "/tests/02_clamping/exercise/rebuild.txt",
-                    checks = SOURCE_DIR "/chapters/02_clamping/exercise/checks.cpp";
+                    checks = SOURCE_DIR "/tools/classroom/checks/02_clamping.cpp";
   REQUIRE(fs::exists(tests));
   REQUIRE(fs::exists(checks));
   for (const std::string& file :
-       {tests, checks, std::string("pushback/chapters/02_clamping/exercise/checks.cpp"), std::string("/etc/passwd")})
+       {tests, checks, std::string("pushback/tools/classroom/checks/02_clamping.cpp"), std::string("/etc/passwd")})
     fails_as(verdict_with_helper("#include \"" + file + "\"", right, &sandbox), "does not compile", "there is no file");
   // It throws where it could do what it should not: so to pass is to have been kept from it.
   const std::string helper =

@@ -1,9 +1,9 @@
 /// The picture of an answer's numbers: a disc for yours, a bar for what is right, a ring for the mistake that shows.
-#include "pushback/chapters/commands/exercise/all_exercises.h"
-#include "pushback/chapters/commands/exercise/result_sheet.h"
-#include "pushback/chapters/commands/exercise/student_files.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/render/canvas.h"
+#include "pushback/tools/classroom/all_exercises.h"
+#include "pushback/tools/classroom/result_sheet.h"
+#include "pushback/tools/classroom/student_files.h"
 #include "tests/support/call.h"
 
 using namespace pushback;

@@ -2,8 +2,8 @@
 /// anything else.
 #include <set>
 
-#include "pushback/chapters/commands/exercise/all_exercises.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/tools/classroom/all_exercises.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
 

@@ -4,9 +4,9 @@
 
 #include <map>
 
-#include "pushback/chapters/commands/figures/figures.h"
-#include "pushback/chapters/commands/figures/two_point_column.h"
 #include "pushback/common/render/canvas.h"
+#include "pushback/tools/figures/figures.h"
+#include "pushback/tools/figures/two_point_column.h"
 #include "tests/project/links.h"
 
 /// The root of the sources, as seen from the working directory of the tests.

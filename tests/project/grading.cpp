@@ -1,9 +1,9 @@
 /// ./course grade and ./course handout: many students, a table, JUnit XML and JSON, in parts and taken up again.
 #include <set>
 
-#include "pushback/chapters/commands/exercise/all_exercises.h"
-#include "pushback/chapters/commands/exercise/grade.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/tools/classroom/all_exercises.h"
+#include "pushback/tools/classroom/grade.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
 

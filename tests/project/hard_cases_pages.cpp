@@ -14,7 +14,7 @@
 #include <map>
 #include <regex>
 
-#include "tests/hard_cases/table.h"
+#include "pushback/tools/hard_cases/table.h"
 #include "tests/support/call.h"
 
 using namespace pushback;

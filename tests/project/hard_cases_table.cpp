@@ -1,11 +1,11 @@
 /// The table of hard cases: its words, its files, and the program that writes it.
-#include "tests/hard_cases/table.h"
+#include "pushback/tools/hard_cases/table.h"
 
 #include <algorithm>
 #include <limits>
 #include <set>
 
-#include "tests/hard_cases/table_picture.h"
+#include "pushback/tools/hard_cases/table_picture.h"
 #include "tests/support/call.h"
 #include "tests/support/complaint.h"
 

@@ -89,7 +89,7 @@ int main() {
 }
 END
 configure "$(grep -o '^find_package([^)]*)' <<<"$ways")" "$link" "add_executable(chapters chapters.cpp)" \
-  "target_link_libraries(chapters pushback::flat_solver pushback::whole_problem pushback::only_what_is_needed)"
+  "target_link_libraries(chapters pushback::flat_solver pushback::direct_contacts pushback::only_what_is_needed)"
 its_own_code
 ! grep -q "$root" "$way/build/compile_commands.json" || wrong "its program is compiled with what is not installed"
 cmake --build "$way/build" -j 2 >log 2>&1 || { cat log; wrong "it cannot be built"; }

@@ -1,5 +1,5 @@
 /// A teacher's own exercises, in a folder outside the project: listed, handed out, checked and graded as ours are.
-#include "pushback/chapters/commands/exercise/own_tasks.h"
+#include "pushback/tools/classroom/own_tasks.h"
 #include "pushback/common/basics/input.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"

@@ -6,7 +6,7 @@
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
 #include "pushback/chapters/20_only_what_is_needed/questions.h"
-#include "pushback/chapters/catalogue.h"
+#include "pushback/tools/catalogue/catalogue.h"
 #include "tests/support/call.h"
 
 /// The root of the sources, as seen from the working directory of the tests.
@@ -87,6 +87,22 @@ TEST_CASE("a chapter includes no later chapter") {
     }
   }
   CHECK(includes > 100);
+}
+
+TEST_CASE("neither a chapter nor common/ includes a tool or a test") {
+  int files = 0;
+  for (const std::string room : {"chapters", "common"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE_DIR) / room)) {
+      const fs::path extension = entry.path().extension();
+      if (extension != ".h" && extension != ".cpp") continue;
+      INFO(entry.path());
+      const std::string text = text_of(entry.path());
+      CHECK_FALSE(contains(text, "#include \"pushback/tools/"));
+      CHECK_FALSE(contains(text, "#include \"tests/"));
+      ++files;
+    }
+  }
+  CHECK(files > 300);
 }
 
 TEST_CASE("the page before chapter 00 shows lines of chapter 04's numbers, and has at most 1,200 words") {

@@ -134,7 +134,11 @@ void end_well_at_the_ends(const std::string& chapter) {
 }  // namespace
 
 TEST_CASE("every chapter has parameters, each with ends in order around its default") {
-  CHECK(chapters().size() == 24);
+  std::vector<std::string> folders;
+  for (const auto& entry : fs::directory_iterator(SOURCE_DIR "/chapters"))
+    if (entry.is_directory()) folders.push_back(entry.path().filename().string());
+  std::sort(folders.begin(), folders.end());
+  CHECK(chapters() == folders);
   for (const std::string& chapter : chapters()) {
     const std::vector<Slider> sliders = sliders_of(chapter);
     CHECK(!sliders.empty());

@@ -1,10 +1,10 @@
 /// What students may write into the gap of an exercise, and how the verdict calls each: tests/NN_name/exercise/*.txt.
 #pragma once
 
-#include "pushback/chapters/commands/exercise/attempt.h"
-#include "pushback/chapters/commands/exercise/student_files.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/process.h"
+#include "pushback/tools/classroom/attempt.h"
+#include "pushback/tools/classroom/student_files.h"
 
 namespace pushback {
 

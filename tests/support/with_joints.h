@@ -4,8 +4,8 @@
 #include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
-#include "pushback/chapters/catalogue.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/tools/catalogue/catalogue.h"
 
 namespace pushback {
 

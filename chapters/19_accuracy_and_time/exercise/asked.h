@@ -1,7 +1,7 @@
 /// What exercise 19 asks for.
 #pragma once
 
-#include "pushback/chapters/19_accuracy_and_time/study/front.h"
+#include "pushback/chapters/19_accuracy_and_time/front.h"
 #include "pushback/common/exercise/exercise.h"
 
 namespace pushback::exercise_19 {

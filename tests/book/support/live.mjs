@@ -1,9 +1,9 @@
-/// A page with one live figure, made of book/live/ and of what em++ has built, so that the experiments are tested without the book.
+/// A page with one live figure, made of tools/book/live/ and of what em++ has built, so that the experiments are tested without the book.
 import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
-import { engineOf as engineIn } from "../../../book/experiments.js";
+import { engineOf as engineIn } from "../../../tools/book/experiments.js";
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../../..");
 const folder = path.join(root, "build/live_pages");
@@ -30,8 +30,8 @@ function link(from, to) {
 export function pageOf(chapter, { guess = false } = {}) {
   const live = path.join(folder, "live");
   fs.mkdirSync(path.join(live, "uplot"), { recursive: true });
-  for (const name of fs.readdirSync(path.join(root, "book/live")))
-    link(path.join(root, "book/live", name), path.join(live, name));
+  for (const name of fs.readdirSync(path.join(root, "tools/book/live")))
+    link(path.join(root, "tools/book/live", name), path.join(live, name));
   link(built, path.join(live, "wasm"));
   const plots = path.join(root, "node_modules/uplot/dist");
   fs.copyFileSync(path.join(plots, "uPlot.iife.min.js"), path.join(live, "uplot/uPlot.js"));

@@ -1,0 +1,68 @@
+#include "pushback/chapters/19_accuracy_and_time/front.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "pushback/common/basics/quantile.h"
+
+namespace pushback::study {
+
+double Measured::median() const {
+  return pushback::median(seconds);
+}
+double Measured::quartile(int which) const {
+  return quantile(seconds, 0.25 * which);
+}
+std::string Measured::setting() const {
+  return sweeps == 0 ? fmt::format("{}/{}", method, substeps) : fmt::format("{}/{}/{}", method, substeps, sweeps);
+}
+
+Measurements front(Measurements all) {
+  std::sort(all.begin(), all.end(), [](const Measured& a, const Measured& b) {
+    return std::pair(a.median(), a.error) < std::pair(b.median(), b.error);
+  });
+  Measurements found;
+  for (const Measured& one : all)
+    if (std::isfinite(one.error) && (found.empty() || one.error < found.back().error)) found.push_back(one);
+  return found;
+}
+
+bool is_near_front(const Measured& one, const Measurements& all, double slack) {
+  return std::isfinite(one.error) && one.median() <= slack * cheapest(all, one.error)->median();
+}
+
+std::optional<Measured> cheapest(const Measurements& all, double error) {
+  std::optional<Measured> found;
+  for (const Measured& one : all)
+    if (one.error <= error && (!found || one.median() < found->median())) found = one;
+  return found;
+}
+
+double times_slower(const Measurements& ours, const Measurements& theirs, double least, double most) {
+  double worst = 0;
+  for (const Measured& point : front(theirs)) {
+    if (point.error < least || point.error > most) continue;
+    const auto found = cheapest(ours, point.error);
+    worst = std::max(worst, found ? found->median() / point.median() : std::numeric_limits<double>::infinity());
+  }
+  return worst;
+}
+
+double slope(const std::vector<double>& x, const std::vector<double>& y) {
+  double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+  const auto n = static_cast<double>(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += std::log(x[i]) / n;
+    mean_y += std::log(y[i]) / n;
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (std::log(x[i]) - mean_x) * (std::log(x[i]) - mean_x);
+    xy += (std::log(x[i]) - mean_x) * (std::log(y[i]) - mean_y);
+  }
+  return xy / xx;
+}
+
+}  // namespace pushback::study

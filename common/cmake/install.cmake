@@ -1,0 +1,18 @@
+# cmake --install: all headers of the lessons and the libraries, for find_package(Pushback).
+include(GNUInstallDirs)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/pushback)
+install(DIRECTORY common chapters DESTINATION include/pushback FILES_MATCHING PATTERN "*.h" PATTERN "task.md")
+install(TARGETS pushback_settings pushback_simulation pushback_render pushback_program pushback EXPORT pushback-targets)
+install(EXPORT pushback-targets NAMESPACE pushback:: DESTINATION ${package})
+file(WRITE ${PROJECT_BINARY_DIR}/pushback-config.cmake "include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 NO_MODULE)
+find_dependency(fmt)
+find_dependency(CLI11)
+find_dependency(PkgConfig)
+find_dependency(Threads)
+pkg_check_modules(PANGO REQUIRED IMPORTED_TARGET pangocairo pangoft2)
+$<$<STREQUAL:${PUSHBACK_GL_FOUND},EGL>:find_dependency(OpenGL COMPONENTS OpenGL EGL)>
+include(\${CMAKE_CURRENT_LIST_DIR}/pushback-targets.cmake)
+")
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/package/pushback-config.cmake INPUT ${PROJECT_BINARY_DIR}/pushback-config.cmake)
+install(FILES ${PROJECT_BINARY_DIR}/package/pushback-config.cmake DESTINATION ${package})

@@ -1,0 +1,16 @@
+# What students write into the gaps, compiled and run as ./course exercise does.
+add_executable(exercise_answers exercise_answers.cpp)
+target_link_libraries(exercise_answers PRIVATE exercise_commands)
+add_script("exercises in a folder of one's own" own_exercises.sh ${PROJECT_BINARY_DIR})
+file(GLOB answers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/tests
+  ${PROJECT_SOURCE_DIR}/tests/*/exercise/rebuild.txt ${PROJECT_SOURCE_DIR}/tests/*/exercise/transfer.txt)
+foreach(file IN LISTS answers)
+  string(REGEX REPLACE "/.*" "" exercise ${file})
+  if(file MATCHES "transfer")
+    string(APPEND exercise _transfer)
+  endif()
+  add_test(NAME "exercise ${exercise}: what students write" COMMAND exercise_answers ${exercise})
+  if(NOT exercise STREQUAL "04_slop")  # half a minute each: the quickest for every change, and those that it touches
+    set_tests_properties("exercise ${exercise}: what students write" PROPERTIES LABELS checked)
+  endif()
+endforeach()

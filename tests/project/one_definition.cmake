@@ -1,0 +1,14 @@
+# Not built by default: ./course check links it with the preset odr. The objects themselves, as of an archive the linker takes
+# those only that somebody needs.
+add_executable(one_definition EXCLUDE_FROM_ALL one_definition.cpp)
+foreach(folder common chapters tools)
+  targets_below(targets ${folder})
+  foreach(target IN LISTS targets)
+    get_target_property(type ${target} TYPE)
+    get_target_property(by_hand ${target} LINKED_BY_HAND)
+    if(type STREQUAL "STATIC_LIBRARY" AND NOT by_hand AND NOT target MATCHES "^(answer_program|peer_)")
+      target_link_libraries(one_definition PRIVATE ${target})
+      target_sources(one_definition PRIVATE $<TARGET_OBJECTS:${target}>)
+    endif()
+  endforeach()
+endforeach()

@@ -1,0 +1,109 @@
+/// Where the time of a step goes, in chapters 21 and 22: medians over the steps, µs.
+#include <benchmark/benchmark.h>
+
+#include <array>
+
+#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/common/world/situations.h"
+#include "pushback/tools/bench/in_turn.h"
+
+using namespace pushback;
+
+namespace {
+
+enum Phase { detection, rows, substeps_before, relaxing, end, phases };
+
+/// Of one step.
+std::array<double, phases> spent{};
+
+template <class Act>
+void within(Phase phase, const Act& act) {
+  spent[phase] += seconds_of(act);
+}
+
+template <class Full>
+struct Timed : Full {
+  void detected(World& world, Real h) {
+    within(rows, [&] { Full::detected(world, h); });
+  }
+  void solve(World& world, Real h, int sweeps) {
+    within(substeps_before, [&] { Full::solve(world, h, sweeps); });
+  }
+  void after_move(World& world, Real h) {
+    within(relaxing, [&] { Full::after_move(world, h); });
+  }
+  void done(World& world) {
+    within(end, [&] { Full::done(world); });
+  }
+};
+struct EverybodyTimed : Everybody {
+  static void find_contacts(World& world, const Margin& margin) {
+    within(detection, [&] { world.find_contacts(margin); });
+  }
+};
+
+template <class Full>
+void phases_of(benchmark::State& state, World world, int substeps) {
+  Timed<Full> solver;
+  solver.substeps = substeps;
+  EverybodyTimed everybody;
+  const auto next = [&] { step(world, solver, Real(1) / 60, 1, everybody); };
+  for (int i = 0; i < 120; ++i) next();
+  std::array<std::vector<double>, phases> times;
+  std::vector<double> others, whole;
+  for (auto _ : state) {
+    spent = {};
+    whole.push_back(seconds_of(next));
+    others.push_back(whole.back());
+    for (int phase = 0; phase < phases; ++phase) {
+      times[static_cast<std::size_t>(phase)].push_back(spent[static_cast<std::size_t>(phase)]);
+      others.back() -= spent[static_cast<std::size_t>(phase)];
+    }
+  }
+  const std::array names{"1 detection", "2 rows", "3 solving", "4 relaxing", "5 end"};
+  for (std::size_t phase = 0; phase < phases; ++phase) state.counters[names[phase]] = 1e6 * median(times[phase]);
+  state.counters["6 moving bodies"] = 1e6 * median(others);
+  state.counters["all"] = 1e6 * median(whole);
+  state.counters["contacts"] = static_cast<double>(world.contacts.size());
+}
+
+World pyramid_of_210() {
+  World world;
+  pyramid(world, 20);
+  return world;
+}
+World stack_of_40() {
+  World world;
+  stack(world, 40);
+  return world;
+}
+
+World pile_of_4000() {
+  World world;
+  heap(world, 20, 10, -10);
+  return world;
+}
+
+template <class Full>
+void pyramid_in_8_substeps(benchmark::State& state) {
+  phases_of<Full>(state, pyramid_of_210(), 8);
+}
+template <class Full>
+void stack_in_32_substeps(benchmark::State& state) {
+  phases_of<Full>(state, stack_of_40(), 32);
+}
+template <class Full>
+void pile_in_8_substeps(benchmark::State& state) {
+  phases_of<Full>(state, pile_of_4000(), 8);
+}
+BENCHMARK(pyramid_in_8_substeps<DetectedOnce>)->Iterations(300);
+BENCHMARK(pyramid_in_8_substeps<Wide<double>>)->Iterations(300);
+BENCHMARK(pyramid_in_8_substeps<Wide<float>>)->Iterations(300);
+BENCHMARK(stack_in_32_substeps<DetectedOnce>)->Iterations(300);
+BENCHMARK(stack_in_32_substeps<Wide<double>>)->Iterations(300);
+BENCHMARK(stack_in_32_substeps<Wide<float>>)->Iterations(300);
+BENCHMARK(pile_in_8_substeps<DetectedOnce>)->Iterations(120);
+BENCHMARK(pile_in_8_substeps<Wide<double>>)->Iterations(120);
+BENCHMARK(pile_in_8_substeps<Wide<float>>)->Iterations(120);
+
+}  // namespace

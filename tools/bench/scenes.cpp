@@ -1,0 +1,138 @@
+/// What a step of each scene costs with everything and with what it needs, and what sleepers cost those who are awake.
+///
+/// All that is compared is timed in turn within one run; counters are medians.
+#include <benchmark/benchmark.h>
+
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
+#include "pushback/tools/bench/in_turn.h"
+#include "pushback/tools/catalogue/catalogue.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real dt = Real(1) / 60;
+constexpr int sweeps = 10;
+
+// ---- each scene ----------------------------------------------------------------------------------------------------------
+
+/// 10 s in steps of 1/60 s: with everything, with what is called for, and with sleep besides. Each step is timed in turn;
+/// 9 runs, of each step the median.
+void scene(benchmark::State& state, const NamedScene& named) {
+  constexpr std::size_t steps = 600, runs = 9;
+  std::vector<InTurn> turns(steps);
+  for (auto _ : state) {
+    for (std::size_t run = 0; run < runs; ++run) {
+      World all;
+      named.fill(all);
+      World awake = all, resting = all;
+      JointedSolver full;
+      OnlyWhatIsNeeded needed(awake, full), with_sleep(resting, full, Sleep{});
+      for (InTurn& step : turns) {
+        step.round({[&] { return seconds_of([&] { all.step(full, dt, sweeps); }); },
+                    [&] { return seconds_of([&] { needed.step(awake, dt, sweeps); }); },
+                    [&] { return seconds_of([&] { with_sleep.step(resting, dt, sweeps); }); }});
+      }
+    }
+  }
+  const auto mean = [&turns](std::size_t which) {
+    double sum = 0;
+    for (const InTurn& step : turns) sum += step.time(which);
+    return 1e6 * sum / steps;
+  };
+  state.counters["1 everything, us"] = mean(0);
+  state.counters["2 needed, us"] = mean(1);
+  state.counters["3 with sleep, us"] = mean(2);
+  state.counters["needed / everything"] = mean(1) / mean(0);
+  state.counters["with sleep / everything"] = mean(2) / mean(0);
+}
+[[maybe_unused]] const bool scenes_registered = [] {
+  for (const NamedScene& named : all_scenes()) {
+    benchmark::RegisterBenchmark(("scene/" + named.name).c_str(), scene, named)
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+  }
+  return true;
+}();
+
+// ---- sleepers --------------------------------------------------------------------------------------------------------------
+
+Body cube() {
+  return box(Vec3::Constant(Real(0.5)), 100);
+}
+
+/// A thousand cubes in piles of this height, 1.2 m from pile to pile, on both sides of an aisle of 1.5 m.
+void thousand(World& world, int height) {
+  const int in_a_row = height == 1 ? 32 : 16, before_aisle = in_a_row / 2;
+  for (int i = 0; i < 1000; ++i) {
+    const int pile = i / height, row = pile / in_a_row;
+    const Real z = Real(1.2) * Real(row - before_aisle) + (row < before_aisle ? Real(-0.05) : Real(1.25));
+    world.add(cube().at({Real(1.2) * Real(pile % in_a_row), Real(0.5) + Real(i % height), z}));
+  }
+}
+/// Five more that slide down the aisle, and never come to rest: nothing rubs on them.
+void five(World& world) {
+  for (int i = 0; i < 5; ++i) {
+    world.add(cube().rough(0).at({Real(2.4) * Real(i), Real(0.5), 0}).moving({3, 0, 0}));
+  }
+}
+std::size_t asleep_in(const World& world) {
+  return static_cast<std::size_t>(
+      std::count_if(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.asleep; }));
+}
+
+void thousand_and_five(benchmark::State& state) {
+  World with_thousand, alone, all;
+  for (World* world : {&with_thousand, &alone, &all}) world->add(ground());
+  for (World* world : {&with_thousand, &all}) thousand(*world, static_cast<int>(state.range(0)));
+  OnlyWhatIsNeeded with_sleepers(with_thousand, FullSolver{}, Sleep{});
+  for (int step = 0; step < 600 && asleep_in(with_thousand) < 1000; ++step) with_sleepers.step(with_thousand, dt);
+  const double islands = static_cast<double>(with_sleepers.sleep->asleep().size());
+  for (World* world : {&with_thousand, &alone, &all}) five(*world);
+  World alone_without_sleep = alone;
+  OnlyWhatIsNeeded five_alone(alone, FullSolver{}, Sleep{}), without_sleep(alone, FullSolver{});
+
+  InTurn turns;
+  std::size_t asleep = 1000;
+  for (auto _ : state) {
+    turns.round({[&] { return seconds_of([&] { with_sleepers.step(with_thousand, dt, sweeps); }); },
+                 [&] { return seconds_of([&] { five_alone.step(alone, dt, sweeps); }); },
+                 [&] { return seconds_of([&] { without_sleep.step(alone_without_sleep, dt, sweeps); }); }});
+    asleep = std::min(asleep, asleep_in(with_thousand));
+  }
+  FullSolver full;  // afterwards: else it would leave nobody anything in the cache
+  std::vector<double> everything;
+  for (int step = 0; step < 120; ++step) everything.push_back(seconds_of([&] { all.step(full, dt, sweeps); }));
+  state.counters["asleep"] = static_cast<double>(asleep);
+  state.counters["islands"] = islands;
+  state.counters["1 with thousand, us"] = 1e6 * turns.time(0);
+  state.counters["2 five alone, us"] = 1e6 * turns.time(1);
+  state.counters["3 five alone, no sleep, us"] = 1e6 * turns.time(2);
+  state.counters["4 all simulated, us"] = 1e6 * median(everything);
+  state.counters["with thousand / alone"] = turns.ratio(0, 1);
+  state.counters["with thousand / alone, no sleep"] = turns.ratio(0, 2);
+  state.counters["all simulated / with thousand"] = median(everything) / turns.time(0);
+}
+BENCHMARK(thousand_and_five)->ArgName("height")->Arg(1)->Arg(4)->Iterations(150)->Unit(benchmark::kMicrosecond);
+
+/// What it costs to look who could sleep, where nobody may.
+void watching_for_sleepers(benchmark::State& state) {
+  World simulated;
+  simulated.add(ground());
+  thousand(simulated, static_cast<int>(state.range(0)));
+  World watched = simulated;
+  Sleep sleepless;
+  sleepless.seconds = Real(1e9);
+  OnlyWhatIsNeeded without(simulated, FullSolver{}), with(watched, FullSolver{}, sleepless);
+  InTurn turns;
+  for (auto _ : state) {
+    turns.round({[&] { return seconds_of([&] { without.step(simulated, dt, sweeps); }); },
+                 [&] { return seconds_of([&] { with.step(watched, dt, sweeps); }); }});
+  }
+  state.counters["ns per body and step"] = 1e9 * turns.difference(1, 0) / 1000;
+  state.counters["with / without"] = turns.ratio(1, 0);
+}
+BENCHMARK(watching_for_sleepers)->ArgName("height")->Arg(1)->Arg(4)->Iterations(200)->Unit(benchmark::kMicrosecond);
+
+}  // namespace

@@ -1,0 +1,115 @@
+/// Chapter 23: a step with one thread and with two, in turn within one run; and where the second one's time goes.
+#include <benchmark/benchmark.h>
+
+#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/chapters/23_threads/crew.h"
+#include "pushback/common/world/situations.h"
+#include "pushback/tools/bench/in_turn.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real dt = Real(1) / 60;
+
+/// How long who calls has waited for others, s, and how often.
+class TimedCrew : public Crew {
+ public:
+  using Crew::Crew;
+  double waited = 0;
+  int rounds = 0;
+
+ private:
+  void wait_for_others() override {
+    waited += seconds_of([&] { Crew::wait_for_others(); });
+    ++rounds;
+  }
+};
+
+/// Parts one after the other, on one thread; and what would be saved if those of a round took place at the same time, s.
+class InTurnOnOne : public Workers {
+ public:
+  explicit InTurnOnOne(int threads)
+      : Workers(4 * static_cast<std::size_t>(threads)), until_(static_cast<std::size_t>(threads)) {}
+  double saved = 0;
+
+ private:
+  void share(std::size_t count, const std::function<void(std::size_t)>& act) override {
+    std::fill(until_.begin(), until_.end(), 0);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double time = seconds_of([&] { act(k); });
+      saved += time;
+      *std::min_element(until_.begin(), until_.end()) += time;
+    }
+    saved -= *std::max_element(until_.begin(), until_.end());
+  }
+  std::vector<double> until_;  // of each thread
+};
+
+/// Medians over the steps, of threads as many as asked for against none but the one that calls.
+void shared(benchmark::State& state, const std::function<void(World&)>& fill, int threads, int settle) {
+  const auto crew = std::make_shared<TimedCrew>(threads);
+  const auto in_turn = std::make_shared<InTurnOnOne>(threads);
+  struct {
+    World world;
+    Wide<float> solver;
+  } one, many, ideal;
+  fill(one.world);
+  one.solver.substeps = many.solver.substeps = ideal.solver.substeps = 8;
+  for (int i = 0; i < settle; ++i) one.world.step(one.solver, dt);
+  many.world = ideal.world = one.world;
+  many.solver.crew = crew;
+  ideal.solver.crew = in_turn;
+  const auto step_of = [](auto& lane) { return [&] { return seconds_of([&] { lane.world.step(lane.solver, dt); }); }; };
+  InTurn turns;
+  std::vector<double> waiting, rounds;
+  const auto timed = [&] {
+    crew->waited = 0;
+    crew->rounds = 0;
+    const double time = step_of(many)();
+    waiting.push_back(crew->waited / time);
+    rounds.push_back(crew->rounds);
+    return time;
+  };
+  const auto at_best = [&] {
+    in_turn->saved = 0;
+    const double time = step_of(ideal)();
+    return time - in_turn->saved;
+  };
+  for (auto _ : state) turns.round({step_of(one), timed, at_best});
+  state.counters["bodies"] = static_cast<double>(one.world.bodies.size());
+  state.counters["contacts"] = static_cast<double>(one.world.contacts.size());
+  state.counters["1 thread, us"] = 1e6 * turns.time(0);
+  state.counters[fmt::format("{} threads, us", threads)] = 1e6 * turns.time(1);
+  state.counters["times as fast"] = 1 / turns.ratio(1, 0);
+  state.counters["at best"] = 1 / turns.ratio(2, 0);
+  state.counters["waiting, %"] = 100 * median(waiting);
+  state.counters["barriers"] = median(rounds);
+}
+
+void pile_of(benchmark::State& state, int n, int high) {
+  shared(state, [=](World& world) { heap(world, n, high, -static_cast<Real>(n) / 2); }, 2, 240);
+}
+void pyramid_of(benchmark::State& state, int base) {
+  shared(state, [=](World& world) { pyramid(world, base); }, 2, 120);
+}
+void stack_of(benchmark::State& state, int count) {
+  shared(state, [=](World& world) { stack(world, count); }, 2, 120);
+}
+BENCHMARK_CAPTURE(stack_of, boxes, 10)->Iterations(2000)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(stack_of, boxes, 40)->Iterations(1000)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(pyramid_of, base, 10)->Iterations(1000)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(pyramid_of, base, 20)->Iterations(400)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(pile_of, 125, 5, 5)->Iterations(400)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(pile_of, 512, 8, 8)->Iterations(100)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(pile_of, 1000, 10, 10)->Iterations(60)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(pile_of, 4000, 20, 10)->Iterations(20)->Unit(benchmark::kMicrosecond);
+
+/// A round in which nobody has anything to do.
+void empty_round(benchmark::State& state) {
+  Crew crew(2);
+  for (auto _ : state) crew.each(2, 1, [](Part) {});
+}
+BENCHMARK(empty_round);
+
+}  // namespace

@@ -1,0 +1,115 @@
+/// Builds the book: node tools/book/build.js [--root FOLDER] [--out FOLDER] [--still]. Eleventy lays the pages out, writes them, and
+/// copies files. A page whose experiment is compiled for the browser can run it, unless the book is to be still.
+import fs from "node:fs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { parseArgs } from "node:util";
+import Eleventy from "@11ty/eleventy";
+import { Problems, readBook, stillOf } from "./book.js";
+import { engineOf } from "./experiments.js";
+import { courseOf, pagesOf } from "./pages.js";
+
+const home = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+const { values } = parseArgs({
+  options: { root: { type: "string", default: home }, out: { type: "string" }, still: { type: "boolean" } },
+});
+const root = path.resolve(values.root);
+const out = path.resolve(values.out ?? path.join(root, "build/book"));
+process.chdir(home); // Eleventy reads and copies relative to where it runs
+const live =
+  values.still || !fs.existsSync("build/wasm/live")
+    ? []
+    : fs.readdirSync("build/wasm/live").map((name) => path.parse(name).name);
+const here = (...names) => path.relative(".", path.join(...names));
+
+let book;
+try {
+  book = readBook(root, live);
+} catch (error) {
+  console.error(error instanceof Problems ? error.message : error);
+  process.exit(1);
+}
+for (const page of book.pages.filter(({ chapter, live: name }) => chapter && name))
+  page.description = (await engineOf(`build/wasm/live/${page.live}.js`)).description;
+const pages = pagesOf(book, root);
+fs.rmSync(out, { recursive: true, force: true });
+const eleventy = new Eleventy("tools/book", here(out), { quietMode: true, config });
+await eleventy.write();
+writeDerived();
+console.log(`${pages.filter(({ sort }) => sort !== "source").length} pages, ${book.sources.length} sources`);
+
+function config(eleventy) {
+  eleventy.setIncludesDirectory("layouts");
+  eleventy.setTemplateFormats("html"); // what is added below
+  eleventy.ignores.add("tools/book/live/**");
+  eleventy.setUseGitIgnore(false);
+  eleventy.addGlobalData("course", courseOf(pages));
+  for (const entry of pages) {
+    const { html, layout, address: permalink } = entry;
+    delete entry.html;
+    eleventy.addTemplate(`${permalink.replace(/\W/g, "_")}.html`, html, {
+      entry,
+      layout,
+      permalink,
+      templateEngineOverride: "html",
+    });
+  }
+  const copy = (from, to) => fs.existsSync(from) && eleventy.addPassthroughCopy({ [here(from)]: to });
+  for (const file of book.files) copy(path.join(root, file), file);
+  for (const name of ["style", "scripts"]) copy(`tools/book/${name}`, "assets");
+  copy("node_modules/minisearch/dist/umd/index.js", "assets/minisearch.js");
+  for (const file of [...textFonts().files, ...katexFonts().map((name) => `node_modules/katex/dist/fonts/${name}`)])
+    copy(file, `assets/fonts/${path.basename(file)}`);
+  if (!live.length) return;
+  copy("tools/book/live", "live");
+  copy("build/wasm/live", "live/wasm");
+  copy("node_modules/uplot/dist/uPlot.iife.min.js", "live/uplot/uPlot.js");
+  copy("node_modules/uplot/dist/uPlot.min.css", "live/uplot/uPlot.css");
+}
+
+/// The text faces: {style, files} of those alphabets that the pages use.
+function textFonts() {
+  const faces = ["source-serif-4", "source-sans-3", "source-code-pro"].flatMap((font) =>
+    ["wght.css", "wght-italic.css"].flatMap((style) => {
+      const folder = `node_modules/@fontsource-variable/${font}`;
+      const all = fs.readFileSync(`${folder}/${style}`, "utf8").match(/@font-face {[^}]*}/g);
+      return all
+        .filter((face) => /-(latin|greek)(-ext)?-wght/.test(face))
+        .map((face) => ({ face, file: `${folder}/${/files\/[^)]*woff2/.exec(face)[0]}` }));
+    }),
+  );
+  return {
+    style: faces.map(({ face }) => face.replace("./files/", "fonts/")).join("\n"),
+    files: faces.map(({ file }) => file),
+  };
+}
+
+function katexFonts() {
+  return fs.readdirSync("node_modules/katex/dist/fonts").filter((name) => name.endsWith(".woff2"));
+}
+
+/// What is made of other files: the style of formulas with the fonts that are there, stills of films, the words for the search.
+function writeDerived() {
+  const write = (file, text) => {
+    fs.mkdirSync(path.dirname(path.join(out, file)), { recursive: true });
+    fs.writeFileSync(path.join(out, file), text);
+  };
+  write("assets/fonts.css", textFonts().style);
+  const style = fs.readFileSync("node_modules/katex/dist/katex.min.css", "utf8");
+  write("assets/katex.css", style.replace(/,url\([^)]*\.(woff|ttf)\) format\("[^"]*"\)/g, ""));
+  for (const { kind, file } of book.pictures) {
+    if (kind === "film") write(file.replace(/\.webp$/, "_still.webp"), stillOf(fs.readFileSync(path.join(root, file))));
+  }
+  const words = book.pages.flatMap(({ title: page, address, sections }) =>
+    sections.map(({ id, title, text }) => ({
+      address: id ? `${address}#${encodeURIComponent(id)}` : address,
+      title: title || page,
+      page,
+      text: text.replace(/\s+/g, " ").trim(),
+    })),
+  );
+  write(
+    "assets/search_index.js",
+    `window.PUSHBACK_SEARCH = ${JSON.stringify(words.map((word, id) => ({ id, ...word })))};\n`,
+  );
+}

@@ -1,0 +1,276 @@
+#include "pushback/tools/classroom/grade.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/process.h"
+#include "pushback/tools/classroom/handed_in.h"
+#include "pushback/tools/classroom/result_sheet.h"
+#include "pushback/tools/classroom/student_files.h"
+
+namespace pushback {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string dumped(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json graded(const Grading& grading, const Exercise& exercise, const std::string& student, const HandedIn& handed_in,
+            std::uint64_t seed, const Sandbox* sandbox) {
+  const std::optional<fs::path> file = handed_in.file(exercise);
+  const fs::path sheet = grading.out / "sheets" / student / (exercise.name + ".png");
+  fs::remove(sheet);
+  Verdict verdict;
+  std::string printed;
+  if (!handed_in.problem().empty()) {
+    verdict.mistake = "archive";
+    verdict.sentence = fmt::format("the archive is not taken: {}.", handed_in.problem());
+    verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
+  } else if (!file) {
+    verdict.mistake = "not handed in";
+    verdict.sentence = fmt::format("there is no file {}.h, of less than 1 MB, that is no link.", exercise.name);
+    verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
+  } else if (untouched(read_text_file(*file), read_text_file(stub_of(exercise)))) {
+    verdict.mistake = "nothing written";
+    verdict.sentence = "the gap is as it was.";
+    verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
+  } else {
+    const Attempt outcome = attempt(exercise, *file, seed, sandbox, grading.limits);
+    verdict = judge(exercise, seed, outcome);
+    printed = outcome.printed.substr(0, 1000);
+    if (grading.sheets) {
+      fs::create_directories(sheet.parent_path());
+      write_result_sheet(sheet, exercise, seed, outcome, verdict);
+    }
+  }
+  Json made{{"exercise", short_name(exercise)},
+            {"points", 0},
+            {"of", 0},
+            {"mistake", verdict.mistake},
+            {"verdict", verdict.sentence},
+            {"printed", printed},
+            {"checks", Json::array()}};
+  int points = 0, of = 0;
+  for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+    const bool passed = verdict.checks[i] == Passed::yes;
+    const int worth = grading.points.of(exercise, i);
+    of += worth;
+    if (passed) points += worth;
+    made["checks"].push_back({{"check", exercise.checks[i].says},
+                              {"passed", passed},
+                              {"reached", verdict.checks[i] != Passed::not_reached},
+                              {"of", worth}});
+  }
+  made["points"] = points;
+  made["of"] = of;
+  return made;
+}
+
+/// What a student's result follows from.
+std::string fingerprint(const Grading& grading, const HandedIn& handed_in, std::uint64_t seed) {
+  std::string all = fmt::format("{} {} {} {} {}", seed, grading.sandboxed, grading.sheets, grading.limits.seconds,
+                                grading.limits.megabytes);
+  all += handed_in.problem();
+  for (const Exercise* exercise : grading.exercises) {
+    all += short_name(*exercise);
+    for (std::size_t i = 0; i < exercise->checks.size(); ++i)
+      all += fmt::format(" {}", grading.points.of(*exercise, i));
+    const std::optional<fs::path> file = handed_in.file(*exercise);
+    all += file ? read_text_file(*file) : "none";
+  }
+  return fmt::format("{:016x}", hash_of(all));
+}
+
+std::optional<Json> read_result(const fs::path& file) {
+  if (!fs::exists(file)) return std::nullopt;
+  Json result = Json::parse(read_text_file(file), nullptr, false);
+  if (result.is_discarded() || !result.contains("fingerprint")) return std::nullopt;
+  return result;
+}
+
+std::string xml(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+std::string junit(const Json& results) {
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  for (const Json& student : results) {
+    const std::string name = student["student"];
+    int tests = 0, failures = 0;
+    std::string cases;
+    for (const Json& exercise : student["exercises"]) {
+      bool explained = false;
+      for (const Json& check : exercise["checks"]) {
+        ++tests;
+        cases += fmt::format("    <testcase classname=\"{}\" name=\"{}: {}\"", xml(name), xml(exercise["exercise"]),
+                             xml(check["check"]));
+        if (check["passed"]) {
+          cases += "/>\n";
+          continue;
+        }
+        ++failures;
+        cases += fmt::format("><failure message=\"{}\"/></testcase>\n", explained ? "" : xml(exercise["verdict"]));
+        explained = true;
+      }
+    }
+    text += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n{}  </testsuite>\n", xml(name), tests,
+                        failures, cases);
+  }
+  return text + "</testsuites>\n";
+}
+
+void print_table(const Json& results) {
+  std::size_t wide = 7;
+  for (const Json& student : results) wide = std::max(wide, student["student"].get<std::string>().size());
+  for (const Json& student : results) {
+    int points = 0, of = 0;
+    std::string each;
+    for (const Json& exercise : student["exercises"]) {
+      points += exercise["points"].get<int>();
+      of += exercise["of"].get<int>();
+      const std::string mistake = exercise["mistake"];
+      each += fmt::format("  {} {}/{}{}", exercise["exercise"].get<std::string>(), exercise["points"].get<int>(),
+                          exercise["of"].get<int>(), mistake.empty() ? "" : " (" + mistake + ")");
+    }
+    fmt::print("{:<{}}  {:>3} of {}{}\n", student["student"].get<std::string>(), wide, points, of, each);
+  }
+}
+
+std::uint64_t kept_seed(const Grading& grading) {
+  const fs::path file = grading.out / "seed";
+  if (grading.seed != 0) return grading.seed;
+  if (!fs::exists(file)) {
+    std::random_device random;
+    write_text_file(file, fmt::format("{}\n", (std::uint64_t{random()} << 32) | random()));
+  }
+  return std::stoull(read_text_file(file));
+}
+
+}  // namespace
+
+std::string points_text(const std::vector<const Exercise*>& exercises) {
+  std::string text = "# Points of each check: exercise, number of the check, points. What follows # is for you.\n";
+  for (const Exercise* exercise : exercises)
+    for (std::size_t i = 0; i < exercise->checks.size(); ++i)
+      text += fmt::format("{} {} {}  # {}\n", short_name(*exercise), i + 1, exercise->checks[i].points,
+                          exercise->checks[i].says);
+  return text;
+}
+
+Points::Points(const std::vector<Exercise>& all, const fs::path& file) {
+  int number = 0;
+  for (const std::string& line : lines_of(read_text_file(file))) {
+    ++number;
+    const std::string text = line.substr(0, line.find('#'));
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    std::istringstream in(text);
+    std::string word, rest;
+    std::size_t check = 0;
+    int points = 0;
+    const bool read = static_cast<bool>(in >> word >> check >> points) && !(in >> rest);
+    const Exercise* exercise = read ? &exercise_named(all, word) : nullptr;
+    if (!read || check < 1 || check > exercise->checks.size() || points < 0)
+      throw InvalidInput(fmt::format(
+          "{}, line {}: '{}': an exercise, the number of one of its checks, and points, 0 or more, are needed",
+          file.string(), number, line));
+    set_[{exercise->name, check - 1}] = points;
+  }
+}
+
+int Points::of(const Exercise& exercise, std::size_t check) const {
+  const auto found = set_.find({exercise.name, check});
+  return found == set_.end() ? exercise.checks[check].points : found->second;
+}
+
+void grade(const Grading& grading) {
+  std::map<std::string, fs::path> students;  // by name
+  for (const fs::path& given : grading.given) {
+    const std::string name = students_name(given);
+    if (!students.emplace(name, given).second)
+      throw InvalidInput(fmt::format("two students are named '{}': a name for each student is needed", name));
+  }
+  std::optional<Sandbox> sandbox;
+  if (grading.sandboxed) sandbox.emplace();
+  make_writable_folder(grading.out / "students");
+  const std::uint64_t seed = kept_seed(grading);
+
+  std::vector<std::pair<std::string, fs::path>> mine;
+  std::size_t number = 0;
+  for (const auto& student : students)
+    if (grading.shard.has(number++)) mine.push_back(student);
+  std::atomic<std::size_t> next = 0;
+  std::mutex talking;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < mine.size(); i = next++) {
+        const auto& [name, given] = mine[i];
+        const HandedIn handed_in(given, grading.exercises, sandbox ? &*sandbox : nullptr);
+        const fs::path file = grading.out / "students" / (name + ".json");
+        const std::string follows_from = fingerprint(grading, handed_in, seed);
+        const std::optional<Json> before = read_result(file);
+        if (before && (*before)["fingerprint"] == follows_from) continue;
+        Json result{{"student", name}, {"fingerprint", follows_from}, {"exercises", Json::array()}};
+        for (const Exercise* exercise : grading.exercises)
+          result["exercises"].push_back(
+              graded(grading, *exercise, name, handed_in, seed ^ hash_of(name), sandbox ? &*sandbox : nullptr));
+        write_text_file(file, dumped(result));
+        const std::lock_guard guard(talking);
+        fmt::print(stderr, "graded: {}\n", name);
+      }
+    } catch (...) {
+      const std::lock_guard guard(talking);
+      failure = std::current_exception();
+      next = mine.size();
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 0; i < grading.jobs; ++i) threads.emplace_back(work);
+  for (std::thread& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+
+  Json results = Json::array();
+  for (const auto& [name, given] : students) {
+    const std::optional<Json> result = read_result(grading.out / "students" / (name + ".json"));
+    if (result) results.push_back(*result);
+  }
+  write_text_file(grading.out / "results.json", dumped(results));
+  write_text_file(grading.out / "results.xml", junit(Json::parse(dumped(results))));
+  print_table(results);
+  if (results.size() < students.size()) fmt::print("{} of {} students are graded\n", results.size(), students.size());
+}
+
+}  // namespace pushback

@@ -1,0 +1,58 @@
+# What a student's file is compiled and linked with is prebuilt, in a folder of its own: headers parsed once, and libraries;
+# `exercise` reads the command lines there.
+set(kit ${PROJECT_BINARY_DIR}/exercise)
+get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+list(TRANSFORM eigen_folders PREPEND -isystem)
+set(answer_flags -std=c++20 -O1 -ffp-contract=off -I${headers} ${eigen_folders} $<$<STREQUAL:${PUSHBACK_REAL},float>:-DPUSHBACK_FLOAT>
+    $<$<BOOL:${PUSHBACK_SANITIZE}>:-fsanitize=address,undefined>)
+set(parsed ${kit}/headers.h.gch)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  set(parsed ${kit}/headers.h.pch)
+endif()
+file(GENERATE OUTPUT ${kit}/headers.h CONTENT "#include \"pushback/chapters/01_velocity_constraint/any_effect.h\"
+#include \"pushback/common/exercise/answer_program.h\"
+")
+file(GENERATE OUTPUT ${kit}/answer.cpp CONTENT "#include \"pushback/common/exercise/answer_program.h\"
+pushback::Numbers pushback::students_numbers(std::size_t check, Random& random) { return play(check, random, student::answer); }
+")
+function(write_kit folder flags)  # write_kit(FOLDER FLAGS LIBRARY...): the command lines, a word a line
+  list(JOIN ARGN "\n" libraries)
+  file(GENERATE OUTPUT ${folder}/compile.txt CONTENT "${CMAKE_CXX_COMPILER}\n$<JOIN:$<FILTER:${flags},EXCLUDE,^$>,\n>\n")
+  file(GENERATE OUTPUT ${folder}/link.txt CONTENT "${CMAKE_CXX_COMPILER}
+$<$<BOOL:${PUSHBACK_SANITIZE}>:-fsanitize=address,undefined\n>-Wl,--gc-sections
+${libraries}
+$<TARGET_LINKER_FILE:fmt::fmt>
+")
+endfunction()
+# What the checks include, and what that includes. A chapter includes earlier ones alone, so the last comes first: a linker reads
+# each library once.
+know_sources(common chapters)
+list(TRANSFORM checks PREPEND tools/classroom/ OUTPUT_VARIABLE files)
+included_libraries(needed exercises ${files})
+set(answer_libraries answer_program exercises)
+get_property(libraries GLOBAL PROPERTY chapter_libraries)
+list(REVERSE libraries)
+foreach(library IN LISTS libraries)
+  if(library IN_LIST needed)
+    list(APPEND answer_libraries ${library})
+    sources_of(files ${library})
+    included_libraries(more ${library} ${files})
+    list(APPEND needed ${more})
+  endif()
+endforeach()
+list(APPEND answer_libraries pushback_simulation)
+list(TRANSFORM answer_libraries REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE built)
+write_kit(${kit} "${answer_flags}" ${built})
+add_custom_command(OUTPUT ${kit}/headers.parsed
+  COMMAND ${CMAKE_CXX_COMPILER} ${answer_flags} -x c++-header ${kit}/headers.h -o ${parsed} -MD -MT ${kit}/headers.parsed -MF ${kit}/headers.d
+  COMMAND ${CMAKE_COMMAND} -E touch ${kit}/headers.parsed
+  DEPENDS ${kit}/headers.h DEPFILE ${kit}/headers.d VERBATIM COMMAND_EXPAND_LISTS)
+add_custom_target(exercise_headers DEPENDS ${kit}/headers.parsed)
+
+# The same where Pushback is installed, for a folder of a student's own: `exercise` reads the folder it finds itself in for @PREFIX@.
+string(REPLACE -I${headers} -I@PREFIX@/include flags "${answer_flags}")
+list(TRANSFORM answer_libraries REPLACE "(.+)" "@PREFIX@/${CMAKE_INSTALL_LIBDIR}/$<TARGET_FILE_NAME:\\1>" OUTPUT_VARIABLE installed)
+write_kit(${PROJECT_BINARY_DIR}/package/exercise "${flags}" ${installed})
+install(TARGETS answer_program exercises)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/package/exercise DESTINATION share/pushback)
+install(FILES ${kit}/headers.h ${kit}/answer.cpp DESTINATION share/pushback/exercise)

@@ -1,0 +1,130 @@
+#include "pushback/tools/classroom/student_files.h"
+
+#include <fmt/ranges.h>
+
+#include <regex>
+#include <sstream>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/process.h"
+#include "pushback/tools/classroom/kit.h"
+
+namespace pushback {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view transfer = "_transfer";
+
+/// Without comments, and without spaces.
+std::string code_of(const std::string& text) {
+  static const std::regex not_code("//[^\n]*|/\\*[^]*?\\*/|\\s+");
+  return std::regex_replace(text, not_code, "");
+}
+
+}  // namespace
+
+std::uint64_t hash_of(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return hash;
+}
+
+std::string short_name(const Exercise& exercise) {
+  if (exercise.own()) return exercise.name;
+  return exercise.name.substr(0, 2) + (exercise.transfer() ? "-transfer" : "");
+}
+
+const Exercise& exercise_named(const std::vector<Exercise>& all, const std::string& word) {
+  std::string asked = fs::path(word).stem().string();
+  for (char& c : asked)
+    if (c == '-') c = '_';
+  for (const Exercise& exercise : all)
+    if (exercise.own() && asked == exercise.name) return exercise;
+  const bool for_transfer = asked.ends_with(transfer);
+  if (for_transfer) asked.resize(asked.size() - transfer.size());
+  if (asked.size() == 1) asked = "0" + asked;
+  for (const Exercise& exercise : all) {
+    const std::string chapter =
+        exercise.transfer() ? exercise.name.substr(0, exercise.name.size() - transfer.size()) : exercise.name;
+    if (!exercise.own() && exercise.transfer() == for_transfer &&
+        (asked == chapter || asked == chapter.substr(0, 2) || asked == chapter.substr(3)))
+      return exercise;
+  }
+  std::vector<std::string> names;
+  for (const Exercise& exercise : all) names.push_back(short_name(exercise));
+  throw InvalidInput(fmt::format("unknown exercise '{}': one of these is needed: {}", word, fmt::join(names, ", ")));
+}
+
+fs::path task_of(const Exercise& exercise) {
+  return fs::proximate(kit().sources / exercise.folder / "task.md");
+}
+fs::path stub_of(const Exercise& exercise) {
+  return kit().sources / exercise.folder / "student.h";
+}
+
+std::size_t line_of_todo(const std::string& text) {
+  return 1 +
+         static_cast<std::size_t>(std::count(
+             text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(text.find("TODO"), text.size())), '\n'));
+}
+
+bool untouched(const std::string& text, const std::string& stub) {
+  return code_of(text) == code_of(stub);
+}
+
+StudentFiles::StudentFiles(const fs::path& folder)
+    : folder_(fs::proximate(!folder.empty()        ? folder
+                            : kit().prefix.empty() ? kit().sources / "exercises"
+                                                   : fs::current_path())) {
+  if (!fs::exists(folder_ / ".remembered")) return;
+  std::istringstream lines(read_text_file(folder_ / ".remembered"));
+  std::string name;
+  for (Remembered remembered; lines >> name >> remembered.solved >> remembered.hints;) remembered_[name] = remembered;
+}
+
+fs::path StudentFiles::task(const Exercise& exercise) const {
+  const fs::path beside = folder_ / (exercise.name + ".md");
+  return fs::exists(beside) ? beside : task_of(exercise);
+}
+
+void StudentFiles::reset(const Exercise& exercise) {
+  fs::create_directories(folder_);
+  const fs::path own = file(exercise);
+  if (fs::exists(own)) {
+    fs::path old = own;
+    fs::rename(own, old += ".old");
+  }
+  write_text_file(own, read_text_file(stub_of(exercise)));
+  remembered_.erase(exercise.name);
+  write();
+}
+
+bool StudentFiles::solved(const Exercise& exercise) const {
+  const auto found = remembered_.find(exercise.name);
+  return found != remembered_.end() && begun(exercise) &&
+         found->second.solved == hash_of(code_of(read_text_file(file(exercise))));
+}
+void StudentFiles::set_solved(const Exercise& exercise) {
+  remembered_[exercise.name].solved = hash_of(code_of(read_text_file(file(exercise))));
+  write();
+}
+std::size_t StudentFiles::hints(const Exercise& exercise) const {
+  const auto found = remembered_.find(exercise.name);
+  return found == remembered_.end() ? 0 : found->second.hints;
+}
+void StudentFiles::set_hints(const Exercise& exercise, std::size_t count) {
+  remembered_[exercise.name].hints = count;
+  write();
+}
+
+void StudentFiles::write() const {
+  std::string text;
+  for (const auto& [name, remembered] : remembered_)
+    text += fmt::format("{} {} {}\n", name, remembered.solved, remembered.hints);
+  write_text_file(folder_ / ".remembered", text);
+}
+
+}  // namespace pushback

@@ -1,0 +1,19 @@
+/// The hard cases, in groups.
+#pragma once
+
+#include "pushback/tools/hard_cases/hard_case.h"
+
+namespace pushback {
+
+std::vector<HardCase> stack_cases();        ///< one on the other: stacks, a pyramid, heavy on light
+std::vector<HardCase> pile_cases();         ///< card house, Jenga, wall, tower of planks
+std::vector<HardCase> stone_cases();        ///< hulls: an arch, a heap of rubble
+std::vector<HardCase> friction_cases();     ///< what must stick, and how far it slides
+std::vector<HardCase> bounce_cases();       ///< how high, how fast, how elastic
+std::vector<HardCase> impact_cases();       ///< dominoes, bodies born in each other, hits at 500 m/s
+std::vector<HardCase> no_solution_cases();  ///< what forces alone cannot solve: Painleve's rod, a body squeezed
+std::vector<HardCase> scale_cases();        ///< far, thin, tiny, spinning
+std::vector<HardCase> joint_cases();        ///< chains and a bridge with heavy loads
+std::vector<HardCase> step_cases();         ///< other time steps, contacts given twice, bodies in another order
+
+}  // namespace pushback

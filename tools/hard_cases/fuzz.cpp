@@ -1,0 +1,180 @@
+#include "pushback/tools/hard_cases/fuzz.h"
+
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/11_substeps/substeps.h"
+#include "pushback/chapters/12_soft_contacts/soft_contacts.h"
+#include "pushback/chapters/22_wide/recommended.h"
+#include "pushback/common/basics/named.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/tools/hard_cases/watcher.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr int steps = 60;
+
+using BookedFullSolver =
+    BookedSolver<Solver, Clamping, Baumgarte, Slop, Restitution, Booked<Friction>, WarmStart, Bookkeeper>;
+using BookedSoftSolver =
+    BookedSolver<RelaxingSolver, Clamping, SoftContacts, Restitution, Booked<Friction>, WarmStart, RelaxingBookkeeper>;
+using BookedAllTogether = BookedSolver<RelaxingSolver, Clamping, SoftContacts, BookedImpacts, Booked<FrictionCone>,
+                                       BookedScaledWarmStart, RelaxingBookkeeper>;
+
+void print_scene(const RandomScene& scene) {
+  const Vec3& g = scene.world.gravity;
+  fmt::print("dt {:.9g} s, gravity ({:.6g}, {:.6g}, {:.6g}) m/s^2{}\n", scene.dt, g.x(), g.y(), g.z(),
+             scene.isolated ? ", isolated" : "");
+  struct Name {
+    std::string operator()(const Sphere& s) const { return fmt::format("sphere {:.6g}", s.radius); }
+    std::string operator()(const Box& b) const {
+      return fmt::format("box {:.6g} x {:.6g} x {:.6g}", b.half_extents.x(), b.half_extents.y(), b.half_extents.z());
+    }
+    std::string operator()(const Capsule& c) const {
+      return fmt::format("capsule {:.6g}, {:.6g}", c.radius, c.half_length);
+    }
+    std::string operator()(const HalfSpace&) const { return "half-space"; }
+    std::string operator()(const Hull& h) const { return fmt::format("hull of {} corners", h.solid->corners.size()); }
+  };
+  for (const Body& body : scene.world.bodies) {
+    fmt::print("  {:>2} {:<44} 1/m {:<10.4g} mu {:<7.3g} e {:<6.3g} |v| {:<8.3g} |w| {:.3g}\n", body.index,
+               std::visit(Name{}, body.shape), body.inverse_mass, body.friction, body.restitution, body.velocity.norm(),
+               body.angular_velocity.norm());
+  }
+}
+
+/// A stage's solver, and how it is stepped.
+template <class ContactSolver>
+class Watched {
+ public:
+  Watched(const RandomScene& scene, int count, int sweeps, bool log)
+      : scene_(scene), world_(scene_.world), count_(count), sweeps_(sweeps), log_(log), solver_(ledger_) {
+    constexpr Real any = std::numeric_limits<Real>::infinity();  // energy is the ledger's; overlaps are what they are
+    allowance_ = {.energy = any, .overlap = any, .isolated = scene_.isolated};
+  }
+
+  Finding run() {
+    if (log_) print_scene(scene_);
+    Watcher watcher(world_, allowance_);
+    Finding finding;
+    for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
+      for (int i = 0; i < count_ && finding.broken.empty(); ++i) {
+        const Real dt = scene_.dt / static_cast<Real>(count_);
+        finding.broken = substep(dt, watcher);
+        watcher.look(world_, dt);
+        if (finding.broken.empty()) finding.broken = watcher.broken();
+      }
+      finding.step = step;
+      if (log_) {
+        fmt::print("{:>3}  T {:<13.6g} |p| {:<13.6g} |L| {:<13.6g} {:>3} contacts, {:.4g} m deep  {}\n", step,
+                   kinetic_energy(world_), momentum(world_).norm(), angular_momentum(world_).norm(),
+                   world_.contacts.size(), deepest_overlap(world_), finding.broken);
+      }
+    }
+    finding.hash = hash_of(world_);
+    finding.account = ledger_.account;
+    return finding;
+  }
+
+ private:
+  /// World::step, taken apart.
+  std::string substep(Real dt, Watcher& watcher) {
+    world_.begin_step(dt);
+    solver_.solve(world_, dt, sweeps_);
+    watcher.feel(world_);
+    const std::vector<Body> before = world_.bodies;
+    world_.move(dt);
+    std::string broken = flown(before);
+    solver_.after_move(world_, dt);
+    return broken.empty() ? ledger_.account.broken : broken;
+  }
+  /// What flies and turns freely keeps its kinetic energy, each body by itself.
+  std::string flown(const std::vector<Body>& before) const {
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const Body& body = world_.bodies[i];
+      if (!body.movable()) continue;
+      const Real old_energy = before[i].angular_velocity.dot(spin_momentum(before[i])) / 2;
+      const Real energy = body.angular_velocity.dot(spin_momentum(body)) / 2;
+      const Vec3& inverse = body.principal_inverse_inertia;
+      const Real uneven = inverse.minCoeff() > 0 ? inverse.maxCoeff() / inverse.minCoeff() : 1;
+      const Real rounding = std::numeric_limits<Real>::epsilon() * (2e4 + 100 * uneven);
+      if (!(std::abs(energy - old_energy) <= rounding * old_energy)) {
+        return fmt::format("body {} had {:.9g} J of spin and has {:.9g} J after turning freely", i, old_energy, energy);
+      }
+    }
+    return {};
+  }
+
+  RandomScene scene_;
+  World& world_;
+  int count_, sweeps_;
+  bool log_;
+  Allowance allowance_;
+  Ledger ledger_;
+  ContactSolver solver_;
+};
+
+template <class ContactSolver, int substeps, int sweeps>
+Finding watched(const RandomScene& scene, bool log) {
+  return Watched<ContactSolver>(scene, substeps, sweeps, log).run();
+}
+
+/// A solver that divides its steps itself: what is watched is the world after each.
+template <class Full>
+struct Felt : Full {
+  Watcher* watcher = nullptr;
+  void solve(World& world, Real h, int sweeps) {
+    Full::solve(world, h, sweeps);
+    feel(world);
+  }
+  void after_move(World& world, Real h) {
+    Full::after_move(world, h);
+    feel(world);
+  }
+
+ private:
+  void feel(World& world) {
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) Full::tell(world.contacts[i], i);
+    watcher->feel(world);
+  }
+};
+template <class ContactSolver>
+Finding watched_whole(const RandomScene& scene, bool log) {
+  if (log) print_scene(scene);
+  World world = scene.world;
+  constexpr Real any = std::numeric_limits<Real>::infinity();
+  Watcher watcher(world, {.energy = any, .overlap = any, .isolated = scene.isolated});
+  Felt<ContactSolver> solver;
+  solver.watcher = &watcher;
+  Finding finding;
+  for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
+    world.step(solver, scene.dt);
+    watcher.look(world, scene.dt, solver.substeps);
+    finding.broken = watcher.broken();
+    finding.step = step;
+  }
+  finding.hash = hash_of(world);
+  return finding;
+}
+
+struct FuzzedStage {
+  const char* name;
+  Finding (*watched)(const RandomScene& scene, bool log);
+};
+constexpr FuzzedStage stages_with_books[] = {{"07 warm start", watched<BookedFullSolver, 1, 10>},
+                                             {"11 substeps", watched<BookedFullSolver, 32, 1>},
+                                             {"12 soft contacts", watched<BookedSoftSolver, 32, 1>},
+                                             {"22 wide", watched_whole<Recommended>},
+                                             {"all together", watched<BookedAllTogether, 32, 1>}};
+
+}  // namespace
+
+std::vector<std::string> fuzzed_stages() {
+  return names_of(stages_with_books);
+}
+
+Finding fuzz(const RandomScene& scene, const std::string& stage, bool log) {
+  return named("stage", stages_with_books, stage).watched(scene, log);
+}
+
+}  // namespace pushback

@@ -1,0 +1,174 @@
+/// ./course hard-cases: every case under every stage, as files and as a picture; or these again from table.csv.
+#include <unistd.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/named.h"
+#include "pushback/common/basics/shard.h"
+#include "pushback/common/experiment/kept_picture.h"
+#include "pushback/common/experiment/program.h"
+#include "pushback/tools/hard_cases/table.h"
+#include "pushback/tools/hard_cases/table_picture.h"
+
+using namespace pushback;
+
+namespace {
+
+// ---- what is asked for -------------------------------------------------------------------------------------------------
+
+/// Those that the words ask for, in their own order: by the whole name, or else by a part of it. All, without words.
+template <class Named>
+std::vector<Named> chosen(const std::string& kind, const std::vector<Named>& all,
+                          const std::vector<std::string>& words) {
+  std::vector<bool> wanted(all.size(), words.empty());
+  for (const std::string& word : words) {
+    const auto mark = [&](auto&& fits) {
+      bool any = false;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        if (fits(all[i].name)) wanted[i] = any = true;
+      }
+      return any;
+    };
+    if (mark([&](const std::string& name) { return name == word; })) continue;
+    if (!word.empty() && mark([&](const std::string& name) { return name.find(word) != std::string::npos; })) continue;
+    named(kind, all, word);  // refuses it
+  }
+  std::vector<Named> list;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (wanted[i]) list.push_back(all[i]);
+  }
+  return list;
+}
+
+// ---- doing it ----------------------------------------------------------------------------------------------------------
+
+/// Marks, and the last stage's worst number; with `all`, every number of every stage.
+void print_row(const Table& table, std::size_t row, bool all) {
+  const HardCase& hard_case = table.cases[row];
+  std::string marks;
+  for (std::size_t column = 0; column < table.stages.size(); ++column) marks += table.passed(row, column) ? "✓" : "✗";
+  const std::size_t last = table.stages.size() - 1;
+  const auto rescued = rescuer(table, row);
+  fmt::print("{:<24}{}  {}: {}, {:.3f} ms a step{}\n", hard_case.name, marks, table.stages[last].name,
+             worst_number(table, row, last), table.at(row, last).ms_per_step,
+             rescued ? fmt::format("; rescued by {}", table.stages[*rescued].name) : "");
+  for (std::size_t column = 0; all && column < table.stages.size(); ++column) {
+    const Outcome& outcome = table.at(row, column);
+    fmt::print("  {} {:<28}", table.passed(row, column) ? "✓" : "✗", table.stages[column].name);
+    for (std::size_t i = 0; i < outcome.numbers.size(); ++i) {
+      const Criterion& c = hard_case.criteria[i];
+      fmt::print("{} {} (≤ {:g}{}{}); ", c.what, in_short(outcome.largest[i], c.limit, c.unit), c.limit,
+                 c.unit.empty() ? "" : " ", c.unit);
+    }
+    const std::string starts = passed_of_starts(outcome);
+    fmt::print("{}{}{:.3f} ms{}{}\n", starts, starts.empty() ? "" : "; ", outcome.ms_per_step,
+               outcome.broken.empty() ? "" : "; ", outcome.broken);
+  }
+}
+
+/// What is made of table.csv.
+void show(const Table& table, const std::filesystem::path& folder, bool images) {
+  write_text_file(folder / "table.md", table_md(table, folder));
+  if (images) keep_picture(folder / "overview.png", draw_overview(table));
+  fmt::print("\n{}\n", (folder / (images ? "overview.png" : "table.md")).string());
+}
+
+/// The parts, put together: the same files as if all had been played here.
+void join(std::size_t parts, const std::filesystem::path& folder, bool images) {
+  std::vector<std::string> tables, times;
+  for (std::size_t i = 1; i <= parts; ++i) {
+    const std::filesystem::path part = folder / Shard{i, parts}.folder();
+    tables.push_back(read_text_file(part / "table.csv"));
+    times.push_back(read_text_file(part / "times.csv"));
+  }
+  const Table table = read_table_csv(joined(tables));
+  write_text_file(folder / "table.csv", table_csv(table));
+  write_text_file(folder / "times.csv", joined(times));
+  show(table, folder, images);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> names, stage_names;
+  std::string out = "renders", shard_text = "1/1";
+  std::size_t parts = 0;
+  int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int starts = many_starts;
+  bool quick = false, only_needed = false, no_images = false, list = false, redraw = false;
+  CommandLine line("Every hard case under every stage of the solver: which feature keeps which case stable?",
+                   "hard_cases_table");
+  line.option("NAME", names, "Only these cases, by their names or a part of them");
+  line.option("--stages", stage_names, "Only these stages, by their names or a part of them, separated by commas")
+      .split_at_commas();
+  line.flag("--quick", quick, "Only the chapters' stages, without the stages that came after");
+  line.flag("--only-what-is-needed", only_needed,
+            "Through the dispatch of chapter 20: each world by what it calls for. The same numbers, in the folder "
+            "hard_cases/only_what_is_needed");
+  line.option("--out", out,
+              "Folder in which the folder hard_cases is made; what is not the whole table goes to hard_cases/part")
+      .shows_default();
+  line.option("--jobs", jobs, "So many threads; the results do not depend on it").shows_default();
+  line.option("--starts", starts,
+              "At most so many starts of the cases at a knife's edge; with fewer than 30 not the whole table")
+      .shows_default();
+  line.option("--shard", shard_text, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
+  line.option("--join", parts,
+              "5: nothing is played; the whole of the five parts that were played with the same options")
+      .between(2, 1000);
+  line.flag("--no-images", no_images, "Only table.csv, table.md and times.csv");
+  line.flag("--redraw", redraw, "Nothing is played: table.md and overview.png of what is in hard_cases/table.csv");
+  line.flag("--list", list, "List the cases and the stages, and do nothing");
+  return line.run(argc, argv, [&] {
+    if (jobs < 1 || jobs > 256)
+      throw InvalidInput(fmt::format("--jobs is {}: a whole number from 1 to 256 is needed", jobs));
+    if (starts < 1 || starts > many_starts)
+      throw InvalidInput(fmt::format("--starts is {}: a whole number from 1 to {} is needed", starts, many_starts));
+    if (redraw) {
+      const std::filesystem::path folder = std::filesystem::path(out) / "hard_cases";
+      show(read_table_csv(read_text_file(folder / "table.csv")), folder, !no_images);
+      return;
+    }
+    std::vector<HardCase> cases = chosen("case", hard_cases(), names);
+    for (HardCase& c : cases) c.starts = std::min(c.starts, starts);
+    std::vector<Stage> all = table_stages();
+    if (quick) all.erase(all.begin() + chapter_stages, all.end());
+    std::vector<Stage> columns = chosen("stage", all, stage_names);
+    if (only_needed) std::transform(columns.begin(), columns.end(), columns.begin(), only_what_is_needed);
+    if (list) {
+      for (const HardCase& c : cases) fmt::print("{:<24}{}: {}\n", c.name, c.title, c.stresses);
+      fmt::print("\n");
+      for (const Stage& stage : columns) fmt::print("{:<24}{}\n", stage.name, stage.what);
+      return;
+    }
+    const bool whole =
+        cases.size() == hard_cases().size() && columns.size() == table_stages().size() && starts == many_starts;
+    std::filesystem::path folder = std::filesystem::path(out) / "hard_cases" /
+                                   (only_needed ? "only_what_is_needed"
+                                    : whole     ? ""
+                                                : "part");
+    if (parts > 0) return join(parts, folder, !no_images);
+    const Shard shard = shard_of(shard_text);
+    if (shard.of > cases.size())
+      throw InvalidInput(
+          fmt::format("--shard is '{}': there are {} cases, and each part needs one", shard_text, cases.size()));
+    if (!shard.whole()) folder /= shard.folder();
+    make_writable_folder(folder);
+    std::size_t index = 0;
+    std::erase_if(cases, [&](const HardCase&) { return !shard.has(index++); });
+    std::size_t printed = 0;
+    const bool terminal = isatty(fileno(stdout)) == 1;
+    const auto progress = [&](const Table& so_far, std::size_t rows, std::size_t done) {
+      if (terminal) fmt::print("\r\033[K");
+      for (; printed < rows; ++printed) print_row(so_far, printed, !whole);
+      if (terminal && done < so_far.outcomes.size()) fmt::print("{} of {}", done, so_far.outcomes.size());
+      std::fflush(stdout);
+    };
+    const Table table = play(std::move(cases), std::move(columns), jobs, progress);
+    write_text_file(folder / "table.csv", table_csv(table));
+    write_text_file(folder / "times.csv", times_csv(table));
+    if (shard.whole()) show(table, folder, !no_images);
+  });
+}

@@ -1,0 +1,41 @@
+/// The solvers that are tried on the hard cases: one a chapter, and what came after.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "pushback/tools/catalogue/solvers.h"
+
+namespace pushback {
+
+/// Moves a world on by dt. Holds a solver with its memory: one for each world.
+using Stepper = std::function<void(World&, Real dt)>;
+
+struct Stage : NamedSolver {
+  /// Through the dispatch of chapter 20: with what the world calls for when the stepper first sees it.
+  bool only_needed = false;
+  /// From so many starts at most is a case played: what takes long is played once.
+  int most_starts = std::numeric_limits<int>::max();
+
+  Stepper begin() const;
+  Stepper begin_doubled() const;  ///< the same, with every contact given to the solver twice
+  int cut() const;                ///< into how many steps it cuts one: a solver may divide each of them by itself
+};
+
+/// All of the catalogue's solvers.
+const std::vector<Stage>& stages();
+/// How many of them, the first ones, are chapters.
+inline constexpr std::size_t chapter_stages = 8;
+
+/// The columns of the table: all stages, and all contacts solved directly in each step, within a count of multiplications.
+const std::vector<Stage>& table_stages();
+
+/// The stage that begins through that dispatch wherever this one does not. Bits are to be the same.
+Stage only_what_is_needed(Stage stage);
+
+/// Of the table's. Throws InvalidInput, naming those that there are.
+const Stage& stage_named(const std::string& name);
+
+}  // namespace pushback

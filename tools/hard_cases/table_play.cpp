@@ -1,0 +1,55 @@
+/// Playing all of the table's pairs, on several threads.
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "pushback/tools/hard_cases/table.h"
+
+namespace pushback {
+
+namespace {
+
+/// Calls work(i) for each i below count, on so many threads; the first exception comes out.
+void in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr problem;
+  std::mutex mutex;
+  const auto take = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!problem) problem = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  std::vector<std::thread> pool;
+  for (int i = 1; i < threads; ++i) pool.emplace_back(take);
+  take();
+  for (std::thread& thread : pool) thread.join();
+  if (problem) std::rethrow_exception(problem);
+}
+
+}  // namespace
+
+Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress) {
+  Table table = empty_table(std::move(cases), std::move(stages));
+  const std::size_t columns = table.stages.size(), pairs = table.cases.size() * columns;
+  std::vector<std::size_t> left(table.cases.size(), columns);
+  std::size_t rows = 0, done = 0;
+  std::mutex mutex;
+  in_parallel(pairs, threads, [&](std::size_t i) {
+    Outcome outcome = outcome_of(table.cases[i / columns], table.stages[i % columns]);
+    const std::lock_guard lock(mutex);
+    table.outcomes[i] = std::move(outcome);
+    --left[i / columns];
+    while (rows < left.size() && left[rows] == 0) ++rows;
+    progress(table, rows, ++done);
+  });
+  return table;
+}
+
+}  // namespace pushback

@@ -1,0 +1,200 @@
+/// Bullet 3 plays motions, in float or in double: BT_USE_DOUBLE_PRECISION says which, and has to fit the libraries.
+#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
+#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
+#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
+#include <btBulletDynamicsCommon.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "pushback/tools/peers/peer.h"
+
+namespace pushback {
+
+namespace {
+
+/// What the methods differ in.
+struct Choice {
+  std::function<std::unique_ptr<btConstraintSolver>()> solver;
+  /// The number of sweeps means nothing to it. The four corners of a box say too much for it, so that it gives up and sweeps
+  /// instead, unless contacts yield a little: J v + softness * impulse = ..., 1/kg.
+  bool direct = false;
+  btScalar softness = 0;
+  /// Overlap is always removed by a velocity of its own, not only from 4 cm on, and contacts act from where bodies touch,
+  /// not from 2 cm before. Else neither a push against overlap nor a gap that is left lets a bounce be what it should.
+  bool split = false;
+};
+
+constexpr btScalar half_slab = 20;  // m
+
+/// Counts rows where they are swept, a list at once: Bullet ends its iterations where nothing is left to correct. A tangent
+/// whose normal presses with nothing is only looked at; it counts.
+class Counts {
+ public:
+  virtual ~Counts() = default;
+  double rows_solved = 0;
+};
+template <class Solver>
+class Counting : public Solver, public Counts {
+ protected:
+  btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int body_count,
+                                btPersistentManifold** manifolds, int manifold_count, btTypedConstraint** constraints,
+                                int constraint_count, const btContactSolverInfo& info, btIDebugDraw* drawer) override {
+    rows_solved += this->m_tmpSolverNonContactConstraintPool.size() + this->m_tmpSolverContactConstraintPool.size() +
+                   this->m_tmpSolverContactFrictionConstraintPool.size();
+    return Solver::solveSingleIteration(iteration, bodies, body_count, manifolds, manifold_count, constraints,
+                                        constraint_count, info, drawer);
+  }
+};
+
+btVector3 bullet(const Vec3& v) {
+  return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
+}
+
+btQuaternion bullet(const Quat& q) {
+  return {static_cast<btScalar>(q.x()), static_cast<btScalar>(q.y()), static_cast<btScalar>(q.z()),
+          static_cast<btScalar>(q.w())};
+}
+
+/// A half-space is a plane under balls. Under boxes it is a slab, as Bullet finds one corner of a box on a plane in a step,
+/// but all four of a box on a box.
+std::unique_ptr<btCollisionShape> shape_of(const Body& body, bool boxes) {
+  if (const auto* ball = std::get_if<Sphere>(&body.shape))
+    return std::make_unique<btSphereShape>(static_cast<btScalar>(ball->radius));
+  if (const auto* box = std::get_if<Box>(&body.shape)) return std::make_unique<btBoxShape>(bullet(box->half_extents));
+  if (boxes) return std::make_unique<btBoxShape>(btVector3(half_slab, half_slab, half_slab));
+  return std::make_unique<btStaticPlaneShape>(bullet(std::get<HalfSpace>(body.shape).normal), btScalar(0));
+}
+
+/// Where the shape's origin is and how it is turned.
+btTransform transform_of(const Body& body, bool boxes) {
+  const auto* half_space = std::get_if<HalfSpace>(&body.shape);
+  if (half_space == nullptr || !boxes) return btTransform(bullet(body.orientation), bullet(body.position));
+  const btTransform top(bullet(Quat::FromTwoVectors(Vec3::UnitY(), half_space->normal)), bullet(body.position));
+  return top * btTransform(btQuaternion::getIdentity(), btVector3(0, -half_slab, 0));
+}
+
+class Bullet : public Player {
+ public:
+  Bullet(const Motion& motion, const Setting& setting, const Choice& choice)
+      : choice_(choice), solver_(choice.solver()), dt_(static_cast<btScalar>(setting.dt())) {
+    World world;
+    motion.fill(world);
+    dynamics_.emplace(&dispatcher_, &broad_phase_, solver_.get(), &configuration_);
+    dynamics_->setGravity(bullet(world.gravity));
+    btContactSolverInfo& info = dynamics_->getSolverInfo();
+    info.m_numIterations = setting.sweeps;
+    info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+    info.m_restitutionVelocityThreshold = 0;
+    info.m_globalCfm = choice.softness * dt_;
+    if (choice.split) info.m_splitImpulsePenetrationThreshold = 0;
+    const bool boxes = std::any_of(world.bodies.begin(), world.bodies.end(),
+                                   [](const Body& body) { return std::holds_alternative<Box>(body.shape); });
+    for (const Body& body : world.bodies) add(body, boxes);
+    for (const Pin& pin : motion.pins) add(pin, world);
+  }
+  ~Bullet() override {
+    for (const auto& pin : pins_) dynamics_->removeConstraint(pin.get());
+    for (const auto& body : bodies_) dynamics_->removeRigidBody(body.get());
+  }
+
+  void substep() override { dynamics_->stepSimulation(dt_, 0); }
+  Eigen::Vector3d place(std::size_t body) const override {
+    if (bodies_[body]->isStaticObject()) return put_[body];
+    const btVector3& at = bodies_[body]->getCenterOfMassPosition();
+    return {static_cast<double>(at.x()), static_cast<double>(at.y()), static_cast<double>(at.z())};
+  }
+  /// Nothing with split impulses either: how often it sweeps those depends on what is left, and it does not say.
+  std::optional<double> row_solves() const override {
+    const auto* counts = dynamic_cast<const Counts*>(solver_.get());
+    if (counts == nullptr || choice_.split) return {};
+    return counts->rows_solved;
+  }
+
+ private:
+  void add(const Body& body, bool boxes) {
+    shapes_.push_back(shape_of(body, boxes));
+    put_.push_back(body.position.cast<double>());
+    // The inertia is the true one: Bullet's own would be of the box with its margin around it.
+    btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shapes_.back().get());
+    if (body.movable()) {
+      info.m_mass = static_cast<btScalar>(1 / body.inverse_mass);
+      info.m_localInertia = bullet(Vec3(body.principal_inverse_inertia.cwiseInverse()));
+    }
+    info.m_startWorldTransform = transform_of(body, boxes);
+    info.m_friction = static_cast<btScalar>(std::sqrt(body.friction));  // a pair has the product of its two
+    info.m_restitution = static_cast<btScalar>(std::sqrt(body.restitution));
+    bodies_.push_back(std::make_unique<btRigidBody>(info));
+    btRigidBody& made = *bodies_.back();
+    made.setLinearVelocity(bullet(body.velocity));
+    made.setAngularVelocity(bullet(body.angular_velocity));
+    made.setActivationState(DISABLE_DEACTIVATION);
+    if (choice_.split) made.setContactProcessingThreshold(0);
+    dynamics_->addRigidBody(&made);
+  }
+
+  void add(const Pin& pin, const World& world) {
+    const auto local = [&](int index) {
+      const Body& body = world.bodies[static_cast<std::size_t>(index)];
+      return bullet(Vec3(body.orientation.conjugate() * (pin.anchor - body.position)));
+    };
+    btRigidBody& b = *bodies_[static_cast<std::size_t>(pin.b)];
+    if (pin.a == the_world) pins_.push_back(std::make_unique<btPoint2PointConstraint>(b, local(pin.b)));
+    else
+      pins_.push_back(std::make_unique<btPoint2PointConstraint>(*bodies_[static_cast<std::size_t>(pin.a)], b,
+                                                                local(pin.a), local(pin.b)));
+    dynamics_->addConstraint(pins_.back().get(), true);  // true: the two do not collide
+  }
+
+  Choice choice_;
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_{&configuration_};
+  btDbvtBroadphase broad_phase_;
+  std::unique_ptr<btConstraintSolver> solver_;
+  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+  std::vector<std::unique_ptr<btTypedConstraint>> pins_;
+  Places put_;  // where the bodies were at first, of which those that nothing moves have another origin here
+  std::optional<btDiscreteDynamicsWorld> dynamics_;
+  btScalar dt_;
+};
+
+template <class Solver>
+std::unique_ptr<btConstraintSolver> make() {
+  return std::make_unique<Solver>();
+}
+
+/// The solver for all constraints at once, with what it needs.
+struct Dantzig : private btDantzigSolver, public btMLCPSolver {
+  Dantzig() : btMLCPSolver(static_cast<btDantzigSolver*>(this)) {}
+};
+
+Method method(const std::string& name, const std::string& title, const Choice& choice) {
+  const bool in_double = sizeof(btScalar) == sizeof(double);
+  return {.name = (in_double ? "bullet-double" : "bullet") + name,
+          .title = title + (in_double ? ", double" : ", float"),
+          .plays = [](const Motion&) { return true; },
+          .begin = [choice](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
+            return std::make_unique<Bullet>(motion, setting, choice);
+          },
+          .sweeps = !choice.direct};
+}
+
+}  // namespace
+
+std::vector<Method> peer_methods() {
+  return {
+      method("", "Bullet", {.solver = make<Counting<btSequentialImpulseConstraintSolver>>}),
+      method("-split", "Bullet, split impulse", {.solver = make<btSequentialImpulseConstraintSolver>, .split = true}),
+      method("-nncg", "Bullet, conjugate gradients", {.solver = make<Counting<btNNCGConstraintSolver>>}),
+      method("-dantzig", "Bullet, solved directly",
+             {.solver = make<Dantzig>, .direct = true, .softness = btScalar(1e-6)})};
+}
+
+std::string peer_version() {
+  return fmt::format("Bullet {}.{}, {}; called by {}", btGetVersion() / 100, btGetVersion() % 100,
+                     sizeof(btScalar) == sizeof(double) ? "double" : "float", built_by());
+}
+
+}  // namespace pushback

@@ -1,0 +1,182 @@
+/// ODE plays motions.
+#include <fmt/format.h>
+#include <ode/ode.h>
+
+#include <array>
+
+#include "pushback/common/basics/input.h"
+#include "pushback/tools/peers/peer.h"
+
+namespace pushback {
+
+namespace {
+
+/// What the methods differ in.
+struct Choice {
+  bool exact = false;    ///< dWorldStep, which solves all constraints of a step at once
+  bool aligned = false;  ///< the first direction of friction is that of sliding, not one of its own
+};
+
+class Ode : public Player {
+ public:
+  Ode(const Motion& motion, const Setting& setting, const Choice& choice)
+      : choice_(choice),
+        dt_(setting.dt()),
+        world_(dWorldCreate()),
+        space_(dHashSpaceCreate(nullptr)),
+        contacts_(dJointGroupCreate(0)) {
+    dRandSetSeed(0);  // QuickStep sweeps in random order
+    World from;
+    motion.fill(from);
+    dWorldSetGravity(world_, from.gravity.x(), from.gravity.y(), from.gravity.z());
+    dWorldSetQuickStepNumIterations(world_, setting.sweeps);
+    // Those of the last body are those of all.
+    surface_.mode = dContactApprox1 | dContactBounce;
+    surface_.mu = static_cast<double>(from.bodies.back().friction);
+    surface_.bounce = static_cast<double>(from.bodies.back().restitution);
+    surface_.bounce_vel = 0;
+    for (const Body& body : from.bodies) add(body);
+    for (const Pin& pin : motion.pins) {
+      const dJointID joint = dJointCreateBall(world_, nullptr);
+      dJointAttach(joint, body_of(pin.a), body_of(pin.b));
+      dJointSetBallAnchor(joint, pin.anchor.x(), pin.anchor.y(), pin.anchor.z());
+      ++pins_;
+    }
+  }
+  ~Ode() override {
+    dJointGroupDestroy(contacts_);
+    dSpaceDestroy(space_);
+    dWorldDestroy(world_);
+  }
+  Ode(const Ode&) = delete;
+  Ode& operator=(const Ode&) = delete;
+
+  void substep() override {
+    rows_ = 3 * pins_;
+    dSpaceCollide(space_, this, [](void* ode, dGeomID a, dGeomID b) { static_cast<Ode*>(ode)->collide(a, b); });
+    if (choice_.exact) dWorldStep(world_, dt_);
+    else dWorldQuickStep(world_, dt_);
+    row_solves_ += static_cast<double>(rows_) * dWorldGetQuickStepNumIterations(world_);
+    dJointGroupEmpty(contacts_);
+  }
+  Eigen::Vector3d place(std::size_t body) const override { return bodies_[body].place(); }
+  /// QuickStep goes over all rows in each of its iterations, and stops after no fewer.
+  std::optional<double> row_solves() const override {
+    if (choice_.exact) return {};
+    return row_solves_;
+  }
+
+ private:
+  struct Made {
+    dBodyID body;  // null for one that nothing moves
+    dGeomID geom;
+    Eigen::Vector3d still;
+
+    Eigen::Vector3d place() const {
+      return body == nullptr ? still : Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(dBodyGetPosition(body)));
+    }
+  };
+
+  dBodyID body_of(int index) const {
+    return index == the_world ? nullptr : bodies_[static_cast<std::size_t>(index)].body;
+  }
+
+  void add(const Body& body) {
+    Made made{nullptr, nullptr, body.position.cast<double>()};
+    if (const auto* half_space = std::get_if<HalfSpace>(&body.shape)) {
+      const Vec3& n = half_space->normal;
+      made.geom = dCreatePlane(space_, n.x(), n.y(), n.z(), n.dot(body.position));
+      bodies_.push_back(made);
+      return;
+    }
+    if (const auto* ball = std::get_if<Sphere>(&body.shape)) {
+      made.geom = dCreateSphere(space_, ball->radius);
+    } else {
+      const Vec3 lengths = 2 * std::get<Box>(body.shape).half_extents;
+      made.geom = dCreateBox(space_, lengths.x(), lengths.y(), lengths.z());
+    }
+    const Eigen::Vector3d inertia = body.principal_inverse_inertia.cast<double>().cwiseInverse();
+    const Eigen::Quaterniond q = body.orientation.cast<double>();
+    const dQuaternion turn{q.w(), q.x(), q.y(), q.z()};
+    dMass mass;
+    dMassSetParameters(&mass, 1 / static_cast<double>(body.inverse_mass), 0, 0, 0, inertia.x(), inertia.y(),
+                       inertia.z(), 0, 0, 0);
+    made.body = dBodyCreate(world_);
+    dBodySetMass(made.body, &mass);
+    dGeomSetBody(made.geom, made.body);
+    dBodySetPosition(made.body, body.position.x(), body.position.y(), body.position.z());
+    dBodySetQuaternion(made.body, turn);
+    dBodySetLinearVel(made.body, body.velocity.x(), body.velocity.y(), body.velocity.z());
+    dBodySetAngularVel(made.body, body.angular_velocity.x(), body.angular_velocity.y(), body.angular_velocity.z());
+    bodies_.push_back(made);
+  }
+
+  void collide(dGeomID a, dGeomID b) {
+    const dBodyID first = dGeomGetBody(a), second = dGeomGetBody(b);
+    if (first != nullptr && second != nullptr && dAreConnectedExcluding(first, second, dJointTypeContact) != 0) return;
+    std::array<dContactGeom, 16> found;
+    const int count = dCollide(a, b, static_cast<int>(found.size()), found.data(), sizeof(dContactGeom));
+    for (int i = 0; i < count; ++i) {
+      dContact contact{};
+      contact.surface = surface_;
+      contact.geom = found[static_cast<std::size_t>(i)];
+      if (choice_.aligned) align(contact, first, second);
+      dJointAttach(dJointCreateContact(world_, contacts_, &contact), first, second);
+    }
+    rows_ += count * (surface_.mu > 0 ? 3 : 1);  // no tangents where nothing rubs
+  }
+
+  static void align(dContact& contact, dBodyID a, dBodyID b) {
+    const Eigen::Map<const Eigen::Vector3d> n(contact.geom.normal);
+    Eigen::Vector3d sliding = velocity_at(a, contact.geom.pos) - velocity_at(b, contact.geom.pos);
+    sliding -= n.dot(sliding) * n;
+    if (sliding.norm() < 1e-6) return;
+    contact.surface.mode |= dContactFDir1;
+    Eigen::Map<Eigen::Vector3d>(contact.fdir1) = sliding.normalized();
+  }
+
+  static Eigen::Vector3d velocity_at(dBodyID body, const dVector3& point) {
+    dVector3 velocity{};
+    if (body != nullptr) dBodyGetPointVel(body, point[0], point[1], point[2], velocity);
+    return {velocity[0], velocity[1], velocity[2]};
+  }
+
+  Choice choice_;
+  double dt_;
+  dWorldID world_;
+  dSpaceID space_;
+  dJointGroupID contacts_;
+  dSurfaceParameters surface_{};
+  std::vector<Made> bodies_;
+  int pins_ = 0;
+  int rows_ = 0;           // of the latest step
+  double row_solves_ = 0;  // of all
+};
+
+Method method(const std::string& name, const std::string& title, const Choice& choice) {
+  return {.name = name,
+          .title = title,
+          .plays = [](const Motion&) { return true; },
+          .begin = [choice](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
+            static const bool ready = dInitODE2(0) != 0;
+            if (!ready) throw std::runtime_error("ODE does not start");
+            // Where it cannot solve a step it says so, once for each, and goes on: the error tells.
+            dSetMessageHandler([](int, const char*, va_list) {});
+            return std::make_unique<Ode>(motion, setting, choice);
+          },
+          .sweeps = !choice.exact};
+}
+
+}  // namespace
+
+std::vector<Method> peer_methods() {
+  return {method("ode", "ODE, QuickStep", {}),
+          method("ode-aligned", "ODE, QuickStep, friction along sliding", {.aligned = true}),
+          method("ode-exact", "ODE, solved directly, friction along sliding", {.exact = true, .aligned = true})};
+}
+
+std::string peer_version() {
+  return fmt::format("ODE {}, {}; called by {}", dODE_VERSION, dGetConfiguration(), built_by());
+}
+
+}  // namespace pushback

@@ -1,0 +1,14 @@
+/// Another engine plays motions. Each engine's source defines this, and a program is linked with one of them.
+#pragma once
+
+#include "pushback/tools/study/play.h"
+
+namespace pushback {
+
+/// The engine, in the ways in which it is played. Friction and restitution of a motion's bodies become those of each pair.
+std::vector<Method> peer_methods();
+
+/// Its name, its version, and what it says of how it was built.
+std::string peer_version();
+
+}  // namespace pushback

@@ -1,0 +1,115 @@
+/// ./course study: every motion in every setting by every engine, the diagrams and tables of docs/accuracy_and_time.md.
+#include <fmt/ranges.h>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/shard.h"
+#include "pushback/common/experiment/program.h"
+#include "pushback/tools/study/machine.h"
+#include "pushback/tools/study/report.h"
+
+using namespace pushback;
+using namespace pushback::study;
+
+namespace {
+
+struct Asked {
+  bool quick = false, others = false, redraw = false;
+  int rounds = 0;
+  std::vector<std::string> only;
+  std::string out = "renders", shard = "1/1";
+  std::size_t parts = 0;
+};
+
+void report(const AllMeasured& all, const std::vector<Engine>& engines, const std::filesystem::path& folder) {
+  std::vector<MotionMeasured> in_order;
+  std::vector<Panel> against_time, methods;
+  for (const Motion& motion : all_motions()) {
+    const auto found = all.find(motion.name);
+    if (found == all.end()) continue;
+    in_order.push_back({&motion, found->second});
+    against_time.push_back(work_precision(in_order.back(), engines));
+    methods.push_back(fronts_of_methods(in_order.back()));
+  }
+  write_plot(folder / "work_precision.png", against_time);
+  write_plot(folder / "methods.png", methods);
+  if (const auto panels = panels_of_knobs(in_order); !panels.empty()) write_plot(folder / "knobs.png", panels);
+  for (const auto& [name, table] : {std::pair{"cheapest.md", table_of_cheapest(in_order)},
+                                    {"others.md", table_of_others(in_order, engines)},
+                                    {"knobs.md", table_of_knobs(in_order)},
+                                    {"limits.md", table_of_limits(in_order)},
+                                    {"hops.md", table_of_hops(in_order)}}) {
+    write_text_file(folder / name, table);
+    fmt::print("{}\n", table);
+  }
+}
+
+/// The parts, put together.
+void join(std::size_t parts, const std::filesystem::path& folder) {
+  AllMeasured all;
+  std::string machines;
+  for (std::size_t i = 1; i <= parts; ++i) {
+    const std::filesystem::path part = folder / Shard{i, parts}.folder();
+    all.merge(read_csv(read_text_file(part / "study.csv")));
+    machines += read_text_file(part / "machine.md") + "\n";
+  }
+  write_text_file(folder / "study.csv", csv_of(all));
+  write_text_file(folder / "machine.md", machines);
+  report(all, engines_of(all), folder);
+}
+
+void measure_and_draw(const Asked& asked, const std::filesystem::path& programs) {
+  std::vector<const Motion*> motions;
+  for (const Motion& motion : all_motions())
+    if (asked.only.empty()) motions.push_back(&motion);
+  for (const std::string& name : asked.only) motions.push_back(&motion_named(name));
+  std::filesystem::path folder = std::filesystem::path(asked.out) / "19_accuracy_and_time";
+  if (asked.parts > 0) return join(asked.parts, folder);
+  const Shard shard = shard_of(asked.shard);
+  if (shard.of > motions.size())
+    throw InvalidInput(
+        fmt::format("--shard is '{}': there are {} motions, and each part needs one", asked.shard, motions.size()));
+  std::size_t index = 0;
+  std::erase_if(motions, [&](const Motion*) { return !shard.has(index++); });
+  if (!shard.whole()) folder /= shard.folder();
+  make_writable_folder(folder);
+  if (asked.redraw) {
+    const AllMeasured all = read_csv(read_text_file(folder / "study.csv"));
+    report(all, engines_of(all), folder);
+    return;
+  }
+  const std::vector<Engine> engines = engines_in(programs, asked.others);
+  RoundOptions options{.engines = engines, .programs = programs, .quick = asked.quick};
+  if (asked.rounds > 0 || asked.quick) options.rounds = std::max(1, asked.rounds);
+  options.say = [](const std::string& what) {
+    fmt::print("{}\n", what);
+    std::fflush(stdout);
+  };
+  MachineReport run{.load_before = load_now(), .load_after = "", .took = {}, .versions = {}};
+  for (const Engine& engine : engines) run.versions.push_back(version_of(engine, programs));
+  const auto began = std::chrono::steady_clock::now();
+  AllMeasured all;
+  for (const Motion* motion : motions) all[motion->name] = measure(*motion, options);
+  run.took = std::chrono::steady_clock::now() - began;
+  run.load_after = load_now();
+  write_text_file(folder / "study.csv", csv_of(all));
+  write_text_file(folder / "machine.md", table_of_machine(run, engines, all));
+  if (shard.whole()) report(all, engines, folder);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CommandLine line("What accuracy costs in time: all motions in all settings, timed round after round.");
+  Asked asked;
+  line.flag("--quick", asked.quick, "Fewer settings, fewer rounds: in two minutes");
+  line.flag("--peers", asked.others, "Bullet, ODE and MuJoCo as well, where they were built");
+  line.option("--rounds", asked.rounds, "In which all that is near a front is timed; 3, or 1 with --quick")
+      .between(1, 1000);
+  line.flag("--redraw", asked.redraw, "Nothing is measured: pictures and tables of what is in study.csv");
+  line.option("--only", asked.only, "These motions");
+  line.option("--shard", asked.shard, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
+  line.option("--join", asked.parts, "5: nothing is measured; pictures and tables of five such parts").between(2, 1000);
+  line.option("--out", asked.out, "The folder to write to").shows_default();
+  return line.run(argc, argv,
+                  [&] { measure_and_draw(asked, std::filesystem::canonical("/proc/self/exe").parent_path()); });
+}

@@ -1,0 +1,166 @@
+#include "pushback/tools/study/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pushback/tools/study/limits.h"
+
+namespace pushback::study {
+
+namespace {
+
+constexpr Real least_drawn = 1e-6;  // m: what is less is drawn here
+
+struct Tolerance {
+  double error;  // m
+  const char* name;
+};
+constexpr Tolerance tolerances[] = {{1e-2, "1 cm"}, {1e-3, "1 mm"}, {1e-4, "0.1 mm"}};
+
+template <class Which>
+Measurements those(const Measurements& all, const Which& which) {
+  Measurements found;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(found), which);
+  return found;
+}
+Measurements of_engine(const Measurements& all, const std::string& engine) {
+  return those(all, [&](const Measured& one) { return one.engine == engine; });
+}
+bool is_ours(const std::string& engine) {
+  return engine == "motion" || engine == "motion_float" || engine == "motion_wide";
+}
+Measurements ours(const Measurements& all) {
+  return those(all, [](const Measured& one) { return is_ours(one.engine); });
+}
+
+Curve curve_of(const Measurements& points, const Motion& motion, const std::string& label, const std::string& colour,
+               Curve::Style style) {
+  Curve curve{label, {}, {}, colour, style};
+  for (const Measured& one : points) {
+    if (!std::isfinite(one.error)) continue;
+    curve.x.push_back(static_cast<Real>(1000 * one.median() / motion.seconds));
+    curve.y.push_back(static_cast<Real>(one.error));
+  }
+  return curve;
+}
+
+void add(Panel& panel, const Curve& curve) {
+  if (!curve.x.empty()) panel.curves.push_back(curve);
+}
+
+Panel error_against_time(const Motion& motion) {
+  Panel panel{.title = motion.title,
+              .x_label = "wall time for a second, ms",
+              .y_label = "largest error, m",
+              .log_x = true,
+              .log_y = true,
+              .floor = least_drawn};
+  for (const Tolerance& tolerance : tolerances)
+    panel.lines.push_back({static_cast<Real>(tolerance.error), tolerance.name});
+  return panel;
+}
+
+/// So many digits, and no exponent; of what is larger, all before the point.
+std::string plain(double value, int digits = 3) {
+  return value < 99.5 ? fmt::format("{:.{}g}", value, digits) : fmt::format("{:.0f}", value);
+}
+
+/// Of all methods of these engines; float is left to those that have nothing else.
+std::string least_remaining(const Measurements& all, const std::vector<std::string>& engines) {
+  std::pair<std::string, Limit> least;
+  for (const std::string& engine : engines) {
+    const auto of_this = least_limit(all, engine);
+    if (least.first.empty() || (!of_this.first.empty() && of_this.second.most < least.second.most)) least = of_this;
+  }
+  return least.first.empty() ? "–" : fmt::format("{} (`{}`)", least.second.remains(), least.first);
+}
+
+/// us of wall time for a frame.
+double per_frame(const Motion& motion, double seconds) {
+  return 1e6 * seconds / motion.frames();
+}
+
+}  // namespace
+
+Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& engines) {
+  const Motion& motion = *measured.motion;
+  Panel panel = error_against_time(motion);
+  add(panel, curve_of(of_engine(measured.all, "motion"), motion, "", "#c4d8e8", Curve::Style::points));
+  for (std::size_t i = engines.size(); i-- > 0;) {  // ours last, on top
+    add(panel, curve_of(front(of_engine(measured.all, engines[i].program)), motion, engines[i].title,
+                        line_colour(engines[i].colour), Curve::Style::line_and_points));
+  }
+  return panel;
+}
+
+Panel fronts_of_methods(const MotionMeasured& measured) {
+  Panel panel = error_against_time(*measured.motion);
+  const Measurements all = of_engine(measured.all, "motion");
+  std::vector<std::string> methods;
+  for (const Measured& one : all)
+    if (std::find(methods.begin(), methods.end(), one.method) == methods.end()) methods.push_back(one.method);
+  std::size_t colour = 0;
+  for (const std::string& method : methods) {
+    const bool cold = method.ends_with("-cold");  // follows its warm sister, in her colour
+    const Measurements points = front(those(all, [&](const Measured& one) { return one.method == method; }));
+    add(panel, curve_of(points, *measured.motion, method, line_colour(cold ? colour - 1 : colour),
+                        cold ? Curve::Style::dashed : Curve::Style::line_and_points));
+    if (!cold) ++colour;
+  }
+  return panel;
+}
+
+std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
+  std::string text = "| motion | below 1 cm | below 1 mm | below 0.1 mm |\n| --- | --- | --- | --- |\n";
+  for (const MotionMeasured& measured : all) {
+    text += fmt::format("| {} ", measured.motion->title);
+    for (const Tolerance& tolerance : tolerances) {
+      const auto found = cheapest(ours(measured.all), tolerance.error);
+      const auto frame = [&](double seconds) { return plain(per_frame(*measured.motion, seconds)); };
+      const auto rows = [&] { return found->row_solves ? plain(*found->row_solves / measured.motion->frames()) : "–"; };
+      text +=
+          found ? fmt::format("| `{}`{}: {} µs ({} to {}), {} row solves, {} mm off, {} remains ", found->setting(),
+                              found->engine == "motion_float" ? " in float" : "", frame(found->median()),
+                              frame(found->quartile(1)), frame(found->quartile(3)), rows(), plain(1000 * found->error),
+                              // in double, where its method was played with all steps
+                              limit_of(measured.all, found->engine == "motion_float" ? "motion" : found->engine,
+                                       found->method, found->sweeps)
+                                  .remains())
+                : "| not reached ";
+    }
+    text += "|\n";
+  }
+  return text;
+}
+
+std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines) {
+  std::string text =
+      "| motion | engine | below 1 cm | below 1 mm | below 0.1 mm | where its front is between 10 cm and 0.01 mm, we "
+      "take at most | remains of theirs as h → 0, at least | of ours |\n";
+  text += "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  for (const MotionMeasured& measured : all) {
+    for (const Engine& engine : engines) {
+      const Measurements theirs = of_engine(measured.all, engine.program), our = ours(measured.all);
+      if (is_ours(engine.program)) continue;
+      text += fmt::format("| {} | {} ", measured.motion->title, engine.title);
+      for (const Tolerance& tolerance : tolerances) {
+        const auto found = cheapest(theirs, tolerance.error), best = cheapest(our, tolerance.error);
+        text += !found  ? "| not reached "
+                : !best ? fmt::format("| {} µs, we not at all ", plain(per_frame(*measured.motion, found->median())))
+                        : fmt::format("| {} times as long ", plain(found->median() / best->median(), 2));
+      }
+      const double slower = times_slower(our, theirs, 1e-5, 1e-1);
+      text += theirs.empty()       ? "| it does not play this "
+              : slower == 0        ? "| it has no such front "
+              : std::isinf(slower) ? "| we do not reach all of it "
+                                   : fmt::format("| {} times its time ", plain(slower, 2));
+      text += fmt::format("| {} | {} |\n", least_remaining(theirs, {engine.program}),
+                          least_remaining(our, {"motion", "motion_wide"}));
+    }
+  }
+  return text;
+}
+
+}  // namespace pushback::study

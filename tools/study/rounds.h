@@ -1,0 +1,49 @@
+/// Every motion in every setting by every engine, timed in turn, round after round.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+
+#include "pushback/chapters/19_accuracy_and_time/front.h"
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
+
+namespace pushback::study {
+
+/// How an engine is called in diagrams, by the name of its program.
+struct Engine {
+  std::string program, title;
+  std::size_t colour = 0;  ///< line_colour's
+};
+/// Ours, in double and in float; `motion_wide`, if it is in the folder of the programs; and if `others` are asked for, those of
+/// Bullet, ODE and MuJoCo that are there: std::runtime_error where none is.
+std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others);
+
+struct RoundOptions {
+  std::vector<Engine> engines;     ///< see engines_in
+  std::filesystem::path programs;  ///< the folder of `motion` and the others
+  bool quick = false;              ///< fewer settings, fewer rounds, less patience
+  int rounds = 3;                  ///< in which what is near a front is timed
+  std::function<void(const std::string&)> say = [](const std::string&) {};  ///< what is under way
+};
+
+/// What the engine's program says of its version, and of how it was built.
+std::string version_of(const Engine& engine, const std::filesystem::path& programs);
+
+/// First every setting once: powers of 2 of substeps, powers of 4 of sweeps, as far as the motion wants to have them tried.
+/// In float only what is near the front in double. What is then near the front of its engine is timed again, `rounds` times, all
+/// of it in every round before the next begins. Throws std::runtime_error where a program fails.
+Measurements measure(const Motion& motion, const RoundOptions& options);
+
+/// By the name of the motion.
+using AllMeasured = std::map<std::string, Measurements>;
+
+/// The engines of which something was measured.
+std::vector<Engine> engines_of(const AllMeasured& all);
+
+/// A line a measurement, and one of headings, with all times; and back: what is then drawn and said is the same. Throws
+/// InvalidInput where a line is not one of these.
+std::string csv_of(const AllMeasured& all);
+AllMeasured read_csv(const std::string& text);
+
+}  // namespace pushback::study
