@@ -28,9 +28,9 @@ struct Watching : StepSolver {
   std::vector<std::string>& asked;
 
   explicit Watching(std::vector<std::string>& where) : asked(where) {}
-  void check(World& world, Real) { note("check", world); }
-  void solve(World& world, Real, int sweeps) { note("solve", world, fmt::format(", {} sweeps", sweeps)); }
-  void after_move(World& world, Real) { note("after move", world); }
+  void check(World& world, Real) override { note("check", world); }
+  void solve(World& world, Real, int sweeps) override { note("solve", world, fmt::format(", {} sweeps", sweeps)); }
+  void moved(World& world, Real) override { note("moved", world); }
   void note(const char* what, const World& world, const std::string& more = "") {
     asked.push_back(fmt::format("{} at {}{}", what, world.bodies[0].position.x() == h ? "1/60" : "0", more));
   }

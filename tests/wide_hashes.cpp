@@ -14,6 +14,7 @@
 #include "pushback/tools/catalogue/solvers.h"
 #include "tests/support/catch.h"
 #include "tests/support/stored_hashes.h"
+#include "tests/support/substeps.h"
 #include "tests/support/with_joints.h"
 #include "tests/support/yardstick.h"
 

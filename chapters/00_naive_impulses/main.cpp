@@ -41,7 +41,7 @@ Real pairs_in_reverse(const World& world) {
 
 /// The impulse of the lecture: -(1 + e) on the linear part alone, and the spins with the other sign.
 struct AsPrinted : StepSolver {
-  void solve(World& world, Real, int) {
+  void solve(World& world, Real, int) override {
     for (Contact& c : world.contacts) {
       const Real speed = separating_speed(world, c);
       if (speed >= 0) continue;

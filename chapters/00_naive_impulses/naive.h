@@ -8,7 +8,7 @@
 /// Palubicki, "CGP 9", Naive Take and Naive Take 2.
 #pragma once
 
-#include "pushback/common/world/step.h"
+#include "pushback/common/world/step_solver.h"
 
 namespace pushback {
 
@@ -44,7 +44,7 @@ inline void push_apart(World& world, const Contact& c) {
 
 /// Take 1: every contact once, one after the other.
 struct NaiveOnce : StepSolver {
-  void solve(World& world, Real, int) {
+  void solve(World& world, Real, int) override {
     for (Contact& c : world.contacts) {
       apply_impulse(world, c, pair_impulse(world, c));
       push_apart(world, c);
@@ -54,7 +54,7 @@ struct NaiveOnce : StepSolver {
 
 /// Take 2: all of them again and again in the same tick; what the points of one pair ask for is averaged.
 struct NaiveAveraged : StepSolver {
-  void solve(World& world, Real, int times) {
+  void solve(World& world, Real, int times) override {
     Contacts& contacts = world.contacts;
     const auto same_pair = [](const Contact& c, const Contact& d) {
       return c.id.body_a == d.id.body_a && c.id.body_b == d.id.body_b;

@@ -11,7 +11,7 @@ namespace {
 
 /// For comparison: as if nothing ever touched.
 struct NoSolver : StepSolver {
-  void solve(World&, Real, int) {}
+  void solve(World&, Real, int) override {}
 };
 
 /// Normals from a left-handed model, taken over without a thought: x has the wrong sign.

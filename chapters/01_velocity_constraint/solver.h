@@ -4,11 +4,13 @@
 /// Solver<Clamping, Baumgarte, Friction> runs just these three.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <type_traits>
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
 #include "pushback/chapters/01_velocity_constraint/rows_solved.h"
+#include "pushback/common/world/step_solver.h"
 
 namespace pushback {
 
@@ -45,33 +47,63 @@ struct Effect {
   void report(Step&) {}
 };
 
+/// Base of a type that declares one more hook, called by the solvers of a later chapter.
+struct LaterHook {};
+/// Base of one that declares a hook without which its effects do nothing: `Solver` refuses them.
+struct RequiredHook : LaterHook {};
+
+/// Of an effect that keeps numbers made of the rows' geometry: Friction's step sizes, joints' axes.
+struct UpdatesGeometry : LaterHook {
+  /// The bodies have moved, and the rows are solved once more (chapter 12): make those numbers anew.
+  void update_geometry(Step&) {}
+};
+/// An effect that has the hook, or derives from UpdatesGeometry, does both.
+template <class E>
+concept SpellsUpdateGeometry =
+    (std::derived_from<E, UpdatesGeometry> &&
+     !std::same_as<decltype(&E::update_geometry), decltype(&UpdatesGeometry::update_geometry)>) ||
+    (!std::derived_from<E, UpdatesGeometry> && !requires { &E::update_geometry; });
+
 /// A misspelt hook would never be called: insist that at least one is defined. (One that is a template is.)
 template <class E>
-concept AnEffect = std::derived_from<E, Effect> && !requires {
-  requires std::same_as<decltype(&E::check), decltype(&Effect::check)>;
-  requires std::same_as<decltype(&E::touch), decltype(&Effect::touch)>;
-  requires std::same_as<decltype(&E::build), decltype(&Effect::build)>;
-  requires std::same_as<decltype(&E::start), decltype(&Effect::start)>;
-  requires std::same_as<decltype(&E::sweep), decltype(&Effect::sweep)>;
-  requires std::same_as<decltype(&E::finish), decltype(&Effect::finish)>;
-  requires std::same_as<decltype(&E::report), decltype(&Effect::report)>;
-};
+concept AnEffect = std::derived_from<E, Effect> && (std::is_base_of_v<LaterHook, E> || !requires {
+                     requires std::same_as<decltype(&E::check), decltype(&Effect::check)>;
+                     requires std::same_as<decltype(&E::touch), decltype(&Effect::touch)>;
+                     requires std::same_as<decltype(&E::build), decltype(&Effect::build)>;
+                     requires std::same_as<decltype(&E::start), decltype(&Effect::start)>;
+                     requires std::same_as<decltype(&E::sweep), decltype(&Effect::sweep)>;
+                     requires std::same_as<decltype(&E::finish), decltype(&Effect::finish)>;
+                     requires std::same_as<decltype(&E::report), decltype(&Effect::report)>;
+                   });
 
+/// What the solvers of all chapters have in common. Later chapters derive theirs from it, with one more hook each.
 template <class... Effects>
-class Solver : public StepSolver, public Effects... {
+class SequentialImpulses : public StepSolver, public Effects... {
   static_assert((AnEffect<Effects> && ...), "an effect derives from Effect and defines at least one of its hooks");
+  static_assert((SpellsUpdateGeometry<Effects> && ...),
+                "an effect with the hook `update_geometry` derives from UpdatesGeometry and defines it");
 
  public:
-  void check(World& world, Real dt) {
-    check_solvable<Solver>(world);
+  bool holds_joints() const override { return (std::derived_from<Effects, HoldsJoints> || ...); }
+  void check(World& world, Real dt) override {
     [[maybe_unused]] Step step{world, world.contacts, rows_, dt};
     (Effects::check(step), ...);
   }
-  void solve(World& world, Real dt, int sweeps) {
+  void solve(World& world, Real dt, int sweeps) override {
     Step step{world, world.contacts, rows_, dt};
     solve(step, sweeps);
   }
-  /// The rows of the latest step.
+  Solved solved() const override {
+    Solved sum;
+    const auto add = [&sum](const auto& rows) {
+      sum.rows += static_cast<int>(rows.size());
+      for (const auto& row : rows) sum.residual = std::max(sum.residual, row.error());
+    };
+    add(rows_);
+    if constexpr (requires { this->joint_rows(); }) add(this->joint_rows());
+    return sum;
+  }
+  /// The rows of the latest substep.
   const Rows& rows() const { return rows_; }
 
  protected:
@@ -102,6 +134,12 @@ class Solver : public StepSolver, public Effects... {
   }
 
   Rows rows_;
+};
+
+template <class... Effects>
+class Solver : public SequentialImpulses<Effects...> {
+  static_assert((!std::is_base_of_v<RequiredHook, Effects> && ...),
+                "this effect needs a solver that calls its hook: RelaxingSolver or CorrectingSolver");
 };
 
 }  // namespace pushback

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "pushback/common/world/step.h"
+#include "pushback/common/world/step_solver.h"
 
 namespace pushback::flat_02 {
 
@@ -20,7 +20,7 @@ struct Row {
 
 class FlatSolver : public StepSolver {
  public:
-  void solve(World& world, Real dt, int sweeps);
+  void solve(World& world, Real dt, int sweeps) override;
 
  private:
   std::vector<Row> normals_;  // one for each contact

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "pushback/common/world/step.h"
+#include "pushback/common/world/step_solver.h"
 
 namespace pushback::flat_03 {
 
@@ -24,7 +24,7 @@ class FlatSolver : public StepSolver {
  public:
   Real beta = Real(0.2);  ///< 03: how much of the overlap one step takes away
 
-  void solve(World& world, Real dt, int sweeps);
+  void solve(World& world, Real dt, int sweeps) override;
 
  private:
   std::vector<Row> normals_;  // one for each contact

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "pushback/common/world/step.h"
+#include "pushback/common/world/step_solver.h"
 
 namespace pushback::flat_04 {
 
@@ -25,7 +25,7 @@ class FlatSolver : public StepSolver {
   Real beta = Real(0.2);    ///< 03: how much of the overlap one step takes away
   Real slop = Real(0.005);  ///< 04: m, the overlap that is left alone
 
-  void solve(World& world, Real dt, int sweeps);
+  void solve(World& world, Real dt, int sweeps) override;
 
  private:
   std::vector<Row> normals_;  // one for each contact

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "pushback/common/world/step.h"
+#include "pushback/common/world/step_solver.h"
 
 namespace pushback::flat_05 {
 
@@ -26,7 +26,7 @@ class FlatSolver : public StepSolver {
   Real slop = Real(0.005);     ///< 04: m, the overlap that is left alone
   Real threshold = Real(0.1);  ///< 05: m/s; what arrives slower does not bounce
 
-  void solve(World& world, Real dt, int sweeps);
+  void solve(World& world, Real dt, int sweeps) override;
 
  private:
   std::vector<Row> normals_;  // one for each contact

@@ -25,13 +25,13 @@ struct TangentBlock {
 ///
 /// Where that changes nothing any more, what slides is rubbed exactly against its motion. With a step for each row, or one
 /// that solves the block, the point where nothing changes is another one (scaled_back.h).
-struct FrictionCone : Friction {
+struct FrictionCone : Friction, UpdatesGeometry {
   void build(Step& step) {
     Friction::build(step);
-    moved(step);
+    update_geometry(step);
   }
   /// A step of more than 1 / k can overshoot, and feed energy in: k is that of the rows as they are now.
-  void moved(Step& step) {
+  void update_geometry(Step& step) {
     step_sizes_.clear();
     for (std::size_t i = 0; i < mu_.size(); ++i)
       step_sizes_.push_back(1 /

@@ -5,22 +5,36 @@
 
 namespace pushback {
 
-/// What an effect asks for in `build` that needs a CorrectingSolver.
+/// A step as effects of a CorrectingSolver see it.
 struct CorrectingStep : Step {};
 
-/// Once the bodies have moved, and all velocities are what the step ends with, it calls  void correct(CorrectingStep&)  of the
-/// effects that have it. There places may be changed, and nothing else.
+/// Declares the hook of a CorrectingSolver. The effects that derive from it define it.
+struct Corrects : RequiredHook {
+  /// The bodies have moved, and all velocities are what the step ends with. Only positions and orientations may be changed.
+  void correct(CorrectingStep&) {}
+};
+
+/// An effect that has the hook, or derives from Corrects, does both.
+template <class E>
+concept SpellsCorrect =
+    (std::derived_from<E, Corrects> && !std::same_as<decltype(&E::correct), decltype(&Corrects::correct)>) ||
+    (!std::derived_from<E, Corrects> && !requires { &E::correct; });
+
+/// Calls `correct` of the effects that have it, once the bodies have moved.
 template <class... Effects>
-class CorrectingSolver : public Solver<Effects...> {
+class CorrectingSolver : public SequentialImpulses<Effects...> {
+  static_assert((SpellsCorrect<Effects> && ...),
+                "an effect with the hook `correct` derives from Corrects and defines it");
+
  public:
-  void solve(World& world, Real dt, int sweeps) {
+  void solve(World& world, Real dt, int sweeps) override {
     CorrectingStep step = step_of(world, dt);
-    Solver<Effects...>::solve(step, sweeps);
+    SequentialImpulses<Effects...>::solve(step, sweeps);
   }
-  void after_move(World& world, Real dt) {
+  void moved(World& world, Real dt) override {
     CorrectingStep step = step_of(world, dt);
     [[maybe_unused]] const auto correct = [&step]<class E>(E& effect) {
-      if constexpr (requires { effect.correct(step); }) effect.correct(step);
+      if constexpr (std::derived_from<E, Corrects>) effect.correct(step);
     };
     (correct(static_cast<Effects&>(*this)), ...);
   }

@@ -16,7 +16,7 @@ namespace pushback {
 ///
 /// What one contact does, the next one sees. Nothing is accumulated: a push that went too far is left to the other side.
 /// Catto, Box2D 2.4, b2ContactSolver::SolvePositionConstraints, where it is called non-linear Gauss-Seidel.
-struct NonlinearGaussSeidel : Effect {
+struct NonlinearGaussSeidel : Effect, Corrects {
   Real beta = Real(0.2);   ///< of 0 ... 1: how much of the overlap one round takes away
   Real most = Real(0.05);  ///< m; no contact asks for more in one step
   int rounds = 3;

@@ -14,7 +14,7 @@ namespace pushback {
 ///
 /// The method is that of Bullet's solver, "split impulse"; a correction apart from the velocities is older:
 /// Cline and Pai, "Post-Stabilization for Rigid Body Simulation with Contact and Constraints", ICRA 2003.
-struct SplitImpulse : Effect {
+struct SplitImpulse : Effect, Corrects {
   Real beta = Real(0.2);   ///< of 0 ... 1: how much of the overlap one step takes away
   Real most = Real(0.05);  ///< m; no contact asks for more in one step
   int rounds = 10;         ///< sweeps over the pseudo-velocities
@@ -24,7 +24,6 @@ struct SplitImpulse : Effect {
     require_not_negative("most", most);
     if (rounds < 0) throw InvalidInput(fmt::format("rounds is {}: a whole number, 0 or more, is needed", rounds));
   }
-  void build(CorrectingStep&) {}  // nothing to build: it only asks for the solver that will call `correct`
   void correct(CorrectingStep& step) {
     pushes_.assign(step.rows.begin(), step.rows.begin() + std::ssize(step.contacts));
     bool overlap = false;

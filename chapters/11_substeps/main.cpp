@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
       return e.variant(fmt::format("one step, {} sweeps", sweeps), FullSolver{}).with_exactly(sweeps);
     };
     const auto stepping = [&] {
-      e.variant(fmt::format("{} substeps", count), FullSolver{}).in_substeps(count).with_exactly(1).coloured(2);
+      e.variant(fmt::format("{} substeps", count), Substeps(FullSolver{}, count)).with_exactly(1).coloured(2);
     };
     const Real top = tall;
     const Body where_it_stood = box({Real(0.5), top / 2, Real(0.5)}, 1).at({0, top / 2, 0});

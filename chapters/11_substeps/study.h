@@ -74,10 +74,10 @@ StackCurves study(const std::string& name, std::size_t colour, int boxes, Real d
   for (const Budget& budget : budgets) {
     World world;
     stack(world, boxes);
-    ContactSolver solver;
+    Substeps<ContactSolver> solver({}, budget.substeps, budget.sweeps);
     Real fastest = 0, deepest = 0;
     for (int step = 0; step < steps; ++step) {
-      substeps(world, solver, dt, budget.substeps, budget.sweeps);
+      world.step(solver, dt);
       deepest = std::max(deepest, deepest_overlap(world));
       if (step >= steps - second) fastest = std::max(fastest, largest_speed(world));
     }

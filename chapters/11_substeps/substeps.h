@@ -1,15 +1,31 @@
 /// Many substeps instead of many sweeps.
 #pragma once
 
-#include "pushback/common/world/world.h"
+#include <concepts>
+#include <utility>
+
+#include "pushback/common/basics/input.h"
+#include "pushback/common/world/step_solver.h"
 
 namespace pushback {
 
-/// A step of dt as `count` steps of dt / count, one sweep each. Contacts are detected anew in every one of them.
+/// A solver that divides each step into `count` substeps, of one sweep each. Contacts are detected anew in every one of them.
 /// Macklin et al., "Small Steps in Physics Simulation", SCA 2019.
-template <class ContactSolver>
-void substeps(World& world, ContactSolver& solver, Real dt, int count, int sweeps = 1) {
-  for (int i = 0; i < count; ++i) world.step(solver, dt / static_cast<Real>(count), sweeps);
-}
+template <std::derived_from<StepSolver> ContactSolver>
+struct Substeps : ContactSolver {
+  int count;
+  int sweeps;  ///< in each substep
+
+  explicit Substeps(ContactSolver solver = {}, int substeps = 32, int sweeps_of_each = 1)
+      : ContactSolver(std::move(solver)), count(substeps), sweeps(sweeps_of_each) {}
+
+  Plan plan(Real dt) const override {
+    if (count < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", count));
+    Plan plan = ContactSolver::plan(dt / static_cast<Real>(count));
+    plan.detections *= count;
+    plan.sweeps = sweeps;
+    return plan;
+  }
+};
 
 }  // namespace pushback

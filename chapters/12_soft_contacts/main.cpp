@@ -26,7 +26,7 @@ Real speed_out_of(const SoftContacts& spring, Real depth, Real h, Real seconds) 
 
 /// The spring without the relaxing pass.
 struct Unrelaxed : SoftSolver {
-  void after_move(World&, Real) {}
+  void moved(World&, Real) override {}
 };
 
 }  // namespace
@@ -51,16 +51,14 @@ int main(int argc, char** argv) {
   return e.run(argc, argv, [&] {
     const Real h = e.dt() / static_cast<Real>(count), w = spring.angular_frequency(h);
     const auto hard = [&]() -> Variant& {
-      return e.variant(fmt::format("{} substeps, hard", count), FullSolver{})
-          .in_substeps(count)
+      return e.variant(fmt::format("{} substeps, hard", count), Substeps(FullSolver{}, count))
           .with_exactly(1)
           .coloured(0);
     };
     const auto springy = [&](const std::string& what, int colour, auto solver) -> Variant& {
       solver.hertz = spring.hertz;
       solver.damping_ratio = spring.damping_ratio;
-      return e.variant(fmt::format("{} substeps, {}", count, what), solver)
-          .in_substeps(count)
+      return e.variant(fmt::format("{} substeps, {}", count, what), Substeps(solver, count))
           .with_exactly(1)
           .coloured(colour);
     };

@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// What an effect asks for in `build` that needs a RelaxingSolver. A normal that has softness wants
+/// A step as effects of a RelaxingSolver see it. A normal that has softness wants
 ///
 ///   J V + b + gamma lambda = 0,   and its effective mass is 1 / (K + gamma)
 struct RelaxingStep : Step {
@@ -21,33 +21,39 @@ struct RelaxingStep : Step {
   Real yields(std::size_t i) const { return i < softness.size() ? softness[i] * rows[i].impulse : 0; }
 };
 
+/// Declares the hook of a RelaxingSolver. The effects that derive from it define it.
+struct Relaxes : RequiredHook {
+  /// The bodies have moved. What the rows ask for changes: for no push-out any more.
+  void relax(RelaxingStep&) {}
+};
+/// An effect that has the hook, or derives from Relaxes, does both.
 template <class E>
-concept RelaxingEffect = requires(E& effect, RelaxingStep& step) { effect.relax(step); };
+concept SpellsRelax =
+    (std::derived_from<E, Relaxes> && !std::same_as<decltype(&E::relax), decltype(&Relaxes::relax)>) ||
+    (!std::derived_from<E, Relaxes> && !requires { &E::relax; });
 
-/// After the bodies have moved it calls, of the effects that have them,
-///
-///   void relax(RelaxingStep&)   the rows are to ask for something else: for no push-out any more
-///   void moved(Step&)           the rows' geometry has changed: recompute anything derived from it
-///
-/// and then sweeps once more, and reports again.
+/// Calls `relax` and then `update_geometry` of the effects that have them, once the bodies have moved; then it sweeps once
+/// more, and reports again.
 template <class... Effects>
-class RelaxingSolver : public Solver<Effects...> {
+class RelaxingSolver : public SequentialImpulses<Effects...> {
+  static_assert((SpellsRelax<Effects> && ...), "an effect with the hook `relax` derives from Relaxes and defines it");
+
  public:
-  void solve(World& world, Real dt, int sweeps) {
+  void solve(World& world, Real dt, int sweeps) override {
     softness_.assign(world.contacts.size(), 0);
     RelaxingStep step = step_of(world, dt);
-    Solver<Effects...>::solve(step, sweeps);
+    SequentialImpulses<Effects...>::solve(step, sweeps);
   }
-  void after_move(World& world, Real dt) {
+  void moved(World& world, Real dt) override {
     RelaxingStep step = step_of(world, dt);
     [[maybe_unused]] const auto relax = [&step]<class E>(E& effect) {
-      if constexpr (RelaxingEffect<E>) effect.relax(step);
+      if constexpr (std::derived_from<E, Relaxes>) effect.relax(step);
     };
-    [[maybe_unused]] const auto moved = [&step]<class E>(E& effect) {
-      if constexpr (requires { effect.moved(step); }) effect.moved(step);
+    [[maybe_unused]] const auto update_geometry = [&step]<class E>(E& effect) {
+      if constexpr (std::derived_from<E, UpdatesGeometry>) effect.update_geometry(step);
     };
     (relax(static_cast<Effects&>(*this)), ...);
-    (moved(static_cast<Effects&>(*this)), ...);
+    (update_geometry(static_cast<Effects&>(*this)), ...);
     this->sweep(step);
     this->report(step);
   }

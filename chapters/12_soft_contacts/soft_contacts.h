@@ -15,7 +15,7 @@ namespace pushback {
 ///
 /// A contact that carries the force F rests where k d = F. So it needs no slop: what carries, overlaps.
 /// Catto, "Soft Constraints", GDC 2011; relaxing as in Catto, "Solver2D", 2024.
-struct SoftContacts : Effect {
+struct SoftContacts : Effect, Relaxes {
   Real hertz = 240;           ///< of the spring; see angular_frequency
   Real damping_ratio = 5;     ///< zeta; 1: critical
   Real fastest_push_out = 3;  ///< m/s; what is deep inside is not to be shot out

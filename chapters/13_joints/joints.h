@@ -13,7 +13,7 @@ namespace pushback {
 ///
 /// The feedback is that of an equality: it follows (1 - beta)^k (chapter 03). With beta = 0 joints drift apart.
 /// Joints of which nothing can move, or is awake, ask for nothing.
-struct Joints : Effect, HoldsJoints {
+struct Joints : Effect, HoldsJoints, UpdatesGeometry {
   Real beta = Real(0.2);  ///< of 0 ... 1: how much of C one step takes away
 
   /// What a joint asks for may be refused, so all are asked before anything has changed.
@@ -44,7 +44,7 @@ struct Joints : Effect, HoldsJoints {
   }
   /// Only under a solver that relaxes (chapter 12): the same equations where the bodies are now, and C is not fed back.
   /// Springs stay as they were: what they add to the speeds is meant.
-  void moved(Step& step) {
+  void update_geometry(Step& step) {
     ask(step);
     for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
       JointRow& row = joint_rows_[i];

@@ -47,8 +47,9 @@ int main(int argc, char** argv) {
   e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagram of the chain", 1, 10000}, &sweep_counts);
   return e.run(argc, argv, [&] {
     const auto in_tens = [&]() -> Variant& {
-      return e.variant(fmt::format("split impulse, {} substeps of 4", substeps), with_joint_beta<JointedSolver>(beta))
-          .in_substeps(substeps)
+      return e
+          .variant(fmt::format("split impulse, {} substeps of 4", substeps),
+                   Substeps(with_joint_beta<JointedSolver>(beta), substeps, 4))
           .with_exactly(4);
     };
     const auto joints_off = [&] {
@@ -89,7 +90,7 @@ int main(int argc, char** argv) {
 
     e.scene({.name = "the same chain: no feedback, and substeps", .fill = chain, .seconds = 4, .pictures = false});
     e.variant("warm, β = 0", with_joint_beta<Warm>(0)).with_exactly(10);
-    e.variant("split impulse, 10 substeps of 1", with_joint_beta<JointedSolver>(beta)).in_substeps(10).with_exactly(1);
+    e.variant("split impulse, 10 substeps of 1", Substeps(with_joint_beta<JointedSolver>(beta), 10)).with_exactly(1);
     e.series_without_curves("stretch", stretch);
     stretched();
 

@@ -45,9 +45,9 @@ struct SplitJoints : WarmJoints {
     if (!pushed_) remember(step);
     pushed_ = false;
   }
-  void moved(Step& step) {
+  void update_geometry(Step& step) {
     each_row(step, [](Row& row, const std::vector<Real>& impulses, std::size_t n) { row.reach(impulses[n]); });
-    WarmJoints::moved(step);
+    WarmJoints::update_geometry(step);
   }
 
  private:

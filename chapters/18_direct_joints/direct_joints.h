@@ -31,8 +31,8 @@ struct DirectJoints : Joints {
       if (limited(row) || (at_once_.empty() && std::isfinite(row.effective_mass))) row.solve();
     solve_at_once();
   }
-  void moved(Step& step) {
-    Joints::moved(step);
+  void update_geometry(Step& step) {
+    Joints::update_geometry(step);
     factor();
   }
   /// Indices in joint_rows() of the rows that are solved at once. Of those without limits, the missing ones are held by others.

@@ -90,8 +90,7 @@ int main(int argc, char** argv) {
              .side_by_side = true});
     int colour = 0;
     for (const int steps : steps_of_balls)
-      e.variant(counted(steps, "step") + " in 1/60 s", Solver<Clamping, Restitution>{})
-          .in_substeps(steps)
+      e.variant(counted(steps, "step") + " in 1/60 s", Substeps(Solver<Clamping, Restitution>{}, steps))
           .with_exactly(1)
           .coloured(colour++);
     measure_error(of_balls);
@@ -112,8 +111,7 @@ int main(int argc, char** argv) {
          .side_by_side = true});
     colour = 0;
     for (const int steps : steps_of_chain)
-      e.variant(counted(steps, "step") + " of " + counted(16 / steps, "sweep"), Solver<Joints>{})
-          .in_substeps(steps)
+      e.variant(counted(steps, "step") + " of " + counted(16 / steps, "sweep"), Substeps(Solver<Joints>{}, steps))
           .with_exactly(16 / steps)
           .coloured(colour++);
     measure_error(of_chain);

@@ -7,12 +7,14 @@ void OnlyWhatIsNeeded::fit(const World& world) {
   look(world);
 }
 
-void OnlyWhatIsNeeded::step(World& world, Real dt, int sweeps) {
+void OnlyWhatIsNeeded::step(World& world, Real dt, std::optional<int> sweeps) {
   const bool as_it_was =
       world.bodies.size() == bodies_ && world.forces.size() == forces_ && world.joints.size() == joints_;
   if (!as_it_was) fit(world);
-  if (sleep) pushback::step(world, solver_, dt, sweeps, *sleep);
-  else pushback::step(world, solver_, dt, sweeps, everybody_);
+  const Plan plan = solver_.plan(dt);
+  everybody_.workers = &plan.workers->of_bodies(world.bodies.size());
+  if (sleep) pushback::step(world, solver_, dt, sweeps.value_or(plan.sweeps), *sleep);
+  else pushback::step(world, solver_, dt, sweeps.value_or(plan.sweeps), everybody_);
 }
 
 void OnlyWhatIsNeeded::look(const World& world) {

@@ -5,6 +5,8 @@
 
 #include "pushback/chapters/20_only_what_is_needed/only.h"
 #include "pushback/chapters/20_only_what_is_needed/sleep.h"
+#include "pushback/common/world/forwarding_solver.h"
+#include "pushback/common/world/step.h"
 
 namespace pushback {
 
@@ -30,29 +32,22 @@ void with_answers(const World& world, const Use& use, CalledFor<Question, Rest..
 }
 
 /// Of a solver what a scene calls for. To call it is an indirect call a step; its sweeps are compiled as ever.
-class FittingSolver : public StepSolver {
+class FittingSolver : public ForwardingSolver {
  public:
   template <class Full>
   FittingSolver(const World& world, const Full& full) : holder_(holder_for(world, full)) {}
-  FittingSolver(const FittingSolver& other) : holder_(other.holder_->copy()) {}
+  FittingSolver(const FittingSolver& other) : ForwardingSolver(other), holder_(other.holder_->copy()) {}
   FittingSolver(FittingSolver&&) noexcept = default;
   FittingSolver& operator=(FittingSolver other) noexcept {
     holder_.swap(other.holder_);
     return *this;
   }
-  ~FittingSolver() = default;
+  ~FittingSolver() override = default;
 
   /// The scene is another one now. Settings stay. Throws InvalidInput if it has joints and the solver holds none; then nothing
   /// has changed.
   void fit(const World& world) { holder_ = holder_->fitting(world); }
-
-  void check(World& world, Real dt) { holder_->check(world, dt); }
-  Division division(Real dt) const { return holder_->division(dt); }
-  void detected(World& world, Real dt) { holder_->detected(world, dt); }
-  void solve(World& world, Real dt, int sweeps) { holder_->solve(world, dt, sweeps); }
-  void displace(World& world, Real dt) { holder_->displace(world, dt); }
-  void after_move(World& world, Real dt) { holder_->after_move(world, dt); }
-  void done(World& world) { holder_->done(world); }
+  /// Of the latest substep; none where the solver has none to show.
   const Rows& rows() const { return holder_->rows(); }
   const JointRows& joint_rows() const { return holder_->joint_rows(); }
 
@@ -61,34 +56,22 @@ class FittingSolver : public StepSolver {
     virtual ~AnyHolder() = default;
     virtual std::unique_ptr<AnyHolder> copy() const = 0;
     virtual std::unique_ptr<AnyHolder> fitting(const World& world) const = 0;
-    virtual void check(World& world, Real dt) = 0;
-    virtual Division division(Real dt) const = 0;
-    virtual void detected(World& world, Real dt) = 0;
-    virtual void solve(World& world, Real dt, int sweeps) = 0;
-    virtual void displace(World& world, Real dt) = 0;
-    virtual void after_move(World& world, Real dt) = 0;
-    virtual void done(World& world) = 0;
+    virtual StepSolver& solver() = 0;
     virtual const Rows& rows() const = 0;
     virtual const JointRows& joint_rows() const = 0;
   };
-  template <class Full, class ContactSolver>
+  template <class Full, class Fitting>
   struct Holder final : AnyHolder {
-    Holder(const Full& its_full, ContactSolver its_solver) : full(its_full), solver(std::move(its_solver)) {}
+    Holder(const Full& its_full, Fitting its_fitting) : full(its_full), held(std::move(its_fitting)) {}
     std::unique_ptr<AnyHolder> copy() const override { return std::make_unique<Holder>(*this); }
     std::unique_ptr<AnyHolder> fitting(const World& world) const override { return holder_for(world, full); }
-    void check(World& world, Real dt) override { solver.check(world, dt); }
-    Division division(Real dt) const override { return solver.division(dt); }
-    void detected(World& world, Real dt) override { solver.detected(world, dt); }
-    void solve(World& world, Real dt, int sweeps) override { solver.solve(world, dt, sweeps); }
-    void displace(World& world, Real dt) override { solver.displace(world, dt); }
-    void after_move(World& world, Real dt) override { solver.after_move(world, dt); }
-    void done(World& world) override { solver.done(world); }
+    StepSolver& solver() override { return held; }
     const Rows& rows() const override {
-      if constexpr (requires { solver.rows(); }) return solver.rows();
+      if constexpr (requires { held.rows(); }) return held.rows();
       else return none<Rows>();
     }
     const JointRows& joint_rows() const override {
-      if constexpr (requires { solver.joint_rows(); }) return solver.joint_rows();
+      if constexpr (requires { held.joint_rows(); }) return held.joint_rows();
       else return none<JointRows>();
     }
     template <class List>
@@ -97,12 +80,14 @@ class FittingSolver : public StepSolver {
       return nothing;
     }
     Full full;  // for the settings of what is left out
-    ContactSolver solver;
+    Fitting held;
   };
+  StepSolver& inner() override { return holder_->solver(); }
+  const StepSolver& inner() const override { return holder_->solver(); }
 
   template <class Full>
   static std::unique_ptr<AnyHolder> holder_for(const World& world, const Full& full) {
-    check_solvable<Full>(world);
+    check_solvable(world, full);
     std::unique_ptr<AnyHolder> chosen;
     const auto choose = [&](auto called) {
       using Fitting = Only<Full, decltype(called)>;
@@ -119,7 +104,7 @@ class FittingSolver : public StepSolver {
 struct EverybodyFitting : Everybody {
   bool touching = true;
   void find_contacts(World& world, const Margin& margin = {}) const {
-    if (touching) world.find_contacts(margin);
+    if (touching) Everybody::find_contacts(world, margin);
     else world.contacts.clear();
   }
 };
@@ -137,7 +122,9 @@ class OnlyWhatIsNeeded {
     look(world);
   }
   void fit(const World& world);
-  void step(World& world, Real dt, int sweeps = 10);
+  /// `sweeps`: in each substep; by default what the solver's plan says.
+  void step(World& world, Real dt, std::optional<int> sweeps = {});
+  Solved solved() const { return solver_.solved(); }
   const Rows& rows() const { return solver_.rows(); }
   const JointRows& joint_rows() const { return solver_.joint_rows(); }
 

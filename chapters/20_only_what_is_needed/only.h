@@ -4,6 +4,7 @@
 #include "pushback/chapters/06_friction/friction.h"
 #include "pushback/chapters/09_impacts/from_surface.h"
 #include "pushback/chapters/09_impacts/sequential.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/relaxing_solver.h"
 #include "pushback/chapters/13_joints/joints.h"
 #include "pushback/chapters/20_only_what_is_needed/questions.h"
@@ -17,7 +18,7 @@ template <class E>
 struct DependsOn {
   using questions = CalledFor<Touching>;
 };
-template <RelaxingEffect E>
+template <std::derived_from<Relaxes> E>
 struct DependsOn<E> {
   using questions = CalledFor<Touching, Holding>;  // joints are relaxed as well
 };
@@ -64,9 +65,20 @@ struct OnlyOf<AnySolver<Effects...>, Called> {
   using type = typename Keep<Called, AnySolver<>, Effects...>::type;
 };
 template <class Full, class Called>
+struct OnlyOf<Substeps<Full>, Called> {
+  using type = Substeps<typename OnlyOf<Full, Called>::type>;
+};
+template <class Full, class Called>
 using Only = typename OnlyOf<Full, Called>::type;
 
 /// What is left of `full`, with the same settings.
+template <class Called, class Full>
+Only<Full, Called> only(const Full& full);
+template <class Called, class Full>
+Only<Substeps<Full>, Called> only(const Substeps<Full>& full) {
+  const Full& divided = full;
+  return Only<Substeps<Full>, Called>(only<Called>(divided), full.count, full.sweeps);
+}
 template <class Called, class Full>
 Only<Full, Called> only(const Full& full) {
   if constexpr (std::same_as<Only<Full, Called>, Full>) {

@@ -261,7 +261,9 @@ void Sleep::put_to_sleep(World& world, const std::vector<int>& bodies) {
   for (const Contact& contact : world.contacts) {
     const auto [a, b] = world.bodies_of(contact);
     if (!a.asleep && !b.asleep) continue;
-    if (rest((a.asleep ? a : b).index).island == island) sleeping.contacts.push_back(contact);
+    if (rest((a.asleep ? a : b).index).island != island) continue;
+    sleeping.contacts.push_back(contact);
+    sleeping.contacts.back().impulse = contact.last_impulse;  // what they start from when they wake
   }
   std::vector<int> still_awake;
   std::set_difference(awake_.begin(), awake_.end(), bodies.begin(), bodies.end(), std::back_inserter(still_awake));

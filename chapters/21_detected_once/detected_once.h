@@ -3,17 +3,17 @@
 ///   world.step(solver, 1.0 / 60);
 #pragma once
 
+#include <optional>
+
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "pushback/chapters/21_detected_once/kept_contact.h"
 
 namespace pushback {
 
-/// What may be set, and how a step is divided. World::step does it; detection looks ahead by a margin, so that what comes to
-/// touch within the step has its rows.
-struct OnceInAStep : StepSolver, HoldsJoints {
-  static constexpr int usual_sweeps = 1;  // in a substep
-
+/// The settings of a solver that divides its steps, and its plan: one sweep a substep, and a margin ahead of which contacts
+/// are detected, so that bodies that come to touch within the step have rows.
+struct SubsteppingSolver : StepSolver {
   int substeps = 32;
   Real margin = Real(0.02);        ///< m: beside what a pair may come nearer in a step
   Real threshold = Real(0.1);      ///< m/s; what arrives slower does not bounce
@@ -23,7 +23,8 @@ struct OnceInAStep : StepSolver, HoldsJoints {
   SoftContacts spring;             ///< chapter 12's: hertz, damping ratio, fastest push-out
   SteadyJoints joints;
 
-  void check(World& world, Real dt) {
+  bool holds_joints() const override { return true; }
+  void check(World& world, Real h) override {
     if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
     require_not_negative("margin", margin);
     require_not_negative("threshold", threshold);
@@ -31,13 +32,21 @@ struct OnceInAStep : StepSolver, HoldsJoints {
     require_not_negative("precision", precision);
     if (most_rounds < 1)
       throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
-    Step step = joints_step(world, dt / static_cast<Real>(substeps));
+    Step step = joints_step(world, h);
     spring.check(step);
     joints.check(step);
   }
-  Division division(Real dt) const { return {substeps, {.least = margin, .ahead = dt}}; }
+  Plan plan(Real dt) const override {
+    return {.substeps = substeps, .sweeps = 1, .margin = {.least = margin, .ahead = dt}};
+  }
 
  protected:
+  /// Of the joints' rows.
+  Solved of_joints() const {
+    Solved sum{static_cast<int>(joints.joint_rows().size()), 0};
+    for (const JointRow& row : joints.joint_rows()) sum.residual = std::max(sum.residual, row.error());
+    return sum;
+  }
   /// Joints have rows of their own, made anew in each substep; of the contacts they know nothing.
   Step joints_step(World& world, Real h) { return {world, world.contacts, no_rows_, h}; }
   PushOut push_out(Real h) const {
@@ -77,10 +86,11 @@ struct OnceInAStep : StepSolver, HoldsJoints {
 /// Soft contacts, a friction cone, restitution, warm start and relaxing as in chapters 05 to 12; joints as in chapter 14.
 ///
 /// Between steps it remembers nothing: what it starts from stands in the world's contacts and joints.
-class DetectedOnce : public OnceInAStep {
+class DetectedOnce : public SubsteppingSolver {
  public:
   /// Once in a step: the rows, and the impulses that they start from.
-  void detected(World& world, Real h) {
+  void detected(World& world, Real h) override {
+    measured_.reset();
     bodies_.clear();
     contacts_.clear();
     places_.assign(world.bodies.size(), none);
@@ -95,7 +105,7 @@ class DetectedOnce : public OnceInAStep {
     });
   }
   /// In each substep: what each normal is to do, the initial guess, and the sweeps.
-  void solve(World& world, Real h, int sweeps) {
+  void solve(World& world, Real h, int sweeps) override {
     Step step = joints_step(world, h);
     joints.build(step);
     forget_impacts();
@@ -115,7 +125,7 @@ class DetectedOnce : public OnceInAStep {
     joints.report(step);
   }
   /// In each substep, once the bodies have moved: where they are now, and the relaxing pass.
-  void after_move(World& world, Real h) {
+  void moved(World& world, Real h) override {
     for (KeptBody& each : bodies_) {
       each.way += h * each.body->velocity;
       each.turn += h * each.body->angular_velocity;
@@ -125,23 +135,27 @@ class DetectedOnce : public OnceInAStep {
       contact.relax();
     }
     Step step = joints_step(world, h);
-    joints.moved(step);
+    joints.update_geometry(step);
     sweep(step);
     joints.report(step);
+    for (KeptContact& contact : contacts_) contact.sum += contact.impulse();
   }
   /// Once in a step: contacts know their impulses, and what did not touch is no contact.
-  void done(World& world) {
+  void done(World& world) override {
+    if (fastest_ > 0) measured_ = measure();  // an impact's impulses are about to be forgotten
     forget_impacts();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const KeptContact& kept = contacts_[i];
       Contact& contact = world.contacts[i];
       contact.depth = -kept.separation(bodies_);
-      contact.impulse = kept.impulse();
+      contact.impulse = kept.sum;
+      contact.last_impulse = kept.impulse();
       contact.state =
           state_of(known_[i], kept.friction, kept.normal.impulse, kept.tangent1.impulse, kept.tangent2.impulse);
     }
     std::erase_if(world.contacts, [](const Contact& c) { return c.depth < 0 && c.impulse.isZero(0); });
   }
+  Solved solved() const override { return measured_.value_or(measure()); }
 
  private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -174,6 +188,13 @@ class DetectedOnce : public OnceInAStep {
     rows_solved += 2 * contacts_.size();
   }
 
+  Solved measure() const {
+    Solved all = of_joints();
+    all.rows += 3 * static_cast<int>(contacts_.size());
+    for (const KeptContact& contact : contacts_) all.residual = std::max(all.residual, contact.error());
+    return all;
+  }
+
   /// An impact is over in one substep: the next one starts from the impulses that it started from.
   void forget_impacts() {
     if (fastest_ > 0)
@@ -181,6 +202,7 @@ class DetectedOnce : public OnceInAStep {
     fastest_ = 0;
   }
 
+  std::optional<Solved> measured_;  // before the impulses of an impact were forgotten
   std::vector<KeptContact> contacts_;
   std::vector<KeptBody> bodies_;     // those that touch
   std::vector<std::size_t> places_;  // of each body of the world, in bodies_

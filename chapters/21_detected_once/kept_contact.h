@@ -59,6 +59,7 @@ struct KeptContact {
   std::size_t a = 0, b = 0;    // its bodies, in the solver's list
   Real softness = 0;           // gamma, 1/kg
   Real mass = 0;               // 1 / (K + gamma), kg
+  Vec3 sum = Vec3::Zero();     // N s, on B: of the impulses of all substeps so far
   Real bounce = 0;             // minus its speed once it has bounced in this substep, m/s; 0: it does not bounce
 
   /// Of the contact with this index.
@@ -112,20 +113,21 @@ struct KeptContact {
   }
   /// As FrictionCone, chapter 08.
   void rub() {
-    Real total1 = tangent1.impulse - step_size * tangent1.speed();  // both read before either acts
-    Real total2 = tangent2.impulse - step_size * tangent2.speed();
-    const Real radius = friction * normal.impulse, squared = total1 * total1 + total2 * total2;
-    if (squared > radius * radius) [[unlikely]] {
-      const Real kept = radius / std::sqrt(squared);
-      total1 *= kept;
-      total2 *= kept;
-    }
+    const auto [total1, total2] = in_disc();  // both read before either acts
     tangent1.reach(total1);
     tangent2.reach(total2);
   }
   /// N s, on B.
   Vec3 impulse() const {
     return normal.impulse * normal.n + tangent1.impulse * tangent1.n + tangent2.impulse * tangent2.n;
+  }
+  /// How far it is from being solved, m/s: by how much another iteration would change the speed along one of its rows.
+  Real error() const {
+    const Real wanted = normal.impulse - mass * (normal.speed() + (normal.bias + softness * normal.impulse));
+    const Real pushed = std::abs(std::max(wanted, normal.lo) - normal.impulse) / normal.effective_mass;
+    if (friction == 0) return pushed;
+    const auto [total1, total2] = in_disc();
+    return std::max(pushed, std::hypot(total1 - tangent1.impulse, total2 - tangent2.impulse) / step_size);
   }
   /// The impulses that it starts from (chapter 07). What they give its bodies, those get as each substep begins.
   void guess(const Vec3& impulse_before) {
@@ -175,6 +177,18 @@ struct KeptContact {
     normal.bias = bias;
     softness = gamma_by_K / normal.effective_mass;
     mass = normal.effective_mass / (1 + gamma_by_K);
+  }
+  /// What both tangents' sums are to be, N s.
+  std::pair<Real, Real> in_disc() const {
+    Real total1 = tangent1.impulse - step_size * tangent1.speed(),
+         total2 = tangent2.impulse - step_size * tangent2.speed();
+    const Real radius = friction * normal.impulse, squared = total1 * total1 + total2 * total2;
+    if (squared > radius * radius) [[unlikely]] {
+      const Real kept = radius / std::sqrt(squared);
+      total1 *= kept;
+      total2 *= kept;
+    }
+    return {total1, total2};
   }
   /// J V as the substep began, m/s: before its gravity.
   Real speed_before() const {

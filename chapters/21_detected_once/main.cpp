@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   return e.run(argc, argv, [&] {
     DetectedInEach in_each;
     const auto each = [&] {
-      e.variant("detected in each substep", in_each).in_substeps(once.substeps).with_exactly(1).coloured(0);
+      e.variant("detected in each substep", Substeps(in_each, once.substeps)).with_exactly(1).coloured(0);
     };
     const auto kept = [&]() -> Variant& { return e.variant("detected once", once).with_exactly(1).coloured(1); };
 
@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
     DetectedOnce in_a_quarter = once;
     in_a_quarter.substeps = std::max(1, once.substeps / 4);
     kept();
-    e.variant("detected four times", in_a_quarter).in_substeps(4).with_exactly(1).coloured(3);
+    e.variant("detected four times", Substeps(in_a_quarter, 4)).with_exactly(1).coloured(3);
     e.series("height", "m", [](const World& world) { return world.bodies[1].position.y(); });
     e.series_without_curves("way", [](const World& world) { return world.bodies[1].position.x(); });
     e.number("way", "m", [](const Run& run) { return run.series.at("way").back(); });

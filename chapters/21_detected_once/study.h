@@ -11,7 +11,7 @@ using DetectedInEach = RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Rest
 
 /// The mistake to avoid: only what touches as the step begins has rows.
 struct WithoutMargin : DetectedOnce {
-  Division division(Real /*dt*/) const { return {substeps, {}}; }
+  Plan plan(Real /*dt*/) const override { return {.substeps = substeps, .sweeps = 1}; }
 };
 
 /// m: by how much C_0 + J dX is off after t seconds, at a corner `arm` (m) above the centre of a box that turns.

@@ -83,6 +83,8 @@ struct Bundles {
   Twist<Real>*moved, *given;  ///< what it has moved since detection; what its contacts' impulses add to its velocity
   const Inertia<Real>* inertias;
   EightVectors<Real>* starts;  ///< of each contact: the impulses that a substep in which something bounces starts from
+  EightVectors<Real>*
+      sums;  ///< of each contact: its impulses of all substeps so far, along the normal and both tangents
 };
 
 /// What soft contacts ask for: PushOut of chapter 21.
@@ -100,8 +102,9 @@ struct Passes {
   Real (*aim)(const Bundles<Real>&, const WidePushOut<Real>&);  ///< returns the fastest bounce, m/s
   void (*carry)(const Bundles<Real>&, Real carried_from);
   void (*relax)(const Bundles<Real>&);
-  Real (*push)(const Bundles<Real>&);  ///< all normals; returns by how much it changed a speed, m/s
-  void (*rub)(const Bundles<Real>&);   ///< all tangents
+  Real (*push)(const Bundles<Real>&);         ///< all normals; returns by how much it changed a speed, m/s
+  void (*rub)(const Bundles<Real>&);          ///< all tangents
+  void (*rub_and_sum)(const Bundles<Real>&);  ///< the last pass of a substep: all tangents, and sums += impulses
   void (*keep)(const Bundles<Real>&);
   void (*restore)(const Bundles<Real>&);
   void (*turn)(Turning<Real>&, Real h);

@@ -356,6 +356,17 @@ template <class Lanes, class Real>
 void rub(const Bundles<Real>& all) {
   two_at_a_time<Lanes>(all, rub_contact<Lanes, Real>);
 }
+/// The last pass of a substep.
+template <class Lanes, class Real>
+void rub_and_sum(const Bundles<Real>& all) {
+  two_at_a_time<Lanes>(all, [&](const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
+    rub_contact(bundle, contact, pairs, at);
+    EightVectors<Real>& sum = all.sums[&contact - all.contacts];
+    store(Lanes(load<Lanes>(sum.x, at) + load<Lanes>(contact.normal.impulse, at)), sum.x, at);
+    store(Lanes(load<Lanes>(sum.y, at) + load<Lanes>(contact.tangent1.impulse, at)), sum.y, at);
+    store(Lanes(load<Lanes>(sum.z, at) + load<Lanes>(contact.tangent2.impulse, at)), sum.z, at);
+  });
+}
 
 /// What a substep in which something bounces starts from; and from there the next one is to start as well.
 template <class Lanes, class Real>
@@ -396,6 +407,7 @@ Passes<Real> passes_of(const char* processor) {
           relax<Lanes, Real>,
           push<Lanes, Real>,
           rub<Lanes, Real>,
+          rub_and_sum<Lanes, Real>,
           keep<Lanes, Real>,
           restore<Lanes, Real>,
           turn<Lanes, Real>};

@@ -122,7 +122,8 @@ std::size_t Wide<Scalar>::place_of(World& world, std::size_t body) {
 template <class Scalar>
 void Wide<Scalar>::detected(World& world, Real h) {
   const NoDenormals none;
-  at_work_ = &workers().of_bodies(world.bodies.size());
+  at_work_ = &(crew ? *crew : alone()).of_bodies(world.bodies.size());
+  measured_.reset();
   bodies_.clear();
   places_.clear();
   Sets sets = sets_of(touching_pairs(world.contacts), world);
@@ -162,6 +163,7 @@ void Wide<Scalar>::lay_out(const Sets& sets) {
   contacts_.resize(static_cast<std::size_t>(contacts));
   points_.resize(static_cast<std::size_t>(contacts));
   starts_.resize(static_cast<std::size_t>(contacts));
+  sums_.assign(static_cast<std::size_t>(contacts), {});
 }
 
 /// Up to eight pairs side by side: what their rows are made of.
@@ -226,7 +228,8 @@ Bundles<Scalar> Wide<Scalar>::bundles(std::size_t begin, std::size_t end) {
           moved_.data(),
           given_.data(),
           inertias_.data(),
-          starts_.data()};
+          starts_.data(),
+          sums_.data()};
 }
 
 /// `act(i)` for each of the bodies that touch. It changes nothing of any other.
@@ -290,14 +293,14 @@ void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
     bodies_[i]->velocity += linear(given_[i]);
     bodies_[i]->angular_velocity += angular(given_[i]);
   });
-  for (int i = 0; i < sweeps; ++i) sweep(step);
+  for (int i = 0; i < sweeps; ++i) sweep(step, passes.rub);
   joints.finish(step);
   joints.report(step);
 }
 
 /// Eight at a time of those that turn.
 template <class Scalar>
-void Wide<Scalar>::displace(World& world, Real h) {
+void Wide<Scalar>::integrate_positions(World& world, Real h) {
   at_work_->each(world.bodies.size(), 256, [&](Part part) {
     TurningBodies eight(turning);
     for (std::size_t i = part.begin; i < part.end; ++i) {
@@ -310,7 +313,7 @@ void Wide<Scalar>::displace(World& world, Real h) {
 }
 
 template <class Scalar>
-void Wide<Scalar>::after_move(World& world, Real h) {
+void Wide<Scalar>::moved(World& world, Real h) {
   const NoDenormals none;
   each_body([&](std::size_t i) {
     const Vec3 &v = bodies_[i]->velocity, &w = bodies_[i]->angular_velocity;
@@ -322,8 +325,8 @@ void Wide<Scalar>::after_move(World& world, Real h) {
   carry();
   each_bundle([&](std::size_t begin, std::size_t end) { passes.relax(bundles(begin, end)); });
   Step step = joints_step(world, h);
-  joints.moved(step);
-  sweep(step);
+  joints.update_geometry(step);
+  sweep(step, passes.rub_and_sum);
   joints.report(step);
 }
 
@@ -346,7 +349,7 @@ void Wide<Scalar>::carry() {
 
 /// Velocities are copied here, and what the contacts have added to them back: what nothing pushes keeps its bits.
 template <class Scalar>
-void Wide<Scalar>::sweep(Step& step) {
+void Wide<Scalar>::sweep(Step& step, void (*rub)(const Bundles<Scalar>&)) {
   joints.sweep(step);
   each_body([&](std::size_t i) { put(bodies_[i]->velocity, bodies_[i]->angular_velocity, now_[i]); });
   push_until_solved([this] {
@@ -354,7 +357,7 @@ void Wide<Scalar>::sweep(Step& step) {
     return static_cast<Real>(
         set_by_set([&](std::size_t begin, std::size_t end) { return passes.push(bundles(begin, end)); }));
   });
-  set_by_set([&](std::size_t begin, std::size_t end) { passes.rub(bundles(begin, end)); });
+  set_by_set([&](std::size_t begin, std::size_t end) { rub(bundles(begin, end)); });
   each_body([&](std::size_t i) {
     Vec3 &v = bodies_[i]->velocity, &w = bodies_[i]->angular_velocity;
     for (int k = 0; k < 3; ++k) {
@@ -377,6 +380,7 @@ void Wide<Scalar>::forget_impacts() {
 
 template <class Scalar>
 void Wide<Scalar>::done(World& world) {
+  if (fastest_ > 0) measured_ = measure();  // an impact's impulses are about to be forgotten
   forget_impacts();
   at_work_->each(where_.size(), 256, [&](Part part) {
     for (std::size_t i = part.begin; i < part.end; ++i) tell(world.contacts[i], i);
@@ -397,9 +401,48 @@ void Wide<Scalar>::tell(Contact& contact, std::size_t i) const {
                   vector_of(wide.normal.ra_n, lane).dot(angular(a_moved));
   const Scalar pushed = wide.normal.impulse.of[lane], rubbed1 = wide.tangent1.impulse.of[lane],
                rubbed2 = wide.tangent2.impulse.of[lane];
-  contact.impulse = static_cast<Real>(pushed) * n + static_cast<Real>(rubbed1) * vector_of(bundle.tangent1, lane) +
-                    static_cast<Real>(rubbed2) * vector_of(bundle.tangent2, lane);
+  contact.impulse = in_world(sums_[c], bundle, lane);
+  contact.last_impulse = static_cast<Real>(pushed) * n + static_cast<Real>(rubbed1) * vector_of(bundle.tangent1, lane) +
+                         static_cast<Real>(rubbed2) * vector_of(bundle.tangent2, lane);
   contact.state = state_of(known_[i], bundle.friction.of[lane], pushed, rubbed1, rubbed2);
+}
+
+/// Impulses along the normal and both tangents, as a vector.
+template <class Scalar>
+Vec3 Wide<Scalar>::in_world(const EightVectors<Scalar>& impulses, const Bundle<Scalar>& bundle,
+                            std::size_t lane) const {
+  const Vec3 along = vector_of(impulses, lane);
+  return along.x() * vector_of(bundle.n, lane) + along.y() * vector_of(bundle.tangent1, lane) +
+         along.z() * vector_of(bundle.tangent2, lane);
+}
+
+/// Of each row by how much another iteration would change the speed along it: KeptContact::error of chapter 21.
+template <class Scalar>
+Solved Wide<Scalar>::measure() const {
+  Solved all = of_joints();
+  all.rows += 3 * static_cast<int>(where_.size());
+  for (const auto& [b, c, lane] : where_) {
+    const Bundle<Scalar>& bundle = bundles_[b];
+    const WideContact<Scalar>& wide = contacts_[c];
+    const Body &first = *bodies_[std::size_t(bundle.a[lane])], &second = *bodies_[std::size_t(bundle.b[lane])];
+    const auto speed = [&](const EightVectors<Scalar>& direction, const WideRow<Scalar>& row) {
+      return vector_of(direction, lane).dot(second.velocity - first.velocity) +
+             vector_of(row.rb_n, lane).dot(second.angular_velocity) -
+             vector_of(row.ra_n, lane).dot(first.angular_velocity);
+    };
+    const auto number = [lane = lane](const Eight<Scalar>& of) { return static_cast<Real>(of.of[lane]); };
+    const Real pushed = number(wide.normal.impulse), rubbed1 = number(wide.tangent1.impulse),
+               rubbed2 = number(wide.tangent2.impulse), step_size = number(wide.step_size);
+    const Real wanted = speed(bundle.n, wide.normal) + number(wide.bias) + number(wide.softness) * pushed;
+    const Real total = std::max(Real(0), pushed - number(wide.mass) * wanted);
+    all.residual = std::max(all.residual, std::abs(total - pushed) / number(wide.rigid_mass));
+    Real total1 = rubbed1 - step_size * speed(bundle.tangent1, wide.tangent1);
+    Real total2 = rubbed2 - step_size * speed(bundle.tangent2, wide.tangent2);
+    const Real radius = number(bundle.friction) * pushed, size = std::hypot(total1, total2);
+    if (size > radius) total1 *= radius / size, total2 *= radius / size;
+    all.residual = std::max(all.residual, std::hypot(total1 - rubbed1, total2 - rubbed2) / step_size);
+  }
+  return all;
 }
 
 template Passes<float> passes_of_this_processor(int lanes);

@@ -19,7 +19,7 @@ Passes<Scalar> passes_of_this_processor(int lanes = 0);
 
 /// Rows and impulses are of the type Scalar, whatever Real is; positions are Real. Defined for float and double.
 template <class Scalar>
-class Wide : public OnceInAStep {
+class Wide : public SubsteppingSolver {
  public:
   Passes<Scalar> passes = passes_of_this_processor<Scalar>();
   Passes<Real> turning = passes_of_this_processor<Real>();  ///< of bodies
@@ -27,18 +27,19 @@ class Wide : public OnceInAStep {
   Sets (*sets_of)(const std::vector<PairOfBodies>& pairs, const World& world) = coloured;
   /// Who does the bundles of a set, and what else falls into parts; null: this one alone.
   std::shared_ptr<Workers> crew;
-  Workers& workers() const { return crew ? *crew : alone(); }
 
-  Division division(Real dt) const {
-    Division divided = OnceInAStep::division(dt);
-    divided.displaces = true;  // and reads I^-1 of the pairs that are carried alone
-    return divided;
+  Plan plan(Real dt) const override {
+    Plan plan = SubsteppingSolver::plan(dt);
+    plan.moves_bodies = true;  // and reads I^-1 of the pairs that are carried alone
+    plan.workers = crew ? crew.get() : &alone();
+    return plan;
   }
-  void detected(World& world, Real h);
-  void solve(World& world, Real h, int sweeps);
-  void displace(World& world, Real h);
-  void after_move(World& world, Real h);
-  void done(World& world);
+  void detected(World& world, Real h) override;
+  void solve(World& world, Real h, int sweeps) override;
+  void integrate_positions(World& world, Real h) override;
+  void moved(World& world, Real h) override;
+  void done(World& world) override;
+  Solved solved() const override { return measured_.value_or(measure()); }
 
  protected:
   /// Says in the i-th contact of the world what was done there so far.
@@ -60,9 +61,11 @@ class Wide : public OnceInAStep {
   Scalar set_by_set(const Act& act);
   template <class Act>
   Scalar largest_in(std::size_t begin, std::size_t end, const Act& act);
-  void sweep(Step& step);
+  void sweep(Step& step, void (*rub)(const Bundles<Scalar>&));
   void carry();
   void forget_impacts();
+  Solved measure() const;
+  Vec3 in_world(const EightVectors<Scalar>& impulses, const Bundle<Scalar>& bundle, std::size_t lane) const;
 
   Workers* at_work_ = &alone();      // in this step
   std::vector<Body*> bodies_;        // those that touch; the last one stands in empty lanes
@@ -75,8 +78,10 @@ class Wide : public OnceInAStep {
   std::vector<WideContact<Scalar>> contacts_;
   std::vector<Inertia<Scalar>> inertias_;     // of bodies_
   std::vector<EightVectors<Scalar>> starts_;  // of contacts_
+  std::vector<EightVectors<Scalar>> sums_;    // of contacts_: N s, over the substeps so far
   std::vector<Place> where_;                  // of each contact of the world
   std::vector<Scalar> largest_;               // of each part of a pass, what it returned
+  std::optional<Solved> measured_;            // before the impulses of an impact were forgotten
   bool bouncy_ = false;                       // whether any contact is
   std::vector<Vec3> guesses_;                 // what it starts from, N s
 };

@@ -35,7 +35,10 @@ struct Contact {
   Real restitution = 0;        ///< e of the pair
   ContactId id;                ///< and with it which bodies: A is id.body_a, B is id.body_b
 
-  Vec3 impulse = Vec3::Zero();               ///< N s, on B, world axes: what the solver applied here in this step
+  /// N s, on B, world axes: all that the solver applied here in the latest step, the sum over its substeps. In
+  /// World::contacts_before, and while a solver is at work: what one substep applied.
+  Vec3 impulse = Vec3::Zero();
+  Vec3 last_impulse = Vec3::Zero();          ///< N s, on B, world axes: what the step's last substep applied
   ContactState state = ContactState::fresh;  ///< what the solver did here
 };
 

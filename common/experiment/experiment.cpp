@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <set>
 
@@ -55,9 +54,19 @@ Variant& Variant::with_sweeps(int count) {
   return *this;
 }
 
-Variant& Variant::in_substeps(int count) {
-  substeps = count;
-  return *this;
+Plan Variant::plan(Real dt) const {
+  return solver ? solver->plan(dt) : Plan{};
+}
+
+void Variant::check(World& world, Real dt) const {
+  if (!checked) return;
+  if (!solver) {
+    motion(world, dt, 1);
+    return;
+  }
+  AnySolver probe = *solver;
+  check_solvable(world, probe);
+  probe.check(world, dt / static_cast<Real>(probe.plan(dt).all_substeps()));
 }
 
 Variant& Variant::changing(std::function<void(World&)> how) {
@@ -115,59 +124,15 @@ Variant& Experiment::add_variant(const std::string& name) {
   return added;
 }
 
-namespace {
-
-/// Stands where the solver would, so that the clock runs for it alone.
-struct Watched : StepSolver {
-  AnySolver& solver;
-  Sample& sample;
-
-  Watched(AnySolver& its_solver, Sample& its_sample) : solver(its_solver), sample(its_sample) {}
-  void check(World& world, Real dt) { solver.check(world, dt); }
-  Division division(Real dt) const { return solver.division(dt); }
-  void detected(World& world, Real dt) {
-    timed([&] { solver.detected(world, dt); });
-  }
-  void solve(World& world, Real dt, int sweeps) {
-    timed([&] { solver.solve(world, dt, sweeps); });
-    const AnySolver::Solved solved = solver.solved();
-    sample.rows = solved.rows;
-    sample.residual = solved.residual;
-  }
-  void displace(World& world, Real dt) { solver.displace(world, dt); }
-  void after_move(World& world, Real dt) {
-    timed([&] { solver.after_move(world, dt); });
-  }
-  void done(World& world) {
-    timed([&] { solver.done(world); });
-  }
-
-  template <class Work>
-  void timed(const Work& work) {
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    sample.solver_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  }
-};
-
-}  // namespace
-
 Variant& Experiment::variant(const std::string& name, AnySolver solver) {
   Variant& added = add_variant(name);
-  added.check = [solver](World& world, Real dt) mutable { solver.check(world, dt); };
-  added.step = [solver](World& world, Real dt, int sweeps, Sample& sample) mutable {
-    Watched watched(solver, sample);
-    world.step(watched, dt, sweeps);
-  };
+  added.solver = std::move(solver);
   return added;
 }
 
-Variant& Experiment::motion(const std::string& name, std::function<std::size_t(World&, Real, int)> step) {
+Variant& Experiment::motion(const std::string& name, CustomStep step) {
   Variant& added = add_variant(name);
-  added.check = [step](World& world, Real dt) { step(world, dt, 1); };
-  added.step = [step](World& world, Real dt, int sweeps, Sample& sample) {
-    sample.rows = static_cast<int>(step(world, dt, sweeps));
-  };
+  added.motion = std::move(step);
   return added;
 }
 
@@ -205,7 +170,10 @@ std::size_t Experiment::steps_of(const Scene& scene) const {
 }
 
 int Experiment::sweeps_of(const Variant& variant) const {
-  return variant.sweeps > 0 && (variant.exactly || !told_.contains("--sweeps")) ? variant.sweeps : sweeps_;
+  if (variant.exactly) return variant.sweeps;
+  if (told_.contains("--sweeps")) return sweeps_;
+  if (variant.sweeps > 0) return variant.sweeps;
+  return variant.solver ? variant.plan(dt_).sweeps : sweeps_;
 }
 
 /// Two of one name would share a folder; two scenes of one key, a sheet.
@@ -251,7 +219,7 @@ void Experiment::check() const {
   for (const Variant& variant : variants_) {
     World world;
     fill(world, variant);
-    variant.check(world, dt_ / static_cast<Real>(variant.substeps));
+    variant.check(world, dt_);
   }
 }
 

@@ -69,27 +69,31 @@ struct Reference {
   std::function<Real(Real)> of_time;
 };
 
+/// A step that an experiment makes in a way of its own, without a StepSolver. Returns how many rows that took.
+using CustomStep = std::function<std::size_t(World&, Real dt, int sweeps)>;
+
 /// One solver on one scene. What it returns can be said more of: e.variant("cold", solver).with_sweeps(50).
 struct Variant {
   std::string name;
   std::size_t scene = 0;
-  /// Moves a world on by one step; fills the sample's rows, residual and solver_seconds.
-  std::function<void(World&, Real dt, int sweeps, Sample&)> step;
-  std::function<void(World&, Real dt)> check;  ///< throws InvalidInput where a value cannot be used
-  std::function<void(World&)> change;          ///< what this variant does to the scene before it begins; empty: nothing
-  int substeps = 1;                            ///< into how many each step of --dt is cut
-  int sweeps = 0;                              ///< 0: what --sweeps says
-  bool exactly = false;                        ///< whether --sweeps has no say
-  int colour = -1;                             ///< index of line_colour and marker_of; -1: one for its name
-  std::map<std::string, Real> expected;        ///< by the name of a number
+  std::optional<AnySolver> solver;  ///< what moves the world on; none: `motion` does
+  CustomStep motion;                ///< instead of a solver
+  bool checked = true;  ///< whether the scene is refused, before anything is drawn, where the solver refuses it
+  std::function<void(World&)> change;    ///< what this variant does to the scene before it begins; empty: nothing
+  int sweeps = 0;                        ///< in each substep; 0: what the solver's plan says
+  bool exactly = false;                  ///< whether --sweeps has no say
+  int colour = -1;                       ///< index of line_colour and marker_of; -1: one for its name
+  std::map<std::string, Real> expected;  ///< by the name of a number
   std::vector<Reference> references;
   bool curves = true;  ///< whether its series are drawn
 
-  /// Each step of --dt as so many steps of the `count`th part; numbers of points found and lost are then of the last one.
-  Variant& in_substeps(int count);
+  /// How a step of dt is divided.
+  Plan plan(Real dt) const;
+  /// Throws InvalidInput where a value cannot be used.
+  void check(World& world, Real dt) const;
   /// What this variant does to the scene before it begins: variants may differ in their joints.
   Variant& changing(std::function<void(World&)> how);
-  /// Instead of the ten that all have; --sweeps overrides it.
+  /// Instead of what the solver's plan says; --sweeps overrides it.
   Variant& with_sweeps(int count);
   /// The number of sweeps is what this variant is about: --sweeps leaves it alone.
   Variant& with_exactly(int count);
@@ -119,8 +123,8 @@ class Experiment {
   void scene(Scene scene);
   /// A solver to watch on the latest scene: anything that World::step takes.
   Variant& variant(const std::string& name, AnySolver solver);
-  /// What moves the scene's bodies on in a way of its own, and returns how many rows that took. A copy of it plays the scene.
-  Variant& motion(const std::string& name, std::function<std::size_t(World&, Real dt, int sweeps)> step);
+  /// What moves the scene's bodies on in a way of its own. A copy of it plays the scene.
+  Variant& motion(const std::string& name, CustomStep step);
   /// A quantity to record after every step and to plot against time, for the latest scene. The first is the one that
   /// references are drawn with. Without any, the deepest overlap is plotted. `log_y`: as Panel has it.
   void series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of,

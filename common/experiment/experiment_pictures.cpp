@@ -28,10 +28,8 @@ Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& s
       result_(result) {
   const std::size_t steps = of.steps_of(scene_);
   const Real seconds = static_cast<Real>(steps) * of.dt_;
-  // The impulses that a picture shows are those of the latest substep.
-  const Real fitting = scene_.arrow > 0 ? scene_.arrow : fitting_arrow(start, of.dt_);
   if (scene_.contacts == Drawn::points) arrow_ = 0;
-  if (scene_.contacts == Drawn::impulses) arrow_ = static_cast<Real>(variant_.substeps) * fitting;
+  if (scene_.contacts == Drawn::impulses) arrow_ = scene_.arrow > 0 ? scene_.arrow : fitting_arrow(start, of.dt_);
   if (!output.images() || !scene_.pictures) return;
 
   const bool of_its_own = !scene_.instants.empty() && of.seconds_ == 0;

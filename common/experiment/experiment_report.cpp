@@ -30,7 +30,7 @@ Ink ink_of(const std::string& colour) {
 
 /// Where a variant has a number of sweeps of its own, its name says so.
 std::string Experiment::shown_name(const Variant& variant) const {
-  const bool said = sweeps_of(variant) == sweeps_ || variant.exactly;
+  const bool said = sweeps_of(variant) == sweeps_ || variant.sweeps == 0 || variant.exactly;
   return said ? variant.name : fmt::format("{}, {} sweeps", variant.name, sweeps_of(variant));
 }
 
@@ -213,9 +213,9 @@ std::string Experiment::how_solved(std::size_t act) const {
   bool by_default = false;
   for (const Variant& variant : variants_) {
     if (variant.scene != act) continue;
-    substeps.insert(variant.substeps);
+    substeps.insert(variant.plan(dt_).all_substeps());
     sweeps.insert(sweeps_of(variant));
-    by_default = by_default || variant.sweeps == 0;
+    by_default = by_default || (variant.sweeps == 0 && sweeps_of(variant) == sweeps_);
   }
   std::string text = substeps.size() == 1
                          ? fmt::format("steps of {:.4g} s", dt_ / static_cast<Real>(*substeps.begin()))

@@ -1,6 +1,7 @@
 #include "pushback/common/experiment/played.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 
 namespace pushback {
@@ -19,18 +20,61 @@ int count_missing(const std::vector<ContactId>& from, const std::vector<ContactI
   return static_cast<int>(missing.size());
 }
 
+/// Around the variant's solver, so that the clock runs for it alone; and its rows are those of the last substep's sweeps, before
+/// a relaxing pass changes them.
+class Watched : public ForwardingSolver {
+ public:
+  Watched(AnySolver& solver, int substeps, Sample& sample)
+      : solver_(solver), substeps_left_(substeps), sample_(sample) {}
+  void detected(World& world, Real h) override {
+    timed([&] { solver_.detected(world, h); });
+  }
+  void solve(World& world, Real h, int sweeps) override {
+    timed([&] { solver_.solve(world, h, sweeps); });
+    if (--substeps_left_ > 0) return;
+    const Solved solved = solver_.solved();
+    sample_.rows = solved.rows;
+    sample_.residual = solved.residual;
+  }
+  void moved(World& world, Real h) override {
+    timed([&] { solver_.moved(world, h); });
+  }
+  void done(World& world) override {
+    timed([&] { solver_.done(world); });
+  }
+
+ private:
+  StepSolver& inner() override { return solver_; }
+  const StepSolver& inner() const override { return solver_; }
+  template <class Work>
+  void timed(const Work& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    sample_.solver_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+  AnySolver& solver_;
+  int substeps_left_;
+  Sample& sample_;
+};
+
 }  // namespace
 
 Experiment::Played::Played(const Experiment& of, const Variant& variant)
-    : experiment_(&of), variant_(&variant), step_(variant.step) {
+    : experiment_(&of), variant_(&variant), solver_(variant.solver), motion_(variant.motion) {
   of.fill(world, variant);
 }
 
 Sample Experiment::Played::step() {
   Sample sample;
-  const Real dt = experiment_->dt_ / static_cast<Real>(variant_->substeps);
-  for (int i = 0; i < variant_->substeps; ++i) step_(world, dt, experiment_->sweeps_of(*variant_), sample);
-  sample.time = static_cast<Real>(++steps_) * experiment_->dt_;
+  const Real dt = experiment_->dt_;
+  const int sweeps = experiment_->sweeps_of(*variant_);
+  if (solver_) {
+    Watched watched(*solver_, solver_->plan(dt).all_substeps(), sample);
+    world.step(watched, dt, sweeps);
+  } else {
+    sample.rows = static_cast<int>(motion_(world, dt, sweeps));
+  }
+  sample.time = static_cast<Real>(++steps_) * dt;
   sample.kinetic_energy = kinetic_energy(world);
   sample.potential_energy = potential_energy(world);
   sample.momentum = momentum(world);

@@ -10,7 +10,7 @@ class Experiment::Played {
  public:
   Played(const Experiment& of, const Variant& variant);
 
-  /// Moves on by one step of --dt, in the variant's substeps, and says what it has come to. Throws InvalidInput where
+  /// Moves on by one step of --dt, and says what it has come to. Throws InvalidInput where
   /// the state is none that can be simulated.
   Sample step();
 
@@ -19,8 +19,9 @@ class Experiment::Played {
  private:
   const Experiment* experiment_;
   const Variant* variant_;
-  std::function<void(World&, Real, int, Sample&)> step_;  // a copy: the solver's memory starts empty
-  std::vector<ContactId> contacts_before_;                // of the step before, not of the substep
+  std::optional<AnySolver> solver_;         // a copy: its memory starts empty
+  CustomStep motion_;                       // likewise
+  std::vector<ContactId> contacts_before_;  // of the step before, not of the substep
   std::size_t steps_ = 0;
 };
 

@@ -69,7 +69,7 @@ void Live::Lane::go_to(std::size_t step, const Hand& hand) {
 void Live::Lane::advance(const Hand& hand) {
   played_.world.forces.resize(forces_);
   if (at_ < hand.size() && hand[at_]) {
-    const Real dt = experiment_->dt_ / static_cast<Real>(variant_->substeps);
+    const Real dt = experiment_->dt_ / static_cast<Real>(variant_->plan(experiment_->dt_).all_substeps());
     played_.world.forces.push_back(pull_of(*hand[at_], dt));
   }
   try {

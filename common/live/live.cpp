@@ -177,7 +177,7 @@ void Live::begin() {
   for (const std::size_t place : chosen_) {
     World probe;
     experiment_.fill(probe, *here[place]);
-    here[place]->check(probe, experiment_.dt_ / static_cast<Real>(here[place]->substeps));
+    here[place]->check(probe, experiment_.dt_);
   }
   for (const std::size_t place : chosen_)
     lanes_.emplace_back(experiment_, experiment_.acts_[scene_], *here[place], bytes_ / chosen_.size());
@@ -298,11 +298,8 @@ std::pair<std::string, std::string> Live::number_in_words(std::size_t lane, std:
 namespace {
 
 /// m to draw for 1 N s; 0: points alone; none: no contacts.
-std::optional<Real> arrow_of(const Scene& scene, const World& start, Real dt, int substeps, const Shown& shown) {
-  if (shown.impulses) {
-    const Real fitting = scene.arrow > 0 ? scene.arrow : fitting_arrow(start, dt);
-    return static_cast<Real>(substeps) * fitting;  // the impulses that a picture shows are those of the latest substep
-  }
+std::optional<Real> arrow_of(const Scene& scene, const World& start, Real dt, const Shown& shown) {
+  if (shown.impulses) return scene.arrow > 0 ? scene.arrow : fitting_arrow(start, dt);
   return shown.points ? std::optional<Real>(0) : std::nullopt;
 }
 
@@ -359,7 +356,7 @@ Picture Live::picture(std::size_t lane, const Camera& camera, const Shown& shown
   const auto as_drawn = [&](const World& world) {
     return scene.magnified == 1 ? world : magnified(world, of.start(), scene.magnified);
   };
-  const std::optional<Real> arrow = arrow_of(scene, of.start(), experiment_.dt_, of.variant().substeps, shown);
+  const std::optional<Real> arrow = arrow_of(scene, of.start(), experiment_.dt_, shown);
   const World now = as_drawn(of.world());
   Real time = static_cast<Real>(of.at()) * experiment_.dt_;
   Picture made;
@@ -423,7 +420,7 @@ std::string Live::description() const {
     return fmt::format(
         R"({{"name": {}, "colour": "{}", "marker": "{}", "sweeps": {}, "substeps": {}, "curves": {}, "references": {}}})",
         pushback::quoted(variant.name), line_colour(colour), marker_of(colour), experiment_.sweeps_of(variant),
-        variant.substeps, in_json(variant.curves),
+        variant.plan(experiment_.dt_).all_substeps(), in_json(variant.curves),
         array_of(variant.references, [](const Reference& reference) { return pushback::quoted(reference.label); }));
   };
   const auto meaning = [](const std::pair<Ink, std::string>& one) {

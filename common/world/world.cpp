@@ -37,7 +37,7 @@ void keep_velocity(Body& body) {
   body.angular_velocity_before = body.angular_velocity;
 }
 
-void push(Body& body, const Vec3& gravity, Real dt) {
+void integrate_velocity(Body& body, const Vec3& gravity, Real dt) {
   if (body.movable()) {
     body.velocity += dt * (gravity + body.inverse_mass * body.force);
     body.angular_velocity += dt * body.inverse_inertia * body.torque;
@@ -46,20 +46,15 @@ void push(Body& body, const Vec3& gravity, Real dt) {
   body.torque.setZero();
 }
 
-void displace(Body& body, Real dt) {
+void integrate_position(Body& body, Real dt) {
   body.position += dt * body.velocity;
   if (body.angular_velocity != Vec3::Zero()) spin_freely(body, dt);
 }
 
 void move(Body& body, Real dt) {
   const bool turns = body.angular_velocity != Vec3::Zero();
-  displace(body, dt);
+  integrate_position(body, dt);
   if (turns) body.refresh_inertia();
-}
-
-void World::begin_step(Real dt) {
-  Everybody everybody;
-  pushback::begin_step(*this, dt, everybody);
 }
 
 void World::find_contacts(const Margin& margin, Workers& workers) {

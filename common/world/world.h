@@ -15,6 +15,7 @@
 namespace pushback {
 
 class World;
+class StepSolver;
 
 /// Something that pushes or pulls: called as a step begins, it adds to the `force` and `torque` of bodies.
 struct Force {
@@ -36,19 +37,24 @@ class World {
   Real time = 0;              ///< s, simulated so far
   /// What touched in the latest step, in ascending order of id, with what the solver did there.
   Contacts contacts;
-  /// Those of the step before it; and, until they are solved, of those asleep that have just been woken.
+  /// Those of the detection before it, each with the impulse of the latest substep that had it, for solvers that start from
+  /// there. Contacts of bodies that have just been woken are among them.
   Contacts contacts_before;
-  Real dt_before = 0;  ///< s, of the latest step; 0: there was none
-  /// By this an impulse of the step before is to be multiplied to be of one of dt, s.
+  Real dt_before = 0;  ///< s, of the latest substep; 0: there was none
+  /// Whether `step` has written Contact::last_impulse. A program that composes its steps by itself writes `impulse` alone.
+  bool last_impulses_known = false;
+  /// By this an impulse of the latest substep is to be multiplied to be of one of dt, s.
   Real impulse_scale(Real dt) const { return dt_before > 0 ? dt / dt_before : 0; }
 
   /// Puts a body into the world and returns its index. Throws InvalidInput if a number in it cannot be simulated.
   int add(const Body& body);
 
-  /// Moves everything on by dt seconds; see step.h. Throws InvalidInput unless dt > 0, sweeps >= 0, every body's
-  /// state is finite, and the solver can solve what is here; then nothing has changed.
-  template <class ContactSolver>
-  void step(ContactSolver& solver, Real dt, int sweeps = ContactSolver::usual_sweeps);
+  /// Moves everything on by dt seconds; see step.h. `sweeps`: in each substep; by default what the solver's plan says. Throws
+  /// InvalidInput unless dt > 0, sweeps >= 0, every body's state is finite, and the solver can solve what is here; then
+  /// nothing has changed. (Where a state becomes infinite between two detections of one step, the world stays as it was
+  /// before the later one.)
+  void step(StepSolver& solver, Real dt, int sweeps);
+  void step(StepSolver& solver, Real dt);
 
   /// The first part of a step, for those who solve by themselves: all that goes before the solver.
   void begin_step(Real dt);
@@ -84,9 +90,9 @@ void check_state(const Body& body);
 /// velocity_before and angular_velocity_before.
 void keep_velocity(Body& body);
 /// v += h (g + F/m),  w += h I^-1 tau,  and F = tau = 0.
-void push(Body& body, const Vec3& gravity, Real dt);
+void integrate_velocity(Body& body, const Vec3& gravity, Real dt);
 /// x += h v, and the turn; I^-1 in world axes stays behind until it is refreshed.
-void displace(Body& body, Real dt);
+void integrate_position(Body& body, Real dt);
 /// x += h v, the turn, and I^-1.
 void move(Body& body, Real dt);
 

@@ -5,6 +5,7 @@
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
+#include "tests/support/substeps.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

@@ -1,6 +1,7 @@
 /// The relaxing pass of soft contacts: what it takes back, and what it leaves alone.
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "tests/12_soft_contacts/soft_contacts.h"
+#include "tests/support/substeps.h"
 
 using namespace pushback;
 
@@ -25,7 +26,7 @@ TEST_CASE("relaxing takes energy or leaves it, in every step of a heap without f
     solver.solve(world, dt, 1);
     world.move(dt);
     const Real before = kinetic_energy(world);
-    solver.after_move(world, dt);
+    solver.moved(world, dt);
     REQUIRE(kinetic_energy(world) <= before * (1 + 64 * eps));
     taken += before - kinetic_energy(world);
   }

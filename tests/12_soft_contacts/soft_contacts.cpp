@@ -1,5 +1,6 @@
 /// Soft contacts: the spring that they are. What the relaxing pass leaves is in relaxing.cpp.
 #include "tests/12_soft_contacts/soft_contacts.h"
+#include "tests/support/substeps.h"
 
 using namespace pushback;
 

@@ -1,11 +1,11 @@
 /// Joints with a split impulse: the push closes gaps, leaves no speed, and is not remembered.
 #include "pushback/chapters/14_joints_under_load/split_joints.h"
 
-#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
+#include "tests/support/substeps.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

@@ -1,7 +1,6 @@
 /// The ragdoll of chapter 15: how many ways it can move, and what it keeps as it falls.
 #include <Eigen/QR>
 
-#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
@@ -9,6 +8,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/joint_jacobian.h"
+#include "tests/support/substeps.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

@@ -14,6 +14,7 @@
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
 #include "tests/support/frame.h"
+#include "tests/support/substeps.h"
 
 using namespace pushback;
 

@@ -11,6 +11,7 @@
 #include "pushback/tools/study/seat.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
+#include "tests/support/substeps.h"
 #include "tests/support/with_joints.h"
 #include "tests/support/yardstick.h"
 

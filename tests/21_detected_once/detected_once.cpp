@@ -3,7 +3,6 @@
 #include "pushback/chapters/21_detected_once/detected_once.h"
 
 #include "pushback/chapters/11_substeps/scenes.h"
-#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/21_detected_once/scenes.h"
 #include "pushback/chapters/21_detected_once/study.h"
@@ -13,6 +12,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/sleep.h"
+#include "tests/support/substeps.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;

@@ -23,7 +23,7 @@ constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 
 /// Leaves the contacts alone.
 struct NoSolver : StepSolver {
-  void solve(World&, Real, int) {}
+  void solve(World&, Real, int) override {}
 };
 
 bool contains(const std::string& text, const std::string& part) {

@@ -128,8 +128,8 @@ TEST_CASE("a variant in four substeps does what steps of a quarter do") {
   for (const std::string& word : words) arguments.push_back(word.c_str());
   REQUIRE(e.run(static_cast<int>(arguments.size()), arguments.data(), [&] {
     e.scene({.name = "pyramid", .fill = pyramid_under_fire, .seconds = 1});
-    e.variant("substeps", FullSolver{}).in_substeps(4).with_exactly(3);
-    e.variant("substeps, soft", SoftSolver{}).in_substeps(4).with_exactly(3);
+    e.variant("substeps", Substeps(FullSolver{}, 4)).with_exactly(3);
+    e.variant("substeps, soft", Substeps(SoftSolver{}, 4)).with_exactly(3);
     e.number("hash", "", [&](const Run& run) {
       hashes.push_back(hash_of(run.world));
       return Real(0);

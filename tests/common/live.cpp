@@ -29,7 +29,7 @@ struct Told {
     for (const Real slop : slops) {
       FullSolver solver;
       solver.slop = slop;
-      e.variant(fmt::format("slop {}", slop), solver).in_substeps(2).expect("deepest overlap", slop);
+      e.variant(fmt::format("slop {}", slop), Substeps(solver, 2, 10)).expect("deepest overlap", slop);
     }
     e.series("height", "m", [](const World& world) { return world.bodies.back().position.y(); });
     e.number("deepest overlap", "m", [](const Run& run) { return run.samples.back().overlap; });

@@ -22,14 +22,14 @@ constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 /// Its steps do nothing; where `spoils` says so, they leave what is no number.
 struct Idle : StepSolver {
   std::function<bool()> spoils;
-  void solve(World& world, Real, int) {
+  void solve(World& world, Real, int) override {
     if (spoils()) world.bodies.back().velocity.y() = not_a_number;
   }
 };
 Stage a_stage(const std::function<bool()>& spoils) {
   Idle idle;
   idle.spoils = spoils;
-  return {{.name = "stage", .what = "", .substeps = 1, .sweeps = 1, .solver = idle, .fitting = {}}};
+  return {{.name = "stage", .what = "", .solver = idle, .fitting = {}}};
 }
 
 /// A row of `marks`, P for a pass, under as many stages, of which the first `chapters` are chapters.

@@ -36,11 +36,12 @@ class FrozenPyramid {
   [[gnu::noinline]] double seconds(ContactSolver& solver, int sweeps = 10) {
     const auto solve = [&] {
       solver.solve(world, dt_, sweeps);
-      solver.after_move(world, dt_);
+      solver.moved(world, dt_);
     };
     put_back();
     solve();
-    world.contacts_before = world.contacts;  // from what it has found itself, whoever has settled the pyramid
+    world.contacts_before =
+        world.contacts;  // the next solve starts from what it has found itself, whoever has settled the pyramid
     put_back();
     return seconds_of(solve);
   }

@@ -6,6 +6,7 @@
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/tools/bench/in_turn.h"
+#include "pushback/common/world/step.h"
 
 using namespace pushback;
 
@@ -23,16 +24,16 @@ void within(Phase phase, const Act& act) {
 
 template <class Full>
 struct Timed : Full {
-  void detected(World& world, Real h) {
+  void detected(World& world, Real h) override {
     within(rows, [&] { Full::detected(world, h); });
   }
-  void solve(World& world, Real h, int sweeps) {
+  void solve(World& world, Real h, int sweeps) override {
     within(substeps_before, [&] { Full::solve(world, h, sweeps); });
   }
-  void after_move(World& world, Real h) {
-    within(relaxing, [&] { Full::after_move(world, h); });
+  void moved(World& world, Real h) override {
+    within(relaxing, [&] { Full::moved(world, h); });
   }
-  void done(World& world) {
+  void done(World& world) override {
     within(end, [&] { Full::done(world); });
   }
 };

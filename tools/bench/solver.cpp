@@ -151,9 +151,9 @@ void substeps_of(benchmark::State& state) {
   World world;
   if (tall > 0) stack(world, tall);
   else pyramid(world, 20);
-  ContactSolver solver;
-  for (int step = 0; step < 60; ++step) substeps(world, solver, dt, count, sweeps);
-  for (auto _ : state) substeps(world, solver, dt, count, sweeps);
+  Substeps<ContactSolver> solver({}, count, sweeps);
+  for (int step = 0; step < 60; ++step) world.step(solver, dt);
+  for (auto _ : state) world.step(solver, dt);
   state.counters["contacts"] = static_cast<double>(world.contacts.size());
 }
 void many_sweeps(benchmark::internal::Benchmark* bench) {

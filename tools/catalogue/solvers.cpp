@@ -7,6 +7,7 @@
 #include "pushback/chapters/09_impacts/sequential.h"
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
@@ -20,12 +21,8 @@ namespace pushback {
 namespace {
 
 template <class ContactSolver>
-NamedSolver sweeping(const char* name, const char* what) {
-  return {name, what, 1, 10, Compiled<ContactSolver>::solver(), Compiled<ContactSolver>::fitting};
-}
-template <class ContactSolver>
-NamedSolver stepping(const char* name, const char* what) {
-  return {name, what, 32, 1, Compiled<ContactSolver>::solver(), Compiled<ContactSolver>::fitting};
+NamedSolver named(const char* name, const char* what) {
+  return {name, what, Compiled<ContactSolver>::solver(), Compiled<ContactSolver>::fitting};
 }
 
 }  // namespace
@@ -34,39 +31,38 @@ NamedSolver stepping(const char* name, const char* what) {
 // the same bits as without the effect.
 const std::vector<NamedSolver>& all_solvers() {
   static const std::vector<NamedSolver> all{
-      sweeping<NaiveAveraged>("00 naive", "one impulse a pair, no sums"),
-      sweeping<Solver<Joints>>("01 velocity", "J V = 0 for contacts and joints, 10 sweeps"),
-      sweeping<Solver<Joints, Clamping>>("02 clamping", "+ the sum never pulls"),
-      sweeping<Solver<Joints, Clamping, Baumgarte>>("03 Baumgarte", "+ overlap fed back"),
-      sweeping<Solver<Joints, Clamping, Baumgarte, Slop>>("04 slop", "+ a slop of 5 mm"),
-      sweeping<Solver<Joints, Clamping, Baumgarte, Slop, Restitution>>("05 restitution", "+ bounce"),
-      sweeping<Solver<Joints, Clamping, Baumgarte, Slop, Restitution, Friction>>("06 friction", "+ friction"),
-      sweeping<JointedSolver>("07 warm start", "+ last step's impulses: the full solver; joints with split impulses"),
-      sweeping<Solver<SplitJoints, Clamping, Baumgarte, Slop, RestitutionFromSurface, Friction, WarmStart>>(
+      named<NaiveAveraged>("00 naive", "one impulse a pair, no sums"),
+      named<Solver<Joints>>("01 velocity", "J V = 0 for contacts and joints, 10 sweeps"),
+      named<Solver<Joints, Clamping>>("02 clamping", "+ the sum never pulls"),
+      named<Solver<Joints, Clamping, Baumgarte>>("03 Baumgarte", "+ overlap fed back"),
+      named<Solver<Joints, Clamping, Baumgarte, Slop>>("04 slop", "+ a slop of 5 mm"),
+      named<Solver<Joints, Clamping, Baumgarte, Slop, Restitution>>("05 restitution", "+ bounce"),
+      named<Solver<Joints, Clamping, Baumgarte, Slop, Restitution, Friction>>("06 friction", "+ friction"),
+      named<JointedSolver>("07 warm start", "+ last step's impulses: the full solver; joints with split impulses"),
+      named<Solver<SplitJoints, Clamping, Baumgarte, Slop, RestitutionFromSurface, Friction, WarmStart>>(
           "09 from surface", "the full solver, bounces computed from the surface"),
-      sweeping<Solver<SplitJoints, Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>(
+      named<Solver<SplitJoints, Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>(
           "08 friction cone", "the full solver with a friction cone"),
-      sweeping<CorrectingSolver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, Friction, WarmStart>>(
+      named<CorrectingSolver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, Friction, WarmStart>>(
           "10 split impulse", "the full solver, positions corrected by pseudo-velocities, not by Baumgarte"),
-      sweeping<CorrectingSolver<SplitJoints, Clamping, NonlinearGaussSeidel, Slop, Restitution, Friction, WarmStart>>(
+      named<CorrectingSolver<SplitJoints, Clamping, NonlinearGaussSeidel, Slop, Restitution, Friction, WarmStart>>(
           "10 non-linear Gauss-Seidel", "the full solver, positions corrected contact by contact, not by Baumgarte"),
-      stepping<JointedSolver>("11 substeps", "the full solver, 32 substeps of one sweep"),
-      stepping<Solver<SplitJoints, Clamping, Baumgarte, Slop, SequentialImpacts, Friction, ScaledWarmStart>>(
+      named<Substeps<JointedSolver>>("11 substeps", "the full solver, 32 substeps of one sweep"),
+      named<Substeps<Solver<SplitJoints, Clamping, Baumgarte, Slop, SequentialImpacts, Friction, ScaledWarmStart>>>(
           "09 sequential", "11 substeps with sequential impacts and a scaled guess"),
-      stepping<RelaxingSolver<SplitJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>(
+      named<Substeps<RelaxingSolver<SplitJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>>(
           "12 soft contacts", "soft contacts and a relaxing pass, 32 substeps of one sweep"),
-      stepping<RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>(
+      named<Substeps<RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>>(
           "14 joints 20 times", "12 soft contacts with 20 passes over the joints in each sweep"),
-      stepping<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, DirectJoints>>(
+      named<Substeps<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, DirectJoints>>>(
           "18 direct joint solve", "12 soft contacts with all joints solved directly in each sweep, without a guess"),
-      stepping<DetectedOnce>(
-          "21 detected once",
-          "14 joints 20 times with a friction cone, contacts detected and rows built once in a step"),
-      stepping<Recommended>("22 wide",
-                            "21 detected once, contacts solved eight pairs of bodies at a time: recommended"),
-      stepping<SteadyJointedSolver>("all together",
-                                    "soft contacts, a friction cone, simultaneous impacts, a scaled guess; 32 substeps "
-                                    "of one sweep, 20 over joints"),
+      named<DetectedOnce>("21 detected once",
+                          "14 joints 20 times with a friction cone, contacts detected and rows built once in a step"),
+      named<Recommended>("22 wide", "21 detected once, contacts solved eight pairs of bodies at a time: recommended"),
+      named<Substeps<SteadyJointedSolver>>(
+          "all together",
+          "soft contacts, a friction cone, simultaneous impacts, a scaled guess; 32 substeps "
+          "of one sweep, 20 over joints"),
   };
   return all;
 }

@@ -14,9 +14,7 @@ namespace pushback {
 struct NamedSolver {
   std::string name;  ///< the chapter that it ends in, and a word or two: "07 warm start"
   std::string what;  ///< in a line: what it adds to the one before it, or how it steps
-  int substeps;      ///< into how many it divides a step
-  int sweeps;        ///< in each of them
-  AnySolver solver;  ///< with the settings that it has by itself; to be copied
+  AnySolver solver;  ///< with the settings that it has by itself, and its plan; to be copied
   std::function<OnlyWhatIsNeeded(const World&, std::optional<Sleep>)> fitting;  ///< of it, what the world calls for
 
   /// Its type: "Solver<Joints, Clamping, Baumgarte>".

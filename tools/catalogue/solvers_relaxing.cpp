@@ -6,10 +6,13 @@
 
 namespace pushback {
 
-template struct Compiled<RelaxingSolver<SplitJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>;
-template struct Compiled<RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>;
-template struct Compiled<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, DirectJoints>>;
-template struct Compiled<SteadyJointedSolver>;
+template struct Compiled<
+    Substeps<RelaxingSolver<SplitJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>>;
+template struct Compiled<
+    Substeps<RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, Friction, WarmStart>>>;
+template struct Compiled<
+    Substeps<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, DirectJoints>>>;
+template struct Compiled<Substeps<SteadyJointedSolver>>;
 template struct Compiled<DetectedOnce>;
 template struct Compiled<Recommended>;
 

@@ -6,7 +6,9 @@
 namespace pushback {
 
 template struct Compiled<JointedSolver>;
+template struct Compiled<Substeps<JointedSolver>>;
 template struct Compiled<Solver<SplitJoints, Clamping, Baumgarte, Slop, RestitutionFromSurface, Friction, WarmStart>>;
-template struct Compiled<Solver<SplitJoints, Clamping, Baumgarte, Slop, SequentialImpacts, Friction, ScaledWarmStart>>;
+template struct Compiled<
+    Substeps<Solver<SplitJoints, Clamping, Baumgarte, Slop, SequentialImpacts, Friction, ScaledWarmStart>>>;
 
 }  // namespace pushback

@@ -1,5 +1,6 @@
 /// The film at the top of the project's page: one stack, once forgetting its impulses after each step and once remembering them.
 #include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;
@@ -14,10 +15,8 @@ int main(int argc, char** argv) {
              .caption = "The same boxes, the same three sweeps a step: only the right stack remembers its impulses.",
              .cell_height = 560,
              .side_by_side = true});
-    e.variant("impulses forgotten", Solver<Clamping, Baumgarte, Slop, Restitution, Friction>{})
-        .in_substeps(2)
-        .with_sweeps(3);
-    e.variant("impulses remembered", FullSolver{}).in_substeps(2).with_sweeps(3);
+    e.variant("impulses forgotten", Substeps(Solver<Clamping, Baumgarte, Slop, Restitution, Friction>{}, 2, 3));
+    e.variant("impulses remembered", Substeps(FullSolver{}, 2, 3));
     e.series("height of the top", "m", [](const World& world) { return world.bodies.back().position.y(); });
     e.number("height of the top", "m", [](const Run& run) { return run.world.bodies.back().position.y(); });
     for (const Real t : {Real(2), Real(4), Real(6)})

@@ -52,11 +52,11 @@ void print_growth(const std::string& between, const Costs& costs) {
 void print_heaps(double tolerance) {
   World world;
   heap(world, 10, 10, Real(-4.5));
-  SteadySolver solver;
+  Substeps<SteadySolver> solver({}, 8);
   int seconds = 0;
   for (const int upto : {4, 12}) {
     for (; seconds < upto; ++seconds)
-      for (int step = 0; step < 60; ++step) substeps(world, solver, dt, 8);
+      for (int step = 0; step < 60; ++step) world.step(solver, dt);
     World frame = world;
     frame.begin_step(dt);
     print_row(fmt::format("heap of 1000 boxes after {} s", seconds), problem_of(frame), factor_of(frame), tolerance,

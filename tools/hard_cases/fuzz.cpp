@@ -1,10 +1,10 @@
 #include "pushback/tools/hard_cases/fuzz.h"
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/chapters/22_wide/recommended.h"
 #include "pushback/common/basics/named.h"
+#include "pushback/common/world/forwarding_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/hard_cases/watcher.h"
 
@@ -43,6 +43,46 @@ void print_scene(const RandomScene& scene) {
   }
 }
 
+/// Around a stage's solver: what must hold within a step.
+class Felt : public ForwardingSolver {
+ public:
+  Felt(StepSolver& solver, Watcher& watcher) : solver_(solver), watcher_(watcher) {}
+  void solve(World& world, Real h, int sweeps) override {
+    solver_.solve(world, h, sweeps);
+    watcher_.feel(world);
+    before_ = world.bodies;
+  }
+  void moved(World& world, Real h) override {
+    if (broken.empty()) broken = flown(world);
+    solver_.moved(world, h);
+  }
+  std::string broken;
+
+ private:
+  StepSolver& inner() override { return solver_; }
+  const StepSolver& inner() const override { return solver_; }
+  /// What flies and turns freely keeps its kinetic energy, each body by itself.
+  std::string flown(const World& world) const {
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      const Body& body = world.bodies[i];
+      if (!body.movable()) continue;
+      const Real old_energy = before_[i].angular_velocity.dot(spin_momentum(before_[i])) / 2;
+      const Real energy = body.angular_velocity.dot(spin_momentum(body)) / 2;
+      const Vec3& inverse = body.principal_inverse_inertia;
+      const Real uneven = inverse.minCoeff() > 0 ? inverse.maxCoeff() / inverse.minCoeff() : 1;
+      const Real rounding = std::numeric_limits<Real>::epsilon() * (2e4 + 100 * uneven);
+      if (!(std::abs(energy - old_energy) <= rounding * old_energy)) {
+        return fmt::format("body {} had {:.9g} J of spin and has {:.9g} J after turning freely", i, old_energy, energy);
+      }
+    }
+    return {};
+  }
+
+  StepSolver& solver_;
+  Watcher& watcher_;
+  std::vector<Body> before_;  // as they were when they began to move
+};
+
 /// A stage's solver, and how it is stepped.
 template <class ContactSolver>
 class Watched {
@@ -56,11 +96,13 @@ class Watched {
   Finding run() {
     if (log_) print_scene(scene_);
     Watcher watcher(world_, allowance_);
+    Felt felt(solver_, watcher);
     Finding finding;
     for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
       for (int i = 0; i < count_ && finding.broken.empty(); ++i) {
         const Real dt = scene_.dt / static_cast<Real>(count_);
-        finding.broken = substep(dt, watcher);
+        world_.step(felt, dt, sweeps_);
+        finding.broken = felt.broken.empty() ? ledger_.account.broken : felt.broken;
         watcher.look(world_, dt);
         if (finding.broken.empty()) finding.broken = watcher.broken();
       }
@@ -77,34 +119,6 @@ class Watched {
   }
 
  private:
-  /// World::step, taken apart.
-  std::string substep(Real dt, Watcher& watcher) {
-    world_.begin_step(dt);
-    solver_.solve(world_, dt, sweeps_);
-    watcher.feel(world_);
-    const std::vector<Body> before = world_.bodies;
-    world_.move(dt);
-    std::string broken = flown(before);
-    solver_.after_move(world_, dt);
-    return broken.empty() ? ledger_.account.broken : broken;
-  }
-  /// What flies and turns freely keeps its kinetic energy, each body by itself.
-  std::string flown(const std::vector<Body>& before) const {
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      const Body& body = world_.bodies[i];
-      if (!body.movable()) continue;
-      const Real old_energy = before[i].angular_velocity.dot(spin_momentum(before[i])) / 2;
-      const Real energy = body.angular_velocity.dot(spin_momentum(body)) / 2;
-      const Vec3& inverse = body.principal_inverse_inertia;
-      const Real uneven = inverse.minCoeff() > 0 ? inverse.maxCoeff() / inverse.minCoeff() : 1;
-      const Real rounding = std::numeric_limits<Real>::epsilon() * (2e4 + 100 * uneven);
-      if (!(std::abs(energy - old_energy) <= rounding * old_energy)) {
-        return fmt::format("body {} had {:.9g} J of spin and has {:.9g} J after turning freely", i, old_energy, energy);
-      }
-    }
-    return {};
-  }
-
   RandomScene scene_;
   World& world_;
   int count_, sweeps_;
@@ -121,14 +135,14 @@ Finding watched(const RandomScene& scene, bool log) {
 
 /// A solver that divides its steps itself: what is watched is the world after each.
 template <class Full>
-struct Felt : Full {
+struct FeltWhole : Full {
   Watcher* watcher = nullptr;
-  void solve(World& world, Real h, int sweeps) {
+  void solve(World& world, Real h, int sweeps) override {
     Full::solve(world, h, sweeps);
     feel(world);
   }
-  void after_move(World& world, Real h) {
-    Full::after_move(world, h);
+  void moved(World& world, Real h) override {
+    Full::moved(world, h);
     feel(world);
   }
 
@@ -144,7 +158,7 @@ Finding watched_whole(const RandomScene& scene, bool log) {
   World world = scene.world;
   constexpr Real any = std::numeric_limits<Real>::infinity();
   Watcher watcher(world, {.energy = any, .overlap = any, .isolated = scene.isolated});
-  Felt<ContactSolver> solver;
+  FeltWhole<ContactSolver> solver;
   solver.watcher = &watcher;
   Finding finding;
   for (int step = 1; step <= steps && finding.broken.empty(); ++step) {

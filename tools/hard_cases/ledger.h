@@ -140,7 +140,7 @@ struct Bookkeeper : Effect {
   void finish(Step& step) { ledger->finished(step.rows); }
 };
 /// The same for a solver that relaxes.
-struct RelaxingBookkeeper : Bookkeeper {
+struct RelaxingBookkeeper : Bookkeeper, Relaxes {
   void build(RelaxingStep& step) {
     ledger->softness = &step.softness;
     Bookkeeper::build(step);

@@ -1,6 +1,5 @@
 #include "pushback/tools/hard_cases/stages.h"
 
-#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/14_joints_under_load/split_joints.h"
 #include "pushback/chapters/17_direct_contacts/warm_direct_contacts.h"
 #include "pushback/common/basics/named.h"
@@ -11,12 +10,12 @@ namespace pushback {
 namespace {
 
 /// Hands every contact to the solver twice, each under an id of its own. In the world there is one, with the sum.
-class Doubled : public StepSolver {
+class Doubled : public ForwardingSolver {
  public:
   explicit Doubled(AnySolver solver) : solver_(std::move(solver)) {}
-  void check(World& world, Real dt) { solver_.check(world, dt); }
-  Division division(Real dt) const { return solver_.division(dt); }
-  void detected(World& world, Real dt) {
+  void detected(World& world, Real h) override {
+    if (plan(h).substeps > 1)
+      for (Contact& contact : twice_) contact.impulse = contact.last_impulse;
     world.contacts_before = twice_;
     twice_.clear();
     for (const Contact& contact : world.contacts) {
@@ -25,23 +24,23 @@ class Doubled : public StepSolver {
         twice_.back().id.feature = 2 * contact.id.feature + copy;
       }
     }
-    with_each_twice(world, [&] { solver_.detected(world, dt); });
+    with_each_twice(world, [&] { solver_.detected(world, h); });
   }
-  void solve(World& world, Real dt, int sweeps) {
-    with_each_twice(world, [&] { solver_.solve(world, dt, sweeps); });
+  void solve(World& world, Real h, int sweeps) override {
+    with_each_twice(world, [&] { solver_.solve(world, h, sweeps); });
   }
-  void displace(World& world, Real dt) { solver_.displace(world, dt); }
-  void after_move(World& world, Real dt) {
-    with_each_twice(world, [&] { solver_.after_move(world, dt); });
+  void moved(World& world, Real h) override {
+    with_each_twice(world, [&] { solver_.moved(world, h); });
   }
   /// A contact stays as long as one of its copies does.
-  void done(World& world) {
+  void done(World& world) override {
     world.contacts.swap(twice_);
     solver_.done(world);
     world.contacts.swap(twice_);
     auto copy = twice_.begin();  // both lists ascend
     std::erase_if(world.contacts, [&](Contact& contact) {
       contact.impulse.setZero();
+      contact.last_impulse.setZero();
       bool stays = false;
       const auto is_of = [&contact](ContactId id) {
         id.feature /= 2;
@@ -50,6 +49,7 @@ class Doubled : public StepSolver {
       for (; copy != twice_.end() && is_of(copy->id); ++copy, stays = true) {
         contact.depth = copy->depth;
         contact.impulse += copy->impulse;
+        contact.last_impulse += copy->last_impulse;
         contact.state = copy->state;
       }
       return !stays;
@@ -67,20 +67,22 @@ class Doubled : public StepSolver {
       world.contacts[i].state = twice_[2 * i].state;
     }
   }
+  StepSolver& inner() override { return solver_; }
+  const StepSolver& inner() const override { return solver_; }
   AnySolver solver_;
   Contacts twice_;
 };
 
-Stepper steps_by(AnySolver solver, int count, int sweeps) {
-  return [solver, count, sweeps](World& world, Real dt) mutable { substeps(world, solver, dt, count, sweeps); };
+Stepper steps_by(AnySolver solver) {
+  return [solver](World& world, Real dt) mutable { world.step(solver, dt); };
 }
 
 /// `choose` sees the world before its first step.
 template <class Choose>
-Stepper needed_steps_by(const Choose& choose, int count, int sweeps) {
-  return [choose, count, sweeps, solver = std::optional<OnlyWhatIsNeeded>{}](World& world, Real dt) mutable {
+Stepper needed_steps_by(const Choose& choose) {
+  return [choose, solver = std::optional<OnlyWhatIsNeeded>{}](World& world, Real dt) mutable {
     if (!solver) solver.emplace(choose(world));
-    for (int i = 0; i < count; ++i) solver->step(world, dt / static_cast<Real>(count), sweeps);
+    solver->step(world, dt);
   };
 }
 
@@ -100,26 +102,22 @@ Stage direct_stage() {
   Stage stage{{"19 direct contacts",
                "08 friction cone on a seat, all contacts of a step solved directly: from one start, within 4·10¹⁰ "
                "multiplications",
-               1, 10, any, fitting}};
+               any, fitting}};
   stage.most_starts = 1;
   return stage;
 }
 
 }  // namespace
 
-int Stage::cut() const {
-  return substeps / solver.division(1).substeps;
-}
-
 Stepper Stage::begin() const {
-  if (!only_needed) return steps_by(solver, cut(), sweeps);
-  return needed_steps_by([choose = fitting](const World& world) { return choose(world, {}); }, cut(), sweeps);
+  if (!only_needed) return steps_by(solver);
+  return needed_steps_by([choose = fitting](const World& world) { return choose(world, {}); });
 }
 
 Stepper Stage::begin_doubled() const {
   const Doubled doubled(solver);
-  if (!only_needed) return steps_by(doubled, cut(), sweeps);
-  return needed_steps_by([doubled](const World& world) { return OnlyWhatIsNeeded(world, doubled); }, cut(), sweeps);
+  if (!only_needed) return steps_by(doubled);
+  return needed_steps_by([doubled](const World& world) { return OnlyWhatIsNeeded(world, doubled); });
 }
 
 const std::vector<Stage>& stages() {

@@ -21,7 +21,6 @@ struct Stage : NamedSolver {
 
   Stepper begin() const;
   Stepper begin_doubled() const;  ///< the same, with every contact given to the solver twice
-  int cut() const;                ///< into how many steps it cuts one: a solver may divide each of them by itself
 };
 
 /// All of the catalogue's solvers.

@@ -12,6 +12,11 @@ namespace pushback {
 
 namespace {
 
+/// N s: of the latest substep, within a step or after it. Sums over substeps are within no cone, as normals turn.
+const Vec3& impulse_of_substep(const World& world, const Contact& contact) {
+  return world.last_impulses_known ? contact.last_impulse : contact.impulse;
+}
+
 constexpr Real rounding = 1e5 * std::numeric_limits<Real>::epsilon();  // 2e-11 in double
 
 /// The largest moment of inertia over the smallest. R I^-1 R^T is one matrix: what rounds its largest entries off is to the
@@ -46,7 +51,7 @@ void Watcher::feel(const World& world) {
     const auto [a, b] = world.bodies_of(contact);
     for (const Body* body : {&a, &b}) {
       const Real arm = (contact.point - body->position).norm();
-      sizes_.turning += arm * contact.impulse.norm() * unevenness(*body) / 1000;
+      sizes_.turning += arm * impulse_of_substep(world, contact).norm() * unevenness(*body) / 1000;
     }
   }
   sizes_.energy = std::max(sizes_.energy, sizes.energy);
@@ -98,11 +103,12 @@ void Watcher::look(const World& world, Real dt, int substeps) {
   }
   for (const Contact& contact : world.contacts) {
     deepest_ = std::max(deepest_, contact.depth);
-    const Real pressed = contact.impulse.dot(contact.normal);
-    const Real slack = rounding * contact.impulse.norm();
+    const Vec3& impulse = impulse_of_substep(world, contact);
+    const Real pressed = impulse.dot(contact.normal);
+    const Real slack = rounding * impulse.norm();
     if (pressed < -slack) breaks(fmt::format("a contact pulls with {:.3g} N s", -pressed));
     const auto [t1, t2] = tangents_of(contact.normal);
-    const Real rubbed = std::max(std::abs(contact.impulse.dot(t1)), std::abs(contact.impulse.dot(t2)));
+    const Real rubbed = std::max(std::abs(impulse.dot(t1)), std::abs(impulse.dot(t2)));
     if (rubbed > contact.friction * pressed + slack) {
       breaks(fmt::format("friction is {:.3g} of what presses", rubbed / pressed));
     }

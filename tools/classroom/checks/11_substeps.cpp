@@ -133,8 +133,8 @@ void always_scaled_by(Real scale, Parts& parts, Real dt, int count) {
 /// The chapter's own loop. World::step finds the scale itself: it remembers how long the step before was.
 void right(Parts& parts, Real dt, int count, Real before) {
   parts.world().dt_before = before;
-  FullSolver solver;
-  substeps(parts.world(), solver, dt, count);
+  Substeps<FullSolver> solver({}, count);
+  parts.world().step(solver, dt);
 }
 
 std::vector<Mistake<Answer>> mistakes() {

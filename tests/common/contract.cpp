@@ -1,0 +1,277 @@
+/// What a step asks of solvers, and what every solver answers: directly, and from within whatever is around it.
+#include "pushback/chapters/10_position_correction/split_impulse.h"
+#include "pushback/chapters/11_substeps/substeps.h"
+#include "pushback/chapters/14_joints_under_load/jointed_solver.h"
+#include "pushback/chapters/22_wide/recommended.h"
+#include "pushback/tools/catalogue/solvers.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/world/any_solver.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+#include "tests/support/substeps.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real h = Real(1) / 60;
+
+/// Says of each call what it was asked, and has a plan like nobody else's.
+struct Telltale : StepSolver {
+  std::shared_ptr<std::vector<std::string>> calls = std::make_shared<std::vector<std::string>>();
+  Plan its_plan{.detections = 2, .substeps = 3, .sweeps = 7, .margin = {Real(0.5), Real(0.25)}, .moves_bodies = true};
+
+  Plan plan(Real /*dt*/) const override { return its_plan; }
+  bool holds_joints() const override { return true; }
+  void check(World&, Real dt) override { note("check", dt); }
+  void detected(World&, Real dt) override { note("detected", dt); }
+  void solve(World&, Real dt, int sweeps) override { note("solve " + std::to_string(sweeps), dt); }
+  void integrate_positions(World&, Real dt) override { note("integrate positions", dt); }
+  void moved(World&, Real dt) override { note("moved", dt); }
+  void done(World&) override { calls->push_back("done"); }
+  Solved solved() const override { return {11, 13}; }
+
+ private:
+  void note(const std::string& what, Real dt) { calls->push_back(fmt::format("{}, 1/{:g} s", what, 1 / dt)); }
+};
+
+World falling_ball() {
+  World world;
+  world.add(sphere(1, 1).at({0, 10, 0}));
+  return world;
+}
+
+std::vector<std::string> calls_of_a_step() {
+  std::vector<std::string> calls;
+  for (int detection = 0; detection < 2; ++detection) {
+    calls.insert(calls.end(), {"check, 1/360 s", "detected, 1/360 s"});
+    for (int substep = 0; substep < 3; ++substep)
+      calls.insert(calls.end(), {"solve 7, 1/360 s", "integrate positions, 1/360 s", "moved, 1/360 s"});
+    calls.push_back("done");
+  }
+  return calls;
+}
+
+/// A stack that has stood for a while, with a box that slides beside it.
+World at_work(AnySolver& solver) {
+  World world;
+  stack(world, 3);
+  world.add(box(Vec3::Constant(Real(0.5)), 50).at({4, Real(0.5), 0}).moving({3, 0, 1}));
+  for (int step = 0; step < 20; ++step) world.step(solver, h);
+  return world;
+}
+
+Real total_impulse_up(const Contacts& contacts, Vec3 Contact::* impulse) {
+  Real sum = 0;
+  for (const Contact& contact : contacts)
+    if (contact.id.body_a == 0) sum += (contact.*impulse).y();
+  return sum;
+}
+
+// ---- hooks that are misspelt -----------------------------------------------------------------------------------------
+
+struct RelaxMisspelt : Effect, Relaxes {
+  void build(RelaxingStep&) {}
+  void relaxx(RelaxingStep&) {}
+};
+struct RelaxUnnamed : Effect {
+  void relax(RelaxingStep&) {}
+};
+struct CorrectMisspelt : Effect, Corrects {
+  void check(Step&) {}
+  void corect(CorrectingStep&) {}
+};
+struct CorrectUnnamed : Effect {
+  void correct(CorrectingStep&) {}
+};
+struct GeometryMisspelt : Effect, UpdatesGeometry {
+  void build(Step&) {}
+  void moved(Step&) {}
+};
+struct GeometryUnnamed : Effect {
+  void update_geometry(Step&) {}
+};
+static_assert(!SpellsRelax<RelaxMisspelt> && !SpellsRelax<RelaxUnnamed> && SpellsRelax<SoftContacts> &&
+              SpellsRelax<Clamping>);
+static_assert(!SpellsCorrect<CorrectMisspelt> && !SpellsCorrect<CorrectUnnamed> && SpellsCorrect<SplitImpulse> &&
+              SpellsCorrect<Clamping>);
+static_assert(!SpellsUpdateGeometry<GeometryMisspelt> && !SpellsUpdateGeometry<GeometryUnnamed> &&
+              SpellsUpdateGeometry<SplitJoints> && SpellsUpdateGeometry<Clamping>);
+static_assert(std::is_base_of_v<RequiredHook, SplitImpulse>, "Solver refuses what it would not call");
+
+}  // namespace
+
+TEST_CASE("contract: a step calls its solver in this order, in the parts that its plan says") {
+  World world = falling_ball();
+  Telltale solver;
+  world.step(solver, h);
+  CHECK(*solver.calls == calls_of_a_step());
+  CHECK(std::abs(world.time - h) <= 8 * std::numeric_limits<Real>::epsilon());
+}
+
+TEST_CASE("contract: what is around a solver hands everything on") {
+  const auto same_plan = [](const StepSolver& around) {
+    const Plan plan = around.plan(h), its = Telltale{}.its_plan;
+    return plan.detections == its.detections && plan.substeps == its.substeps && plan.sweeps == its.sweeps &&
+           plan.margin.least == its.margin.least && plan.margin.ahead == its.margin.ahead &&
+           plan.moves_bodies == its.moves_bodies && plan.workers == its.workers;
+  };
+  struct Few : Workers {
+    Few() : Workers(2) {}
+  } few;
+  Telltale told;
+  World world = falling_ball();
+  const auto check = [&](StepSolver& around) {
+    CHECK(same_plan(around));
+    CHECK(around.holds_joints());
+    CHECK((around.solved().rows == 11 && around.solved().residual == 13));
+    told.calls->clear();
+    world.step(around, h);
+    CHECK(*told.calls == calls_of_a_step());
+  };
+  AnySolver any = told;
+  check(any);
+  AnySolver twice_around = AnySolver(FittingSolver(world, told));
+  check(twice_around);
+  FittingSolver fitting(world, told);
+  check(fitting);
+
+  OnlyWhatIsNeeded needed(world, told);
+  told.calls->clear();
+  needed.step(world, h);
+  CHECK(*told.calls == calls_of_a_step());
+
+  told.its_plan.workers = &few;
+  CHECK(AnySolver(told).plan(h).workers == &few);
+  CHECK(FittingSolver(world, told).plan(h).workers == &few);
+}
+
+TEST_CASE("contract: a solver as AnySolver moves bodies in the same bits, by its own number of sweeps") {
+  World direct;
+  pyramid(direct, 4);
+  World wrapped = direct;
+  Recommended solver;
+  AnySolver any = Recommended{};
+  for (int step = 0; step < 30; ++step) {
+    direct.step(solver, h);
+    wrapped.step(any, h);
+  }
+  CHECK(hash_of(direct) == hash_of(wrapped));
+}
+
+TEST_CASE("contract: the impulse of a contact is the sum over the step, whatever the solver") {
+  for (const NamedSolver& named : all_solvers()) {
+    INFO(named.name);
+    AnySolver solver = named.solver;
+    World world = at_work(solver);
+    if (named.name == "00 naive") continue;  // it also moves bodies apart, so that contacts come and go
+    for (int step = 0; step < 10; ++step) {
+      const Vec3 before = momentum(world);
+      world.step(solver, h);
+      const Vec3 given = momentum(world) - before - 350 * h * world.gravity;
+      Vec3 sum = Vec3::Zero();
+      for (const Contact& contact : world.contacts)
+        if (contact.id.body_a == 0) sum += contact.impulse;
+      REQUIRE((given - sum).norm() <= 1e-5 * 350 * h * World::g);  // some rows are solved in float
+    }
+  }
+}
+
+TEST_CASE("contract: the last impulse of a contact is that of one substep") {
+  for (const NamedSolver& named : all_solvers()) {
+    INFO(named.name);
+    AnySolver solver = named.solver;
+    World world;
+    stack(world, 1);
+    for (int step = 0; step < 240; ++step) world.step(solver, h);
+    if (world.contacts.empty()) continue;  // the naive box hops
+    const Real weight = 100 * World::g * h, substeps = static_cast<Real>(solver.plan(h).all_substeps());
+    if (named.name == "00 naive") continue;
+    CHECK(std::abs(total_impulse_up(world.contacts, &Contact::impulse) - weight) < 1e-3 * weight);
+    CHECK(std::abs(substeps * total_impulse_up(world.contacts, &Contact::last_impulse) - weight) < 1e-3 * weight);
+  }
+}
+
+TEST_CASE("contract: contacts_before has the impulses of the latest substep, from which a solver starts") {
+  Substeps<FullSolver> solver({}, 4);
+  World world;
+  stack(world, 2);
+  for (int step = 0; step < 60; ++step) world.step(solver, h);
+  const Contacts after = world.contacts;
+  world.begin_step(h / 4);
+  REQUIRE(world.contacts_before.size() == after.size());
+  for (std::size_t i = 0; i < after.size(); ++i) CHECK(world.contacts_before[i].impulse == after[i].last_impulse);
+  CHECK_FALSE(world.last_impulses_known);
+}
+
+TEST_CASE("contract: every solver with rows counts them, and its residual falls with the sweeps") {
+  for (const NamedSolver& named : all_solvers()) {
+    INFO(named.name);
+    if (named.name == "00 naive") continue;
+    AnySolver solver = named.solver;
+    World world = at_work(solver);
+    const auto contacts = static_cast<int>(world.contacts.size());
+    CHECK(solver.solved().rows >= contacts);
+    CHECK(solver.solved().rows <= 3 * contacts);
+    AnySolver few = solver, many = solver;
+    World after_few = world, after_many = world;
+    after_few.bodies[1].velocity.y() = after_many.bodies[1].velocity.y() = -1;  // an impact on the lowest box
+    after_few.step(few, h, 1);
+    after_many.step(many, h, 400);
+    CHECK(many.solved().residual < 1e-4);
+    if (solver.plan(h).all_substeps() == 1) CHECK(few.solved().residual > 1e-3);
+  }
+}
+
+TEST_CASE("contract: rows that are solved eight at a time have the residual of those solved one by one") {
+  DetectedOnce one_by_one;
+  Wide<double> wide;
+  World world, other;
+  for (World* each : {&world, &other}) {
+    pyramid(*each, 5);
+    each->bodies.back().velocity = {2, -3, 1};
+  }
+  Real largest = 0;
+  for (int step = 0; step < 20; ++step) {
+    other = world;
+    world.step(one_by_one, h);
+    other.step(wide, h);
+    CHECK(one_by_one.solved().rows == wide.solved().rows);
+    const Real one = one_by_one.solved().residual, eight = wide.solved().residual;
+    CHECK(eight < 10 * one + 1e-9);  // in another order
+    CHECK(one < 10 * eight + 1e-9);
+    largest = std::max(largest, eight);
+  }
+  CHECK(largest > 1e-6);
+}
+
+TEST_CASE("contract: a step in substeps has the bits of so many steps") {
+  World divided;
+  pyramid(divided, 3);
+  World stepped = divided;
+  Substeps<FullSolver> solver({}, 7, 2);
+  FullSolver each;
+  for (int step = 0; step < 20; ++step) {
+    divided.step(solver, h);
+    substeps(stepped, each, h, 7, 2);
+  }
+  CHECK(hash_of(divided) == hash_of(stepped));
+  CHECK(complaint([&] {
+          solver.count = 0;
+          divided.step(solver, h);
+        }).find("substeps is 0") != std::string::npos);
+}
+
+TEST_CASE("contract: who does not hold joints refuses them, in every wrapping") {
+  World world = falling_ball();
+  world.joints.push_back({.name = "a thread", .a = the_world, .b = 0, .ask = [](auto&&...) {}});
+  FullSolver solver;
+  AnySolver any = solver;
+  JointedSolver jointed;
+  CHECK(complaint([&] { world.step(solver, h); }).find("joint") != std::string::npos);
+  CHECK(complaint([&] { world.step(any, h); }).find("joint") != std::string::npos);
+  CHECK(complaint([&] { world.step(jointed, h); }).empty());
+  CHECK(world.time == h);
+}
