@@ -22,40 +22,40 @@ class AnyEffect : public Effect {
   }
   ~AnyEffect() = default;
 
-  void check(Step& step) { held_->check(step); }
-  void touch(Step& step) { held_->touch(step); }
-  void build(Step& step) { held_->build(step); }
-  void start(Step& step) { held_->start(step); }
-  void sweep(Step& step) { held_->sweep(step); }
-  void finish(Step& step) { held_->finish(step); }
-  void report(Step& step) { held_->report(step); }
+  void check(StepContext& step) { held_->check(step); }
+  void adjust_separation(StepContext& step) { held_->adjust_separation(step); }
+  void build(StepContext& step) { held_->build(step); }
+  void start(StepContext& step) { held_->start(step); }
+  void sweep(StepContext& step) { held_->sweep(step); }
+  void finish(StepContext& step) { held_->finish(step); }
+  void report(StepContext& step) { held_->report(step); }
 
  private:
   struct Anything {
     virtual ~Anything() = default;
     virtual std::unique_ptr<Anything> copy() const = 0;
-    virtual void check(Step&) = 0;
-    virtual void touch(Step&) = 0;
-    virtual void build(Step&) = 0;
-    virtual void start(Step&) = 0;
-    virtual void sweep(Step&) = 0;
-    virtual void finish(Step&) = 0;
-    virtual void report(Step&) = 0;
+    virtual void check(StepContext&) = 0;
+    virtual void adjust_separation(StepContext&) = 0;
+    virtual void build(StepContext&) = 0;
+    virtual void start(StepContext&) = 0;
+    virtual void sweep(StepContext&) = 0;
+    virtual void finish(StepContext&) = 0;
+    virtual void report(StepContext&) = 0;
   };
   struct Nothing : Effect {
-    void check(Step&) {}
+    void check(StepContext&) {}
   };
   template <class E>
   struct Held final : Anything {
     explicit Held(E its_effect) : effect(std::move(its_effect)) {}
     std::unique_ptr<Anything> copy() const override { return std::make_unique<Held>(*this); }
-    void check(Step& step) override { effect.check(step); }
-    void touch(Step& step) override { effect.touch(step); }
-    void build(Step& step) override { effect.build(step); }
-    void start(Step& step) override { effect.start(step); }
-    void sweep(Step& step) override { effect.sweep(step); }
-    void finish(Step& step) override { effect.finish(step); }
-    void report(Step& step) override { effect.report(step); }
+    void check(StepContext& step) override { effect.check(step); }
+    void adjust_separation(StepContext& step) override { effect.adjust_separation(step); }
+    void build(StepContext& step) override { effect.build(step); }
+    void start(StepContext& step) override { effect.start(step); }
+    void sweep(StepContext& step) override { effect.sweep(step); }
+    void finish(StepContext& step) override { effect.finish(step); }
+    void report(StepContext& step) override { effect.report(step); }
     E effect;
   };
 

@@ -16,7 +16,7 @@ struct NoSolver : StepSolver {
 
 /// Normals from a left-handed model, taken over without a thought: x has the wrong sign.
 struct MirroredNormals : Effect {
-  void touch(Step& step) {
+  void adjust_separation(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       Contact mirrored = step.contacts[i];
       mirrored.normal.x() = -mirrored.normal.x();
@@ -28,7 +28,7 @@ struct MirroredNormals : Effect {
 
 /// The same without the mistake.
 struct RightNormals : Effect {
-  void touch(Step& step) {
+  void adjust_separation(StepContext& step) {
     for (const Contact& contact : step.contacts) push_apart(step.world, contact);
   }
 };

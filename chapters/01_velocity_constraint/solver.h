@@ -15,7 +15,7 @@
 namespace pushback {
 
 /// A step as effects see it. The first contacts.size() rows are the normals: rows[i] belongs to contacts[i].
-struct Step {
+struct StepContext {
   World& world;
   Contacts& contacts;
   Rows& rows;
@@ -32,19 +32,19 @@ struct Step {
 /// them to rows_solved.
 struct Effect {
   /// Throws InvalidInput where a number cannot be used. Nothing of the step has been done yet.
-  void check(Step&) {}
+  void check(StepContext&) {}
   /// What counts as overlap.
-  void touch(Step&) {}
+  void adjust_separation(StepContext&) {}
   /// Limits, biases, more rows. No impulse of this step has changed a velocity yet.
-  void build(Step&) {}
+  void build(StepContext&) {}
   /// The first impulses.
-  void start(Step&) {}
+  void start(StepContext&) {}
   /// After the normals, in every sweep.
-  void sweep(Step&) {}
+  void sweep(StepContext&) {}
   /// After the last sweep.
-  void finish(Step&) {}
+  void finish(StepContext&) {}
   /// The contacts know their impulses now: mark them.
-  void report(Step&) {}
+  void report(StepContext&) {}
 };
 
 /// Base of a type that declares one more hook, called by the solvers of a later chapter.
@@ -55,7 +55,7 @@ struct RequiredHook : LaterHook {};
 /// Of an effect that keeps numbers made of the rows' geometry: Friction's step sizes, joints' axes.
 struct UpdatesGeometry : LaterHook {
   /// The bodies have moved, and the rows are solved once more (chapter 12): make those numbers anew.
-  void update_geometry(Step&) {}
+  void update_geometry(StepContext&) {}
 };
 /// An effect that has the hook, or derives from UpdatesGeometry, does both.
 template <class E>
@@ -68,7 +68,7 @@ concept SpellsUpdateGeometry =
 template <class E>
 concept AnEffect = std::derived_from<E, Effect> && (std::is_base_of_v<LaterHook, E> || !requires {
                      requires std::same_as<decltype(&E::check), decltype(&Effect::check)>;
-                     requires std::same_as<decltype(&E::touch), decltype(&Effect::touch)>;
+                     requires std::same_as<decltype(&E::adjust_separation), decltype(&Effect::adjust_separation)>;
                      requires std::same_as<decltype(&E::build), decltype(&Effect::build)>;
                      requires std::same_as<decltype(&E::start), decltype(&Effect::start)>;
                      requires std::same_as<decltype(&E::sweep), decltype(&Effect::sweep)>;
@@ -86,12 +86,8 @@ class SequentialImpulses : public StepSolver, public Effects... {
  public:
   bool holds_joints() const override { return (std::derived_from<Effects, HoldsJoints> || ...); }
   void check(World& world, Real dt) override {
-    [[maybe_unused]] Step step{world, world.contacts, rows_, dt};
+    [[maybe_unused]] StepContext step{world, world.contacts, rows_, dt};
     (Effects::check(step), ...);
-  }
-  void solve(World& world, Real dt, int sweeps) override {
-    Step step{world, world.contacts, rows_, dt};
-    solve(step, sweeps);
   }
   Solved solved() const override {
     Solved sum;
@@ -107,14 +103,14 @@ class SequentialImpulses : public StepSolver, public Effects... {
   const Rows& rows() const { return rows_; }
 
  protected:
-  /// `step`: a Step, or what a later chapter makes of it.
-  void solve(auto& step, int sweeps) {
+  /// `step`: a StepContext, or what a later chapter makes of it.
+  void solve_rows(auto& step, int sweeps) {
     rows_.clear();
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       rows_.emplace_back(step.world, step.contacts[i], step.contacts[i].normal, i);
       rows_.back().separation = -step.contacts[i].depth;
     }
-    (Effects::touch(step), ...);
+    (Effects::adjust_separation(step), ...);
     (Effects::build(step), ...);
     (Effects::start(step), ...);
     for (int i = 0; i < sweeps; ++i) sweep(step);
@@ -140,6 +136,12 @@ template <class... Effects>
 class Solver : public SequentialImpulses<Effects...> {
   static_assert((!std::is_base_of_v<RequiredHook, Effects> && ...),
                 "this effect needs a solver that calls its hook: RelaxingSolver or CorrectingSolver");
+
+ public:
+  void solve(World& world, Real dt, int sweeps) override {
+    StepContext step{world, world.contacts, this->rows_, dt};
+    this->solve_rows(step, sweeps);
+  }
 };
 
 }  // namespace pushback

@@ -7,7 +7,7 @@ namespace pushback {
 
 /// sum(lambda) in [0, inf)
 struct Clamping : Effect {
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].lo = 0;
   }
 };
@@ -15,7 +15,7 @@ struct Clamping : Effect {
 /// The mistake to avoid: each correction clamped, lambda >= 0. The sum may then never come back down, as if its lower
 /// limit were wherever it has got to.
 struct ClampingEachCorrection : Clamping {
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     for (Row& row : step.rows) row.lo = row.impulse;
   }
 };

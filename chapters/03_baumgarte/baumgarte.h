@@ -10,8 +10,8 @@ namespace pushback {
 struct Baumgarte : Effect {
   Real beta = Real(0.2);  ///< of 0 ... 1: how much of the overlap one step takes away
 
-  void check(Step&) { require_not_negative("beta", beta); }
-  void build(Step& step) {
+  void check(StepContext&) { require_not_negative("beta", beta); }
+  void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       Row& normal = step.rows[i];
       normal.bias = std::min(normal.bias, beta / step.dt * normal.separation);

@@ -13,7 +13,7 @@ namespace {
 /// Marks the contact points that the step before already had. (Chapter 07 will have a better use for them.)
 struct MarkOld : Effect {
   std::vector<ContactId> before;
-  void report(Step& step) {
+  void report(StepContext& step) {
     std::vector<ContactId> now;
     for (Contact& contact : step.contacts) {
       const bool old = std::binary_search(before.begin(), before.end(), contact.id);

@@ -5,12 +5,12 @@
 
 namespace pushback {
 
-/// C -> min(0, C + slop).   In `touch`, so that whatever makes a bias of C in `build` finds it done.
+/// C -> min(0, C + slop).   In `adjust_separation`, so that whatever makes a bias of C in `build` finds it done.
 struct Slop : Effect {
   Real slop = Real(0.005);  ///< m
 
-  void check(Step&) { require_not_negative("slop", slop); }
-  void touch(Step& step) {
+  void check(StepContext&) { require_not_negative("slop", slop); }
+  void adjust_separation(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       Row& normal = step.rows[i];
       normal.separation = std::min(Real(0), normal.separation + slop);

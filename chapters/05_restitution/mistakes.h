@@ -7,7 +7,7 @@ namespace pushback {
 
 /// A mistake: bounce and push-out added up.
 struct RestitutionAdded : Effect {
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       const Real approach = approach_speed(step.world, step.contacts[i]);
       if (approach < 0) step.rows[i].bias += step.contacts[i].restitution * approach;
@@ -18,7 +18,7 @@ struct RestitutionAdded : Effect {
 /// Half a mistake: an approach speed that already has in it the gravity of this step, which the ball has not fallen by.
 struct RestitutionWithGravity : Effect {
   Real threshold = 0;
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       Row& normal = step.rows[i];
       const Real approach = normal.speed();
@@ -30,12 +30,12 @@ struct RestitutionWithGravity : Effect {
 /// Kept apart: the sweeps stop the approach and push out; when they are done, a pass of its own makes the contacts bounce.
 struct RestitutionApart : Effect {
   std::vector<Real> departure;
-  void build(Step& step) {
+  void build(StepContext& step) {
     departure.clear();
     for (const Contact& contact : step.contacts)
       departure.push_back(-contact.restitution * std::min(Real(0), approach_speed(step.world, contact)));
   }
-  void finish(Step& step) {
+  void finish(StepContext& step) {
     for (std::size_t i = 0; i < departure.size(); ++i) {
       Row& normal = step.rows[i];
       if (normal.impulse == 0 || departure[i] == 0) continue;

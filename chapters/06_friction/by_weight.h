@@ -8,7 +8,7 @@ namespace pushback {
 /// The lecture's bound: mu m g, whatever the contact carries. Each point is given its share of the lighter body's mass.
 struct FrictionByWeight : Friction {
   std::vector<Real> bound;
-  void build(Step& step) {
+  void build(StepContext& step) {
     Friction::build(step);
     bound.clear();
     for (const Contact& contact : step.contacts) {
@@ -21,7 +21,7 @@ struct FrictionByWeight : Friction {
       bound.push_back(contact.friction * mass / points * World::g * step.dt);
     }
   }
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     for (std::size_t i = first_; i < step.rows.size(); ++i) {
       Row& tangent = step.rows[i];
       tangent.hi = bound[tangent.owner];

@@ -9,7 +9,7 @@ namespace pushback {
 ///
 /// Two rows along the tangents, b = 0:   |sum(lambda_t)| <= mu sum(lambda_n),   each by itself (a pyramid)
 struct Friction : Effect {
-  void build(Step& step) {
+  void build(StepContext& step) {
     first_ = step.rows.size();
     mu_.clear();
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
@@ -22,7 +22,7 @@ struct Friction : Effect {
     }
   }
   /// The bound follows the normal impulse of this very sweep.
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     Row* tangent = step.rows.data() + first_;
     for (std::size_t i = 0; i < mu_.size(); ++i) {
       const Real bound = mu_[i] * step.rows[tangent->owner].impulse;
@@ -34,7 +34,7 @@ struct Friction : Effect {
     }
     rows_solved += 2 * mu_.size();
   }
-  void report(Step& step) {
+  void report(StepContext& step) {
     for (std::size_t i = 0; i < mu_.size(); ++i) {
       const Row& first = step.rows[first_ + 2 * i];
       const Row& second = step.rows[first_ + 2 * i + 1];

@@ -12,7 +12,7 @@ using Cold = Solver<Clamping, Baumgarte, Slop, Restitution, Friction>;
 /// Every contact gets what another one had, some places on in the list.
 struct WarmStartWithWrongIds : WarmStart {
   int places = 1;
-  void build(Step& step) {
+  void build(StepContext& step) {
     WarmStart::build(step);
     if (first_guess_.empty()) return;
     const auto middle = static_cast<std::ptrdiff_t>(static_cast<std::size_t>(places) % first_guess_.size());

@@ -11,7 +11,7 @@ namespace pushback {
 /// takes the part along its own direction, so nothing has to be said of normals and tangents, and tangents may turn from
 /// step to step.
 struct WarmStart : Effect {
-  void build(Step& step) {
+  void build(StepContext& step) {
     const Contacts &contacts = step.contacts, &before = step.world.contacts_before;
     const Real scale = step.world.impulse_scale(step.dt);
     known_.assign(contacts.size(), false);
@@ -24,10 +24,10 @@ struct WarmStart : Effect {
       first_guess_[i] = scale * old->impulse;
     }
   }
-  void start(Step& step) {
+  void start(StepContext& step) {
     for (Row& row : step.rows) row.reach(first_guess_[row.owner].dot(row.n));
   }
-  void report(Step& step) {
+  void report(StepContext& step) {
     for (std::size_t i = 0; i < known_.size(); ++i) {
       ContactState& state = step.contacts[i].state;
       if (!known_[i]) state = ContactState::fresh;

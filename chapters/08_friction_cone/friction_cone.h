@@ -26,18 +26,18 @@ struct TangentBlock {
 /// Where that changes nothing any more, what slides is rubbed exactly against its motion. With a step for each row, or one
 /// that solves the block, the point where nothing changes is another one (scaled_back.h).
 struct FrictionCone : Friction, UpdatesGeometry {
-  void build(Step& step) {
+  void build(StepContext& step) {
     Friction::build(step);
     update_geometry(step);
   }
   /// A step of more than 1 / k can overshoot, and feed energy in: k is that of the rows as they are now.
-  void update_geometry(Step& step) {
+  void update_geometry(StepContext& step) {
     step_sizes_.clear();
     for (std::size_t i = 0; i < mu_.size(); ++i)
       step_sizes_.push_back(1 /
                             TangentBlock(step.rows[first_ + 2 * i], step.rows[first_ + 2 * i + 1]).larger_eigenvalue());
   }
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     Rows& rows = step.rows;
     for (std::size_t i = 0; i < mu_.size(); ++i) {
       Row &one = rows[first_ + 2 * i], &two = rows[first_ + 2 * i + 1];
@@ -47,7 +47,7 @@ struct FrictionCone : Friction, UpdatesGeometry {
     }
     rows_solved += 2 * mu_.size();
   }
-  void report(Step& step) {
+  void report(StepContext& step) {
     const Rows& rows = step.rows;
     for (std::size_t i = 0; i < mu_.size(); ++i) {
       const Row &one = rows[first_ + 2 * i], &two = rows[first_ + 2 * i + 1];

@@ -11,13 +11,13 @@ namespace pushback {
 ///
 /// Where it slides and nothing changes any more, friction is opposite to K_t^-1 u, not to the slip u.
 struct FrictionScaledBack : FrictionCone {
-  void build(Step& step) {
+  void build(StepContext& step) {
     Friction::build(step);
     const Rows& rows = step.rows;
     blocks_.clear();
     for (std::size_t i = 0; i < mu_.size(); ++i) blocks_.emplace_back(rows[first_ + 2 * i], rows[first_ + 2 * i + 1]);
   }
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     Rows& rows = step.rows;
     for (std::size_t i = 0; i < mu_.size(); ++i) {
       Row &one = rows[first_ + 2 * i], &two = rows[first_ + 2 * i + 1];

@@ -18,8 +18,8 @@ namespace pushback {
 struct RestitutionFromSurface : Effect {
   Real threshold = Real(0.1);  ///< m/s; what arrives slower stays
 
-  void check(Step&) { require_not_negative("threshold", threshold); }
-  void build(Step& step) {
+  void check(StepContext&) { require_not_negative("threshold", threshold); }
+  void build(StepContext& step) {
     fastest_ = 0;
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       const Contact& at = step.contacts[i];

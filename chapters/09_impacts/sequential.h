@@ -14,8 +14,8 @@ struct SequentialImpacts : Effect {
   Real threshold = Real(0.1);  ///< m/s; what arrives slower stays
   int most_rounds = 1000;      ///< then the sweeps have to do with what is left
 
-  void check(Step&) { require_not_negative("threshold", threshold); }
-  void build(Step& step) {
+  void check(StepContext&) { require_not_negative("threshold", threshold); }
+  void build(StepContext& step) {
     bouncing_.clear();
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       const Contact& at = step.contacts[i];
@@ -24,7 +24,7 @@ struct SequentialImpacts : Effect {
     }
   }
   /// From here on the row may add to its impact but not take it back: lo = impulse.
-  void start(Step& step) {
+  void start(StepContext& step) {
     bool again = true;
     for (int round = 0; again && round < most_rounds; ++round) {
       again = false;

@@ -6,12 +6,12 @@
 namespace pushback {
 
 /// A step as effects of a CorrectingSolver see it.
-struct CorrectingStep : Step {};
+struct CorrectingContext : StepContext {};
 
 /// Declares the hook of a CorrectingSolver. The effects that derive from it define it.
 struct Corrects : RequiredHook {
   /// The bodies have moved, and all velocities are what the step ends with. Only positions and orientations may be changed.
-  void correct(CorrectingStep&) {}
+  void correct(CorrectingContext&) {}
 };
 
 /// An effect that has the hook, or derives from Corrects, does both.
@@ -28,11 +28,11 @@ class CorrectingSolver : public SequentialImpulses<Effects...> {
 
  public:
   void solve(World& world, Real dt, int sweeps) override {
-    CorrectingStep step = step_of(world, dt);
-    SequentialImpulses<Effects...>::solve(step, sweeps);
+    CorrectingContext step = step_of(world, dt);
+    this->solve_rows(step, sweeps);
   }
   void moved(World& world, Real dt) override {
-    CorrectingStep step = step_of(world, dt);
+    CorrectingContext step = step_of(world, dt);
     [[maybe_unused]] const auto correct = [&step]<class E>(E& effect) {
       if constexpr (std::derived_from<E, Corrects>) effect.correct(step);
     };
@@ -40,7 +40,7 @@ class CorrectingSolver : public SequentialImpulses<Effects...> {
   }
 
  private:
-  CorrectingStep step_of(World& world, Real dt) { return {{world, world.contacts, this->rows_, dt}}; }
+  CorrectingContext step_of(World& world, Real dt) { return {{world, world.contacts, this->rows_, dt}}; }
 };
 
 }  // namespace pushback

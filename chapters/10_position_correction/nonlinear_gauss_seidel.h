@@ -21,12 +21,12 @@ struct NonlinearGaussSeidel : Effect, Corrects {
   Real most = Real(0.05);  ///< m; no contact asks for more in one step
   int rounds = 3;
 
-  void check(Step&) {
+  void check(StepContext&) {
     require_between("beta", beta, 0, 1);
     require_not_negative("most", most);
     if (rounds < 0) throw InvalidInput(fmt::format("rounds is {}: a whole number, 0 or more, is needed", rounds));
   }
-  void build(CorrectingStep& step) {
+  void build(CorrectingContext& step) {
     touching_.clear();
     allowed_ = 0;
     overlap_ = false;
@@ -38,7 +38,7 @@ struct NonlinearGaussSeidel : Effect, Corrects {
       overlap_ = overlap_ || normal.separation < 0;
     }
   }
-  void correct(CorrectingStep& step) {
+  void correct(CorrectingContext& step) {
     if (!overlap_) return;
     for (int round = 0; round < rounds; ++round) {
       for (std::size_t i = 0; i < touching_.size(); ++i) push_apart(step.rows[i], touching_[i]);

@@ -19,12 +19,12 @@ struct SplitImpulse : Effect, Corrects {
   Real most = Real(0.05);  ///< m; no contact asks for more in one step
   int rounds = 10;         ///< sweeps over the pseudo-velocities
 
-  void check(Step&) {
+  void check(StepContext&) {
     require_between("beta", beta, 0, 1);
     require_not_negative("most", most);
     if (rounds < 0) throw InvalidInput(fmt::format("rounds is {}: a whole number, 0 or more, is needed", rounds));
   }
-  void correct(CorrectingStep& step) {
+  void correct(CorrectingContext& step) {
     pushes_.assign(step.rows.begin(), step.rows.begin() + std::ssize(step.contacts));
     bool overlap = false;
     for (Row& push : pushes_) {

@@ -16,8 +16,8 @@ struct Substeps : ContactSolver {
   int count;
   int sweeps;  ///< in each substep
 
-  explicit Substeps(ContactSolver solver = {}, int substeps = 32, int sweeps_of_each = 1)
-      : ContactSolver(std::move(solver)), count(substeps), sweeps(sweeps_of_each) {}
+  explicit Substeps(ContactSolver solver = {}, int how_many = 32, int sweeps_of_each = 1)
+      : ContactSolver(std::move(solver)), count(how_many), sweeps(sweeps_of_each) {}
 
   Plan plan(Real dt) const override {
     if (count < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", count));

@@ -8,10 +8,10 @@ namespace pushback {
 /// A step as effects of a RelaxingSolver see it. A normal that has softness wants
 ///
 ///   J V + b + gamma lambda = 0,   and its effective mass is 1 / (K + gamma)
-struct RelaxingStep : Step {
+struct RelaxingContext : StepContext {
   std::vector<Real>& softness;  ///< gamma of the first rows, 1/kg: 0 where the step begins
 
-  Real speed_error(std::size_t i) const { return Step::speed_error(i) + yields(i); }
+  Real speed_error(std::size_t i) const { return StepContext::speed_error(i) + yields(i); }
   void solve(std::size_t i) {
     Row& row = rows[i];
     row.reach(row.impulse - row.effective_mass * (row.speed() + (row.bias + yields(i))));
@@ -24,7 +24,7 @@ struct RelaxingStep : Step {
 /// Declares the hook of a RelaxingSolver. The effects that derive from it define it.
 struct Relaxes : RequiredHook {
   /// The bodies have moved. What the rows ask for changes: for no push-out any more.
-  void relax(RelaxingStep&) {}
+  void relax(RelaxingContext&) {}
 };
 /// An effect that has the hook, or derives from Relaxes, does both.
 template <class E>
@@ -41,11 +41,11 @@ class RelaxingSolver : public SequentialImpulses<Effects...> {
  public:
   void solve(World& world, Real dt, int sweeps) override {
     softness_.assign(world.contacts.size(), 0);
-    RelaxingStep step = step_of(world, dt);
-    SequentialImpulses<Effects...>::solve(step, sweeps);
+    RelaxingContext step = step_of(world, dt);
+    this->solve_rows(step, sweeps);
   }
   void moved(World& world, Real dt) override {
-    RelaxingStep step = step_of(world, dt);
+    RelaxingContext step = step_of(world, dt);
     [[maybe_unused]] const auto relax = [&step]<class E>(E& effect) {
       if constexpr (std::derived_from<E, Relaxes>) effect.relax(step);
     };
@@ -59,7 +59,7 @@ class RelaxingSolver : public SequentialImpulses<Effects...> {
   }
 
  private:
-  RelaxingStep step_of(World& world, Real dt) { return {{world, world.contacts, this->rows_, dt}, softness_}; }
+  RelaxingContext step_of(World& world, Real dt) { return {{world, world.contacts, this->rows_, dt}, softness_}; }
 
   std::vector<Real> softness_;  // of the normals
 };

@@ -23,12 +23,12 @@ struct SoftContacts : Effect, Relaxes {
   /// w in steps of dt, rad/s. A spring needs some steps for an oscillation: at most one in eight of them is used.
   Real angular_frequency(Real dt) const { return 2 * pi * std::min(hertz, 1 / (8 * dt)); }
 
-  void check(Step&) {
+  void check(StepContext&) {
     require_positive("hertz", hertz);
     require_not_negative("damping ratio", damping_ratio);
     require_not_negative("fastest push-out", fastest_push_out);
   }
-  void build(RelaxingStep& step) {
+  void build(RelaxingContext& step) {
     const Real dt = step.dt;
     const Rows& rows = step.rows;
     const Real w = angular_frequency(dt);
@@ -42,7 +42,7 @@ struct SoftContacts : Effect, Relaxes {
     }
   }
   /// What bounces leaves by itself; all else is pushed out.
-  void start(RelaxingStep& step) {
+  void start(RelaxingContext& step) {
     Rows& rows = step.rows;
     bounce_.resize(rigid_mass_.size());
     for (std::size_t i = 0; i < rigid_mass_.size(); ++i) {
@@ -58,7 +58,7 @@ struct SoftContacts : Effect, Relaxes {
   /// What was pushed has moved. What is left of that speed would be energy fed in: b = 0, or the bounce, and gamma = 0.
   ///
   /// To leave angular momentum alone, impulses have to act on both bodies at one point, by the inertias that they have now.
-  void relax(RelaxingStep& step) {
+  void relax(RelaxingContext& step) {
     Rows& rows = step.rows;
     for (Row& row : rows) carry(row, row.b->position - row.a->position - apart_[row.owner]);
     for (std::size_t i = 0; i < rigid_mass_.size(); ++i) rows[i].bias = bounce_[i];

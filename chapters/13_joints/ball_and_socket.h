@@ -28,7 +28,7 @@ inline Joint ball_and_socket(const World& world, int a, int b, const Vec3& ancho
   check_joined(world, "a ball and socket", a, b);
   require_finite("anchor of a ball and socket", anchor);
   const Anchor there(world, a, b, anchor);
-  const auto ask = [there](const Body& first, const Body& second, const Moment&, Equations& equations) {
+  const auto ask = [there](const Body& first, const Body& second, const TimeStep&, Equations& equations) {
     there.ask(first, second, equations);
   };
   return {"a ball and socket", a, b, ask};

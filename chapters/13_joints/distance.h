@@ -20,7 +20,7 @@ inline Joint distance(const World& world, int a, const Vec3& point_a, int b, con
   require_positive("length of a distance", length);
   const Vec3 on_a = point_on(body_of(world, a), point_a), on_b = point_on(body_of(world, b), point_b);
 
-  const auto ask = [=](const Body& first, const Body& second, const Moment&, Equations& equations) {
+  const auto ask = [=](const Body& first, const Body& second, const TimeStep&, Equations& equations) {
     const Vec3 p_a = point_of(first, on_a), p_b = point_of(second, on_b);
     const Real apart = (p_b - p_a).norm();
     const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // on each other: any way out will do

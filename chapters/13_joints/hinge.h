@@ -31,7 +31,7 @@ inline Joint hinge(const World& world, int a, int b, const Vec3& anchor, const V
   const Quat to_a = body_of(world, a).orientation.conjugate(), to_b = body_of(world, b).orientation.conjugate();
   const Vec3 s1 = to_a * across.tangent1, s2 = to_a * across.tangent2, u = to_b * along;
 
-  const auto ask = [=](const Body& first, const Body& second, const Moment&, Equations& equations) {
+  const auto ask = [=](const Body& first, const Body& second, const TimeStep&, Equations& equations) {
     there.ask(first, second, equations);
     const Vec3 turned = second.orientation * u;
     equations.push_back(perpendicular(first.orientation * s1, turned));

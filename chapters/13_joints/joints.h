@@ -17,11 +17,11 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
   Real beta = Real(0.2);  ///< of 0 ... 1: how much of C one step takes away
 
   /// What a joint asks for may be refused, so all are asked before anything has changed.
-  void check(Step& step) {
+  void check(StepContext& step) {
     require_not_negative("beta of the joints", beta);
     ask(step);
   }
-  void build(Step& step) {
+  void build(StepContext& step) {
     if (asked_.size() != acting(step.world)) ask(step);  // somebody woke; or nobody has called `check`
     joint_rows_.clear();
     auto equation = equations_.begin();
@@ -38,13 +38,13 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
     }
     asked_.clear();  // those answers are used up
   }
-  void sweep(Step&) {
+  void sweep(StepContext&) {
     for (JointRow& row : joint_rows_) row.solve();
     rows_solved += joint_rows_.size();
   }
   /// Only under a solver that relaxes (chapter 12): the same equations where the bodies are now, and C is not fed back.
   /// Springs stay as they were: what they add to the speeds is meant.
-  void update_geometry(Step& step) {
+  void update_geometry(StepContext& step) {
     ask(step);
     for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
       JointRow& row = joint_rows_[i];
@@ -73,7 +73,7 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
     return static_cast<std::size_t>(std::count_if(world.joints.begin(), world.joints.end(),
                                                   [&](const Joint& joint) { return acts(world, joint); }));
   }
-  void ask(const Step& step) {
+  void ask(const StepContext& step) {
     asked_.clear();
     equations_.clear();
     for (std::size_t i = 0; i < step.world.joints.size(); ++i) {

@@ -13,7 +13,7 @@ inline Joint weld(const World& world, int a, int b, const Vec3& anchor) {
   const Anchor there(world, a, b, anchor);
   const Quat a_to_b = body_of(world, b).orientation.conjugate() * body_of(world, a).orientation;
 
-  const auto ask = [=](const Body& first, const Body& second, const Moment&, Equations& equations) {
+  const auto ask = [=](const Body& first, const Body& second, const TimeStep&, Equations& equations) {
     there.ask(first, second, equations);
     const Quat axes_b = second.orientation * a_to_b;
     for (int i = 0; i < 3; ++i) {

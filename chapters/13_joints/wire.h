@@ -23,7 +23,7 @@ struct Wire {
 inline Joint bead_on(const World& world, const Wire& wire, int body) {
   check_joined(world, "a wire", the_world, body);
   if (!wire.c || !wire.gradient) throw InvalidInput("a wire has no C or no gradient: both are needed");
-  const auto ask = [wire](const Body&, const Body& bead, const Moment&, Equations& equations) {
+  const auto ask = [wire](const Body&, const Body& bead, const TimeStep&, Equations& equations) {
     const Real x = bead.position.x(), y = bead.position.y();
     const Vec3 gradient = wire.gradient(x, y);
     const Real size = gradient.norm();

@@ -1,3 +1,4 @@
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/13_joints/study.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/14_joints_under_load/structures.h"

@@ -19,11 +19,11 @@ struct SplitJoints : WarmJoints {
   int passes =
       1;  ///< over the rows, in each of the solver's sweeps: for long chains, where contacts need no more of them
 
-  void check(Step& step) {
+  void check(StepContext& step) {
     if (passes < 1) throw InvalidInput(fmt::format("passes is {}: a whole number, 1 or more, is needed", passes));
     WarmJoints::check(step);
   }
-  void build(Step& step) {
+  void build(StepContext& step) {
     WarmJoints::build(step);
     push_.clear();
     rounds_ = 0;
@@ -32,20 +32,20 @@ struct SplitJoints : WarmJoints {
       row.bias -= push_.back();
     }
   }
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     for (int i = 0; i < passes; ++i, ++rounds_) WarmJoints::sweep(step);
   }
-  void finish(Step& step) {
+  void finish(StepContext& step) {
     remember(step);
     pushed_ = true;
     for (std::size_t i = 0; i < joint_rows_.size(); ++i) joint_rows_[i].bias += push_[i];
     for (int i = 0; i < rounds_; ++i) WarmJoints::sweep(step);
   }
-  void report(Step& step) {
+  void report(StepContext& step) {
     if (!pushed_) remember(step);
     pushed_ = false;
   }
-  void update_geometry(Step& step) {
+  void update_geometry(StepContext& step) {
     each_row(step, [](Row& row, const std::vector<Real>& impulses, std::size_t n) { row.reach(impulses[n]); });
     WarmJoints::update_geometry(step);
   }

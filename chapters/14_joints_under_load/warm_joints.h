@@ -7,16 +7,16 @@ namespace pushback {
 
 /// In the place of Joints. A joint asks for as many equations in every step: the n-th is known by its place.
 struct WarmJoints : Joints {
-  void start(Step& step) {
+  void start(StepContext& step) {
     const Real scale = step.world.impulse_scale(step.dt);
     each_row(step, [scale](Row& row, std::vector<Real>& impulses, std::size_t n) {
       if (n < impulses.size()) row.reach(scale * impulses[n]);
     });
   }
-  void report(Step& step) { remember(step); }
+  void report(StepContext& step) { remember(step); }
 
  protected:
-  void remember(Step& step) {
+  void remember(StepContext& step) {
     each_row(step, [](const Row& row, std::vector<Real>& impulses, std::size_t n) {
       impulses.resize(n);
       impulses.push_back(row.impulse);
@@ -24,7 +24,7 @@ struct WarmJoints : Joints {
   }
   /// `use(row, impulses, n)`: the n-th of its joint, from 0; and what the joint keeps, N s.
   template <class Use>
-  void each_row(Step& step, const Use& use) {
+  void each_row(StepContext& step, const Use& use) {
     for (std::size_t i = 0, n = 0; i < joint_rows_.size(); ++i) {
       Row& row = joint_rows_[i];
       n = i > 0 && row.owner == joint_rows_[i - 1].owner ? n + 1 : 0;

@@ -48,7 +48,7 @@ Joint limits_of(const std::string& name, const World& world, int a, int b, const
   check_joined(world, name, a, b);
   check_limits(name, low, high);
   const AngleBetween angle(world, a, b, unit_axis(name, axis));
-  const auto ask = [=](const Body& first, const Body& second, const Moment& now, Equations& equations) {
+  const auto ask = [=](const Body& first, const Body& second, const TimeStep& now, Equations& equations) {
     between(about_the_middle(angle.of(first, second), low, high), low, high, now.dt, equations);
   };
   return {name, a, b, ask};
@@ -73,7 +73,7 @@ inline Joint cone_limit(const World& world, int a, int b, const Vec3& of_a, cons
   require_between("angle of " + name, angle, 0, pi);
   const Vec3 s = body_of(world, a).orientation.conjugate() * unit_axis(name, of_a);
   const Vec3 u = body_of(world, b).orientation.conjugate() * unit_axis(name, of_b);
-  const auto ask = [=](const Body& first, const Body& second, const Moment& now, Equations& equations) {
+  const auto ask = [=](const Body& first, const Body& second, const TimeStep& now, Equations& equations) {
     const Angle off = swing(first.orientation * s, second.orientation * u);
     equations.push_back(at_least_zero(turning(-off.gradient), angle - off.value, now.dt));
   };

@@ -26,7 +26,7 @@ inline Joint motor_to_angle(const World& world, int a, int b, const Vec3& axis, 
   require_not_negative("torque of " + name, torque);
   if (!angle_at) throw InvalidInput(name + " has no angle to reach: a function of time is needed");
   const HingeAngle angle(world, a, b, unit_axis(name, axis));
-  const auto ask = [=](const Body& first, const Body& second, const Moment& now, Equations& equations) {
+  const auto ask = [=](const Body& first, const Body& second, const TimeStep& now, Equations& equations) {
     const Angle turned = angle.of(first, second);
     const Real begin = angle_at(now.time), end = angle_at(now.time + now.dt);
     require_finite("angle that a motor is to reach", end);
@@ -51,7 +51,7 @@ inline Joint motor_at_speed(const World& world, int a, int b, const Vec3& axis, 
   require_finite("speed of " + name, speed);
   require_not_negative("torque of " + name, torque);
   const Vec3 on_a = body_of(world, a).orientation.conjugate() * unit_axis(name, axis);
-  const auto ask = [=](const Body& first, const Body&, const Moment&, Equations& equations) {
+  const auto ask = [=](const Body& first, const Body&, const TimeStep&, Equations& equations) {
     Equation row = with_torque(turning(first.orientation * on_a), torque);
     row.bias = -speed;
     equations.push_back(row);

@@ -23,7 +23,7 @@ inline Joint piston(const World& world, int a, const Vec3& point_a, int b, const
   if (!(force >= 0)) throw InvalidInput(fmt::format("force of {} is {}: 0 or more is needed", name, force));
   const Vec3 on_a = point_on(body_of(world, a), point_a), on_b = point_on(body_of(world, b), point_b);
 
-  const auto ask = [=](const Body& first, const Body& second, const Moment& now, Equations& equations) {
+  const auto ask = [=](const Body& first, const Body& second, const TimeStep& now, Equations& equations) {
     const Vec3 p_a = point_of(first, on_a), p_b = point_of(second, on_b);
     const Real apart = (p_b - p_a).norm();
     const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // on each other: any way out will do

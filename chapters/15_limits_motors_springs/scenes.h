@@ -49,7 +49,7 @@ inline Joint stop_of_bar(const World& world, Real stop_at = bar_stop) {
 /// The mistake: within a degree of the stop, the limit without lambda >= 0.
 inline Joint stop_that_sucks(const World& world, Real stop_at = bar_stop) {
   Joint stop = stop_of_bar(world, stop_at);
-  stop.ask = [ask = stop.ask](const Body& a, const Body& b, const Moment& now, Equations& equations) {
+  stop.ask = [ask = stop.ask](const Body& a, const Body& b, const TimeStep& now, Equations& equations) {
     ask(a, b, now, equations);
     Equation& high = equations.back();
     if (high.bias * now.dt < pi / 180) high.lo = -std::numeric_limits<Real>::infinity();

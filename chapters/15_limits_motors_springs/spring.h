@@ -41,7 +41,7 @@ inline Equation soft(Equation row, const Spring& spring, const Body& a, const Bo
 inline Joint soft(Joint rigid, const Spring& spring) {
   rigid.name += " with a spring";
   check(rigid.name, spring);
-  rigid.ask = [ask = rigid.ask, spring](const Body& a, const Body& b, const Moment& now, Equations& equations) {
+  rigid.ask = [ask = rigid.ask, spring](const Body& a, const Body& b, const TimeStep& now, Equations& equations) {
     const std::size_t first = equations.size();
     ask(a, b, now, equations);
     for (std::size_t i = first; i < equations.size(); ++i) equations[i] = soft(equations[i], spring, a, b, now.dt);
@@ -54,7 +54,7 @@ inline Joint torsion_spring(const World& world, int a, int b, const Vec3& axis, 
   const std::string name = "a torsion";
   check_joined(world, name, a, b);
   const HingeAngle angle(world, a, b, unit_axis(name, axis));
-  const auto ask = [=](const Body& first, const Body& second, const Moment&, Equations& equations) {
+  const auto ask = [=](const Body& first, const Body& second, const TimeStep&, Equations& equations) {
     const Angle turned = angle.of(first, second);
     equations.push_back(turning(turned.gradient));
     equations.back().error = turned.value;

@@ -63,7 +63,7 @@ inline Joint wound_rope(const World& world, int wheel, const Vec3& centre, const
   }
   const Real length = now.free - rope.sigma * radius * now.chi;
 
-  const auto ask = [=, chi = CountedAngle(now.chi)](const Body& a, const Body& b, const Moment& moment,
+  const auto ask = [=, chi = CountedAngle(now.chi)](const Body& a, const Body& b, const TimeStep& moment,
                                                     Equations& equations) mutable {
     const Vec3 p = point_of(b, on_load);
     const WoundRope::Tangent tangent = rope.to(point_on(a, p) - middle);

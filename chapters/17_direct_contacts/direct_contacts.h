@@ -13,7 +13,7 @@ namespace pushback {
 struct DirectContacts : Effect {
   double tolerance = 1e-10;  ///< of relative_residual
 
-  void start(Step& step) {
+  void start(StepContext& step) {
     const ContactProblem problem = problem_of(step.contacts, step.rows);
     if (problem.contacts() == 0) return;
     solution_ = solve_best(problem, {.tolerance = tolerance, .rounds = 1});

@@ -15,7 +15,7 @@ namespace pushback {
 /// Contacts. Beyond that, a system between them takes longer than all of the smoothed ones between bodies, from nothing.
 constexpr Eigen::Index most_from_guess = 100;
 
-void WarmDirectContacts::start(Step& step) {
+void WarmDirectContacts::start(StepContext& step) {
   if (step.contacts.empty()) return;
   look_at_guess(step);
   if (relative_residual(r_, u_, q_, mu_) <= tolerance) return;  // what rests: W is not even written down
@@ -24,7 +24,7 @@ void WarmDirectContacts::start(Step& step) {
 }
 
 /// The guess is taken away, and given again: so u and q are known without W.
-void WarmDirectContacts::look_at_guess(Step& step) {
+void WarmDirectContacts::look_at_guess(StepContext& step) {
   Rows& rows = step.rows;
   places_ = places_in_problem(step.contacts, rows);
   for (Vector* all : {&r_, &u_, &q_}) all->setZero(3 * static_cast<Eigen::Index>(step.contacts.size()));
@@ -48,7 +48,7 @@ bool WarmDirectContacts::solve_as_handful(const Rows& rows) {
   return true;
 }
 
-void WarmDirectContacts::solve_as_large(Step& step) {
+void WarmDirectContacts::solve_as_large(StepContext& step) {
   if (!(work > 0))
     throw InvalidInput(
         fmt::format("{} contacts are too large a problem for the multiplications that are left", mu_.size()));

@@ -16,12 +16,12 @@ struct WarmDirectContacts : Effect {
   /// Multiplications in all steps together. Once they are spent, the next system is refused: InvalidInput.
   double work = std::numeric_limits<double>::infinity();
 
-  void start(Step& step);
+  void start(StepContext& step);
 
  private:
-  void look_at_guess(Step& step);
+  void look_at_guess(StepContext& step);
   bool solve_as_handful(const Rows& rows);
-  void solve_as_large(Step& step);
+  void solve_as_large(StepContext& step);
 
   std::vector<Eigen::Index> places_;  // of each row in the problem
   Vector r_, u_, q_, mu_;             // of the problem, u with r, q without

@@ -60,7 +60,7 @@ inline ChainSolved solve_chain(int count, Real h, int most) {
   };
   const double at_first = error();
   Rows no_contacts;
-  Step step{swept, swept.contacts, no_contacts, h};
+  StepContext step{swept, swept.contacts, no_contacts, h};
   while (static_cast<int>(chain.left.size()) < most && (chain.left.empty() || chain.left.back() > 1e-4)) {
     sweeps.Joints::sweep(step);
     chain.left.push_back(error() / at_first);

@@ -22,16 +22,16 @@ namespace pushback {
 struct DirectJoints : Joints {
   static constexpr Real least_pivot = Real(std::numeric_limits<Real>::digits > 24 ? 1e-8 : 3e-4);  ///< of D_i / A_ii
 
-  void build(Step& step) {
+  void build(StepContext& step) {
     Joints::build(step);
     factor();
   }
-  void sweep(Step&) {
+  void sweep(StepContext&) {
     for (JointRow& row : joint_rows_)
       if (limited(row) || (at_once_.empty() && std::isfinite(row.effective_mass))) row.solve();
     solve_at_once();
   }
-  void update_geometry(Step& step) {
+  void update_geometry(StepContext& step) {
     Joints::update_geometry(step);
     factor();
   }

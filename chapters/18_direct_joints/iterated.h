@@ -27,7 +27,7 @@ struct BegunStep {
   Rows rows() const { return {solver.joint_rows().begin(), solver.joint_rows().end()}; }
   void sweep() {
     Rows no_contacts;
-    Step step{world, world.contacts, no_contacts, h};
+    StepContext step{world, world.contacts, no_contacts, h};
     solver.JointEffect::sweep(step);
   }
   Vector impulses() const {

@@ -7,7 +7,7 @@ namespace pushback {
 
 /// Chapter 06's Friction makes no rows for a contact with mu = 0. This one does; their limits are 0 and 0.
 struct FrictionEverywhere : Friction {
-  void build(Step& step) {
+  void build(StepContext& step) {
     first_ = step.rows.size();
     mu_.clear();
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
@@ -20,7 +20,7 @@ struct FrictionEverywhere : Friction {
       mu_.push_back(at.friction);
     }
   }
-  void report(Step& step) {
+  void report(StepContext& step) {
     Friction::report(step);
     for (Contact& contact : step.contacts) {
       if (contact.friction == 0) contact.state = ContactState::fresh;  // neither held nor sliding: nothing rubs

@@ -48,10 +48,10 @@ template <class Called, class Kept, class... Rest>
 struct Keep {
   using type = Kept;
 };
-template <class Called, template <class...> class AnySolver, class... Kept, class E, class... Rest>
-struct Keep<Called, AnySolver<Kept...>, E, Rest...> {
+template <class Called, template <class...> class SolverOf, class... Kept, class E, class... Rest>
+struct Keep<Called, SolverOf<Kept...>, E, Rest...> {
   static constexpr bool needed = has_one_of<Called>(typename DependsOn<E>::questions{});
-  using with = std::conditional_t<needed, AnySolver<Kept..., E>, AnySolver<Kept...>>;
+  using with = std::conditional_t<needed, SolverOf<Kept..., E>, SolverOf<Kept...>>;
   using type = typename Keep<Called, with, Rest...>::type;
 };
 
@@ -59,10 +59,10 @@ template <class Full, class Called>
 struct OnlyOf {  // not composed of effects: there is nothing to leave out
   using type = Full;
 };
-template <template <class...> class AnySolver, class... Effects, class Called>
-  requires(std::derived_from<AnySolver<Effects...>, Effects> && ...)
-struct OnlyOf<AnySolver<Effects...>, Called> {
-  using type = typename Keep<Called, AnySolver<>, Effects...>::type;
+template <template <class...> class SolverOf, class... Effects, class Called>
+  requires(std::derived_from<SolverOf<Effects...>, Effects> && ...)
+struct OnlyOf<SolverOf<Effects...>, Called> {
+  using type = typename Keep<Called, SolverOf<>, Effects...>::type;
 };
 template <class Full, class Called>
 struct OnlyOf<Substeps<Full>, Called> {
@@ -85,7 +85,7 @@ Only<Full, Called> only(const Full& full) {
     return full;
   } else {
     Only<Full, Called> left;
-    [&]<template <class...> class AnySolver, class... Left>(AnySolver<Left...>& its) {
+    [&]<template <class...> class SolverOf, class... Left>(SolverOf<Left...>& its) {
       ((static_cast<Left&>(its) = static_cast<const Left&>(full)), ...);
     }(left);
     return left;

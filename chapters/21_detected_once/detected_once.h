@@ -32,7 +32,7 @@ struct SubsteppingSolver : StepSolver {
     require_not_negative("precision", precision);
     if (most_rounds < 1)
       throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
-    Step step = joints_step(world, h);
+    StepContext step = joints_step(world, h);
     spring.check(step);
     joints.check(step);
   }
@@ -48,7 +48,7 @@ struct SubsteppingSolver : StepSolver {
     return sum;
   }
   /// Joints have rows of their own, made anew in each substep; of the contacts they know nothing.
-  Step joints_step(World& world, Real h) { return {world, world.contacts, no_rows_, h}; }
+  StepContext joints_step(World& world, Real h) { return {world, world.contacts, no_rows_, h}; }
   PushOut push_out(Real h) const {
     const Real w = spring.angular_frequency(h), damping = 2 * spring.damping_ratio + h * w;
     return {w / damping, 1 / (h * w * damping), spring.fastest_push_out, threshold};
@@ -67,13 +67,13 @@ struct SubsteppingSolver : StepSolver {
       act(i, scale * old->impulse);
     }
   }
-  /// `push()` goes over the normals and says by how much it changed a speed, m/s. Once; in a substep in which something bounces as
+  /// `pass()` goes over the normals and says by how much it changed a speed, m/s. Once; in a substep in which something bounces as
   /// often as it takes, as in chapter 09.
-  template <class Push>
-  void push_until_solved(const Push& push) const {
-    Real change = push();
+  template <class Pass>
+  void solve_normals_until_solved(const Pass& pass) const {
+    Real change = pass();
     if (fastest_ == 0) return;
-    for (int round = 1; round < most_rounds && change > precision * fastest_; ++round) change = push();
+    for (int round = 1; round < most_rounds && change > precision * fastest_; ++round) change = pass();
   }
 
   std::vector<bool> known_;  // of each contact: whether the step before had it
@@ -106,15 +106,15 @@ class DetectedOnce : public SubsteppingSolver {
   }
   /// In each substep: what each normal is to do, the initial guess, and the sweeps.
   void solve(World& world, Real h, int sweeps) override {
-    Step step = joints_step(world, h);
+    StepContext step = joints_step(world, h);
     joints.build(step);
     forget_impacts();
     for (KeptContact& contact : contacts_) {
-      contact.aim(bodies_, push_out(h), h);
+      contact.prepare_substep(bodies_, push_out(h), h);
       fastest_ = std::max(fastest_, -contact.bounce);
     }
     if (fastest_ > 0)
-      for (KeptContact& contact : contacts_) contact.keep();
+      for (KeptContact& contact : contacts_) contact.save_impulses();
     joints.start(step);
     for (KeptBody& each : bodies_) {  // the same rows with the same impulses: one addition a body
       each.body->velocity += each.given;
@@ -134,7 +134,7 @@ class DetectedOnce : public SubsteppingSolver {
       contact.carry(bodies_, carried_from);
       contact.relax();
     }
-    Step step = joints_step(world, h);
+    StepContext step = joints_step(world, h);
     joints.update_geometry(step);
     sweep(step);
     joints.report(step);
@@ -167,20 +167,20 @@ class DetectedOnce : public SubsteppingSolver {
     }
     return places_[body];
   }
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     joints.sweep(step);
     for (KeptBody& each : bodies_) {
       each.given -= each.body->velocity;
       each.given_turning -= each.body->angular_velocity;
     }
-    push_until_solved([this] {
+    solve_normals_until_solved([this] {
       Real change = 0;
-      for (KeptContact& contact : contacts_) change = std::max(change, contact.push());
+      for (KeptContact& contact : contacts_) change = std::max(change, contact.solve_normal());
       rows_solved += contacts_.size();
       return change;
     });
     for (KeptContact& contact : contacts_)
-      if (contact.friction > 0) contact.rub();
+      if (contact.friction > 0) contact.solve_friction();
     for (KeptBody& each : bodies_) {
       each.given += each.body->velocity;
       each.given_turning += each.body->angular_velocity;

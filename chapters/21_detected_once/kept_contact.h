@@ -90,7 +90,7 @@ struct KeptContact {
   }
   /// Before the bodies move. What is apart may come as near as it is, JV + C/h >= 0; what would arrive in this substep and
   /// bounces, bounces now; what overlaps is a spring.
-  void aim(const std::vector<KeptBody>& bodies, const PushOut& push_out, Real h) {
+  void prepare_substep(const std::vector<KeptBody>& bodies, const PushOut& push_out, Real h) {
     const Real C = separation(bodies), approach = restitution > 0 ? speed_before() : 0;
     const Real wanted = push_out.rate * C;
     bounce = 0;
@@ -106,13 +106,13 @@ struct KeptContact {
   /// it would be stopped before it arrives, and not bounce.
   void relax() { ask(bounce < 0 ? bounce : std::max(normal.bias, Real(0)), 0); }
   /// By how much it changed the speed, m/s.
-  Real push() {
+  Real solve_normal() {
     const Real before = normal.impulse;
     normal.reach(before - mass * (normal.speed() + (normal.bias + softness * before)));
     return std::abs(normal.impulse - before) / normal.effective_mass;
   }
   /// As FrictionCone, chapter 08.
-  void rub() {
+  void solve_friction() {
     const auto [total1, total2] = in_disc();  // both read before either acts
     tangent1.reach(total1);
     tangent2.reach(total2);
@@ -146,7 +146,7 @@ struct KeptContact {
     }
   }
   /// Before the sweeps of a substep: where it starts from.
-  void keep() { start_ = {normal.impulse, tangent1.impulse, tangent2.impulse}; }
+  void save_impulses() { start_ = {normal.impulse, tangent1.impulse, tangent2.impulse}; }
   /// From there the next one is to start as well.
   void restore(std::vector<KeptBody>& bodies) {
     give(bodies, -1);

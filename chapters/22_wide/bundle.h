@@ -99,13 +99,14 @@ struct Passes {
   const char* processor;
   int lanes;
   void (*prepare)(const Bundles<Real>&);
-  Real (*aim)(const Bundles<Real>&, const WidePushOut<Real>&);  ///< returns the fastest bounce, m/s
+  Real (*prepare_substep)(const Bundles<Real>&, const WidePushOut<Real>&);  ///< returns the fastest bounce, m/s
   void (*carry)(const Bundles<Real>&, Real carried_from);
   void (*relax)(const Bundles<Real>&);
-  Real (*push)(const Bundles<Real>&);         ///< all normals; returns by how much it changed a speed, m/s
-  void (*rub)(const Bundles<Real>&);          ///< all tangents
-  void (*rub_and_sum)(const Bundles<Real>&);  ///< the last pass of a substep: all tangents, and sums += impulses
-  void (*keep)(const Bundles<Real>&);
+  Real (*solve_normals)(const Bundles<Real>&);   ///< all normals; returns by how much it changed a speed, m/s
+  void (*solve_friction)(const Bundles<Real>&);  ///< all tangents
+  void (*solve_friction_and_sum)(
+      const Bundles<Real>&);  ///< the last pass of a substep: all tangents, and sums += impulses
+  void (*save_impulses)(const Bundles<Real>&);
   void (*restore)(const Bundles<Real>&);
   void (*turn)(Turning<Real>&, Real h);
 };

@@ -47,7 +47,7 @@ void number_sets(Experiment& e) {
 
 int main(int argc, char** argv) {
   Experiment e("22_wide", "What can be solved side by side?");
-  OnceInAStep settings;
+  SubsteppingSolver settings;
   e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &settings.substeps);
   int base = 10;
   e.parameter({"--base", "n", "", "Boxes of the pyramid's lowest row", 1, 20}, &base);

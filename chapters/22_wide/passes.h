@@ -166,7 +166,7 @@ constexpr Real free_speed = Real(1e9);
 
 /// C = C_0 + J dX, and what each normal is to do in a substep. Returns the fastest bounce, m/s.
 template <class Lanes, class Real>
-Real aim(const Bundles<Real>& all, const WidePushOut<Real>& push_out) {
+Real prepare_substep(const Bundles<Real>& all, const WidePushOut<Real>& push_out) {
   Real fastest = 0;
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
     const Pairs<Lanes> moved(bundle, all.moved, at);
@@ -283,8 +283,8 @@ void relax(const Bundles<Real>& all) {
 
 /// Returns by how much it changed the speed, m/s.
 template <class Lanes, class Real>
-[[gnu::always_inline]] inline Lanes push_contact(const Bundle<Real>& bundle, WideContact<Real>& contact,
-                                                 Pairs<Lanes>& pairs, int at) {
+[[gnu::always_inline]] inline Lanes solve_normal_of(const Bundle<Real>& bundle, WideContact<Real>& contact,
+                                                    Pairs<Lanes>& pairs, int at) {
   const LanesOfRow<Lanes> row(bundle.n, contact.normal, at);
   const Lanes impulse = load<Lanes>(contact.normal.impulse, at);
   const Lanes error = pairs.along(row) + (load<Lanes>(contact.bias, at) + load<Lanes>(contact.softness, at) * impulse);
@@ -299,7 +299,7 @@ template <class Lanes, class Real>
 }
 
 template <class Lanes, class Real>
-void rub_contact(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
+void solve_friction_of(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
   const LanesOfRow<Lanes> row1(bundle.tangent1, contact.tangent1, at), row2(bundle.tangent2, contact.tangent2, at);
   const Lanes step_size = load<Lanes>(contact.step_size, at);
   const Lanes impulse1 = load<Lanes>(contact.tangent1.impulse, at),
@@ -344,23 +344,23 @@ void two_at_a_time(const Bundles<Real>& all, const Act& act) {
 }
 
 template <class Lanes, class Real>
-Real push(const Bundles<Real>& all) {
+Real solve_normals(const Bundles<Real>& all) {
   Lanes change = 0;
   two_at_a_time<Lanes>(
       all, [&](const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at)
-               __attribute__((always_inline)) { change = max(change, push_contact(bundle, contact, pairs, at)); });
+               __attribute__((always_inline)) { change = max(change, solve_normal_of(bundle, contact, pairs, at)); });
   return hmax(change);
 }
 /// After all normals: what holds a body has to know how it is pressed.
 template <class Lanes, class Real>
-void rub(const Bundles<Real>& all) {
-  two_at_a_time<Lanes>(all, rub_contact<Lanes, Real>);
+void solve_friction(const Bundles<Real>& all) {
+  two_at_a_time<Lanes>(all, solve_friction_of<Lanes, Real>);
 }
 /// The last pass of a substep.
 template <class Lanes, class Real>
-void rub_and_sum(const Bundles<Real>& all) {
+void solve_friction_and_sum(const Bundles<Real>& all) {
   two_at_a_time<Lanes>(all, [&](const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
-    rub_contact(bundle, contact, pairs, at);
+    solve_friction_of(bundle, contact, pairs, at);
     EightVectors<Real>& sum = all.sums[&contact - all.contacts];
     store(Lanes(load<Lanes>(sum.x, at) + load<Lanes>(contact.normal.impulse, at)), sum.x, at);
     store(Lanes(load<Lanes>(sum.y, at) + load<Lanes>(contact.tangent1.impulse, at)), sum.y, at);
@@ -370,7 +370,7 @@ void rub_and_sum(const Bundles<Real>& all) {
 
 /// What a substep in which something bounces starts from; and from there the next one is to start as well.
 template <class Lanes, class Real>
-void keep(const Bundles<Real>& all) {
+void save_impulses(const Bundles<Real>& all) {
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
     for (int c = bundle.first; c < bundle.end; ++c) {
       const WideContact<Real>& contact = all.contacts[c];
@@ -402,13 +402,13 @@ Passes<Real> passes_of(const char* processor) {
   return {processor,
           width,
           prepare<Lanes, Real>,
-          aim<Lanes, Real>,
+          prepare_substep<Lanes, Real>,
           carry_along<Lanes, Real>,
           relax<Lanes, Real>,
-          push<Lanes, Real>,
-          rub<Lanes, Real>,
-          rub_and_sum<Lanes, Real>,
-          keep<Lanes, Real>,
+          solve_normals<Lanes, Real>,
+          solve_friction<Lanes, Real>,
+          solve_friction_and_sum<Lanes, Real>,
+          save_impulses<Lanes, Real>,
           restore<Lanes, Real>,
           turn<Lanes, Real>};
 }

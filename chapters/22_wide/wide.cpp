@@ -273,7 +273,7 @@ Scalar Wide<Scalar>::largest_in(std::size_t begin, std::size_t end, const Act& a
 template <class Scalar>
 void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
   const NoDenormals none;
-  Step step = joints_step(world, h);
+  StepContext step = joints_step(world, h);
   joints.build(step);
   forget_impacts();
   if (bouncy_) {
@@ -286,14 +286,15 @@ void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
   const WidePushOut<Scalar> in_lanes{static_cast<Scalar>(wanted.rate), static_cast<Scalar>(wanted.gamma_by_K),
                                      static_cast<Scalar>(wanted.fastest), static_cast<Scalar>(wanted.threshold),
                                      static_cast<Scalar>(h)};
-  fastest_ = each_bundle([&](std::size_t begin, std::size_t end) { return passes.aim(bundles(begin, end), in_lanes); });
-  if (fastest_ > 0) each_bundle([&](std::size_t begin, std::size_t end) { passes.keep(bundles(begin, end)); });
+  fastest_ = each_bundle(
+      [&](std::size_t begin, std::size_t end) { return passes.prepare_substep(bundles(begin, end), in_lanes); });
+  if (fastest_ > 0) each_bundle([&](std::size_t begin, std::size_t end) { passes.save_impulses(bundles(begin, end)); });
   joints.start(step);
   each_body([&](std::size_t i) {
     bodies_[i]->velocity += linear(given_[i]);
     bodies_[i]->angular_velocity += angular(given_[i]);
   });
-  for (int i = 0; i < sweeps; ++i) sweep(step, passes.rub);
+  for (int i = 0; i < sweeps; ++i) sweep(step, passes.solve_friction);
   joints.finish(step);
   joints.report(step);
 }
@@ -324,9 +325,9 @@ void Wide<Scalar>::moved(World& world, Real h) {
   });
   carry();
   each_bundle([&](std::size_t begin, std::size_t end) { passes.relax(bundles(begin, end)); });
-  Step step = joints_step(world, h);
+  StepContext step = joints_step(world, h);
   joints.update_geometry(step);
-  sweep(step, passes.rub_and_sum);
+  sweep(step, passes.solve_friction_and_sum);
   joints.report(step);
 }
 
@@ -349,15 +350,15 @@ void Wide<Scalar>::carry() {
 
 /// Velocities are copied here, and what the contacts have added to them back: what nothing pushes keeps its bits.
 template <class Scalar>
-void Wide<Scalar>::sweep(Step& step, void (*rub)(const Bundles<Scalar>&)) {
+void Wide<Scalar>::sweep(StepContext& step, void (*friction_pass)(const Bundles<Scalar>&)) {
   joints.sweep(step);
   each_body([&](std::size_t i) { put(bodies_[i]->velocity, bodies_[i]->angular_velocity, now_[i]); });
-  push_until_solved([this] {
+  solve_normals_until_solved([this] {
     rows_solved += where_.size();
     return static_cast<Real>(
-        set_by_set([&](std::size_t begin, std::size_t end) { return passes.push(bundles(begin, end)); }));
+        set_by_set([&](std::size_t begin, std::size_t end) { return passes.solve_normals(bundles(begin, end)); }));
   });
-  set_by_set([&](std::size_t begin, std::size_t end) { rub(bundles(begin, end)); });
+  set_by_set([&](std::size_t begin, std::size_t end) { friction_pass(bundles(begin, end)); });
   each_body([&](std::size_t i) {
     Vec3 &v = bodies_[i]->velocity, &w = bodies_[i]->angular_velocity;
     for (int k = 0; k < 3; ++k) {
@@ -383,14 +384,14 @@ void Wide<Scalar>::done(World& world) {
   if (fastest_ > 0) measured_ = measure();  // an impact's impulses are about to be forgotten
   forget_impacts();
   at_work_->each(where_.size(), 256, [&](Part part) {
-    for (std::size_t i = part.begin; i < part.end; ++i) tell(world.contacts[i], i);
+    for (std::size_t i = part.begin; i < part.end; ++i) write_back(world.contacts[i], i);
   });
   std::erase_if(world.contacts, [](const Contact& c) { return c.depth < 0 && c.impulse.isZero(0); });
 }
 
 /// What was done there.
 template <class Scalar>
-void Wide<Scalar>::tell(Contact& contact, std::size_t i) const {
+void Wide<Scalar>::write_back(Contact& contact, std::size_t i) const {
   const auto [b, c, lane] = where_[i];
   const Bundle<Scalar>& bundle = bundles_[b];
   const WideContact<Scalar>& wide = contacts_[c];

@@ -43,7 +43,7 @@ class Wide : public SubsteppingSolver {
 
  protected:
   /// Says in the i-th contact of the world what was done there so far.
-  void tell(Contact& contact, std::size_t i) const;
+  void write_back(Contact& contact, std::size_t i) const;
 
  private:
   struct Place {  // of a contact of the world
@@ -61,7 +61,7 @@ class Wide : public SubsteppingSolver {
   Scalar set_by_set(const Act& act);
   template <class Act>
   Scalar largest_in(std::size_t begin, std::size_t end, const Act& act);
-  void sweep(Step& step, void (*rub)(const Bundles<Scalar>&));
+  void sweep(StepContext& step, void (*friction_pass)(const Bundles<Scalar>&));
   void carry();
   void forget_impacts();
   Solved measure() const;

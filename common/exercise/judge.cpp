@@ -11,7 +11,7 @@ namespace pushback {
 
 namespace {
 
-bool is_whole(const Exercise::Line& check, const Scenes& scenes) {
+bool is_whole(const Exercise::Line& check, const NumbersOfScenes& scenes) {
   return scenes.size() == scenes_of_a_check && std::all_of(scenes.begin(), scenes.end(), [&](const Numbers& numbers) {
            return numbers.size() == check.quantities.size() ||
                   (check.recorded && numbers.size() > check.quantities.size());
@@ -24,7 +24,7 @@ struct Off {
   double by = 0;
 };
 
-Off furthest(const std::vector<Quantity>& quantities, const Scenes& right, const Scenes& scenes) {
+Off furthest(const std::vector<Quantity>& quantities, const NumbersOfScenes& right, const NumbersOfScenes& scenes) {
   Off off;
   for (std::size_t scene = 0; scene < right.size(); ++scene) {
     for (std::size_t i = 0; i < quantities.size(); ++i) {
@@ -39,8 +39,8 @@ Off furthest(const std::vector<Quantity>& quantities, const Scenes& right, const
 }
 
 /// Whether these are the numbers of a mistake: to a hundredth of what it changes.
-bool resembles(const std::vector<Quantity>& quantities, const Scenes& right, const Scenes& mistaken,
-               const Scenes& scenes) {
+bool resembles(const std::vector<Quantity>& quantities, const NumbersOfScenes& right, const NumbersOfScenes& mistaken,
+               const NumbersOfScenes& scenes) {
   for (std::size_t scene = 0; scene < right.size(); ++scene) {
     for (std::size_t i = 0; i < quantities.size(); ++i) {
       const Real is = scenes[scene][i], would_be = mistaken[scene][i];
@@ -54,8 +54,8 @@ bool resembles(const std::vector<Quantity>& quantities, const Scenes& right, con
 
 }  // namespace
 
-Scenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, std::size_t check) {
-  Scenes scenes;
+NumbersOfScenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, std::size_t check) {
+  NumbersOfScenes scenes;
   for (std::size_t scene = 0; scene < scenes_of_a_check; ++scene) {
     Random random = random_of(seed, check, scene);
     scenes.push_back(answer(check, random));
@@ -77,7 +77,7 @@ std::string Verdict::in_words() const {
 
 Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome) {
   Verdict verdict;
-  std::vector<Scenes> right;
+  std::vector<NumbersOfScenes> right;
   std::optional<std::size_t> first;  // of the checks that fail
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
     right.push_back(scenes_of(exercise.right, seed, i));
@@ -97,7 +97,7 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outco
   }
 
   const auto& quantities = exercise.checks[*first].quantities;
-  const Scenes& shown = outcome.numbers[*first];
+  const NumbersOfScenes& shown = outcome.numbers[*first];
   const Off off = furthest(quantities, right[*first], shown);
   const Quantity& quantity = quantities[off.quantity];
   const Real is = shown[off.scene][off.quantity];
@@ -117,7 +117,7 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outco
   const Exercise::Known* shows = nullptr;
   std::size_t most = 0;
   for (const auto& mistake : exercise.mistakes) {
-    const Scenes mistaken = scenes_of(mistake.played, seed, *first);
+    const NumbersOfScenes mistaken = scenes_of(mistake.played, seed, *first);
     if (furthest(quantities, right[*first], mistaken).by <= 1 || !resembles(quantities, right[*first], mistaken, shown))
       continue;
     std::size_t explained = 0;

@@ -8,18 +8,18 @@
 namespace pushback {
 
 /// What is measured in each scene of a check.
-using Scenes = std::vector<Numbers>;
+using NumbersOfScenes = std::vector<Numbers>;
 
 /// What came of running an answer.
 struct Attempt {
-  std::vector<Scenes> numbers;  ///< by check and scene, as far as it got
-  std::string problem;          ///< in plain words, why it got no further; empty: it did
-  std::string kind;             ///< of the problem: "does not compile", "time", "memory", "crash", "exception", "exit"
-  std::string printed;          ///< by the answer
+  std::vector<NumbersOfScenes> numbers;  ///< by check and scene, as far as it got
+  std::string problem;                   ///< in plain words, why it got no further; empty: it did
+  std::string kind;     ///< of the problem: "does not compile", "time", "memory", "crash", "exception", "exit"
+  std::string printed;  ///< by the answer
 };
 
 /// What a known answer would have sent.
-Scenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, std::size_t check);
+NumbersOfScenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, std::size_t check);
 /// "0.31 m/s"; less than the tolerance is 0.
 std::string in_words(Real value, const Quantity& quantity);
 

@@ -17,7 +17,7 @@ class World;
 inline constexpr int the_world = -1;
 
 /// The step from `time` to `time + dt`, s.
-struct Moment {
+struct TimeStep {
   Real time, dt;
 };
 
@@ -39,7 +39,7 @@ struct Joint {
   std::string name;  ///< "a hinge"
   int a, b;          ///< indices in World::bodies, or the_world
   /// Appends its equations, as many of them in every step. The bodies are those of the indices.
-  std::function<void(const Body& a, const Body& b, const Moment& now, Equations& equations)> ask;
+  std::function<void(const Body& a, const Body& b, const TimeStep& now, Equations& equations)> ask;
   /// The corners of a thin line that shows it, m, world axes; empty: it is not drawn.
   std::function<std::vector<Vec3>(const Body& a, const Body& b)> line = {};
   bool driven =

@@ -106,4 +106,3 @@ void spin_evenly(Body& body, Real dt);
 
 }  // namespace pushback
 
-#include "pushback/common/world/step.h"

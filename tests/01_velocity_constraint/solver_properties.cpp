@@ -68,11 +68,11 @@ struct Tangle {
 struct Spy : Effect {
   std::vector<Real> mu;
   int looks = 0, bad_normals = 0, bad_tangents = 0, at_bound = 0;
-  void build(Step& step) {
+  void build(StepContext& step) {
     mu.clear();
     for (const Contact& contact : step.contacts) mu.push_back(contact.friction);
   }
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     const Rows& rows = step.rows;
     ++looks;
     for (std::size_t i = 0; i < mu.size(); ++i) {
@@ -90,18 +90,18 @@ struct Spy : Effect {
 /// Likewise: the kinetic energy after every sweep.
 struct EnergySpy : Effect {
   std::vector<Real> energies;
-  void sweep(Step& step) { energies.push_back(kinetic_energy(step.world)); }
+  void sweep(StepContext& step) { energies.push_back(kinetic_energy(step.world)); }
 };
 
 /// A solver's biases, as they are when everyone has built.
 struct BiasSpy : Effect {
   std::vector<std::pair<ContactId, Real>> biases;
   std::vector<ContactId> ids;
-  void build(Step& step) {
+  void build(StepContext& step) {
     ids.clear();
     for (const Contact& contact : step.contacts) ids.push_back(contact.id);
   }
-  void start(Step& step) {
+  void start(StepContext& step) {
     const Rows& rows = step.rows;
     biases.clear();
     for (std::size_t i = 0; i < ids.size(); ++i) biases.emplace_back(ids[i], rows[i].bias);

@@ -14,7 +14,7 @@ namespace {
 template <class AnyWarmStart>
 struct Weighed : AnyWarmStart {
   Real objective = 0, size = 0;  // J; the sum of the sizes of its terms
-  void start(RelaxingStep& step) {
+  void start(RelaxingContext& step) {
     const Rows& rows = step.rows;
     std::vector<Real> before;
     for (const Row& row : rows) before.push_back(row.speed() + row.bias);
@@ -48,7 +48,7 @@ World random_scene(Random& random) {
 /// Warm starts as WarmStart does until it is told to scale.
 struct Switched : ScaledWarmStart {
   bool scales = false;
-  void start(Step& step) { scales ? ScaledWarmStart::start(step) : WarmStart::start(step); }
+  void start(StepContext& step) { scales ? ScaledWarmStart::start(step) : WarmStart::start(step); }
 };
 
 /// Plays a row of five balls that touch, the first with 5 m/s, in substeps of `sweeps`. Returns the largest gain of

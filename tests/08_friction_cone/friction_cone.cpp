@@ -75,11 +75,11 @@ struct DiscSpy : Effect {
   std::vector<Real> mu;
   Real worst = 0;
   int at_edge = 0;
-  void build(Step& step) {
+  void build(StepContext& step) {
     mu.clear();
     for (const Contact& contact : step.contacts) mu.push_back(contact.friction);
   }
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     const Rows& rows = step.rows;
     for (std::size_t tangent = mu.size(); tangent < rows.size(); tangent += 2) {
       const std::size_t contact = rows[tangent].owner;
@@ -195,7 +195,7 @@ TEST_CASE("08: a sweep never adds energy, nor slip where friction may hold") {
     Meeting m(random);
     const bool may_hold = random.below(2) == 0;
     Rows rows{{m.world, m.contact(), m.contact().normal, 0}};
-    Step step{m.world, m.world.contacts, rows, h};
+    StepContext step{m.world, m.world.contacts, rows, h};
     rows[0].impulse = may_hold ? Real(1e6) : random.over_decades(Real(0.01), 100);  // a bound that stays
     FrictionCone cone;
     cone.build(step);
@@ -216,7 +216,7 @@ TEST_CASE("08: the slower direction of a foot that is to be held keeps 1 - k_min
   for (const Real direction : {Real(0), pi / 2}) {  // the block's own axes: where the stick leans, and across
     Stick stick(direction);
     Rows rows{{stick.world, stick.contact(), stick.contact().normal, 0}};
-    Step step{stick.world, stick.world.contacts, rows, h};
+    StepContext step{stick.world, stick.world.contacts, rows, h};
     rows[0].impulse = Real(1e6);
     FrictionCone cone;
     cone.build(step);

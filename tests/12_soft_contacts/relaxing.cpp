@@ -157,7 +157,7 @@ TEST_CASE("relaxing places a row at one point for both bodies, and there it read
     world.contacts = {contact};
     Rows rows = {{world, contact, random.direction(), 0}, {world, contact, random.direction(), 0}};
     std::vector<Real> softness(1, 0);
-    RelaxingStep step{{world, world.contacts, rows, h}, softness};
+    RelaxingContext step{{world, world.contacts, rows, h}, softness};
     SoftContacts soft;
     soft.build(step);
     soft.start(step);

@@ -28,7 +28,7 @@ TEST_CASE("a soft normal ends at J V + b + gamma lambda = 0, wherever it starts"
     Row& row = rows[0];
     const Real K = 1 / row.effective_mass;
     std::vector<Real> softness{K * random.over_decades(Real(0.01), 100)};
-    RelaxingStep step{{world, world.contacts, rows, h}, softness};
+    RelaxingContext step{{world, world.contacts, rows, h}, softness};
     row.bias = random.between(-3, 3);
     row.effective_mass = 1 / (K + softness[0]);
     row.reach(random.between(-10, 10));
@@ -48,8 +48,8 @@ TEST_CASE("a row without softness gets, to the bit, what a step without any give
     rows[0].reach(random.between(-10, 10));
     const Real wanted = rows[0].wanted();
     std::vector<Real> softness{0};
-    RelaxingStep step{{world, world.contacts, rows, h}, softness};
-    REQUIRE(step.speed_error(0) == step.Step::speed_error(0));
+    RelaxingContext step{{world, world.contacts, rows, h}, softness};
+    REQUIRE(step.speed_error(0) == step.StepContext::speed_error(0));
     step.solve(0);
     REQUIRE(rows[0].impulse == wanted);
   }

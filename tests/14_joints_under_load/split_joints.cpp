@@ -69,7 +69,7 @@ TEST_CASE("where nothing relaxes the push is a speed, and the next step does not
   world.step(solver, h, 1);
   CHECK(world.bodies[0].velocity.x() == Approx(-solver.SplitJoints::beta * Real(0.1) / h));
   world.bodies[0].velocity.setZero();
-  world.joints[0].ask = [](const Body&, const Body&, const Moment&, Equations& equations) {
+  world.joints[0].ask = [](const Body&, const Body&, const TimeStep&, Equations& equations) {
     for (int axis = 0; axis < 3; ++axis) equations.push_back({.jacobian = {.n = Vec3::Unit(axis)}});
   };
   world.step(solver, h, 0);

@@ -57,7 +57,7 @@ TEST_CASE("sequential impulses are projected Gauss-Seidel on the matrix of all r
   Rows rows = normals_of(frame.world);
   for (Row& row : rows) row.lo = 0;
   Friction friction;
-  Step step{frame.world, contacts, rows, h};
+  StepContext step{frame.world, contacts, rows, h};
   friction.build(step);
   const SparseRows a = matrix_of(rows);
   const Vector b = speeds_of(rows);

@@ -671,8 +671,8 @@ using Swept = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmS
 struct Watch : Effect {
   double residual = 0, pushes = 0;  ///< the largest of all steps; N s, along the normals of the latest
 
-  void start(Step& step) { problem_ = problem_of(step.contacts, step.rows); }  // before the guess
-  void finish(Step& step) {
+  void start(StepContext& step) { problem_ = problem_of(step.contacts, step.rows); }  // before the guess
+  void finish(StepContext& step) {
     std::vector<Eigen::Index> next;
     for (std::size_t i = 0; i < step.contacts.size(); ++i) next.push_back(3 * std::ssize(next));
     Vector r = Vector::Zero(problem_.q.size());

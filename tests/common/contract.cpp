@@ -3,11 +3,11 @@
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/22_wide/recommended.h"
-#include "pushback/tools/catalogue/solvers.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/tools/catalogue/solvers.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/substeps.h"
@@ -73,25 +73,25 @@ Real total_impulse_up(const Contacts& contacts, Vec3 Contact::* impulse) {
 // ---- hooks that are misspelt -----------------------------------------------------------------------------------------
 
 struct RelaxMisspelt : Effect, Relaxes {
-  void build(RelaxingStep&) {}
-  void relaxx(RelaxingStep&) {}
+  void build(RelaxingContext&) {}
+  void relaxx(RelaxingContext&) {}
 };
 struct RelaxUnnamed : Effect {
-  void relax(RelaxingStep&) {}
+  void relax(RelaxingContext&) {}
 };
 struct CorrectMisspelt : Effect, Corrects {
-  void check(Step&) {}
-  void corect(CorrectingStep&) {}
+  void check(StepContext&) {}
+  void corect(CorrectingContext&) {}
 };
 struct CorrectUnnamed : Effect {
-  void correct(CorrectingStep&) {}
+  void correct(CorrectingContext&) {}
 };
 struct GeometryMisspelt : Effect, UpdatesGeometry {
-  void build(Step&) {}
-  void moved(Step&) {}
+  void build(StepContext&) {}
+  void moved(StepContext&) {}
 };
 struct GeometryUnnamed : Effect {
-  void update_geometry(Step&) {}
+  void update_geometry(StepContext&) {}
 };
 static_assert(!SpellsRelax<RelaxMisspelt> && !SpellsRelax<RelaxUnnamed> && SpellsRelax<SoftContacts> &&
               SpellsRelax<Clamping>);

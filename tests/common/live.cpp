@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "tests/support/catch.h"
 

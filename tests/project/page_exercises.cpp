@@ -139,7 +139,7 @@ namespace {
 
 struct DeadZone : Effect {
   Real slop = Real(0.005);
-  void touch(Step& step) {
+  void adjust_separation(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       if (step.rows[i].separation > -slop) step.rows[i].separation = 0;
     }
@@ -164,7 +164,7 @@ TEST_CASE("exercise 04.3: behind a dead zone the depth stops at the first d0 0.8
 namespace exercise_06 {
 
 struct FrictionCone : Friction {
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     for (std::size_t i = 0; i < mu_.size(); ++i) {
       Row &t1 = step.rows[first_ + 2 * i], &t2 = step.rows[first_ + 2 * i + 1];
       const Real bound = mu_[i] * step.rows[t1.owner].impulse;
@@ -187,14 +187,14 @@ namespace {
 
 struct SimpleStep : FrictionCone {
   std::vector<Real> sizes;
-  void build(Step& step) {
+  void build(StepContext& step) {
     Friction::build(step);
     const Rows& rows = step.rows;
     sizes.clear();
     for (std::size_t i = 0; i < mu_.size(); ++i)
       sizes.push_back(std::min(rows[first_ + 2 * i].effective_mass, rows[first_ + 2 * i + 1].effective_mass));
   }
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     Rows& rows = step.rows;
     for (std::size_t i = 0; i < mu_.size(); ++i) {
       Row &one = rows[first_ + 2 * i], &two = rows[first_ + 2 * i + 1];
@@ -223,7 +223,7 @@ TEMPLATE_TEST_CASE("exercises 06.3 and 08.3: with one step for both tangents a b
 namespace {
 
 struct NormalsOnly : WarmStart {
-  void start(Step& step) {
+  void start(StepContext& step) {
     for (std::size_t i = 0; i < first_guess_.size(); ++i) {
       Row& normal = step.rows[i];
       normal.reach(first_guess_[i].dot(normal.n));
@@ -256,7 +256,7 @@ TEST_CASE("exercise 07.3: before the first sweep the normals carry the box, and 
 namespace {
 
 struct FastestFirst : SequentialImpacts {
-  void start(Step& step) {
+  void start(StepContext& step) {
     for (int impact = 0; impact < most_rounds; ++impact) {
       const Bouncing* fastest = nullptr;
       Real speed = -threshold;
@@ -306,7 +306,7 @@ Joint slider(const World& world, int a, int b, const Vec3& point, const Vec3& li
   const Tangents across = tangents_of(line.normalized());
   const Quat to_a = carrier.orientation.conjugate();
   const Vec3 t1 = to_a * across.tangent1, t2 = to_a * across.tangent2;
-  const auto ask = [=](const Body& first, const Body& second, const Moment&, Equations& equations) {
+  const auto ask = [=](const Body& first, const Body& second, const TimeStep&, Equations& equations) {
     const Vec3 p_a = point_of(first, on_a), p_b = point_of(second, on_b);
     for (const Vec3& t : {t1, t2}) {
       const Vec3 n = first.orientation * t;
@@ -355,7 +355,7 @@ namespace {
 Joint rope(const World& world, int a, const Vec3& point_a, int b, const Vec3& point_b, Real length) {
   Joint joint = distance(world, a, point_a, b, point_b, length);
   joint.name = "a rope";
-  joint.ask = [ask = joint.ask](const Body& first, const Body& second, const Moment& now, Equations& equations) {
+  joint.ask = [ask = joint.ask](const Body& first, const Body& second, const TimeStep& now, Equations& equations) {
     ask(first, second, now, equations);
     Equation row = equations.back();
     const Real left = -row.error;  // C = L - |P_B - P_A|

@@ -18,7 +18,7 @@ inline pushback::Body drifted(pushback::Body body, pushback::Real t) {
 }
 
 inline pushback::Equations asked_by(const pushback::Joint& joint, const pushback::Body& a, const pushback::Body& b,
-                                    const pushback::Moment& now = {0, pushback::Real(1) / 60}) {
+                                    const pushback::TimeStep& now = {0, pushback::Real(1) / 60}) {
   pushback::Equations equations;
   joint.ask(a, b, now, equations);
   return equations;

@@ -11,9 +11,9 @@ namespace pushback {
 
 template <class HowTheyHold, class ContactSolver>
 struct WithJointsOf;
-template <class HowTheyHold, template <class...> class AnySolver, class... Effects>
-struct WithJointsOf<HowTheyHold, AnySolver<Effects...>> {
-  using type = AnySolver<HowTheyHold, Effects...>;
+template <class HowTheyHold, template <class...> class SolverOf, class... Effects>
+struct WithJointsOf<HowTheyHold, SolverOf<Effects...>> {
+  using type = SolverOf<HowTheyHold, Effects...>;
 };
 /// `HowTheyHold`: Joints, WarmJoints or SplitJoints.
 template <class HowTheyHold, class ContactSolver>
@@ -67,7 +67,7 @@ inline void plank_bridge(World& world) {
 /// Holds a body's centre to a point that goes round `centre` in the plane z = 0, `radius` m away, by `rate` rad/s.
 inline Joint crank(const World& world, int body, const Vec3& centre, Real radius, Real rate) {
   check_joined(world, "a crank", the_world, body);
-  const auto ask = [=](const Body&, const Body& its, const Moment& now, Equations& equations) {
+  const auto ask = [=](const Body&, const Body& its, const TimeStep& now, Equations& equations) {
     const Real angle = rate * now.time;
     const Vec3 out(std::cos(angle), std::sin(angle), 0), along(-out.y(), out.x(), 0);
     for (int axis = 0; axis < 3; ++axis) {

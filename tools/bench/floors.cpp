@@ -36,13 +36,14 @@ struct Noted {
     of = plain;
     Passes<Scalar> with = plain;
     with.prepare = [](const All& all) { noted<preparing>([&] { of.prepare(all); }); };
-    with.aim = [](const All& all, const WidePushOut<Scalar>& out) {
-      return noted<aiming>([&] { return of.aim(all, out); });
+    with.prepare_substep = [](const All& all, const WidePushOut<Scalar>& out) {
+      return noted<aiming>([&] { return of.prepare_substep(all, out); });
     };
     with.carry = [](const All& all, Scalar from) { noted<carrying>([&] { of.carry(all, from); }); };
     with.relax = [](const All& all) { noted<relaxing>([&] { of.relax(all); }); };
-    with.push = [](const All& all) { return noted<pushing>([&] { return of.push(all); }); };
-    with.rub = [](const All& all) { noted<rubbing>([&] { of.rub(all); }); };
+    with.solve_normals = [](const All& all) { return noted<pushing>([&] { return of.solve_normals(all); }); };
+    with.solve_friction = [](const All& all) { noted<rubbing>([&] { of.solve_friction(all); }); };
+    with.solve_friction_and_sum = [](const All& all) { noted<rubbing>([&] { of.solve_friction_and_sum(all); }); };
     return with;
   }
 };
@@ -73,12 +74,13 @@ Passes<Scalar> counted_passes() {
   return {"counted",
           1,
           prepare<Lane, Scalar>,
-          aim<Lane, Scalar>,
+          prepare_substep<Lane, Scalar>,
           carry_along<Lane, Scalar>,
           relax<Lane, Scalar>,
-          push<Lane, Scalar>,
-          rub<Lane, Scalar>,
-          keep<Lane, Scalar>,
+          solve_normals<Lane, Scalar>,
+          solve_friction<Lane, Scalar>,
+          solve_friction_and_sum<Lane, Scalar>,
+          save_impulses<Lane, Scalar>,
           restore<Lane, Scalar>,
           nullptr};  // which turns bodies: no pass over contacts
 }

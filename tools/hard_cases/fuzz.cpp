@@ -148,7 +148,7 @@ struct FeltWhole : Full {
 
  private:
   void feel(World& world) {
-    for (std::size_t i = 0; i < world.contacts.size(); ++i) Full::tell(world.contacts[i], i);
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) Full::write_back(world.contacts[i], i);
     watcher->feel(world);
   }
 };

@@ -95,13 +95,13 @@ class Ledger {
 template <class OneFriction>
 struct Booked : OneFriction {
   Ledger* ledger = nullptr;
-  void build(Step& step) {
+  void build(StepContext& step) {
     OneFriction::build(step);
     ledger->normals = step.contacts.size();
     ledger->friction = this->mu_;
     ledger->cone = std::derived_from<OneFriction, FrictionCone>;
   }
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     ledger->normals_swept(step.rows);
     OneFriction::sweep(step);
     ledger->tangents_swept(step.rows);
@@ -135,22 +135,22 @@ struct BookedScaledWarmStart : ScaledWarmStart {
 /// The last effect: nothing acts after it in any hook.
 struct Bookkeeper : Effect {
   Ledger* ledger = nullptr;
-  void build(Step& step) { ledger->open(step.rows); }
-  void start(Step& step) { ledger->started(step.rows); }
-  void finish(Step& step) { ledger->finished(step.rows); }
+  void build(StepContext& step) { ledger->open(step.rows); }
+  void start(StepContext& step) { ledger->started(step.rows); }
+  void finish(StepContext& step) { ledger->finished(step.rows); }
 };
 /// The same for a solver that relaxes.
 struct RelaxingBookkeeper : Bookkeeper, Relaxes {
-  void build(RelaxingStep& step) {
+  void build(RelaxingContext& step) {
     ledger->softness = &step.softness;
     Bookkeeper::build(step);
   }
-  void relax(RelaxingStep& step) { ledger->reopened(step.rows); }
+  void relax(RelaxingContext& step) { ledger->reopened(step.rows); }
 };
 
 /// A solver of which some effects keep books, all in one ledger.
-template <template <class...> class AnySolver, class... Effects>
-struct BookedSolver : AnySolver<Effects...> {
+template <template <class...> class SolverOf, class... Effects>
+struct BookedSolver : SolverOf<Effects...> {
   explicit BookedSolver(Ledger& ledger) { (hand_to(static_cast<Effects&>(*this), ledger), ...); }
 
  private:

@@ -14,14 +14,14 @@ struct Seat : Effect {
   Real seat = Real(1e-6);  ///< m
   Real beta = Real(0.2);   ///< of 0 ... 1: how much of what is missing one step sinks
 
-  void check(Step&) {
+  void check(StepContext&) {
     require_not_negative("seat", seat);
     require_between("beta", beta, 0, 1);
   }
-  void touch(Step& step) {
+  void adjust_separation(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].separation += seat;
   }
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       Row& normal = step.rows[i];
       if (normal.separation > 0) normal.bias = beta / step.dt * normal.separation;

@@ -16,7 +16,7 @@ using namespace pushback;
 struct PushOut : Effect {
   Real beta = Real(0.2);
 
-  void build(Step& step) {
+  void build(StepContext& step) {
     // TODO the bias of each row by Baumgarte stabilization; of two wishes, the one for more speed stays
     (void)step;  // take this line out
     // TODO ends

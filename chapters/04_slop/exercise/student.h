@@ -14,7 +14,7 @@ using namespace pushback;
 struct Allowance : Effect {
   Real slop = Real(0.005);  // m
 
-  void touch(Step& step) {
+  void adjust_separation(StepContext& step) {
     // TODO for each of the step.contacts.size() normal rows: the separation that counts (the equation of the page)
     (void)step;  // take this line out
     // TODO ends

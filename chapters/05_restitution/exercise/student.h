@@ -18,7 +18,7 @@ using namespace pushback;
 struct Bounce : Effect {
   Real threshold = Real(0.1);  // m/s; what arrives more slowly does not bounce
 
-  void build(Step& step) {
+  void build(StepContext& step) {
     // TODO for each normal row: the approach speed v_n of the two points that touch, and the bias by Newton's rule; of
     // two wishes, the one for more speed stays
     (void)step;  // take this line out

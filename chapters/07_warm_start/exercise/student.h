@@ -18,7 +18,7 @@ using namespace pushback;
 ///            step.dt, step.world.dt_before  s: the lengths of this step and of the one before
 /// and call   row.reach(total)             brings Σλ of the row to `total` and applies to the bodies what is new of it
 struct Remembering : Effect {
-  void start(Step& step) {
+  void start(StepContext& step) {
     // TODO for each row: the old contact of the same id, if there is one; from its impulse, the row's first sum
     (void)step;  // take this line out
     // TODO ends

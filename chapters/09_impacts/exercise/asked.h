@@ -7,7 +7,8 @@
 namespace pushback::exercise_09 {
 
 struct Answer {
-  bool (*one_round)(Step& step, const std::vector<Real>& by_forces, Real threshold);  ///< whether a pair has bounced
+  bool (*one_round)(StepContext& step, const std::vector<Real>& by_forces,
+                    Real threshold);  ///< whether a pair has bounced
 };
 
 Numbers play(std::size_t check, Random& random, const Answer& answer);

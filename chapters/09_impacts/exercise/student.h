@@ -18,7 +18,7 @@ using namespace pushback;
 ///            impulse                         the sum of this row's impulses in this step, N s
 /// and call   reach(sum)                      brings the row's sum to `sum`: the bodies feel the difference
 /// and set    lo                              the least that later iterations may lower the sum to, N s; 0 at first
-inline bool one_round(Step& step, const std::vector<Real>& by_forces, Real threshold) {
+inline bool one_round(StepContext& step, const std::vector<Real>& by_forces, Real threshold) {
   // TODO the impulse of the page for each pair that approaches faster than the threshold; the iterations must not take
   // it back
   (void)step, (void)by_forces, (void)threshold;  // take these two lines out

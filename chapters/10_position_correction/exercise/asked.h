@@ -11,7 +11,7 @@ inline constexpr Real beta = Real(0.2);
 inline constexpr int rounds = 60;
 
 struct Answer {
-  void (*correct)(CorrectingStep& step);  ///< once the bodies have moved
+  void (*correct)(CorrectingContext& step);  ///< once the bodies have moved
 };
 
 Numbers play(std::size_t check, Random& random, const Answer& answer);

@@ -18,7 +18,7 @@ using exercise_10::beta, exercise_10::rounds;
 ///            push.impulse         the sum of this push, N s: still what the step ended with
 /// and call   push.solve()         one visit: accumulates, and clamps the sum, as in chapter 02
 ///            displace(body, shift, turn)   x += shift (m), and a turn (rad), both in world axes
-inline void correct(CorrectingStep& step) {
+inline void correct(CorrectingContext& step) {
   Rows pushes(step.rows.begin(), step.rows.begin() + std::ssize(step.contacts));  // the normals once more
   // TODO b' of each push; the velocities set aside; `rounds` rounds of solving; the bodies moved; the velocities put back
   (void)pushes;  // take this line out

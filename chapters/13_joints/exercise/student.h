@@ -22,7 +22,7 @@ inline Joint hinge(const World& world, int a, int b, const Vec3& anchor, const V
   //   u            the axis, in B's axes
   // and append, for each of the five rows, J = [-n  -ra_n  n  rb_n] and C, m or rad:
   //   equations.push_back({.jacobian = {.ra_n = ..., .n = ..., .rb_n = ...}, .error = ...});
-  const auto ask = [=](const Body& first, const Body& second, const Moment&, Equations& equations) {
+  const auto ask = [=](const Body& first, const Body& second, const TimeStep&, Equations& equations) {
     // TODO three rows that keep P_A and P_B together; two that keep s1 and s2 perpendicular to u (the table of the page)
     (void)first, (void)second, (void)equations;           // take this line out,
     (void)on_a, (void)on_b, (void)s1, (void)s2, (void)u;  // and this one

@@ -18,19 +18,19 @@ using namespace pushback;
 struct Split : WarmJoints {
   // TODO build: take the push out of each b. finish, after the last iteration: the push, by as many iterations once more.
   // When is the time to remember?
-  void build(Step& step) {
+  void build(StepContext& step) {
     WarmJoints::build(step);  // makes the rows: b = ∂C/∂t + β/h C
   }
-  void finish(Step& step) {
+  void finish(StepContext& step) {
     (void)step;  // take this line out
   }
-  void report(Step& step) {  // the end of the step
+  void report(StepContext& step) {  // the end of the step
     remember(step);
   }
   // TODO ends
 
-  void touch(Step&) { rounds_ = 0; }
-  void sweep(Step& step) {
+  void adjust_separation(StepContext&) { rounds_ = 0; }
+  void sweep(StepContext& step) {
     WarmJoints::sweep(step);
     ++rounds_;
   }

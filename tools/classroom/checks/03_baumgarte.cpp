@@ -10,7 +10,7 @@ constexpr Real beta = Real(0.2);
 /// What another effect has asked for.
 struct Asking : Effect {
   Real bias = 0;
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (Row& row : step.rows) row.bias = bias;
   }
 };
@@ -94,7 +94,7 @@ std::vector<Check<Answer>> checks() {
 template <class Bias>
 struct Mistaken : Effect {
   Bias bias;
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i)
       step.rows[i].bias = bias(step.rows[i].bias, step.rows[i].separation, step.dt);
   }

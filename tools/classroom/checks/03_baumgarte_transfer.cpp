@@ -8,7 +8,7 @@ namespace {
 struct Capped : Effect {
   Answer answer{};
   Real beta = Real(0.2), cap = 3, asked = 0;
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (Row& row : step.rows) {
       row.bias = -asked;
       answer.push_out(row, beta, cap, step.dt);

@@ -10,7 +10,7 @@ constexpr Real slop = Slop{}.slop;
 /// Baumgarte's bias as the plain loop has it: whatever C is, also where it is positive.
 struct Bias : Effect {
   Real beta = Real(0.2);
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].bias = beta / step.dt * step.rows[i].separation;
   }
 };
@@ -76,7 +76,7 @@ std::vector<Check<Answer>> checks() {
 template <class Separation>
 struct Mistaken : Effect {
   Separation separation;
-  void touch(Step& step) {
+  void adjust_separation(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i)
       step.rows[i].separation = separation(step.rows[i].separation);
   }

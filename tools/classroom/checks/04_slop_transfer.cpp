@@ -8,7 +8,7 @@ namespace {
 struct Margin : Effect {
   Answer answer{};
   Real beta = Real(0.2), slop = Real(0.005);
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (Row& row : step.rows) answer.set_bias(row, beta, slop, step.dt);
   }
 };

@@ -8,7 +8,7 @@ namespace {
 /// What the push-out has asked for.
 struct Asking : Effect {
   Real speed = 0;  // m/s
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (Row& row : step.rows) row.bias = -speed;
   }
 };
@@ -105,9 +105,9 @@ constexpr Real threshold = Restitution{}.threshold;
 
 /// A mistake is which speed it takes, and what it makes of b, of e and of that speed.
 struct Mistaken : Effect {
-  Real (*speed)(const Step&, const Row&, const Contact&);
+  Real (*speed)(const StepContext&, const Row&, const Contact&);
   Real (*bias)(Real b, Real e, Real v);
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       Row& row = step.rows[i];
       row.bias = bias(row.bias, step.contacts[i].restitution, speed(step, row, step.contacts[i]));
@@ -115,13 +115,13 @@ struct Mistaken : Effect {
   }
 };
 
-Real before(const Step& step, const Row&, const Contact& at) {
+Real before(const StepContext& step, const Row&, const Contact& at) {
   return approach_speed(step.world, at);
 }
 Real larger(Real b, Real e, Real v) {
   return v < -threshold ? std::min(b, e * v) : b;
 }
-Answer mistaken(Real (*speed)(const Step&, const Row&, const Contact&)) {
+Answer mistaken(Real (*speed)(const StepContext&, const Row&, const Contact&)) {
   return {Mistaken{{}, speed, larger}};
 }
 Answer mistaken(Real (*bias)(Real b, Real e, Real v)) {
@@ -137,7 +137,7 @@ std::vector<Mistake<Answer>> mistakes() {
        "it looks as if the approach were measured after this step's gravity. The ball has not fallen by this gravity "
        "yet: a ball at rest then bounces off the ground by itself, and with e = 1 each bounce gains g h. Measure with "
        "velocity_before.",
-       mistaken([](const Step&, const Row& row, const Contact&) { return row.speed(); })},
+       mistaken([](const StepContext&, const Row& row, const Contact&) { return row.speed(); })},
       {"sum with the push-out",
        "it looks as if bounce and push-out were added up. Each is a least speed, and the larger satisfies both. Their "
        "sum gains energy in every bounce.",
@@ -170,7 +170,8 @@ std::vector<Mistake<Answer>> mistakes() {
       {"A and B swapped",
        "it looks as if A and B were swapped in v_n. The normal points from A to B, so bodies approach where "
        "(v_B - v_A) . n is negative. With the other sign a ball that lands is not seen, and one that leaves bounces.",
-       mistaken([](const Step& step, const Row&, const Contact& at) { return -approach_speed(step.world, at); })},
+       mistaken(
+           [](const StepContext& step, const Row&, const Contact& at) { return -approach_speed(step.world, at); })},
       {"threshold on the departure",
        "it looks as if the threshold were compared with e v_n. It is for the speed of the approach, v_n.",
        mistaken([](Real b, Real e, Real v) { return e * v < -threshold ? std::min(b, e * v) : b; })},
@@ -185,14 +186,14 @@ std::vector<Mistake<Answer>> mistakes() {
       {"turning left out",
        "it looks as if the velocities of the centres were taken. The points that touch also move with ω × r as their "
        "bodies turn.",
-       mistaken([](const Step& step, const Row&, const Contact& at) {
+       mistaken([](const StepContext& step, const Row&, const Contact& at) {
          const auto [a, b] = step.world.bodies_of(at);
          return (b.velocity_before - a.velocity_before).dot(at.normal);
        })},
       {"A left out",
        "it looks as if only B moved. The ground does not, but other bodies do: v_n is the velocity of B's point minus "
        "that of A's.",
-       mistaken([](const Step& step, const Row&, const Contact& at) {
+       mistaken([](const StepContext& step, const Row&, const Contact& at) {
          const Body& b = step.world.bodies_of(at).second;
          return (b.velocity_before + b.angular_velocity_before.cross(at.point - b.position)).dot(at.normal);
        })},

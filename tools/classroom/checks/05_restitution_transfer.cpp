@@ -9,7 +9,7 @@ constexpr Real threshold = Real(0.1), yield = 2;  // m/s
 /// What the push-out has asked for.
 struct Asking : Effect {
   Real speed = 0;  // m/s
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (Row& row : step.rows) row.bias = -speed;
   }
 };
@@ -105,13 +105,13 @@ std::vector<Check<Answer>> checks() {
 
 /// A bounce is which speed is that of the approach, on which speed e depends, by which law, and what it makes of b.
 struct Bounce : Effect {
-  using Speed = Real (*)(const Step&, const Row&, const Contact&);  // m/s
-  Speed approach, impact;                                           // the first is negative where bodies approach
+  using Speed = Real (*)(const StepContext&, const Row&, const Contact&);  // m/s
+  Speed approach, impact;  // the first is negative where bodies approach
   Real (*law)(Real e, Real speed);
   Real (*bias)(Real b, Real bounce);  // `bounce`: e v_n
   Real limit = threshold;
 
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       Row& row = step.rows[i];
       const Contact& at = step.contacts[i];
@@ -121,7 +121,7 @@ struct Bounce : Effect {
   }
 };
 
-Real before(const Step& step, const Row&, const Contact& at) {
+Real before(const StepContext& step, const Row&, const Contact& at) {
   return approach_speed(step.world, at);
 }
 Real falling(Real e, Real speed) {
@@ -142,8 +142,8 @@ Answer with_bias(Real (*bias)(Real b, Real bounce)) {
 std::vector<Mistake<Answer>> mistakes() {
   const std::string power =
       "it looks as if e fell by another power of the speed. Sixteen times the yield speed halves e.";
-  const Bounce::Speed with_gravity = [](const Step&, const Row& row, const Contact&) { return row.speed(); };
-  const Bounce::Speed in_all = [](const Step& step, const Row&, const Contact& at) {
+  const Bounce::Speed with_gravity = [](const StepContext&, const Row& row, const Contact&) { return row.speed(); };
+  const Bounce::Speed in_all = [](const StepContext& step, const Row&, const Contact& at) {
     const auto [a, b] = step.world.bodies_of(at);
     return (b.velocity_before - a.velocity_before).norm();
   };

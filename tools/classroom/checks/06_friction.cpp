@@ -125,7 +125,7 @@ std::vector<Check<Answer>> checks() {
 template <class Solve>
 struct Mistaken : Friction {
   Solve solve;
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     for (std::size_t i = first_; i < step.rows.size(); i += 2) solve(step, step.rows[i], step.rows[i + 1]);
   }
 };
@@ -142,14 +142,14 @@ void within(Row& row, Real total, Real lo, Real hi) {
 void within(Row& row, Real bound) {
   within(row, row.wanted(), -bound, bound);
 }
-Real bound_of(const Step& step, const Row& tangent) {
+Real bound_of(const StepContext& step, const Row& tangent) {
   return step.contacts[tangent.owner].friction * step.rows[tangent.owner].impulse;
 }
 
 /// ... with each of them, whatever the other.
 template <class Solve>
 Answer each_mistaken(Solve solve) {
-  return mistaken([solve](Step& step, Row& tangent1, Row& tangent2) {
+  return mistaken([solve](StepContext& step, Row& tangent1, Row& tangent2) {
     for (Row* tangent : {&tangent1, &tangent2}) solve(step, *tangent, bound_of(step, *tangent));
   });
 }
@@ -168,31 +168,31 @@ std::vector<Mistake<Answer>> mistakes() {
       {"μ m g",
        "it looks as if the bound were μ m g. What bounds friction is the push on this contact: on a slope it is less "
        "than the weight, in an impact far more. It is Σλn, of the normal's row.",
-       each_mistaken([](Step& step, Row& tangent, Real) {
+       each_mistaken([](StepContext& step, Row& tangent, Real) {
          within(tangent, step.contacts[tangent.owner].friction / tangent.b->inverse_mass * World::g * step.dt);
        })},
       {"each correction clamped",
        "it looks as if each correction were clamped, not their sum. Every iteration then brakes by the full bound once "
        "more.",
-       each_mistaken([](Step&, Row& tangent, Real bound) {
+       each_mistaken([](StepContext&, Row& tangent, Real bound) {
          const Real lambda = std::clamp(tangent.wanted() - tangent.impulse, -bound, bound);
          tangent.reach(tangent.impulse + lambda);
        })},
       {"one-sided",
        "it looks as if the sum of a tangent could not be negative. A normal only pushes; friction acts both ways along "
        "its tangent, from -μ Σλn to μ Σλn.",
-       each_mistaken([](Step&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), 0, bound); })},
+       each_mistaken([](StepContext&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), 0, bound); })},
       {"one-sided",
        "it looks as if only one end of the interval were bounded. Friction that acts against the tangent is no "
        "stronger than friction along it: from -μ Σλn to μ Σλn.",
-       each_mistaken([](Step&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), -inf, bound); })},
-      {"one K for both", one_k, mistaken([](Step& step, Row& tangent1, Row& tangent2) {
+       each_mistaken([](StepContext&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), -inf, bound); })},
+      {"one K for both", one_k, mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
          for (Row* tangent : {&tangent1, &tangent2}) {
            const Real bound = bound_of(step, *tangent);
            within(*tangent, tangent->impulse - tangent1.effective_mass * tangent->speed(), -bound, bound);
          }
        })},
-      {"one K for both", one_k, mistaken([](Step& step, Row& tangent1, Row& tangent2) {
+      {"one K for both", one_k, mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
          for (Row* tangent : {&tangent1, &tangent2}) {
            const Real bound = bound_of(step, *tangent);
            within(*tangent, tangent->impulse - tangent2.effective_mass * tangent->speed(), -bound, bound);
@@ -201,51 +201,51 @@ std::vector<Mistake<Answer>> mistakes() {
       {"the normal's K",
        "it looks as if the tangents were solved with the normal's effective mass. Friction also turns the body, so "
        "along a tangent the contact point gives way more easily: each row has its own K.",
-       each_mistaken([](Step& step, Row& tangent, Real bound) {
+       each_mistaken([](StepContext& step, Row& tangent, Real bound) {
          within(tangent, tangent.impulse - step.rows[tangent.owner].effective_mass * tangent.speed(), -bound, bound);
        })},
       {"no bound",
        "it looks as if nothing bounded the friction. What is not pressed on cannot be held: the sum stays within "
        "μ Σλn.",
-       each_mistaken([](Step&, Row& tangent, Real) { tangent.solve(); })},
+       each_mistaken([](StepContext&, Row& tangent, Real) { tangent.solve(); })},
       {"μ forgotten", "it looks as if the bound were Σλn. Friction is at most the part μ of the push.",
-       each_mistaken([](Step& step, Row& tangent, Real) { within(tangent, step.rows[tangent.owner].impulse); })},
+       each_mistaken([](StepContext& step, Row& tangent, Real) { within(tangent, step.rows[tangent.owner].impulse); })},
       {"the μ of one body",
        "it looks as if the μ were that of one body. How rough a contact is depends on both: step.contacts[i].friction.",
-       each_mistaken([](Step& step, Row& tangent, Real) {
+       each_mistaken([](StepContext& step, Row& tangent, Real) {
          within(tangent, tangent.b->friction * step.rows[tangent.owner].impulse);
        })},
       {"times h", "it looks as if the bound were multiplied by h. Σλn is an impulse already, N s, and so is the bound.",
-       each_mistaken([](Step& step, Row& tangent, Real bound) { within(tangent, step.dt * bound); })},
+       each_mistaken([](StepContext& step, Row& tangent, Real bound) { within(tangent, step.dt * bound); })},
       {"sign", "it looks as if friction pushed along with the slip. The impulse that makes J V = 0 is -J V / K.",
-       each_mistaken([](Step&, Row& tangent, Real bound) {
+       each_mistaken([](StepContext&, Row& tangent, Real bound) {
          within(tangent, tangent.impulse + tangent.effective_mass * tangent.speed(), -bound, bound);
        })},
       {"one tangent",
        "it looks as if only one tangent were solved. A plane has two directions: along the other nothing brakes.",
-       mistaken([](Step& step, Row& tangent1, Row&) { within(tangent1, bound_of(step, tangent1)); })},
+       mistaken([](StepContext& step, Row& tangent1, Row&) { within(tangent1, bound_of(step, tangent1)); })},
       {"one tangent",
        "it looks as if only one tangent were solved. A plane has two directions: along the other nothing brakes.",
-       mistaken([](Step& step, Row&, Row& tangent2) { within(tangent2, bound_of(step, tangent2)); })},
-      {"the same tangent twice", same_twice, mistaken([](Step& step, Row& tangent1, Row& tangent2) {
+       mistaken([](StepContext& step, Row&, Row& tangent2) { within(tangent2, bound_of(step, tangent2)); })},
+      {"the same tangent twice", same_twice, mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
          tangent2.place(tangent1);
          for (Row* tangent : {&tangent1, &tangent2}) within(*tangent, bound_of(step, *tangent));
        })},
-      {"the same tangent twice", same_twice, mistaken([](Step& step, Row& tangent1, Row& tangent2) {
+      {"the same tangent twice", same_twice, mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
          tangent1.place(tangent2);
          for (Row* tangent : {&tangent1, &tangent2}) within(*tangent, bound_of(step, *tangent));
        })},
       {"the push of another row",
        "it looks as if the bound came from the wrong row. The k-th tangent's row is not of the k-th contact: the "
        "normal's row is step.rows[tangent.owner].",
-       each_mistaken([](Step& step, Row& tangent, Real) {
+       each_mistaken([](StepContext& step, Row& tangent, Real) {
          const auto k = static_cast<std::size_t>(&tangent - step.rows.data()) - step.contacts.size();
          within(tangent, step.contacts[tangent.owner].friction * step.rows[k].impulse);
        })},
       {"a disc",
        "it looks as if both tangents together were bounded by a disc. That is nearer to Coulomb's law, and chapter 08 "
        "does it. Here each tangent has the full bound for itself.",
-       mistaken([](Step& step, Row& tangent1, Row& tangent2) {
+       mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
          const Real bound = bound_of(step, tangent1), wanted1 = tangent1.wanted(), wanted2 = tangent2.wanted();
          const Real scale = std::min(Real(1), bound / std::hypot(wanted1, wanted2));
          tangent1.reach(scale * wanted1);
@@ -254,7 +254,7 @@ std::vector<Mistake<Answer>> mistakes() {
       {"no friction",
        "it looks as if nothing braked. Rows that are made and never solved do nothing. And a bound that is computed in "
        "build is 0: no normal has pushed yet.",
-       each_mistaken([](Step&, Row&, Real) {})},
+       each_mistaken([](StepContext&, Row&, Real) {})},
   };
 }
 

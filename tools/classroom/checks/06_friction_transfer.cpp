@@ -8,7 +8,7 @@ namespace {
 struct Rubbing : Effect {
   Answer answer{};
   Surfaces surfaces{};
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       const auto [a, b] = step.world.bodies_of(step.contacts[i]);
       const auto [tangent1, tangent2] = tangents_of(step.contacts[i].normal);
@@ -18,7 +18,7 @@ struct Rubbing : Effect {
       }
     }
   }
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     for (std::size_t k = step.contacts.size(); k < step.rows.size(); k += 2)
       answer.rub(step.rows[step.rows[k].owner], step.rows[k], step.rows[k + 1], surfaces);
   }

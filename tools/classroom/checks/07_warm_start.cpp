@@ -142,7 +142,7 @@ std::vector<Check<Answer>> checks() {
 template <class Start>
 struct Mistaken : Effect {
   Start start_row;
-  void start(Step& step) {
+  void start(StepContext& step) {
     for (Row& row : step.rows)
       for (const Contact& old : step.world.contacts_before)
         if (old.id == step.contacts[row.owner].id) start_row(step, row, old);
@@ -156,7 +156,7 @@ Answer mistaken(Start start_row) {
 template <class Find>
 struct Mismatched : Effect {
   Find find;
-  void start(Step& step) {
+  void start(StepContext& step) {
     const Real scale = step.world.impulse_scale(step.dt);
     for (Row& row : step.rows)
       if (const Contact* old = find(step, row.owner)) row.reach(scale * old->impulse.dot(row.n));
@@ -167,7 +167,7 @@ Answer mismatched(Find find) {
   return {Mismatched<Find>{{}, find}};
 }
 
-Real guess_of(const Step& step, const Row& row, const Contact& old) {
+Real guess_of(const StepContext& step, const Row& row, const Contact& old) {
   return step.world.impulse_scale(step.dt) * old.impulse.dot(row.n);
 }
 
@@ -186,17 +186,17 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if the guess were applied twice. Σλ and what the bodies have felt have to be the same: row.reach "
       "does both, once.";
   return {
-      {"by index", by_index, mismatched([](const Step& step, std::size_t i) {
+      {"by index", by_index, mismatched([](const StepContext& step, std::size_t i) {
          const Contacts& before = step.world.contacts_before;
          return i < before.size() ? &before[i] : nullptr;
        })},
-      {"by bodies", by_bodies, mismatched([](const Step& step, std::size_t i) {
+      {"by bodies", by_bodies, mismatched([](const StepContext& step, std::size_t i) {
          const Contact* found = nullptr;
          for (const Contact& old : step.world.contacts_before)
            if (!found && same_bodies(old.id, step.contacts[i].id)) found = &old;
          return found;
        })},
-      {"by bodies", by_bodies, mismatched([](const Step& step, std::size_t i) {
+      {"by bodies", by_bodies, mismatched([](const StepContext& step, std::size_t i) {
          const Contact* found = nullptr;
          for (const Contact& old : step.world.contacts_before)
            if (same_bodies(old.id, step.contacts[i].id)) found = &old;
@@ -205,49 +205,49 @@ std::vector<Mistake<Answer>> mistakes() {
       {"stored and not applied",
        "it looks as if the guess were written into Σλ, and no body felt it. The first iteration then takes back a push "
        "that never was: it holds what wants to leave. Σλ is by definition what has acted.",
-       mistaken([](Step& step, Row& row, const Contact& old) { row.impulse = guess_of(step, row, old); })},
+       mistaken([](StepContext& step, Row& row, const Contact& old) { row.impulse = guess_of(step, row, old); })},
       {"applied and not stored",
        "it looks as if the bodies got the guess, and Σλ stayed 0. A guess that is too large then can never be taken "
        "back: it is not in the sum that is clamped.",
-       mistaken([](Step& step, Row& row, const Contact& old) { row.apply(guess_of(step, row, old)); })},
-      {"applied twice", twice, mistaken([](Step& step, Row& row, const Contact& old) {
+       mistaken([](StepContext& step, Row& row, const Contact& old) { row.apply(guess_of(step, row, old)); })},
+      {"applied twice", twice, mistaken([](StepContext& step, Row& row, const Contact& old) {
          row.apply(guess_of(step, row, old));
          row.reach(guess_of(step, row, old));
        })},
       {"applied twice", twice,
-       mistaken([](Step& step, Row& row, const Contact& old) { row.reach(2 * guess_of(step, row, old)); })},
+       mistaken([](StepContext& step, Row& row, const Contact& old) { row.reach(2 * guess_of(step, row, old)); })},
       {"no rescaling",
        "it looks as if the old impulse were taken as it was. What stays is the force; an impulse is h times that, so "
        "it is to be multiplied by h_new / h_old.",
-       mistaken([](Step&, Row& row, const Contact& old) { row.reach(old.impulse.dot(row.n)); })},
+       mistaken([](StepContext&, Row& row, const Contact& old) { row.reach(old.impulse.dot(row.n)); })},
       {"rescaled the wrong way",
        "it looks as if the impulse were multiplied by h_old / h_new. In a shorter step the same force gives less "
        "impulse.",
-       mistaken([](Step& step, Row& row, const Contact& old) {
+       mistaken([](StepContext& step, Row& row, const Contact& old) {
          row.reach(step.world.dt_before / step.dt * old.impulse.dot(row.n));
        })},
       {"normals only",
        "it looks as if only the normals remembered. The tangents' rows stand behind the normals in step.rows, and "
        "friction holds from step to step, too.",
-       mistaken([](Step& step, Row& row, const Contact& old) {
+       mistaken([](StepContext& step, Row& row, const Contact& old) {
          if (&row < step.rows.data() + step.contacts.size()) row.reach(guess_of(step, row, old));
        })},
       {"the length of P",
        "it looks as if a row took the length of the old impulse. A row takes the part of it along its own direction: "
        "P · n.",
-       mistaken([](Step& step, Row& row, const Contact& old) {
+       mistaken([](StepContext& step, Row& row, const Contact& old) {
          row.reach(step.world.impulse_scale(step.dt) * old.impulse.norm());
        })},
       {"the length of P",
        "it looks as if the normal's row took the whole length of the old impulse. It takes the part along its normal, "
        "P · n, and the tangents take theirs.",
-       mistaken([](Step& step, Row& row, const Contact& old) {
+       mistaken([](StepContext& step, Row& row, const Contact& old) {
          if (&row < step.rows.data() + step.contacts.size())
            row.reach(step.world.impulse_scale(step.dt) * old.impulse.norm());
        })},
       {"the old directions",
        "it looks as if the old impulse were projected on the old normal. The row pushes along the new one: row.n.",
-       mistaken([](Step& step, Row& row, const Contact& old) {
+       mistaken([](StepContext& step, Row& row, const Contact& old) {
          const auto [tangent1, tangent2] = tangents_of(old.normal);
          const std::size_t k = static_cast<std::size_t>(&row - step.rows.data()), count = step.contacts.size();
          const Vec3 direction = k < count ? old.normal : (k - count) % 2 == 0 ? tangent1 : tangent2;
@@ -256,24 +256,24 @@ std::vector<Mistake<Answer>> mistakes() {
       {"the old directions",
        "it looks as if each row took the part along the old normal. A row takes the part along its own direction: "
        "row.n.",
-       mistaken([](Step& step, Row& row, const Contact& old) {
+       mistaken([](StepContext& step, Row& row, const Contact& old) {
          row.reach(step.world.impulse_scale(step.dt) * old.impulse.dot(old.normal));
        })},
       {"the sign of P",
        "it looks as if the bodies were pulled together. P acted on B, along the normal from A to B: the row's sum is "
        "P · n, with this sign.",
-       mistaken([](Step& step, Row& row, const Contact& old) {
+       mistaken([](StepContext& step, Row& row, const Contact& old) {
          row.impulse = -guess_of(step, row, old);
          row.apply(row.impulse);
        })},
       {"the sign of P",
        "it looks as if the guess had the wrong sign, and the limits of the normal kept the worst away. P acted on B, "
        "along the normal from A to B: the row's sum is P · n, with this sign.",
-       mistaken([](Step& step, Row& row, const Contact& old) { row.reach(-guess_of(step, row, old)); })},
+       mistaken([](StepContext& step, Row& row, const Contact& old) { row.reach(-guess_of(step, row, old)); })},
       {"nothing remembered",
        "it looks as if the step began at zero. In step.contacts the impulses of this step are not known yet: the old "
        "ones are in step.world.contacts_before.",
-       mistaken([](Step&, Row&, const Contact&) {})},
+       mistaken([](StepContext&, Row&, const Contact&) {})},
   };
 }
 

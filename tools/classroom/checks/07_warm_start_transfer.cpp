@@ -8,7 +8,7 @@ namespace {
 struct Starting : Effect {
   Answer answer{};
   Memory memory = {};
-  void start(Step& step) {
+  void start(StepContext& step) {
     for (Row& row : step.rows) row.reach(answer.guess(memory, step.contacts[row.owner].id, step.dt).dot(row.n));
   }
 };

@@ -9,7 +9,7 @@ namespace {
 /// Chapter 06's rows, solved by the answer.
 struct Asked : Friction {
   Answer answer{};
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     for (std::size_t i = 0; i < mu_.size(); ++i) {
       Row &one = step.rows[first_ + 2 * i], &two = step.rows[first_ + 2 * i + 1];
       answer.solve(one, two, TangentBlock(one, two).k12, mu_[i] * step.rows[one.owner].impulse);

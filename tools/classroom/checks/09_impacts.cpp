@@ -15,11 +15,11 @@ struct Rounds : Effect {
   Real separates = 0;  // m/s: the first pair, after them
   std::vector<Real> by_forces = {};
 
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i)
       by_forces.push_back(step.rows[i].speed() - approach_speed(step.world, step.contacts[i]));
   }
-  void start(Step& step) {
+  void start(StepContext& step) {
     while (rounds < most_rounds && answer.one_round(step, by_forces, threshold)) ++rounds;
     separates = step.rows[0].speed();
   }
@@ -41,7 +41,7 @@ Solved solved(World& world, const Answer& answer) {
   constexpr Real h = Real(1) / 60;
   for (Body& body : world.bodies) {
     keep_velocity(body);
-    push(body, world.gravity, h);
+    integrate_velocity(body, world.gravity, h);
   }
   Solver<Clamping, Rounds> solver;
   solver.answer = answer;
@@ -149,9 +149,9 @@ std::vector<Check<Answer>> checks() {
 }
 
 /// A round of the chapter's own.
-bool right(Step& step, const std::vector<Real>& by_forces, Real limit) {
+bool right(StepContext& step, const std::vector<Real>& by_forces, Real limit) {
   struct OneRound : SequentialImpacts {
-    OneRound(const Step& of, const std::vector<Real>& forces, Real least) {
+    OneRound(const StepContext& of, const std::vector<Real>& forces, Real least) {
       threshold = least;
       most_rounds = 1;
       for (std::size_t i = 0; i < forces.size(); ++i) bouncing_.push_back({i, of.contacts[i].restitution, forces[i]});
@@ -165,8 +165,10 @@ bool right(Step& step, const std::vector<Real>& by_forces, Real limit) {
 /// A mistake is a round with one of these another.
 struct Round {
   /// m/s, of row i, at its turn.
-  static Real approach(const Step& step, std::size_t i, Real by_forces) { return step.rows[i].speed() - by_forces; }
-  static Real restitution(const Step& step, std::size_t i) { return step.contacts[i].restitution; }
+  static Real approach(const StepContext& step, std::size_t i, Real by_forces) {
+    return step.rows[i].speed() - by_forces;
+  }
+  static Real restitution(const StepContext& step, std::size_t i) { return step.contacts[i].restitution; }
   static Real impulse(const Row& row, Real e, Real approach) { return -row.effective_mass * (1 + e) * approach; }
   static void apply(Row& row, Real lambda) {
     row.reach(row.impulse + lambda);
@@ -178,7 +180,7 @@ struct Round {
 };
 
 template <class Mistaken>
-bool round_of(Step& step, const std::vector<Real>& by_forces, Real limit) {
+bool round_of(StepContext& step, const std::vector<Real>& by_forces, Real limit) {
   bool bounced = false, approached = false;
   for (std::size_t i = 0; i < step.contacts.size(); ++i) {
     const Real approach = Mistaken::approach(step, i, by_forces[i]);
@@ -201,19 +203,23 @@ struct MassForgotten : Round {
   static Real impulse(const Row&, Real e, Real approach) { return -(1 + e) * approach; }
 };
 struct LastPairs : Round {
-  static Real restitution(const Step& step, std::size_t) { return step.contacts.back().restitution; }
+  static Real restitution(const StepContext& step, std::size_t) { return step.contacts.back().restitution; }
 };
 struct FirstPairs : Round {
-  static Real restitution(const Step& step, std::size_t) { return step.contacts.front().restitution; }
+  static Real restitution(const StepContext& step, std::size_t) { return step.contacts.front().restitution; }
 };
 struct BeforeTheStep : Round {
-  static Real approach(const Step& step, std::size_t i, Real) { return approach_speed(step.world, step.contacts[i]); }
+  static Real approach(const StepContext& step, std::size_t i, Real) {
+    return approach_speed(step.world, step.contacts[i]);
+  }
 };
 struct ForcesCountedIn : Round {
-  static Real approach(const Step& step, std::size_t i, Real) { return step.rows[i].speed(); }
+  static Real approach(const StepContext& step, std::size_t i, Real) { return step.rows[i].speed(); }
 };
 struct ForcesTwice : Round {
-  static Real approach(const Step& step, std::size_t i, Real by_forces) { return step.rows[i].speed() + by_forces; }
+  static Real approach(const StepContext& step, std::size_t i, Real by_forces) {
+    return step.rows[i].speed() + by_forces;
+  }
 };
 struct TakenBack : Round {
   static void apply(Row& row, Real lambda) { row.reach(row.impulse + lambda); }
@@ -244,7 +250,7 @@ struct EndsAtFirst : Round {
 };
 
 /// All approaches first, then all impulses.
-bool speeds_of_before_the_round(Step& step, const std::vector<Real>& by_forces, Real limit) {
+bool speeds_of_before_the_round(StepContext& step, const std::vector<Real>& by_forces, Real limit) {
   std::vector<Real> approaches;
   for (std::size_t i = 0; i < step.contacts.size(); ++i) approaches.push_back(Round::approach(step, i, by_forces[i]));
   bool bounced = false;

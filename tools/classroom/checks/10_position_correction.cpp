@@ -8,8 +8,8 @@ namespace {
 
 struct Asked : Effect {
   Answer answer{};
-  void build(CorrectingStep&) {}
-  void correct(CorrectingStep& step) { answer.correct(step); }
+  void build(CorrectingContext&) {}
+  void correct(CorrectingContext& step) { answer.correct(step); }
 };
 
 void step(World& world, Real h, const Answer& answer) {
@@ -102,7 +102,7 @@ std::vector<Check<Answer>> checks() {
   };
 }
 
-void right(CorrectingStep& step) {
+void right(CorrectingContext& step) {
   SplitImpulse split;
   split.beta = beta;
   split.rounds = rounds;
@@ -122,7 +122,7 @@ struct Wrong {
   Real old = 1, old_spin = 1, pseudo = 0;  ///< what each body goes on with
 };
 
-void correct(CorrectingStep& step, const Wrong& wrong) {
+void correct(CorrectingContext& step, const Wrong& wrong) {
   Rows pushes(step.rows.begin(), step.rows.begin() + std::ssize(step.contacts));
   const Real h = step.dt;
   for (Row& push : pushes) {
@@ -163,56 +163,56 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if b' were made of C alone. C is of before the move; the body has come up by h J V since, and only "
       "C + h J V is left. With every bounce a push that is not needed adds height, and height is energy.";
   return {
-      {"C for C + h J V", from_before, {[](CorrectingStep& step) { correct(step, {.speed = 0}); }}},
-      {"pseudo-velocity left in the body", left, {[](CorrectingStep& step) {
+      {"C for C + h J V", from_before, {[](CorrectingContext& step) { correct(step, {.speed = 0}); }}},
+      {"pseudo-velocity left in the body", left, {[](CorrectingContext& step) {
          correct(step, {.old = 0, .old_spin = 0, .pseudo = 1});
        }}},
-      {"pseudo-velocity left in the body", left, {[](CorrectingStep& step) { correct(step, {.pseudo = 1}); }}},
-      {"velocity not put back", lost, {[](CorrectingStep& step) { correct(step, {.old = 0, .old_spin = 0}); }}},
-      {"velocity not put back", lost, {[](CorrectingStep& step) { correct(step, {.old_spin = 0}); }}},
+      {"pseudo-velocity left in the body", left, {[](CorrectingContext& step) { correct(step, {.pseudo = 1}); }}},
+      {"velocity not put back", lost, {[](CorrectingContext& step) { correct(step, {.old = 0, .old_spin = 0}); }}},
+      {"velocity not put back", lost, {[](CorrectingContext& step) { correct(step, {.old_spin = 0}); }}},
       {"increments clamped",
        "it looks as if each increment were clamped, not their sum. What one corner is lifted too far, because the next "
        "one "
        "lifts it as well, is then never taken back.",
-       {[](CorrectingStep& step) { correct(step, {.increments = true}); }}},
+       {[](CorrectingContext& step) { correct(step, {.increments = true}); }}},
       {"sums not reset",
        "it looks as if the pushes went on from the impulses of the step. Down to -Σλ they could then pull: the lighter "
        "side is held to the ground. Σλ' starts from 0.",
-       {[](CorrectingStep& step) { correct(step, {.sums_kept = true}); }}},
+       {[](CorrectingContext& step) { correct(step, {.sums_kept = true}); }}},
       {"not set aside",
        "it looks as if the bodies had kept their own velocities while the pushes were solved. V' starts from 0; or "
        "else "
        "each body moves by h V a second time.",
-       {[](CorrectingStep& step) { correct(step, {.not_aside = true}); }}},
+       {[](CorrectingContext& step) { correct(step, {.not_aside = true}); }}},
       {"not turned",
        "it looks as if the bodies were shifted, but not turned. V' has a part ω' as well.",
-       {[](CorrectingStep& step) { correct(step, {.turned = false}); }}},
+       {[](CorrectingContext& step) { correct(step, {.turned = false}); }}},
       {"one round",
        "it looks as if each push were solved only once. What one corner does, another one undoes: it takes all "
        "`rounds` "
        "rounds.",
-       {[](CorrectingStep& step) { correct(step, {.rounds = 1}); }}},
+       {[](CorrectingContext& step) { correct(step, {.rounds = 1}); }}},
       {"1/h forgotten in b'",
        "it looks as if 1/h were missing in b'. β (C + h J V) is a distance; to cover it within h, the speed is that "
        "over "
        "h.",
-       {[](CorrectingStep& step) { correct(step, {.push_without_h = true}); }}},
+       {[](CorrectingContext& step) { correct(step, {.push_without_h = true}); }}},
       {"moved without h",
        "it looks as if the bodies were moved by v', not by h v'. v' is a speed; in a step of h seconds it covers h v'.",
-       {[](CorrectingStep& step) { correct(step, {.move_without_h = true}); }}},
+       {[](CorrectingContext& step) { correct(step, {.move_without_h = true}); }}},
       {"β forgotten",
        "it looks as if β were missing: all of the overlap is gone after one step, where the part β is asked for.",
-       {[](CorrectingStep& step) { correct(step, {.beta = 1}); }}},
+       {[](CorrectingContext& step) { correct(step, {.beta = 1}); }}},
       {"h of J V forgotten",
        "it looks as if C and J V were added. J V is a speed: in the step it has changed the separation by h J V.",
-       {[](CorrectingStep& step) { correct(step, {.speed_without_h = true}); }}},
+       {[](CorrectingContext& step) { correct(step, {.speed_without_h = true}); }}},
       {"nothing pushed",
        "it looks as if nothing were pushed at all. Is b' negative where the bodies overlap, and are they moved by h "
        "V'?",
-       {[](CorrectingStep& step) { correct(step, {.beta = -1}); }}},
+       {[](CorrectingContext& step) { correct(step, {.beta = -1}); }}},
       {"sign of h J V",
        "it looks as if h J V were taken off C. Bodies that separate have J V > 0, and C grows by h J V.",
-       {[](CorrectingStep& step) { correct(step, {.speed = -1}); }}},
+       {[](CorrectingContext& step) { correct(step, {.speed = -1}); }}},
   };
 }
 

@@ -7,7 +7,7 @@ namespace pushback::exercise_11 {
 void Parts::add_gravity(Real seconds) {
   for (Body& body : world_.bodies) {
     keep_velocity(body);
-    push(body, world_.gravity, seconds);
+    integrate_velocity(body, world_.gravity, seconds);
   }
 }
 void Parts::detect() {

@@ -103,7 +103,7 @@ void right(Row& row, const Spring& spring, bool relaxing) {
   Contacts contacts(1);
   Rows rows{row};
   std::vector<Real> softness(1);
-  RelaxingStep step{{world, contacts, rows, spring.h}, softness};
+  RelaxingContext step{{world, contacts, rows, spring.h}, softness};
   SoftContacts soft;
   soft.hertz = spring.hertz;
   soft.damping_ratio = spring.zeta;

@@ -126,7 +126,7 @@ Answer mistaken(const Asked& asked) {
       return equations;
     };
     const std::array<Body, 2> made{body_of(world, a), body_of(world, b)};
-    joint.ask = [=](const Body& first, const Body& second, const Moment&, Equations& equations) {
+    joint.ask = [=](const Body& first, const Body& second, const TimeStep&, Equations& equations) {
       for (const Equation& row : asked(ask, first, second, made)) equations.push_back(row);
     };
     return joint;

@@ -20,7 +20,7 @@ struct Railed {
     world.add(a);
     world.add(b);
     world.joints.push_back({"your slider", 0, 1,
-                            [its = rail, answer](const Body& first, const Body& second, const Moment&,
+                            [its = rail, answer](const Body& first, const Body& second, const TimeStep&,
                                                  Equations& equations) { answer.ask(its, first, second, equations); }});
   }
   Body& a() { return world.bodies[0]; }

@@ -93,21 +93,21 @@ struct Mistaken : WarmJoints {
 
   Mistaken(auto takes_out, auto puts_in, std::function<int(int)> how_often, Remembers what)
       : out(takes_out), in(puts_in), again(std::move(how_often)), remembers(what) {}
-  void build(Step& step) {
+  void build(StepContext& step) {
     WarmJoints::build(step);
     rounds = 0;
     for (JointRow& row : joint_rows_) row.bias -= out(beta, step.dt, row.separation);
   }
-  void sweep(Step& step) {
+  void sweep(StepContext& step) {
     WarmJoints::sweep(step);
     ++rounds;
   }
-  void finish(Step& step) {
+  void finish(StepContext& step) {
     if (remembers == Remembers::load) remember(step);
     for (JointRow& row : joint_rows_) row.bias += in(beta, step.dt, row.separation);
     for (int i = 0; i < again(rounds); ++i) WarmJoints::sweep(step);
   }
-  void report(Step& step) {
+  void report(StepContext& step) {
     if (remembers == Remembers::all) remember(step);
   }
 };

@@ -109,11 +109,11 @@ struct Mistaken : Joints {
   Mistaken(std::function<void(Row&, Real)> sets, std::function<bool(Real, Real)> finds,
            TakesOut what = TakesOut::broken)
       : limit(std::move(sets)), broken(std::move(finds)), takes_out(what) {}
-  void build(Step& step) {
+  void build(StepContext& step) {
     Joints::build(step);
     for (JointRow& row : joint_rows_) limit(row, step.dt);
   }
-  void report(Step& step) {
+  void report(StepContext& step) {
     std::vector<std::size_t> out;
     for (std::size_t i = 0; i < joint_rows_.size(); ++i)
       if (broken(joint_rows_[i].impulse, step.dt))

@@ -15,7 +15,7 @@ using Eigen::Index;
 struct Eliminated : Joints {
   Answer answer{};
 
-  void sweep(Step&) {
+  void sweep(StepContext&) {
     const Eigen::MatrixXd a = matrix_of(Rows(joint_rows().begin(), joint_rows().end()));
     Blocks own, next;
     Threes wanted;
@@ -53,7 +53,7 @@ struct Chain {
   /// a joint still comes apart, m/s.
   Numbers solved(const Answer& answer) {
     constexpr Real h = Real(1) / 60;
-    for (Body& body : world.bodies) push(body, world.gravity, h);
+    for (Body& body : world.bodies) integrate_velocity(body, world.gravity, h);
     Solver<Eliminated> solver;
     solver.answer = answer;
     solver.solve(world, h, 1);

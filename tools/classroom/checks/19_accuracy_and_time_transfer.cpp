@@ -45,7 +45,7 @@ Real off(const Push& push, int substeps, const Answer& answer) {
   world.contacts = {contact};
   Solver<Clamping, FrictionCone> solver;
   for (int step = 0; step < frames * substeps; ++step) {
-    pushback::push(ball, world.gravity, h);
+    integrate_velocity(ball, world.gravity, h);
     solver.solve(world, h, 1);
     ball.position += h * ball.velocity;
   }

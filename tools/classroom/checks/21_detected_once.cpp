@@ -38,7 +38,7 @@ struct Ball {
   /// One after the other; each with its relaxing pass.
   void substeps(int count, const Answer& answer) {
     for (int i = 0; i < count; ++i) {
-      for (Body& body : world.bodies) push(body, world.gravity, h);
+      for (Body& body : world.bodies) integrate_velocity(body, world.gravity, h);
       const Real asked = row->bias = answer.bias(separation(answer), rate, h);
       row->solve();
       world.move(h);
@@ -134,7 +134,7 @@ Real right_bias(Real C, Real rate, Real h) {
   constexpr Real any = std::numeric_limits<Real>::infinity();
   OfTheChapter here({Vec3::UnitY(), Vec3::Zero(), Vec3::Zero(), C}, unmoved, unmoved);
   KeptContact contact = here.contact();
-  contact.aim(here.moved, {.rate = rate, .gamma_by_K = 0, .fastest = any, .threshold = any}, h);
+  contact.prepare_substep(here.moved, {.rate = rate, .gamma_by_K = 0, .fastest = any, .threshold = any}, h);
   return contact.normal.bias;
 }
 Real right_relaxed_bias(Real bias, Real /*C*/, Real /*h*/) {

@@ -18,7 +18,7 @@ struct YieldingBounce : Effect {
   Real threshold = Real(0.1);  // m/s; what arrives more slowly does not bounce
   Real yield = 2;              // m/s
 
-  void build(Step& step) {
+  void build(StepContext& step) {
     // TODO for each normal row: the e of this impact, by the law of the task; then the bias as in chapter 05
     (void)step;  // take this line out
     // TODO ends

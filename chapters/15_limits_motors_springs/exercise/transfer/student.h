@@ -20,11 +20,11 @@ struct Breaking : Joints {
   Real strength = 100;  // N
 
   // TODO build: the limits of each row. report: a rod that has given all that it can is broken
-  void build(Step& step) {
+  void build(StepContext& step) {
     Joints::build(step);  // makes the rows
   }
-  void report(Step& step) {  // the end of the step: the impulses are known
-    (void)step;              // take this line out
+  void report(StepContext& step) {  // the end of the step: the impulses are known
+    (void)step;                     // take this line out
   }
   // TODO ends
 };
