@@ -1,6 +1,7 @@
 # What students write into the gaps, compiled and run as ./course exercise does.
 add_executable(exercise_answers exercise_answers.cpp)
 target_link_libraries(exercise_answers PRIVATE exercise_commands)
+target_compile_definitions(exercise_answers PRIVATE SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 add_script("exercises in a folder of one's own" own_exercises.sh ${PROJECT_BINARY_DIR})
 file(GLOB answers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/tests
   ${PROJECT_SOURCE_DIR}/tests/*/exercise/rebuild.txt ${PROJECT_SOURCE_DIR}/tests/*/exercise/transfer.txt)

@@ -9,7 +9,7 @@
 
 /// Where the chapters' executables are, from the working directory of the tests.
 #ifndef CHAPTER_DIR
-#define CHAPTER_DIR "build/release/chapters"
+#define CHAPTER_DIR "build/release/programs"
 #endif
 
 namespace {

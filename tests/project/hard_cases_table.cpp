@@ -10,7 +10,7 @@
 #include "tests/support/complaint.h"
 
 #ifndef TABLE_PROGRAM
-#define TABLE_PROGRAM "build/release/tests/hard_cases/hard_cases_table"
+#define TABLE_PROGRAM "build/release/programs/hard_cases_table"
 #endif
 
 using namespace pushback;

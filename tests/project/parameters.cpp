@@ -9,7 +9,7 @@
 
 /// Where the chapters' executables are, from the working directory of the tests.
 #ifndef CHAPTER_DIR
-#define CHAPTER_DIR "build/release/chapters"
+#define CHAPTER_DIR "build/release/programs"
 #endif
 
 namespace {
@@ -135,7 +135,7 @@ void end_well_at_the_ends(const std::string& chapter) {
 
 TEST_CASE("every chapter has parameters, each with ends in order around its default") {
   std::vector<std::string> folders;
-  for (const auto& entry : fs::directory_iterator(SOURCE_DIR "/chapters"))
+  for (const auto& entry : fs::directory_iterator("chapters"))
     if (entry.is_directory()) folders.push_back(entry.path().filename().string());
   std::sort(folders.begin(), folders.end());
   CHECK(chapters() == folders);

@@ -2,8 +2,8 @@
 
 #include "pushback/chapters/14_joints_under_load/split_joints.h"
 #include "pushback/chapters/17_direct_contacts/warm_direct_contacts.h"
+#include "pushback/chapters/19_accuracy_and_time/seat.h"
 #include "pushback/common/basics/named.h"
-#include "pushback/tools/study/seat.h"
 
 namespace pushback {
 

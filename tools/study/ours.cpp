@@ -5,9 +5,9 @@
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "pushback/chapters/17_direct_contacts/warm_direct_contacts.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
+#include "pushback/chapters/19_accuracy_and_time/seat.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/tools/study/play.h"
-#include "pushback/tools/study/seat.h"
 
 using namespace pushback;
 
