@@ -28,7 +28,7 @@ std::vector<Real> slopes(Trial& trial) {
       if (part > 1) creep = std::max(creep, (end - after_1_s).norm());
       if (part > 1) continue;
       const Real dt = trial.substep(), n = std::round(2 / dt);
-      const Real way = g * (std::sin(theta) - mu * std::cos(theta)) * dt * dt * n * (n + 1) / 2;
+      const Real way = World::g * (std::sin(theta) - mu * std::cos(theta)) * dt * dt * n * (n + 1) / 2;
       off = std::max(off, std::abs((end - start).dot(down) / way - 1));
     }
   }
@@ -39,7 +39,7 @@ std::vector<Real> slopes(Trial& trial) {
 Vec3 way_of(Trial& trial, Real mu, Real speed, Real heading) {
   Play play = trial.play([=](World& world) { sliding_box(world, mu, speed, heading); }, standing);
   const Vec3 start = play.world.bodies[1].position;
-  play.run(speed / (mu * g) + Real(0.5));
+  play.run(speed / (mu * World::g) + Real(0.5));
   return play.world.bodies[1].position - start;
 }
 
