@@ -1,5 +1,5 @@
-# A header belongs to the library with the source of its name: who includes conjugate/sweeps.h links what compiles
-# conjugate/sweeps.cpp. A header without such a source leads on to what it includes.
+# A header belongs to the library with the source of its name: who includes world/measure.h links the library that compiles
+# world/measure.cpp. A header without such a source leads on to what it includes.
 
 function(targets_below result folder)  # targets_below(RESULT FOLDER): those of its CMakeLists.txt, and of the folders in it
   get_property(targets DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} PROPERTY BUILDSYSTEM_TARGETS)

@@ -65,7 +65,9 @@ test("broken links, anchors, pictures, formulas and quoted code are refused with
 
 test("the command names what is wrong, ends with 1, and writes nothing", () => {
   const folder = project("[a](nowhere.md)");
-  const run = spawnSync(process.execPath, [path.join(root, "tools/book/build.js"), "--root", folder], { encoding: "utf8" });
+  const run = spawnSync(process.execPath, [path.join(root, "tools/book/build.js"), "--root", folder], {
+    encoding: "utf8",
+  });
   assert.equal(run.status, 1);
   assert.equal(
     run.stderr,
