@@ -236,6 +236,14 @@ export ABSENT=ffmpeg  # needed for films alone
 course render 03 && expect 0 && expect_not "packages"
 course render 03 --film && expect 0 "  ffmpeg" "packages installed"
 course render 03 -- --film webm && expect 0 "  ffmpeg" "packages installed"
+for package in git zip unzip bubblewrap; do  # what tests call; none of a chapter's own does
+  export ABSENT=$package
+  course test && [[ $output == *"  $package"$'\n'* ]] || { echo "the tests do not get $package"; failures=$((failures + 1)); }
+  course test 04 && expect_not "packages"
+done
+export ABSENT=ffmpeg
+course test && expect_not "packages"
+course test --long && [[ $output == *"  ffmpeg"* ]] || { echo "films are not tested"; failures=$((failures + 1)); }
 export ABSENT=libfmt-dev
 stand_in id 'echo 1000'
 command="apt-get update && apt-get install --no-install-recommends libfmt-dev"

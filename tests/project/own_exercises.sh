@@ -4,6 +4,7 @@
 #   tests/project/own_exercises.sh BUILD     BUILD: where this project has been built
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$root/tests/support/whole_path.sh"
 built=$(cd "$1" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -17,7 +18,7 @@ cmake --install "$built" --prefix "$scratch/prefix" >log 2>&1 || { cat log; wron
 mkdir elsewhere
 mv prefix elsewhere/
 program=$scratch/elsewhere/prefix/bin/pushback-exercise
-! grep -rqlF -e "$root" -e "$scratch" elsewhere/prefix/share || wrong "what is installed knows where it came from"
+! grep -rqE -e "$(whole "$root")" -e "$(whole "$scratch")" elsewhere/prefix/share || wrong "what is installed knows where it came from"
 ! find elsewhere -name '*.cpp' | grep -v answer.cpp || wrong "sources are installed"
 
 env -i "PATH=$PATH" "$program" --new mine >log 2>&1 || { cat log; wrong "no folder is made"; }
@@ -26,7 +27,7 @@ for file in CMakeLists.txt README.md 02_clamping.h 02_clamping.md; do grep -qFx 
 ! grep -rl "course exercise" mine || wrong "the command is another one there"
 ! "$program" --new mine >log 2>&1 || wrong "a folder that is not empty is written into"
 
-cmake -S mine -B mine/build >log 2>&1 || { cat log; wrong "it cannot be configured"; }
+cmake -S mine -B mine/build -G Ninja >log 2>&1 || { cat log; wrong "it cannot be configured"; }
 verdict
 says "next: pushback-exercise 0"
 says_not "✗"

@@ -6,12 +6,14 @@
 # what they are built with is looked at instead.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
+. "$root/tests/support/whole_path.sh"
 built=$(cd "$1" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 way=
 wrong() { echo "own_project, by $way: $*"; exit 1; }
+[[ $(grep -cE -- "$(whole /p)" <<<$'g++ -I/x/pushback -c "/pushback/a.cpp"\ng++ -I/p -c /x.cpp\n"file": "/p/a.cpp"') == 2 ]] || wrong "a path is taken for another"
 
 ln -s "$root" pushback
 awk '/^```cpp$/ { shown = 1; next } /^```$/ { shown = 0 } shown' pushback/README.md >main.cpp
@@ -91,7 +93,7 @@ END
 configure "$(grep -o '^find_package([^)]*)' <<<"$ways")" "$link" "add_executable(chapters chapters.cpp)" \
   "target_link_libraries(chapters pushback::flat_solver pushback::direct_contacts pushback::only_what_is_needed)"
 its_own_code
-! grep -q "$root" "$way/build/compile_commands.json" || wrong "its program is compiled with what is not installed"
+! grep -qE -- "$(whole "$root")" "$way/build/compile_commands.json" || wrong "its program is compiled with what is not installed"
 cmake --build "$way/build" -j 2 >log 2>&1 || { cat log; wrong "it cannot be built"; }
 "$way/build/my_program" --no-images --seconds 0.5 --out renders >log 2>&1 || { cat log; wrong "its program does not run"; }
 "$way/build/chapters" || wrong "a stack of three is not solved, or nothing rubs in it"

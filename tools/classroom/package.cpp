@@ -52,7 +52,7 @@ add_custom_target(verdicts ALL COMMAND ${{PUSHBACK_EXERCISE}} --all --in ${{CMAK
 
 For each exercise there is a task (`.md`) and a file in which a few lines are left out (`.h`). Write these lines, then
 
-    cmake -B build
+    cmake -B build -G Ninja
     cmake --build build
 
 compiles every file that you have written in, and says what is right and what is not. A single one, in this folder:
