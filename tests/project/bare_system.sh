@@ -1,46 +1,128 @@
 #!/usr/bin/env bash
 # What runs on other systems: the files say the commands of README.md and nothing else, and these commands run in a bare Debian.
-#   tests/project/bare_system.sh [--run]     --run: run them, too. Exit status 77 where that cannot be done.
+#   tests/project/bare_system.sh                                    the files alone
+#   tests/project/bare_system.sh --run [RELEASE...]                 these commands, in a bare Debian of each release, and their times
+#   tests/project/bare_system.sh --commands [RELEASE...] [NAME...]  all commands, or those named, each for a moment, in a bare Debian
+#                                                                   of each release, with its Node.js and with another one
+# RELEASE: bookworm or trixie; both if none is named. Exit status 77 where no such system can be made.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 cd "$root"
 wrong() { echo "bare_system: $*"; exit 1; }
 skip() { echo "bare_system: skipped: $*"; exit 77; }
 
+tries=(  # each command of ./course --help, for a moment; those that read what others write come after them
+  "render 04"
+  "test 04"
+  "hard-cases stack-20 --quick"
+  "effects"
+  "export 07-pyramid /tmp/problem.dat --step 20"
+  "solve /tmp/problem.dat"
+  "growth --tolerance 1e-2"
+  "book --still"
+  "test --book build live_page"
+  "figures -- --out /tmp/figures"
+  "study --quick -- --only bounce"
+  "fuzz -- --scenes 5"
+  "bench detection -- --benchmark_min_time=0.01"
+  "tidy HEAD"
+  "exercise"
+  "handout /tmp/handout --with 03"
+  "grade /tmp/handout --no-sandbox"
+  "check --quick"
+  "clean"
+)
+
 # ---- the words -------------------------------------------------------------------------------------------------------
 readme=$(grep -oE '^    \./course [a-z]+' README.md | sed 's/^ *//')
 [[ $readme == $'./course render\n./course test' ]] || wrong "README.md begins with other commands: $readme"
-said=$(sed -nE 's/^RUN //p; s/^CMD \["(.*)"\]$/\1/p' Containerfile | sed 's/", "/ /g'
-  sed -nE 's/.*"postCreateCommand": "(.*)".*/\1/p' .devcontainer/devcontainer.json)
+run=$(sed -nE 's/^RUN //p; s/^CMD \["(.*)"\]$/\1/p' Containerfile | sed 's/", "/ /g')
+said=$run$'\n'$(sed -nE 's/.*"postCreateCommand": "(.*)".*/\1/p' .devcontainer/devcontainer.json)
 [[ $said == $'./course render --yes\n./course test --yes\n./course render --yes' ]] || wrong "other commands: $said"
 [[ $(sed -n 's/^    \.\/course /&/p' docs/other_systems.md | sed 's/^ *//') == "$readme" ]] || wrong "docs/other_systems.md has other commands"
 [[ $(sed -n 's/^FROM //p' Containerfile) == $(sed -nE 's/.*"image": "(.*)".*/\1/p' .devcontainer/devcontainer.json) ]] ||
   wrong "two base systems"
-[[ ${1:-} == --run ]] || exit 0
+names=$(./course --help | sed -nE '/^$/,/^$/ s/^  ([a-z-]+) .*/\1/p')
+[[ $(printf '%s\n' "${tries[@]%% *}" | sort -u) == $(sort <<<"$names") ]] || wrong "not every command is tried, or others are"
+what=${1:-}
+[[ $what ]] || exit 0
+[[ $what == --run || $what == --commands ]] || wrong "unknown option '$what'"
+releases=() named=" "
+for word in "${@:2}"; do
+  if [[ $word == bookworm || $word == trixie ]]; then releases+=("$word")
+  elif [[ $what == --commands ]] && grep -qFx -- "$word" <<<"$names"; then named+="$word "
+  else wrong "unknown word '$word'"
+  fi
+done
+((${#releases[@]})) || releases=(bookworm trixie)
 
 # ---- the deeds -------------------------------------------------------------------------------------------------------
 [[ $(id -u) == 0 ]] || skip "only root can make a system"
 command -v mmdebstrap >/dev/null || skip "there is no mmdebstrap"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-sources=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.sources /etc/apt/sources.list.d/*.list 2>/dev/null || true)
-release=$(. /etc/os-release && echo "$VERSION_CODENAME")
-mmdebstrap --variant=apt --include=ca-certificates "$release" "$scratch/system" - <<<"$sources" >"$scratch/log" 2>&1 ||
-  { tail -n 5 "$scratch/log"; skip "no system could be made, perhaps for want of a network"; }
-mkdir "$scratch/system/pushback"
-git ls-files -z | tar --null -T - -c | tar -x -C "$scratch/system/pushback"
-cp /etc/resolv.conf /etc/hosts "$scratch/system/etc/" 2>/dev/null || true
+
+bare() {  # bare RELEASE [PACKAGE...]: a system anew, with the project and nothing drawn in it
+  rm -rf "$scratch/system"
+  mmdebstrap --variant=apt --include="ca-certificates ${*:2}" "$1" "$scratch/system" >"$scratch/log" 2>&1 ||
+    { tail -n 5 "$scratch/log"; skip "no system could be made, perhaps for want of a network"; }
+  mkdir "$scratch/system/pushback"
+  git ls-files -z | tar --null -T - -c | tar -x -C "$scratch/system/pushback"
+  rm "$scratch"/system/pushback/renders/[0-2][0-9]_*/sheet.png
+  cp /etc/resolv.conf /etc/hosts "$scratch/system/etc/" 2>/dev/null || true
+}
+
 in_it() {  # in_it COMMAND: in the system, with its processes and devices for as long as it takes
   # shellcheck disable=SC2016
   unshare --mount --fork --pid bash -c '
     mount -t proc proc "$0/proc" && mount --bind /dev "$0/dev"
-    exec chroot "$0" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin CI=true bash -c "cd /pushback && $1"' "$scratch/system" "$1"
+    exec chroot "$0" env -i HOME=/root PATH=/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin CI=true bash -c "cd /pushback && $1"' \
+    "$scratch/system" "$1" </dev/null
 }
-sed -n 's/^RUN //p' Containerfile | while read -r command; do
-  began=$SECONDS
-  in_it "$command" </dev/null || wrong "in a bare $release, $command fails"
-  echo "bare_system: $command: $((SECONDS - began)) s"
+
+runs() {  # runs WHERE COMMAND
+  local began=$SECONDS
+  in_it "$2" || { echo "bare_system: in a bare $1, $2 fails"; return 1; }
+  echo "bare_system: $1: $2: $((SECONDS - began)) s"
+}
+
+# As NodeSource has it: a package of the same name that brings npm along and conflicts with Debian's.
+another_nodejs() {
+  local made=$scratch/nodejs
+  if [[ ! -e $made.deb ]]; then
+    command -v npm >/dev/null || skip "there is no npm to get another Node.js with"
+    npm install --prefix "$scratch/npm" --ignore-scripts --no-audit --no-fund --loglevel error \
+      "node-linux-$(node -p process.arch)@20" npm@10 >"$scratch/log" 2>&1 || { cat "$scratch/log"; skip "there is no other Node.js"; }
+    mkdir -p "$made"/usr/local/{bin,lib} "$made/DEBIAN"
+    cp "$scratch"/npm/node_modules/node-linux-*/bin/node "$made/usr/local/bin"
+    mv "$scratch/npm/node_modules" "$made/usr/local/lib"
+    rm -r "$made"/usr/local/lib/node_modules/node-linux-*
+    ln -s ../lib/node_modules/npm/bin/npm-cli.js "$made/usr/local/bin/npm"
+    printf '%s: %s\n' Package nodejs Version 99 Architecture "$(dpkg --print-architecture)" Maintainer "Nobody <nobody@localhost>" \
+      Description "Node.js that is not Debian's" Depends "libstdc++6, libatomic1" Provides npm Conflicts npm >"$made/DEBIAN/control"
+    dpkg-deb --build --root-owner-group "$made" >/dev/null
+  fi
+  cp "$made.deb" "$scratch/system/tmp"
+  in_it "apt-get -q update && apt-get -qy install /tmp/nodejs.deb" >"$scratch/log" 2>&1 || { tail "$scratch/log"; wrong "the other Node.js is not installed"; }
+}
+
+for release in "${releases[@]}"; do
+  if [[ $what == --run ]]; then
+    bare "$release"
+    while read -r command; do runs "$release" "$command" || exit 1; done <<<"$run"
+    for sheet in renders/[0-2][0-9]_*/sheet.png; do
+      [[ -s $scratch/system/pushback/$sheet ]] || wrong "no $sheet was drawn"
+    done
+    continue
+  fi
+  for node in "Debian's Node.js" "another Node.js"; do
+    bare "$release" git
+    [[ $node != another* ]] || another_nodejs
+    in_it "git init -q && git add -A && git -c user.name=x -c user.email=x@x commit -qm all" || wrong "there is no git"
+    for try in "${tries[@]}"; do
+      [[ $named == " " || $named == *" ${try%% *} "* ]] || continue
+      runs "$release with $node" "./course --yes $try" || failed=yes
+    done
+  done
 done
-for sheet in renders/[0-2][0-9]_*/sheet.png; do
-  [[ -s $scratch/system/pushback/$sheet ]] || wrong "no $sheet was drawn"
-done
+[[ ! ${failed:-} ]]
