@@ -274,8 +274,10 @@ stand_in npm 'echo "npm $*"'
 stand_in node 'echo "node $*"'
 course book --still && expect 0 "npm ci --prefix build/node" "node tools/book/build.js --still" "the book: build/book/index.html" && expect_not "packages are missing"
 expect_not cmake
-# Experiments run in it where em++ can be had; where it cannot, the pages keep their pictures, and that is said.
-course book && expect 0 "  nodejs npm emscripten" "no em++" "keep their still pictures" "node tools/book/build.js" && expect_not "cmake --build"
+# Experiments run in it where em++ can be had; where it cannot, the pages keep their pictures, and that is said and is a failure.
+course book && expect 1 "  emscripten cmake" "no em++" "keep their still pictures" "node tools/book/build.js" "the book: build/book/index.html" "it has no experiments"
+expect_not "cmake --build" && expect_not "nodejs"
+course book --serve && expect 1 "it has no experiments" && expect_not "serve.js"
 # Tests of it, of which one runs an experiment: compiled for it alone, unless all are; left out where there is no compiler, but not in CI.
 mkdir -p "$scratch/home/tests/book"
 touch "$scratch"/home/tests/book/{pages,live,live_page}.mjs
@@ -283,6 +285,17 @@ stand_in chromium 'true'
 course test --book && expect 0 "no em++" "no live page is tested" "1 tests/book/pages.mjs" && expect_not "live_page.mjs"
 course test --book live_page && expect 0 "no live page is tested" && expect_not "node --test"
 CI=true course test --book live_page && expect 1 "no live page can be tested"
+# A Node.js that is not Debian's brings npm along, and its package conflicts with Debian's: nothing of Debian's is asked for then.
+stand_in apt-get 'case " $* " in
+  *" npm "*) echo "E: nodejs conflicts with npm"; exit 100 ;;
+  *" emscripten "*) printf "#!/bin/sh\n" >"${0%/*}/em++"; chmod +x "${0%/*}/em++" ;;
+esac'
+stand_in chmod 'exec /bin/chmod "$@"'
+course book && expect 0 "  emscripten cmake" "cmake --build --preset wasm" "node book/build.js" && expect_not "conflicts"
+rm -f "$scratch/bin/em++"
+CI=true course test --book live_page && expect 0 "  emscripten cmake" "--target page_04_slop wide" && expect_not "conflicts"
+rm -f "$scratch/bin/"{em++,chmod}
+stand_in apt-get 'echo "apt-get $*"'
 stand_in em++ 'true'
 course test --book pages && expect 0 "1 tests/book/pages.mjs" && expect_not "cmake"
 course test --book && expect 0 "cmake --build --preset wasm" "--target page_04_slop wide" "1 tests/book/live_page.mjs tests/book/pages.mjs"
