@@ -70,13 +70,14 @@ bare() {  # bare RELEASE [PACKAGE...]: a system anew, with the project and nothi
   git ls-files -z | tar --null -T - -c | tar -x -C "$scratch/system/pushback"
   rm "$scratch"/system/pushback/renders/[0-2][0-9]_*/sheet.png
   cp /etc/resolv.conf /etc/hosts "$scratch/system/etc/" 2>/dev/null || true
+  cp /etc/ssl/certs/ca-certificates.crt "$scratch/system/etc/ssl/certs/" 2>/dev/null || true  # the network may need one of its own
 }
 
 in_it() {  # in_it COMMAND: in the system, with its processes and devices for as long as it takes
   # shellcheck disable=SC2016
   unshare --mount --fork --pid bash -c '
     mount -t proc proc "$0/proc" && mount --bind /dev "$0/dev"
-    exec chroot "$0" env -i HOME=/root PATH=/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin CI=true bash -c "cd /pushback && $1"' \
+    exec chroot "$0" env -i HOME=/root NODE_EXTRA_CA_CERTS=/etc/ssl/certs/ca-certificates.crt PATH=/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin CI=true bash -c "cd /pushback && $1"' \
     "$scratch/system" "$1" </dev/null
 }
 
