@@ -14,6 +14,7 @@ struct Solution {
   double residual = 0;  ///< relative_residual
   int sweeps = 0;       ///< over all contacts
   int systems = 0;      ///< linear systems solved
+  int pivots = 0;       ///< exchanges of a variable for its partner
   double work = 0;      ///< multiplications; 0 where they were not counted
 };
 

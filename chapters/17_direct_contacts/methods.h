@@ -14,4 +14,8 @@ bool counts_sweeps(const std::string& method);
 /// As solve_by_sweeps; `smoothed` and `best` take the tolerance only.
 Solution solve(const ContactProblem& problem, const std::string& method, int sweeps, double tolerance);
 
+/// Contacts without friction, by pivoting. Throws InvalidInput where a mu is not 0, and std::runtime_error where pivoting finds
+/// no solution.
+Solution solve_frictionless(const ContactProblem& problem);
+
 }  // namespace pushback

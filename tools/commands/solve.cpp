@@ -34,17 +34,30 @@ void check_place_of_solution(const Asked& asked) {
         fmt::format("--write is '{}': the name of a file in a folder that is there is needed", asked.write));
 }
 
-void print(const Asked& asked, const std::string& file, const ContactProblem& problem) {
+const std::string pivoting = "pivoting";  // no column of the tables: they are of problems with friction
+
+std::vector<std::string> methods_to_ask_for() {
+  std::vector<std::string> names = method_names();
+  names.push_back(pivoting);
+  return names;
+}
+
+void print(const Asked& asked, const std::string& file, ContactProblem problem) {
+  const bool pivots = asked.method == pivoting;
+  if (pivots) problem.mu.setZero();
   const auto begin = std::chrono::steady_clock::now();
-  const Solution found = solve(problem, asked.method, asked.sweeps, asked.tolerance);
+  const Solution found =
+      pivots ? solve_frictionless(problem) : solve(problem, asked.method, asked.sweeps, asked.tolerance);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!std::isfinite(found.residual))
     throw std::runtime_error(
         fmt::format("{}: {} has left the range of numbers after {} sweeps; another method is needed", file,
                     asked.method, found.sweeps));
   fmt::print("{}: {} contacts, W symmetric to {:.0e}\n", file, problem.contacts(), asymmetry(problem));
-  fmt::print("{}: {} sweeps, {} linear systems{}\n", asked.method, found.sweeps, found.systems,
-             found.work > 0 ? fmt::format(", {:.1e} multiplications", found.work) : "");
+  if (pivots) fmt::print("pivoting: {} pivots, friction left out: every mu is taken as 0\n", found.pivots);
+  else
+    fmt::print("{}: {} sweeps, {} linear systems{}\n", asked.method, found.sweeps, found.systems,
+               found.work > 0 ? fmt::format(", {:.1e} multiplications", found.work) : "");
   fmt::print("time {:.2f} s\nunitless residual {:.1e}\nresidual {:.1e}\n", seconds, unitless_residual(problem, found.r),
              found.residual);
   if (!asked.write.empty()) write_text_file(asked.write, solution_text(problem, found.r));
@@ -79,8 +92,10 @@ int main(int argc, char** argv) {
   CommandLine line("Contact problems in the format of Siconos: how well a method solves them.");
   Asked asked;
   line.option("file", asked.files, "Files of contact problems").required();
-  line.option("--method", asked.method, "How").one_of(method_names()).shows_default();
-  line.option("--sweeps", asked.sweeps, "At most; smoothed and best take what they need")
+  line.option("--method", asked.method, "How; pivoting leaves friction out")
+      .one_of(methods_to_ask_for())
+      .shows_default();
+  line.option("--sweeps", asked.sweeps, "At most; smoothed, best and pivoting take what they need")
       .between(0, 100000000)
       .shows_default();
   line.option("--tolerance", asked.tolerance, "The relative residual that is good enough")
