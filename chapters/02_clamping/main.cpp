@@ -101,9 +101,10 @@ int main(int argc, char** argv) {
     e.study([&e, &landing] {
       e.panel({.title = "the landing step: distance from the exact velocities",
                .x_label = "sweeps",
-               .y_label = "|v| + |ω| left, m/s and rad/s",
+               .y_label = "√(|v|² + |ω|²) left, m/s and rad/s",
                .log_y = true,
-               .curves = {error_after_sweeps(landing, "each correction ≥ 0", Solver<ClampingEachCorrection>{}, 1),
+               .curves = {error_after_sweeps(landing, "no limits", Solver<>{}, 0),
+                          error_after_sweeps(landing, "each correction ≥ 0", Solver<ClampingEachCorrection>{}, 1),
                           error_after_sweeps(landing, "their sum ≥ 0", Solver<Clamping>{}, 2)}});
     });
   });

@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
       if (beta <= 0 || beta >= 1) continue;
       e.variant(fmt::format("equality, β = {}", beta), with_beta<Solver<Baumgarte>>(beta))
           .coloured(static_cast<int>(i))
-          .reference("", [=](Real t) { return 1000 * d0 * std::exp(-beta * t / h); })
+          .reference("d₀ exp(−β t/h)", [=](Real t) { return 1000 * d0 * std::exp(-beta * t / h); })
           .expect("away from d₀ (1−β)ᵏ", 0);
     }
     e.series("overlap", "mm", depth);

@@ -126,8 +126,8 @@ int main(int argc, char** argv) {
              .arrow = Real(0.9),
              .key = "headings",
              .caption =
-                 "All three boxes should stop on the arc. With a bound for each tangent by itself, friction is up "
-                 "to 1.41 times as large as it should be: most for the box at 45°.",
+                 "All three boxes should stop on the arc. Each tangent has a bound of its own: while a box slips "
+                 "along both, friction is 1.41 times as large as it should be. At 45° it does so to the end.",
              .colours = {{body_ink(1), "0°"}, {body_ink(2), "22.5°"}, {body_ink(3), "45°"}},
              .start_shown = false,
              .marks = [=](Picture& picture, const World&, Real) { mark_stops(picture, start + stop); },
