@@ -62,13 +62,12 @@ command -v mmdebstrap >/dev/null || skip "there is no mmdebstrap"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-bare() {  # bare RELEASE [PACKAGE...]: a system anew, with the project and nothing drawn in it
+bare() {  # bare RELEASE [PACKAGE...]: a system anew, with the project in it
   rm -rf "$scratch/system"
   mmdebstrap --variant=apt --include="ca-certificates ${*:2}" "$1" "$scratch/system" >"$scratch/log" 2>&1 ||
     { tail -n 5 "$scratch/log"; skip "no system could be made, perhaps for want of a network"; }
   mkdir "$scratch/system/pushback"
   git ls-files -z | tar --null -T - -c | tar -x -C "$scratch/system/pushback"
-  rm "$scratch"/system/pushback/renders/[0-2][0-9]_*/sheet.png
   cp /etc/resolv.conf /etc/hosts "$scratch/system/etc/" 2>/dev/null || true
   cp /etc/ssl/certs/ca-certificates.crt "$scratch/system/etc/ssl/certs/" 2>/dev/null || true  # the network may need one of its own
 }
@@ -110,6 +109,7 @@ another_nodejs() {
 for release in "${releases[@]}"; do
   if [[ $what == --run ]]; then
     bare "$release"
+    rm "$scratch"/system/pushback/renders/[0-2][0-9]_*/sheet.png
     while read -r command; do runs "$release" "$command" || exit 1; done <<<"$run"
     for sheet in renders/[0-2][0-9]_*/sheet.png; do
       [[ -s $scratch/system/pushback/$sheet ]] || wrong "no $sheet was drawn"
