@@ -1,18 +1,71 @@
-# cmake --install: all headers of the lessons and the libraries, for find_package(Pushback).
-include(GNUInstallDirs)
+# cmake --install, whole or by components, each of which is installed alone:
+#   simulation   headers, and what a world and the recommended solver need: pushback_simulation, wide
+#   chapters     the same, and the libraries of other chapters
+#   experiment   the same as simulation, and pictures, sheets and plots: pushback
+#   exercises    a folder of a student's own: the program pushback-exercise, and what it compiles and links answers with; see
+#                tools/classroom/kit.cmake
+# The first three are for find_package(Pushback), which takes them as COMPONENTS.
+include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/pushback)
-install(DIRECTORY common chapters DESTINATION include/pushback FILES_MATCHING PATTERN "*.h" PATTERN "task.md")
-install(TARGETS pushback_settings pushback_simulation pushback_render pushback_program pushback EXPORT pushback-targets)
-install(EXPORT pushback-targets NAMESPACE pushback:: DESTINATION ${package})
-file(WRITE ${PROJECT_BINARY_DIR}/pushback-config.cmake "include(CMakeFindDependencyMacro)
+set(simulation_targets pushback_settings pushback_simulation wide)
+get_property(chapters_targets GLOBAL PROPERTY chapter_libraries)
+list(REMOVE_ITEM chapters_targets wide)
+list(APPEND chapters_targets flat_solver)
+set(experiment_targets pushback_render pushback_program pushback)
+set(components simulation)
+if(PUSHBACK_PICTURES)
+  list(APPEND components chapters experiment)
+endif()
+
+foreach(component IN LISTS components)
+  install(TARGETS ${${component}_targets} EXPORT pushback-${component} COMPONENT ${component})
+  install(EXPORT pushback-${component} NAMESPACE pushback:: DESTINATION ${package} COMPONENT ${component})
+  if(NOT component STREQUAL "simulation")  # an export belongs to one component, so the others install that one first
+    install(CODE [[if(CMAKE_INSTALL_COMPONENT)
+      execute_process(COMMAND ${CMAKE_COMMAND} --install "${CMAKE_CURRENT_LIST_DIR}" --prefix "${CMAKE_INSTALL_PREFIX}"
+        --component simulation COMMAND_ERROR_IS_FATAL ANY)
+    endif()]] COMPONENT ${component})
+  endif()
+endforeach()
+install(DIRECTORY common chapters DESTINATION include/pushback COMPONENT simulation FILES_MATCHING PATTERN "*.h" PATTERN exercise EXCLUDE)
+install(FILES ${PROJECT_BINARY_DIR}/package/pushback-config.cmake ${PROJECT_BINARY_DIR}/package/pushback-config-version.cmake
+  DESTINATION ${package} COMPONENT simulation)
+
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/pushback-config.cmake.in @ONLY CONTENT [[
+include(CMakeFindDependencyMacro)
+set(wanted ${${CMAKE_FIND_PACKAGE_NAME}_FIND_COMPONENTS})
+if(NOT wanted)  # all that is installed
+  foreach(component chapters experiment)
+    if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/pushback-${component}.cmake)
+      list(APPEND wanted ${component})
+    endif()
+  endforeach()
+endif()
 find_dependency(Eigen3 NO_MODULE)
 find_dependency(fmt)
-find_dependency(CLI11)
-find_dependency(PkgConfig)
-find_dependency(Threads)
-pkg_check_modules(PANGO REQUIRED IMPORTED_TARGET pangocairo pangoft2)
-$<$<STREQUAL:${PUSHBACK_GL_FOUND},EGL>:find_dependency(OpenGL COMPONENTS OpenGL EGL)>
-include(\${CMAKE_CURRENT_LIST_DIR}/pushback-targets.cmake)
-")
-file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/package/pushback-config.cmake INPUT ${PROJECT_BINARY_DIR}/pushback-config.cmake)
-install(FILES ${PROJECT_BINARY_DIR}/package/pushback-config.cmake DESTINATION ${package})
+include(${CMAKE_CURRENT_LIST_DIR}/pushback-simulation.cmake)
+set(${CMAKE_FIND_PACKAGE_NAME}_simulation_FOUND TRUE)
+if("chapters" IN_LIST wanted AND EXISTS ${CMAKE_CURRENT_LIST_DIR}/pushback-chapters.cmake)
+  find_dependency(Threads)
+  include(${CMAKE_CURRENT_LIST_DIR}/pushback-chapters.cmake)
+  set(${CMAKE_FIND_PACKAGE_NAME}_chapters_FOUND TRUE)
+endif()
+if("experiment" IN_LIST wanted AND EXISTS ${CMAKE_CURRENT_LIST_DIR}/pushback-experiment.cmake)
+  find_dependency(CLI11)
+  find_dependency(PkgConfig)
+  pkg_check_modules(PANGO REQUIRED IMPORTED_TARGET pangocairo pangoft2)
+  if("@PUSHBACK_GL_FOUND@" STREQUAL "EGL")
+    find_dependency(OpenGL COMPONENTS OpenGL EGL)
+  endif()
+  include(${CMAKE_CURRENT_LIST_DIR}/pushback-experiment.cmake)
+  set(${CMAKE_FIND_PACKAGE_NAME}_experiment_FOUND TRUE)
+endif()
+foreach(component IN LISTS wanted)
+  if(${CMAKE_FIND_PACKAGE_NAME}_FIND_REQUIRED_${component} AND NOT ${CMAKE_FIND_PACKAGE_NAME}_${component}_FOUND)
+    set(${CMAKE_FIND_PACKAGE_NAME}_FOUND FALSE)
+    set(${CMAKE_FIND_PACKAGE_NAME}_NOT_FOUND_MESSAGE "its component ${component} is not installed: cmake --install BUILD --component ${component}")
+  endif()
+endforeach()
+]])
+configure_file(${PROJECT_BINARY_DIR}/pushback-config.cmake.in ${PROJECT_BINARY_DIR}/package/pushback-config.cmake COPYONLY)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/pushback-config-version.cmake COMPATIBILITY SameMinorVersion)

@@ -14,7 +14,7 @@ says() { [[ $output == *"$1"* ]] || wrong "not said: $1" "$output"; }
 says_not() { [[ $output != *"$1"* ]] || wrong "said: $1" "$output"; }
 verdict() { output=$(cmake --build mine/build 2>&1) || wrong "the build fails" "$output"; }
 
-cmake --install "$built" --prefix "$scratch/prefix" >log 2>&1 || { cat log; wrong "nothing can be installed"; }
+cmake --install "$built" --component exercises --prefix "$scratch/prefix" >log 2>&1 || { cat log; wrong "nothing can be installed"; }
 mkdir elsewhere
 mv prefix elsewhere/
 program=$scratch/elsewhere/prefix/bin/pushback-exercise

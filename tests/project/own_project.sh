@@ -2,7 +2,7 @@
 # A program of one's own, as README.md describes it: another project that takes this one in, in each of three ways, compiles
 # the README's program with more warnings as errors than are on here. Nothing but the libraries may come along.
 #   tests/project/own_project.sh BUILD [COMPILER [LAUNCHER]]     BUILD: where this project has been built
-# Installed, the program is linked and run. Of the ways that compile the libraries anew only the program's own object is made:
+# Installed, component by component, programs are linked and run. Of the ways that compile the libraries anew only the program's own object is made:
 # what they are built with is looked at instead.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -24,7 +24,7 @@ export CCACHE_BASEDIR=$scratch CCACHE_NOHASHDIR=1 CCACHE_NODIRECT=1
 
 configure() {  # configure LINE...: the other project, with these lines of CMake
   mkdir -p "$way"
-  cp main.cpp "$way"
+  [[ -e $way/main.cpp ]] || cp main.cpp "$way"
   cat >"$way/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.25)
 project(another LANGUAGES CXX)
@@ -34,11 +34,11 @@ add_compile_options(-Wall -Wextra -Werror -Wconversion -Wsign-conversion)
 add_executable(my_program main.cpp)
 $(printf '%s\n' "$@")
 END
-  cmake -S "$way" -B "$way/build" -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+  cmake -S "$way" -B "$way/build" -G Ninja -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_PREFIX_PATH="$scratch/$way/prefix" "${options[@]}" \
     ${compiler:+-DCMAKE_CXX_COMPILER="$compiler"} ${launcher:+-DCMAKE_CXX_COMPILER_LAUNCHER="$launcher"} >log 2>&1 ||
     { cat log; wrong "it cannot be configured"; }
 }
-compiler=${2:-} launcher=${3:-}
+compiler=${2:-} launcher=${3:-} options=()
 
 its_own_code() {  # its own warnings, no others, none of them taken back; and the one option that the same bits depend on
   local command flags
@@ -52,7 +52,7 @@ sources() {  # sources LINE...: the libraries come along, and no test, option or
   local targets
   configure "$@"
   targets=$(ninja -C "$way/build" -t targets all | sed -En 's%^([^ ]*): CXX_(STATIC_LIBRARY|EXECUTABLE)_LINKER.*%\1%p' | xargs -n 1 basename | sort | tr '\n' ' ')
-  [[ $targets == "libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libwide.a my_program " ]] ||
+  [[ $targets == "$libraries my_program " ]] ||
     wrong "the other project builds: $targets"
   ctest --test-dir "$way/build" -N | grep -q '^Total Tests: 0$' || wrong "the other project has tests of ours"
   ! grep -E '^PUSHBACK_(TESTS|BENCH|PEERS|WERROR)' "$way/build/CMakeCache.txt" || wrong "it is asked for what is built only here"
@@ -65,23 +65,69 @@ link=$(tail -n 1 <<<"$ways")
 [[ $(wc -l <<<"$ways") == 4 && $link == "target_link_libraries(my_program pushback::pushback pushback::wide)" ]] ||
   wrong "README.md should show three lines of CMake and one that links, but these were found: $ways"
 
+nothing_drawn=(-DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,PkgConfig,OpenGL,Threads}=ON)
+libraries="libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libwide.a"
 way=add_subdirectory
 sources "$(grep -o '^add_subdirectory([^)]*)' <<<"$ways" | sed "s|pushback|$scratch/pushback pushback|")" "$link"
 way=FetchContent
 sources "include(FetchContent)" "FetchContent_Declare(pushback SOURCE_DIR $scratch/pushback)" \
   "$(grep -o '^FetchContent_MakeAvailable([^)]*)' <<<"$ways")" "$link"
-way=find_package
-cmake --install "$built" --prefix "$scratch/prefix" >log 2>&1 || { cat log; wrong "nothing can be installed"; }
-[[ ! -e prefix/include/common ]] || wrong "headers are installed beside those of others"
+way="add_subdirectory without pictures"
+libraries="libpushback_simulation.a libpushback_simulation_float.a libwide.a" options=("${nothing_drawn[@]}")
+simulation=$'#include "pushback/chapters/22_wide/recommended.h"
+#include "pushback/common/world/situations.h"
+int main() {
+  pushback::World world;
+  pushback::stack(world, 3);
+  pushback::Recommended solver;
+  for (int i = 0; i < 60; ++i) world.step(solver, pushback::Real(1) / 60);
+  return world.bodies[3].position.y() > 2 ? 0 : 1;
+}'
 mkdir "$way"
-cat >"$way/chapters.cpp" <<END  # what the libraries of chapters 07, 16, 17 and 20 have to say of a stack
+echo "$simulation" >"$way/main.cpp"
+sources "set(PUSHBACK_PICTURES OFF)" "add_subdirectory($scratch/pushback pushback)" \
+  "target_link_libraries(my_program pushback::pushback_simulation pushback::wide)"
+
+installed() {  # installed COMPONENT FIND LINE...: the component alone, in a prefix of its own, and a project that finds it
+  way="component $1"
+  mkdir -p "$way"
+  cmake --install "$built" --component "$1" --prefix "$way/prefix" >log 2>&1 || { cat log; wrong "it cannot be installed"; }
+  [[ ! -e $way/prefix/include/common ]] || wrong "headers are installed beside those of others"
+  configure "${@:2}"
+  its_own_code
+  ! grep -qE -- "$(whole "$root")" "$way/build/compile_commands.json" || wrong "its program is compiled with what is not installed"
+  cmake --build "$way/build" -j 2 >log 2>&1 || { cat log; wrong "it cannot be built"; }
+}
+refused() {  # refused WORDS FIND: no project finds that, and it is told so
+  ! (configure "$2") >said || wrong "$2 is found"
+  grep -qF -- "$1" said || { cat said; wrong "$2 is refused, but nobody says: $1"; }
+}
+
+mkdir "component simulation"
+echo "$simulation" >"component simulation/main.cpp"
+installed simulation "find_package(Pushback 0.1 REQUIRED COMPONENTS simulation)" \
+  "target_link_libraries(my_program pushback::pushback_simulation pushback::wide)"
+"$way/build/my_program" || wrong "a stack of three does not stand"
+! grep -rq . --include=judge.h --include=answer_program.h "$way/prefix" || wrong "exercises are installed with it"
+refused "its component experiment is not installed" "find_package(Pushback REQUIRED COMPONENTS experiment)"
+refused "its component pictures is not installed" "find_package(Pushback REQUIRED COMPONENTS pictures)"
+refused "requested version" "find_package(Pushback 0.2 REQUIRED)"
+options=()
+installed experiment "$(grep -o '^find_package([^)]*)' <<<"$ways")" "$link"
+"$way/build/my_program" --no-images --seconds 0.5 --out renders >log 2>&1 || { cat log; wrong "its program does not run"; }
+grep -q '^| .* recommended | ' renders/my_experiment/numbers.md || wrong "its program left no numbers behind"
+
+mkdir "component chapters"
+cat >"component chapters/main.cpp" <<END  # what the libraries of chapters 07, 16, 17, 20 and 23 have to say of a stack
 #include "pushback/chapters/07_warm_start/flat.h"
 #include "pushback/chapters/17_direct_contacts/best.h"
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/20_only_what_is_needed/questions.h"
+#include "pushback/chapters/23_threads/crew.h"
 #include "pushback/common/world/situations.h"
 using namespace pushback;
 int main() {
+  Crew crew(2);
   World world;
   stack(world, 3);
   flat_07::FlatSolver solver;
@@ -90,12 +136,7 @@ int main() {
   return solve_best(problem_of(world)).residual < 1e-9 && Rubbing::in(world).yes ? 0 : 1;
 }
 END
-configure "$(grep -o '^find_package([^)]*)' <<<"$ways")" "$link" "add_executable(chapters chapters.cpp)" \
-  "target_link_libraries(chapters pushback::flat_solver pushback::direct_contacts pushback::only_what_is_needed)"
-its_own_code
-! grep -qE -- "$(whole "$root")" "$way/build/compile_commands.json" || wrong "its program is compiled with what is not installed"
-cmake --build "$way/build" -j 2 >log 2>&1 || { cat log; wrong "it cannot be built"; }
-"$way/build/my_program" --no-images --seconds 0.5 --out renders >log 2>&1 || { cat log; wrong "its program does not run"; }
-"$way/build/chapters" || wrong "a stack of three is not solved, or nothing rubs in it"
-grep -q '^| .* recommended | ' renders/my_experiment/numbers.md || wrong "its program left no numbers behind"
+installed chapters "find_package(Pushback REQUIRED COMPONENTS chapters)" \
+  "target_link_libraries(my_program pushback::flat_solver pushback::direct_contacts pushback::only_what_is_needed pushback::threads)"
+"$way/build/my_program" || wrong "a stack of three is not solved, or nothing rubs in it"
 echo "all as expected"

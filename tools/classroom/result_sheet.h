@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "pushback/common/exercise/judge.h"
+#include "pushback/tools/classroom/judge.h"
 
 namespace pushback {
 

@@ -1,4 +1,4 @@
-#include "pushback/common/exercise/judge.h"
+#include "pushback/tools/classroom/judge.h"
 
 #include <fmt/format.h>
 
