@@ -25,9 +25,7 @@ inline Cart add_cart(World& world, Real slope, Real along) {
   const Quat turn(Eigen::AngleAxis<Real>(slope, Vec3::UnitZ()));
   const Vec3 middle = turn * Vec3(along, cart_wheel, 0);
   const auto add = [&](Body body, const Vec3& at, int colour) {
-    body.orientation = turn;
-    body.refresh_inertia();
-    return world.add(body.at(middle + turn * at).coloured(colour));
+    return world.add(body.oriented(turn).at(middle + turn * at).coloured(colour));
   };
   Cart cart{};
   cart.chassis = add(box({Real(0.5), Real(0.12), Real(0.3)}, chassis_mass), {0, Real(0.1), 0}, 1);

@@ -27,9 +27,7 @@ inline Ragdoll add_ragdoll(World& world, const Vec3& hips, const Quat& turn = Qu
   const auto degrees = [](Real angle) { return angle * pi / 180; };
   const auto place = [&](const Vec3& where) { return Vec3(hips + turn * where); };
   const auto add = [&](Body body, Real x, Real y, Real z, int colour) {
-    body.orientation = turn;
-    body.refresh_inertia();
-    return world.add(body.at(place({x, y, z})).coloured(colour));
+    return world.add(body.oriented(turn).at(place({x, y, z})).coloured(colour));
   };
   const auto socket = [&](int a, int b, const Vec3& anchor, const Vec3& cone, const Vec3& limb, Real swing,
                           Real twist) {

@@ -15,6 +15,15 @@ Body& Body::at(const Vec3& where) {
   return *this;
 }
 
+Body& Body::oriented(const Quat& to) {
+  require_finite("orientation's vector part", Vec3(to.vec()));
+  require_finite("orientation's scalar part", to.w());
+  require_positive("length of the orientation quaternion", to.norm());
+  orientation = to;
+  refresh_inertia();
+  return *this;
+}
+
 Body& Body::turned(Real angle, const Vec3& axis) {
   require_finite("angle of a turn", angle);
   require_finite("axis of a turn", axis);

@@ -42,6 +42,7 @@ struct alignas(64) Body {
 
   // What a scene says of a body, in the order in which one would say it. Each returns the body.
   Body& at(const Vec3& where);
+  Body& oriented(const Quat& to);              ///< whatever turn it had; World::add makes it of unit length
   Body& turned(Real angle, const Vec3& axis);  ///< rad, about a world axis, after any turn it already has
   Body& moving(const Vec3& with_velocity);
   Body& spinning(const Vec3& with_angular_velocity);

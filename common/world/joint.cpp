@@ -25,8 +25,10 @@ void check_joined(const World& world, const std::string& joint, int a, int b) {
 
 void check_no_joints(const std::vector<Joint>& joints) {
   if (joints.empty()) return;
-  throw InvalidInput(fmt::format(
-      "the world has {}, and this solver holds no joints: one with the effect Joints is needed", joints.front().name));
+  throw InvalidInput(
+      fmt::format("the world has {}, and this solver holds no joints: one with the effect Joints is needed, such as "
+                  "JointedSolver or Recommended",
+                  joints.front().name));
 }
 
 JoinedPairs::JoinedPairs(const std::vector<Joint>& joints) {

@@ -152,6 +152,22 @@ TEST_CASE("the builders refuse lengths and masses that are not finite numbers ab
   REQUIRE(contains(complaint([] { sphere(1, 1).turned(1, Vec3::Zero()); }), "axis"));
 }
 
+TEST_CASE("a body that is oriented by a quaternion is the one that is turned by its angle and axis") {
+  const Vec3 axis = Vec3(1, 2, 3).normalized();
+  const Quat quat(Eigen::AngleAxis<Real>(Real(0.7), axis));
+  const Body turned = box({1, 2, 3}, 5).turned(Real(0.7), axis),
+             oriented = box({1, 2, 3}, 5).turned(2, Vec3::UnitX()).oriented(quat);
+  CHECK(oriented.orientation.angularDistance(turned.orientation) < 4 * eps);
+  CHECK((oriented.inverse_inertia - turned.inverse_inertia).norm() < 10 * eps * turned.inverse_inertia.norm());
+  World world;
+  const int added = world.add(box({1, 2, 3}, 5).oriented(Quat(3 * quat.coeffs())));
+  CHECK(std::abs(world.bodies[added].orientation.norm() - 1) < 4 * eps);
+  CHECK((world.bodies[added].inverse_inertia - turned.inverse_inertia).norm() <
+        10 * eps * turned.inverse_inertia.norm());
+  CHECK(contains(complaint([] { sphere(1, 1).oriented(Quat(0, 0, 0, 0)); }), "length of the orientation"));
+  CHECK(contains(complaint([] { sphere(1, 1).oriented(Quat(not_a_number, 0, 0, 0)); }), "orientation's scalar"));
+}
+
 TEST_CASE("the world refuses a body with a number that cannot be simulated, and names the number") {
   struct Case {
     std::string names;
