@@ -6,7 +6,7 @@ using namespace pushback;
 using namespace pushback::substeps_scenes;
 
 int main(int argc, char** argv) {
-  Experiment e("11_substeps", "Many iterations, or many substeps?");
+  Experiment e("11_substeps", "Many sweeps, or many substeps?");
   int count = 32;
   e.parameter({"--substeps", "", "", "Substeps in each step, and sweeps where a step is not cut", 1, 128}, &count);
   int tall = 20;

@@ -121,7 +121,7 @@ struct KeptContact {
   Vec3 impulse() const {
     return normal.impulse * normal.n + tangent1.impulse * tangent1.n + tangent2.impulse * tangent2.n;
   }
-  /// How far it is from being solved, m/s: by how much another iteration would change the speed along one of its rows.
+  /// How far it is from being solved, m/s: by how much another sweep would change the speed along one of its rows.
   Real error() const {
     const Real wanted = normal.impulse - mass * (normal.speed() + (normal.bias + softness * normal.impulse));
     const Real pushed = std::abs(std::max(wanted, normal.lo) - normal.impulse) / normal.effective_mass;

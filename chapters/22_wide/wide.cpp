@@ -417,7 +417,7 @@ Vec3 Wide<Scalar>::in_world(const EightVectors<Scalar>& impulses, const Bundle<S
          along.z() * vector_of(bundle.tangent2, lane);
 }
 
-/// Of each row by how much another iteration would change the speed along it: KeptContact::error of chapter 21.
+/// Of each row by how much another sweep would change the speed along it: KeptContact::error of chapter 21.
 template <class Scalar>
 Solved Wide<Scalar>::measure() const {
   Solved all = of_joints();

@@ -121,7 +121,7 @@ std::string one_step() {
     svg.arrow({x - 32, top + high / 2}, {x - 4, top + high / 2}, {hue::ink, 2.5});
     if (part.colour == hue::green) {
       svg.arc({x + wide / 2, top - 2}, 34, 0.12, 3.0, {hue::green, 2.5}, true);
-      svg.text({x + wide / 2, top - 48}, "iterations", {at_middle, 16, hue::green});
+      svg.text({x + wide / 2, top - 48}, "sweeps", {at_middle, 16, hue::green});
     }
     x += wide + 36;
   }

@@ -18,7 +18,7 @@ using namespace pushback;
 struct Rubbing : Effect {
   std::size_t first = 0;  // which row is the first tangent's, if you want to keep that
 
-  // TODO build: two rows a contact. sweep, called in each iteration after the normals: each within its bound, J V = 0
+  // TODO build: two rows a contact. sweep, called in each sweep after the normals: each within its bound, J V = 0
   void build(StepContext& step) {
     (void)step;  // take this line out
   }

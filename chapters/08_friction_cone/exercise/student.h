@@ -7,7 +7,7 @@ namespace student {
 
 using namespace pushback;
 
-/// Solves both tangents of one contact. Called in each iteration, after the normal.
+/// Solves both tangents of one contact. Called in each sweep, after the normal.
 ///
 /// You read   one.speed(), two.speed()   u, m/s: how fast the point slips along each tangent now
 ///            one.effective_mass         1 / k11, kg; and two.effective_mass 1 / k22

@@ -7,7 +7,7 @@ namespace student {
 
 using namespace pushback;
 
-/// One round of sequential impacts, before the first iteration: visits each contact once, in the order of the list. Gives back
+/// One round of sequential impacts, before the first sweep: visits each contact once, in the order of the list. Gives back
 /// whether a pair has bounced. If so, it is called again.
 ///
 /// You read   step.contacts.size()            how many contacts there are; step.rows[i] is the normal row of step.contacts[i]
@@ -17,9 +17,9 @@ using namespace pushback;
 ///            effective_mass                  1 / K, kg
 ///            impulse                         the sum of this row's impulses in this step, N s
 /// and call   reach(sum)                      brings the row's sum to `sum`: the bodies feel the difference
-/// and set    lo                              the least that later iterations may lower the sum to, N s; 0 at first
+/// and set    lo                              the least that later sweeps may lower the sum to, N s; 0 at first
 inline bool one_round(StepContext& step, const std::vector<Real>& by_forces, Real threshold) {
-  // TODO the impulse of the page for each pair that approaches faster than the threshold; the iterations must not take
+  // TODO the impulse of the page for each pair that approaches faster than the threshold; the sweeps must not take
   // it back
   (void)step, (void)by_forces, (void)threshold;  // take these two lines out
   return false;

@@ -6,7 +6,7 @@
 
 namespace pushback::exercise_11 {
 
-/// What World::step does, part by part, with one iteration of the solver of chapter 07.
+/// What World::step does, part by part, with one sweep of the solver of chapter 07.
 class Parts {
  public:
   explicit Parts(World& world) : world_(world) {}
@@ -14,7 +14,7 @@ class Parts {
   void add_gravity(Real seconds);
   /// The contacts, with points, normals and depths of now. The impulses that they had until now are kept.
   void detect();
-  /// One iteration over the rows of these contacts. They want b = beta / seconds (C + slop). They start from the impulses that
+  /// One sweep over the rows of these contacts. They want b = beta / seconds (C + slop). They start from the impulses that
   /// were kept, times `scale`.
   void solve(Real seconds, Real scale);
   /// x += seconds v, and the turn, of every body.

@@ -13,7 +13,7 @@ using exercise_11::Parts;
 /// You are told  before                       s: how long the latest substep before this call was
 /// and call      parts.add_gravity(seconds)   v += seconds g
 ///               parts.detect()               the contacts as they are now; their impulses of the latest substep are kept
-///               parts.solve(seconds, scale)  one iteration: b is beta / seconds (C + slop), and each row starts from its kept
+///               parts.solve(seconds, scale)  one sweep: b is beta / seconds (C + slop), and each row starts from its kept
 ///                                            impulse times `scale`
 ///               parts.move(seconds)          x += seconds v, and the turn
 inline void frame(Parts& parts, Real dt, int count, Real before) {

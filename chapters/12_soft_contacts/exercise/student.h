@@ -8,7 +8,7 @@ namespace student {
 using namespace pushback;
 using exercise_12::Spring;
 
-/// Solves the row of one soft contact. Called in each iteration; and once more, with `relaxing`, when the bodies have moved.
+/// Solves the row of one soft contact. Called in each sweep; and once more, with `relaxing`, when the bodies have moved.
 ///
 /// You read   row.speed()           J V, m/s
 ///            row.separation        C, m: negative where the bodies overlap

@@ -12,11 +12,11 @@ using namespace pushback;
 /// You read and set   joint_rows_             the rows of all joints: for (JointRow& row : joint_rows_)
 /// of a row           bias                    b, m/s
 ///                    separation              C, m; `beta` is the part of it that a step takes away, step.dt is h, s
-/// You read           rounds_                 how many iterations over the joints this step has had so far
-/// and call           WarmJoints::sweep(step)   one iteration more
+/// You read           rounds_                 how many sweeps over the joints this step has had so far
+/// and call           WarmJoints::sweep(step)   one sweep more
 ///                    remember(step)            the next step starts from the impulses that the rows have now
 struct Split : WarmJoints {
-  // TODO build: take the push out of each b. finish, after the last iteration: the push, by as many iterations once more.
+  // TODO build: take the push out of each b. finish, after the last sweep: the push, by as many sweeps once more.
   // When is the time to remember?
   void build(StepContext& step) {
     WarmJoints::build(step);  // makes the rows: b = ∂C/∂t + β/h C

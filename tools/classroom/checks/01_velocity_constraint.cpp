@@ -51,9 +51,9 @@ std::vector<Check<Answer>> checks() {
          answer.solve(bars.world, 1);
          return {bars.separates(), bars.spin(0), bars.spin(1)};
        }},
-      {"a column that lands on its four corners stops within twenty iterations",
+      {"a column that lands on its four corners stops within twenty sweeps",
        2,
-       {{"after twenty iterations your column moves up with", "m/s", 1e-6},
+       {{"after twenty sweeps your column moves up with", "m/s", 1e-6},
         {"your column turns with", "rad/s", 1e-6},
         {"your column slides on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
@@ -113,7 +113,7 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if your contact only pushed. That is what a contact should do, and chapter 02 makes it so. Here the "
       "row is an equality, JV = 0: it also pulls, and λ may be negative.";
   const std::string old =
-      "it looks as if each row used the velocities of before the iteration. Four rows then push against the same fall, "
+      "it looks as if each row used the velocities of before the sweep. Four rows then push against the same fall, "
       "each as if it were alone. A row has to see what those before it have done.";
   return {
       {"not applied", "it looks as if no velocity changed. V += M⁻¹ Jᵀ λ, for both bodies.", visiting([](Row&) {})},
@@ -222,7 +222,7 @@ std::vector<Mistake<Answer>> mistakes() {
          }
        }}},
       {"velocities of before the step",
-       "it looks as if JV were computed once, before the first iteration. Then every iteration pushes against the same "
+       "it looks as if JV were computed once, before the first sweep. Then every sweep pushes against the same "
        "fall again. JV is computed anew before each impulse.",
        {[](World& world, int sweeps) {
          std::vector<Real> speeds;
@@ -234,8 +234,8 @@ std::vector<Mistake<Answer>> mistakes() {
            }
          }
        }}},
-      {"one iteration",
-       "it looks as if the rows were solved once. Each row disturbs those before it, less in each iteration: go over "
+      {"one sweep",
+       "it looks as if the rows were solved once. Each row disturbs those before it, less in each sweep: go over "
        "all rows `sweeps` times.",
        {[](World& world, int) { right(world, 1); }}},
   };

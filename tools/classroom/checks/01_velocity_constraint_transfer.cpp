@@ -201,7 +201,7 @@ std::vector<Mistake<Answer>> mistakes() {
          row.speed = row.n.dot(row.body.velocity) - row.r_n.dot(row.body.angular_velocity);
        })},
       {"velocities of before the first sweep",
-       "it looks as if JV were computed once, before the first iteration. Then every iteration pushes against the same "
+       "it looks as if JV were computed once, before the first sweep. Then every sweep pushes against the same "
        "speed again. JV is computed anew before each impulse.",
        {[](Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
          std::vector<RailRow> rows;
@@ -210,7 +210,7 @@ std::vector<Mistake<Answer>> mistakes() {
          for (int sweep = 0; sweep < sweeps; ++sweep)
            for (RailRow& row : rows) row.solve();
        }}},
-      {"one iteration",
+      {"one sweep",
        "it looks as if the rows were solved once. Where the ring is not at the centre of mass, the second row moves "
        "the "
        "ring along the first: solve them in turn, over and over.",

@@ -165,7 +165,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"each correction limited",
        "it looks as if each correction were limited, not their sum. A magnet that pulls with F h again in each of a "
-       "hundred iterations holds a hundred times its force.",
+       "hundred sweeps holds a hundred times its force.",
        {[](Rows& rows, Real force, Real h) {
          for (Row& row : rows) reach(row, row.impulse + std::max(-pull(rows, force, h), wanted(row) - row.impulse));
        }}},
@@ -199,7 +199,7 @@ std::vector<Mistake<Answer>> mistakes() {
          }
        }}},
       {"stored unlimited",
-       "it looks as if the row kept the sum from before it was limited. The next iteration then takes a pull for "
+       "it looks as if the row kept the sum from before it was limited. The next sweep then takes a pull for "
        "granted "
        "that no body has felt.",
        {[](Rows& rows, Real force, Real h) {

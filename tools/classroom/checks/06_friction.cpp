@@ -172,7 +172,7 @@ std::vector<Mistake<Answer>> mistakes() {
          within(tangent, step.contacts[tangent.owner].friction / tangent.b->inverse_mass * World::g * step.dt);
        })},
       {"each correction clamped",
-       "it looks as if each correction were clamped, not their sum. Every iteration then brakes by the full bound once "
+       "it looks as if each correction were clamped, not their sum. Every sweep then brakes by the full bound once "
        "more.",
        each_mistaken([](StepContext&, Row& tangent, Real bound) {
          const Real lambda = std::clamp(tangent.wanted() - tangent.impulse, -bound, bound);

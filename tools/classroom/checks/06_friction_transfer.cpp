@@ -181,7 +181,7 @@ constexpr Real inf = std::numeric_limits<Real>::infinity();
 
 std::vector<Mistake<Answer>> mistakes() {
   const std::string each =
-      "it looks as if each correction were clamped, not their sum. Every iteration then adds the full bound once more.";
+      "it looks as if each correction were clamped, not their sum. Every sweep then adds the full bound once more.";
   const std::string one_sided =
       "it looks as if the sum of a row could not be negative. A normal only pushes; what holds a slip or a turn acts "
       "both ways, from minus the bound to the bound.";
@@ -212,8 +212,8 @@ std::vector<Mistake<Answer>> mistakes() {
        {with_slip<[](const Row& slip, const Surfaces& surfaces) {
          return slip.speed() + surfaces.belt_b.norm() - surfaces.belt_a.norm();
        }>}},
-      {"a belt faster in each iteration",
-       "it looks as if the belt got faster with each iteration. rub is called several times a step: what it adds to a "
+      {"a belt faster in each sweep",
+       "it looks as if the belt got faster with each sweep. rub is called several times a step: what it adds to a "
        "bias is added each time.",
        {with_slip<[](Row& slip, const Surfaces& surfaces) {
          slip.bias += (surfaces.belt_b - surfaces.belt_a).dot(slip.n);

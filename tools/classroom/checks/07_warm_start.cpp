@@ -53,10 +53,10 @@ std::vector<Check<Answer>> checks() {
          balls.solve(answer, 1);
          return {balls.velocity(2).y(), balls.velocity(1).y(), balls.world.contacts[0].impulse.y()};
        }},
-      {"before the first iteration the ball already has what its contact had",
+      {"before the first sweep the ball already has what its contact had",
        1,
-       {{"before the first iteration your ball moves with", "m/s", 1e-6},
-        {"before the first iteration its row has", "N s", 1e-4}},
+       {{"before the first sweep your ball moves with", "m/s", 1e-6},
+        {"before the first sweep its row has", "N s", 1e-4}},
        [](Random& random, const Answer& answer) -> Numbers {
          Balls balls(random);
          const Real weight = balls.add(random), part = random.between(Real(0.5), Real(0.8));
@@ -67,9 +67,9 @@ std::vector<Check<Answer>> checks() {
        }},
       {"each contact has what was its own, though others have come and gone",
        2,
-       {{"before the first iteration your first ball, whose neighbour is gone, moves with", "m/s", 1e-6},
-        {"before the first iteration your second ball, which touches for the first time, moves with", "m/s", 1e-6},
-        {"before the first iteration your third ball, which touched before, moves with", "m/s", 1e-6}},
+       {{"before the first sweep your first ball, whose neighbour is gone, moves with", "m/s", 1e-6},
+        {"before the first sweep your second ball, which touches for the first time, moves with", "m/s", 1e-6},
+        {"before the first sweep your third ball, which touched before, moves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Balls balls(random);
          Numbers weight;
@@ -83,8 +83,8 @@ std::vector<Check<Answer>> checks() {
        }},
       {"two points of the same two bodies are not mixed up",
        1,
-       {{"before the first iteration your box moves with", "m/s", 1e-6},
-        {"before the first iteration your box turns with", "rad/s", 1e-6}},
+       {{"before the first sweep your box moves with", "m/s", 1e-6},
+        {"before the first sweep your box turns with", "rad/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Balls balls(random);
          const Real half = random.between(Real(0.3), Real(0.5)), mass = random.between(50, 150);
@@ -121,9 +121,9 @@ std::vector<Check<Answer>> checks() {
        }},
       {"the impulse is a vector: where the normal has turned, each row takes its part",
        2,
-       {{"before the first iteration your ball, whose contact has turned, moves along x with", "m/s", 1e-6},
-        {"before the first iteration your ball, whose contact has turned, moves along y with", "m/s", 1e-6},
-        {"before the first iteration your ball, whose contact has turned, moves along z with", "m/s", 1e-6}},
+       {{"before the first sweep your ball, whose contact has turned, moves along x with", "m/s", 1e-6},
+        {"before the first sweep your ball, whose contact has turned, moves along y with", "m/s", 1e-6},
+        {"before the first sweep your ball, whose contact has turned, moves along z with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Balls balls(random);
          const Real weight = balls.add(random);
@@ -203,7 +203,7 @@ std::vector<Mistake<Answer>> mistakes() {
          return found;
        })},
       {"stored and not applied",
-       "it looks as if the guess were written into Σλ, and no body felt it. The first iteration then takes back a push "
+       "it looks as if the guess were written into Σλ, and no body felt it. The first sweep then takes back a push "
        "that never was: it holds what wants to leave. Σλ is by definition what has acted.",
        mistaken([](StepContext& step, Row& row, const Contact& old) { row.impulse = guess_of(step, row, old); })},
       {"applied and not stored",

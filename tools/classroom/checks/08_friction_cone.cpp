@@ -18,7 +18,7 @@ struct Asked : Friction {
 };
 
 /// A board without weight that stands on edge, on a foot right below its middle. So friction and normal impulse do not act on
-/// each other, and the disc is the same in every iteration. Turned by 14 to 26 degrees against the tangents.
+/// each other, and the disc is the same in every sweep. Turned by 14 to 26 degrees against the tangents.
 class Board {
  public:
   Vec3 along, across;  ///< level; the foot is the easiest to push across the board
@@ -73,7 +73,7 @@ std::vector<Check<Answer>> checks() {
        {{"friction on your sliding foot is off the direction opposite to its slip by", "°", 1e-5},
         {"your sliding foot slips on with", "m/s", 1e-4},
         {"friction gives your sliding foot", "N s", 1e-3},
-        {"after a single iteration friction gives your sliding foot", "N s", 1e-3}},
+        {"after a single sweep friction gives your sliding foot", "N s", 1e-3}},
        [](Random& random, const Answer& answer) -> Numbers {
          Board board(random), once = board;
          const Real heading = random.between(Real(0.5), Real(0.9)), speed = random.between(3, 4);
@@ -83,10 +83,10 @@ std::vector<Check<Answer>> checks() {
          once.solve(sliding, mu, 1, answer);
          return {board.off_direction(), board.slip().norm(), board.friction().norm(), once.friction().norm()};
        }},
-      {"across the board, where it is the easiest to push, a foot stops within one iteration",
+      {"across the board, where it is the easiest to push, a foot stops within one sweep",
        1,
-       {{"after one iteration your foot, which slid across the board, slips on with", "m/s", 1e-6},
-        {"in one iteration friction gives your foot", "N s", 1e-5}},
+       {{"after one sweep your foot, which slid across the board, slips on with", "m/s", 1e-6},
+        {"in one sweep friction gives your foot", "N s", 1e-5}},
        [](Random& random, const Answer& answer) -> Numbers {
          Board board(random);
          const Real speed = random.between(1, 2);
@@ -130,7 +130,7 @@ std::vector<Mistake<Answer>> mistakes() {
   return {
       {"solved and scaled back",
        "it looks as if the 2×2 block were solved, and the result scaled back to the disc. At its fixed point friction "
-       "is opposite to K_t⁻¹u, not to u, whatever the number of iterations.",
+       "is opposite to K_t⁻¹u, not to u, whatever the number of sweeps.",
        {[](Row& one, Row& two, Real k12, Real bound) {
          const Real k11 = 1 / one.effective_mass, k22 = 1 / two.effective_mass, u1 = one.speed(), u2 = two.speed();
          const Real determinant = k11 * k22 - k12 * k12;

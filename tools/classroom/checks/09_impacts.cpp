@@ -80,7 +80,7 @@ std::vector<Check<Answer>> checks() {
       {"two balls that meet separate e times as fast as they approached",
        1,
        {{"after your rounds the two balls separate with", "m/s", 1e-6},
-        {"after your rounds and the iterations the two balls separate with", "m/s", 1e-6},
+        {"after your rounds and the sweeps the two balls separate with", "m/s", 1e-6},
         {"their row keeps an impulse of", "N s", 1e-4}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real first = random.between(3, 8), second = random.between(3, 8);
@@ -129,7 +129,7 @@ std::vector<Check<Answer>> checks() {
          const Real right = random.between(2, 4), left = random.between(2, 4);
          return solved(Line{{mass, mass, mass}, {right, 0, -left}, {e, e}}, answer).speeds;
        }},
-      {"what approaches more slowly than the threshold is left to the iterations",
+      {"what approaches more slowly than the threshold is left to the sweeps",
        1,
        {{"your balls, which approach slowly, go on with", "m/s", 1e-6}, rounds},
        [](Random& random, const Answer& answer) -> Numbers {
@@ -275,7 +275,7 @@ std::vector<Mistake<Answer>> mistakes() {
       {"never ending", never, {round_of<AlwaysAgain>}},
       {"never ending", never, {round_of<AgainForSlowOnes>}},
       {"taken back",
-       "it looks as if the iterations had taken the bounce back. They solve each row for J V = 0, and a pair that "
+       "it looks as if the sweeps had taken the bounce back. They solve each row for J V = 0, and a pair that "
        "bounces separates faster. Set row.lo = row.impulse, so that they cannot lower the sum.",
        {round_of<TakenBack>}},
       {"the approach of before the step",
@@ -297,7 +297,7 @@ std::vector<Mistake<Answer>> mistakes() {
        {round_of<EndsAtFirst>}},
       {"no threshold",
        "it looks as if there were no threshold. With e < 1 the bounces of a body that comes to rest become ever slower "
-       "and have no end. The threshold leaves them to the iterations.",
+       "and have no end. The threshold leaves them to the sweeps.",
        {round_of<NoThreshold>}},
       {"forces counted in",
        "it looks as if this step's gravity were part of the approach. The ball has not fallen by it yet, and a ball at "

@@ -141,7 +141,7 @@ std::vector<Mistake<Answer>> mistakes() {
   const std::string once =
       "it looks as if all of the frame's gravity were added before the first substep. The speed at the end is the "
       "same, "
-      "but the bodies fall at it from the start, and the first iteration has the error of a whole step to undo.";
+      "but the bodies fall at it from the start, and the first sweep has the error of a whole step to undo.";
   const std::string not_rescaled =
       "it looks as if the impulses were not rescaled. What carried a weight for `before` seconds is too much for a "
       "shorter substep, and the column is thrown up: an impulse is a force times a time.";
@@ -201,7 +201,7 @@ std::vector<Mistake<Answer>> mistakes() {
          });
        }}},
       {"nothing remembered",
-       "it looks as if every substep started from impulses of 0. One iteration is not enough then; substeps share "
+       "it looks as if every substep started from impulses of 0. One sweep is not enough then; substeps share "
        "their "
        "work only by what they remember.",
        {[](Parts& parts, Real dt, int count, Real) { always_scaled_by(0, parts, dt, count); }}},
@@ -242,7 +242,7 @@ std::vector<Mistake<Answer>> mistakes() {
       {"moved once a frame",
        "it looks as if the bodies were moved once, after the last substep. Then all substeps see the same positions: "
        "they "
-       "are iterations of one step, and no more.",
+       "are sweeps of one step, and no more.",
        {[](Parts& parts, Real dt, int count, Real before) {
          loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(h);

@@ -56,9 +56,9 @@ std::vector<Check<Answer>> checks() {
          ball.visit(row, answer);
          return {ball.speed()};
        }},
-      {"more iterations do not change that, and neither does an initial guess that was too large",
+      {"more sweeps do not change that, and neither does an initial guess that was too large",
        1,
-       {{"after eight iterations your ball, which weighs nothing and is too deep, leaves with", "m/s", 1e-6},
+       {{"after eight sweeps your ball, which weighs nothing and is too deep, leaves with", "m/s", 1e-6},
         {"after an initial guess that was too large your ball leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real depth = some_depth(random), guess = random.between(1, 2);
@@ -145,7 +145,7 @@ std::vector<Mistake<Answer>> mistakes() {
       "then, with a push-out: nothing yields under a load.";
   return {
       {"γ in the denominator only",
-       "it looks as if γ stood in the denominator only. Then each iteration pushes as if there had been none before, "
+       "it looks as if γ stood in the denominator only. Then each sweep pushes as if there had been none before, "
        "and many of them make the contact hard. The spring has yielded to the whole sum so far: JV + b + γ Σλ.",
        {[](Row& row, const Spring& spring, bool relaxing) { visit(row, spring, relaxing, {.above = 0}); }}},
       {"γ in the numerator only",
@@ -197,7 +197,7 @@ std::vector<Mistake<Answer>> mistakes() {
        "it looks as if the correction took the place of the sum. reach makes its argument the new sum: Σλ + λ.",
        {[](Row& row, const Spring& spring, bool relaxing) { visit(row, spring, relaxing, {.sum_forgotten = true}); }}},
       {"not relaxed",
-       "it looks as if the relaxing pass asked for the same as an iteration. The body keeps the push-out's speed, and "
+       "it looks as if the relaxing pass asked for the same as a sweep. The body keeps the push-out's speed, and "
        "a velocity stays.",
        {[](Row& row, const Spring& spring, bool relaxing) {
          visit(row, spring, relaxing, {.relaxed_b = 1, .relaxed_gamma = 1});

@@ -59,7 +59,7 @@ Vec3 random_corner(Random& random) {
 
 std::vector<Check<Answer>> checks() {
   return {
-      {"a ball on a rail that does not move stays on it, after a single iteration, and slides on as it did",
+      {"a ball on a rail that does not move stays on it, after a single sweep, and slides on as it did",
        2,
        {{"your ball leaves the ring with", "m/s", 1e-6},
         {"your ball leaves the plane of the rail with", "m/s", 1e-6},

@@ -52,7 +52,7 @@ std::vector<Check<Answer>> checks() {
          chain.world.step(chain.solver, chain.h, 5);
          return {chain.remembered(0)};
        }},
-      {"a gap is closed by as many iterations as a load is carried",
+      {"a gap is closed by as many sweeps as a load is carried",
        2,
        {{"the upper one of your two loads comes up with", "m/s", 1e-6},
         {"the lower one of your two loads comes up with", "m/s", 1e-6},
@@ -82,7 +82,7 @@ std::vector<Check<Answer>> checks() {
   };
 }
 
-/// A mistake: the part of b that it takes out at first, the part that it puts in then, how many iterations it adds, and which
+/// A mistake: the part of b that it takes out at first, the part that it puts in then, how many sweeps it adds, and which
 /// impulses it remembers.
 enum class Remembers { load, all, nothing };
 struct Mistaken : WarmJoints {
@@ -125,7 +125,7 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if the push were remembered. The push closes its gap within this step; the next step would begin "
       "with the same push, and throw the load up once more.";
   const std::string left_out =
-      "it looks as if the iterations of the push were left out. The load is carried, but nothing closes a gap.";
+      "it looks as if the sweeps of the push were left out. The load is carried, but nothing closes a gap.";
   const std::string sign =
       "it looks as if the push had the wrong sign. build takes β/h C out of b, and finish puts it back.";
   return {
@@ -134,19 +134,19 @@ std::vector<Mistake<Answer>> mistakes() {
       {"the push remembered", remembered, answer(none, none, as_often, Remembers::load)},
       {"its rounds left out", left_out, answer(push, push, never, Remembers::load)},
       {"one round only",
-       "it looks as if the push had one iteration only. A push has to go along the whole chain as the load did: by as "
-       "many iterations as there have been.",
+       "it looks as if the push had one sweep only. A push has to go along the whole chain as the load did: by as "
+       "many sweeps as there have been.",
        answer(
            push, push, [](int) { return 1; }, Remembers::load)},
       {"the push not put back",
-       "it looks as if b stayed without its push. The second half of the iterations then solves the same equations "
+       "it looks as if b stayed without its push. The second half of the sweeps then solves the same equations "
        "once more.",
        answer(push, none, as_often, Remembers::load)},
       {"sign of the push", sign, answer(push, negative, as_often, Remembers::load)},
       {"sign of the push", sign, answer(negative, negative, as_often, Remembers::load)},
       {"nothing remembered",
        "it looks as if nothing were remembered. Each step then carries the load from the beginning, and a heavy one is "
-       "too much for its few iterations.",
+       "too much for its few sweeps.",
        answer(push, push, as_often, Remembers::nothing)},
       {"1/h forgotten",
        "it looks as if 1/h were forgotten: β C is a length. Nearly all of the push β/h C stays in b, and is "

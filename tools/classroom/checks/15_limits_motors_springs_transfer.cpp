@@ -149,7 +149,7 @@ std::vector<Mistake<Answer>> mistakes() {
       "newton seconds are what it does in a whole second.";
   const std::string holds =
       "it looks as if the rod held its load first, and broke then. A rod cannot give more than it bears: the limits "
-      "have to be there before the first iteration.";
+      "have to be there before the first sweep.";
   const std::string pull =
       "it looks as if only a pull could be too much. A rod is pushed as well, and its impulse is then above 0: it "
       "needs both limits, and either of them breaks it.";

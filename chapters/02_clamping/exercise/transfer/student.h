@@ -7,7 +7,7 @@ namespace student {
 
 using namespace pushback;
 
-/// One iteration over the rows of a magnet: the normals of all points at which it touches. Called over and over.
+/// One sweep over the rows of a magnet: the normals of all points at which it touches. Called over and over.
 ///
 /// `force` is F, N: so much the whole magnet holds, and each of its points an equal part. `h` is the length of the step, s.
 ///

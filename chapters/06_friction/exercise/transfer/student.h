@@ -7,7 +7,7 @@ namespace student {
 
 using namespace pushback;
 
-/// Called for each of the two tangents t of a contact, in each iteration, after the normals.
+/// Called for each of the two tangents t of a contact, in each sweep, after the normals.
 ///
 /// You read   normal.impulse      Σλn of this contact, N s
 ///            surfaces.mu, .lever (m), .belt_a, .belt_b (m/s, world axes)
