@@ -65,7 +65,7 @@ link=$(tail -n 1 <<<"$ways")
 [[ $(wc -l <<<"$ways") == 4 && $link == "target_link_libraries(my_program pushback::pushback pushback::wide)" ]] ||
   wrong "README.md should show three lines of CMake and one that links, but these were found: $ways"
 
-nothing_drawn=(-DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,PkgConfig,OpenGL,Threads}=ON)
+nothing_drawn=(-DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,PkgConfig,OpenGL,Threads}"=ON")
 libraries="libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libwide.a"
 way=add_subdirectory
 sources "$(grep -o '^add_subdirectory([^)]*)' <<<"$ways" | sed "s|pushback|$scratch/pushback pushback|")" "$link"

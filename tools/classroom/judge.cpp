@@ -45,8 +45,8 @@ bool resembles(const std::vector<Quantity>& quantities, const NumbersOfScenes& r
     for (std::size_t i = 0; i < quantities.size(); ++i) {
       const Real is = scenes[scene][i], would_be = mistaken[scene][i];
       if (std::isnan(is) && std::isnan(would_be)) continue;
-      const double margin = std::max<double>(quantities[i].tolerance, std::abs(would_be - right[scene][i]) / 100);
-      if (!(std::abs(is - would_be) <= margin)) return false;
+      const double tolerated = std::max<double>(quantities[i].tolerance, std::abs(would_be - right[scene][i]) / 100);
+      if (!(std::abs(is - would_be) <= tolerated)) return false;
     }
   }
   return true;
