@@ -21,7 +21,7 @@ tries=(  # each command of ./course --help, for a moment; those that read what o
   "growth --tolerance 1e-2"
   "book --still"
   "test --book build live_page"
-  "figures -- --out /tmp/figures"
+  "figures --out /tmp/figures"
   "study --quick -- --only bounce"
   "fuzz -- --scenes 5"
   "bench detection -- --benchmark_min_time=0.01"
