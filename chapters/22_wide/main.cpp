@@ -47,8 +47,8 @@ void number_sets(Experiment& e) {
 
 int main(int argc, char** argv) {
   Experiment e("22_wide", "What can be solved side by side?");
-  SubsteppingSolver settings;
-  e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &settings.substeps);
+  int substeps = DetectedOnce{}.substeps;
+  e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &substeps);
   int base = 10;
   e.parameter({"--base", "n", "", "Boxes of the pyramid's lowest row", 1, 20}, &base);
   int tall = 40;
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
     DetectedOnce once;
     Wide<double> doubles;
     Wide<float> floats;
-    once.substeps = doubles.substeps = floats.substeps = settings.substeps;
+    once.substeps = doubles.substeps = floats.substeps = substeps;
     const auto in_three_ways = [&] {
       e.variant("chapter 21", once).with_exactly(1).coloured(0).without_curves();
       e.variant("wide, double", doubles).with_exactly(1).coloured(2).without_curves();

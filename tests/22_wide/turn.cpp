@@ -113,7 +113,7 @@ TEST_CASE("wide: what turns farther than Newton's method follows turns in the bi
   for (Body& body : turning(64, 30)) world.add(body.at({0, static_cast<Real>(5 * world.bodies.size()), 0}));
   const std::vector<Body> before = world.bodies;
   Wide<float> solver;
-  solver.displace(world, h);
+  solver.integrate_positions(world, h);
   int not_followed = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     Turning<Real> eight = eight_of(before, i / lanes_of_bundle * lanes_of_bundle);
