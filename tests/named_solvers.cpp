@@ -44,7 +44,8 @@ TEST_CASE("named solvers: each has a name of its own, and says what it is made o
   CHECK(solver_named("00 naive").made_of() == "NaiveAveraged");
   CHECK(solver_named("03 Baumgarte").made_of() == "Solver<Joints, Clamping, Baumgarte>");
   CHECK(solver_named("all together").made_of() ==
-        "RelaxingSolver<SteadyJoints, Clamping, SoftContacts, SimultaneousImpacts, FrictionCone, ScaledWarmStart>");
+        "Substeps<RelaxingSolver<SteadyJoints, Clamping, SoftContacts, SimultaneousImpacts, FrictionCone, "
+        "ScaledWarmStart> >");
 }
 
 TEST_CASE("named solvers: a name that there is not is refused with those that there are") {
@@ -84,7 +85,7 @@ TEST_CASE("any solver: is asked before the step, in it, and after the bodies hav
   std::vector<std::string> asked;
   AnySolver any = Watching(asked);
   world.step(any, h, 7);
-  CHECK(asked == std::vector<std::string>{"check at 0", "solve at 0, 7 sweeps", "after move at 1/60"});
+  CHECK(asked == std::vector<std::string>{"check at 0", "solve at 0, 7 sweeps", "moved at 1/60"});
   world.joints = {ball_and_socket(world, the_world, ball, {0, 0, 0})};
   AnySolver without_joints = FullSolver{};
   CHECK(complaint([&] { world.step(without_joints, h); }).find("holds no joints") != std::string::npos);

@@ -31,7 +31,7 @@ namespace pushback {
 struct PushedApart : Effect {
   Real speed = Real(0.5);  ///< m/s
 
-  void build(Step& step) {
+  void build(StepContext& step) {
     for (Row& row : step.rows) row.bias = speed;
   }
 };

@@ -291,7 +291,7 @@ stand_in apt-get 'case " $* " in
   *" emscripten "*) printf "#!/bin/sh\n" >"${0%/*}/em++"; chmod +x "${0%/*}/em++" ;;
 esac'
 stand_in chmod 'exec /bin/chmod "$@"'
-course book && expect 0 "  emscripten cmake" "cmake --build --preset wasm" "node book/build.js" && expect_not "conflicts"
+course book && expect 0 "  emscripten cmake" "cmake --build --preset wasm" "node tools/book/build.js" && expect_not "conflicts"
 rm -f "$scratch/bin/em++"
 CI=true course test --book live_page && expect 0 "  emscripten cmake" "--target page_04_slop wide" && expect_not "conflicts"
 rm -f "$scratch/bin/"{em++,chmod}

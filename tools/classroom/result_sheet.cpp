@@ -29,11 +29,11 @@ constexpr Real off_the_strip = 4;  // times as far as what is right and the mist
 struct Compared {
   const Exercise::Line& check;
   Passed passed;
-  Scenes right, yours, mistaken;
+  NumbersOfScenes right, yours, mistaken;
 };
 
 /// The number, if it was sent.
-std::optional<Real> sent(const Scenes& scenes, std::size_t scene, std::size_t quantity) {
+std::optional<Real> sent(const NumbersOfScenes& scenes, std::size_t scene, std::size_t quantity) {
   if (scene >= scenes.size() || quantity >= scenes[scene].size()) return std::nullopt;
   return scenes[scene][quantity];
 }
@@ -185,7 +185,7 @@ class Drawing {
 };
 
 /// Behind the quantities of the first scene.
-Curve curve_of(const Scenes& scenes, const Exercise::Line& check, std::size_t length, const std::string& label,
+Curve curve_of(const NumbersOfScenes& scenes, const Exercise::Line& check, std::size_t length, const std::string& label,
                const std::string& colour, Curve::Style style) {
   Curve curve{.label = label, .x = {}, .y = {}, .colour = colour, .style = style};
   for (std::size_t i = 0; !scenes.empty() && i < length; ++i) {
@@ -229,8 +229,8 @@ bool write_result_sheet(const fs::path& file, const Exercise& exercise, std::uin
   std::vector<Compared> checks;
   for (std::size_t i = 0; i < exercise.checks.size(); ++i)
     checks.push_back({exercise.checks[i], verdict.checks[i], scenes_of(exercise.right, seed, i),
-                      i < outcome.numbers.size() ? outcome.numbers[i] : Scenes{},
-                      verdict.resembles ? scenes_of(verdict.resembles->played, seed, i) : Scenes{}});
+                      i < outcome.numbers.size() ? outcome.numbers[i] : NumbersOfScenes{},
+                      verdict.resembles ? scenes_of(verdict.resembles->played, seed, i) : NumbersOfScenes{}});
   const std::string title = short_name(exercise) + ": " + exercise.title;
   static std::mutex one_at_a_time;  // letters are laid out in one place for all
   const std::lock_guard guard(one_at_a_time);

@@ -7,6 +7,7 @@
 #include "pushback/chapters/06_friction/scenes.h"
 #include "pushback/chapters/08_friction_cone/scenes.h"
 #include "pushback/chapters/10_position_correction/scenes.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
@@ -24,8 +25,8 @@ constexpr Real h = Real(1) / 60;
 FrozenProblem frozen(const std::string& name, const std::function<void(World&)>& fill, Real seconds, int parts = 32) {
   World world;
   fill(world);
-  SteadySolver solver;
-  for (int step = 0; static_cast<Real>(step) * h < seconds; ++step) substeps(world, solver, h, parts);
+  Substeps<SteadySolver> solver({}, parts);
+  for (int step = 0; static_cast<Real>(step) * h < seconds; ++step) world.step(solver, h);
   world.begin_step(h);
   return {name, problem_of(world), factor_of(world)};
 }

@@ -148,7 +148,10 @@ struct FeltWhole : Full {
 
  private:
   void feel(World& world) {
-    for (std::size_t i = 0; i < world.contacts.size(); ++i) Full::write_back(world.contacts[i], i);
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+      Full::write_back(world.contacts[i], i);
+      world.contacts[i].impulse = world.contacts[i].last_impulse;  // of this substep
+    }
     watcher->feel(world);
   }
 };

@@ -29,7 +29,7 @@ void Play::step(Real dt) {
   }
   trial_->seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   ++trial_->steps_;
-  watcher_.look(world, dt, trial_->stage_->substeps);
+  watcher_.look(world, dt, trial_->stage_->substeps(dt));
   if (trial_->broken_.empty()) trial_->broken_ = watcher_.broken();
   if (trial_->broken_.empty() && !sound_) trial_->broken_ = said;
   for (const Body& body : world.bodies) sound_ = sound_ && body.position.allFinite() && body.velocity.allFinite();

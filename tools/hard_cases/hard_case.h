@@ -58,7 +58,7 @@ class Trial {
                     const std::function<Allowance(const World&)>& allowance_of);
 
   /// The step by which the stage moves bodies: dt, or what it divides dt into.
-  Real substep(Real dt = Real(1) / 60) const { return dt / static_cast<Real>(stage_->substeps); }
+  Real substep(Real dt = Real(1) / 60) const { return dt / static_cast<Real>(stage_->substeps(dt)); }
   /// False once a number in any of its worlds was not finite, or one of them was refused.
   bool sound() const { return sound_; }
   const std::string& broken() const { return broken_; }

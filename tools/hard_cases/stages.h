@@ -19,6 +19,9 @@ struct Stage : NamedSolver {
   /// From so many starts at most is a case played: what takes long is played once.
   int most_starts = std::numeric_limits<int>::max();
 
+  /// Into how many it divides a step of dt.
+  int substeps(Real dt = Real(1) / 60) const { return solver.plan(dt).all_substeps(); }
+
   Stepper begin() const;
   Stepper begin_doubled() const;  ///< the same, with every contact given to the solver twice
 };

@@ -6,9 +6,8 @@ namespace pushback::exercise_10 {
 
 namespace {
 
-struct Asked : Effect {
+struct Asked : Effect, Corrects {
   Answer answer{};
-  void build(CorrectingContext&) {}
   void correct(CorrectingContext& step) { answer.correct(step); }
 };
 
