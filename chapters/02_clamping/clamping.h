@@ -12,8 +12,8 @@ struct Clamping : Effect {
   }
 };
 
-/// The mistake to avoid: each correction clamped, lambda >= 0. The sum may then never come back down, as if its lower
-/// limit were wherever it has got to.
+/// The mistake to avoid: each correction is clamped, lambda >= 0, not the sum. The sum can then only grow, although a later
+/// sweep may find that it is too large.
 struct ClampingEachCorrection : Clamping {
   void sweep(StepContext& step) {
     for (Row& row : step.rows) row.lo = row.impulse;

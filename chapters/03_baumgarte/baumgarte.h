@@ -1,4 +1,4 @@
-/// Feed the overlap back as a wanted speed: the part beta of it should be gone after one step.
+/// The overlap is fed back as a wanted speed, at which the part beta of it is gone after one step.
 #pragma once
 
 #include "pushback/chapters/02_clamping/clamping.h"

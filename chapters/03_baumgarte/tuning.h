@@ -35,8 +35,8 @@ struct Tuning {
   Real unstable_from = 0;  ///< the least beta that was unstable; 0: none up to 2 was
 };
 
-/// `unstable`: the jitter of a stack of three, m/s, from which on its motion is called so; with sweeps enough that it is beta
-/// alone which is to blame.
+/// `unstable`: the jitter of a stack of three, m/s, above which its motion is called unstable. The stack gets so many sweeps
+/// that beta alone can be the cause.
 inline Tuning tune_beta(Real unstable, Real dt) {
   Tuning tuning{.panel = {.title = "raise β until a stack of three is unstable, use half",
                           .x_label = "β",

@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// C -> min(0, C + slop).   In `adjust_separation`, so that whatever makes a bias of C in `build` finds it done.
+/// C -> min(0, C + slop).   In `adjust_separation`, the hook before `build`, where effects make their bias of C.
 struct Slop : Effect {
   Real slop = Real(0.005);  ///< m
 

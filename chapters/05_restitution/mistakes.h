@@ -15,7 +15,8 @@ struct RestitutionAdded : Effect {
   }
 };
 
-/// Half a mistake: an approach speed that already has in it the gravity of this step, which the ball has not fallen by.
+/// Half a mistake: the speed of approach is read after this step's gravity has been added, and the ball has not fallen by that
+/// gravity yet.
 struct RestitutionWithGravity : Effect {
   Real threshold = 0;
   void build(StepContext& step) {
@@ -27,7 +28,7 @@ struct RestitutionWithGravity : Effect {
   }
 };
 
-/// Kept apart: the sweeps stop the approach and push out; when they are done, a pass of its own makes the contacts bounce.
+/// The bounce in a pass of its own: the sweeps stop the approach and push out; after the last sweep this pass adds the bounce.
 struct RestitutionApart : Effect {
   std::vector<Real> departure;
   void build(StepContext& step) {

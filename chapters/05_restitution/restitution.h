@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// v_n before the step: before any impulse of it, and before its gravity, which the body has not yet fallen by.
+/// v_n before the step: before any of its impulses, and before its gravity, by which the body has not fallen yet.
 inline Real approach_speed(const World& world, const Contact& at) {
   const auto [a, b] = world.bodies_of(at);
   const auto before = [&](const Body& body) -> Vec3 {
@@ -14,9 +14,9 @@ inline Real approach_speed(const World& world, const Contact& at) {
   return (before(b) - before(a)).dot(at.normal);
 }
 
-/// b = min(b, e v_n): whichever asks for more, the bounce or the push-out; not their sum.
+/// b = min(b, e v_n): the larger of bounce and push-out, not their sum.
 struct Restitution : Effect {
-  Real threshold = Real(0.1);  ///< m/s; what arrives slower stays
+  Real threshold = Real(0.1);  ///< m/s; a body that arrives slower does not bounce
 
   void check(StepContext&) { require_not_negative("threshold", threshold); }
   void build(StepContext& step) {

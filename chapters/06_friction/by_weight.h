@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// The lecture's bound: mu m g, whatever the contact carries. Each point is given its share of the lighter body's mass.
+/// The lecture's bound: mu m g, whatever load the contact carries. m is the lighter body's mass, divided among the pair's points.
 struct FrictionByWeight : Friction {
   std::vector<Real> bound;
   void build(StepContext& step) {

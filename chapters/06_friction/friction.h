@@ -1,4 +1,4 @@
-/// Friction holds the contact point still, as far as the normal impulse lets it.
+/// Friction stops the slip at a contact point, by an impulse that the normal impulse bounds.
 #pragma once
 
 #include "pushback/chapters/05_restitution/restitution.h"
@@ -21,7 +21,7 @@ struct Friction : Effect {
       mu_.push_back(at.friction);
     }
   }
-  /// The bound follows the normal impulse of this very sweep.
+  /// The bound is mu times the normal impulse that this sweep has just found.
   void sweep(StepContext& step) {
     Row* tangent = step.rows.data() + first_;
     for (std::size_t i = 0; i < mu_.size(); ++i) {

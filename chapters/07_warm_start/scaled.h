@@ -1,17 +1,18 @@
-/// Last step's answer, as much of it as helps.
+/// A warm start scaled down where all of it would be too much.
 #pragma once
 
 #include "pushback/chapters/07_warm_start/warm_start.h"
 
 namespace pushback {
 
-/// Instead of WarmStart. An impact is over in one step: to start the next one from its impulses would strike again. What the
-/// rows are to make small, and what no sweep over the normals raises, is
+/// Instead of WarmStart. An impact is over in one step: if the next step started from its impulses, it would strike again. The
+/// sweeps minimise, and no sweep over the normals raises,
 ///
 ///   f(lambda) = lambda . A lambda / 2 + lambda . (J V + b),   A = J M^-1 J^T
 ///
 /// Along s lambda its slope is lambda . (J V + b) at s = 0, and at s = 1 the same with the velocities that the guess leaves;
-/// f is their mean. (What gives way adds to A and to b.) Where the guess is worse than none, f > 0, only the best part of it is applied: s where the slope is 0.
+/// f is the mean of both. (Softness adds to A and to b.) If f > 0, the guess is worse than none; then only a part s of it is
+/// applied, with the s at which the slope is 0.
 struct ScaledWarmStart : WarmStart {
   void start(auto& step) {
     Rows& rows = step.rows;

@@ -1,4 +1,4 @@
-/// Start from where the last step ended: what held a contact then will very nearly hold it now.
+/// A step starts from the impulses with which the last one ended: they very nearly solve this one, too.
 #pragma once
 
 #include "pushback/chapters/06_friction/friction.h"
@@ -7,9 +7,9 @@ namespace pushback {
 
 /// sum(lambda) starts from what the same contact point had one step before, scaled by dt_new / dt_old.
 ///
-/// A contact keeps its impulse as a vector in world axes. `build` finds the points of the step before by their ids; each row
-/// takes the part along its own direction, so nothing has to be said of normals and tangents, and tangents may turn from
-/// step to step.
+/// A contact keeps its impulse as a vector in world axes. `build` finds the points of the step before by their ids. Each row
+/// takes the component along its own direction, so normals and tangents are treated alike, and tangents may turn from step to
+/// step.
 struct WarmStart : Effect {
   void build(StepContext& step) {
     const Contacts &contacts = step.contacts, &before = step.world.contacts_before;

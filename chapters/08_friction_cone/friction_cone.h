@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// What an impulse along one tangent does to the speed along each: the tangents' 2 x 2 block of J M^-1 J^T, 1/kg.
+/// The tangents' 2 x 2 block of J M^-1 J^T, 1/kg: how an impulse along one tangent changes the speed along each.
 /// Symmetric, and positive definite where at least one of the bodies moves.
 struct TangentBlock {
   Real k11, k12, k22;
@@ -19,18 +19,18 @@ struct TangentBlock {
 
 /// Instead of Friction.   |(sum(lambda_1), sum(lambda_2))| <= mu sum(lambda_n)
 ///
-/// Both rows take one step of the same size, and what leaves the disc is drawn back to its edge, towards the centre:
+/// Both rows take a step of the same size. A sum outside of the disc is projected to the nearest point of its edge:
 ///
 ///   (lambda_1, lambda_2) <- P_disc( (lambda_1, lambda_2) - (J_1 V, J_2 V) / k ),   k: the block's larger eigenvalue
 ///
-/// Where that changes nothing any more, what slides is rubbed exactly against its motion. With a step for each row, or one
-/// that solves the block, the point where nothing changes is another one (scaled_back.h).
+/// At a fixed point of this iteration, friction opposes the slip exactly. With a step of its own for each row, or one that
+/// solves the block, the fixed point is another one (scaled_back.h).
 struct FrictionCone : Friction, UpdatesGeometry {
   void build(StepContext& step) {
     Friction::build(step);
     update_geometry(step);
   }
-  /// A step of more than 1 / k can overshoot, and feed energy in: k is that of the rows as they are now.
+  /// A step larger than 1 / k can overshoot, and feed energy in. So k is computed anew whenever the rows have moved.
   void update_geometry(StepContext& step) {
     step_sizes_.clear();
     for (std::size_t i = 0; i < mu_.size(); ++i)

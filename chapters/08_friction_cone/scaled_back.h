@@ -5,11 +5,11 @@
 
 namespace pushback {
 
-/// Looks better than one step of 1/k: both speeds would be exactly 0 if it were not for the disc.
+/// It looks better than one step of 1/k: without the disc, both speeds would be exactly 0.
 ///
 ///   (lambda_1, lambda_2) <- P_disc( (lambda_1, lambda_2) - K_t^-1 (J_1 V, J_2 V) ),   K_t: the tangents' 2 x 2 block
 ///
-/// Where it slides and nothing changes any more, friction is opposite to K_t^-1 u, not to the slip u.
+/// At its fixed point a sliding contact has friction opposite to K_t^-1 u, not to the slip u.
 struct FrictionScaledBack : FrictionCone {
   void build(StepContext& step) {
     Friction::build(step);

@@ -1,22 +1,22 @@
-/// A body is detected below the surface: its bounce, computed as if from the surface.
+/// The bounce of a body that is detected below the surface, computed as if it were at the surface.
 #pragma once
 
 #include "pushback/chapters/05_restitution/restitution.h"
 
 namespace pushback {
 
-/// Instead of Restitution. A step finds the bodies already at a depth d, faster than they touched, and what rises from
-/// there loses speed before it is out again. With e < 1 the two errors do not cancel. What falls and rises by steps of
+/// Instead of Restitution. A step detects a body when it is already at a depth d, and faster than when it touched. On its way
+/// out it loses speed again. With e < 1 the two errors do not cancel. A body that falls and rises in steps of
 ///
 ///   v += h a,  x += h v        keeps  S = u^2 / 2 - a d + h a u / 2        u: the speed of approach, a: how forces press
 ///
-/// and 2 S is the square of the speed at the surface, where d = 0. The bounce is to leave e^2 of it:
+/// and 2 S is the square of its speed at the surface, where d = 0. The bounce has to leave e^2 of that:
 ///
 ///   v = -h a / 2 + sqrt((h a / 2)^2 + 2 (e^2 S + a d))          which is e u where nothing presses, and u where e = 1
 ///
-/// What bounces leaves by itself: it gets no push-out.
+/// A contact that bounces gets no push-out: it leaves by itself.
 struct RestitutionFromSurface : Effect {
-  Real threshold = Real(0.1);  ///< m/s; what arrives slower stays
+  Real threshold = Real(0.1);  ///< m/s; a body that arrives slower does not bounce
 
   void check(StepContext&) { require_not_negative("threshold", threshold); }
   void build(StepContext& step) {

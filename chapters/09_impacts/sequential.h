@@ -6,12 +6,12 @@
 namespace pushback {
 
 /// Instead of Restitution, and like it before WarmStart. Every pair that approaches bounces as if nothing else touched it,
-/// again and again until none approaches:   lambda = -(v_n + e v_n) / K,   v_n: at its turn, without this step's forces.
+/// again and again until no pair approaches:   lambda = -(v_n + e v_n) / K,   v_n: when it is solved, without this step's forces.
 ///
 /// Simultaneous and sequential impacts both obey Newton's rule, and differ. A ball that hits a row of equal ones sends off all
 /// of them if the impacts are simultaneous, and only the last if they are sequential. Steel balls are closer to sequential.
 struct SequentialImpacts : Effect {
-  Real threshold = Real(0.1);  ///< m/s; what arrives slower stays
+  Real threshold = Real(0.1);  ///< m/s; a body that arrives slower does not bounce
   int most_rounds = 1000;      ///< then the sweeps have to do with what is left
 
   void check(StepContext&) { require_not_negative("threshold", threshold); }

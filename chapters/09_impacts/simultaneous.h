@@ -5,8 +5,8 @@
 
 namespace pushback {
 
-/// Like RestitutionFromSurface; but in a step in which something bounces, each sweep goes over the normals as often as it
-/// takes. An impact lasts one step: what its sweeps leave unsolved, no later step makes up for. In the list before Friction.
+/// Like RestitutionFromSurface; but in a step in which a contact bounces, each sweep repeats the normals until they are solved.
+/// An impact lasts one step, so no later step corrects what its sweeps leave unsolved. In the list before Friction.
 ///
 /// The counterpart of SequentialImpacts: a row of equal balls that touch, hit with 5 m/s, leaves with -3, 2, 2, 2, 2 m/s.
 struct SimultaneousImpacts : RestitutionFromSurface {

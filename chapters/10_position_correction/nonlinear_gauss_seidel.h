@@ -14,11 +14,12 @@ namespace pushback {
 ///   lambda = -beta C / K,  where C < 0    K: as the bodies lie now
 ///   x += M^-1 J^T lambda,  q likewise     and v, w are what they were
 ///
-/// What one contact does, the next one sees. Nothing is accumulated: a push that went too far is left to the other side.
+/// Each contact sees the positions that the one before it has left. Nothing is accumulated, so a correction that went too far
+/// is undone only by the contact on the body's other side.
 /// Catto, Box2D 2.4, b2ContactSolver::SolvePositionConstraints, where it is called non-linear Gauss-Seidel.
 struct NonlinearGaussSeidel : Effect, Corrects {
   Real beta = Real(0.2);   ///< of 0 ... 1: how much of the overlap one round takes away
-  Real most = Real(0.05);  ///< m; no contact asks for more in one step
+  Real most = Real(0.05);  ///< m; no contact corrects more in one step
   int rounds = 3;
 
   void check(StepContext&) {
@@ -59,8 +60,8 @@ struct NonlinearGaussSeidel : Effect, Corrects {
   }
 
   std::vector<SurfacePoints> touching_;
-  Real allowed_ = 0;      // m, the greatest depth that did not count as overlap: where anything did, that is the slop
-  bool overlap_ = false;  // whether anything did
+  Real allowed_ = 0;      // m, the largest depth that did not count as overlap: the slop, where some contact did
+  bool overlap_ = false;  // whether some contact did
 };
 
 }  // namespace pushback

@@ -16,7 +16,7 @@ namespace pushback {
 /// Cline and Pai, "Post-Stabilization for Rigid Body Simulation with Contact and Constraints", ICRA 2003.
 struct SplitImpulse : Effect, Corrects {
   Real beta = Real(0.2);   ///< of 0 ... 1: how much of the overlap one step takes away
-  Real most = Real(0.05);  ///< m; no contact asks for more in one step
+  Real most = Real(0.05);  ///< m; no contact corrects more in one step
   int rounds = 10;         ///< sweeps over the pseudo-velocities
 
   void check(StepContext&) {
@@ -53,7 +53,7 @@ struct SplitImpulse : Effect, Corrects {
     Body* of;
     Vec3 velocity, angular_velocity;
   };
-  /// So that a row, which knows its bodies' velocities only, finds V' = 0 there. Each body once.
+  /// A row reads its bodies' velocities, so V' = 0 is written there for the rounds. Each body once.
   void set_velocities_aside() {
     aside_.clear();
     for (const Row& push : pushes_) {

@@ -9,7 +9,8 @@ namespace pushback {
 ///
 ///   r_A x n += s m,   r_B x n -= (1 - s) m      so J V changes by  -s m . w_A - (1 - s) m . w_B
 ///
-/// The larger part to whom it turns less: then J V stays, and what rolls is not braked. `way`: by how much x_B - x_A has grown, m.
+/// The body that turns less gets the larger part: then J V stays, and a rolling body is not braked. `way`: by how much
+/// x_B - x_A has grown, m.
 inline void carry(Row& row, const Vec3& way) {
   const Vec3 m = way.cross(row.n);
   const Real of_a = std::abs(m.dot(row.a->angular_velocity)), of_b = std::abs(m.dot(row.b->angular_velocity));

@@ -13,14 +13,15 @@ namespace pushback {
 ///   J V + b + gamma lambda = 0                               the two of them, taken at the end of the step: implicitly
 ///   gamma = 1 / (h (c + h k)),  b = k / (c + h k) C          stable, however stiff
 ///
-/// A contact that carries the force F rests where k d = F. So it needs no slop: what carries, overlaps.
+/// A contact that carries the force F rests at the depth d with k d = F. So a contact that carries a load overlaps, and no slop
+/// is needed.
 /// Catto, "Soft Constraints", GDC 2011; relaxing as in Catto, "Solver2D", 2024.
 struct SoftContacts : Effect, Relaxes {
   Real hertz = 240;           ///< of the spring; see angular_frequency
   Real damping_ratio = 5;     ///< zeta; 1: critical
-  Real fastest_push_out = 3;  ///< m/s; what is deep inside is not to be shot out
+  Real fastest_push_out = 3;  ///< m/s; so that a body deep inside another is not shot out
 
-  /// w in steps of dt, rad/s. A spring needs some steps for an oscillation: at most one in eight of them is used.
+  /// w in steps of dt, rad/s. An oscillation has to take eight steps at least, so stiffer springs are softened to that.
   Real angular_frequency(Real dt) const { return 2 * pi * std::min(hertz, 1 / (8 * dt)); }
 
   void check(StepContext&) {
@@ -41,7 +42,7 @@ struct SoftContacts : Effect, Relaxes {
       apart_[i] = rows[i].b->position - rows[i].a->position;
     }
   }
-  /// What bounces leaves by itself; all else is pushed out.
+  /// Every contact that does not bounce is pushed out.
   void start(RelaxingContext& step) {
     Rows& rows = step.rows;
     bounce_.resize(rigid_mass_.size());
@@ -55,9 +56,9 @@ struct SoftContacts : Effect, Relaxes {
       rows[i].effective_mass = rigid_mass_[i] / (1 + gamma_by_K_);  // 1 / (K + gamma)
     }
   }
-  /// What was pushed has moved. What is left of that speed would be energy fed in: b = 0, or the bounce, and gamma = 0.
+  /// The push-out has moved the bodies. Its speed, if it stayed, would be energy fed in: so b = 0, or the bounce, and gamma = 0.
   ///
-  /// To leave angular momentum alone, impulses have to act on both bodies at one point, by the inertias that they have now.
+  /// Angular momentum is conserved only if an impulse acts on both bodies at one point, with the inertias that they have now.
   void relax(RelaxingContext& step) {
     Rows& rows = step.rows;
     for (Row& row : rows) carry(row, row.b->position - row.a->position - apart_[row.owner]);

@@ -9,8 +9,8 @@
 
 namespace pushback {
 
-/// For 32 substeps of one sweep in 1/60 s. A pair of heavy on light, an impact, a tall stack, a slide at any heading:
-/// what it holds, and which hard cases it does not, is in docs/hard_cases.md under "all together".
+/// For 32 substeps of one sweep in 1/60 s. Which hard cases it passes (heavy on light, impacts, tall stacks, slides in any
+/// direction), and which it does not, is in docs/hard_cases.md under "all together".
 using SteadySolver = RelaxingSolver<Clamping, SoftContacts, SimultaneousImpacts, FrictionCone, ScaledWarmStart>;
 
 }  // namespace pushback

@@ -7,7 +7,7 @@
 
 namespace pushback {
 
-/// C = P_B - P_A, along the three axes of the world, of the points of both bodies that are `anchor` as they stand now.
+/// C = P_B - P_A, along the three axes of the world. P_A and P_B are the points of A and B that are at `anchor` now.
 struct Anchor {
   Vec3 on_a, on_b;  ///< m, body axes
 

@@ -5,8 +5,8 @@
 
 namespace pushback {
 
-/// A direction s that A carries and a direction u that B carries stay perpendicular. What is missing of a right angle turns
-/// about k, which is perpendicular to both:
+/// A direction s that A carries and a direction u that B carries stay perpendicular. The angle C by which they are not is
+/// measured about k, which is perpendicular to both:
 ///
 ///   tan C = s . u / |u x s|,   C' = (w_B - w_A) . k,   k = u x s / |u x s|
 ///

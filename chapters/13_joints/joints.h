@@ -1,4 +1,4 @@
-/// What joints ask for becomes rows, and rows are all that a solver knows.
+/// Each equation of a joint becomes a row, and rows are all that a solver knows.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/solver.h"
@@ -12,11 +12,11 @@ namespace pushback {
 ///   J V + b + (beta / h) C = 0,   sum(lambda) in h [lo, hi]          the equation's limits are forces, the row's impulses
 ///
 /// The feedback is that of an equality: it follows (1 - beta)^k (chapter 03). With beta = 0 joints drift apart.
-/// Joints of which nothing can move, or is awake, ask for nothing.
+/// A joint has no rows where neither of its bodies can move, or both sleep.
 struct Joints : Effect, HoldsJoints, UpdatesGeometry {
   Real beta = Real(0.2);  ///< of 0 ... 1: how much of C one step takes away
 
-  /// What a joint asks for may be refused, so all are asked before anything has changed.
+  /// A joint may refuse to make its equations, so all of them are made before anything has changed.
   void check(StepContext& step) {
     require_not_negative("beta of the joints", beta);
     ask(step);
@@ -36,14 +36,14 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
         row.hi = step.dt * equation->hi;
       }
     }
-    asked_.clear();  // those answers are used up
+    asked_.clear();  // those equations are used up
   }
   void sweep(StepContext&) {
     for (JointRow& row : joint_rows_) row.solve();
     rows_solved += joint_rows_.size();
   }
   /// Only under a solver that relaxes (chapter 12): the same equations where the bodies are now, and C is not fed back.
-  /// Springs stay as they were: what they add to the speeds is meant.
+  /// Springs stay as they were: the speed that they add is wanted.
   void update_geometry(StepContext& step) {
     ask(step);
     for (std::size_t i = 0; i < joint_rows_.size(); ++i) {

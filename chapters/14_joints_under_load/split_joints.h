@@ -5,8 +5,8 @@
 
 namespace pushback {
 
-/// In the place of WarmJoints. A warm start adds up: from step to step, lambda goes on by -(J V + b) / K. With (beta / h) C
-/// in b it adds up C as well, and a regulator that does may swing ever higher. Where the sweeps of a step leave the part rho
+/// In the place of WarmJoints. With a warm start, lambda is a sum over the steps: each adds -(J V + b) / K. With (beta / h) C
+/// in b the sum integrates C as well, and such a feedback may oscillate ever more. If the sweeps of a step leave the part rho
 /// of an error, joints settle only while beta < (1 - rho) / rho.
 ///
 /// So the sweeps solve J V + b = 0, and that is remembered. Only then are the rows swept as often again, with (beta / h) C:

@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// In the place of Joints. A joint asks for as many equations in every step: the n-th is known by its place.
+/// In the place of Joints. A joint has as many equations in every step, so the n-th is the same one as in the step before.
 struct WarmJoints : Joints {
   void start(StepContext& step) {
     const Real scale = step.world.impulse_scale(step.dt);

@@ -10,7 +10,7 @@
 
 namespace pushback {
 
-/// Whether the answer can be yes where those of `Called` are.
+/// Whether a scene can answer yes to `Question` if it has answered yes to exactly those of `Called` so far.
 template <class Question, class Called>
 constexpr bool possible = true;
 template <class Question, class Called>
@@ -100,7 +100,7 @@ class FittingSolver : public ForwardingSolver {
   std::unique_ptr<AnyHolder> holder_;
 };
 
-/// Everybody, in a scene in which perhaps nothing can touch.
+/// All bodies take part; contacts are detected only if the scene has bodies that can touch.
 struct EverybodyFitting : Everybody {
   bool touching = true;
   void find_contacts(World& world, const Margin& margin = {}) const {

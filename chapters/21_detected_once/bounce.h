@@ -1,4 +1,4 @@
-/// A bounce within a substep.
+/// How a body bounces within one substep.
 #pragma once
 
 #include <algorithm>

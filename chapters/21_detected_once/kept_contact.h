@@ -42,8 +42,8 @@ ContactState state_of(bool known, Scalar friction, Scalar pushed, Scalar rubbed1
   return held ? ContactState::sticking : ContactState::sliding;
 }
 
-/// An impulse of the step before, N s, drawn into the cone of friction about a normal that may have turned: a substep in which
-/// something bounces ends with what it started from.
+/// An impulse of the step before, N s, projected into the friction cone about a normal that may have turned since: a substep in
+/// which a contact bounces restores the impulses that it started from, so nothing else would do that.
 inline Vec3 within_cone(const Vec3& impulse, const Vec3& n, Real friction) {
   const Real pressed = std::max(Real(0), impulse.dot(n));
   const Vec3 rubbed = impulse - impulse.dot(n) * n;
@@ -88,8 +88,8 @@ struct KeptContact {
     carried_ = apart;
     found += C - separation(bodies);  // as near as they were
   }
-  /// Before the bodies move. What is apart may come as near as it is, JV + C/h >= 0; what would arrive in this substep and
-  /// bounces, bounces now; what overlaps is a spring.
+  /// Before the bodies move: what the normal row asks for in this substep. A contact that is apart may close its gap,
+  /// JV + C/h >= 0; one that would arrive in this substep, and bounces, bounces now; one that overlaps is a spring.
   void prepare_substep(const std::vector<KeptBody>& bodies, const PushOut& push_out, Real h) {
     const Real C = separation(bodies), approach = restitution > 0 ? speed_before() : 0;
     const Real wanted = push_out.rate * C;
@@ -102,10 +102,10 @@ struct KeptContact {
     else if (wanted < -push_out.fastest) ask(-push_out.fastest, 0);
     else ask(wanted, push_out.gamma_by_K);
   }
-  /// Once they have moved: no push-out any more (chapter 12). What was apart may be as fast as it was: with C/h of where it is now
-  /// it would be stopped before it arrives, and not bounce.
+  /// After the bodies have moved: no push-out any more (chapter 12). A contact that was apart keeps its bias C/h: with the C of
+  /// now it would be stopped before it arrives, and would not bounce.
   void relax() { ask(bounce < 0 ? bounce : std::max(normal.bias, Real(0)), 0); }
-  /// By how much it changed the speed, m/s.
+  /// Returns by how much it changed the speed along the normal, m/s.
   Real solve_normal() {
     const Real before = normal.impulse;
     normal.reach(before - mass * (normal.speed() + (normal.bias + softness * before)));
@@ -137,7 +137,7 @@ struct KeptContact {
     tangent1.impulse = within.dot(tangent1.n);
     tangent2.impulse = within.dot(tangent2.n);
   }
-  /// What its impulses give its two bodies, `times` over.
+  /// Adds to both bodies' `given` what this contact's impulses give them, `times` over.
   void give(std::vector<KeptBody>& bodies, Real times) const {
     for (const Row* row : {&normal, &tangent1, &tangent2}) {
       const Real impulse = times * row->impulse;
@@ -145,9 +145,9 @@ struct KeptContact {
       bodies[b].gets(impulse * row->dvb, impulse * row->dwb);
     }
   }
-  /// Before the sweeps of a substep: where it starts from.
+  /// Before the sweeps of a substep: the impulses from which it starts.
   void save_impulses() { start_ = {normal.impulse, tangent1.impulse, tangent2.impulse}; }
-  /// From there the next one is to start as well.
+  /// The next substep starts from the same impulses.
   void restore(std::vector<KeptBody>& bodies) {
     give(bodies, -1);
     normal.impulse = start_.x(), tangent1.impulse = start_.y(), tangent2.impulse = start_.z();
@@ -155,8 +155,8 @@ struct KeptContact {
   }
 
  private:
-  /// m/s: a row that asks for no more than this does nothing. What something else throws at a bouncy neighbour within this substep
-  /// would be stopped by C/h, and bounces in the next one instead.
+  /// m/s: with such a bias a row does nothing. A bouncy body that is thrown at another within this substep bounces in the next one;
+  /// with the bias C/h it would be stopped instead.
   static constexpr Real free = Real(1e9);
 
   Vec3 carried_ = Vec3::Zero();  // what B had moved past A, m, when the rows were placed

@@ -331,7 +331,8 @@ void Wide<Scalar>::moved(World& world, Real h) {
   joints.report(step);
 }
 
-/// Two that pass each other so fast are not both slower than half of that.
+/// Rows are carried along with bodies that pass each other fast enough. Two bodies with a relative speed of `carried_from` are not
+/// both slower than half of that, so where all bodies are, there is nothing to do.
 template <class Scalar>
 void Wide<Scalar>::carry() {
   const Real least = carried_from * carried_from / 4;
@@ -348,7 +349,8 @@ void Wide<Scalar>::carry() {
   });
 }
 
-/// Velocities are copied here, and what the contacts have added to them back: what nothing pushes keeps its bits.
+/// Velocities are copied into lanes, and only what the contacts have added is copied back: the velocity of a body on which no
+/// contact acts keeps its bits.
 template <class Scalar>
 void Wide<Scalar>::sweep(StepContext& step, void (*friction_pass)(const Bundles<Scalar>&)) {
   joints.sweep(step);
@@ -389,7 +391,7 @@ void Wide<Scalar>::done(World& world) {
   std::erase_if(world.contacts, [](const Contact& c) { return c.depth < 0 && c.impulse.isZero(0); });
 }
 
-/// What was done there.
+/// Writes the impulses, the depth and the state of the i-th contact.
 template <class Scalar>
 void Wide<Scalar>::write_back(Contact& contact, std::size_t i) const {
   const auto [b, c, lane] = where_[i];

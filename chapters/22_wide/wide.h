@@ -42,7 +42,7 @@ class Wide : public SubsteppingSolver {
   Solved solved() const override { return measured_.value_or(measure()); }
 
  protected:
-  /// Says in the i-th contact of the world what was done there so far.
+  /// Writes the impulses so far, the depth and the state of the i-th contact.
   void write_back(Contact& contact, std::size_t i) const;
 
  private:

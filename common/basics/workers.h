@@ -14,10 +14,10 @@ struct Part {
 
 class Workers;
 
-/// For who asks for nobody else.
+/// The workers of a program that names no others: one thread.
 Workers& alone();
 
-/// Who does it: this one does it alone. Who derives from it does several parts at a time.
+/// What does the parts. This type does them one after the other; a type derived from it does several at a time.
 class Workers {
  public:
   Workers() = default;
@@ -25,7 +25,8 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
   virtual ~Workers() = default;
 
-  /// Who does a step of so many bodies: of fewer this one alone, as to wake another takes longer than its part of the step.
+  /// The workers for a step of so many bodies. With few bodies one thread does all, as waking another would take longer than its
+  /// part of the step.
   static constexpr std::size_t least_bodies = 256;
   Workers& of_bodies(std::size_t bodies) { return however_little_ || bodies >= least_bodies ? *this : alone(); }
 

@@ -9,7 +9,7 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR} ${headers}/pushback SYMBOLIC)
 # The directory is the system's for other projects: their warnings are for their own code.
 if(PROJECT_IS_TOP_LEVEL)
   target_include_directories(pushback_settings INTERFACE $<BUILD_INTERFACE:${headers}> $<INSTALL_INTERFACE:include>)
-  set(warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion $<$<BOOL:${PUSHBACK_WERROR}>:-Werror>)
+  set(warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wsuggest-override $<$<BOOL:${PUSHBACK_WERROR}>:-Werror>)
   target_compile_options(pushback_settings INTERFACE $<BUILD_INTERFACE:${warnings}>)
 else()
   target_include_directories(pushback_settings SYSTEM INTERFACE ${headers})

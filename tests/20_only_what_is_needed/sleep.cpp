@@ -363,7 +363,7 @@ namespace {
 /// Does not know what a contact carried in a step in which it looks new to the world: when its island is woken.
 struct Forgetful : FullSolver {
   std::size_t had = 0;
-  void solve(World& world, Real dt, int sweeps) {
+  void solve(World& world, Real dt, int sweeps) override {
     if (had == 0) world.contacts_before.clear();
     had = world.contacts.size();
     FullSolver::solve(world, dt, sweeps);

@@ -75,7 +75,7 @@ btTransform transform_of(const Body& body, bool boxes) {
   return top * btTransform(btQuaternion::getIdentity(), btVector3(0, -half_slab, 0));
 }
 
-class Bullet : public Player {
+class Bullet : public PlayerInSubsteps {
  public:
   Bullet(const Motion& motion, const Setting& setting, const Choice& choice)
       : choice_(choice), solver_(choice.solver()), dt_(static_cast<btScalar>(setting.dt())) {

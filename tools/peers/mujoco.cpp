@@ -124,7 +124,7 @@ std::unique_ptr<mjModel, Release> read(const std::string& mjcf) {
   return model;
 }
 
-class Mujoco : public Player {
+class Mujoco : public PlayerInSubsteps {
  public:
   Mujoco(const Motion& motion, const Setting& setting, const Choice& choice) {
     World world;

@@ -17,7 +17,7 @@ struct Choice {
   bool aligned = false;  ///< the first direction of friction is that of sliding, not one of its own
 };
 
-class Ode : public Player {
+class Ode : public PlayerInSubsteps {
  public:
   Ode(const Motion& motion, const Setting& setting, const Choice& choice)
       : choice_(choice),

@@ -23,7 +23,7 @@ using Soft = RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, W
 using SteadyCold = RelaxingSolver<Clamping, SoftContacts, SimultaneousImpacts, FrictionCone>;
 using Direct = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmDirectContacts>;
 
-class Ours : public Player {
+class Ours : public PlayerInSubsteps {
  public:
   Ours(const Motion& motion, const Setting& setting, AnySolver solver, bool counts_rows)
       : solver_(std::move(solver)),

@@ -6,17 +6,16 @@ using namespace pushback;
 
 namespace {
 
-/// Divides each step of 1/60 s itself.
+/// A solver whose plan divides each step of 1/60 s.
 template <class ContactSolver>
-class Once : public Player {
+class DetectsOnce : public Player {
  public:
-  Once(const Motion& motion, const Setting& setting) : sweeps_(setting.sweeps) {
-    solver_.substeps = setting.substeps;
+  DetectsOnce(const Motion& motion, const Setting& setting) : sweeps_(setting.sweeps) {
     solver_.threshold = 0;  // bounces are compared at every speed
     motion.begin(world_);
   }
-  void substep() override {
-    if (++substeps_ % solver_.substeps != 0) return;
+  void frame(int substeps) override {
+    solver_.substeps = substeps;
     const std::size_t before = rows_solved;
     world_.step(solver_, Real(1) / frames_per_second, sweeps_);
     rows_solved_ += rows_solved - before;
@@ -29,7 +28,7 @@ class Once : public Player {
  private:
   World world_;
   ContactSolver solver_;
-  int sweeps_, substeps_ = 0;
+  int sweeps_;
   std::size_t rows_solved_ = 0;  // by this player's steps
 };
 
@@ -39,7 +38,7 @@ Method method(const std::string& name, const std::string& title) {
           .title = title,
           .plays = [](const Motion&) { return true; },
           .begin = [](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            return std::make_unique<Once<ContactSolver>>(motion, setting);
+            return std::make_unique<DetectsOnce<ContactSolver>>(motion, setting);
           }};
 }
 

@@ -36,7 +36,7 @@ struct Playing {
     try {
       for (Places& frame : places) {
         own.go();
-        for (int step = 0; step < setting.substeps; ++step) player->substep();
+        player->frame(setting.substeps);
         own.stop();
         for (std::size_t body = 0; body < bodies; ++body) frame[body] = player->place(body);
         if (seconds_since(begin) > at_most) {
@@ -55,11 +55,11 @@ struct Playing {
 /// Plays once more, and does nothing else: where a frame takes a microsecond, a stopwatch that stops at each is felt.
 double seconds_of(const Motion& motion, const Method& method, const Setting& setting) {
   const std::unique_ptr<Player> player = method.begin(motion, setting);
-  const int steps = motion.frames() * setting.substeps;
+  const int frames = motion.frames();
   Stopwatch own;
   own.go();
   try {
-    for (int step = 0; step < steps; ++step) player->substep();
+    for (int i = 0; i < frames; ++i) player->frame(setting.substeps);
   } catch (const InvalidInput&) {
     own.stop();  // where it was lost before
     return own.seconds();

@@ -21,11 +21,21 @@ struct Setting {
 class Player {
  public:
   virtual ~Player() = default;
-  virtual void substep() = 0;
+  /// 1/60 s, in so many substeps.
+  virtual void frame(int substeps) = 0;
   /// Of the centre of mass of the body with this index in the motion's world, m.
   virtual Eigen::Vector3d place(std::size_t body) const = 0;
   /// In all substeps so far; nothing where an engine does not say, or solves linear systems, and rows are no measure.
   virtual std::optional<double> row_solves() const { return {}; }
+};
+
+/// An engine that is asked for one substep after the other, each as long as the setting says.
+class PlayerInSubsteps : public Player {
+ public:
+  void frame(int substeps) override {
+    for (int i = 0; i < substeps; ++i) substep();
+  }
+  virtual void substep() = 0;
 };
 
 /// One way to play motions: a solver of ours, or of others.
