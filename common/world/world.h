@@ -105,4 +105,3 @@ void spin_freely(Body& body, Real dt);
 void spin_evenly(Body& body, Real dt);
 
 }  // namespace pushback
-

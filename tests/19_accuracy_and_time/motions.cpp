@@ -395,7 +395,7 @@ TEST_CASE("the truth of each motion moves as far as a law says") {
 namespace {
 
 /// One body that stays where it is: the truth of `still` below is a place a frame, 1 m, 2 m ... off.
-struct Stands : Player {
+struct Stands : PlayerInSubsteps {
   std::function<Eigen::Vector3d(int)> place_after;
   int steps = 0;
   void substep() override { ++steps; }

@@ -4,6 +4,7 @@
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/22_wide/recommended.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/common/experiment/picture_of.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
@@ -194,6 +195,21 @@ TEST_CASE("contract: the last impulse of a contact is that of one substep") {
     if (named.name == "00 naive") continue;
     CHECK(std::abs(total_impulse_up(world.contacts, &Contact::impulse) - weight) < 1e-3 * weight);
     CHECK(std::abs(substeps * total_impulse_up(world.contacts, &Contact::last_impulse) - weight) < 1e-3 * weight);
+  }
+}
+
+TEST_CASE("contract: an arrow for the same load is as long whatever the solver") {
+  for (const NamedSolver& named : all_solvers()) {
+    if (named.name == "00 naive") continue;
+    INFO(named.name);
+    World world;
+    stack(world, 1);
+    const Real arrow = fitting_arrow(world, h);
+    AnySolver solver = named.solver;
+    for (int step = 0; step < 240; ++step) world.step(solver, h);
+    Real length = 0;
+    for (const Arrow& drawn : picture_of(world, {}, arrow).arrows) length += (drawn.tip - drawn.tail).y();
+    CHECK(std::abs(length - arrow * 100 * World::g * h) < 1e-2 * length);
   }
 }
 

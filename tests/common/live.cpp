@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;

@@ -5,8 +5,8 @@
 
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/tools/bench/in_turn.h"
 #include "pushback/common/world/step.h"
+#include "pushback/tools/bench/in_turn.h"
 
 using namespace pushback;
 

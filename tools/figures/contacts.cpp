@@ -8,8 +8,8 @@
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/20_only_what_is_needed/scenes.h"
 #include "pushback/chapters/20_only_what_is_needed/sleep.h"
-#include "pushback/common/world/step.h"
 #include "pushback/common/collision/collide_outline.h"
+#include "pushback/common/world/step.h"
 #include "pushback/tools/figures/figures.h"
 #include "pushback/tools/figures/svg.h"
 
