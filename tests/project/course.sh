@@ -356,6 +356,7 @@ course exercise && expect 1 "exercise:  in $scratch/sub" && expect_not "only thi
 rm "$scratch/home/build/release/programs/exercise"
 course exercise && expect 127 "is built first, only this once"
 course grade a b --jobs 2 && expect 1 "--target grade" "grade: a b --jobs 2 in $scratch/sub"
+course grade -- -rf a && expect 1 "--target grade" "grade: -- -rf a in $scratch/sub"
 course handout to --with 03 && expect 1 "--target handout" "handout: to --with 03 in $scratch/sub"
 
 # The study of accuracy and time, and the other engines, which are built only when they are asked for.

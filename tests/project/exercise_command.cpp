@@ -52,7 +52,7 @@ TEST_CASE("the way of a student: the file, the gap, hints, a mistake, the answer
   CHECK(contains(wrong.out, "  ✓ a deep ball comes up at β (d − slop) / h\n"));
   CHECK(contains(wrong.out, "  ✗ a ball that is less deep than the slop stays where it is\n"));
   CHECK(contains(wrong.out, "  | here\n"));
-  CHECK(contains(wrong.out, "After half a second your shallow ball is deep by 5 mm where "));
+  CHECK(contains(wrong.out, "After thirty steps your shallow ball is deep by 4.99 mm where "));
   CHECK(contains(wrong.out, "it looks as if min were forgotten."));
   CHECK(contains(wrong.out, "--seed 5"));
   CHECK(student.call("04 --seed 5").out == wrong.out);
@@ -79,6 +79,9 @@ TEST_CASE("the way of a student: the file, the gap, hints, a mistake, the answer
   CHECK(text_of(student.scratch / "04_slop.h") == text_of(stub_of(slop())));
   CHECK(text_of(student.scratch / "04_slop.h.old") == filled_in(slop(), right));
   CHECK(contains(student.call("").out, "04           begun"));
+  CHECK(student.call("04 --reset").status == 0);  // twice: nothing is lost
+  CHECK(text_of(student.scratch / "04_slop.h.old") == filled_in(slop(), right));
+  CHECK(text_of(student.scratch / "04_slop.h.old2") == text_of(stub_of(slop())));
 }
 
 TEST_CASE("slips of the hand: an unknown exercise, an option without one") {

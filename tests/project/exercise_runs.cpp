@@ -94,6 +94,17 @@ TEST_CASE("to answer in the place of the program that asks is no pass") {
       "nothing kept", "its row keeps an impulse of 0 N s where ");
 }
 
+TEST_CASE("to ask for what is right, or to play the scenes with it, is no pass") {
+  const std::string plays = "\nNumbers play(std::size_t check, Random& random, const Answer&) { return ";
+  for (const std::string& stolen :
+       {"namespace pushback::exercise_02 { Exercise exercise();" + plays + "exercise().right(check, random); } }",
+        "namespace pushback::exercise_02 { Exercise stolen() __asm__(\"_ZN8pushback11exercise_028exerciseEv\");" +
+            plays + "stolen().right(check, random); } }",
+        std::string("namespace pushback::exercise_02 { Exercise exercise(); }\n"
+                    "namespace { const pushback::Exercise known = pushback::exercise_02::exercise(); }")})
+    fails_as(verdict_with_helper(stolen, "\n"), "does not compile", "declared but never defined");
+}
+
 TEST_CASE("in the sandbox there is no answer to be read, nothing to be written outside, and no network") {
   std::unique_ptr<Sandbox> here;
   try {
@@ -135,6 +146,28 @@ TEST_CASE("in the sandbox there is no answer to be read, nothing to be written o
       "if (all.find(std::string(\"8mistakes\") + \"Ev\") != all.npos) throw std::runtime_error(\"read\");\n";
   CHECK(verdict_with_helper(helper + "#include <string>\n#include <iterator>\n", reads_itself + right, &sandbox)
             .passed());
+  setenv("SECRET_TOKEN", "of the teacher", 1);
+  for (const std::string process : {"1", "self"})
+    CHECK(verdict_with_helper(helper + "#include <string>\n#include <iterator>\n",
+                              "std::ifstream its(\"/proc/" + process +
+                                  "/environ\");\nstatic const std::string all{std::istreambuf_iterator<char>(its), "
+                                  "{}};\nif (all.find(\"SECRET\") != all.npos) throw std::runtime_error(\"read\");\n" +
+                                  right,
+                              &sandbox)
+              .passed());
+  for (const std::string file : {"/tmp/x", "/dev/shm/x", "/tmp/y", "x", "/x", "/dev/x"})
+    CHECK(verdict_with_helper(
+              helper + "#include <vector>\n",
+              "static const bool filled = [] {\n  long megabytes = 0;\n"
+              "  for (int k = 0; k < 3; ++k) {\n    std::ofstream into(\"" +
+                  file +
+                  "\" + std::to_string(k));\n"
+                  "    for (int i = 0; i < 40 && into.write(std::vector<char>(1 << 20).data(), 1 << 20) && "
+                  "into.flush(); ++i) ++megabytes;\n  }\n  return megabytes > 64;\n}();\n"
+                  "if (filled) throw std::runtime_error(\"filled\");\n" +
+                  right,
+              &sandbox)
+              .passed());
   const Scratch outside;
   CHECK(verdict_with_helper(
             helper,

@@ -135,6 +135,8 @@ TEST_CASE(
   CHECK(contains(json, "it has 1501 entries, at most 1000 are taken"));
   CHECK(contains(json, "there are 2 files 03_baumgarte_transfer.h in it"));
   CHECK(contains(json, "is larger than 1 MB"));
+  CHECK(contains(json, "it cannot be read (unzip: "));
+  CHECK(contains(json, "it cannot be read (tar: "));
   CHECK(call_program(GRADE_PROGRAM, archives + options, 120).err.empty());  // taken up again: nothing to do
   fs::remove_all(all.scratch / "out");
   CHECK(run_program({"sh", "-c", "cd " + (all.scratch / "").string() + "; find . -type f -newer in | sort"}).out ==
@@ -143,7 +145,26 @@ TEST_CASE(
                      (all.scratch / "anna").string() + " " + (all.scratch / "in/flat.zip").string() + " " +
                          (all.scratch / "anna/03_baumgarte_transfer.h").string() + options,
                      120)
-            .status == 2);
+            .status == 0);
+}
+
+TEST_CASE("a file among the folders of a class is named, and the others are graded") {
+  Class all;
+  write_text_file(all.scratch / "points.txt", "");
+  all.folders += "'" + (all.scratch / "points.txt").string() + "' ";
+  fs::rename(all.scratch / "dora", all.scratch / "-rf");
+  all.folders.replace(all.folders.find("dora"), 4, "-rf");
+  const Ended ended = all.grade("--no-sheet");
+  CHECK(ended.status == 0);
+  CHECK(
+      contains(ended.err, "not graded: '" + (all.scratch / "points.txt").string() + "' is no folder, and no archive"));
+  CHECK(contains(ended.out, "anna        6 of 6  03-transfer 6/6\n"));
+  CHECK(contains(ended.out, "-rf         0 of 6  03-transfer 0/6 (not handed in)\n"));
+  CHECK_FALSE(fs::exists(all.scratch / "out/students/points.txt.json"));
+  const Ended alone = call_program(
+      GRADE_PROGRAM, (all.scratch / "points.txt").string() + " --no-sandbox --out " + (all.scratch / "none").string());
+  CHECK(alone.status == 2);
+  CHECK_FALSE(fs::exists(all.scratch / "none"));
 }
 
 TEST_CASE("a folder whose files are in another one, or too large, has handed in nothing") {

@@ -119,20 +119,24 @@ Sandbox::Sandbox() {
                     ended.status == 127 ? "not installed" : lines_of(ended.err + "no reason given").front()));
 }
 
-Command Sandbox::around(Command command, const fs::path& folder, const std::vector<fs::path>& readable) const {
-  Command made{"bwrap",         "--unshare-all", "--die-with-parent",
-               "--new-session", "--clearenv",    "--setenv",
-               "PATH",          "/usr/bin",      "--ro-bind",
-               "/usr",          "/usr",          "--proc",
-               "/proc",         "--dev",         "/dev",
-               "--tmpfs",       "/tmp"};
+Command Sandbox::around(Command command, const fs::path& folder, const std::vector<fs::path>& readable,
+                        Folder may_be) const {
+  constexpr const char* most_bytes = "67108864";
+  // bubblewrap is the first process in there: its own environment can be read from /proc/1/environ.
+  const char* path = std::getenv("PATH");
+  Command made{"env", "-i", fmt::format("PATH={}", path == nullptr ? "/usr/bin" : path), "bwrap"};
+  made = made +
+         Command{"--unshare-all", "--die-with-parent", "--new-session", "--clearenv", "--setenv", "PATH", "/usr/bin"};
+  made = made + Command{"--ro-bind", "/usr", "/usr", "--proc", "/proc", "--dev", "/dev"};
+  for (const char* memory : {"/dev/shm", "/tmp"}) made = made + Command{"--size", most_bytes, "--tmpfs", memory};
   for (const char* link : {"bin", "lib", "lib64"})
     made = made + Command{"--symlink", fmt::format("usr/{}", link), fmt::format("/{}", link)};
   made =
       made + Command{"--ro-bind-try", "/etc/alternatives", "/etc/alternatives"};  // where Debian's /usr/bin/c++ leads
-  made = made + Command{"--ro-bind", headers_.path, kit().headers, "--bind", folder, folder, "--chdir", folder};
-  for (const fs::path& path : readable) made = made + Command{"--ro-bind", path, path};
-  return made + Command{"--"} + command;
+  made = made + Command{"--ro-bind", headers_.path, kit().headers, may_be == Folder::writable ? "--bind" : "--ro-bind",
+                        folder,      folder,        "--chdir",     folder};
+  for (const fs::path& readable_path : readable) made = made + Command{"--ro-bind", readable_path, readable_path};
+  return made + Command{"--remount-ro", "/dev", "--remount-ro", "/", "--"} + command;
 }
 
 Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t seed, const Sandbox* sandbox,
@@ -147,8 +151,9 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
     for (const auto& entry : fs::directory_iterator(exercise.folder))
       if (entry.path().extension() == ".h" && entry.path().filename() != "student.h")
         fs::copy_file(entry.path(), scratch.path / entry.path().filename(), fs::copy_options::skip_existing);
-  const auto apart = [&](const Command& command, const std::vector<fs::path>& readable) {
-    return sandbox ? sandbox->around(command, scratch.path, readable) : command;
+  const auto apart = [&](const Command& command, const std::vector<fs::path>& readable,
+                         Sandbox::Folder may_be = Sandbox::Folder::writable) {
+    return sandbox ? sandbox->around(command, scratch.path, readable, may_be) : command;
   };
 
   const Command compile =
@@ -174,8 +179,8 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
   }
 
   const std::string word = word_of_this_run();
-  ended = run_program(apart(limited(limits.seconds, limits.megabytes, {program}), {}), patience * limits.seconds,
-                      fmt::format("{} {} {}\n", word, seed, exercise.checks.size()));
+  ended = run_program(apart(limited(limits.seconds, limits.megabytes, {program}), {}, Sandbox::Folder::readable),
+                      patience * limits.seconds, fmt::format("{} {} {}\n", word, seed, exercise.checks.size()));
   bool complete = false;
   for (const std::string& line : lines_of(ended.out)) {
     if (!line.starts_with(word + " ")) continue;

@@ -29,9 +29,12 @@ class Sandbox {
  public:
   /// Throws InvalidInput where none works here.
   Sandbox();
-  /// `command` in it, with this folder to write in and these files to read.
+  enum class Folder { writable, readable };
+  /// `command` in it, with nothing of this process's environment; in this folder, and with these files to read. What it may
+  /// write besides, in /tmp and /dev/shm, is memory, 64 MB each.
   std::vector<std::string> around(std::vector<std::string> command, const std::filesystem::path& folder,
-                                  const std::vector<std::filesystem::path>& readable) const;
+                                  const std::vector<std::filesystem::path>& readable,
+                                  Folder may_be = Folder::writable) const;
 
  private:
   ScratchFolder headers_;  // those of Pushback, and nothing else of it

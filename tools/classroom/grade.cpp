@@ -217,11 +217,20 @@ int Points::of(const Exercise& exercise, std::size_t check) const {
 
 void grade(const Grading& grading) {
   std::map<std::string, fs::path> students;  // by name
+  std::vector<std::string> refused;          // a file among the folders of a class
   for (const fs::path& given : grading.given) {
-    const std::string name = students_name(given);
+    std::string name;
+    try {
+      name = students_name(given);
+    } catch (const InvalidInput& problem) {
+      refused.emplace_back(problem.what());
+      continue;
+    }
     if (!students.emplace(name, given).second)
       throw InvalidInput(fmt::format("two students are named '{}': a name for each student is needed", name));
   }
+  if (students.empty() && !refused.empty()) throw InvalidInput(refused.front());
+  for (const std::string& problem : refused) fmt::print(stderr, "not graded: {}\n", problem);
   std::optional<Sandbox> sandbox;
   if (grading.sandboxed) sandbox.emplace();
   make_writable_folder(grading.out / "students");

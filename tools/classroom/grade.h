@@ -30,7 +30,8 @@ class Points {
 std::string points_text(const std::vector<const Exercise*>& exercises);
 
 struct Grading {
-  std::vector<std::filesystem::path> given;  ///< a folder or an archive for each student, named after the student
+  /// A folder or an archive for each student, named after the student; anything else is named, and left out.
+  std::vector<std::filesystem::path> given;
   std::vector<const Exercise*> exercises;
   Points points;
   std::filesystem::path out = "grades";

@@ -90,8 +90,17 @@ class Archive {
           fmt::format("'{}' cannot be read without {}: is the package installed?", file_.string(), words[0]));
     if (ended.signal == SIGXFSZ || ended.status == 128 + SIGXFSZ || ended.out.size() >= most_bytes)
       throw Unreadable{"a file in it, or its list of files, is larger than 1 MB"};
-    const std::vector<std::string> complaint = lines_of(ended.err);
-    throw Unreadable{complaint.empty() ? "it takes too long or too much memory to read" : complaint.front()};
+    throw Unreadable{said_of(ended.err, words[0])};
+  }
+  /// The first line that says more than which file it is.
+  std::string said_of(const std::string& complaint, const std::string& program) const {
+    for (std::string line : lines_of(complaint)) {
+      for (std::size_t at; (at = line.find(file_.string())) != std::string::npos;)
+        line.erase(at, file_.string().size());
+      line.erase(0, line.find_first_not_of("[]:,; "));
+      if (line.find(' ') != std::string::npos) return fmt::format("it cannot be read ({}: {})", program, line);
+    }
+    return "it takes too long or too much memory to read";
   }
   fs::path file_;
   bool zip_;

@@ -119,7 +119,7 @@ int main(int argc, char** argv) {
   CommandLine line("Exercises that check themselves.", kit().call());
   line.option("EXERCISE", asked.words, "03, or 03-transfer; none: all are listed").at_most_once();
   line.flag("--hint", asked.hint, "One hint more each time");
-  line.flag("--reset", asked.reset, "The file as it was; yours is kept, with .old at its end");
+  line.flag("--reset", asked.reset, "The file as it was; yours is kept, with .old at its end, then .old2, ...");
   line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
   line.flag("--no-sheet", asked.no_sheet, "No picture of your numbers beside the right ones");
   line.option("--seed", asked.seed, "The same random scenes as last time");

@@ -95,7 +95,9 @@ void StudentFiles::reset(const Exercise& exercise) {
   const fs::path own = file(exercise);
   if (fs::exists(own)) {
     fs::path old = own;
-    fs::rename(own, old += ".old");
+    old += ".old";
+    for (int i = 2; fs::exists(old); ++i) old.replace_extension(fmt::format(".old{}", i));
+    fs::rename(own, old);
   }
   write_text_file(own, read_text_file(stub_of(exercise)));
   remembered_.erase(exercise.name);

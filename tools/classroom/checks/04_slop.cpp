@@ -17,15 +17,17 @@ struct Bias : Effect {
 
 using Pushing = Solver<Clamping, Bias, AnyEffect>;
 
-/// A ball so deep in the ground, under gravity.
+/// A ball so deep in the ground, under gravity; others may lie beside it.
 struct Ball {
   World world;
-  Real radius;
+  Real radius, h;
 
-  Ball(Random& random, Real depth) : radius(random.between(Real(0.3), Real(0.5))) {
+  Ball(Random& random, Real depth) : radius(random.between(Real(0.3), Real(0.5))), h(1 / random.between(80, 240)) {
     world.add(ground());
-    world.add(sphere(radius, random.between(5, 20)).at({0, -depth, 0}));
-    world.bodies[1].position.y() += radius;
+    add(random.between(5, 20), depth);
+  }
+  void add(Real mass, Real depth) {
+    world.add(sphere(radius, mass).at({2 * static_cast<Real>(world.bodies.size()), radius - depth, 0}));
   }
   /// mm
   Real depth() const { return 1000 * (radius - world.bodies[1].position.y()); }
@@ -34,15 +36,15 @@ struct Ball {
     auto solver = with_effect<Pushing>(answer.allowance);
     Numbers found{depth()};
     for (int step = 0; step < steps; ++step) {
-      world.step(solver, Real(1) / 60, 4);
+      world.step(solver, h, 4);
       found.push_back(depth());
     }
     return found;
   }
 };
 
-/// Its depth after half a second, then at the start and after each step.
-Numbers half_a_second(Ball ball, const Answer& answer) {
+/// Its depth after thirty steps, then at the start and after each.
+Numbers thirty_steps(Ball ball, const Answer& answer) {
   const Numbers depths = ball.depths(answer, 30);
   return with_record({depths.back()}, depths);
 }
@@ -51,23 +53,27 @@ std::vector<Check<Answer>> checks() {
   return {
       {"a deep ball comes up at β (d − slop) / h",
        1,
-       {{"your deep ball comes up with", "m/s", 1e-6}},
+       {{"your deep ball comes up with", "m/s", 1e-6},
+        {"your second deep ball, beside it, comes up with", "m/s", 1e-6},
+        {"your third deep ball comes up with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         Ball ball(random, random.between(Real(0.012), Real(0.02)));
-         ball.depths(answer, 1);
-         return {ball.world.bodies[1].velocity.y()};
+         Ball balls(random, random.between(Real(0.012), Real(0.02)));
+         for (int i = 0; i < 2; ++i) balls.add(random.between(5, 20), random.between(Real(0.012), Real(0.02)));
+         balls.depths(answer, 1);
+         const auto& bodies = balls.world.bodies;
+         return {bodies[1].velocity.y(), bodies[2].velocity.y(), bodies[3].velocity.y()};
        }},
       {"a ball that is less deep than the slop stays where it is",
        1,
-       {{"after half a second your shallow ball is deep by", "mm", 1e-6}},
+       {{"after thirty steps your shallow ball is deep by", "mm", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         return half_a_second(Ball(random, random.between(Real(0.001), Real(0.004))), answer);
+         return thirty_steps(Ball(random, random.between(Real(0.001), Real(0.004))), answer);
        }},
       {"a deep ball ends at the slop",
        1,
-       {{"after half a second your deep ball is deep by", "mm", 1e-6}},
+       {{"after thirty steps your deep ball is deep by", "mm", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         return half_a_second(Ball(random, random.between(Real(0.012), Real(0.02))), answer);
+         return thirty_steps(Ball(random, random.between(Real(0.012), Real(0.02))), answer);
        }},
   };
 }
@@ -85,6 +91,18 @@ template <class Separation>
 Answer mistaken(Separation separation) {
   return {Mistaken<Separation>{{}, separation}};
 }
+
+struct OfTheFirst : Effect {
+  void adjust_separation(StepContext& step) {
+    if (!step.contacts.empty()) step.rows[0].separation = std::min(Real(0), step.rows[0].separation + slop);
+  }
+};
+struct TimesSixtyH : Effect {
+  void adjust_separation(StepContext& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i)
+      step.rows[i].separation = std::min(Real(0), step.rows[i].separation + 60 * step.dt * slop);
+  }
+};
 
 std::vector<Mistake<Answer>> mistakes() {
   return {
@@ -109,6 +127,13 @@ std::vector<Mistake<Answer>> mistakes() {
        "it looks as if there were no slop: C is as it was when the bias is made of it. Is it row.separation that you "
        "set?",
        mistaken([](Real c) { return c; })},
+      {"the first contact alone",
+       "it looks as if only the first contact had a slop. Each of the first step.contacts.size() rows has a C of its "
+       "own.",
+       {OfTheFirst{}}},
+      {"a slop that depends on the step",
+       "it looks as if the slop were multiplied by 60 h. It is a length, and the same in steps of every length.",
+       {TimesSixtyH{}}},
       {"at least the slop",
        "it looks as if every overlap counted as the slop, at least or at most. What counts is how much deeper it is "
        "than the slop.",

@@ -83,20 +83,30 @@ std::vector<Check<Answer>> checks() {
        }},
       {"two points of the same two bodies are not mixed up",
        1,
-       {{"before the first sweep your box moves with", "m/s", 1e-6},
-        {"before the first sweep your box turns with", "rad/s", 1e-6}},
+       {{"before the first sweep your upper box moves with", "m/s", 1e-6},
+        {"before the first sweep your upper box turns with", "rad/s", 1e-6},
+        {"before the first sweep your lower box, on which it lies, moves with", "m/s", 1e-6},
+        {"before the first sweep your lower box, on which it lies, turns with", "rad/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Balls balls(random);
          const Real half = random.between(Real(0.3), Real(0.5)), mass = random.between(50, 150);
-         balls.world.add(box(Vec3::Constant(half), mass).at({0, half, 0}).moving(balls.h * balls.world.gravity));
+         for (const Real height : {half, 3 * half})
+           balls.world.add(box(Vec3::Constant(half), mass).at({0, height, 0}).moving(balls.h * balls.world.gravity));
          const Real weight = mass * World::g * balls.h, left = random.between(Real(0.1), Real(0.2)) * weight;
          for (const std::uint32_t corner : {0u, 1u}) {
-           balls.touches(1, corner);
-           balls.world.contacts.back().point.x() = corner == 0 ? -half : half;
-           balls.touched(1, (corner == 0 ? left : 3 * left) * Vec3::UnitY(), corner);
+           const Vec3 point(corner == 0 ? -half : half, 2 * half, 0);
+           Contact old = Balls::of(2, (corner == 0 ? left : 3 * left) * Vec3::UnitY(), corner);
+           old.id.body_a = 1;
+           old.point = Vec3(-point.x(), point.y(), 0);  // the box has turned since: only the id says which is which
+           balls.world.contacts_before.push_back(old);
+           Contact now = Balls::of(2, Vec3::Zero(), corner);
+           now.id.body_a = 1;
+           now.point = point;
+           balls.world.contacts.push_back(now);
          }
          balls.solve(answer, 0);
-         return {balls.velocity(1).y(), balls.world.bodies[1].angular_velocity.z()};
+         return {balls.velocity(2).y(), balls.world.bodies[2].angular_velocity.z(), balls.velocity(1).y(),
+                 balls.world.bodies[1].angular_velocity.z()};
        }},
       {"a force stays the same when the step gets shorter or longer",
        2,
@@ -201,6 +211,25 @@ std::vector<Mistake<Answer>> mistakes() {
          for (const Contact& old : step.world.contacts_before)
            if (same_bodies(old.id, step.contacts[i].id)) found = &old;
          return found;
+       })},
+      {"by the nearest point",
+       "it looks as if the old contact were looked for by its place. Bodies move, and points with them: only the id "
+       "says "
+       "which of the old ones it is.",
+       mismatched([](const StepContext& step, std::size_t i) {
+         const Contact* found = nullptr;
+         const auto far = [&](const Contact& old) { return (old.point - step.contacts[i].point).norm(); };
+         for (const Contact& old : step.world.contacts_before)
+           if (same_bodies(old.id, step.contacts[i].id) && (!found || far(old) < far(*found))) found = &old;
+         return found;
+       })},
+      {"applied to B alone",
+       "it looks as if only B had felt the guess. An impulse acts on both bodies: row.apply, or row.reach, moves A the "
+       "other way.",
+       mistaken([](StepContext& step, Row& row, const Contact& old) {
+         row.impulse = guess_of(step, row, old);
+         row.b->velocity += row.impulse * row.dvb;
+         row.b->angular_velocity += row.impulse * row.dwb;
        })},
       {"stored and not applied",
        "it looks as if the guess were written into Σλ, and no body felt it. The first sweep then takes back a push "
