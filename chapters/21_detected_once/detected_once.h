@@ -136,9 +136,8 @@ class DetectedOnce : public SubsteppingSolver {
     }
     StepContext step = joints_step(world, h);
     joints.update_geometry(step);
-    sweep(step);
+    sweep(step, true);
     joints.report(step);
-    for (KeptContact& contact : contacts_) contact.sum += contact.impulse();
   }
   /// Once in a step: contacts know their impulses, and what did not touch is no contact.
   void done(World& world) override {
@@ -148,7 +147,7 @@ class DetectedOnce : public SubsteppingSolver {
       const KeptContact& kept = contacts_[i];
       Contact& contact = world.contacts[i];
       contact.depth = -kept.separation(bodies_);
-      contact.impulse = kept.sum;
+      contact.impulse = kept.sum();
       contact.last_impulse = kept.impulse();
       contact.state =
           state_of(known_[i], kept.friction, kept.normal.impulse, kept.tangent1.impulse, kept.tangent2.impulse);
@@ -167,7 +166,8 @@ class DetectedOnce : public SubsteppingSolver {
     }
     return places_[body];
   }
-  void sweep(StepContext& step) {
+  /// `last`: of a substep.
+  void sweep(StepContext& step, bool last = false) {
     joints.sweep(step);
     for (KeptBody& each : bodies_) {
       each.given -= each.body->velocity;
@@ -179,8 +179,10 @@ class DetectedOnce : public SubsteppingSolver {
       rows_solved += contacts_.size();
       return change;
     });
-    for (KeptContact& contact : contacts_)
+    for (KeptContact& contact : contacts_) {
       if (contact.friction > 0) contact.solve_friction();
+      if (last) contact.add_up();
+    }
     for (KeptBody& each : bodies_) {
       each.given += each.body->velocity;
       each.given_turning += each.body->angular_velocity;

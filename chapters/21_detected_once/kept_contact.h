@@ -59,7 +59,6 @@ struct KeptContact {
   std::size_t a = 0, b = 0;    // its bodies, in the solver's list
   Real softness = 0;           // gamma, 1/kg
   Real mass = 0;               // 1 / (K + gamma), kg
-  Vec3 sum = Vec3::Zero();     // N s, on B: of the impulses of all substeps so far
   Real bounce = 0;             // minus its speed once it has bounced in this substep, m/s; 0: it does not bounce
 
   /// Of the contact with this index.
@@ -117,6 +116,10 @@ struct KeptContact {
     tangent1.reach(total1);
     tangent2.reach(total2);
   }
+  /// After the last sweep of a substep.
+  void add_up() { sum_ += Vec3(normal.impulse, tangent1.impulse, tangent2.impulse); }
+  /// N s, on B: over the substeps so far.
+  Vec3 sum() const { return sum_.x() * normal.n + sum_.y() * tangent1.n + sum_.z() * tangent2.n; }
   /// N s, on B.
   Vec3 impulse() const {
     return normal.impulse * normal.n + tangent1.impulse * tangent1.n + tangent2.impulse * tangent2.n;
@@ -160,6 +163,7 @@ struct KeptContact {
   static constexpr Real free = Real(1e9);
 
   Vec3 carried_ = Vec3::Zero();  // what B had moved past A, m, when the rows were placed
+  Vec3 sum_ = Vec3::Zero();      // impulses along the normal and both tangents, N s, over the substeps so far
   Vec3 start_;                   // impulses along the normal and both tangents, N s
 
   KeptContact(World& world, const Contact& at, const Tangents& tangents, std::size_t index)

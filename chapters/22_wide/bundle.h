@@ -39,6 +39,7 @@ struct WideContact {
   WideRow<Real> normal, tangent1, tangent2;
   Eight<Real> found, restitution, rigid_mass, step_size;  ///< C_0, e, 1 / K, 1 / k; all 0 where a pair has fewer points
   Eight<Real> bias, softness, mass, bounce;               ///< b, gamma, 1 / (K + gamma), e v_n, of this pass
+  EightVectors<Real> sum;  ///< N s, over the substeps so far: of the normal, and of both tangents
 };
 /// Eight pairs, no two of which share a body that moves.
 template <class Real>
@@ -83,8 +84,6 @@ struct Bundles {
   Twist<Real>*moved, *given;  ///< what it has moved since detection; what its contacts' impulses add to its velocity
   const Inertia<Real>* inertias;
   EightVectors<Real>* starts;  ///< of each contact: the impulses that a substep in which something bounces starts from
-  EightVectors<Real>*
-      sums;  ///< of each contact: its impulses of all substeps so far, along the normal and both tangents
 };
 
 /// What soft contacts ask for: PushOut of chapter 21.
@@ -102,10 +101,9 @@ struct Passes {
   Real (*prepare_substep)(const Bundles<Real>&, const WidePushOut<Real>&);  ///< returns the fastest bounce, m/s
   void (*carry)(const Bundles<Real>&, Real carried_from);
   void (*relax)(const Bundles<Real>&);
-  Real (*solve_normals)(const Bundles<Real>&);   ///< all normals; returns by how much it changed a speed, m/s
-  void (*solve_friction)(const Bundles<Real>&);  ///< all tangents
-  void (*solve_friction_and_sum)(
-      const Bundles<Real>&);  ///< the last pass of a substep: all tangents, and sums += impulses
+  Real (*solve_normals)(const Bundles<Real>&);           ///< all normals; returns by how much it changed a speed, m/s
+  void (*solve_friction)(const Bundles<Real>&);          ///< all tangents
+  void (*solve_friction_and_sum)(const Bundles<Real>&);  ///< the same, the last pass of a substep: impulses are summed
   void (*save_impulses)(const Bundles<Real>&);
   void (*restore)(const Bundles<Real>&);
   void (*turn)(Turning<Real>&, Real h);

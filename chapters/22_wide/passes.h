@@ -298,14 +298,16 @@ template <class Lanes, class Real>
   return change;
 }
 
-template <class Lanes, class Real>
+/// `last`: of a substep, so that impulses are what they stay.
+template <class Lanes, class Real, bool last>
 void solve_friction_of(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
   const LanesOfRow<Lanes> row1(bundle.tangent1, contact.tangent1, at), row2(bundle.tangent2, contact.tangent2, at);
   const Lanes step_size = load<Lanes>(contact.step_size, at);
   const Lanes impulse1 = load<Lanes>(contact.tangent1.impulse, at),
               impulse2 = load<Lanes>(contact.tangent2.impulse, at);
   Lanes total1 = impulse1 - step_size * pairs.along(row1), total2 = impulse2 - step_size * pairs.along(row2);
-  const Lanes radius = load<Lanes>(bundle.friction, at) * load<Lanes>(contact.normal.impulse, at);
+  const Lanes pushed = load<Lanes>(contact.normal.impulse, at);
+  const Lanes radius = load<Lanes>(bundle.friction, at) * pushed;
   const Lanes squared = total1 * total1 + total2 * total2;
   if (const auto slides = squared > radius * radius; any_of(slides)) {
     Lanes kept = 1;
@@ -317,6 +319,11 @@ void solve_friction_of(const Bundle<Real>& bundle, WideContact<Real>& contact, P
   pairs.apply(total2 - impulse2, row2);
   store(total1, contact.tangent1.impulse, at);
   store(total2, contact.tangent2.impulse, at);
+  if constexpr (last) {
+    store(Lanes(load<Lanes>(contact.sum.x, at) + pushed), contact.sum.x, at);
+    store(Lanes(load<Lanes>(contact.sum.y, at) + total1), contact.sum.y, at);
+    store(Lanes(load<Lanes>(contact.sum.z, at) + total2), contact.sum.z, at);
+  }
 }
 
 /// `act(bundle, contact, pairs, at)` for each contact of each bundle, of two bundles in turn: while a contact waits for what the one
@@ -354,18 +361,12 @@ Real solve_normals(const Bundles<Real>& all) {
 /// After all normals: what holds a body has to know how it is pressed.
 template <class Lanes, class Real>
 void solve_friction(const Bundles<Real>& all) {
-  two_at_a_time<Lanes>(all, solve_friction_of<Lanes, Real>);
+  two_at_a_time<Lanes>(all, solve_friction_of<Lanes, Real, false>);
 }
 /// The last pass of a substep.
 template <class Lanes, class Real>
 void solve_friction_and_sum(const Bundles<Real>& all) {
-  two_at_a_time<Lanes>(all, [&](const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
-    solve_friction_of(bundle, contact, pairs, at);
-    EightVectors<Real>& sum = all.sums[&contact - all.contacts];
-    store(Lanes(load<Lanes>(sum.x, at) + load<Lanes>(contact.normal.impulse, at)), sum.x, at);
-    store(Lanes(load<Lanes>(sum.y, at) + load<Lanes>(contact.tangent1.impulse, at)), sum.y, at);
-    store(Lanes(load<Lanes>(sum.z, at) + load<Lanes>(contact.tangent2.impulse, at)), sum.z, at);
-  });
+  two_at_a_time<Lanes>(all, solve_friction_of<Lanes, Real, true>);
 }
 
 /// What a substep in which something bounces starts from; and from there the next one is to start as well.

@@ -163,7 +163,6 @@ void Wide<Scalar>::lay_out(const Sets& sets) {
   contacts_.resize(static_cast<std::size_t>(contacts));
   points_.resize(static_cast<std::size_t>(contacts));
   starts_.resize(static_cast<std::size_t>(contacts));
-  sums_.assign(static_cast<std::size_t>(contacts), {});
 }
 
 /// Up to eight pairs side by side: what their rows are made of.
@@ -179,6 +178,7 @@ void Wide<Scalar>::pack(const World& world, std::size_t at, std::span<const Pair
     WideContact<Scalar>& contact = contacts_[static_cast<std::size_t>(c)];
     contact.normal.impulse = contact.tangent1.impulse = contact.tangent2.impulse = {};
     contact.found = contact.restitution = {};
+    contact.sum = {};
   }
   std::fill(points_.begin() + bundle.first, points_.begin() + bundle.end, WidePoint<Scalar>{});
   for (std::size_t lane = 0; lane < pairs.size(); ++lane) {
@@ -228,8 +228,7 @@ Bundles<Scalar> Wide<Scalar>::bundles(std::size_t begin, std::size_t end) {
           moved_.data(),
           given_.data(),
           inertias_.data(),
-          starts_.data(),
-          sums_.data()};
+          starts_.data()};
 }
 
 /// `act(i)` for each of the bodies that touch. It changes nothing of any other.
@@ -404,19 +403,12 @@ void Wide<Scalar>::write_back(Contact& contact, std::size_t i) const {
                   vector_of(wide.normal.ra_n, lane).dot(angular(a_moved));
   const Scalar pushed = wide.normal.impulse.of[lane], rubbed1 = wide.tangent1.impulse.of[lane],
                rubbed2 = wide.tangent2.impulse.of[lane];
-  contact.impulse = in_world(sums_[c], bundle, lane);
-  contact.last_impulse = static_cast<Real>(pushed) * n + static_cast<Real>(rubbed1) * vector_of(bundle.tangent1, lane) +
-                         static_cast<Real>(rubbed2) * vector_of(bundle.tangent2, lane);
+  const Vec3 t1 = vector_of(bundle.tangent1, lane), t2 = vector_of(bundle.tangent2, lane),
+             sum = vector_of(wide.sum, lane);
+  contact.impulse = sum.x() * n + sum.y() * t1 + sum.z() * t2;
+  contact.last_impulse =
+      static_cast<Real>(pushed) * n + static_cast<Real>(rubbed1) * t1 + static_cast<Real>(rubbed2) * t2;
   contact.state = state_of(known_[i], bundle.friction.of[lane], pushed, rubbed1, rubbed2);
-}
-
-/// Impulses along the normal and both tangents, as a vector.
-template <class Scalar>
-Vec3 Wide<Scalar>::in_world(const EightVectors<Scalar>& impulses, const Bundle<Scalar>& bundle,
-                            std::size_t lane) const {
-  const Vec3 along = vector_of(impulses, lane);
-  return along.x() * vector_of(bundle.n, lane) + along.y() * vector_of(bundle.tangent1, lane) +
-         along.z() * vector_of(bundle.tangent2, lane);
 }
 
 /// Of each row by how much another sweep would change the speed along it: KeptContact::error of chapter 21.

@@ -65,7 +65,6 @@ class Wide : public SubsteppingSolver {
   void carry();
   void forget_impacts();
   Solved measure() const;
-  Vec3 in_world(const EightVectors<Scalar>& impulses, const Bundle<Scalar>& bundle, std::size_t lane) const;
 
   Workers* at_work_ = &alone();      // in this step
   std::vector<Body*> bodies_;        // those that touch; the last one stands in empty lanes
@@ -78,7 +77,6 @@ class Wide : public SubsteppingSolver {
   std::vector<WideContact<Scalar>> contacts_;
   std::vector<Inertia<Scalar>> inertias_;     // of bodies_
   std::vector<EightVectors<Scalar>> starts_;  // of contacts_
-  std::vector<EightVectors<Scalar>> sums_;    // of contacts_: N s, over the substeps so far
   std::vector<Place> where_;                  // of each contact of the world
   std::vector<Scalar> largest_;               // of each part of a pass, what it returned
   std::optional<Solved> measured_;            // before the impulses of an impact were forgotten

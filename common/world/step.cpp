@@ -47,13 +47,14 @@ void ImpulseSums::keep(const World& world) {
 }
 
 void ImpulseSums::add(World& world, const Plan& plan) {
-  auto before = sums_.begin();  // both lists ascend: walk them side by side
+  world.last_impulses_known = true;
+  if (plan.substeps > 1 && sums_.empty()) return;  // the solver has written both
+  auto before = sums_.begin();                     // both lists ascend: walk them side by side
   for (Contact& contact : world.contacts) {
     if (plan.substeps == 1) contact.last_impulse = contact.impulse;
     while (before != sums_.end() && before->first < contact.id) ++before;
     if (before != sums_.end() && before->first == contact.id) contact.impulse += before->second;
   }
-  world.last_impulses_known = true;
 }
 
 void World::begin_step(Real dt) {
