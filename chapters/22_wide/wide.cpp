@@ -416,16 +416,17 @@ template <class Scalar>
 Solved Wide<Scalar>::measure() const {
   Solved all = of_joints();
   all.rows += 3 * static_cast<int>(where_.size());
-  for (const auto& [b, c, lane] : where_) {
-    const Bundle<Scalar>& bundle = bundles_[b];
-    const WideContact<Scalar>& wide = contacts_[c];
+  for (const Place& place : where_) {
+    const std::size_t lane = place.lane;
+    const Bundle<Scalar>& bundle = bundles_[place.bundle];
+    const WideContact<Scalar>& wide = contacts_[place.contact];
     const Body &first = *bodies_[std::size_t(bundle.a[lane])], &second = *bodies_[std::size_t(bundle.b[lane])];
     const auto speed = [&](const EightVectors<Scalar>& direction, const WideRow<Scalar>& row) {
       return vector_of(direction, lane).dot(second.velocity - first.velocity) +
              vector_of(row.rb_n, lane).dot(second.angular_velocity) -
              vector_of(row.ra_n, lane).dot(first.angular_velocity);
     };
-    const auto number = [lane = lane](const Eight<Scalar>& of) { return static_cast<Real>(of.of[lane]); };
+    const auto number = [lane](const Eight<Scalar>& of) { return static_cast<Real>(of.of[lane]); };
     const Real pushed = number(wide.normal.impulse), rubbed1 = number(wide.tangent1.impulse),
                rubbed2 = number(wide.tangent2.impulse), step_size = number(wide.step_size);
     const Real wanted = speed(bundle.n, wide.normal) + number(wide.bias) + number(wide.softness) * pushed;
