@@ -25,7 +25,10 @@ class AnySolver : public ForwardingSolver {
   ~AnySolver() override = default;
 
   /// Of the solver that is held.
-  const std::type_info& type() const { return typeid(inner()); }
+  const std::type_info& type() const {
+    const StepSolver& held = inner();
+    return typeid(held);
+  }
 
  private:
   struct Anything {

@@ -9,6 +9,7 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/common/world/step_solver.h"
 #include "pushback/common/world/world.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
