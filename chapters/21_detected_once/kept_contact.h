@@ -43,7 +43,7 @@ ContactState state_of(bool known, Scalar friction, Scalar pushed, Scalar rubbed1
 }
 
 /// An impulse of the step before, N s, projected into the friction cone about a normal that may have turned since: a substep in
-/// which a contact bounces restores the impulses that it started from, so nothing else would do that.
+/// which a contact bounces restores the impulses that it started from, and would restore them outside of the cone.
 inline Vec3 within_cone(const Vec3& impulse, const Vec3& n, Real friction) {
   const Real pressed = std::max(Real(0), impulse.dot(n));
   const Vec3 rubbed = impulse - impulse.dot(n) * n;
