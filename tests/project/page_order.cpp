@@ -88,11 +88,13 @@ TEST_CASE("the main path of a chapter's page has at most 1,200 words") {
   }
 }
 
-TEST_CASE("a chapter's page has its headings in the order of all") {
-  const std::vector<std::string> order{
-      "## Your guess",        "## The idea",    "## The equation", "## The difference in code",
-      "## The sheet",         "## The numbers", "## Why it works", "## What it costs",
-      "## What can go wrong", "## Run it",      "## Exercises",    "## Sources"};
+TEST_CASE(
+    "a chapter's page has its headings in the order of all, and says what to build where it has a loop to compare "
+    "with") {
+  const std::vector<std::string> all{
+      "## Your guess", "## The idea",    "## The equation", "## Build it",      "## The difference in code",
+      "## The sheet",  "## The numbers", "## Why it works", "## What it costs", "## What can go wrong",
+      "## Run it",     "## Exercises",   "## Sources"};
   for (const std::string& chapter : all_chapters()) {
     INFO(chapter);
     std::vector<std::string> headings;
@@ -101,6 +103,10 @@ TEST_CASE("a chapter's page has its headings in the order of all") {
       if (line.starts_with("```")) code = !code;
       if (!code && line.starts_with("## ")) headings.push_back(line);
     }
+    std::vector<std::string> order = all;
+    const bool first = chapter.starts_with("00");  // where nobody has a solver yet
+    if (first || !fs::exists(fs::path(SOURCE_DIR) / "chapters" / chapter / "flat.cpp"))
+      std::erase(order, "## Build it");
     CHECK(headings == order);
   }
 }

@@ -26,6 +26,10 @@ std::string friction_of_three();
 std::string ids_from_step_to_step();
 /// Who touches whom, and what sleeps, when a ball has hit one of five piles.
 std::string graph_and_islands();
+/// A box that spins about its middle axis: with its angular momentum kept, with its angular velocity kept, and with a torque.
+std::string free_spin();
+/// The intervals that two boxes cover along an axis of each.
+std::string separating_axes();
 
 struct Figure {
   const char* file;  ///< in docs/figures/
@@ -43,6 +47,8 @@ inline const std::vector<Figure>& all_figures() {
       {"friction_of_three.svg", friction_of_three},
       {"contact_ids.svg", ids_from_step_to_step},
       {"islands.svg", graph_and_islands},
+      {"free_spin.svg", free_spin},
+      {"separating_axes.svg", separating_axes},
   };
   return figures;
 }
