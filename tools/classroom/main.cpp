@@ -112,13 +112,14 @@ bool check_all(const std::vector<Exercise>& all, StudentFiles& files, const Aske
     const Checked one = checked(exercise, files, asked);
     ++count;
     solved += one.passed;
-    (one.passed ? right : wrong) += "\n" + one.lines;
-    if (!one.passed) names += " " + short_name(exercise);
+    (one.passed ? right : wrong) += fmt::format("\n{}", one.lines);
+    if (!one.passed) names += fmt::format(" {}", short_name(exercise));
   }
   list(all, files);
   fmt::print("{}{}", right, wrong);
   if (count > 1)
-    fmt::print("\n{} of {} checked are solved{}\n", solved, count, names.empty() ? "" : "; not yet:" + names);
+    fmt::print("\n{} of {} checked are solved{}\n", solved, count,
+               names.empty() ? "" : fmt::format("; not yet:{}", names));
   return solved == count;
 }
 

@@ -19,15 +19,15 @@ namespace {
 /// What is typed to check an exercise, before its name and behind it.
 struct Call {
   std::string program, in;
-  std::string of(const std::string& exercise) const { return program + " " + exercise + in; }
+  std::string of(const std::string& exercise) const { return fmt::format("{} {}{}", program, exercise, in); }
 };
 
 const Call installed{"pushback-exercise", ""};
 
 /// `folder` is wherever a student puts it: its name is known, the way to it is not.
 Call in_a_copy(const fs::path& folder) {
-  const std::string path = "PATH/TO/" + fs::absolute(folder / "").parent_path().filename().string();
-  return {"./course exercise", " --in " + (path.find(' ') == std::string::npos ? path : quoted(path))};
+  const std::string path = fmt::format("PATH/TO/{}", fs::absolute(folder / "").parent_path().filename().string());
+  return {"./course exercise", fmt::format(" --in {}", path.find(' ') == std::string::npos ? path : quoted(path))};
 }
 
 /// Links lead out of the folder: their words stay.
@@ -40,7 +40,8 @@ std::string without_links(const std::string& text) {
 std::string handed_out(const Exercise& exercise, const Call& call) {
   static const std::regex file("`exercises/");
   std::string text = std::regex_replace(without_links(read_text_file(task_of(exercise))), file, "`");
-  const std::string typed = "./course exercise " + short_name(exercise), instead = call.of(short_name(exercise));
+  const std::string typed = Call{"./course exercise", ""}.of(short_name(exercise)),
+                    instead = call.of(short_name(exercise));
   for (std::size_t at = 0; (at = text.find(typed, at)) != std::string::npos; at += instead.size())
     text.replace(at, typed.size(), instead);
   if (exercise.own()) return text;
