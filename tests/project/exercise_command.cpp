@@ -78,8 +78,11 @@ TEST_CASE("the way of a student: the file, the gap, hints, a mistake, the answer
   CHECK(student.call("04 --reset").status == 0);
   CHECK(text_of(student.scratch / "04_slop.h") == text_of(stub_of(slop())));
   CHECK(text_of(student.scratch / "04_slop.h.old") == filled_in(slop(), right));
-  CHECK(contains(student.call("").out, "04           begun"));
-  CHECK(student.call("04 --reset").status == 0);  // twice: nothing is lost
+  CHECK_FALSE(contains(student.call("").out, "begun"));  // nothing is written
+  const Ended twice = student.call("04 --reset");
+  CHECK(twice.status == 0);  // nothing is lost
+  CHECK(contains(twice.out, "What you had is kept: "));
+  CHECK(contains(twice.out, "04_slop.h.old2\n"));
   CHECK(text_of(student.scratch / "04_slop.h.old") == filled_in(slop(), right));
   CHECK(text_of(student.scratch / "04_slop.h.old2") == text_of(stub_of(slop())));
 }
@@ -94,11 +97,62 @@ TEST_CASE("slips of the hand: an unknown exercise, an option without one") {
   CHECK(fs::is_empty(student.scratch / ""));
 }
 
+TEST_CASE("a folder that is mistyped is named, and none is made") {
+  const Scratch scratch;
+  const std::string typed = (scratch / "misttyped").string();
+  for (const std::string words : {"04 --in ", "04 --hint --in ", "04 --reset --in ", "--all --in ", "--in "}) {
+    const Ended ended = call_program(EXERCISE_PROGRAM, words + typed);
+    CHECK(ended.status == 2);
+    CHECK(contains(ended.err, "misttyped' does not exist: a folder that exists is needed."));
+  }
+  CHECK_FALSE(fs::exists(typed));
+  const Ended file = call_program(EXERCISE_PROGRAM, "04 --in /etc/passwd");
+  CHECK(file.status == 2);
+  CHECK(contains(file.err, "passwd' is no folder: a folder that exists is needed."));
+}
+
+TEST_CASE("what is written in is checked at once: the list comes first, the verdicts last, and a wrong one fails") {
+  Student student;
+  CHECK(student.call("--all").status == 0);
+  student.write("for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].separation += slop;\n");
+  const Ended wrong = student.call("--all --no-sheet");
+  CHECK(wrong.status == 1);
+  CHECK(contains(wrong.out, "04           begun"));
+  CHECK(wrong.out.find("next: ") < wrong.out.find("  ✗ "));
+  CHECK(contains(lines_of(wrong.out).back(), "it looks as if min were forgotten."));
+  student.write(right);
+  const Ended solved = student.call("--all --no-sheet");
+  CHECK(solved.status == 0);
+  CHECK(lines_of(solved.out).back() == "  Solved.");
+}
+
+TEST_CASE("a new folder has the exercises that are asked for, and no other") {
+  const Scratch scratch;
+  const std::string folder = (scratch / "mine").string();
+  CHECK(call_program(EXERCISE_PROGRAM, "--new " + folder + " --with 02,03,03-transfer --without 03").status == 0);
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path().filename().string());
+  std::sort(files.begin(), files.end());
+  CHECK(files == std::vector<std::string>{"02_clamping.h", "02_clamping.md", "03_baumgarte_transfer.h",
+                                          "03_baumgarte_transfer.md", "CMakeLists.txt", "README.md"});
+  const Ended listed = call_program(EXERCISE_PROGRAM, "--in " + folder);
+  CHECK(lines_of(listed.out).size() == 3);
+  CHECK(contains(listed.out, "next: ./course exercise 02\n"));
+  CHECK(call_program(EXERCISE_PROGRAM, "--new " + (scratch / "none").string() + " --with 99").status == 2);
+  CHECK(call_program(EXERCISE_PROGRAM, "03 --new " + (scratch / "none").string()).status == 2);
+  CHECK(call_program(EXERCISE_PROGRAM, "--with 03").status == 2);
+  CHECK_FALSE(fs::exists(scratch / "none"));
+}
+
 TEST_CASE("watched, a file is checked at each save") {
   Student student;
   student.write("(void)step;\n");
   std::jthread hand([&] {
     std::this_thread::sleep_for(std::chrono::seconds(2));
+    fs::remove(student.scratch / "04_slop.h");            // as some editors save
+    fs::create_directory(student.scratch / "04_slop.h");  // there, and not to be read
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    fs::remove(student.scratch / "04_slop.h");
     student.write(right);
   });
   const Ended ended = run_program({EXERCISE_PROGRAM, "04", "--watch", "--in", (student.scratch / "").string()}, 20);

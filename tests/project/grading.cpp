@@ -218,9 +218,18 @@ TEST_CASE("a handout has tasks and gaps, and neither answers nor checks, and its
   std::set<std::string> files;
   for (const auto& entry : fs::directory_iterator(folder)) files.insert(entry.path().filename().string());
   CHECK(files == std::set<std::string>{"03_baumgarte.h", "03_baumgarte.md", "03_baumgarte_transfer.h",
-                                       "03_baumgarte_transfer.md", "README.md"});
-  CHECK(text_of(scratch / "handout/03_baumgarte_transfer.h") == read_text_file(stub_of(capped())));
-  CHECK_FALSE(contains(text_of(scratch / "handout/03_baumgarte.md"), "]("));  // links lead nowhere from there
+                                       "03_baumgarte_transfer.md", "CMakeLists.txt", "README.md"});
+  const std::string gap = text_of(scratch / "handout/03_baumgarte_transfer.h");
+  CHECK(untouched(gap, read_text_file(stub_of(capped()))));
+  CHECK(contains(gap, "The task is 03_baumgarte_transfer.md."));
+  const std::string task = text_of(scratch / "handout/03_baumgarte.md"),
+                    how_to = text_of(scratch / "handout/README.md");
+  CHECK(contains(task, "    ./course exercise 03 --in PATH/TO/handout --hint "));
+  CHECK(contains(task, "in `03_baumgarte.h`"));
+  for (const std::string& text : {task, how_to}) CHECK(contains(text, "chapters/03_baumgarte/README.md"));
+  CHECK(contains(how_to, "    pushback-exercise 03 "));
+  CHECK(contains(how_to, "    ./course exercise 03 --in PATH/TO/handout "));
+  CHECK_FALSE(contains(task, "]("));  // links lead nowhere from there
   const Points points(all_exercises(), scratch / "handout.points");
   for (std::size_t i = 0; i < capped().checks.size(); ++i) CHECK(points.of(capped(), i) == capped().checks[i].points);
   CHECK(call_program(HANDOUT_PROGRAM, folder).status == 2);

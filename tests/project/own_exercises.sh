@@ -13,6 +13,7 @@ wrong() { printf 'own_exercises: %s\n' "$@"; exit 1; }
 says() { [[ $output == *"$1"* ]] || wrong "not said: $1" "$output"; }
 says_not() { [[ $output != *"$1"* ]] || wrong "said: $1" "$output"; }
 verdict() { output=$(cmake --build mine/build 2>&1) || wrong "the build fails" "$output"; }
+no_verdict() { ! output=$(cmake --build mine/build 2>&1) || wrong "a wrong answer builds" "$output"; }
 
 cmake --install "$built" --component exercises --prefix "$scratch/prefix" >log 2>&1 || { cat log; wrong "nothing can be installed"; }
 mkdir elsewhere
@@ -28,16 +29,21 @@ for file in CMakeLists.txt README.md 02_clamping.h 02_clamping.md; do grep -qFx 
 ! "$program" --new mine >log 2>&1 || wrong "a folder that is not empty is written into"
 
 cmake -S mine -B mine/build -G Ninja >log 2>&1 || { cat log; wrong "it cannot be configured"; }
+[[ -s elsewhere/prefix/share/pushback/pages/chapters/02_clamping/README.md ]] || wrong "the page is not installed"
+grep -q "share/pushback/pages/chapters/02_clamping/README.md" mine/02_clamping.md || wrong "the task does not say where the page is"
+grep -q "    pushback-exercise 02 --hint" mine/02_clamping.md || wrong "the task has another command"
 verdict
 says "next: pushback-exercise 0"
 says_not "✗"
 cp mine/02_clamping.h stub
 gap() { sed '/TODO/,/TODO ends/c\'"$1" stub >mine/02_clamping.h; }
 gap 'row.apply(-row.effective_mass * row.speed())'
-verdict
+no_verdict
 says "It does not compile" && says "semicolon"
 gap 'row.impulse += std::max(Real(0), -row.effective_mass * (row.speed() + row.bias)); row.apply(std::max(Real(0), -row.effective_mass * (row.speed() + row.bias)));'
-verdict
+no_verdict
+says "02           begun" && [[ ${output##*begun} == *"it looks as if each correction were clamped"* ]] || wrong "the verdict is not the last" "$output"
+[[ $(grep -c begun <<<"$output") == 1 ]] || wrong "untouched files are begun" "$output"
 says "it looks as if each correction were clamped" && says "One hint more: pushback-exercise 02 --hint"
 [[ -s mine/02_clamping.png ]] || wrong "there is no picture"
 gap 'const Real sum = std::max(Real(0), row.impulse - row.effective_mass * (row.speed() + row.bias)); row.apply(sum - row.impulse); row.impulse = sum;'

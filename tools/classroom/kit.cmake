@@ -59,6 +59,12 @@ write_kit(${PROJECT_BINARY_DIR}/package/exercise "${flags}" ${installed})
 foreach(folder common chapters)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION include/pushback COMPONENT exercises FILES_MATCHING PATTERN "*.h" PATTERN "task.md")
 endforeach()
+file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/chapters/*/README.md ${PROJECT_SOURCE_DIR}/docs/*.md
+  ${PROJECT_SOURCE_DIR}/docs/figures/* ${PROJECT_SOURCE_DIR}/renders/*/*.png)  # with the pictures that they show
+foreach(page IN LISTS pages)
+  get_filename_component(folder ${page} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION share/pushback/pages/${folder} COMPONENT exercises)
+endforeach()
 install(TARGETS ${answer_libraries} COMPONENT exercises)
 install(FILES ${scenes} DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT exercises)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/package/exercise DESTINATION share/pushback COMPONENT exercises)

@@ -23,8 +23,9 @@ struct Asked {
   std::vector<std::string> words;
   std::string folder;  // empty: exercises/ of the project
   std::string tasks;
-  std::string own_folder;  // to be made
-  std::uint64_t seed = 0;  // 0: another one each time
+  std::string own_folder;                  // to be made
+  std::uint64_t seed = 0;                  // 0: another one each time
+  std::vector<std::string> with, without;  // of those in the folder to be made
   bool hint = false, reset = false, watch = false, all = false, no_sheet = false;
 };
 
@@ -35,7 +36,8 @@ std::string chapter_of(const Exercise& exercise) {
 
 void list(const std::vector<Exercise>& all, const StudentFiles& files) {
   const Exercise* next = nullptr;
-  for (const Exercise& exercise : all) {
+  for (const Exercise* listed : files.listed(all)) {
+    const Exercise& exercise = *listed;
     int points = 0;
     for (const auto& check : exercise.checks) points += check.points;
     const std::string state = files.solved(exercise) ? "solved" : files.begun(exercise) ? "begun" : "";
@@ -47,47 +49,78 @@ void list(const std::vector<Exercise>& all, const StudentFiles& files) {
   else fmt::print("all are solved\n");
 }
 
-/// The verdict, line by line, then the picture; true where all checks pass.
-bool check(const Exercise& exercise, StudentFiles& files, const Asked& asked) {
-  const fs::path file = files.file(exercise);
-  const std::string text = read_text_file(file);
-  fmt::print("{} {}: {}\n", short_name(exercise), chapter_of(exercise), exercise.title);
-  if (untouched(text, read_text_file(stub_of(exercise)))) {
-    fmt::print("\n  Nothing is written yet. The gap is in {}, line {}; the task is {}.\n", file.string(),
-               line_of_todo(text), files.task(exercise).string());
-    return false;
-  }
+/// A compiler that is not done by then has been given something that never ends.
+constexpr Limits limits{.compile_seconds = 20};
+
+std::string heading(const Exercise& exercise) {
+  return fmt::format("{} {}: {}\n", short_name(exercise), chapter_of(exercise), exercise.title);
+}
+
+struct Checked {
+  bool passed = false;
+  std::string lines;  ///< each check, and in the end the verdict
+};
+
+/// Compiles, runs and judges a file in which something is written; draws its picture.
+Checked checked(const Exercise& exercise, StudentFiles& files, const Asked& asked) {
+  std::string lines = heading(exercise);
   const std::uint64_t seed = asked.seed != 0 ? asked.seed : std::random_device{}();
-  const Attempt outcome = attempt(exercise, file, seed, nullptr);
+  const Attempt outcome = attempt(exercise, files.file(exercise), seed, nullptr, limits);
   const Verdict verdict = judge(exercise, seed, outcome);
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
     const Passed passed = verdict.checks[i];
-    fmt::print("  {} {}\n", passed == Passed::yes ? "✓" : passed == Passed::no ? "✗" : "·", exercise.checks[i].says);
+    lines += fmt::format("  {} {}\n",
+                         passed == Passed::yes  ? "✓"
+                         : passed == Passed::no ? "✗"
+                                                : "·",
+                         exercise.checks[i].says);
   }
   const std::vector<std::string> printed = lines_of(outcome.printed);
-  for (std::size_t i = 0; i < std::min<std::size_t>(printed.size(), 10); ++i) fmt::print("  | {}\n", printed[i]);
-  if (printed.size() > 10) fmt::print("  | ... and {} lines more that your file printed\n", printed.size() - 10);
-  fmt::print("\n  {}\n", verdict.in_words());
+  for (std::size_t i = 0; i < std::min<std::size_t>(printed.size(), 10); ++i)
+    lines += fmt::format("  | {}\n", printed[i]);
+  if (printed.size() > 10)
+    lines += fmt::format("  | ... and {} lines more that your file printed\n", printed.size() - 10);
   if (verdict.passed()) files.set_solved(exercise);
-  else
-    fmt::print("\n  One hint more: {} {} --hint. The same scenes again: --seed {}\n", kit().call(),
-               short_name(exercise), seed);
-  std::fflush(stdout);  // the picture takes a moment
   const fs::path sheet = files.sheet(exercise);
   if (!asked.no_sheet && write_result_sheet(sheet, exercise, seed, outcome, verdict))
-    fmt::print("  Your numbers beside the right ones, as a picture: {}\n", sheet.string());
-  return verdict.passed();
+    lines += fmt::format("  Your numbers beside the right ones, as a picture: {}\n", sheet.string());
+  if (!verdict.passed())
+    lines += fmt::format("  One hint more: {} {} --hint. The same scenes again: --seed {}\n", kit().call(),
+                         short_name(exercise), seed);
+  return {verdict.passed(), lines + fmt::format("\n  {}\n", verdict.in_words())};
 }
 
-/// What was written and is not yet solved, one after the other.
-void check_all(const std::vector<Exercise>& all, StudentFiles& files, const Asked& asked) {
+/// Says the verdict on a file; true where all checks pass.
+bool check(const Exercise& exercise, StudentFiles& files, const Asked& asked) {
+  if (!files.begun(exercise)) {
+    const fs::path file = files.file(exercise);
+    fmt::print("{}\n  Nothing is written yet. The gap is in {}, line {}; the task is {}.\n", heading(exercise),
+               file.string(), line_of_todo(read_text_file(file)), files.task(exercise).string());
+    return false;
+  }
+  const Checked said = checked(exercise, files, asked);
+  fmt::print("{}", said.lines);
+  return said.passed;
+}
+
+/// The list, then what was written and was not yet solved: the verdicts come last. True where none is wrong.
+bool check_all(const std::vector<Exercise>& all, StudentFiles& files, const Asked& asked) {
+  std::string right, wrong, names;
+  std::size_t count = 0, solved = 0;
   for (const Exercise& exercise : all) {
     if (!files.begun(exercise) || files.solved(exercise)) continue;
-    if (untouched(read_text_file(files.file(exercise)), read_text_file(stub_of(exercise)))) continue;
-    check(exercise, files, asked);
-    fmt::print("\n");
+    const Checked one = checked(exercise, files, asked);
+    ++count;
+    solved += one.passed;
+    (one.passed ? right : wrong) += fmt::format("\n{}", one.lines);
+    if (!one.passed) names += fmt::format(" {}", short_name(exercise));
   }
   list(all, files);
+  fmt::print("{}{}", right, wrong);
+  if (count > 1)
+    fmt::print("\n{} of {} checked are solved{}\n", solved, count,
+               names.empty() ? "" : fmt::format("; not yet:{}", names));
+  return solved == count;
 }
 
 void show_hints(const Exercise& exercise, StudentFiles& files) {
@@ -102,10 +135,15 @@ void show_hints(const Exercise& exercise, StudentFiles& files) {
   for (;;) {
     std::error_code gone;
     const fs::file_time_type now = fs::last_write_time(files.file(exercise), gone);
-    if (!gone && now != seen) {
+    if (gone) seen = {};  // an editor may save by deleting: it comes back
+    else if (now != seen) {
       seen = now;
       fmt::print("\n");
-      check(exercise, files, asked);
+      try {
+        check(exercise, files, asked);
+      } catch (const std::exception& problem) {  // between being seen and being read it may be gone
+        fmt::print("{}\n", problem.what());
+      }
       std::fflush(stdout);
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
@@ -128,28 +166,39 @@ int main(int argc, char** argv) {
   line.option("--tasks", asked.tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
   line.option("--new", asked.own_folder,
               "Make a folder of your own, which needs nothing but an installed Pushback: its build says the verdict");
+  line.option("--with", asked.with, "02,03,03-transfer: these in that folder; all by default").split_at_commas();
+  line.option("--without", asked.without, "04: all but these").split_at_commas();
   bool passed = true;
   const int status = line.run(argc, argv, [&] {
     const std::vector<Exercise> all = exercises_with(asked.tasks);
     if (!asked.own_folder.empty()) {
-      std::vector<const Exercise*> exercises;
-      for (const Exercise& exercise : all) exercises.push_back(&exercise);
+      if (!asked.words.empty())
+        throw InvalidInput(
+            fmt::format("--new makes a folder, and checks none: for '{0}' in it say --with {0}", asked.words[0]));
+      const std::vector<const Exercise*> exercises = chosen(all, asked.with, asked.without);
       write_own_folder(asked.own_folder, exercises);
-      fmt::print("{}: {} exercises, each with its task. What to do with them is in {}.\n", asked.own_folder, all.size(),
+      fmt::print("{}: {} exercise{}, each with its task. What to do with them is in {}.\n", asked.own_folder,
+                 exercises.size(), exercises.size() == 1 ? "" : "s",
                  (fs::path(asked.own_folder) / "README.md").string());
       return;
     }
+    if (!asked.with.empty() || !asked.without.empty())
+      throw InvalidInput("--with and --without are for a new folder: --new FOLDER is needed");
     StudentFiles files(asked.folder);
     if (asked.words.empty()) {
-      if (asked.all) return check_all(all, files, asked);
+      if (asked.all) {
+        passed = check_all(all, files, asked);
+        return;
+      }
       if (asked.hint || asked.reset || asked.watch)
         throw InvalidInput("which exercise? Its number is needed, 03 for example");
       list(all, files);
       return;
     }
     const Exercise& exercise = exercise_named(all, asked.words[0]);
-    if (asked.reset || !files.begun(exercise)) {
-      files.reset(exercise);
+    if (asked.reset || !files.has(exercise)) {
+      if (const fs::path kept = files.reset(exercise); !kept.empty())
+        fmt::print("What you had is kept: {}\n", kept.string());
       fmt::print("Your file is {}; the gap is in line {}. The task is {}.\nWrite, save, and have it checked: {} {}\n",
                  files.file(exercise).string(), line_of_todo(read_text_file(files.file(exercise))),
                  files.task(exercise).string(), kit().call(), short_name(exercise));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <regex>
 
 #include "pushback/common/basics/files.h"
@@ -15,54 +16,138 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What is typed to check an exercise, before its name and behind it.
+struct Call {
+  std::string program, in;
+  std::string of(const std::string& exercise) const { return fmt::format("{} {}{}", program, exercise, in); }
+};
+
+const Call installed{"pushback-exercise", ""};
+
+/// `folder` is wherever a student puts it: its name is known, the way to it is not.
+Call in_a_copy(const fs::path& folder) {
+  const std::string path = fmt::format("PATH/TO/{}", fs::absolute(folder / "").parent_path().filename().string());
+  return {"./course exercise", fmt::format(" --in {}", path.find(' ') == std::string::npos ? path : quoted(path))};
+}
+
 /// Links lead out of the folder: their words stay.
 std::string without_links(const std::string& text) {
   static const std::regex link("\\[([^\\]]*)\\]\\([^)]*\\)");
   return std::regex_replace(text, link, "$1");
 }
 
-std::string called(const std::string& text, const std::string& call) {
-  static const std::regex here("\\./course exercise");
-  return std::regex_replace(text, here, call);
+/// A task as it stands beside the file with the gap.
+std::string handed_out(const Exercise& exercise, const Call& call) {
+  static const std::regex file("`exercises/");
+  std::string text = std::regex_replace(without_links(read_text_file(task_of(exercise))), file, "`");
+  const std::string typed = Call{"./course exercise", ""}.of(short_name(exercise)),
+                    instead = call.of(short_name(exercise));
+  for (std::size_t at = 0; (at = text.find(typed, at)) != std::string::npos; at += instead.size())
+    text.replace(at, typed.size(), instead);
+  if (exercise.own()) return text;
+  return text + fmt::format(
+                    "\nThe page of the chapter: `{0}` in a copy of Pushback, `share/pushback/pages/{0}` in the "
+                    "folder that Pushback is\ninstalled in.\n",
+                    page_of(exercise).string());
+}
+
+std::string how_to(const std::vector<const Exercise*>& exercises, const std::vector<Call>& calls) {
+  std::string text =
+      "# Exercises\n\nFor each exercise there is a task (`.md`) and a file with a gap (`.h`). Read the task, write the "
+      "lines between\n`// TODO` and `// TODO ends`, save, and have the file checked. The page of the chapter has the "
+      "idea and its equation.\n\n| exercise | task | your file | page of the chapter |\n| --- | --- | --- | --- |\n";
+  const Exercise* first = nullptr;
+  for (const Exercise* exercise : exercises) {
+    text += fmt::format("| {0} | [{1}.md]({1}.md) | [{1}.h]({1}.h) | {2} |\n", short_name(*exercise), exercise->name,
+                        exercise->own() ? "none; your teacher has the checks" : page_of(*exercise).string());
+    if (!first && !exercise->own()) first = exercise;
+  }
+  text +=
+      "\nThe pages are in a copy of Pushback, and in `share/pushback/pages` of the folder that Pushback is installed "
+      "in.\n";
+  if (!first) return text;
+  for (const Call& call : calls) {
+    const bool copy = !call.in.empty();
+    text += copy ? "\n## Checked in a copy of Pushback\n\nPATH/TO is where this folder lies.\n\n"
+                 : "\n## Checked where Pushback is installed\n\nIn this folder:\n\n";
+    for (const auto& [option, does] : {std::pair{"", "compiled and checked"},
+                                       {" --hint", "one hint more each time"},
+                                       {" --watch", "checked again at each save, until Ctrl-C"},
+                                       {" --reset", "the file as it was; yours is kept beside it"}})
+      text += fmt::format("    {:<{}}{}\n", call.of(short_name(*first)) + option,
+                          call.of(short_name(*first)).size() + 11, does);
+    if (!copy)
+      text +=
+          "\n`pushback-exercise` is in `bin` of the folder that Pushback is installed in. Where the shell does not "
+          "find it, write that\nfolder before it. A build checks every file that you have written in:\n\n"
+          "    cmake -B build -G Ninja\n    cmake --build build\n\n"
+          "The verdict stands at its end. As long as an answer is wrong, the build fails: what Ninja says below the "
+          "verdict is\nno more than that. Where CMake does not find Pushback, say where it is installed, once: "
+          "`cmake -B build\n-DCMAKE_PREFIX_PATH=FOLDER`.\n";
+  }
+  return text;
+}
+
+std::string build_file() {
+  const std::string hint = kit().prefix.empty() ? "" : fmt::format(" HINTS {}", quoted(kit().prefix / "bin"));
+  return fmt::format(R"(cmake_minimum_required(VERSION 3.25)
+project(exercises LANGUAGES NONE)
+find_program(PUSHBACK_EXERCISE pushback-exercise{})
+if(NOT PUSHBACK_EXERCISE)
+  message(FATAL_ERROR "pushback-exercise is not found. It comes with an installed Pushback: cmake -B build -DCMAKE_PREFIX_PATH=FOLDER says where that is")
+endif()
+add_custom_target(verdicts ALL COMMAND ${{PUSHBACK_EXERCISE}} --all --in ${{CMAKE_SOURCE_DIR}}
+  COMMENT "What you have written is compiled and checked" USES_TERMINAL VERBATIM)
+)",
+                     hint);
+}
+
+void write_folder(const fs::path& folder, const std::vector<const Exercise*>& exercises, const Call& in_tasks,
+                  const std::string& readme) {
+  if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder)))
+    throw InvalidInput(fmt::format("'{}' is not empty: a new folder is needed", folder.string()));
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure)
+    throw InvalidInput(fmt::format("'{}' cannot be made: {}. A folder that can be written to is needed",
+                                   folder.string(), failure.message()));
+  for (const Exercise* exercise : exercises) {
+    write_text_file(folder / (exercise->name + ".md"), handed_out(*exercise, in_tasks));
+    write_text_file(folder / (exercise->name + ".h"), gap_of(*exercise, exercise->name + ".md"));
+  }
+  write_text_file(folder / "CMakeLists.txt", build_file());
+  write_text_file(folder / "README.md", readme);
 }
 
 }  // namespace
 
-void write_tasks(const fs::path& folder, const std::vector<const Exercise*>& exercises, const std::string& call) {
-  if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder)))
-    throw InvalidInput(fmt::format("'{}' is not empty: a new folder is needed", folder.string()));
-  make_writable_folder(folder);
-  for (const Exercise* exercise : exercises) {
-    write_text_file(folder / (exercise->name + ".h"), read_text_file(stub_of(*exercise)));
-    write_text_file(folder / (exercise->name + ".md"), called(without_links(read_text_file(task_of(*exercise))), call));
-  }
+std::vector<const Exercise*> chosen(const std::vector<Exercise>& all, const std::vector<std::string>& with,
+                                    const std::vector<std::string>& without) {
+  std::vector<const Exercise*> exercises;
+  const auto is_in = [&](const Exercise& one) {
+    return std::find(exercises.begin(), exercises.end(), &one) != exercises.end();
+  };
+  for (const std::string& word : with)
+    if (const Exercise& one = exercise_named(all, word); !is_in(one)) exercises.push_back(&one);
+  for (const Exercise& one : all)
+    if (with.empty()) exercises.push_back(&one);
+  for (const std::string& word : without) std::erase(exercises, &exercise_named(all, word));
+  if (exercises.empty()) throw InvalidInput("--without leaves none: at least one exercise is needed");
+  return exercises;
+}
+
+void write_handout(const fs::path& folder, const std::vector<const Exercise*>& exercises) {
+  const Call copy = in_a_copy(folder);
+  write_folder(folder, exercises, copy,
+               how_to(exercises, {installed, copy}) +
+                   "\n## Hand in\n\nHand in this folder, under your own name, without `build`.\n");
 }
 
 void write_own_folder(const fs::path& folder, const std::vector<const Exercise*>& exercises) {
-  write_tasks(folder, exercises, "pushback-exercise");
-  const std::string hint = kit().prefix.empty() ? "" : fmt::format(" HINTS {}", quoted(kit().prefix / "bin"));
-  write_text_file(folder / "CMakeLists.txt", fmt::format(R"(cmake_minimum_required(VERSION 3.25)
-project(exercises LANGUAGES NONE)
-# It comes with Pushback: cmake --install. Where it is not found, say where that is: cmake -B build -DCMAKE_PREFIX_PATH=...
-find_program(PUSHBACK_EXERCISE pushback-exercise{} REQUIRED)
-add_custom_target(verdicts ALL COMMAND ${{PUSHBACK_EXERCISE}} --all --in ${{CMAKE_SOURCE_DIR}} USES_TERMINAL VERBATIM)
-)",
-                                                         hint));
-  write_text_file(folder / "README.md", R"(# Exercises
-
-For each exercise there is a task (`.md`) and a file in which a few lines are left out (`.h`). Write these lines, then
-
-    cmake -B build -G Ninja
-    cmake --build build
-
-compiles every file that you have written in, and says what is right and what is not. A single one, in this folder:
-
-    pushback-exercise 03             compiled and checked
-    pushback-exercise 03 --hint      one hint more each time
-    pushback-exercise 03 --reset     the file as it was
-
-This program is in the folder `bin` of where Pushback is installed.
-)");
+  const bool is_copy = kit().prefix.empty();
+  const Call copy = in_a_copy(folder);
+  write_folder(folder, exercises, is_copy ? copy : installed,
+               how_to(exercises, is_copy ? std::vector{copy, installed} : std::vector{installed}));
 }
 
 }  // namespace pushback

@@ -7,12 +7,16 @@
 
 namespace pushback {
 
-/// A new folder with a task and a file with a gap for each exercise. `call`: what is typed to check one, in the place of
-/// ./course exercise. Throws InvalidInput where the folder is there and not empty.
-void write_tasks(const std::filesystem::path& folder, const std::vector<const Exercise*>& exercises,
-                 const std::string& call);
+/// Those of `all` that `with` names, or all where it names none, and not those that `without` names. Throws InvalidInput where a
+/// name is unknown, or none is left. Points into `all`.
+std::vector<const Exercise*> chosen(const std::vector<Exercise>& all, const std::vector<std::string>& with,
+                                    const std::vector<std::string>& without);
 
-/// Such a folder that needs nothing but an installed Pushback: its build says the verdict.
+/// A new folder with a task and a file with a gap for each exercise, a README.md, and a CMakeLists.txt with which a build says the
+/// verdict. Throws InvalidInput where the folder is there and not empty, or cannot be made.
+/// A handout is for who has a copy of Pushback, and for who has it installed.
+void write_handout(const std::filesystem::path& folder, const std::vector<const Exercise*>& exercises);
+/// The same for the one who calls: with the command that was called.
 void write_own_folder(const std::filesystem::path& folder, const std::vector<const Exercise*>& exercises);
 
 }  // namespace pushback

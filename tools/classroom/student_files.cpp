@@ -64,6 +64,18 @@ fs::path task_of(const Exercise& exercise) {
 fs::path stub_of(const Exercise& exercise) {
   return kit().sources / exercise.folder / "student.h";
 }
+fs::path page_of(const Exercise& exercise) {
+  if (exercise.own()) return {};
+  const fs::path chapter = fs::path(exercise.folder).lexically_relative("chapters");
+  return fs::path("chapters") / *chapter.begin() / "README.md";
+}
+
+std::string gap_of(const Exercise& exercise, const std::string& task) {
+  std::string text = read_text_file(stub_of(exercise));
+  const std::string usual = exercise.folder + "/task.md";
+  if (const std::size_t at = text.find(usual); at != std::string::npos) text.replace(at, usual.size(), task);
+  return text;
+}
 
 std::size_t line_of_todo(const std::string& text) {
   return 1 +
@@ -79,6 +91,10 @@ StudentFiles::StudentFiles(const fs::path& folder)
     : folder_(fs::proximate(!folder.empty()        ? folder
                             : kit().prefix.empty() ? kit().sources / "exercises"
                                                    : fs::current_path())) {
+  if (fs::exists(folder_) ? !fs::is_directory(folder_) : !folder.empty())
+    throw InvalidInput(fmt::format("{}'{}' {}: a folder that exists is needed. {} --new FOLDER makes one",
+                                   folder.empty() ? "" : "--in: ", folder_.string(),
+                                   fs::exists(folder_) ? "is no folder" : "does not exist", kit().call()));
   if (!fs::exists(folder_ / ".remembered")) return;
   std::istringstream lines(read_text_file(folder_ / ".remembered"));
   std::string name;
@@ -90,23 +106,43 @@ fs::path StudentFiles::task(const Exercise& exercise) const {
   return fs::exists(beside) ? beside : task_of(exercise);
 }
 
-void StudentFiles::reset(const Exercise& exercise) {
+bool StudentFiles::begun(const Exercise& exercise) const {
+  return has(exercise) && !untouched(read_text_file(file(exercise)), read_text_file(stub_of(exercise)));
+}
+
+std::vector<const Exercise*> StudentFiles::listed(const std::vector<Exercise>& all) const {
+  std::vector<const Exercise*> here, every;
+  bool tasks = false;
+  for (const Exercise& exercise : all) {
+    const bool task_here = fs::exists(folder_ / (exercise.name + ".md"));
+    tasks = tasks || task_here;
+    every.push_back(&exercise);
+    if (task_here || has(exercise)) here.push_back(&exercise);
+  }
+  return tasks ? here : every;
+}
+
+fs::path StudentFiles::reset(const Exercise& exercise) {
   fs::create_directories(folder_);
-  const fs::path own = file(exercise);
+  const fs::path own = file(exercise), beside = exercise.name + ".md";
+  const std::string gap =
+      fs::exists(folder_ / beside) ? gap_of(exercise, beside.string()) : read_text_file(stub_of(exercise));
+  fs::path old;
   if (fs::exists(own)) {
-    fs::path old = own;
+    old = own;
     old += ".old";
     for (int i = 2; fs::exists(old); ++i) old.replace_extension(fmt::format(".old{}", i));
     fs::rename(own, old);
   }
-  write_text_file(own, read_text_file(stub_of(exercise)));
+  write_text_file(own, gap);
   remembered_.erase(exercise.name);
   write();
+  return old;
 }
 
 bool StudentFiles::solved(const Exercise& exercise) const {
   const auto found = remembered_.find(exercise.name);
-  return found != remembered_.end() && begun(exercise) &&
+  return found != remembered_.end() && has(exercise) &&
          found->second.solved == hash_of(code_of(read_text_file(file(exercise))));
 }
 void StudentFiles::set_solved(const Exercise& exercise) {

@@ -16,6 +16,10 @@ const Exercise& exercise_named(const std::vector<Exercise>& all, const std::stri
 /// Where the task and the file with the gap are.
 std::filesystem::path task_of(const Exercise& exercise);
 std::filesystem::path stub_of(const Exercise& exercise);
+/// The chapter's page, from the top of the project on: chapters/03_baumgarte/README.md. Empty for a teacher's own exercise.
+std::filesystem::path page_of(const Exercise& exercise);
+/// The file with the gap, in which the task is said to be `task`.
+std::string gap_of(const Exercise& exercise, const std::string& task);
 /// The number of the first line with the TODO.
 std::size_t line_of_todo(const std::string& text);
 /// FNV-1a: the same on every machine.
@@ -25,16 +29,22 @@ bool untouched(const std::string& text, const std::string& stub);
 
 class StudentFiles {
  public:
-  /// `folder`: where it is empty, exercises/ of the project; the current one where Pushback is installed.
+  /// `folder`: where it is empty, exercises/ of the project, which need not be there; the current one where Pushback is installed.
+  /// Throws InvalidInput where a folder is named that does not exist, or is a file.
   explicit StudentFiles(const std::filesystem::path& folder);
   std::filesystem::path file(const Exercise& exercise) const { return folder_ / (exercise.name + ".h"); }
   /// Beside it, or where all tasks are.
   std::filesystem::path task(const Exercise& exercise) const;
   /// The picture of its numbers.
   std::filesystem::path sheet(const Exercise& exercise) const { return folder_ / (exercise.name + ".png"); }
-  bool begun(const Exercise& exercise) const { return std::filesystem::exists(file(exercise)); }
-  /// The file with the gap, in the place of what may be there: that is kept beside it, with .old at its end.
-  void reset(const Exercise& exercise);
+  bool has(const Exercise& exercise) const { return std::filesystem::exists(file(exercise)); }
+  /// Its code differs from that of the file with the gap.
+  bool begun(const Exercise& exercise) const;
+  /// Those of `all` that the folder has tasks or files of, where it is one with tasks (a handout); else all.
+  std::vector<const Exercise*> listed(const std::vector<Exercise>& all) const;
+  /// The file with the gap, in the place of what may be there: that is kept beside it, with .old at its end, then .old2, ...
+  /// Returns where that is; empty: nothing was there.
+  std::filesystem::path reset(const Exercise& exercise);
 
   /// With the code that it has now, comments aside.
   bool solved(const Exercise& exercise) const;
