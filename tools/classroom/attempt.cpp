@@ -27,7 +27,12 @@ Command operator+(Command first, const Command& then) {
 }
 
 Command limited(int seconds, int megabytes, const Command& command) {
-  Command limits{"env",        "LC_ALL=C", "prlimit", "--core=0", fmt::format("--cpu={}", seconds), "--fsize=67108864",
+  Command limits{"env",
+                 "LC_ALL=C",
+                 "prlimit",
+                 "--core=0",
+                 fmt::format("--cpu={}:{}", seconds, seconds + 1),
+                 "--fsize=67108864",
                  "--nofile=64"};
 #ifndef __SANITIZE_ADDRESS__  // which takes terabytes of addresses for itself
   limits.push_back(fmt::format("--as={}", std::int64_t{megabytes} << 20));
