@@ -6,6 +6,7 @@
 
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/classroom/all_exercises.h"
+#include "pushback/tools/classroom/kit.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
 
@@ -179,4 +180,35 @@ TEST_CASE("a hostile class gets what is due: what is likely to be tried") {
 TEST_CASE("a hostile class gets what is due: all", "[checked]") {
   if (no_sandbox()) return;
   get_what_is_due(HostileClass(true));
+}
+
+TEST_CASE("of the checks, a student's program can name how a scene is played, and holds nothing that is right") {
+  const std::string weak = "WVu";  // each program has its own of these
+  std::vector<std::string> plays;
+  for (const std::string& line :
+       lines_of(run_program({"nm", "--defined-only", "--extern-only", SCENES_LIBRARY}, 60).out)) {
+    std::istringstream in(line);
+    std::string at, kind, name;
+    if (!(in >> at >> kind >> name) || contains(weak, kind)) continue;
+    INFO(name);
+    if (contains(name, "4playEm")) plays.push_back(name);
+    else CHECK(name.starts_with("_ZN8pushback11exercise_115Parts"));  // what that exercise gives its students
+  }
+  CHECK(plays.size() == all_exercises().size());
+  const Scratch scratch;
+  const std::string program = (scratch / "program").string();
+  std::size_t graded = 0;
+  for (const std::string& play : plays) {
+    if (!contains(play, "_transfer")) continue;
+    ++graded;
+    INFO(play);
+    std::vector<std::string> link = kit().words_of("link.txt");
+    link.insert(link.begin() + 1, {"-o", program, "-nostartfiles", "-Wl,-e," + play, "-Wl,-u," + play,
+                                   "-Wl,--defsym=__dso_handle=0,--defsym=main=0"});
+    REQUIRE(run_program(link, 60).status == 0);
+    const std::string names = run_program({"nm", program}, 60).out;
+    CHECK(contains(names, play));
+    for (const char* known : {"_15right", "_18mistakes", "8exerciseEv"}) CHECK_FALSE(contains(names, known));
+  }
+  CHECK(graded > 10);
 }
