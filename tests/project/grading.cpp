@@ -181,6 +181,16 @@ TEST_CASE("a folder whose files are in another one, or too large, has handed in 
   CHECK(contains(ended.out, "linked      0 of 6  03-transfer 0/6 (not handed in)\n"));
 }
 
+TEST_CASE("a result under other limits is another result") {
+  Class all;
+  all.folders = "'" + (all.scratch / "dora").string() + "' ";
+  for (const std::string limits : {"", " --seconds 9", " --megabytes 512", " --compile-seconds 59"}) {
+    INFO(limits);
+    CHECK(all.grade("--no-sheet" + limits).err == "graded: dora\n");
+    CHECK(all.grade("--no-sheet" + limits).err.empty());
+  }
+}
+
 TEST_CASE("what cannot be graded is refused, and nothing is left behind") {
   Class all;
   CHECK(call_program(GRADE_PROGRAM, "nowhere --out " + (all.scratch / "out").string()).status == 2);

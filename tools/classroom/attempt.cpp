@@ -9,6 +9,7 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
+#include "pushback/tools/classroom/budget.h"
 #include "pushback/tools/classroom/compiler_words.h"
 #include "pushback/tools/classroom/kit.h"
 
@@ -25,11 +26,13 @@ Command operator+(Command first, const Command& then) {
   return first;
 }
 
-/// Seconds by the clock for one of the processor: on a machine that compiles many students at once nobody should lose points.
-constexpr int patience = 6;
-
 Command limited(int seconds, int megabytes, const Command& command) {
-  Command limits{"env",        "LC_ALL=C", "prlimit", "--core=0", fmt::format("--cpu={}", seconds), "--fsize=67108864",
+  Command limits{"env",
+                 "LC_ALL=C",
+                 "prlimit",
+                 "--core=0",
+                 fmt::format("--cpu={}:{}", seconds, seconds + 1),
+                 "--fsize=67108864",
                  "--nofile=64"};
 #ifndef __SANITIZE_ADDRESS__  // which takes terabytes of addresses for itself
   limits.push_back(fmt::format("--as={}", std::int64_t{megabytes} << 20));
@@ -56,6 +59,13 @@ Numbers numbers_in(std::string_view text) {
   return numbers;
 }
 
+/// What a student can make as long as he likes.
+std::string shortened(std::string text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80) --most;  // in the middle of a letter
+  return text.substr(0, most) + " ...";
+}
+
 struct Problem {
   std::string kind, text;
 };
@@ -65,14 +75,18 @@ Problem problem_of(const Ended& ended, const std::string& where, const Limits& l
                    const std::string& last_printed) {
   const auto by_signal = [&](int signal) { return ended.signal == signal || ended.status == 128 + signal; };
   if (ended.status == 124 || by_signal(SIGXCPU) || by_signal(SIGKILL))
-    return {"time", fmt::format("{}, your program had no answer after {} s. Look for a loop that never ends.", where,
-                                limits.seconds)};
+    return {"time",
+            fmt::format("{}, your program had no answer after {} s of processor time, or {} s by the clock. Look for "
+                        "a loop that never ends.",
+                        where, limits.seconds, Limits::patience * limits.seconds)};
   if (by_signal(SIGABRT))
     return {"crash",
             fmt::format("{}, your program stopped itself{}.", where, last_printed.empty() ? "" : ": " + last_printed)};
   if (by_signal(SIGFPE)) return {"crash", where + ", your program divided a whole number by 0."};
   if (by_signal(SIGXFSZ))
     return {"files", where + ", your program wrote more than 64 MB. Look for a line that prints, in a loop."};
+  for (const int signal : {SIGALRM, SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2})
+    if (by_signal(signal)) return {"crash", fmt::format("{}, your program was ended by the signal {}.", where, signal)};
   if (ended.status < 0 || ended.status > 128)
     return {
         "crash",
@@ -86,58 +100,16 @@ Problem problem_of(const Ended& ended, const std::string& where, const Limits& l
               where, ended.status)};
 }
 
+/// Why there is no program.
+std::string built_not(const Ended& ended, const std::string& too_much, const fs::path& own, const Limits& limits) {
+  if (!too_much.empty()) return fmt::format("the compiler took {}, and was stopped.", too_much);
+  if (ended.status == 124 || ended.err.find("CPU time limit exceeded") != std::string::npos)
+    return fmt::format("the compiler was not done after {} s of processor time, or {} s by the clock.",
+                       limits.compile_seconds, Limits::patience * limits.compile_seconds);
+  return shortened(first_error(shortened(ended.err, 100'000), own), 1000);
+}
+
 }  // namespace
-
-ScratchFolder::ScratchFolder()
-    : path([] {
-        std::string name = (fs::temp_directory_path() / "pushback_XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder in " + name);
-        return name;
-      }()) {}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path, ignored);
-}
-
-Sandbox::Sandbox() {
-  const fs::path& source = kit().sources;
-  for (const char* part : {"common", "chapters"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(source / part)) {
-      if (entry.path().extension() != ".h") continue;
-      const fs::path copy = headers_.path / "pushback" / fs::relative(entry.path(), source);
-      fs::create_directories(copy.parent_path());
-      fs::copy_file(entry.path(), copy);
-    }
-  }
-  const ScratchFolder folder;
-  const Ended ended = run_program(around({"true"}, folder.path, {}), 10);
-  if (ended.status != 0)
-    throw InvalidInput(
-        fmt::format("there is no sandbox here (bubblewrap: {}): install the package bubblewrap, or say --no-sandbox "
-                    "and run what students wrote with all that you may do yourself",
-                    ended.status == 127 ? "not installed" : lines_of(ended.err + "no reason given").front()));
-}
-
-Command Sandbox::around(Command command, const fs::path& folder, const std::vector<fs::path>& readable,
-                        Folder may_be) const {
-  constexpr const char* most_bytes = "67108864";
-  // bubblewrap is the first process in there: its own environment can be read from /proc/1/environ.
-  const char* path = std::getenv("PATH");
-  Command made{"env", "-i", fmt::format("PATH={}", path == nullptr ? "/usr/bin" : path), "bwrap"};
-  made = made +
-         Command{"--unshare-all", "--die-with-parent", "--new-session", "--clearenv", "--setenv", "PATH", "/usr/bin"};
-  made = made + Command{"--ro-bind", "/usr", "/usr", "--proc", "/proc", "--dev", "/dev"};
-  for (const char* memory : {"/dev/shm", "/tmp"}) made = made + Command{"--size", most_bytes, "--tmpfs", memory};
-  for (const char* link : {"bin", "lib", "lib64"})
-    made = made + Command{"--symlink", fmt::format("usr/{}", link), fmt::format("/{}", link)};
-  made =
-      made + Command{"--ro-bind-try", "/etc/alternatives", "/etc/alternatives"};  // where Debian's /usr/bin/c++ leads
-  made = made + Command{"--ro-bind", headers_.path, kit().headers, may_be == Folder::writable ? "--bind" : "--ro-bind",
-                        folder,      folder,        "--chdir",     folder};
-  for (const fs::path& readable_path : readable) made = made + Command{"--ro-bind", readable_path, readable_path};
-  return made + Command{"--remount-ro", "/dev", "--remount-ro", "/", "--"} + command;
-}
 
 Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t seed, const Sandbox* sandbox,
                 const Limits& limits) {
@@ -151,9 +123,20 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
     for (const auto& entry : fs::directory_iterator(exercise.folder))
       if (entry.path().extension() == ".h" && entry.path().filename() != "student.h")
         fs::copy_file(entry.path(), scratch.path / entry.path().filename(), fs::copy_options::skip_existing);
-  const auto apart = [&](const Command& command, const std::vector<fs::path>& readable,
-                         Sandbox::Folder may_be = Sandbox::Folder::writable) {
-    return sandbox ? sandbox->around(command, scratch.path, readable, may_be) : command;
+  /// Apart from us, within limits; `too_much` says which budget it has exceeded.
+  std::string too_much;
+  const auto run = [&](const Command& command, const std::vector<fs::path>& readable, Sandbox::Folder may_be,
+                       int seconds, int megabytes, const std::string& input) {
+    Watch watch({megabytes, limits.processes}, sandbox != nullptr);
+    const Command within = limited(seconds, megabytes, command);
+    const Ended ended =
+        run_program(sandbox ? sandbox->around(within, scratch.path, readable, may_be) : within,
+                    Limits::patience * seconds, input, [&](int process) { return watch.look(process); });
+    too_much = watch.exceeded();
+    return ended;
+  };
+  const auto build = [&](const Command& command, const std::vector<fs::path>& readable) {
+    return run(command, readable, Sandbox::Folder::writable, limits.compile_seconds, limits.compile_megabytes, "");
   };
 
   const Command compile =
@@ -161,26 +144,29 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
   std::vector<fs::path> needed{headers, answer};
   for (const char* parsed : {"headers.h.gch", "headers.h.pch"})
     if (fs::exists(kit().folder / parsed)) needed.push_back(kit().folder / parsed);
-  Ended ended =
-      run_program(apart(limited(limits.compile_seconds, 4096, compile), needed), patience * limits.compile_seconds);
-  if (ended.status == 0)
-    ended = run_program(Command{"env", "LC_ALL=C"} + [&] {
-      Command link = kit().words_of("link.txt");
-      link.insert(link.begin() + 1, {"-o", program, object});
-      if (exercise.own()) link.insert(link.begin() + 4, exercise.object);
-      return link;
-    }());
+  Ended ended = build(compile, needed);
+  if (ended.status == 0) {
+    // Not before now: the compiler could put what is in them into the program, and they hold what is right.
+    Command link = kit().words_of("link.txt");
+    std::vector<fs::path> libraries;
+    for (const std::string& word : link)
+      if (word.starts_with("/") && !word.starts_with("/usr/")) libraries.emplace_back(word);
+    link.insert(link.begin() + 1, {"-fno-use-linker-plugin", "-o", program, object});
+    if (exercise.own()) {
+      link.insert(link.begin() + 5, exercise.object);
+      libraries.emplace_back(exercise.object);
+    }
+    ended = build(link, libraries);
+  }
   if (ended.status != 0) {
     outcome.kind = "does not compile";
-    const bool too_long = ended.status == 124 || ended.err.find("CPU time limit exceeded") != std::string::npos;
-    outcome.problem = too_long ? fmt::format("the compiler was not done after {} s.", limits.compile_seconds)
-                               : first_error(ended.err, own);
+    outcome.problem = built_not(ended, too_much, own, limits);
     return outcome;
   }
 
   const std::string word = word_of_this_run();
-  ended = run_program(apart(limited(limits.seconds, limits.megabytes, {program}), {}, Sandbox::Folder::readable),
-                      patience * limits.seconds, fmt::format("{} {} {}\n", word, seed, exercise.checks.size()));
+  ended = run({program}, {}, Sandbox::Folder::readable, limits.seconds, limits.megabytes,
+              fmt::format("{} {} {}\n", word, seed, exercise.checks.size()));
   bool complete = false;
   for (const std::string& line : lines_of(ended.out)) {
     if (!line.starts_with(word + " ")) continue;
@@ -201,7 +187,10 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
   const std::string where = outcome.numbers.empty()
                                 ? "before the first check"
                                 : fmt::format("in the check '{}'", exercise.checks[outcome.numbers.size() - 1].says);
-  if (outcome.kind == "memory") {
+  if (!too_much.empty()) {
+    outcome.kind = too_much.find("MB") != std::string::npos ? "memory" : "processes";
+    outcome.problem = fmt::format("{}, your program took {}, and was stopped.", where, too_much);
+  } else if (outcome.kind == "memory") {
     outcome.problem =
         fmt::format("{}, your program asked for more than {} MB of memory. Look for a list that grows and grows.",
                     where, limits.megabytes);
@@ -214,6 +203,7 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
     outcome.kind = problem.kind;
     outcome.problem = problem.text;
   }
+  outcome.problem = shortened(outcome.problem, 1000);
   return outcome;
 }
 

@@ -4,40 +4,21 @@
 #include <filesystem>
 
 #include "pushback/tools/classroom/judge.h"
+#include "pushback/tools/classroom/sandbox.h"
 
 namespace pushback {
 
+/// What is more ends the compiler or the program with all that it has started. Seconds are each process's of the processor;
+/// six times as many by the clock end all of it: on a machine that compiles many students at once nobody should lose points.
 struct Limits {
-  int seconds = 10;      ///< of the run, of processor time; six times as many by the clock
-  int megabytes = 1024;  ///< of memory
+  int seconds = 10;
+  /// Of memory, with all children, and with files in /tmp and /dev/shm, which are memory: added up by a Watch. The kernel's
+  /// own limit (RLIMIT_AS) besides holds for each process, so that one that asks for too much at once is told so.
+  int megabytes = 1024;
+  int processes = 32;  ///< and threads, of the program and of the compiler: counted by a Watch
   int compile_seconds = 60;
-};
-
-/// A folder that is gone with this.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path path;
-};
-
-/// bubblewrap: no network, no writing but in a scratch folder, and to be read only the compiler and the headers: no checks, no
-/// answers, no other student.
-class Sandbox {
- public:
-  /// Throws InvalidInput where none works here.
-  Sandbox();
-  enum class Folder { writable, readable };
-  /// `command` in it, with nothing of this process's environment; in this folder, and with these files to read. What it may
-  /// write besides, in /tmp and /dev/shm, is memory, 64 MB each.
-  std::vector<std::string> around(std::vector<std::string> command, const std::filesystem::path& folder,
-                                  const std::vector<std::filesystem::path>& readable,
-                                  Folder may_be = Folder::writable) const;
-
- private:
-  ScratchFolder headers_;  // those of Pushback, and nothing else of it
+  int compile_megabytes = 2048;
+  static constexpr int patience = 6;
 };
 
 /// `sandbox`: none where it is null.

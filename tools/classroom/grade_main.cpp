@@ -31,8 +31,16 @@ int main(int argc, char** argv) {
       "2/5: the second of five parts, each for a machine of its own; with the same --out, the last one to end has all");
   line.option("--seed", grading.seed,
               "Of all random scenes; by default drawn once, and kept in the folder of the results");
-  line.option("--seconds", grading.limits.seconds, "For all checks of an exercise").between(1, 3600).shows_default();
-  line.option("--megabytes", grading.limits.megabytes, "Of memory").between(64, 1 << 20).shows_default();
+  line.option("--seconds", grading.limits.seconds,
+              "Of processor time, for all checks of an exercise; six times as many by the clock")
+      .between(1, 3600)
+      .shows_default();
+  line.option("--megabytes", grading.limits.megabytes, "Of memory, with all children and what they leave in /tmp")
+      .between(64, 1 << 20)
+      .shows_default();
+  line.option("--compile-seconds", grading.limits.compile_seconds, "The same for the compiler")
+      .between(1, 3600)
+      .shows_default();
   line.flag("--no-sandbox", no_sandbox, "Run what students wrote with all rights that you have yourself");
   line.flag("--no-sheet", no_sheet, "No pictures of the students' numbers beside the right ones");
   line.option("--tasks", tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
