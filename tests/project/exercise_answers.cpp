@@ -17,7 +17,8 @@ int main(int argc, char** argv) {
   for (const auto& mistake : exercise.mistakes) missing.insert(mistake.name);
   const auto expect = [&](const std::string& name, const std::string& text) {
     const Verdict verdict = verdict_on(exercise, text, std::hash<std::string>{}(text));
-    const bool as_expected = verdict.mistake == (name == "right" ? "" : name) && verdict.passed() == (name == "right");
+    const bool nobody_knows = name == "right" || name.starts_with("unnamed: ");
+    const bool as_expected = verdict.mistake == (nobody_knows ? "" : name) && verdict.passed() == (name == "right");
     fmt::print("{} {}: {}\n", as_expected ? "fine  " : "FAILED", name, verdict.passed() ? "passes" : verdict.sentence);
     failures += !as_expected;
     missing.erase(name);

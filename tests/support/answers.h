@@ -16,7 +16,7 @@ inline std::string filled_in(const Exercise& exercise, const std::string& lines)
 }
 
 struct WrittenAnswer {
-  std::string name;  ///< "right", or the name of its mistake
+  std::string name;  ///< "right", the name of its mistake, "nothing changes", or "unnamed: " and what no hint is known for
   std::string lines;
 };
 
