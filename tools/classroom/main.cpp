@@ -66,7 +66,8 @@ Checked checked(const Exercise& exercise, StudentFiles& files, const Asked& aske
   std::string lines = heading(exercise);
   const std::uint64_t seed = asked.seed != 0 ? asked.seed : std::random_device{}();
   const Attempt outcome = attempt(exercise, files.file(exercise), seed, nullptr, limits);
-  const Verdict verdict = judge(exercise, seed, outcome);
+  static UntouchedFiles untouched_files;
+  const Verdict verdict = judge(exercise, seed, outcome, [&] { return untouched_files.attempt(exercise, seed); });
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
     const Passed passed = verdict.checks[i];
     lines += fmt::format("  {} {}\n",
