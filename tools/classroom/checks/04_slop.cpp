@@ -122,7 +122,8 @@ struct OneForAll : Effect {
 
 std::vector<Mistake<Answer>> mistakes() {
   const std::string nothing =
-      "it looks as if nothing were left to push out. C is negative where bodies overlap, and what is pushed out is what "
+      "it looks as if nothing were left to push out. C is negative where bodies overlap, and what is pushed out is "
+      "what "
       "is negative: of 0 and C + slop, the lesser.";
   return {
       {"dead zone",
@@ -163,7 +164,8 @@ std::vector<Mistake<Answer>> mistakes() {
        "row.separation in each, or it is pushed on past the slop.",
        {OfTheFirstStep{}}},
       {"one C for all",
-       "it looks as if all contacts had the C of the first. Each ball has a depth of its own: row.separation of its own "
+       "it looks as if all contacts had the C of the first. Each ball has a depth of its own: row.separation of its "
+       "own "
        "row.",
        {OneForAll{}}},
       {"at least the slop",

@@ -198,14 +198,16 @@ std::vector<Mistake<Answer>> mistakes() {
          row.bias = c > 0 ? c / h : beta / h * std::min(Real(0), c - slop);
        }}},
       {"shallow ones pushed out",
-       "it looks as if an overlap less than the slop were closed as a gap is, within one step. C is negative there: C / h "
+       "it looks as if an overlap less than the slop were closed as a gap is, within one step. C is negative there: C "
+       "/ h "
        "throws the body out. Up to the slop, an overlap is left alone.",
        {[](Row& row, Real beta, Real slop, Real h) {
          const Real c = row.separation;
          row.bias = c > -slop ? c / h : beta / h * (c + slop);
        }}},
       {"it pulls",
-       "it looks as if the row pulled. A body that leaves, or is too slow to reach the surface, feels nothing: a contact "
+       "it looks as if the row pulled. A body that leaves, or is too slow to reach the surface, feels nothing: a "
+       "contact "
        "only pushes, and its sum is not below 0.",
        {[](Row& row, Real beta, Real slop, Real h) {
          right(row, beta, slop, h);

@@ -133,8 +133,7 @@ std::vector<Check<Answer>> checks() {
          };
          world.add(cube(aside_a, -half, up, -turn_a));
          world.add(cube(-aside_b, half, -down, -turn_b));
-         world.contacts = {
-             {.point = place, .normal = turned * Vec3(0, 1, 0), .restitution = e, .id = {0, 1, 0}}};
+         world.contacts = {{.point = place, .normal = turned * Vec3(0, 1, 0), .restitution = e, .id = {0, 1, 0}}};
          for (Body& body : world.bodies) {
            keep_velocity(body);
            body.velocity += turned * Vec3(0, -random.between(Real(0.1), Real(0.2)), 0);
@@ -257,7 +256,7 @@ std::vector<Mistake<Answer>> mistakes() {
        mistaken([](Real b, Real e, Real v) { return v < -threshold ? std::min(b, (1 + e) * v) : b; })},
       {"(1 + e)² for e",
        "it looks as if b were (1 + e)² v_n. The factor 1 + e belongs to an impulse, which first has to stop the "
-       "approach, and nothing here has it twice. b asks only for the speed afterwards, e v_n.",
+       "approach. The row does that by itself: b asks only for the speed afterwards, e v_n.",
        mistaken([](Real b, Real e, Real v) { return v < -threshold ? std::min(b, (1 + e) * (1 + e) * v) : b; })},
       {"e squared",
        "it looks as if b were e² v_n. e is the ratio of the two speeds; its square is that of the energies.",
@@ -275,7 +274,8 @@ std::vector<Mistake<Answer>> mistakes() {
        "over (continue), and those after it have their own approach (return or break ends them all).",
        {Ending{{}, [](std::size_t, Real v) { return v >= -threshold; }}}},
       {"the push-out taken away",
-       "it looks as if b became 0 where nothing bounces. What is too slow to bounce still has to be pushed out: there, b "
+       "it looks as if b became 0 where nothing bounces. What is too slow to bounce still has to be pushed out: there, "
+       "b "
        "stays as it is.",
        mistaken([](Real b, Real e, Real v) { return v < -threshold ? std::min(b, e * v) : 0; })},
       {"threshold with gravity",
@@ -285,7 +285,8 @@ std::vector<Mistake<Answer>> mistakes() {
       {"threshold on the whole speed",
        "it looks as if the threshold were compared with the whole speed. How fast a body slides along does not press "
        "it on: the approach is the part along the normal, v_n.",
-       {ByThreshold{{}, [](const StepContext& step, const Row&, const Contact& at) { return -whole_speed(step, at); }}}},
+       {ByThreshold{{},
+                    [](const StepContext& step, const Row&, const Contact& at) { return -whole_speed(step, at); }}}},
       {"the whole speed",
        "it looks as if the length of the velocity were taken for the approach. A length has no sign, so what leaves "
        "bounces as well, and what slides along counts too: v_n is the part along the normal.",

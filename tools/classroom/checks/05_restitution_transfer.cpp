@@ -217,19 +217,23 @@ std::vector<Mistake<Answer>> mistakes() {
   };
   return {
       {"the yield speed forgotten",
-       "it looks as if e fell with v to the power of -1/4 in m/s, whatever the yield speed. At v = v_y both laws agree, "
+       "it looks as if e fell with v to the power of -1/4 in m/s, whatever the yield speed. At v = v_y both laws "
+       "agree, "
        "so it is v / v_y that counts: e = e_0 (v_y / v)^(1/4).",
        with_law([](Real e, Real speed) { return e * std::min(Real(1), std::pow(speed, Real(-0.25))); })},
       {"the yield speed forgotten",
-       "it looks as if e fell with v to the power of -1/4 in m/s, whatever the yield speed. At v = v_y both laws agree, "
+       "it looks as if e fell with v to the power of -1/4 in m/s, whatever the yield speed. At v = v_y both laws "
+       "agree, "
        "so it is v / v_y that counts: e = e_0 (v_y / v)^(1/4).",
        with_law([](Real e, Real speed) { return speed > yield ? e * std::pow(speed, Real(-0.25)) : e; })},
       {"what exceeds the yield speed",
-       "it looks as if e fell with the part of the speed that exceeds v_y. The law is of the whole speed, and both laws "
+       "it looks as if e fell with the part of the speed that exceeds v_y. The law is of the whole speed, and both "
+       "laws "
        "agree at v = v_y: e = e_0 (v_y / v)^(1/4).",
        with_law([](Real e, Real speed) { return speed > yield ? e * std::pow(1 + speed - yield, Real(-0.25)) : e; })},
       {"what exceeds the yield speed",
-       "it looks as if e fell with the part of the speed that exceeds v_y. The law is of the whole speed, and both laws "
+       "it looks as if e fell with the part of the speed that exceeds v_y. The law is of the whole speed, and both "
+       "laws "
        "agree at v = v_y: e = e_0 (v_y / v)^(1/4).",
        with_law([](Real e, Real speed) { return speed > yield ? e * std::pow(speed - yield, Real(-0.25)) : e; })},
       {"the factor alone",
@@ -293,15 +297,17 @@ std::vector<Mistake<Answer>> mistakes() {
        "step.contacts.size() rows has an approach of its own: what does not bounce is to be passed over.",
        {Ending{}}},
       {"the push-out taken away",
-       "it looks as if b became 0 where nothing bounces. What is too slow to bounce still has to be pushed out: there, b "
+       "it looks as if b became 0 where nothing bounces. What is too slow to bounce still has to be pushed out: there, "
+       "b "
        "stays as it is.",
        {TakingAway{}}},
       {"threshold on the departure",
        "it looks as if the threshold were compared with e v_n. It is for the speed of the approach, v_n.",
-       {ByThreshold{{}, [](const StepContext& step, const Row&, const Contact& at) {
-         const Real v = approach_speed(step.world, at);
-         return falling(at.restitution, std::abs(v)) * v;
-       }}}},
+       {ByThreshold{{},
+                    [](const StepContext& step, const Row&, const Contact& at) {
+                      const Real v = approach_speed(step.world, at);
+                      return falling(at.restitution, std::abs(v)) * v;
+                    }}}},
       {"threshold with gravity",
        "it looks as if the threshold were compared with a speed that has this step's gravity in it. A body that creeps "
        "then bounces, since gravity adds g h to every contact in every step: compare v_n of before the step.",

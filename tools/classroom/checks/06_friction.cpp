@@ -107,7 +107,8 @@ std::vector<Check<Answer>> checks() {
          const Real speed = random.between(30, 40), arrival = random.between(1, 2);
          const Vec3 crossing = speed * tangent1 - Real(0.7) * speed * tangent2 - arrival * normal;
          World other;
-         touch(other, body, std::get<Sphere>(body.shape).radius, crossing, random.between(Real(0.4), Real(0.6)), normal);
+         touch(other, body, std::get<Sphere>(body.shape).radius, crossing, random.between(Real(0.4), Real(0.6)),
+               normal);
          solve(other, random, 4, answer);
          const Vec3 lost = crossing - other.bodies[1].velocity;
          return {slips, lost.dot(tangent1), -lost.dot(tangent2)};
@@ -247,7 +248,8 @@ std::vector<Mistake<Answer>> mistakes() {
          within(tangent, step.contacts[tangent.owner].friction / tangent.b->inverse_mass * World::g * step.dt);
        })},
       {"each correction clamped",
-       "it looks as if each correction were clamped, not their sum, or the sum began at 0 in each sweep. Every sweep then "
+       "it looks as if each correction were clamped, not their sum, or the sum began at 0 in each sweep. Every sweep "
+       "then "
        "brakes by the full bound once more.",
        each_mistaken([](StepContext&, Row& tangent, Real bound) {
          const Real lambda = std::clamp(tangent.wanted() - tangent.impulse, -bound, bound);
@@ -274,7 +276,8 @@ std::vector<Mistake<Answer>> mistakes() {
          }
        })},
       {"the normal's K",
-       "it looks as if the tangents were solved with the normal's effective mass, or as if nothing turned. Friction turns the body, so "
+       "it looks as if the tangents were solved with the normal's effective mass, or as if nothing turned. Friction "
+       "turns the body, so "
        "along a tangent the contact point gives way more easily: each row has its own K.",
        each_mistaken([](StepContext& step, Row& tangent, Real bound) {
          within(tangent, tangent.impulse - step.rows[tangent.owner].effective_mass * tangent.speed(), -bound, bound);
@@ -316,56 +319,69 @@ std::vector<Mistake<Answer>> mistakes() {
          for (Row* tangent : {&tangent1, &tangent2}) within(*tangent, bound_of(step, *tangent));
        })},
       {"tangents of no unit length",
-       "it looks as if a tangent were no unit vector, or not at a right angle to the other. The bound is that of an impulse "
+       "it looks as if a tangent were no unit vector, or not at a right angle to the other. The bound is that of an "
+       "impulse "
        "along a unit vector: along a shorter one the same Σλt brakes less. tangents_of gives two unit vectors.",
-       {Along{{}, [](const Vec3& n) {
-         const Vec3 one = n.cross(Vec3::UnitX());
-         return std::pair<Vec3, Vec3>(one, n.cross(one));
-       }}}},
+       {Along{{},
+              [](const Vec3& n) {
+                const Vec3 one = n.cross(Vec3::UnitX());
+                return std::pair<Vec3, Vec3>(one, n.cross(one));
+              }}}},
       {"tangents of no unit length",
-       "it looks as if a tangent were no unit vector, or not at a right angle to the other. The bound is that of an impulse "
+       "it looks as if a tangent were no unit vector, or not at a right angle to the other. The bound is that of an "
+       "impulse "
        "along a unit vector: along a shorter one the same Σλt brakes less. tangents_of gives two unit vectors.",
-       {Along{{}, [](const Vec3& n) {
-         int flattest = 0;
-         n.cwiseAbs().minCoeff(&flattest);
-         const Vec3 axis = Vec3::Unit(flattest), one = axis - n.dot(axis) * n;
-         return std::pair<Vec3, Vec3>(one, n.cross(one));
-       }}}},
+       {Along{{},
+              [](const Vec3& n) {
+                int flattest = 0;
+                n.cwiseAbs().minCoeff(&flattest);
+                const Vec3 axis = Vec3::Unit(flattest), one = axis - n.dot(axis) * n;
+                return std::pair<Vec3, Vec3>(one, n.cross(one));
+              }}}},
       {"along the world's axes",
        "it looks as if the rows lay along x and z of the world. On a slope these are no tangents: friction then pushes "
        "into the ground or lifts off it. The tangents are those of the contact's own normal.",
        {Along{{}, [](const Vec3&) { return std::pair<Vec3, Vec3>(Vec3::UnitX(), Vec3::UnitZ()); }}}},
       {"other tangents",
-       "it looks as if the rows lay along other tangents than those of tangents_of. Each has the bound for itself, so the "
+       "it looks as if the rows lay along other tangents than those of tangents_of. Each has the bound for itself, so "
+       "the "
        "pyramid turns with them, and friction with the pyramid.",
-       {Along{{}, [](const Vec3& n) {
-         const Vec3 one = n.cross(Vec3::UnitX()).normalized();
-         return std::pair<Vec3, Vec3>(one, n.cross(one));
-       }}}},
+       {Along{{},
+              [](const Vec3& n) {
+                const Vec3 one = n.cross(Vec3::UnitX()).normalized();
+                return std::pair<Vec3, Vec3>(one, n.cross(one));
+              }}}},
       {"the push of this sweep alone",
-       "it looks as if the bound came from what the normal has added in this sweep alone. Σλn is its sum over the sweeps of "
+       "it looks as if the bound came from what the normal has added in this sweep alone. Σλn is its sum over the "
+       "sweeps of "
        "this step: once the normal adds nothing more, a bound of its change is 0, and friction is taken back.",
        {ByPush{{}, [](Real, Real now, Real) { return now; }}}},
       {"the push of the sweep before",
-       "it looks as if the bound came from the sum that the normal had reached one sweep before. In the first sweep that is "
+       "it looks as if the bound came from the sum that the normal had reached one sweep before. In the first sweep "
+       "that is "
        "0, and nothing brakes: take the sum that it has reached in this very sweep, after it was solved.",
        {ByPush{{}, [](Real before, Real, Real) { return before; }}}},
       {"the push of the first sweep",
-       "it looks as if the bound stayed as it was in the first sweep. Friction turns the body, and the push of the normal "
+       "it looks as if the bound stayed as it was in the first sweep. Friction turns the body, and the push of the "
+       "normal "
        "changes with that: the bound is made anew in each sweep, of Σλn as it is now.",
        {ByPush{{}, [](Real, Real, Real first) { return first; }}}},
       {"the largest push so far",
-       "it looks as if the bound could only grow. Where the normal takes back some of its push, friction has to follow: "
+       "it looks as if the bound could only grow. Where the normal takes back some of its push, friction has to "
+       "follow: "
        "the bound is that of Σλn as it is now.",
        {ByPush{{}, [](Real before, Real now, Real first) { return std::max(first, before + now); }}}},
-      {"hi for lo", "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, "
+      {"hi for lo",
+       "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, "
        "whichever way the body slips. Friction is anything from -μ Σλn to μ Σλn.",
        each_mistaken([](StepContext&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), bound, bound); })},
-      {"hi for lo", "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, "
+      {"hi for lo",
+       "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, "
        "whichever way the body slips. Friction is anything from -μ Σλn to μ Σλn.",
        each_mistaken([](StepContext&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), bound, -bound); })},
       {"the 1-norm",
-       "it looks as if both tangents together had the bound, as |Σλ1| + |Σλ2|. Here each tangent has the full bound for "
+       "it looks as if both tangents together had the bound, as |Σλ1| + |Σλ2|. Here each tangent has the full bound "
+       "for "
        "itself.",
        mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
          const Real bound = bound_of(step, tangent1), wanted1 = tangent1.wanted(), wanted2 = tangent2.wanted();
@@ -380,20 +396,23 @@ std::vector<Mistake<Answer>> mistakes() {
          within(tangent, (tangent.a->friction + tangent.b->friction) / 2 * step.rows[tangent.owner].impulse);
        })},
       {"the first contact alone",
-       "it looks as if only the first contact had friction. Each contact has two tangents, and all of them are solved in "
+       "it looks as if only the first contact had friction. Each contact has two tangents, and all of them are solved "
+       "in "
        "each sweep.",
        mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
          if (tangent1.owner > 0) return;
          for (Row* tangent : {&tangent1, &tangent2}) within(*tangent, bound_of(step, *tangent));
        })},
       {"the push of the first contact",
-       "it looks as if all tangents were bounded by the first contact's push. Each contact is pressed on by itself: the "
+       "it looks as if all tangents were bounded by the first contact's push. Each contact is pressed on by itself: "
+       "the "
        "last argument of a new row is the index of its contact, and rows[owner] then its normal's row.",
        each_mistaken([](StepContext& step, Row& tangent, Real) {
          within(tangent, step.contacts[0].friction * step.rows[0].impulse);
        })},
       {"the push of the first contact",
-       "it looks as if all tangents were bounded by the first contact's push. Each contact is pressed on by itself: the "
+       "it looks as if all tangents were bounded by the first contact's push. Each contact is pressed on by itself: "
+       "the "
        "last argument of a new row is the index of its contact, and rows[owner] then its normal's row.",
        each_mistaken([](StepContext& step, Row& tangent, Real) {
          within(tangent, step.contacts[tangent.owner].friction * step.rows[0].impulse);

@@ -182,10 +182,12 @@ constexpr Real inf = std::numeric_limits<Real>::infinity();
 
 std::vector<Mistake<Answer>> mistakes() {
   const std::string each =
-      "it looks as if each correction were clamped, not their sum, or the sum began at 0 in each sweep. Every sweep then "
+      "it looks as if each correction were clamped, not their sum, or the sum began at 0 in each sweep. Every sweep "
+      "then "
       "adds the full bound once more.";
   const std::string ends =
-      "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, whichever way the "
+      "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, whichever way "
+      "the "
       "surfaces slip. It is anything from minus the bound to the bound.";
   const std::string one_sided =
       "it looks as if the sum of a row could not be negative. A normal only pushes; what holds a slip or a turn acts "
@@ -270,7 +272,8 @@ std::vector<Mistake<Answer>> mistakes() {
          roll.reach(roll.wanted());
        }}},
       {"slip forgotten",
-       "it looks as if nothing held the slip. Only friction takes a ball along: slip is solved as well, against the slip "
+       "it looks as if nothing held the slip. Only friction takes a ball along: slip is solved as well, against the "
+       "slip "
        "of the surfaces.",
        {[](const Row& normal, Row&, Row& roll, const Surfaces& surfaces) { hold_roll(normal, roll, surfaces); }}},
       {"sign of the slip",

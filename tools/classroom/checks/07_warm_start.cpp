@@ -195,8 +195,7 @@ struct Miscounted : Effect {
   void start(StepContext& step) {
     for (std::size_t k = 0; k < step.rows.size(); ++k)
       for (const Contact& old : step.world.contacts_before)
-        if (old.id == step.contacts[k % step.contacts.size()].id)
-          step.rows[k].reach(guess_of(step, step.rows[k], old));
+        if (old.id == step.contacts[k % step.contacts.size()].id) step.rows[k].reach(guess_of(step, step.rows[k], old));
   }
 };
 
@@ -266,7 +265,8 @@ std::vector<Mistake<Answer>> mistakes() {
          row.b->angular_velocity += row.impulse * row.dwb;
        })},
       {"the contact of another row",
-       "it looks as if a tangent took the impulse of another contact. The k-th row is not of the k-th contact: each has "
+       "it looks as if a tangent took the impulse of another contact. The k-th row is not of the k-th contact: each "
+       "has "
        "two tangents, and row.owner says whose it is.",
        {Miscounted{}}},
       {"no negative guess",

@@ -100,7 +100,7 @@ std::vector<Check<Answer>> checks() {
            const Real more = random.between(Real(0.1), Real(0.2)) * static_cast<Real>(1 + step);
            balls.keep({first}, more, random.between(Real(0.0205), Real(0.0245)));
          }
-         for (int step = 0; step < 3; ++step) balls.keep({}, 0, random.between(Real(0.015), Real(0.018)));
+         for (int step = 0; step < 3; ++step) balls.keep({}, 0, random.between(Real(0.0175), Real(0.019)));
          const Real late = balls.started({first}, random.between(Real(0.005), Real(0.01)))[0];
          Balls quick(random, 1, answer);
          quick.keep({first}, random.between(Real(0.5), Real(0.8)), Real(0.002));
@@ -114,13 +114,12 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          Balls balls(random, 1, answer);
          const Real part = random.between(Real(0.5), Real(0.8));
-         balls.keep({first}, part, random.between(Real(0.01), Real(0.02)));
-         const std::size_t steps = 12 + random.below(5);
-         for (std::size_t step = 0; step < steps; ++step) balls.keep({}, 0, random.between(Real(0.0165), Real(0.0245)));
+         balls.keep({first}, part, random.between(Real(0.015), Real(0.02)));
+         for (int step = 0; step < 8; ++step) balls.keep({}, 0, random.between(Real(0.0175), Real(0.0235)));
          const Real many = balls.started({first}, random.between(Real(0.005), Real(0.01)))[0];
          Balls slow(random, 1, answer);
-         slow.keep({first}, random.between(Real(0.5), Real(0.8)), Real(0.04));
-         for (int step = 0; step < 4; ++step) slow.keep({}, 0, random.between(Real(0.039), Real(0.041)));
+         slow.keep({first}, random.between(Real(0.5), Real(0.8)), Real(0.002));
+         for (int step = 0; step < 5; ++step) slow.keep({}, 0, random.between(Real(0.043), Real(0.045)));
          return {many, slow.started({first}, random.between(Real(0.03), Real(0.04)))[0]};
        }},
       {"a body that is put elsewhere leaves its impulses behind, and nobody else does",
@@ -205,7 +204,8 @@ void keep_of_pair(Memory& memory, const Contacts& contacts, Real dt) {
 
 std::vector<Mistake<Answer>> mistakes() {
   const std::string by_bodies =
-      "it looks as if only the bodies were compared. Two bodies may touch in several points, each with a load of its own: "
+      "it looks as if only the bodies were compared. Two bodies may touch in several points, each with a load of its "
+      "own: "
       "compare the whole id.";
   const std::string one_side =
       "it looks as if only points were forgotten in which the body is A, or only those in which it is B. Which of the "
@@ -279,7 +279,8 @@ std::vector<Mistake<Answer>> mistakes() {
         },
         put_elsewhere}},
       {"twice as old",
-       "it looks as if a point grew older by twice the step. It is forgotten 0.1 s after it last touched: its age grows by "
+       "it looks as if a point grew older by twice the step. It is forgotten 0.1 s after it last touched: its age "
+       "grows by "
        "dt once in each step.",
        {guess,
         [](Memory& memory, const Contacts& contacts, Real dt) {
@@ -287,8 +288,21 @@ std::vector<Mistake<Answer>> mistakes() {
           keep(memory, contacts, dt);
         },
         put_elsewhere}},
+      {"older by the step of the touch",
+       "it looks as if a point grew older by the length of the step in which it touched. Age is the time that has "
+       "passed "
+       "since: it grows by the dt of each step that goes by.",
+       {guess,
+        [](Memory& memory, const Contacts& contacts, Real dt) {
+          for (Remembered& one : memory) one.age += one.dt;
+          forget_points(memory, contacts);
+          add_points(memory, contacts, dt);
+          forget_old(memory);
+        },
+        put_elsewhere}},
       {"impulses added up",
-       "it looks as if the impulses of several steps were added up. A point is known with what acted on it in the latest "
+       "it looks as if the impulses of several steps were added up. A point is known with what acted on it in the "
+       "latest "
        "step in which it touched, and with nothing of before.",
        {guess,
         [](Memory& memory, const Contacts& contacts, Real dt) {

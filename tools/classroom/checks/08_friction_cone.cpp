@@ -155,7 +155,8 @@ std::vector<Mistake<Answer>> mistakes() {
       "corner; "
       "|λ_t| ≤ bound is a disc.";
   const std::string other_disc =
-      "it looks as if the disc were not that of this sweep. The normal is solved before its tangents and its sum changes, so "
+      "it looks as if the disc were not that of this sweep. The normal is solved before its tangents and its sum "
+      "changes, so "
       "friction may be no more, and no less, than μ times that sum as it is now: `bound`, as it comes.";
   const std::string root =
       "it looks as if there were a slip under the root. There stand two squares: of k₁₂, and of (k₁₁ − k₂₂)/2, which "
@@ -201,11 +202,14 @@ std::vector<Mistake<Answer>> mistakes() {
          for (Row* row : {&one, &two})
            row->reach(std::clamp(row->impulse - row->effective_mass * row->speed(), -bound, bound));
        }}},
-      {"the disc of another sweep", other_disc, {by_disc<[](Real now, Real before, Real) { return (now + before) / 2; }>}},
+      {"the disc of another sweep",
+       other_disc,
+       {by_disc<[](Real now, Real before, Real) { return (now + before) / 2; }>}},
       {"the disc of another sweep", other_disc, {by_disc<[](Real, Real before, Real) { return before; }>}},
       {"the disc of another sweep", other_disc, {by_disc<[](Real, Real, Real first) { return first; }>}},
       {"the 1-norm",
-       "it looks as if |λ₁| + |λ₂| were taken for the length of the sum. That allows a square on its tip, which is no wider "
+       "it looks as if |λ₁| + |λ₂| were taken for the length of the sum. That allows a square on its tip, which is no "
+       "wider "
        "than the disc along the tangents and too narrow in between: the length is the root of λ₁² + λ₂².",
        {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
@@ -215,7 +219,8 @@ std::vector<Mistake<Answer>> mistakes() {
          two.reach(kept * total2);
        }}},
       {"the square of the length",
-       "it looks as if the square of the length were compared with the bound, or divided by. Both sums are multiplied by "
+       "it looks as if the square of the length were compared with the bound, or divided by. Both sums are multiplied "
+       "by "
        "bound / |λ_t|, and |λ_t| is the root of λ₁² + λ₂².",
        {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
@@ -225,7 +230,8 @@ std::vector<Mistake<Answer>> mistakes() {
          two.reach(kept * total2);
        }}},
       {"the square of the length",
-       "it looks as if the square of the length were compared with the bound, or divided by. Both sums are multiplied by "
+       "it looks as if the square of the length were compared with the bound, or divided by. Both sums are multiplied "
+       "by "
        "bound / |λ_t|, and |λ_t| is the root of λ₁² + λ₂².",
        {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
@@ -235,7 +241,8 @@ std::vector<Mistake<Answer>> mistakes() {
          two.reach(kept * total2);
        }}},
       {"what the first tangent leaves",
-       "it looks as if the first tangent took what it wants of the disc, and the second what is left. Friction then leans "
+       "it looks as if the first tangent took what it wants of the disc, and the second what is left. Friction then "
+       "leans "
        "towards the first tangent: the nearest point of the disc shortens both by the same factor.",
        {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
@@ -245,7 +252,8 @@ std::vector<Mistake<Answer>> mistakes() {
          two.reach(std::clamp(total2, -left, left));
        }}},
       {"the whole sum applied",
-       "it looks as if the bodies felt the whole sum in each sweep. They have felt the earlier sum already: what acts is "
+       "it looks as if the bodies felt the whole sum in each sweep. They have felt the earlier sum already: what acts "
+       "is "
        "the difference, and reach sees to that.",
        {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
