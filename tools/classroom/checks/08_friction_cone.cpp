@@ -158,6 +158,10 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if the disc were not that of this sweep. The normal is solved before its tangents and its sum "
       "changes, so "
       "friction may be no more, and no less, than μ times that sum as it is now: `bound`, as it comes.";
+  const std::string too_far =
+      "it looks as if the step were 1 over the smaller eigenvalue, or friction always of full size against the slip. "
+      "Across "
+      "the board that is far too much: the foot is thrown back faster than it came, which feeds in energy.";
   const std::string root =
       "it looks as if there were a slip under the root. There stand two squares: of k₁₂, and of (k₁₁ − k₂₂)/2, which "
       "is "
@@ -185,12 +189,14 @@ std::vector<Mistake<Answer>> mistakes() {
          two.reach(two.impulse - mass * two.speed());
          Chapters::reach_in_disc(one, two, one.impulse, two.impulse, bound);
        }}},
-      {"the smaller eigenvalue",
-       "it looks as if the step were 1 over the smaller eigenvalue. Across the board that is three times too far: the "
-       "foot is thrown back faster than it came, which feeds in energy.",
-       {[](Row& one, Row& two, Real, Real bound) {
+      {"the smaller eigenvalue", too_far, {[](Row& one, Row& two, Real, Real bound) {
          const TangentBlock k(one, two);
          step_of(1 / (k.k11 + k.k22 - k.larger_eigenvalue()), one, two, bound);
+       }}},
+      {"the smaller eigenvalue", too_far, {[](Row& one, Row& two, Real, Real bound) {
+         const Real u1 = one.speed(), u2 = two.speed(), slip = std::hypot(u1, u2);
+         one.reach(-bound * u1 / slip);
+         two.reach(-bound * u2 / slip);
        }}},
       {"a square", square, {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
