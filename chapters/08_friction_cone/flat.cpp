@@ -52,6 +52,14 @@ void reach(Row& row, Real total) {
   row.b->angular_velocity += lambda * row.dwb;
 }
 
+/// 08: both tangents take steps of the same size, 1 / k: only then is friction opposite to the slip where nothing
+/// changes any more.   k: the larger eigenvalue of their 2 x 2 block of J M^-1 J^T
+Real step_size(const Row& one, const Row& two) {
+  const Real k11 = 1 / one.effective_mass, k22 = 1 / two.effective_mass;
+  const Real k12 = two.n.dot(one.dvb - one.dva) + two.rb_n.dot(one.dwb) - two.ra_n.dot(one.dwa);
+  return 1 / ((k11 + k22) / 2 + std::hypot((k11 - k22) / 2, k12));
+}
+
 }  // namespace
 
 void FlatSolver::solve(World& world, Real dt, int sweeps) {
@@ -86,13 +94,7 @@ void FlatSolver::solve(World& world, Real dt, int sweeps) {
     const auto [tangent1, tangent2] = tangents_of(c.normal);
     tangents_.push_back(row_of(world, i, tangent1));
     tangents_.push_back(row_of(world, i, tangent2));
-
-    // 08: both take steps of the same size, 1 / k: only then is friction opposite to the slip where nothing changes any
-    // more.   k: the larger eigenvalue of the tangents' 2 x 2 block of J M^-1 J^T
-    const Row &one = tangents_.end()[-2], &two = tangents_.back();
-    const Real k11 = 1 / one.effective_mass, k22 = 1 / two.effective_mass;
-    const Real k12 = two.n.dot(one.dvb - one.dva) + two.rb_n.dot(one.dwb) - two.ra_n.dot(one.dwa);
-    step_sizes_.push_back(1 / ((k11 + k22) / 2 + std::hypot((k11 - k22) / 2, k12)));
+    step_sizes_.push_back(step_size(tangents_.end()[-2], tangents_.back()));  // 08
   }
 
   // 07: warm start: the initial guess is the impulse of the same point one step before. Both lists ascend by id, so one

@@ -35,7 +35,7 @@ class FlatSolver : public StepSolver {
  private:
   std::vector<Row> normals_;      // one for each contact
   std::vector<Row> tangents_;     // 06: two for each contact that can rub
-  std::vector<Real> step_sizes_;  // 08: of both of them, 1 / k, kg
+  std::vector<Real> step_sizes_;  // 08: of each two of them, 1 / k, kg
 };
 
 }  // namespace pushback::flat_08
