@@ -4,27 +4,33 @@ namespace pushback::flat_01 {
 
 namespace {
 
-/// J and K of a contact along n.
-Row row_of(World& world, std::size_t contact, const Vec3& n) {
+/// M^-1 J^T and K, of J.
+void weigh(Row& row) {
+  const Body &a = *row.a, &b = *row.b;
+  row.dva = -a.inverse_mass * row.n;
+  row.dwa = -a.inverse_inertia * row.ra_n;
+  row.dvb = b.inverse_mass * row.n;
+  row.dwb = b.inverse_inertia * row.rb_n;
+  // K = 1/m_A + 1/m_B + (r_A x n) . I_A^-1 (r_A x n) + (r_B x n) . I_B^-1 (r_B x n)
+  row.effective_mass = 1 / (a.inverse_mass + b.inverse_mass + row.rb_n.dot(row.dwb) - row.ra_n.dot(row.dwa));
+}
+
+/// A row of a contact along a direction: unit, world axes.
+Row row_of(World& world, std::size_t contact, const Vec3& direction) {
   const Contact& c = world.contacts[contact];
   const auto [a, b] = world.bodies_of(c);
   Row row;
   row.contact = contact;
   row.a = &a;
   row.b = &b;
-  row.n = n;
-  row.ra_n = (c.point - a.position).cross(n);
-  row.rb_n = (c.point - b.position).cross(n);
-  row.dva = -a.inverse_mass * n;
-  row.dwa = -a.inverse_inertia * row.ra_n;
-  row.dvb = b.inverse_mass * n;
-  row.dwb = b.inverse_inertia * row.rb_n;
-  // K = 1/m_A + 1/m_B + (r_A x n) . I_A^-1 (r_A x n) + (r_B x n) . I_B^-1 (r_B x n)
-  row.effective_mass = 1 / (a.inverse_mass + b.inverse_mass + row.rb_n.dot(row.dwb) - row.ra_n.dot(row.dwa));
+  row.n = direction;
+  row.ra_n = (c.point - a.position).cross(direction);
+  row.rb_n = (c.point - b.position).cross(direction);
+  weigh(row);
   return row;
 }
 
-/// J V, m/s: how fast B moves away from A along n, at the contact point.
+/// J V, m/s: how fast B moves away from A along the row's direction, at the contact point.
 Real speed(const Row& row) {
   return row.n.dot(row.b->velocity - row.a->velocity) +
          (row.rb_n.dot(row.b->angular_velocity) - row.ra_n.dot(row.a->angular_velocity));

@@ -67,9 +67,9 @@ struct Row : Jacobian {
   void reach(Real total) {
     if (total < lo || total > hi) [[unlikely]]
       total = total < lo ? lo : hi;
-    const Real change = total - impulse;
+    const Real lambda = total - impulse;
     impulse = total;
-    apply(change);
+    apply(lambda);
   }
   /// What the sum would have to be for J V + b = 0 if no other row existed.
   Real wanted() const { return impulse - effective_mass * (speed() + bias); }

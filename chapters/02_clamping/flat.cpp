@@ -1,44 +1,46 @@
 #include "pushback/chapters/02_clamping/flat.h"
 
-#include <limits>
-
 namespace pushback::flat_02 {
 
 namespace {
 
-constexpr Real inf = std::numeric_limits<Real>::infinity();
+/// M^-1 J^T and K, of J.
+void weigh(Row& row) {
+  const Body &a = *row.a, &b = *row.b;
+  row.dva = -a.inverse_mass * row.n;
+  row.dwa = -a.inverse_inertia * row.ra_n;
+  row.dvb = b.inverse_mass * row.n;
+  row.dwb = b.inverse_inertia * row.rb_n;
+  // K = 1/m_A + 1/m_B + (r_A x n) . I_A^-1 (r_A x n) + (r_B x n) . I_B^-1 (r_B x n)
+  row.effective_mass = 1 / (a.inverse_mass + b.inverse_mass + row.rb_n.dot(row.dwb) - row.ra_n.dot(row.dwa));
+}
 
-/// J and K of a contact along n.
-Row row_of(World& world, std::size_t contact, const Vec3& n) {
+/// A row of a contact along a direction: unit, world axes.
+Row row_of(World& world, std::size_t contact, const Vec3& direction) {
   const Contact& c = world.contacts[contact];
   const auto [a, b] = world.bodies_of(c);
   Row row;
   row.contact = contact;
   row.a = &a;
   row.b = &b;
-  row.n = n;
-  row.ra_n = (c.point - a.position).cross(n);
-  row.rb_n = (c.point - b.position).cross(n);
-  row.dva = -a.inverse_mass * n;
-  row.dwa = -a.inverse_inertia * row.ra_n;
-  row.dvb = b.inverse_mass * n;
-  row.dwb = b.inverse_inertia * row.rb_n;
-  // K = 1/m_A + 1/m_B + (r_A x n) . I_A^-1 (r_A x n) + (r_B x n) . I_B^-1 (r_B x n)
-  row.effective_mass = 1 / (a.inverse_mass + b.inverse_mass + row.rb_n.dot(row.dwb) - row.ra_n.dot(row.dwa));
+  row.n = direction;
+  row.ra_n = (c.point - a.position).cross(direction);
+  row.rb_n = (c.point - b.position).cross(direction);
+  weigh(row);
   return row;
 }
 
-/// J V, m/s: how fast B moves away from A along n, at the contact point.
+/// J V, m/s: how fast B moves away from A along the row's direction, at the contact point.
 Real speed(const Row& row) {
   return row.n.dot(row.b->velocity - row.a->velocity) +
          (row.rb_n.dot(row.b->angular_velocity) - row.ra_n.dot(row.a->angular_velocity));
 }
 
 /// Brings sum(lambda) to `total`, or as near as the limits let it.   V += M^-1 J^T lambda
-void reach(Row& row, Real total, Real lo, Real hi) {
+void reach(Row& row, Real total) {
   // 02: the sum is clamped, not each lambda: a later sweep can take back what was too much.
-  if (total < lo || total > hi) [[unlikely]]
-    total = total < lo ? lo : hi;
+  if (total < row.lo || total > row.hi) [[unlikely]]
+    total = total < row.lo ? row.lo : row.hi;
   const Real lambda = total - row.impulse;  // what the sum gains after rounding is what the bodies get
   row.impulse = total;
   row.a->velocity += lambda * row.dva;
@@ -57,15 +59,18 @@ void FlatSolver::solve(World& world, Real /*dt*/, int sweeps) {
     const Contact& c = contacts[i];
     // 01: a row along the normal
     normals_.push_back(row_of(world, i, c.normal));
+
+    // 02: contacts push and never pull.   sum(lambda) in [0, inf)
+    Row& normal = normals_.back();
+    normal.lo = 0;
   }
 
   // Sequential Impulses: one row after the other, each as if it were alone, over and over.
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     // 01: J V = 0.   lambda = -J V / K
-    // 02: contacts push and never pull.   sum(lambda) in [0, inf)
     for (Row& row : normals_) {
       const Real lambda = -row.effective_mass * speed(row);
-      reach(row, row.impulse + lambda, 0, inf);
+      reach(row, row.impulse + lambda);
     }
   }
 

@@ -2,20 +2,24 @@
 /// holds it to the bits of Solver<Clamping>. It leaves out what no impulse depends on: the count of rows solved.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "pushback/common/world/step_solver.h"
 
 namespace pushback::flat_02 {
 
+inline constexpr Real inf = std::numeric_limits<Real>::infinity();
+
 /// One direction of one contact.   J = [ -n  -(r_A x n)  n  (r_B x n) ],   V = (v_A, w_A, v_B, w_B),   K = J M^-1 J^T
 struct Row {
-  std::size_t contact;      // index of its contact, and of that contact's normal row
-  Body *a, *b;              // n points from A to B
-  Vec3 n, ra_n, rb_n;       // J
-  Vec3 dva, dwa, dvb, dwb;  // M^-1 J^T: what an impulse of 1 N s adds to each velocity
-  Real effective_mass;      // 1 / K, kg
-  Real impulse = 0;         // sum(lambda), N s: over all sweeps of this step
+  std::size_t contact;       // index of its contact, and of that contact's normal row
+  Body *a, *b;               // the contact's normal points from A to B
+  Vec3 n, ra_n, rb_n;        // J; n: the row's direction, unit, world axes
+  Vec3 dva, dwa, dvb, dwb;   // M^-1 J^T: what an impulse of 1 N s adds to each velocity
+  Real effective_mass;       // 1 / K, kg
+  Real lo = -inf, hi = inf;  // 02: limits of the sum, N s
+  Real impulse = 0;          // sum(lambda), N s: over all sweeps of this step
 };
 
 class FlatSolver : public StepSolver {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Writes FOLDER/NN_name/difference.md for each chapter that has the whole solver as a plain loop (flat.h and flat.cpp): what
-# changes there against the chapter before, for its page. The first has nothing to change and shows the loop itself.
+# Writes FOLDER/NN_name/difference.md for each chapter that has the whole solver as a plain loop (flat.h and flat.cpp) and a
+# place for it in its page: what changes there against the loop with which the page compares it. The first compares with none
+# and shows the loop itself.
 #   tests/project/differences.sh FOLDER
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -37,12 +38,12 @@ changes() {
 
 block() { printf '\140\140\140%s\n%s\n\140\140\140\n' "$1" "$(cat)"; }  # between two lines of three backquotes
 
-before=
 for flat in chapters/[0-9][0-9]_*/flat.cpp; do
   chapter=$(dirname "$flat")
+  grep -q '^<!-- difference.md -->$' "$chapter/README.md" || continue
+  before=$(sed -n 's|.*(flat.cpp), against \[.*\](../\(.*\)/flat.cpp).*|\1|p' "$chapter/README.md")
   mkdir -p "$1/${chapter#*/}"
-  if [[ $before ]]; then for file in flat.h flat.cpp; do changes "$before" "$chapter" $file; done | block diff
+  if [[ $before ]]; then for file in flat.h flat.cpp; do changes "chapters/$before" "$chapter" $file; done | block diff
   else bare "$flat" | sed -n '/^\/\/\/ J V/,$p' | block cpp
   fi >"$1/${chapter#*/}/difference.md"
-  before=$chapter
 done
