@@ -170,7 +170,8 @@ struct OfSome : Mistaken {
   bool keeps_h = false;
   Real h = 0;
 
-  explicit OfSome(std::size_t most, bool keeps = false) : Mistaken(both_limits, is_broken), limited(most), keeps_h(keeps) {}
+  explicit OfSome(std::size_t most, bool keeps = false)
+      : Mistaken(both_limits, is_broken), limited(most), keeps_h(keeps) {}
   void build(StepContext& step) {
     Joints::build(step);
     if (h == 0 || !keeps_h) h = step.dt;

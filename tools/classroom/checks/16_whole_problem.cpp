@@ -194,11 +194,11 @@ std::vector<Mistake<Answer>> mistakes() {
       "beside it, the nearest point is still on the cone's edge.";
   const std::string one_mu =
       "it looks as if all contacts had the μ of one of them. Each has its own cone: problem.mu[c].";
-  const std::string some =
-      "it looks as if some contacts were left out. The error is one number over all of them.";
+  const std::string some = "it looks as if some contacts were left out. The error is one number over all of them.";
   return {
       {"1-norm",
-       "it looks as if sizes were added up, without squares. The norm is Euclid's, as the length of a vector: the root of "
+       "it looks as if sizes were added up, without squares. The norm is Euclid's, as the length of a vector: the root "
+       "of "
        "the sum of squares.",
        {[](const ContactProblem& problem, const Vector& r) {
          const Vector u = problem.speeds(r);
@@ -210,9 +210,12 @@ std::vector<Mistake<Answer>> mistakes() {
          return sum / problem.q.lpNorm<1>();
        }}},
       {"1-norm",
-       "it looks as if |q| were the sum of sizes. The norm is Euclid's, as the length of a vector: the root of the sum of "
+       "it looks as if |q| were the sum of sizes. The norm is Euclid's, as the length of a vector: the root of the sum "
+       "of "
        "squares.",
-       {[](const ContactProblem& problem, const Vector& r) { return errors(problem, r).norm() / problem.q.lpNorm<1>(); }}},
+       {[](const ContactProblem& problem, const Vector& r) {
+         return errors(problem, r).norm() / problem.q.lpNorm<1>();
+       }}},
       {"another contact's μ", one_mu, {[](const ContactProblem& problem, const Vector& r) {
          return with_mu(problem, r, problem.mu[0]);
        }}},
@@ -226,7 +229,8 @@ std::vector<Mistake<Answer>> mistakes() {
          return errors(problem, r).head(std::min<Eigen::Index>(2, problem.contacts())).norm() / problem.q.norm();
        }}},
       {"a mean of all contacts",
-       "it looks as if the squares were divided by how many contacts there are. The norms are over all contacts together, "
+       "it looks as if the squares were divided by how many contacts there are. The norms are over all contacts "
+       "together, "
        "above and below.",
        {[](const ContactProblem& problem, const Vector& r) {
          return errors(problem, r).norm() / std::sqrt(static_cast<double>(problem.contacts())) / problem.q.norm();

@@ -118,7 +118,7 @@ Threes right(Blocks own, const Blocks& next, Threes wanted) {
 
 /// An elimination, and what may be wrong with it.
 struct Slip {
-  bool transposed_back = true;  // in the substitution
+  bool transposed_back = true;           // in the substitution
   int block = -1, side = -1, back = -1;  // the signs; 0: left out
   bool transposed = true, old_block = false, old_side = false, free_end = true;
 };
@@ -156,7 +156,8 @@ std::vector<Mistake<Answer>> mistakes() {
        "other way it is next[i].transpose(). In a straight chain the two are equal, in a crooked one not.",
        {eliminated<Slip{.transposed = false}>}},
       {"transpose forgotten",
-       "it looks as if next[i - 1] stood in the substitution, where its transpose belongs. next[i] says what joint i + 1 "
+       "it looks as if next[i - 1] stood in the substitution, where its transpose belongs. next[i] says what joint i + "
+       "1 "
        "does to joint i; the other way it is next[i].transpose().",
        {eliminated<Slip{.transposed_back = false}>}},
       {"sign of the elimination", sign, {eliminated<Slip{.block = 1}>}},

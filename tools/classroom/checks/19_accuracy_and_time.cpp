@@ -260,15 +260,20 @@ std::vector<Mistake<Answer>> mistakes() {
          return found;
        }}},
       {"a mean or a last round for the median",
-       "it looks as if a round in which the machine was busy counted, by the mean of all rounds or as the last one. The "
+       "it looks as if a round in which the machine was busy counted, by the mean of all rounds or as the last one. "
+       "The "
        "median of all rounds does not mind one of them.",
-       {[](Measurements all) { return front_by(std::move(all), [](const Measured& one) { return one.seconds.back(); }); }}},
+       {[](Measurements all) {
+         return front_by(std::move(all), [](const Measured& one) { return one.seconds.back(); });
+       }}},
       {"a mean or a last round for the median",
-       "it looks as if a round in which the machine was busy counted, by the mean of all rounds or as the last one. The "
+       "it looks as if a round in which the machine was busy counted, by the mean of all rounds or as the last one. "
+       "The "
        "median of all rounds does not mind one of them.",
        {[](Measurements all) {
          return front_by(std::move(all), [](const Measured& one) {
-           return std::accumulate(one.seconds.begin(), one.seconds.end(), 0.0) / static_cast<double>(one.seconds.size());
+           return std::accumulate(one.seconds.begin(), one.seconds.end(), 0.0) /
+                  static_cast<double>(one.seconds.size());
          });
        }}},
       {"the fastest round for the median",

@@ -84,7 +84,8 @@ std::vector<Check<Answer>> checks() {
       {"bodies that are joined sleep and wake together; those that hang on the same fixed beam need not", 1, quantities,
        [](Random& random, const Answer& answer) -> Numbers {
          Piles piles(random);
-         const int beside = piles.pile(1, true), moves = piles.pile(1, false), towed = piles.pile(1, true), beam = piles.add(true);
+         const int beside = piles.pile(1, true), moves = piles.pile(1, false), towed = piles.pile(1, true),
+                   beam = piles.add(true);
          piles.join(moves, towed);
          const int next_to_it = piles.pile(1, true), last = piles.pile(1, true);  // towed in turn, and pushed
          piles.touch(towed, next_to_it);
@@ -189,7 +190,8 @@ std::vector<bool> woken(const World& world, const std::vector<bool>& rests) {
 
 std::vector<Mistake<Answer>> mistakes() {
   const std::string once =
-      "it looks as if contacts and joints were not gone through to the end. Who is woken by a joint wakes who touches it, "
+      "it looks as if contacts and joints were not gone through to the end. Who is woken by a joint wakes who touches "
+      "it, "
       "and so on: begin again until nobody is woken any more.";
   const std::string hand =
       "it looks as if two islands were joined by one body each. Who is joined brings along all of its island: each "
@@ -209,7 +211,8 @@ std::vector<Mistake<Answer>> mistakes() {
          return sleeping(world, rests, islands_by(world, found));
        }}},
       {"a fixed body wakes",
-       "it looks as if a body that nothing moves woke who touches it or hangs on it. It passes nothing on, and belongs to "
+       "it looks as if a body that nothing moves woke who touches it or hangs on it. It passes nothing on, and belongs "
+       "to "
        "no island.",
        {[](const World& world, const std::vector<bool>& rests) {
          std::vector<bool> at_rest = rests;
