@@ -158,27 +158,25 @@ class View {
   Vec3 ahead_, right_, up_;
 };
 
+/// With a rim, since bodies have all colours.
 void draw(Image& image, const Stroke& stroke, const View& view) {
   const float wide = static_cast<float>(image.height) / 75;
   std::vector<Spot> path;
   for (const Vec3& point : stroke.path) path.push_back(view(point));
   // The head takes the last pieces of the path.
   std::size_t neck = path.size() - 2;
-  const auto length_from = [&](std::size_t from) {
-    return std::hypot(path.back().x - path[from].x, path.back().y - path[from].y);
+  const auto from_tip = [&](std::size_t i) { return std::hypot(path.back().x - path[i].x, path.back().y - path[i].y); };
+  while (neck > 0 && from_tip(neck) < 5.0 * static_cast<double>(wide)) --neck;
+  const auto draw_at = [&](double x, double y, Ink ink) {
+    const auto moved = [&](const Spot& spot) { return Spot{spot.x + x, spot.y + y}; };
+    for (std::size_t i = 0; i < neck; ++i) draw_line(image, moved(path[i]), moved(path[i + 1]), wide, ink);
+    draw_arrow(image, moved(path[neck]), moved(path.back()), wide, ink);
   };
-  while (neck > 0 && length_from(neck) < 5.0 * static_cast<double>(wide)) --neck;
-  const double along = length_from(neck);
-  if (!(along > 1)) return;
-  const Spot to = path.back(), unit{(to.x - path[neck].x) / along, (to.y - path[neck].y) / along};
-  const auto shifted = [&](Spot spot, double by) { return Spot{spot.x + by * unit.x, spot.y + by * unit.y}; };
-  for (const bool rim : {true, false}) {
-    const float more = rim ? 4.0F : 0.0F;
-    for (std::size_t i = 0; i < neck; ++i)
-      draw_line(image, path[i], path[i + 1], wide + more, rim ? white : stroke.ink);
-    draw_arrow(image, shifted(path[neck], rim ? -2 : 0), shifted(to, rim ? 6 : 0), wide + more,
-               rim ? white : stroke.ink);
-  }
+  constexpr int around = 12;
+  constexpr double rim = 2;  // pixels
+  for (int i = 0; i < around; ++i)
+    draw_at(rim * std::cos(2 * pi * i / around), rim * std::sin(2 * pi * i / around), white);
+  draw_at(0, 0, stroke.ink);
 }
 
 Bounds together(const Bounds& a, const Bounds& b) {

@@ -79,8 +79,9 @@ class Span {
 
 /// The bodies of a scene that fails.
 struct Shown {
-  BodiesPicture picture;
+  std::optional<BodiesPicture> picture;
   std::string scene, yours, right;  ///< which it is; the number that tells, as it is and as it should be
+  std::string problem;              ///< why there is no picture
 };
 
 /// Draws from the top down; on an image of one pixel, to learn how high it will be.
@@ -113,14 +114,15 @@ class Drawing {
   }
 
   void bodies(const Shown& shown) {
+    if (!shown.picture) return lines("The bodies could not be drawn: " + shown.problem, 18, grey, false);
     y_ += 12;
-    half(shown.picture.yours, margin, of_yours, "yours", shown.yours);
-    half(shown.picture.right, right_edge - half_width, dark, "right", shown.right);
+    half(shown.picture->yours, margin, of_yours, "yours", shown.yours);
+    half(shown.picture->right, right_edge - half_width, dark, "right", shown.right);
     y_ += half_height + 2 * frame + 30;
     write_text(image_, shown.scene, margin, y_, 18, grey);
     int x = right_edge;
-    for (std::size_t i = shown.picture.legend.size(); i-- > 0;) {
-      const LegendEntry& entry = shown.picture.legend[i];
+    for (std::size_t i = shown.picture->legend.size(); i-- > 0;) {
+      const LegendEntry& entry = shown.picture->legend[i];
       x -= text_width(entry.text, 18);
       write_text(image_, entry.text, x, y_, 18, dark);
       const double middle = y_ - 6;
@@ -133,7 +135,7 @@ class Drawing {
         x -= 50;
       }
     }
-    lines(shown.picture.note, 18, grey, false);
+    lines(shown.picture->note, 18, grey, false);
     y_ += 4;
   }
 
@@ -272,8 +274,13 @@ std::optional<Shown> bodies_of(const Exercise& exercise, std::uint64_t seed, con
   const auto number = [&](const NumbersOfScenes& scenes) { return in_words(scenes[scene][quantity], which); };
   std::string words = fmt::format("{}, scene {}", exercise.checks[check].says, scene + 1);
   if (right.time > 0) words += fmt::format(", t = {:.3g} s", right.time);
-  return Shown{picture_of_bodies(yours, right, half_width - 2 * frame, half_height), words,
-               number(outcome.numbers[check]), number(scenes_of(exercise.right, seed, check))};
+  Shown shown{{}, words, number(outcome.numbers[check]), number(scenes_of(exercise.right, seed, check)), {}};
+  try {
+    shown.picture = picture_of_bodies(yours, right, half_width - 2 * frame, half_height);
+  } catch (const std::runtime_error& problem) {  // no graphics here: the numbers need none
+    shown.problem = problem.what();
+  }
+  return shown;
 }
 
 }  // namespace
