@@ -16,7 +16,8 @@ inline std::string filled_in(const Exercise& exercise, const std::string& lines)
 }
 
 struct WrittenAnswer {
-  std::string name;  ///< "right", or the name of its mistake
+  std::string
+      name;  ///< "right", the name of its mistake, "nothing changes", or "unnamed: " and what no hint is known for
   std::string lines;
 };
 
@@ -32,13 +33,16 @@ inline std::vector<WrittenAnswer> written_answers(const Exercise& exercise, cons
   return answers;
 }
 
-/// The verdict on this text as a student's file.
+/// The verdict on this text as a student's file; compared with the untouched one where there are `untouched_files`.
 inline Verdict verdict_on(const Exercise& exercise, const std::string& text, std::uint64_t seed,
-                          const Sandbox* sandbox = nullptr, const Limits& limits = {}) {
+                          const Sandbox* sandbox = nullptr, const Limits& limits = {},
+                          UntouchedFiles* untouched_files = nullptr) {
   const ScratchFolder scratch;
   const std::filesystem::path file = scratch.path / (exercise.name + ".h");
   write_text_file(file, text);
-  return judge(exercise, seed, attempt(exercise, file, seed, sandbox, limits));
+  const Attempt outcome = attempt(exercise, file, seed, sandbox, limits);
+  if (!untouched_files) return judge(exercise, seed, outcome);
+  return judge(exercise, seed, outcome, [&] { return untouched_files->attempt(exercise, seed); });
 }
 
 }  // namespace pushback

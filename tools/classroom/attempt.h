@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <mutex>
 
 #include "pushback/tools/classroom/judge.h"
 
@@ -40,8 +42,22 @@ class Sandbox {
   ScratchFolder headers_;  // those of Pushback, and nothing else of it
 };
 
-/// `sandbox`: none where it is null.
+/// `sandbox`: none where it is null. `program`: where it is kept, to be run again; one that is there is not compiled anew.
 Attempt attempt(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed, const Sandbox* sandbox,
-                const Limits& limits = {});
+                const Limits& limits = {}, const std::filesystem::path& program = {});
+
+/// The files with a gap, as students get them: compiled at most once each, and run with the seed of whoever is compared with them.
+/// May be asked by several threads.
+class UntouchedFiles {
+ public:
+  /// Trusted, and so in no sandbox.
+  Attempt attempt(const Exercise& exercise, std::uint64_t seed);
+
+ private:
+  std::mutex& of(const Exercise& exercise);
+  ScratchFolder programs_;
+  std::mutex talking_;
+  std::map<std::string, std::mutex> compiling_;  // by exercise
+};
 
 }  // namespace pushback

@@ -30,7 +30,7 @@ std::string dumped(const Json& json) {
 }
 
 Json graded(const Grading& grading, const Exercise& exercise, const std::string& student, const HandedIn& handed_in,
-            std::uint64_t seed, const Sandbox* sandbox) {
+            std::uint64_t seed, const Sandbox* sandbox, UntouchedFiles& untouched_files) {
   const std::optional<fs::path> file = handed_in.file(exercise);
   const fs::path sheet = grading.out / "sheets" / student / (exercise.name + ".png");
   fs::remove(sheet);
@@ -50,7 +50,7 @@ Json graded(const Grading& grading, const Exercise& exercise, const std::string&
     verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
   } else {
     const Attempt outcome = attempt(exercise, *file, seed, sandbox, grading.limits);
-    verdict = judge(exercise, seed, outcome);
+    verdict = judge(exercise, seed, outcome, [&] { return untouched_files.attempt(exercise, seed); });
     printed = outcome.printed.substr(0, 1000);
     if (grading.sheets) {
       fs::create_directories(sheet.parent_path());
@@ -66,7 +66,8 @@ Json graded(const Grading& grading, const Exercise& exercise, const std::string&
             {"checks", Json::array()}};
   int points = 0, of = 0;
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
-    const bool passed = verdict.checks[i] == Passed::yes;
+    const bool passed =
+        verdict.checks[i] == Passed::yes && !verdict.changes_nothing;  // what the gap itself passes is no work
     const int worth = grading.points.of(exercise, i);
     of += worth;
     if (passed) points += worth;
@@ -241,6 +242,7 @@ void grade(const Grading& grading) {
   for (const auto& student : students)
     if (grading.shard.has(number++)) mine.push_back(student);
   std::atomic<std::size_t> next = 0;
+  UntouchedFiles untouched_files;
   std::mutex talking;
   std::exception_ptr failure;
   const auto work = [&] {
@@ -254,8 +256,8 @@ void grade(const Grading& grading) {
         if (before && (*before)["fingerprint"] == follows_from) continue;
         Json result{{"student", name}, {"fingerprint", follows_from}, {"exercises", Json::array()}};
         for (const Exercise* exercise : grading.exercises)
-          result["exercises"].push_back(
-              graded(grading, *exercise, name, handed_in, seed ^ hash_of(name), sandbox ? &*sandbox : nullptr));
+          result["exercises"].push_back(graded(grading, *exercise, name, handed_in, seed ^ hash_of(name),
+                                               sandbox ? &*sandbox : nullptr, untouched_files));
         write_text_file(file, dumped(result));
         const std::lock_guard guard(talking);
         fmt::print(stderr, "graded: {}\n", name);

@@ -1,11 +1,10 @@
 #include "pushback/tools/classroom/judge.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 
 namespace pushback {
 
@@ -52,6 +51,64 @@ bool resembles(const std::vector<Quantity>& quantities, const NumbersOfScenes& r
   return true;
 }
 
+/// Whether an answer is, as far as its numbers tell, the file that it began as.
+bool same_numbers(const Exercise& exercise, const Attempt& one, const Attempt& other) {
+  if (one.numbers.size() != other.numbers.size()) return false;
+  for (std::size_t i = 0; i < one.numbers.size(); ++i) {
+    if (one.numbers[i].size() != other.numbers[i].size()) return false;
+    for (std::size_t scene = 0; scene < one.numbers[i].size(); ++scene) {
+      const Numbers &a = one.numbers[i][scene], &b = other.numbers[i][scene];
+      if (a.size() != b.size()) return false;
+      for (std::size_t j = 0; j < std::min(a.size(), exercise.checks[i].quantities.size()); ++j) {
+        if (a[j] == b[j] || (std::isnan(a[j]) && std::isnan(b[j]))) continue;
+        // A compiler may round otherwise where other code stands beside.
+        const Real rounding = 1000 * std::numeric_limits<Real>::epsilon() * std::abs(a[j]);
+        if (!(std::abs(a[j] - b[j]) <= std::max<double>(rounding, exercise.checks[i].quantities[j].tolerance / 1000)))
+          return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The mistakes that would show the numbers of the check `first`, which fails, and fail no check that was passed; of these
+/// those that explain the most of the other checks. In the exercise's order, each name once.
+std::vector<const Exercise::Known*> likely_mistakes(const Exercise& exercise, std::uint64_t seed,
+                                                    const std::vector<NumbersOfScenes>& right, const Attempt& outcome,
+                                                    const std::vector<Passed>& checks, std::size_t first) {
+  std::vector<const Exercise::Known*> likely;
+  std::size_t most = 0;
+  for (const auto& mistake : exercise.mistakes) {
+    const auto fails = [&](std::size_t check, const NumbersOfScenes& mistaken) {
+      return furthest(exercise.checks[check].quantities, right[check], mistaken).by > 1;
+    };
+    const auto shows = [&](std::size_t check, const NumbersOfScenes& mistaken) {
+      return resembles(exercise.checks[check].quantities, right[check], mistaken, outcome.numbers[check]);
+    };
+    const NumbersOfScenes there = scenes_of(mistake.played, seed, first);
+    if (!fails(first, there) || !shows(first, there)) continue;
+    std::size_t explained = 0;
+    bool contradicted = false;
+    for (std::size_t i = 0; i < checks.size() && checks[i] != Passed::not_reached; ++i) {
+      const NumbersOfScenes mistaken = scenes_of(mistake.played, seed, i);
+      contradicted = contradicted || (checks[i] == Passed::yes && fails(i, mistaken));
+      explained += shows(i, mistaken);
+    }
+    if (contradicted || explained < most) continue;
+    if (explained > most) likely.clear();
+    most = explained;
+    if (std::none_of(likely.begin(), likely.end(), [&](const auto* other) { return other->name == mistake.name; }))
+      likely.push_back(&mistake);
+  }
+  return likely;
+}
+
+constexpr std::size_t most_named = 3;  // of mistakes that show the same: more are no hint
+
+constexpr const char* nothing_changes =
+    "your lines change nothing: the numbers are those of the file with the gap. Is a copy changed (`Row row = "
+    "step.rows[i]` in the place of `Row& row`), or a result never used?";
+
 }  // namespace
 
 NumbersOfScenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, std::size_t check) {
@@ -75,7 +132,7 @@ std::string Verdict::in_words() const {
   return words;
 }
 
-Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome) {
+Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome, const Untouched& untouched) {
   Verdict verdict;
   std::vector<NumbersOfScenes> right;
   std::optional<std::size_t> first;  // of the checks that fail
@@ -102,7 +159,8 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outco
   const Quantity& quantity = quantities[off.quantity];
   const Real is = shown[off.scene][off.quantity];
   const std::string should_be = in_words(right[*first][off.scene][off.quantity], quantity);
-  if (std::isnan(is)) {
+  verdict.changes_nothing = untouched && same_numbers(exercise, outcome, untouched());
+  if (std::isnan(is) && !verdict.changes_nothing) {
     verdict.mistake = "not a number";
     verdict.sentence = fmt::format(
         "{} NaN, which is not a number, where {} is right: look for 0/0, the root of a negative number, "
@@ -110,33 +168,25 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outco
         quantity.words, should_be);
     return verdict;
   }
-  verdict.sentence = fmt::format("{} {} where {} is right", quantity.words, in_words(is, quantity), should_be);
 
-  // Of the mistakes that would show these numbers in this check, the one that also explains the most of the other checks.
-  std::set<std::string> likely;
-  const Exercise::Known* shows = nullptr;
-  std::size_t most = 0;
-  for (const auto& mistake : exercise.mistakes) {
-    const NumbersOfScenes mistaken = scenes_of(mistake.played, seed, *first);
-    if (furthest(quantities, right[*first], mistaken).by <= 1 || !resembles(quantities, right[*first], mistaken, shown))
-      continue;
-    std::size_t explained = 0;
-    for (std::size_t i = 0; i < exercise.checks.size() && verdict.checks[i] != Passed::not_reached; ++i)
-      explained +=
-          resembles(exercise.checks[i].quantities, right[i], scenes_of(mistake.played, seed, i), outcome.numbers[i]);
-    if (explained < most) continue;
-    if (explained > most) likely.clear();
-    most = explained;
-    likely.insert(mistake.name);
-    shows = &mistake;
+  std::vector<const Exercise::Known*> likely = likely_mistakes(exercise, seed, right, outcome, verdict.checks, *first);
+  std::vector<std::string> names, hints;
+  if (verdict.changes_nothing) {
+    names.emplace_back("nothing changes");
+    hints.emplace_back(nothing_changes);
   }
-  if (likely.size() == 1) {
-    verdict.mistake = *likely.begin();
-    verdict.resembles = shows;
-    verdict.sentence += ": " + shows->hint;
-  } else {
-    verdict.sentence += likely.empty() ? ". None of the mistakes that are known here shows these numbers." : ".";
+  if (names.size() + likely.size() > most_named) likely.clear();
+  for (const Exercise::Known* mistake : likely) {
+    names.push_back(mistake->name);
+    hints.push_back(mistake->hint);
   }
+  if (!likely.empty()) verdict.resembles = likely.front();
+  verdict.mistake = fmt::format("{}", fmt::join(names, " or "));
+  verdict.sentence = fmt::format("{} {} where {} is right", quantity.words, in_words(is, quantity), should_be);
+  if (names.empty()) verdict.sentence += ". None of the mistakes that are known here shows these numbers alone.";
+  else
+    verdict.sentence +=
+        fmt::format(": {}{}", names.size() > 1 ? "it is one of these: " : "", fmt::join(hints, " Or: "));
   if (!outcome.problem.empty()) verdict.sentence += " And then: " + outcome.problem;
   return verdict;
 }

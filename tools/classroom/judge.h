@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "pushback/common/exercise/exercise.h"
@@ -31,8 +32,11 @@ enum class Passed { yes, no, not_reached };
 struct Verdict {
   std::vector<Passed> checks;
   std::string sentence;  ///< what is wrong, with its number; empty: nothing
-  std::string mistake;   ///< the name of the one that shows, or the kind of the problem; empty: none that is known
-  const Exercise::Known* resembles = nullptr;  ///< the known one that shows
+  /// The name of the one that shows, two or three where they show the same, with " or " between, or the kind of the problem;
+  /// empty: none that is known.
+  std::string mistake;
+  const Exercise::Known* resembles = nullptr;  ///< the known one that shows, the first of two or three
+  bool changes_nothing = false;                ///< its numbers are those of the file with the gap
   /// "Solved.", or the sentence, from its capital letter on.
   std::string in_words() const;
   bool passed() const {
@@ -40,6 +44,11 @@ struct Verdict {
   }
 };
 
-Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome);
+/// What the file with the gap sends, as it is, with the same seed.
+using Untouched = std::function<Attempt()>;
+
+/// No mistake is named that fails a check which the answer has passed. `untouched` is asked where the answer fails; without it
+/// nobody is told that his lines change nothing.
+Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome, const Untouched& untouched = {});
 
 }  // namespace pushback

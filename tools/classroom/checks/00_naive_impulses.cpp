@@ -10,6 +10,15 @@ namespace {
 using Spin = TwoBars::Spin;
 using Axes = TwoBars::Axes;
 
+/// The ends separate (`way` = 1) or meet (-1) by their spins, and the centres the other way round, half as fast.
+TwoBars spun_bars(Random& random, Real way, Real e) {
+  TwoBars bars(random, 0, e, Spin::some, Axes::turned);
+  if (way * bars.separates() < 0)
+    for (Body& bar : bars.world.bodies) bar.angular_velocity *= -1;
+  bars.world.bodies[1].velocity -= bars.separates() / 2 * bars.contact().normal;
+  return bars;
+}
+
 std::vector<Check<Answer>> checks() {
   return {
       {"two balls that meet head on fly apart e times as fast as they met",
@@ -46,21 +55,27 @@ std::vector<Check<Answer>> checks() {
        1,
        {{"your bars, which lie askew, separate with", "m/s", 1e-6},
         {"your bar A, which lies askew, spins on with", "rad/s", 1e-6},
-        {"your bar B, which lies askew, spins on with", "rad/s", 1e-6}},
+        {"your bar B, which lies askew, spins on with", "rad/s", 1e-6},
+        {"your bars, whose ends meet though their centres part, separate with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real e = random.between(Real(0.3), Real(0.8));
          TwoBars bars(random, -random.between(3, 5), e, Spin::some, Axes::turned);
          answer.impact(bars.world, bars.contact());
-         return {bars.separates(), bars.spin(0), bars.spin(1)};
+         TwoBars spun = spun_bars(random, -1, e);
+         answer.impact(spun.world, spun.contact());
+         return {bars.separates(), bars.spin(0), bars.spin(1), spun.separates()};
        }},
       {"bodies that separate by themselves get no impulse",
        1,
-       {{"your bars, which were separating by themselves, separate with", "m/s", 1e-6}},
+       {{"your bars, which were separating by themselves, separate with", "m/s", 1e-6},
+        {"your bars, whose ends part though their centres meet, separate with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real e = random.between(Real(0.3), Real(0.8));
          TwoBars bars(random, random.between(3, 5), e, Spin::some, Axes::turned);
          answer.impact(bars.world, bars.contact());
-         return {bars.separates()};
+         TwoBars spun = spun_bars(random, 1, e);
+         answer.impact(spun.world, spun.contact());
+         return {bars.separates(), spun.separates()};
        }},
   };
 }
@@ -72,11 +87,11 @@ void right(World& world, Contact& contact) {
 /// The terms of the formula.
 struct Terms {
   const Body &a, &b;
-  Vec3 ra_n, rb_n;
+  Vec3 n, ra_n, rb_n;
   Real e, centres, spin_a, spin_b;  // m/s: the parts of v_n
-  Real masses, turns;               // 1/kg: the parts of K
+  Real masses, turn_a, turn_b;      // 1/kg: the parts of K
   Real v_n() const { return centres + spin_a + spin_b; }
-  Real K() const { return masses + turns; }
+  Real K() const { return masses + turn_a + turn_b; }
   Real K(const Mat3& inverse_a, const Mat3& inverse_b) const {
     return masses + ra_n.dot(inverse_a * ra_n) + rb_n.dot(inverse_b * rb_n);
   }
@@ -87,6 +102,7 @@ struct Terms {
   Terms(const std::pair<const Body&, const Body&>& bodies, const Contact& c)
       : a(bodies.first),
         b(bodies.second),
+        n(c.normal),
         ra_n((c.point - a.position).cross(c.normal)),
         rb_n((c.point - b.position).cross(c.normal)),
         e(c.restitution),
@@ -94,7 +110,8 @@ struct Terms {
         spin_a(-a.angular_velocity.dot(ra_n)),
         spin_b(b.angular_velocity.dot(rb_n)),
         masses(a.inverse_mass + b.inverse_mass),
-        turns(K(a.inverse_inertia, b.inverse_inertia) - masses) {}
+        turn_a(ra_n.dot(a.inverse_inertia * ra_n)),
+        turn_b(rb_n.dot(b.inverse_inertia * rb_n)) {}
 };
 
 /// Another impulse, where the points approach.
@@ -122,6 +139,47 @@ Answer applied(Apply apply) {
   }};
 }
 
+/// A and B turn as if they had these inertias.
+template <class Inertias>
+Answer turned_by(Inertias inertias) {
+  return {[inertias](World& world, Contact& c) {
+    const Vec3 impulse = pair_impulse(world, c) * c.normal;
+    const auto [a, b] = world.bodies_of(c);
+    const auto [of_a, of_b] = inertias(a.inverse_inertia, b.inverse_inertia);
+    a.velocity -= a.inverse_mass * impulse;
+    a.angular_velocity -= of_a * (c.point - a.position).cross(impulse);
+    b.velocity += b.inverse_mass * impulse;
+    b.angular_velocity += of_b * (c.point - b.position).cross(impulse);
+  }};
+}
+
+/// The whole impact, as if they had these inertias.
+template <class Inertias>
+Answer with_inertias(Inertias inertias) {
+  return {[inertias](World& world, Contact& c) {
+    World other = world;
+    const auto [a, b] = other.bodies_of(c);
+    std::tie(a.inverse_inertia, b.inverse_inertia) =
+        inertias(Mat3(a.inverse_inertia), Mat3(b.inverse_inertia));
+    right(other, c);
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+      world.bodies[i].velocity = other.bodies[i].velocity;
+      world.bodies[i].angular_velocity = other.bodies[i].angular_velocity;
+    }
+  }};
+}
+
+using Inertias = std::pair<Mat3, Mat3>;
+Inertias both_of_a(const Mat3& a, const Mat3&) {
+  return {a, a};
+}
+Inertias both_of_b(const Mat3&, const Mat3& b) {
+  return {b, b};
+}
+Inertias exchanged(const Mat3& a, const Mat3& b) {
+  return {b, a};
+}
+
 Mat3 in_body_axes(const Body& body) {
   return body.principal_inverse_inertia.asDiagonal();
 }
@@ -142,8 +200,89 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if n, or the sign of v_n, were turned round. n leads from A to B, and v_n = n · (v of B - v of A) "
       "is "
       "negative where the two approach. Only then is there an impulse, and f is positive.";
+  const std::string one_turns =
+      "it looks as if K had the turn of one body alone. The impulse turns both, and each makes the point give way more "
+      "easily: (r × n) · I⁻¹ (r × n) of A and of B.";
+  const std::string one_in_K =
+      "it looks as if K knew one of the bodies alone. The impulse moves both of them: K is the sum of 1/m and (r × n) · "
+      "I⁻¹ (r × n) of A and of B.";
+  const std::string one_in_v =
+      "it looks as if v_n were the speed of one of the points. Both may move: v_n is that of B's point minus that of "
+      "A's, along n.";
+  const std::string one_pushed =
+      "it looks as if one body alone had felt the impulse, so that momentum came out of nothing. B gets f n, and A the "
+      "opposite.";
+  const std::string one_turned =
+      "it looks as if the impulse turned one body alone. It acts beside the centre of mass of both: each gets the "
+      "moment r × f n of its own arm, A with a minus.";
+  const std::string inertia_of =
+      "it looks as if one body had the inertia of the other. Each resists its turn by its own: I_A⁻¹ with r_A × n, "
+      "I_B⁻¹ with r_B × n.";
   return {
       {"not applied", nothing, {[](World&, Contact&) {}}},
+      {"(1+e)²",
+       "it looks as if (1+e) were there twice. Once gives them e times the speed at which they met: f = -(1+e) v_n / K.",
+       with_impulse([](const Terms& t) { return -(1 + t.e) * (1 + t.e) * t.v_n() / t.K(); })},
+      {"1-e",
+       "it looks as if e were subtracted from 1. It takes one v_n / K to stop the two, and e of it more to send them "
+       "back: 1 + e.",
+       with_impulse([](const Terms& t) { return -(1 - t.e) * t.v_n() / t.K(); })},
+      {"multiplied by K",
+       "it looks as if v_n were multiplied by K. K is the speed that a newton second makes: divide by it.",
+       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() * t.K(); })},
+      {"K without the turn of one body", one_turns,
+       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / (t.masses + t.turn_a); })},
+      {"K without the turn of one body", one_turns,
+       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / (t.masses + t.turn_b); })},
+      {"K of one body", one_in_K,
+       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / (t.a.inverse_mass + t.turn_a); })},
+      {"K of one body", one_in_K,
+       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / (t.b.inverse_mass + t.turn_b); })},
+      {"one body's inertia for both", inertia_of, with_impulse([](const Terms& t) {
+         return -(1 + t.e) * t.v_n() / t.K(t.a.inverse_inertia, t.a.inverse_inertia);
+       })},
+      {"one body's inertia for both", inertia_of, with_impulse([](const Terms& t) {
+         return -(1 + t.e) * t.v_n() / t.K(t.b.inverse_inertia, t.b.inverse_inertia);
+       })},
+      {"one body's inertia for both", inertia_of, turned_by(both_of_a)},
+      {"one body's inertia for both", inertia_of, turned_by(both_of_b)},
+      {"one body's inertia for both", inertia_of, with_inertias(both_of_a)},
+      {"one body's inertia for both", inertia_of, with_inertias(both_of_b)},
+      {"inertias exchanged", inertia_of, with_inertias(exchanged)},
+      {"v_n of one point", one_in_v, with_every_impulse([](const Terms& t) {
+         const Real v_n = -t.a.velocity.dot(t.n) + t.spin_a;
+         return v_n < 0 ? -(1 + t.e) * v_n / t.K() : 0;
+       })},
+      {"v_n of one point", one_in_v, with_every_impulse([](const Terms& t) {
+         const Real v_n = t.b.velocity.dot(t.n) + t.spin_b;
+         return v_n < 0 ? -(1 + t.e) * v_n / t.K() : 0;
+       })},
+      {"one body pushed", one_pushed, applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
+         if (sign < 0) return;
+         body.velocity += body.inverse_mass * impulse;
+         body.angular_velocity += body.inverse_inertia * r.cross(impulse);
+       })},
+      {"one body pushed", one_pushed, applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
+         if (sign > 0) return;
+         body.velocity -= body.inverse_mass * impulse;
+         body.angular_velocity -= body.inverse_inertia * r.cross(impulse);
+       })},
+      {"one body turned", one_turned, applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
+         body.velocity += sign * body.inverse_mass * impulse;
+         if (sign > 0) body.angular_velocity += body.inverse_inertia * r.cross(impulse);
+       })},
+      {"one body turned", one_turned, applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
+         body.velocity += sign * body.inverse_mass * impulse;
+         if (sign < 0) body.angular_velocity -= body.inverse_inertia * r.cross(impulse);
+       })},
+      {"the centres decide",
+       "it looks as if the centres decided whether there is an impulse. The points touch: an impulse is needed where "
+       "they approach, spins included, and none where they part.",
+       with_every_impulse([](const Terms& t) { return t.centres < 0 ? -(1 + t.e) * t.v_n() / t.K() : 0; })},
+      {"pushed apart once more",
+       "it looks as if bodies that separate by themselves were pushed on, as by |v_n|. Where v_n is not negative there is "
+       "no impulse.",
+       with_every_impulse([](const Terms& t) { return (1 + t.e) * std::abs(t.v_n()) / t.K(); })},
       {"e left out",
        "it looks as if e were left out. 1/K stops the two; (1+e)/K makes them separate again, e times as fast as they "
        "met.",

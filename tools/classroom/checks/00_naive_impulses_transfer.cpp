@@ -6,13 +6,16 @@ namespace pushback::exercise_00_transfer {
 
 namespace {
 
-/// A bat and a ball that touch. The pivot is the origin.
+enum class Pivot { on_the_axis, beside_it };
+
+/// A bat and a ball that touch.
 struct Game {
   World world;
+  Vec3 pivot;            ///< m
   Real sweet_spot, tip;  ///< m from the pivot, along the bat
 
   /// The ball moves along n, away from the bat, at `leaving`, m/s; towards the bat where that is negative.
-  Game(Random& random, Real leaving, Real restitution, Real swing = 0) {
+  Game(Random& random, Real leaving, Real restitution, Real swing = 0, Pivot where = Pivot::on_the_axis) {
     world.gravity.setZero();
     const Vec3 half{random.between(Real(0.4), Real(0.5)), random.between(Real(0.02), Real(0.03)),
                     random.between(Real(0.04), Real(0.06))};
@@ -20,14 +23,17 @@ struct Game {
     n_ = turn * Vec3::UnitY();
     along_ = turn * Vec3::UnitX();
     thick_ = half.y();
+    pivot = random.vector(1);
+    if (where == Pivot::beside_it)
+      aside_ = turn * Vec3(0, random.between(Real(0.05), Real(0.1)), random.between(Real(0.1), Real(0.15)));
     const Real centre = half.x() * random.between(Real(0.8), Real(0.95));
     tip = centre + half.x();
     sweet_spot = centre + (half.x() * half.x() + half.y() * half.y()) / (3 * centre);
-    Body bat = box(half, random.between(Real(0.6), Real(1.2))).at(centre * along_);
+    Body bat = box(half, random.between(Real(0.6), Real(1.2))).at(pivot + centre * along_ + aside_);
     bat.orientation = turn;
     bat.spinning(turn * Vec3(random.between(-1, 1), random.between(-1, 1), swing));
     if (swing == 0) bat.angular_velocity.setZero();
-    bat.moving(bat.angular_velocity.cross(bat.position));
+    bat.moving(bat.angular_velocity.cross(bat.position - pivot));
     world.add(bat);
     world.bodies[0].refresh_inertia();
     const Vec3 sideways = random.vector(1);
@@ -39,22 +45,22 @@ struct Game {
   }
 
   void touch_at(Real from_the_pivot) {
-    world.contacts[0].point = from_the_pivot * along_ + thick_ * n_;
+    world.contacts[0].point = pivot + from_the_pivot * along_ + aside_ + thick_ * n_;
     world.bodies[1].position = world.contacts[0].point + radius * n_;
   }
   /// The impulse that the hand had to give, N s.
   Real play(const Answer& answer) {
     const Vec3 before = momentum(world);
-    answer.hit(world.bodies[0], Vec3::Zero(), world.bodies[1], world.contacts[0]);
+    answer.hit(world.bodies[0], pivot, world.bodies[1], world.contacts[0]);
     return (momentum(world) - before).norm();
   }
-  Real pivots_speed() const { return world.bodies[0].velocity_at(Vec3::Zero()).norm(); }
+  Real pivots_speed() const { return world.bodies[0].velocity_at(pivot).norm(); }
   Real spin() const { return world.bodies[0].angular_velocity.norm(); }
   Real separates() const { return separating_speed(world, world.contacts[0]); }
 
  private:
   static constexpr Real radius = Real(0.04);
-  Vec3 n_, along_;
+  Vec3 n_, along_, aside_ = Vec3::Zero();  // the last: from the axis through the pivot to the bat's own
   Real thick_;
 };
 
@@ -74,12 +80,18 @@ std::vector<Check<Answer>> checks() {
       {"at e = 1 a bat that swings and its ball keep their energy",
        2,
        {{"your ball, met by a bat that swings, separates from it with", "m/s", 1e-6},
-        {"the energy of both has grown by", "J", 1e-5}},
+        {"the energy of both has grown by", "J", 1e-5},
+        {"the energy of a ball and a bat whose pivot is beside its axis has grown by", "J", 1e-5},
+        {"your bat, whose pivot is beside its axis, turns with", "rad/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Game game(random, -random.between(6, 9), 1, random.between(5, 8));
          const Real before = kinetic_energy(game.world);
          game.play(answer);
-         return {game.separates(), kinetic_energy(game.world) - before};
+         Game crooked(random, -random.between(6, 9), 1, random.between(5, 8), Pivot::beside_it);
+         const Real crooked_before = kinetic_energy(crooked.world);
+         crooked.play(answer);
+         return {game.separates(), kinetic_energy(game.world) - before,
+                 kinetic_energy(crooked.world) - crooked_before, crooked.spin()};
        }},
       {"a hand at the pivot feels nothing of a ball at the sweet spot, and much of one at the tip",
        2,
@@ -140,6 +152,11 @@ struct Terms {
   }
 };
 
+void right(Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+  const Terms terms(bat, pivot, ball, c);
+  if (terms.speed < 0) terms.apply(bat, ball, c);
+}
+
 template <class Change>
 Answer changed(Change change) {
   return {[change](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
@@ -174,7 +191,87 @@ std::vector<Mistake<Answer>> mistakes() {
   const std::string wall =
       "it looks as if the bat were as hard to turn as a wall. It gives way: K has the bat's turn about the pivot as "
       "well.";
+  const std::string factor =
+      "it looks as if the factor of the impulse were another than 1 + e. It takes v_n / K to stop the two, and e of it "
+      "more to send them back.";
+  const std::string from_the_origin =
+      "it looks as if an arm led from the origin of the world. The bat turns about its pivot: d and r lead from there.";
+  const std::string scalar =
+      "it looks as if the bat were equally hard to turn about every axis. Its inertia is a matrix: by I_P⁻¹ (r × n) it "
+      "also begins to turn about other axes than r × n.";
+  const auto away = [](const Vec3& n, const Terms& t) { return Vec3(t.r.cross(n).normalized()); };
   return {
+      {"d dᵀ forgotten",
+       "it looks as if Steiner's term were m |d|² about every axis. About an axis along d the centre of mass does not "
+       "move at all: the term is m (|d|² 1 - d dᵀ).",
+       changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
+         t.inertia = Terms::about_centre(bat) + t.d.squaredNorm() / bat.inverse_mass * Mat3::Identity();
+       })},
+      {"sign of d dᵀ",
+       "it looks as if d dᵀ were added. Along d the centre of mass has no arm, so this part is taken off: m (|d|² 1 - d "
+       "dᵀ).",
+       changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
+         t.inertia += 2 / bat.inverse_mass * t.d * t.d.transpose();
+       })},
+      {"one number for the inertia", scalar, changed([away](Terms& t, const Body&, const Body&, const Contact& c) {
+         const Vec3 axis = away(c.normal, t);
+         t.inertia = axis.dot(t.inertia * axis) * Mat3::Identity();
+       })},
+      {"one number for the inertia", scalar, changed([away](Terms& t, const Body&, const Body&, const Contact& c) {
+         const Vec3 axis = away(c.normal, t);
+         t.inertia = Mat3::Identity() / axis.dot(t.inertia.inverse() * axis);
+       })},
+      {"one number for the inertia", scalar, changed([](Terms& t, const Body&, const Body&, const Contact&) {
+         t.inertia = t.inertia.trace() / 3 * Mat3::Identity();
+       })},
+      {"an arm from the origin", from_the_origin,
+       changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
+         t.inertia = Terms::about_centre(bat) + Terms::steiner(bat, bat.position);
+       })},
+      {"an arm from the origin", from_the_origin,
+       changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
+         t.inertia = Terms::about_centre(bat) + Terms::steiner(bat, bat.position);
+         t.d = bat.position;
+       })},
+      {"an arm from the origin", from_the_origin,
+       changed([](Terms& t, const Body& bat, const Body& ball, const Contact& c) {
+         t.arm = c.point;
+         t.speed = c.normal.dot(ball.velocity - bat.angular_velocity.cross(c.point));
+       })},
+      {"(1+e)²", factor, changed([](Terms& t, const Body&, const Body&, const Contact& c) {
+         t.speed *= 1 + c.restitution;
+       })},
+      {"e left out", factor, changed([](Terms& t, const Body&, const Body&, const Contact& c) {
+         t.speed /= 1 + c.restitution;
+       })},
+      {"e for 1+e", factor, changed([](Terms& t, const Body&, const Body&, const Contact& c) {
+         t.speed *= c.restitution / (1 + c.restitution);
+       })},
+      {"one of the two pushed",
+       "it looks as if one of bat and ball had felt nothing. The ball gets f n, and the bat the opposite, which turns "
+       "it.",
+       {[](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+         const Body before = bat;
+         right(bat, pivot, ball, c);
+         bat.velocity = before.velocity;
+         bat.angular_velocity = before.angular_velocity;
+       }}},
+      {"one of the two pushed",
+       "it looks as if one of bat and ball had felt nothing. The ball gets f n, and the bat the opposite, which turns "
+       "it.",
+       {[](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+         const Vec3 before = ball.velocity;
+         right(bat, pivot, ball, c);
+         ball.velocity = before;
+       }}},
+      {"pushed away once more",
+       "it looks as if a ball that leaves by itself were pushed on, as by |v_n|. Where v_n is not negative there is no "
+       "impulse.",
+       {[](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+         Terms terms(bat, pivot, ball, c);
+         terms.speed = -std::abs(terms.speed);
+         terms.apply(bat, ball, c);
+       }}},
       {"a free bat",
        "it looks as if the bat were hit as a free body. Something holds its pivot, and gives an impulse as well. The "
        "bat "
@@ -255,11 +352,6 @@ std::vector<Mistake<Answer>> mistakes() {
          Terms(bat, pivot, ball, c).apply(bat, ball, c);
        }}},
   };
-}
-
-void right(Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
-  const Terms terms(bat, pivot, ball, c);
-  if (terms.speed < 0) terms.apply(bat, ball, c);
 }
 
 }  // namespace

@@ -115,7 +115,121 @@ std::vector<Mistake<Answer>> mistakes() {
   const std::string old =
       "it looks as if each row used the velocities of before the sweep. Four rows then push against the same fall, "
       "each as if it were alone. A row has to see what those before it have done.";
+  const std::string one_turns =
+      "it looks as if K had the turn of one body alone. The impulse turns both, and each makes the point give way more "
+      "easily: (r × n) · I⁻¹ (r × n) of A and of B.";
+  const std::string one_in_K =
+      "it looks as if K knew one of the bodies alone. The impulse moves both of them: K = J M⁻¹ Jᵀ has four parts.";
+  const std::string one_in_J =
+      "it looks as if J had one of the bodies alone. Both points may move: J V is the speed of B's minus that of A's.";
+  const std::string one_spin =
+      "it looks as if the spin of one body were left out of J V. Its point moves by it, too: -(r_A × n) · ω_A + (r_B × "
+      "n) · ω_B.";
+  const std::string one_moved =
+      "it looks as if one body alone had felt the impulse, so that momentum came out of nothing. M⁻¹ Jᵀ λ changes the "
+      "velocities of both.";
+  const std::string one_turned =
+      "it looks as if the impulse turned one body alone. It acts beside the centre of mass of both: each gets the "
+      "moment of its own arm.";
+  const std::string inertia_of =
+      "it looks as if one body had the inertia of the other. Each resists its turn by its own: I_A⁻¹ with r_A × n, "
+      "I_B⁻¹ with r_B × n.";
+  const std::string some =
+      "it looks as if some contacts were left out. All four corners carry the column: in each sweep, each has its turn.";
+  const auto weighed = [](Row& row, Real K) { row.effective_mass = 1 / K; };
+  const auto turn = [](const Body& body, const Mat3& inverse_inertia, const Vec3& arm) {
+    return body.movable() ? arm.dot(inverse_inertia * arm) : Real(0);
+  };
+  const auto turned = [turn, weighed](Row& row, const Body& of_a, const Body& of_b) {
+    row.dwa = -(of_a.inverse_inertia * row.ra_n);
+    row.dwb = of_b.inverse_inertia * row.rb_n;
+    weighed(row, row.a->inverse_mass + row.b->inverse_mass + row.ra_n.dot(of_a.inverse_inertia * row.ra_n) +
+                     row.rb_n.dot(of_b.inverse_inertia * row.rb_n));
+  };
+  const auto first_contacts = [](std::size_t most) {
+    return Answer{[most](World& world, int sweeps) {
+      for (int sweep = 0; sweep < sweeps; ++sweep) {
+        for (std::size_t i = 0; i < std::min(most, world.contacts.size()); ++i)
+          Row(world, world.contacts[i], world.contacts[i].normal, i).solve();
+      }
+    }};
+  };
   return {
+      {"K without the turn of one body", one_turns, visiting([weighed, turn](Row& row) {
+         weighed(row, row.a->inverse_mass + row.b->inverse_mass + turn(*row.a, row.a->inverse_inertia, row.ra_n));
+         row.solve();
+       })},
+      {"K without the turn of one body", one_turns, visiting([weighed, turn](Row& row) {
+         weighed(row, row.a->inverse_mass + row.b->inverse_mass + turn(*row.b, row.b->inverse_inertia, row.rb_n));
+         row.solve();
+       })},
+      {"K of one body", one_in_K, visiting([weighed](Row& row) {
+         weighed(row, row.a->inverse_mass + row.ra_n.dot(row.a->inverse_inertia * row.ra_n));
+         row.solve();
+       })},
+      {"K of one body", one_in_K, visiting([weighed](Row& row) {
+         weighed(row, row.b->inverse_mass + row.rb_n.dot(row.b->inverse_inertia * row.rb_n));
+         row.solve();
+       })},
+      {"one body's inertia for both", inertia_of, visiting([weighed](Row& row) {
+         weighed(row, row.a->inverse_mass + row.b->inverse_mass + row.ra_n.dot(row.a->inverse_inertia * row.ra_n) +
+                          row.rb_n.dot(row.a->inverse_inertia * row.rb_n));
+         row.solve();
+       })},
+      {"one body's inertia for both", inertia_of, visiting([weighed](Row& row) {
+         weighed(row, row.a->inverse_mass + row.b->inverse_mass + row.ra_n.dot(row.b->inverse_inertia * row.ra_n) +
+                          row.rb_n.dot(row.b->inverse_inertia * row.rb_n));
+         row.solve();
+       })},
+      {"one body's inertia for both", inertia_of, visiting([turned](Row& row) {
+         turned(row, *row.a, *row.a);
+         row.solve();
+       })},
+      {"one body's inertia for both", inertia_of, visiting([turned](Row& row) {
+         turned(row, *row.b, *row.b);
+         row.solve();
+       })},
+      {"J of one body", one_in_J, visiting([](Row& row) {
+         stop(row, -row.n.dot(row.a->velocity) - row.ra_n.dot(row.a->angular_velocity));
+       })},
+      {"J of one body", one_in_J, visiting([](Row& row) {
+         stop(row, row.n.dot(row.b->velocity) + row.rb_n.dot(row.b->angular_velocity));
+       })},
+      {"J of one body", one_in_J, visiting([weighed](Row& row) {
+         weighed(row, row.a->inverse_mass + row.ra_n.dot(row.a->inverse_inertia * row.ra_n));
+         row.dvb = row.dwb = Vec3::Zero();
+         stop(row, -row.n.dot(row.a->velocity) - row.ra_n.dot(row.a->angular_velocity));
+       })},
+      {"J of one body", one_in_J, visiting([weighed](Row& row) {
+         weighed(row, row.b->inverse_mass + row.rb_n.dot(row.b->inverse_inertia * row.rb_n));
+         row.dva = row.dwa = Vec3::Zero();
+         stop(row, row.n.dot(row.b->velocity) + row.rb_n.dot(row.b->angular_velocity));
+       })},
+      {"one body's spin left out", one_spin, visiting([](Row& row) {
+         stop(row, row.speed() + row.ra_n.dot(row.a->angular_velocity));
+       })},
+      {"one body's spin left out", one_spin, visiting([](Row& row) {
+         stop(row, row.speed() - row.rb_n.dot(row.b->angular_velocity));
+       })},
+      {"one body moved", one_moved, visiting([](Row& row) {
+         row.dva = row.dwa = Vec3::Zero();
+         stop(row, row.speed());
+       })},
+      {"one body moved", one_moved, visiting([](Row& row) {
+         row.dvb = row.dwb = Vec3::Zero();
+         stop(row, row.speed());
+       })},
+      {"one body turned", one_turned, visiting([](Row& row) {
+         row.dwa.setZero();
+         stop(row, row.speed());
+       })},
+      {"one body turned", one_turned, visiting([](Row& row) {
+         row.dwb.setZero();
+         stop(row, row.speed());
+       })},
+      {"contacts left out", some, first_contacts(1)},
+      {"contacts left out", some, first_contacts(2)},
+      {"contacts left out", some, first_contacts(3)},
       {"not applied", "it looks as if no velocity changed. V += M⁻¹ Jᵀ λ, for both bodies.", visiting([](Row&) {})},
       {"sign of λ", "it looks as if λ had the wrong sign. It has to undo JV, so λ = -JV / K.",
        visiting([](Row& row) { stop(row, -row.speed()); })},

@@ -30,7 +30,7 @@ Ride ball(Random& random) {
   return {made, Vec3::Zero(), random.direction()};
 }
 
-/// The ring is beside its centre, along the bar and a little across it.
+/// Somewhere. The ring is beside its centre, along the bar and a little across it.
 Ride bar(Random& random, bool askew) {
   const Vec3 half{random.between(Real(0.5), Real(0.8)), random.between(Real(0.2), Real(0.25)),
                   random.between(Real(0.26), Real(0.3))};
@@ -39,7 +39,8 @@ Ride bar(Random& random, bool askew) {
   Body made = box(half, random.between(5, 20)).moving(random.vector(4)).spinning(random.vector(3));
   if (askew) made.orientation = random.orientation();
   made.refresh_inertia();
-  return {made, made.orientation * ring, random.direction()};
+  made.position = random.vector(1);
+  return {made, made.position + made.orientation * ring, random.direction()};
 }
 
 std::vector<Check<Answer>> checks() {
@@ -162,7 +163,41 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if what holds the ring turned nothing. It acts at the ring, so it has no moment about the ring, but "
       "it "
       "has one about the centre of mass.";
+  const std::string along =
+      "it looks as if the rail took the body along with it. There is no friction: only the part of u across the rail is "
+      "felt.";
   return {
+      {"r from the origin",
+       "it looks as if r led from the origin of the world to the ring. An arm begins at the centre of mass.",
+       changed([](RailRow& row) {
+         row.r_n += row.body.position.cross(row.n);
+         row.weigh(row.body.inverse_inertia);
+       })},
+      {"taken along by the rail", along,
+       {[](Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
+         body.velocity += rail.dot(rails_velocity) * rail;
+         changed(nothing).hold(body, ring, rail, rails_velocity, sweeps);
+       }}},
+      {"taken along by the rail", along,
+       {[](Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
+         body.velocity -= rails_velocity;
+         changed(nothing).hold(body, ring, rail, Vec3::Zero(), sweeps);
+       }}},
+      {"only a push",
+       "it looks as if a row could only push. A ring is held from both sides: λ may be negative.",
+       {[](Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
+         for (int sweep = 0; sweep < sweeps; ++sweep)
+           for (const Vec3& n : directions_of(rail, Directions::across)) {
+             RailRow row(body, n, ring - body.position, rails_velocity);
+             if (row.speed + row.b < 0) row.solve();
+           }
+       }}},
+      {"sign of λ",
+       "it looks as if λ had the wrong sign. It has to undo J V + b: λ = -(J V + b) / K.",
+       changed([](RailRow& row) { row.K = -row.K; })},
+      {"multiplied by K",
+       "it looks as if J V + b were multiplied by K. K is the speed that a newton second makes: divide by it.",
+       changed([](RailRow& row) { row.K = 1 / row.K; })},
       {"held along the rail",
        "it looks as if the rail's own direction were the forbidden one. Along the rail the ring is free; n is at right "
        "angles to it.",

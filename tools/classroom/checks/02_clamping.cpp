@@ -66,10 +66,12 @@ std::vector<Check<Answer>> checks() {
        }},
       {"b is minus the speed that is wanted",
        1,
-       {{"your ball, of which b asks a separating speed, leaves with", "m/s", 1e-6}},
+       {{"your ball, of which b asks a separating speed, leaves with", "m/s", 1e-6},
+        {"your ball, which b lets come nearer, goes on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real mass = random.between(5, 20), fall = random.between(1, 5), wanted = random.between(1, 3);
-         return {Ball(mass, -fall, answer, -wanted).speed};
+         const Real slower = random.between(Real(0.2), Real(0.8)) * fall;
+         return {Ball(mass, -fall, answer, -wanted).speed, Ball(mass, -fall, answer, slower).speed};
        }},
       {"a column that lands flat comes to rest",
        2,
@@ -111,6 +113,9 @@ void right(Row& row) {
 }
 
 std::vector<Mistake<Answer>> mistakes() {
+  const std::string cut_off =
+      "it looks as if a b of one sign did not count. A negative b asks for a separating speed, and a positive b lets the "
+      "bodies come nearer at up to that speed: the row solves J V + b = 0 for both.";
   return {
       {"each correction clamped",
        "it looks as if each correction were clamped, not their sum. A correction that is negative takes back a push "
@@ -152,9 +157,75 @@ std::vector<Mistake<Answer>> mistakes() {
          row.apply(sum - row.impulse);
          row.impulse = sum;
        }}},
+      {"the old sum clamped",
+       "it looks as if the old sum were clamped, and the correction added after that. What is then kept and applied may be "
+       "negative, a pull: clamp the new sum, max(0, Σλ + λ).",
+       {[](Row& row) {
+         const Real sum = std::max(Real(0), row.impulse) + wanted(row) - row.impulse;
+         row.apply(sum - row.impulse);
+         row.impulse = sum;
+       }}},
+      {"an upper limit for the lower one",
+       "it looks as if the sum were kept below 0, by min. A contact pushes and never pulls: 0 is the least that the sum "
+       "may be.",
+       {[](Row& row) {
+         const Real sum = std::min(Real(0), wanted(row));
+         row.apply(sum - row.impulse);
+         row.impulse = sum;
+       }}},
+      {"the correction applied as it was",
+       "it looks as if only the kept sum were clamped, and the bodies got the whole correction. They get what the clamped "
+       "sum differs from the old one.",
+       {[](Row& row) {
+         const Real sum = wanted(row);
+         row.apply(sum - row.impulse);
+         row.impulse = std::max(Real(0), sum);
+       }}},
+      {"the correction kept",
+       "it looks as if the last correction were kept in the place of the sum. row.impulse is the sum of all of them.",
+       {[](Row& row) {
+         const Real correction = std::max(Real(0), wanted(row) - row.impulse);
+         row.apply(correction - row.impulse);
+         row.impulse = correction;
+       }}},
+      {"the difference turned round",
+       "it looks as if the new sum were taken from the old one. The bodies get what is new: the new sum minus the old.",
+       {[](Row& row) {
+         const Real sum = std::max(Real(0), wanted(row));
+         row.apply(row.impulse - sum);
+         row.impulse = sum;
+       }}},
+      {"K for 1/K",
+       "it looks as if J V + b were divided by row.effective_mass, or not multiplied by it. The effective mass is 1/K, in "
+       "kg: times a speed it is an impulse.",
+       {[](Row& row) {
+         const Real sum = std::max(Real(0), row.impulse - (row.speed() + row.bias) / row.effective_mass);
+         row.apply(sum - row.impulse);
+         row.impulse = sum;
+       }}},
+      {"K for 1/K",
+       "it looks as if J V + b were divided by row.effective_mass, or not multiplied by it. The effective mass is 1/K, in "
+       "kg: times a speed it is an impulse.",
+       {[](Row& row) {
+         const Real sum = std::max(Real(0), row.impulse - (row.speed() + row.bias));
+         row.apply(sum - row.impulse);
+         row.impulse = sum;
+       }}},
+      {"b cut off", cut_off, {[](Row& row) {
+         const Real b = std::min(Real(0), row.bias);
+         const Real sum = std::max(Real(0), row.impulse - row.effective_mass * (row.speed() + b));
+         row.apply(sum - row.impulse);
+         row.impulse = sum;
+       }}},
+      {"b cut off", cut_off, {[](Row& row) {
+         const Real b = std::max(Real(0), row.bias);
+         const Real sum = std::max(Real(0), row.impulse - row.effective_mass * (row.speed() + b));
+         row.apply(sum - row.impulse);
+         row.impulse = sum;
+       }}},
       {"nothing kept",
-       "it looks as if row.impulse were never written. Without the sum nobody knows how much of a push can be taken "
-       "back.",
+       "it looks as if the sum began anew in each sweep: row.impulse is never written, or set back to 0. Without the "
+       "sum of the whole step nobody knows how much of a push can be taken back.",
        {[](Row& row) { row.apply(std::max(Real(0), wanted(row)) - row.impulse); }}},
       {"b left out", "it looks as if b were left out. The row solves J V + b = 0.", {[](Row& row) {
          const Real sum = std::max(Real(0), row.impulse - row.effective_mass * row.speed());

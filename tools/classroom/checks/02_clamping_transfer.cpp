@@ -80,11 +80,15 @@ std::vector<Check<Answer>> checks() {
       {"a ball that lands is stopped, however hard",
        1,
        {{"your ball, which lands on the magnet, leaves with", "m/s", 1e-6},
-        {"the row of your ball keeps an impulse of", "N s", 1e-4}},
+        {"the row of your ball keeps an impulse of", "N s", 1e-4},
+        {"your column, which lands flat and hard, leaves with", "m/s", 1e-6},
+        {"your column, which lands flat and hard, turns with", "rad/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Magnet ball = Magnet::ball(random, -random.between(Real(1.5), 4));
+         Magnet column = Magnet::column(random, -random.between(8, 12));
          ball.play(answer);
-         return {ball.upwards(), ball.impulse()};
+         column.play(answer);
+         return {ball.upwards(), ball.impulse(), column.upwards(), column.body().angular_velocity.norm()};
        }},
       {"b is minus the speed that is wanted",
        1,
@@ -142,6 +146,8 @@ std::vector<Mistake<Answer>> mistakes() {
   const std::string lets_go =
       "it looks as if the magnet let go at once of what it cannot hold. It still pulls with all of F and slows it "
       "down.";
+  const std::string points =
+      "it looks as if some points were left out. The magnet holds at all n of them, each with F/n.";
   return {
       {"no magnet",
        "it looks as if nothing pulled. The sum may be negative, down to what the magnet can give.",
@@ -174,6 +180,40 @@ std::vector<Mistake<Answer>> mistakes() {
        "back as hard as it takes.",
        {[](Rows& rows, Real force, Real h) {
          for (Row& row : rows) reach(row, std::clamp(wanted(row), -pull(rows, force, h), pull(rows, force, h)));
+       }}},
+      {"the old sum limited",
+       "it looks as if the old sum were limited, and the correction added after that. Then the sum itself may pull by any "
+       "amount: limit the new sum, max(-F h / n, Σλ + λ).",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) reach(row, std::max(-pull(rows, force, h), row.impulse) + wanted(row) - row.impulse);
+       }}},
+      {"a limit on what is applied",
+       "it looks as if what is applied at a time were limited as well. A push that was too large is taken back whole, "
+       "however large: only the sum is limited.",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) {
+           const Real sum = std::max(-pull(rows, force, h), wanted(row));
+           row.apply(std::max(-pull(rows, force, h), sum - row.impulse));
+           row.impulse = sum;
+         }
+       }}},
+      {"points left out", points, {[](Rows& rows, Real force, Real h) {
+         reach(rows[0], std::max(-pull(rows, force, h), wanted(rows[0])));
+       }}},
+      {"points left out", points, {[](Rows& rows, Real force, Real h) {
+         for (std::size_t i = 0; i < std::min<std::size_t>(2, rows.size()); ++i)
+           reach(rows[i], std::max(-pull(rows, force, h), wanted(rows[i])));
+       }}},
+      {"always four points",
+       "it looks as if F were always shared by four points. A ball touches at one: n is rows.size().",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) reach(row, std::max(-force * h / 4, wanted(row)));
+       }}},
+      {"sign of b",
+       "it looks as if b had the wrong sign. The row solves J V + b = 0, so the wanted speed is -b.",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows)
+           reach(row, std::max(-pull(rows, force, h), row.impulse - row.effective_mass * (row.speed() - row.bias)));
        }}},
       {"lets go", lets_go, {[](Rows& rows, Real force, Real h) {
          for (Row& row : rows) reach(row, wanted(row) < -pull(rows, force, h) ? 0 : wanted(row));
@@ -210,7 +250,8 @@ std::vector<Mistake<Answer>> mistakes() {
          }
        }}},
       {"nothing kept",
-       "it looks as if row.impulse were never written. Without the sum nobody knows how much has been pulled already.",
+       "it looks as if the sum began anew in each sweep: row.impulse is never written, or set back to 0. Without the sum "
+       "nobody knows how much has been pulled already.",
        {[](Rows& rows, Real force, Real h) {
          for (Row& row : rows) row.apply(std::max(-pull(rows, force, h), wanted(row)) - row.impulse);
        }}},

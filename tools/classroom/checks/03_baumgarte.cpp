@@ -40,14 +40,38 @@ struct Ball {
   }
 };
 
+/// Five balls beside each other: the speeds of the first and of the last, m/s.
+std::pair<Real, Real> five_balls(Random& random, const Answer& answer) {
+  World world;
+  world.gravity.setZero();
+  world.add(ground());
+  for (std::uint32_t i = 1; i <= 5; ++i) {
+    const Real depth = random.between(Real(0.01), Real(0.1)), x = 2 * static_cast<Real>(i);
+    world.add(sphere(Real(0.5), random.between(5, 20)).at({x, Real(0.5) - depth, 0}));
+    world.contacts.push_back({.point = {x, -depth / 2, 0}, .normal = {0, 1, 0}, .depth = depth, .id = {0, i, 0}});
+  }
+  auto solver = with_effect<PushingOut>(answer.push_out);
+  solver.solve(world, 1 / random.between(50, 240), 1);
+  return {world.bodies[1].velocity.y(), world.bodies[5].velocity.y()};
+}
+
 std::vector<Check<Answer>> checks() {
   return {
       {"a ball that is too deep leaves at β d / h",
        1,
-       {{"your ball, which is too deep, leaves with", "m/s", 1e-6}},
+       {{"your ball, which is too deep, leaves with", "m/s", 1e-6},
+        {"your ball, which is very deep, leaves with", "m/s", 1e-6},
+        {"of five balls, each of another depth, the first leaves with", "m/s", 1e-6},
+        {"of five balls, each of another depth, the last leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Ball ball(random, random.between(Real(0.01), Real(0.05)));
-         return {ball.solved(with_effect<PushingOut>(answer.push_out))};
+         Ball deep(random, random.between(Real(0.5), Real(0.8)));
+         auto solver = with_effect<PushingOut>(answer.push_out);  // one, for steps of another length
+         solver.solve(ball.world, ball.h, 1);
+         solver.solve(deep.world, deep.h, 1);
+         const Real alone = ball.world.bodies[1].velocity.y(), fast = deep.world.bodies[1].velocity.y();
+         const auto [first, last] = five_balls(random, answer);
+         return {alone, fast, first, last};
        }},
       {"a ball that is still apart goes its way, and is not let in",
        1,
@@ -63,14 +87,18 @@ std::vector<Check<Answer>> checks() {
       {"of two wishes the one for more speed stays",
        1,
        {{"your ball, of which another effect asks more speed, leaves with", "m/s", 1e-6},
-        {"your ball, of which another effect asks less speed, leaves with", "m/s", 1e-6}},
+        {"your ball, of which another effect asks less speed, leaves with", "m/s", 1e-6},
+        {"your ball above the ground, of which another effect asks a speed, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          auto solver = with_effect<PushingOutToo>(answer.push_out);
          Ball more(random, Real(0.02)), less(random, Real(0.02));
          solver.bias = -2 * beta * Real(0.02) / more.h;
          const Real faster = more.solved(solver, 0);
          solver.bias = Real(-0.5) * beta * Real(0.02) / less.h;
-         return {faster, less.solved(solver, 1)};
+         const Real slower = less.solved(solver, 1);
+         Ball above(random, Real(-0.02));
+         solver.bias = -random.between(1, 2);
+         return {faster, slower, above.solved(solver, 2)};
        }},
       {"under gravity a box comes up along d₀ (1−β)ᵏ",
        2,
@@ -82,9 +110,10 @@ std::vector<Check<Answer>> checks() {
          world.add(box(Vec3::Constant(half), 100).at({0, half - depth, 0}));
          auto solver = with_effect<PushingOut>(answer.push_out);
          const std::size_t steps = 3 + random.below(10);
+         const Real h = 1 / random.between(50, 240);
          Numbers depths{1000 * depth};
          for (std::size_t step = 0; step < steps; ++step) {
-           world.step(solver, Real(1) / 60, 100);
+           world.step(solver, h, 100);
            show(world);
            depths.push_back(1000 * (half - world.bodies[1].position.y()));
          }
@@ -107,6 +136,45 @@ Answer mistaken(Bias bias) {
   return {Mistaken<Bias>{{}, bias}};
 }
 
+/// It keeps a number of its first step, h or each depth, for all others.
+struct KeepsH : Effect {
+  Real h = 0;
+  void build(StepContext& step) {
+    if (h == 0) h = step.dt;
+    for (Row& row : step.rows) row.bias = std::min(row.bias, beta / h * row.separation);
+  }
+};
+struct KeepsDepth : Effect {
+  std::vector<Real> first = {};
+  void build(StepContext& step) {
+    for (std::size_t i = first.size(); i < step.rows.size(); ++i) first.push_back(step.rows[i].separation);
+    for (std::size_t i = 0; i < step.rows.size(); ++i)
+      step.rows[i].bias = std::min(step.rows[i].bias, beta / step.dt * first[i]);
+  }
+};
+
+/// b of all rows by what it makes of all separations.
+struct FirstDepthForAll : Effect {
+  void build(StepContext& step) {
+    for (Row& row : step.rows) row.bias = std::min(row.bias, beta / step.dt * step.rows[0].separation);
+  }
+};
+struct DeepestForAll : Effect {
+  void build(StepContext& step) {
+    Real deepest = 0;
+    for (const Row& row : step.rows) deepest = std::min(deepest, row.separation);
+    for (Row& row : step.rows) row.bias = std::min(row.bias, beta / step.dt * deepest);
+  }
+};
+struct Some : Effect {
+  std::size_t first = 0, left_out = 0;  // how many rows count from the first on, or are left out at the end
+  void build(StepContext& step) {
+    const std::size_t all = step.rows.size(), count = first > 0 ? std::min(first, all) : std::max(all, left_out + 1) - left_out;
+    for (std::size_t i = 0; i < std::min(count, all); ++i)
+      step.rows[i].bias = std::min(step.rows[i].bias, beta / step.dt * step.rows[i].separation);
+  }
+};
+
 std::vector<Mistake<Answer>> mistakes() {
   const std::string per_step =
       "it looks as if 1/h were forgotten. β d is a distance; to cover it within one step, the speed is β d / h.";
@@ -118,7 +186,33 @@ std::vector<Mistake<Answer>> mistakes() {
   const std::string least =
       "it looks as if b were simply overwritten. Another effect may want more speed, and points that are "
       "still apart want none: keep the lesser b, by min.";
+  const std::string some =
+      "it looks as if some contacts were left out. Every row has a b of its own, up to step.contacts.size().";
+  const std::string another =
+      "it looks as if all rows had the separation of one of them. Each point is as deep as it is: C of its own row.";
   return {
+      {"β/h²",
+       "it looks as if β d were divided by h twice. A distance divided by a time is a speed: β d / h; divided once more "
+       "it would be an acceleration.",
+       mistaken([](Real b, Real c, Real h) { return std::min(b, beta / (h * h) * c); })},
+      {"the h of the first step",
+       "it looks as if h were that of the first step. Steps may be of different lengths: step.dt is the length of this "
+       "one.",
+       {KeepsH{}}},
+      {"the depth of the first step",
+       "it looks as if the depth were that of the first step. Each step begins with the depth that is left: β of that is "
+       "to go, less each time.",
+       {KeepsDepth{}}},
+      {"another row's depth", another, {FirstDepthForAll{}}},
+      {"another row's depth", another, {DeepestForAll{}}},
+      {"contacts left out", some, {Some{{}, 1, 0}}},
+      {"contacts left out", some, {Some{{}, 2, 0}}},
+      {"contacts left out", some, {Some{{}, 3, 0}}},
+      {"contacts left out", some, {Some{{}, 0, 1}}},
+      {"no b for points that are apart",
+       "it looks as if b became 0 where the points are apart. Another effect may have asked for a speed there: leave its b "
+       "as it is.",
+       mistaken([](Real b, Real c, Real h) { return c < 0 ? std::min(b, beta / h * c) : 0; })},
       {"1/h forgotten", per_step, mistaken([](Real b, Real c, Real) { return std::min(b, beta * c); })},
       {"1/h forgotten", per_step, mistaken([](Real, Real c, Real) { return beta * c; })},
       {"h for 1/h", "it looks as if β d were multiplied by h. A distance divided by a time is a speed: β d / h.",

@@ -44,10 +44,19 @@ std::vector<Check<Answer>> checks() {
   return {
       {"a shallow ball leaves at β d / h, as without a cap",
        1,
-       {{"your shallow ball leaves with", "m/s", 1e-6}},
+       {{"your shallow ball leaves with", "m/s", 1e-6},
+        {"your very shallow ball leaves with", "m/s", 1e-6},
+        {"your shallow ball leaves in a long step with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real cap = random.between(1, 3);
-         return {ball_wanting(random, cap * random.between(Real(0.2), Real(0.8)), cap).solved(random, answer)};
+         Ball shallow = ball_wanting(random, cap * random.between(Real(0.2), Real(0.8)), cap);
+         shallow.speed = -random.between(1, 3);
+         const Ball very = ball_wanting(random, cap * random.between(Real(0.001), Real(0.003)), cap);
+         Ball slow = ball_wanting(random, cap * random.between(Real(0.4), Real(0.8)), cap);
+         const Real longer = random.between(Real(0.2), Real(0.3));
+         slow.depth *= longer / slow.h;
+         slow.h = longer;
+         return {shallow.solved(random, answer), very.solved(random, answer), slow.solved(random, answer)};
        }},
       {"a deep ball leaves at the cap",
        2,
@@ -77,13 +86,17 @@ std::vector<Check<Answer>> checks() {
       {"a ball that is still apart goes its way, and is not let in",
        1,
        {{"your ball, which is still above the ground and leaving, leaves with", "m/s", 1e-6},
-        {"your ball, which is still above the ground and coming nearer, goes on with", "m/s", 1e-6}},
+        {"your ball, which is still above the ground and coming nearer, goes on with", "m/s", 1e-6},
+        {"your ball, which is still above the ground and is to bounce, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real cap = random.between(Real(0.5), 1);
          Ball leaving = ball_wanting(random, -cap * 2, cap), coming = leaving;
          leaving.speed = cap * random.between(Real(0.1), Real(0.4));
          coming.speed = -cap * 5;
-         return {leaving.solved(random, answer), coming.solved(random, answer)};
+         Ball bouncing = leaving;
+         bouncing.speed = 0;
+         bouncing.asked = cap * random.between(Real(0.5), 2);
+         return {leaving.solved(random, answer), coming.solved(random, answer), bouncing.solved(random, answer)};
        }},
   };
 }
@@ -97,6 +110,66 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if b were simply overwritten. Cap the push-out first, then keep the lesser of it and of the b that "
       "is there.";
   return {
+      {"h for 1/h",
+       "it looks as if β d were multiplied by h. A distance divided by a time is a speed: β d / h.",
+       {[](Row& row, Real beta, Real cap, Real h) {
+         row.bias = std::min(row.bias, std::max(-cap, beta * h * row.separation));
+       }}},
+      {"1/h forgotten",
+       "it looks as if 1/h were forgotten. β d is a distance; to cover it within one step, the speed is β d / h.",
+       {[](Row& row, Real beta, Real cap, Real) {
+         row.bias = std::min(row.bias, std::max(-cap, beta * row.separation));
+       }}},
+      {"β/h²",
+       "it looks as if β d were divided by h twice, so that nearly all is at the cap. A distance divided by a time is a "
+       "speed: β d / h.",
+       {[](Row& row, Real beta, Real cap, Real h) {
+         row.bias = std::min(row.bias, std::max(-cap, beta / (h * h) * row.separation));
+       }}},
+      {"β forgotten",
+       "it looks as if β were forgotten. One step is to take away the part β of the overlap, not all of it.",
+       {[](Row& row, Real, Real cap, Real h) { row.bias = std::min(row.bias, std::max(-cap, row.separation / h)); }}},
+      {"wishes added",
+       "it looks as if the wishes were added up. Each is a speed that is enough for its effect: keep the lesser b, by "
+       "min.",
+       {[](Row& row, Real beta, Real cap, Real h) {
+         row.bias += std::min(Real(0), std::max(-cap, beta / h * row.separation));
+       }}},
+      {"max for min",
+       "it looks as if the greater b were kept, by max. b is minus a speed: of two wishes the lesser b is the one for "
+       "more speed.",
+       {[](Row& row, Real beta, Real cap, Real h) {
+         row.bias = std::max(row.bias, std::max(-cap, beta / h * row.separation));
+       }}},
+      {"sign of the push-out",
+       "it looks as if the push-out had the wrong sign. C is negative where bodies overlap, and so is b = β/h C: minus the "
+       "wanted speed.",
+       {[](Row& row, Real beta, Real cap, Real h) {
+         row.bias = std::min(row.bias, std::max(-cap, -beta / h * row.separation));
+       }}},
+      {"the cap by h",
+       "it looks as if the cap were multiplied by h. It is a speed already, in m/s, as β d / h is.",
+       {[](Row& row, Real beta, Real cap, Real h) {
+         row.bias = std::min(row.bias, std::max(-cap * h, beta / h * row.separation));
+       }}},
+      {"the speed taken off",
+       "it looks as if the ball's own speed were taken off b. The solver compares b with J V by itself: b is minus the "
+       "speed that is wanted, however fast the ball is.",
+       {[](Row& row, Real beta, Real cap, Real h) {
+         row.bias = std::min(row.bias, std::max(-cap, beta / h * row.separation - row.speed()));
+       }}},
+      {"no b for points that are apart",
+       "it looks as if b became 0 where the points are apart. A bounce may have asked for a speed there: leave its b as it "
+       "is.",
+       {[](Row& row, Real beta, Real cap, Real h) {
+         row.bias = row.separation < 0 ? std::min(row.bias, std::max(-cap, beta / h * row.separation)) : 0;
+       }}},
+      {"a push-out only where nothing else is asked",
+       "it looks as if the push-out counted only where no other effect asks for a speed. Of two wishes, the one for more "
+       "speed stays: the lesser b, by min.",
+       {[](Row& row, Real beta, Real cap, Real h) {
+         if (row.bias == 0) row.bias = std::min(row.bias, std::max(-cap, beta / h * row.separation));
+       }}},
       {"cap forgotten",
        "it looks as if there were no cap. Below it all is as in chapter 03, above it the speed is the cap's.",
        {[](Row& row, Real beta, Real, Real h) { row.bias = std::min(row.bias, beta / h * row.separation); }}},

@@ -7,10 +7,11 @@ namespace pushback::exercise_09 {
 namespace {
 
 constexpr int most_rounds = 50;
-constexpr Real threshold = Real(0.1);  // m/s
+constexpr Real usual_threshold = Real(0.1);  // m/s
 
 struct Rounds : Effect {
   Answer answer{};
+  Real threshold = usual_threshold;
   int rounds = 0;      // in which something bounced
   Real separates = 0;  // m/s: the first pair, after them
   std::vector<Real> by_forces = {};
@@ -37,7 +38,7 @@ struct Solved {
 };
 
 /// The rest of a step, once its contacts are known.
-Solved solved(World& world, const Answer& answer) {
+Solved solved(World& world, const Answer& answer, Real threshold = usual_threshold) {
   constexpr Real h = Real(1) / 60;
   for (Body& body : world.bodies) {
     keep_velocity(body);
@@ -45,13 +46,14 @@ Solved solved(World& world, const Answer& answer) {
   }
   Solver<Clamping, Rounds> solver;
   solver.answer = answer;
+  solver.threshold = threshold;
   solver.solve(world, h, 10);
   Solved after{{}, world.contacts[0].impulse.norm(), static_cast<Real>(solver.rounds), solver.separates};
   for (const Body& body : world.bodies) after.speeds.push_back(body.velocity.dot(world.contacts[0].normal));
   return after;
 }
 
-Solved solved(const Line& line, const Answer& answer) {
+Solved solved(const Line& line, const Answer& answer, Real threshold = usual_threshold) {
   World world;
   world.gravity.setZero();
   for (std::size_t i = 0; i < line.masses.size(); ++i)
@@ -62,16 +64,30 @@ Solved solved(const Line& line, const Answer& answer) {
                               .normal = {1, 0, 0},
                               .restitution = line.restitutions[i],
                               .id = {i, i + 1, 0}});
-  return solved(world, answer);
+  return solved(world, answer, threshold);
+}
+
+/// A ball that lies on the ground while two others meet in the air, whose contact comes first: its speed upwards, m/s.
+Real beside_two_that_meet(Random& random, const Answer& answer) {
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.3), random.between(3, 8)).at({0, Real(0.3), 0}));
+  world.add(sphere(Real(0.3), random.between(3, 8)).at({2, 5, 0}).moving({random.between(1, 3), 0, 0}));
+  world.add(sphere(Real(0.3), random.between(3, 8)).at({Real(2.6), 5, 0}));
+  const Real e = random.between(Real(0.5), Real(0.9));
+  world.contacts = {{.point = {Real(2.3), 5, 0}, .normal = {1, 0, 0}, .restitution = e, .id = {2, 3, 0}},
+                    {.normal = {0, 1, 0}, .restitution = e, .id = {0, 1, 0}}};
+  solved(world, answer);
+  return world.bodies[1].velocity.y();
 }
 
 /// A ball on the ground: its speed upwards after the step, m/s. In a step it falls by 0.16 m/s, more than the threshold.
-Real on_the_ground(Real mass, Real upwards, Real e, const Answer& answer) {
+Real on_the_ground(Real mass, Real upwards, Real e, const Answer& answer, Real threshold = usual_threshold) {
   World world;
   world.add(ground());
   world.add(sphere(Real(0.3), mass).at({0, Real(0.3), 0}).moving({0, upwards, 0}));
   world.contacts = {{.normal = {0, 1, 0}, .restitution = e, .id = {0, 1, 0}}};
-  return solved(world, answer).speeds[1];
+  return solved(world, answer, threshold).speeds[1];
 }
 
 std::vector<Check<Answer>> checks() {
@@ -131,19 +147,28 @@ std::vector<Check<Answer>> checks() {
        }},
       {"what approaches more slowly than the threshold is left to the sweeps",
        1,
-       {{"your balls, which approach slowly, go on with", "m/s", 1e-6}, rounds},
+       {{"your balls, which approach slowly, go on with", "m/s", 1e-6},
+        rounds,
+        {"your balls, which approach a little faster than the threshold, leave each other with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const Real mass = random.between(3, 8), approach = random.between(Real(0.03), Real(0.08));
-         const Solved after = solved(Line{{mass, mass}, {approach, 0}, {random.between(Real(0.5), Real(0.9))}}, answer);
-         return {after.speeds[0], after.rounds};
+         const Real mass = random.between(3, 8), threshold = random.between(Real(0.2), Real(0.4));
+         const Real approach = threshold * random.between(Real(0.6), Real(0.9)), e = random.between(Real(0.5), Real(0.9));
+         const Solved after = solved(Line{{mass, mass}, {approach, 0}, {e}}, answer, threshold);
+         const Real faster = threshold * random.between(Real(1.1), Real(1.5));
+         const Solved bounced = solved(Line{{mass, mass}, {faster, 0}, {e}}, answer, threshold);
+         return {after.speeds[0], after.rounds, bounced.separates};
        }},
       {"this step's gravity is no part of the approach",
        1,
        {{"your ball, which lies still on the ground, leaves with", "m/s", 1e-6},
-        {"your ball, which lands, leaves with", "m/s", 1e-6}},
+        {"your ball, which lands, leaves with", "m/s", 1e-6},
+        {"your ball, which comes down slowly, leaves with", "m/s", 1e-6},
+        {"your ball, which lies still while two others meet, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real mass = random.between(3, 8), e = random.between(Real(0.5), Real(0.9)), lands = random.between(1, 4);
-         return {on_the_ground(mass, 0, e, answer), on_the_ground(mass, -lands, e, answer)};
+         const Real slow = random.between(Real(0.38), Real(0.45));  // e times that is more than it falls in a step
+         return {on_the_ground(mass, 0, e, answer), on_the_ground(mass, -lands, e, answer),
+                 on_the_ground(mass, -slow, e, answer, Real(0.5)), beside_two_that_meet(random, answer)};
        }},
   };
 }
@@ -176,6 +201,8 @@ struct Round {
   }
   static bool bounces(Real approach, Real limit) { return approach < -limit; }
   static bool again(bool bounced, bool /*approached*/) { return bounced; }
+  static bool turn(const StepContext&, std::size_t) { return true; }
+  static Real forces(const std::vector<Real>& by_forces, std::size_t i) { return by_forces[i]; }
   static constexpr bool ends_at_first = false;
 };
 
@@ -183,9 +210,9 @@ template <class Mistaken>
 bool round_of(StepContext& step, const std::vector<Real>& by_forces, Real limit) {
   bool bounced = false, approached = false;
   for (std::size_t i = 0; i < step.contacts.size(); ++i) {
-    const Real approach = Mistaken::approach(step, i, by_forces[i]);
+    const Real approach = Mistaken::approach(step, i, Mistaken::forces(by_forces, i));
     approached = approached || approach < 0;
-    if (!Mistaken::bounces(approach, limit)) continue;
+    if (!Mistaken::bounces(approach, limit) || !Mistaken::turn(step, i)) continue;
     Mistaken::apply(step.rows[i], Mistaken::impulse(step.rows[i], Mistaken::restitution(step, i), approach));
     bounced = true;
     if (Mistaken::ends_at_first) break;
@@ -198,6 +225,37 @@ struct EForOnePlusE : Round {
 };
 struct Sign : Round {
   static Real impulse(const Row& row, Real e, Real approach) { return -Round::impulse(row, e, approach); }
+};
+struct TwiceOnePlusE : Round {
+  static Real impulse(const Row& row, Real e, Real approach) { return (1 + e) * Round::impulse(row, e, approach); }
+};
+struct NoE : Round {
+  static Real impulse(const Row& row, Real, Real approach) { return Round::impulse(row, 0, approach); }
+};
+struct TwoE : Round {
+  static Real impulse(const Row& row, Real e, Real approach) { return Round::impulse(row, 2 * e - 1, approach); }
+};
+struct MeanPairs : Round {
+  static Real restitution(const StepContext& step, std::size_t) {
+    Real sum = 0;
+    for (const Contact& contact : step.contacts) sum += contact.restitution;
+    return sum / static_cast<Real>(step.contacts.size());
+  }
+};
+struct FirstPairAlone : Round {
+  static bool turn(const StepContext&, std::size_t i) { return i == 0; }
+};
+struct TwoPairsAlone : Round {
+  static bool turn(const StepContext&, std::size_t i) { return i < 2; }
+};
+struct AllButTheLast : Round {
+  static bool turn(const StepContext& step, std::size_t i) { return i == 0 || i + 1 < step.contacts.size(); }
+};
+struct FirstPairsForces : Round {
+  static Real forces(const std::vector<Real>& by_forces, std::size_t) { return by_forces[0]; }
+};
+struct FixedThreshold : Round {
+  static bool bounces(Real approach, Real) { return approach < -usual_threshold; }
 };
 struct MassForgotten : Round {
   static Real impulse(const Row&, Real e, Real approach) { return -(1 + e) * approach; }
@@ -264,12 +322,46 @@ bool speeds_of_before_the_round(StepContext& step, const std::vector<Real>& by_f
 
 std::vector<Mistake<Answer>> mistakes() {
   const std::string restitution =
-      "it looks as if all pairs bounced with the restitution of one of them. e belongs to the pair: "
+      "it looks as if all pairs bounced with the same e, that of one of them or the mean. e belongs to the pair: "
       "step.contacts[i].restitution.";
   const std::string never =
       "it looks as if your rounds never ended by themselves. Give true back only if a pair has bounced in this round: "
       "a pair that rests, leaves, or approaches more slowly than the threshold has not.";
+  const std::string some =
+      "it looks as if some pairs never had their turn. A round visits each contact once: step.contacts.size() of them.";
+  const std::string factor =
+      "it looks as if the factor were another than 1 + e. The part v_n / K stops the approach, and e v_n / K makes the "
+      "pair separate.";
   return {
+      {"(1+e)²", factor, {round_of<TwiceOnePlusE>}},
+      {"e left out", factor, {round_of<NoE>}},
+      {"2e", factor, {round_of<TwoE>}},
+      {"pairs left out", some, {round_of<FirstPairAlone>}},
+      {"pairs left out", some, {round_of<TwoPairsAlone>}},
+      {"pairs left out", some, {round_of<AllButTheLast>}},
+      {"the first pair's forces",
+       "it looks as if by_forces[0] counted for all pairs. What gravity adds differs from pair to pair: nothing where both "
+       "fall, g h where one lies on the ground. It is by_forces[i].",
+       {round_of<FirstPairsForces>}},
+      {"a threshold of one's own",
+       "it looks as if the threshold were a number of your own. It is given as `threshold`, and may be another in each "
+       "world.",
+       {round_of<FixedThreshold>}},
+      {"forces in the threshold",
+       "it looks as if the threshold were compared with a speed that has this step's gravity in it. What only gravity makes "
+       "fast is no impact: compare v_n = row.speed() - by_forces[i].",
+       {[](StepContext& step, const std::vector<Real>& by_forces, Real limit) {
+         bool bounced = false;
+         for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+           Row& row = step.rows[i];
+           if (row.speed() >= -limit) continue;
+           const Real approach = Round::approach(step, i, by_forces[i]);
+           Round::apply(row, Round::impulse(row, Round::restitution(step, i), approach));
+           bounced = true;
+         }
+         return bounced;
+       }}},
+      {"another pair's restitution", restitution, {round_of<MeanPairs>}},
       {"another pair's restitution", restitution, {round_of<LastPairs>}},
       {"another pair's restitution", restitution, {round_of<FirstPairs>}},
       {"never ending", never, {round_of<AlwaysAgain>}},

@@ -23,7 +23,7 @@ struct Ball {
   Real h, depth;
   Vec3 start;
 
-  explicit Ball(Random& random) : h(1 / random.between(30, 60)), depth(random.between(Real(0.01), Real(0.03))) {
+  explicit Ball(Random& random) : h(1 / random.between(5, 9)), depth(random.between(Real(0.01), Real(0.03))) {
     const Real radius = random.between(Real(0.3), Real(0.5));
     world.gravity.setZero();
     world.add(ground());
@@ -35,15 +35,50 @@ struct Ball {
   Vec3 moved() { return 1000 * (body().position - start); }
 };
 
+/// Two pairs of balls that overlap and touch nothing else: how far the first and the last of the four have moved, mm.
+std::pair<Real, Real> in_the_air(Random& random, const Answer& answer) {
+  World world;
+  world.gravity.setZero();
+  for (const Real x : {Real(0), Real(5)}) {
+    const Vec3 n = random.direction(), at(x, 5, 0);
+    const Real depth = random.between(Real(0.01), Real(0.03));
+    world.add(sphere(Real(0.5), random.between(5, 20)).at(at));
+    world.add(sphere(Real(0.5), random.between(5, 20)).at(at + (1 - depth) * n));
+  }
+  const Vec3 first = world.bodies.front().position, last = world.bodies.back().position;
+  step(world, 1 / random.between(5, 9), answer);
+  return {1000 * (world.bodies.front().position - first).norm(), 1000 * (world.bodies.back().position - last).norm()};
+}
+
+/// A plate that lies too deep, and turns so that one side stays while the other leaves the ground in this step: by how much it
+/// has turned, mrad.
+Real one_side_up(Random& random, const Answer& answer) {
+  World world;
+  world.gravity.setZero();
+  const Real width = random.between(Real(0.4), Real(0.6)), depth = random.between(Real(0.01), Real(0.02)), h = Real(1) / 60;
+  world.add(ground());
+  world.add(box({width, Real(0.1), width}, random.between(50, 150)).at({0, Real(0.1) - depth, 0}));
+  Body& body = world.bodies[1];
+  body.angular_velocity.z() = random.between(Real(1.2), Real(1.4)) * depth / (2 * width * h);
+  body.velocity.y() = width * body.angular_velocity.z();
+  body.velocity.x() = -Real(0.1) * body.angular_velocity.z();
+  step(world, h, answer);
+  return 1000 * body.orientation.angularDistance(Quat::Identity());
+}
+
 std::vector<Check<Answer>> checks() {
   return {
       {"a ball that is too deep comes up by β d, and does not move on",
        1,
-       {{"your ball, which is too deep, moves on with", "m/s", 1e-6}, {"your ball has come up by", "mm", 1e-5}},
+       {{"your ball, which is too deep, moves on with", "m/s", 1e-6},
+        {"your ball has come up by", "mm", 1e-5},
+        {"of two balls that overlap in the air, the first has moved by", "mm", 1e-5},
+        {"of two more, the second has moved by", "mm", 1e-5}},
        [](Random& random, const Answer& answer) -> Numbers {
          Ball ball(random);
          step(ball.world, ball.h, answer);
-         return {ball.body().velocity.y(), ball.moved().y()};
+         const auto [first, last] = in_the_air(random, answer);
+         return {ball.body().velocity.y(), ball.moved().y(), first, last};
        }},
       {"a ball that comes up by itself is helped only over what is left",
        1,
@@ -59,13 +94,15 @@ std::vector<Check<Answer>> checks() {
        1,
        {{"your ball, which is too deep and moves sideways, goes on with", "m/s", 1e-6},
         {"your ball, which spins about the vertical, spins on with", "rad/s", 1e-6},
-        {"your ball, which moves sideways, has gone by", "mm", 1e-5}},
+        {"your ball, which moves sideways, has gone by", "mm", 1e-5},
+        {"your ball, which spins about the vertical, has turned by", "mrad", 0.1}},
        [](Random& random, const Answer& answer) -> Numbers {
          Ball ball(random);
          ball.body().velocity.x() = random.between(1, 3);
          ball.body().angular_velocity.y() = random.between(1, 3);
          step(ball.world, ball.h, answer);
-         return {ball.body().velocity.x(), ball.body().angular_velocity.y(), ball.moved().x()};
+         return {ball.body().velocity.x(), ball.body().angular_velocity.y(), ball.moved().x(),
+                 1000 * ball.body().orientation.angularDistance(Quat::Identity())};
        }},
       {"a column that leans is lifted on its deeper side, and let go on the other",
        2,
@@ -87,7 +124,8 @@ std::vector<Check<Answer>> checks() {
       {"a plate that is too deep comes up level",
        1,
        {{"your plate, which lies flat and is too deep, has come up by", "mm", 0.01},
-        {"your plate, which lies flat, has turned by", "mrad", 0.01}},
+        {"your plate, which lies flat, has turned by", "mrad", 0.01},
+        {"your plate, one side of which comes up by itself, has turned by", "mrad", 0.01}},
        [](Random& random, const Answer& answer) -> Numbers {
          World world;
          const Real width = random.between(Real(0.4), Real(0.6)), depth = random.between(Real(0.01), Real(0.03));
@@ -96,7 +134,7 @@ std::vector<Check<Answer>> checks() {
          step(world, Real(1) / 60, answer);
          const Body& body = world.bodies[1];
          return {1000 * (body.position.y() - Real(0.1) + depth),
-                 1000 * body.orientation.angularDistance(Quat::Identity())};
+                 1000 * body.orientation.angularDistance(Quat::Identity()), one_side_up(random, answer)};
        }},
   };
 }
@@ -116,7 +154,9 @@ struct Wrong {
   bool push_without_h = false;   ///< b' without 1/h
   bool move_without_h = false;   ///< x += v'
   bool sums_kept = false, increments = false;
-  bool not_aside = false, turned = true;
+  bool not_aside = false, spin_not_aside = false, turned = true, min_forgotten = false, min_of_C = false, push_by_h = false;
+  bool push_by_h_squared = false, second_body_only = false;
+  std::size_t pushes = std::numeric_limits<std::size_t>::max(), left_out = 0;
   int rounds = exercise_10::rounds;
   Real old = 1, old_spin = 1, pseudo = 0;  ///< what each body goes on with
 };
@@ -126,15 +166,19 @@ void correct(CorrectingContext& step, const Wrong& wrong) {
   const Real h = step.dt;
   for (Row& push : pushes) {
     const Real way = wrong.speed * (wrong.speed_without_h ? 1 : h) * push.speed();
-    push.bias = wrong.beta / (wrong.push_without_h ? 1 : h) * std::min(Real(0), push.separation + way);
+    const Real over = wrong.push_without_h ? 1 : wrong.push_by_h ? 1 / h : wrong.push_by_h_squared ? h * h : h;
+    const Real left = wrong.min_of_C ? std::min(Real(0), push.separation) + way : push.separation + way;
+    push.bias = wrong.beta / over * (wrong.min_forgotten || wrong.min_of_C ? left : std::min(Real(0), left));
     if (!wrong.sums_kept) push.impulse = 0;
   }
   const std::vector<Body> before = step.world.bodies;
   for (Body& body : step.world.bodies) {
     if (wrong.not_aside) break;
     body.velocity.setZero();
-    body.angular_velocity.setZero();
+    if (!wrong.spin_not_aside) body.angular_velocity.setZero();
   }
+  const std::size_t kept = std::min(pushes.size() > wrong.left_out ? pushes.size() - wrong.left_out : pushes.size(), wrong.pushes);
+  pushes.erase(pushes.begin() + static_cast<std::ptrdiff_t>(kept), pushes.end());
   for (int round = 0; round < wrong.rounds; ++round) {
     for (Row& push : pushes) {
       if (wrong.increments) push.impulse = 0;
@@ -144,7 +188,8 @@ void correct(CorrectingContext& step, const Wrong& wrong) {
   for (std::size_t i = 0; i < before.size(); ++i) {
     Body& body = step.world.bodies[i];
     const Real time = wrong.move_without_h ? 1 : h;
-    displace(body, time * body.velocity, wrong.turned ? Vec3(time * body.angular_velocity) : Vec3::Zero());
+    if (!wrong.second_body_only || i > 0)
+      displace(body, time * body.velocity, wrong.turned ? Vec3(time * body.angular_velocity) : Vec3::Zero());
     body.velocity = wrong.old * before[i].velocity + wrong.pseudo * body.velocity;
     body.angular_velocity = wrong.old_spin * before[i].angular_velocity + wrong.pseudo * body.angular_velocity;
   }
@@ -161,7 +206,31 @@ std::vector<Mistake<Answer>> mistakes() {
   const std::string from_before =
       "it looks as if b' were made of C alone. C is of before the move; the body has come up by h J V since, and only "
       "C + h J V is left. With every bounce a push that is not needed adds height, and height is energy.";
+  const std::string min =
+      "it looks as if the min were not around all of C + h J V. A point that comes out of the overlap by itself in this "
+      "step has nothing to undo: b' = 0, also where C was negative.";
+  const std::string some =
+      "it looks as if some pushes were left out. Every normal has its own, and in each round all of them have their turn.";
   return {
+      {"min forgotten", min, {[](CorrectingContext& step) { correct(step, {.min_forgotten = true}); }}},
+      {"min forgotten", min, {[](CorrectingContext& step) { correct(step, {.min_of_C = true}); }}},
+      {"β/h² in b'",
+       "it looks as if b' were divided by h twice. A distance divided by a time is a speed: β/h, once.",
+       {[](CorrectingContext& step) { correct(step, {.push_by_h_squared = true}); }}},
+      {"h for 1/h in b'",
+       "it looks as if b' were multiplied by h. β (C + h J V) is a distance; to cover it within h, the speed is that over "
+       "h.",
+       {[](CorrectingContext& step) { correct(step, {.push_by_h = true}); }}},
+      {"spin not set aside",
+       "it looks as if the bodies had kept their spins while the pushes were solved. V' has a part ω', too: it starts from "
+       "0, or each body turns by h ω a second time.",
+       {[](CorrectingContext& step) { correct(step, {.spin_not_aside = true}); }}},
+      {"the first body left out",
+       "it looks as if the first body were not moved. Not every world has a ground: each body is moved by its own h V'.",
+       {[](CorrectingContext& step) { correct(step, {.second_body_only = true}); }}},
+      {"pushes left out", some, {[](CorrectingContext& step) { correct(step, {.pushes = 1}); }}},
+      {"pushes left out", some, {[](CorrectingContext& step) { correct(step, {.pushes = 2}); }}},
+      {"pushes left out", some, {[](CorrectingContext& step) { correct(step, {.left_out = 1}); }}},
       {"C for C + h J V", from_before, {[](CorrectingContext& step) { correct(step, {.speed = 0}); }}},
       {"pseudo-velocity left in the body", left, {[](CorrectingContext& step) {
          correct(step, {.old = 0, .old_spin = 0, .pseudo = 1});

@@ -1,6 +1,5 @@
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/11_substeps/exercise/asked.h"
-#include "pushback/chapters/11_substeps/substeps.h"
 
 namespace pushback::exercise_11 {
 
@@ -130,11 +129,14 @@ void always_scaled_by(Real scale, Parts& parts, Real dt, int count) {
   });
 }
 
-/// The chapter's own loop. World::step finds the scale itself: it remembers how long the step before was.
+/// The chapter's substeps, part by part: what a contact's impulse then is, is that of the last substep.
 void right(Parts& parts, Real dt, int count, Real before) {
-  parts.world().dt_before = before;
-  Substeps<FullSolver> solver({}, count);
-  parts.world().step(solver, dt);
+  loop(dt, count, before, [&](Real h, Real scale) {
+    parts.add_gravity(h);
+    parts.detect();
+    parts.solve(h, scale);
+    parts.move(h);
+  });
 }
 
 std::vector<Mistake<Answer>> mistakes() {
@@ -145,7 +147,50 @@ std::vector<Mistake<Answer>> mistakes() {
   const std::string not_rescaled =
       "it looks as if the impulses were not rescaled. What carried a weight for `before` seconds is too much for a "
       "shorter substep, and the column is thrown up: an impulse is a force times a time.";
+  const std::string a_substep =
+      "it looks as if there were not `count` substeps. `count` of them, each of dt / count seconds, make up the frame.";
+  const std::string moved_first =
+      "it looks as if gravity were added after the move. Each substep moves the bodies by the velocity that it ends with: "
+      "gravity, contacts, solver, move.";
   return {
+      {"gravity after the move", moved_first, {[](Parts& parts, Real dt, int count, Real before) {
+         loop(dt, count, before, [&](Real h, Real scale) {
+           parts.detect();
+           parts.solve(h, scale);
+           parts.move(h);
+           parts.add_gravity(h);
+         });
+       }}},
+      {"detected after the move",
+       "it looks as if contacts were detected after the move, and the first substep had none of its own. A substep solves "
+       "what touches as it begins: detect before solve.",
+       {[](Parts& parts, Real dt, int count, Real before) {
+         loop(dt, count, before, [&](Real h, Real scale) {
+           parts.add_gravity(h);
+           parts.solve(h, scale);
+           parts.move(h);
+           parts.detect();
+         });
+       }}},
+      {"another number of substeps", a_substep, {[](Parts& parts, Real dt, int count, Real before) {
+         const Real h = dt / static_cast<Real>(count);
+         right(parts, dt - h, count - 1, before);
+       }}},
+      {"another number of substeps", a_substep, {[](Parts& parts, Real dt, int count, Real before) {
+         const Real h = dt / static_cast<Real>(count);
+         right(parts, dt + h, count + 1, before);
+       }}},
+      {"solved twice",
+       "it looks as if a substep solved more than once. One sweep a substep: the next substep goes on from what is kept.",
+       {[](Parts& parts, Real dt, int count, Real before) {
+         loop(dt, count, before, [&](Real h, Real scale) {
+           parts.add_gravity(h);
+           parts.detect();
+           parts.solve(h, scale);
+           parts.solve(h, 1);
+           parts.move(h);
+         });
+       }}},
       {"gravity once a frame", once, {[](Parts& parts, Real dt, int count, Real before) {
          parts.add_gravity(dt);
          loop(dt, count, before, [&](Real h, Real scale) {

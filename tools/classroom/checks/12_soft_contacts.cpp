@@ -49,12 +49,18 @@ std::vector<Check<Answer>> checks() {
   return {
       {"a ball that is too deep leaves as fast as spring and damper let it",
        1,
-       {{"your ball, which weighs nothing and is too deep, leaves with", "m/s", 1e-6}},
+       {{"your ball, which weighs nothing and is too deep, leaves with", "m/s", 1e-6},
+        {"your ball, which is very deep, leaves with", "m/s", 1e-6},
+        {"your ball, which leaves by itself faster than it is pushed, goes on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         Ball ball(random, some_depth(random));
-         Row row = ball.row();
-         ball.visit(row, answer);
-         return {ball.speed()};
+         const Real depth = some_depth(random), leaves = random.between(5, 8);
+         Ball ball(random, depth), deep(random, Real(0.25)), leaving(random, depth);
+         leaving.world.bodies[1].velocity.y() = leaves;
+         for (Ball* one : {&ball, &deep, &leaving}) {
+           Row row = one->row();
+           one->visit(row, answer);
+         }
+         return {ball.speed(), deep.speed(), leaving.speed()};
        }},
       {"more sweeps do not change that, and neither does an initial guess that was too large",
        1,
@@ -73,13 +79,23 @@ std::vector<Check<Answer>> checks() {
       {"the relaxing pass takes the push-out back from the velocity, not from the position",
        2,
        {{"when it has moved and relaxed, your ball moves on with", "m/s", 1e-6},
-        {"when it has moved and relaxed, your ball has come up by", "mm", 1e-5}},
+        {"when it has moved and relaxed, your ball has come up by", "mm", 1e-5},
+        {"in the relaxing pass your ball, which leaves by itself, goes on with", "m/s", 1e-6},
+        {"in the relaxing pass your ball, which falls, goes on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Ball ball(random, some_depth(random));
          ball.world.gravity.setZero();
          const Real before = ball.depth();
          ball.step(answer);
-         return {ball.speed(), before - ball.depth()};
+         Numbers numbers{ball.speed(), before - ball.depth()};
+         for (const Real upwards : {random.between(1, 2), -random.between(1, 2)}) {
+           Ball by_itself(random, some_depth(random));
+           by_itself.world.bodies[1].velocity.y() = upwards;
+           Row row = by_itself.row();
+           by_itself.visit(row, answer, true);
+           numbers.push_back(by_itself.speed());
+         }
+         return numbers;
        }},
       {"a ball comes to rest at a depth of g/Ω²",
        1,
@@ -121,7 +137,7 @@ struct Wrong {
   Real above = 1, below = 1, relaxed_below = relaxed_gamma;  ///< times gamma, in the numerator and in the denominator
   Real w = 1, zeta = 1;
   bool b_without_h = false, gamma_without_h = false, gamma_without_inner_h = false;
-  bool sum_forgotten = false, mass_for_K = false;
+  bool sum_forgotten = false, mass_for_K = false, not_clamped = false;
 };
 
 void visit(Row& row, const Spring& spring, bool relaxing, const Wrong& wrong) {
@@ -132,7 +148,10 @@ void visit(Row& row, const Spring& spring, bool relaxing, const Wrong& wrong) {
   const Real asked = row.speed() + (relaxing ? wrong.relaxed_b : wrong.b) * b +
                      (relaxing ? wrong.relaxed_gamma : wrong.gamma * wrong.above) * gamma * row.impulse;
   const Real below = K + (relaxing ? wrong.relaxed_below : wrong.gamma * wrong.below) * gamma;
-  row.reach((wrong.sum_forgotten ? 0 : row.impulse) - asked / below);
+  const Real sum = (wrong.sum_forgotten ? 0 : row.impulse) - asked / below;
+  if (!wrong.not_clamped) return row.reach(sum);
+  row.apply(sum - row.impulse);
+  row.impulse = sum;
 }
 
 std::vector<Mistake<Answer>> mistakes() {
@@ -143,7 +162,32 @@ std::vector<Mistake<Answer>> mistakes() {
   const std::string hard =
       "it looks as if there were no γ, or next to none: without its first h it is that small. The contact is hard "
       "then, with a push-out: nothing yields under a load.";
+  const std::string one_way =
+      "it looks as if the relaxing pass treated a ball that leaves, or one that falls, another way. It is the visit of a "
+      "hard contact: J V = 0 with a sum that is 0 or more, so one that falls is stopped, and one that leaves by itself goes "
+      "on.";
   return {
+      {"not clamped",
+       "it looks as if the sum could become negative. Spring and damper of a contact push and never pull: Σλ ≥ 0, as reach "
+       "has it.",
+       {[](Row& row, const Spring& spring, bool relaxing) { visit(row, spring, relaxing, {.not_clamped = true}); }}},
+      {"each correction clamped",
+       "it looks as if each correction were clamped, not their sum. What was too much is then never taken back, not even by "
+       "the relaxing pass.",
+       {[](Row& row, const Spring& spring, bool relaxing) {
+         const Real before = row.impulse;
+         Row copy = row;
+         visit(copy, spring, relaxing, {});
+         row.impulse = copy.impulse;
+         if (copy.impulse < before) row.reach(before);
+       }}},
+      {"relaxed in part", one_way, {[](Row& row, const Spring& spring, bool relaxing) {
+         if (!relaxing) return visit(row, spring, relaxing, {});
+         row.apply(-row.effective_mass * row.speed());
+       }}},
+      {"relaxed in part", one_way, {[](Row& row, const Spring& spring, bool relaxing) {
+         if (!relaxing || row.speed() >= 0) visit(row, spring, relaxing, {});
+       }}},
       {"γ in the denominator only",
        "it looks as if γ stood in the denominator only. Then each sweep pushes as if there had been none before, "
        "and many of them make the contact hard. The spring has yielded to the whole sum so far: JV + b + γ Σλ.",

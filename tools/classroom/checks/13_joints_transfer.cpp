@@ -96,7 +96,8 @@ std::vector<Check<Answer>> checks() {
       {"a slider that is off its rail comes back by the part β in a step",
        2,
        {{"after a step your slider is off the plane of its rail by", "mm", 0.3},
-        {"after a step your slider is too far from the middle of its rail by", "mm", 0.3}},
+        {"after a step your slider is too far from the middle of its rail by", "mm", 0.3},
+        {"after a step your slider, which was below the plane, is off it by", "mm", 0.3}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Body a = random_box(random), b = random_box(random);
          Railed railed(random, a, b, random_corner(random), answer);
@@ -105,7 +106,12 @@ std::vector<Check<Answer>> checks() {
          Solver<Joints> solver;
          solver.beta = random.between(Real(0.3), Real(0.6));
          railed.world.step(solver, Real(0.02), 2000);
-         return {1000 * railed.off_the_plane(), 1000 * (railed.across().norm() - railed.rail.radius)};
+         const Body other_a = random_box(random), other_b = random_box(random);
+         Railed below(random, other_a, other_b, random_corner(random), answer);
+         below.b().position -= random.between(Real(0.01), Real(0.015)) * below.axis();
+         below.world.step(solver, Real(0.02), 2000);
+         return {1000 * railed.off_the_plane(), 1000 * (railed.across().norm() - railed.rail.radius),
+                 1000 * below.off_the_plane()};
        }},
   };
 }
@@ -156,6 +162,27 @@ std::vector<Mistake<Answer>> mistakes() {
        {[](const RoundRail& rail, const Body& a, const Body& b, Equations& rows) {
          right(rail, a, b, rows);
          for (Equation& row : rows) row.jacobian.ra_n = (point_of(a, rail.centre) - a.position).cross(row.jacobian.n);
+       }}},
+      {"C without a sign",
+       "it looks as if C₁ were a distance from the plane, without a sign. On the other side of the plane the feedback "
+       "then drives the slider farther off: C₁ = m · d may be negative.",
+       {[](const RoundRail& rail, const Body& a, const Body& b, Equations& rows) {
+         right(rail, a, b, rows);
+         rows[0].error = std::abs(rows[0].error);
+       }}},
+      {"R forgotten",
+       "it looks as if R were left out of C₂. The slider is on its rail at R from the axis: C₂ = ρ - R.",
+       {[](const RoundRail& rail, const Body& a, const Body& b, Equations& rows) {
+         right(rail, a, b, rows);
+         rows[1].error += rail.radius;
+       }}},
+      {"C of squares",
+       "it looks as if C₂ were ρ² - R². C' is n · v only where C is a length: with squares the feedback is 2R times as "
+       "large.",
+       {[](const RoundRail& rail, const Body& a, const Body& b, Equations& rows) {
+         right(rail, a, b, rows);
+         const Real length = rows[1].error + rail.radius;
+         rows[1].error = length * length - rail.radius * rail.radius;
        }}},
       {"the rail in the world's axes",
        in_world,

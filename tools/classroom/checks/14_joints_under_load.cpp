@@ -36,21 +36,30 @@ std::vector<Check<Answer>> checks() {
   return {
       {"a load that hangs too low comes up at β C / h",
        1,
-       {{"your load, which hangs too low, comes up with", "m/s", 1e-6}},
+       {{"your load, which hangs too low, comes up with", "m/s", 1e-6},
+        {"your load, which hangs too high, goes down with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         Chain chain(random, answer);
+         Chain chain(random, answer), high(random, answer);
          chain.hang(random.between(5, 20), random.between(Real(0.01), Real(0.05)));
+         high.hang(random.between(5, 20), -random.between(Real(0.01), Real(0.05)));
          chain.world.step(chain.solver, chain.h, 5);
-         return {chain.rises(0)};
+         high.world.step(high.solver, high.h, 5);
+         return {chain.rises(0), -high.rises(0)};
        }},
       {"the next step starts from the impulse that carries the load",
        2,
-       {{"your rod carries its load and closes a gap; the next step starts from an impulse of", "N s", 1e-6}},
+       {{"your rod carries its load and closes a gap; the next step starts from an impulse of", "N s", 1e-6},
+        {"your rod is too short and carries its load; the next step starts from an impulse of", "N s", 1e-6},
+        {"your rod carries its load in a second, longer step; the next starts from an impulse of", "N s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         Chain chain(random, answer);
+         Chain chain(random, answer), high(random, answer);
          chain.hang(random.between(5, 20), random.between(Real(0.03), Real(0.06)));
+         high.hang(random.between(5, 20), -random.between(Real(0.03), Real(0.06)));
          chain.world.step(chain.solver, chain.h, 5);
-         return {chain.remembered(0)};
+         high.world.step(high.solver, high.h, 5);
+         const Real first = chain.remembered(0);
+         chain.world.step(chain.solver, chain.h * random.between(Real(1.2), Real(1.5)), 5);
+         return {first, high.remembered(0), chain.remembered(0)};
        }},
       {"a gap is closed by as many sweeps as a load is carried",
        2,
@@ -128,7 +137,32 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if the sweeps of the push were left out. The load is carried, but nothing closes a gap.";
   const std::string sign =
       "it looks as if the push had the wrong sign. build takes β/h C out of b, and finish puts it back.";
+  const auto absolute = [](Real beta, Real h, Real c) { return beta / h * std::abs(c); };
+  const auto twice = [](Real beta, Real h, Real c) { return beta / (h * h) * c; };
+  const auto only_low = [](Real beta, Real h, Real c) { return beta / h * std::max(Real(0), c); };
+  const std::string another =
+      "it looks as if the push had not as many sweeps as the load. It has to go along the whole chain as the load did: "
+      "rounds_ times.";
   return {
+      {"a push of |C|",
+       "it looks as if the push did not ask whether a rod is too long or too short. C has a sign, and the push goes back "
+       "by it.",
+       answer(absolute, absolute, as_often, Remembers::load)},
+      {"only rods that are too long",
+       "it looks as if only rods that are too long were pushed back. A rod is an equality: too short is an error as well.",
+       answer(push, only_low, as_often, Remembers::load)},
+      {"β/h² in b",
+       "it looks as if C were divided by h twice. In b there is β/h C, a speed: take out just that.",
+       answer(twice, twice, as_often, Remembers::load)},
+      {"β/h² in b",
+       "it looks as if C were divided by h twice. In b there is β/h C, a speed: put back just that.",
+       answer(push, twice, as_often, Remembers::load)},
+      {"another number of rounds", another, answer(
+           push, push, [](int rounds) { return 2 * rounds; }, Remembers::load)},
+      {"another number of rounds", another, answer(
+           push, push, [](int) { return 5; }, Remembers::load)},
+      {"another number of rounds", another, answer(
+           push, push, [](int) { return 10; }, Remembers::load)},
       {"the push remembered", remembered, answer(none, none, never, Remembers::all)},
       {"the push remembered", remembered, answer(push, push, as_often, Remembers::all)},
       {"the push remembered", remembered, answer(none, none, as_often, Remembers::load)},

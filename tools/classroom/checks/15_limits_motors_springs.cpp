@@ -44,13 +44,16 @@ std::vector<Check<Answer>> checks() {
       {"a load on a slack rope goes as far as the rope is long",
        2,
        {{"your load, which cannot reach the end of its rope in this step, goes on with", "m/s", 1e-6},
-        {"your load, which would get farther than its rope in this step, goes on with", "m/s", 1e-6}},
+        {"your load, which would get farther than its rope in this step, goes on with", "m/s", 1e-6},
+        {"your load, which would get farther than its nearly taut rope, goes on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Roped roped(random);
          const Real slack = random.between(Real(0.02), Real(0.05)), fastest = slack / roped.h;
          const Real slow = fastest * random.between(Real(0.6), Real(0.9)),
                     fast = fastest * random.between(Real(1.5), 3);
-         return {roped.solved(slack, slow, random, answer), roped.solved(slack, fast, random, answer)};
+         const Real little = random.between(Real(0.001), Real(0.003));
+         return {roped.solved(slack, slow, random, answer), roped.solved(slack, fast, random, answer),
+                 roped.solved(little, fast, random, answer)};
        }},
       {"a rope that is too long comes back by the part β, and does not hold up a load that comes faster",
        1,
@@ -64,13 +67,18 @@ std::vector<Check<Answer>> checks() {
       {"a hand that holds with F takes h F off the load in a step",
        2,
        {{"your load, which pulls harder than the hand holds, goes on with", "m/s", 1e-6},
-        {"your load, which is far too fast for the hand, goes on with", "m/s", 1e-6}},
+        {"your load, which is far too fast for the hand, goes on with", "m/s", 1e-6},
+        {"your load, whose rope is slack and which pulls harder than the hand holds, goes on with", "m/s", 1e-6},
+        {"your load, whose rope is too long and which pulls harder than the hand holds, goes on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Roped roped(random);
          roped.strength = random.between(50, 200);
          const Real in_a_step = roped.h * roped.strength / roped.mass, in_a_second = roped.strength / roped.mass;
          const Real fast = random.between(2, 3) * in_a_step, faster = random.between(Real(1.5), 2) * in_a_second;
-         return {roped.solved(0, fast, random, answer), roped.solved(0, faster, random, answer)};
+         const Real slack = random.between(Real(0.02), Real(0.05));
+         return {roped.solved(0, fast, random, answer), roped.solved(0, faster, random, answer),
+                 roped.solved(slack, fast + slack / roped.h, random, answer),
+                 roped.solved(-slack, fast, random, answer)};
        }},
   };
 }
@@ -94,7 +102,43 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if the rope could push. A rope has no stiffness: its impulse is never below 0.";
   const std::string turned =
       "it looks as if the limits were turned round. In this row an impulse above 0 pulls: from 0 up to h F.";
+  const std::string a_speed =
+      "it looks as if h did not turn a length into a speed. In b stand speeds: C/h where the rope is slack, and β/h C where "
+      "it is too long.";
+  const std::string only_one =
+      "it looks as if the hand's limit held in one of the two cases alone. The hand slips above F, slack rope or not.";
   return {
+      {"h in the wrong place", a_speed, {[](JointRow& rope, Real strength, Real beta, Real h) {
+         right(rope, strength, beta, h);
+         if (rope.separation <= 0) rope.bias /= h;
+       }}},
+      {"h in the wrong place", a_speed, {[](JointRow& rope, Real strength, Real beta, Real h) {
+         right(rope, strength, beta, h);
+         if (rope.separation <= 0) rope.bias *= h * h;
+       }}},
+      {"h in the wrong place", a_speed, {[](JointRow& rope, Real strength, Real beta, Real h) {
+         right(rope, strength, beta, h);
+         if (rope.separation > 0) rope.bias /= h;
+       }}},
+      {"h in the wrong place", a_speed, {[](JointRow& rope, Real strength, Real beta, Real h) {
+         right(rope, strength, beta, h);
+         if (rope.separation > 0) rope.bias *= h * h;
+       }}},
+      {"hi for lo",
+       "it looks as if lo and hi were exchanged. In this row an impulse above 0 pulls: the least sum is 0, the largest h "
+       "F.",
+       {[](JointRow& rope, Real strength, Real beta, Real h) {
+         right(rope, strength, beta, h);
+         std::swap(rope.lo, rope.hi);
+       }}},
+      {"the hand's limit in one case", only_one, {[](JointRow& rope, Real strength, Real beta, Real h) {
+         right(rope, strength, beta, h);
+         if (rope.separation <= 0) rope.hi = std::numeric_limits<Real>::infinity();
+       }}},
+      {"the hand's limit in one case", only_one, {[](JointRow& rope, Real strength, Real beta, Real h) {
+         right(rope, strength, beta, h);
+         if (rope.separation > 0) rope.hi = std::numeric_limits<Real>::infinity();
+       }}},
       {"a force for an impulse", impulse, {[](JointRow& rope, Real strength, Real beta, Real h) {
          right(rope, strength, beta, h);
          rope.hi = strength;

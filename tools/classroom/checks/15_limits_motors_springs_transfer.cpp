@@ -47,6 +47,24 @@ std::array<Real, 2> two_steps(Random& random, Real times, const Answer& answer) 
   return speeds;
 }
 
+/// Of four balls the first and the last pull too hard: the speed of the last, m/s, which rod comes first then, and how much the
+/// rods hold, kg, after a step of half the length in which a third pulls with 0.7 of what a rod bears in a whole one.
+std::array<Real, 3> four_balls(Random& random, const Answer& answer) {
+  const Real h = 1 / random.between(40, 100);
+  Rods rods(answer);
+  for (const Real times : {Real(3), Real(0), Real(0.995), Real(2.5)}) {
+    const Real mass = random.between(2, 10);
+    rods.add(mass, times * h * strength / mass, random);
+  }
+  rods.solve(h);
+  const Real speed = rods.speed(3);
+  const Real first = rods.world.joints.empty() ? 0 : static_cast<Real>(rods.world.joints.front().b);
+  Body& second = rods.world.bodies[1];
+  second.velocity = Real(0.7) * h * strength * second.inverse_mass * rods.away[1];
+  rods.solve(h / 2);
+  return {speed, first, rods.held()};
+}
+
 std::vector<Check<Answer>> checks() {
   return {
       {"a rod holds a load that it can bear",
@@ -80,7 +98,10 @@ std::vector<Check<Answer>> checks() {
       {"of several rods those break that bear too much",
        3,
        {{"of six balls, two pull too hard and one sleeps; your rods still hold", "kg", 1e-6},
-        {"of six balls, two pulled too hard one step ago; your rods still hold", "kg", 1e-6}},
+        {"of six balls, two pulled too hard one step ago; your rods still hold", "kg", 1e-6},
+        {"of four balls, the last pulls too hard and goes on with", "m/s", 1e-6},
+        {"of four balls, the first pulls too hard; the name of your first rod is number", "", 1e-6},
+        {"the same balls, in a step of half the length; your rods still hold", "kg", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real h = 1 / random.between(40, 100);
          Rods rods(answer);
@@ -93,12 +114,13 @@ std::vector<Check<Answer>> checks() {
          rods.solve(h);
          const Real held = rods.held();
          rods.solve(h);
-         return {held, rods.held()};
+         const auto [fast, first, shorter] = four_balls(random, answer);
+         return {held, rods.held(), fast, first, shorter};
        }},
   };
 }
 
-enum class TakesOut { broken, forwards, one, all, number_of_row };
+enum class TakesOut { broken, forwards, one, all, number_of_row, by_swap };
 
 /// A mistake: the limits that it sets, the impulse that it takes for that of a broken rod, and the joints that it takes out.
 struct Mistaken : Joints {
@@ -124,7 +146,12 @@ struct Mistaken : Joints {
     if (takes_out == TakesOut::all && !out.empty()) joints.clear();
     else
       for (const std::size_t joint : out)
-        if (joint < joints.size()) joints.erase(joints.begin() + static_cast<std::ptrdiff_t>(joint));
+        if (joint < joints.size()) {
+          if (takes_out == TakesOut::by_swap) {
+            std::swap(joints[joint], joints.back());
+            joints.pop_back();
+          } else joints.erase(joints.begin() + static_cast<std::ptrdiff_t>(joint));
+        }
   }
 };
 
@@ -135,6 +162,25 @@ void both_limits(Row& row, Real h) {
 bool is_broken(Real impulse, Real h) {
   return std::abs(impulse) >= h * strength;
 }
+
+/// Right for the first of the rows, or in the first of the steps.
+struct OfSome : Mistaken {
+  std::size_t limited = std::numeric_limits<std::size_t>::max();
+  bool keeps_h = false;
+  Real h = 0;
+
+  explicit OfSome(std::size_t most, bool keeps = false) : Mistaken(both_limits, is_broken), limited(most), keeps_h(keeps) {}
+  void build(StepContext& step) {
+    Joints::build(step);
+    if (h == 0 || !keeps_h) h = step.dt;
+    for (std::size_t i = 0; i < std::min(limited, joint_rows_.size()); ++i) both_limits(joint_rows_[i], h);
+  }
+  void report(StepContext& step) {
+    const Real its_h = h;
+    broken = [its_h](Real sum, Real) { return is_broken(sum, its_h); };
+    Mistaken::report(step);
+  }
+};
 
 std::vector<Mistake<Answer>> mistakes() {
   const auto no_limits = [](Row&, Real) {};
@@ -159,7 +205,22 @@ std::vector<Mistake<Answer>> mistakes() {
   const std::string still =
       "it looks as if the rod had given all that it can, and was still there afterwards. A sum that is limited never "
       "exceeds its limit: the rod is broken where its sum reaches h F.";
+  const std::string some =
+      "it looks as if some rods had no limits. Every row of joint_rows_ needs its own: each rod bears F.";
   return {
+      {"limits left out", some, {OfSome(1)}},
+      {"limits left out", some, {OfSome(2)}},
+      {"the h of the first step",
+       "it looks as if h were that of the first step. F does h F in a step of h seconds, and steps may be of different "
+       "lengths: step.dt is the length of this one.",
+       {OfSome(100, true)}},
+      {"broken too early",
+       "it looks as if a rod broke that still holds. Broken is a rod whose sum has reached h F, and no other.",
+       {Mistaken(both_limits, [](Real sum, Real h) { return std::abs(sum) >= Real(0.99) * h * strength; })}},
+      {"another order",
+       "it looks as if the last rod had been moved into the place of a broken one. The others keep their order: "
+       "step.world.joints.erase.",
+       {Mistaken(both_limits, is_broken, TakesOut::by_swap)}},
       {"it holds, and breaks then", holds, {Mistaken(no_limits, is_broken)}},
       {"a force for an impulse", impulse, {Mistaken(forces, [](Real sum, Real) { return is_broken(sum, 1); })}},
       {"a force for an impulse", impulse, {Mistaken(forces, is_broken)}},

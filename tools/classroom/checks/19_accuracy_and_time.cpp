@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "pushback/chapters/19_accuracy_and_time/exercise/asked.h"
 
@@ -64,7 +65,8 @@ std::vector<Check<Answer>> checks() {
   return {
       {"a setting that another beats in both is not on the front", 1, of_a_front(),
        [](Random& random, const Answer& answer) -> Numbers {
-         const Measurements best = unbeaten(random);
+         Measurements best = unbeaten(random);
+         best[1].seconds.back() *= 10;  // unlucky, once
          Measurements all{best.back()};
          all.insert(all.end(), best.begin(), best.end() - 1);
          for (const Measured& by : best) all.push_back(beaten(random, by));
@@ -148,6 +150,19 @@ Measurements left_by(const Measurements& all, const Beats& beats) {
 bool beats(const Measured& one, const Measured& other) {
   return one.median() <= other.median() && one.error <= other.error &&
          (one.median() < other.median() || one.error < other.error);
+}
+
+/// Right but for the time that counts.
+template <class Seconds>
+Measurements front_by(const Measurements& all, const Seconds& seconds) {
+  Measurements found = all;
+  leave_out_lost(found);
+  found = left_by(found, [&](const Measured& one, const Measured& other) {
+    return seconds(one) <= seconds(other) && one.error <= other.error &&
+           (seconds(one) < seconds(other) || one.error < other.error);
+  });
+  std::sort(found.begin(), found.end(), by_time);
+  return found;
 }
 
 std::vector<Mistake<Answer>> mistakes() {
@@ -244,6 +259,18 @@ std::vector<Mistake<Answer>> mistakes() {
          Measurements found = kept(all, better_than_last);
          std::reverse(found.begin(), found.end());
          return found;
+       }}},
+      {"a mean or a last round for the median",
+       "it looks as if a round in which the machine was busy counted, by the mean of all rounds or as the last one. The "
+       "median of all rounds does not mind one of them.",
+       {[](const Measurements& all) { return front_by(all, [](const Measured& one) { return one.seconds.back(); }); }}},
+      {"a mean or a last round for the median",
+       "it looks as if a round in which the machine was busy counted, by the mean of all rounds or as the last one. The "
+       "median of all rounds does not mind one of them.",
+       {[](const Measurements& all) {
+         return front_by(all, [](const Measured& one) {
+           return std::accumulate(one.seconds.begin(), one.seconds.end(), 0.0) / static_cast<double>(one.seconds.size());
+         });
        }}},
       {"the fastest round for the median",
        "it looks as if the fastest of a setting's rounds counted. That is luck, once: the time that counts is the "

@@ -81,11 +81,19 @@ std::vector<Check<Answer>> checks() {
       {"bodies that are joined sleep and wake together; those that hang on the same fixed beam need not", 1, quantities,
        [](Random& random, const Answer& answer) -> Numbers {
          Piles piles(random);
-         const int moves = piles.pile(1, false), towed = piles.pile(1, true), beam = piles.add(true);
+         const int beside = piles.pile(1, true), moves = piles.pile(1, false), towed = piles.pile(1, true), beam = piles.add(true);
          piles.join(moves, towed);
+         const int next_to_it = piles.pile(1, true), last = piles.pile(1, true);  // towed in turn, and pushed
+         piles.touch(towed, next_to_it);
+         piles.join(last, next_to_it);
+         piles.touch(beside, last);
          piles.world.bodies[static_cast<std::size_t>(beam)].fixed();
          piles.join(beam, piles.add(false));
          piles.join(piles.add(true), beam);
+         const int turning = piles.add(false);  // by itself: fixed, and never at rest
+         piles.world.bodies[static_cast<std::size_t>(turning)].fixed();
+         piles.touch(turning, piles.add(true));
+         piles.join(piles.add(true), turning);
          return piles.asleep(answer);
        }},
   };
@@ -150,12 +158,65 @@ std::vector<bool> right(const World& world, const std::vector<bool>& rests) {
   return sleeping(world, rests, found);
 }
 
+bool never_linked(const World&, int, int) {
+  return false;
+}
+
+/// Whoever rests is woken by these, gone through so often at most.
+void wake(std::vector<bool>& awake, const std::vector<std::pair<int, int>>& by, int most) {
+  bool changed = true;
+  for (int i = 0; changed && i < most; ++i) {
+    changed = false;
+    for (const auto& [a, b] : by) {
+      if (awake[std::size_t(a)] == awake[std::size_t(b)]) continue;
+      awake[std::size_t(a)] = awake[std::size_t(b)] = changed = true;
+    }
+  }
+}
+
+Answer woken(int most_contacts, int most_joints) {
+  return {[=](const World& world, const std::vector<bool>& rests) {
+    std::vector<bool> awake = rests, sleeps(rests.size());
+    awake.flip();
+    wake(awake, links(world, both_movable, never_linked), most_contacts);
+    wake(awake, links(world, never_linked, both_movable), most_joints);
+    for (std::size_t i = 0; i < rests.size(); ++i) sleeps[i] = world.bodies[i].movable() && !awake[i];
+    return sleeps;
+  }};
+}
+
 std::vector<Mistake<Answer>> mistakes() {
+  const std::string once =
+      "it looks as if contacts and joints were not gone through to the end. Who is woken by a joint wakes who touches it, "
+      "and so on: begin again until nobody is woken any more.";
   const std::string hand =
       "it looks as if two islands were joined by one body each. Who is joined brings along all of its island: each "
       "body "
       "that had the one number has to get the other.";
   return {
+      {"not to the end", once, woken(1000, 1)},
+      {"not to the end", once, woken(1000, 1000)},
+      {"not to the end", once, woken(1, 1)},
+      {"not to the end", once, woken(2, 1)},
+      {"the first joint alone",
+       "it looks as if joints after the first were left out. Each of world.joints holds two bodies together.",
+       {[](const World& world, const std::vector<bool>& rests) {
+         std::vector<std::pair<int, int>> found = links(world, both_movable, never_linked);
+         if (!world.joints.empty() && both_movable(world, world.joints[0].a, world.joints[0].b))
+           found.emplace_back(world.joints[0].a, world.joints[0].b);
+         return sleeping(world, rests, islands_by(world, found));
+       }}},
+      {"a fixed body wakes",
+       "it looks as if a body that nothing moves woke who touches it or hangs on it. It passes nothing on, and belongs to "
+       "no island.",
+       {[](const World& world, const std::vector<bool>& rests) {
+         std::vector<bool> at_rest = rests;
+         for (const auto& [a, b] : links(world, any_pair, any_pair)) {
+           if (!world.body(a).movable() && !rests[std::size_t(a)]) at_rest[std::size_t(b)] = false;
+           if (!world.body(b).movable() && !rests[std::size_t(b)]) at_rest[std::size_t(a)] = false;
+         }
+         return right(world, at_rest);
+       }}},
       {"joined through the ground",
        "it looks as if bodies were joined through the ground. It passes nothing on: nothing moves it. Where it counts, "
        "a whole world is one island, and a marble keeps it awake.",

@@ -78,7 +78,8 @@ std::vector<Check<Answer>> checks() {
       {"a ball that arrives within the step falls freely until then, and is met at the surface",
        2,
        {{"your ball, a substep before it arrives, falls with", "m/s", 1e-6},
-        {"your ball, which has arrived, ends the step at a height of", "mm", 1e-6}},
+        {"your ball, which has arrived, ends the step at a height of", "mm", 1e-6},
+        {"where a gap is less than a millimetre, your b is", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real to_go = random.between(Real(3.3), Real(3.7)), fall = random.between(8, 10);
          Ball ball(random, to_go, fall);
@@ -89,19 +90,24 @@ std::vector<Check<Answer>> checks() {
            ball.substeps(1, answer);
            heights.push_back(ball.height());
          }
-         return with_record({before, ball.height()}, heights);
+         const Real small = answer.bias(random.between(Real(0.0003), Real(0.0009)), ball.rate, ball.h);
+         return with_record({before, ball.height(), small}, heights);
        }},
       {"a ball that is too deep comes out by a part in each substep, and keeps no speed of it",
        1,
        {{"your ball, which was too deep, has after four substeps a height of", "mm", 1e-6},
-        {"your ball, which was too deep, moves on with", "m/s", 1e-6}},
+        {"your ball, which was too deep, moves on with", "m/s", 1e-6},
+        {"where a substep began with a gap and ends with an overlap, your b of the relaxing pass is", "m/s", 1e-6},
+        {"where a substep began with an overlap and ends with a gap, your b of the relaxing pass is", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Ball ball(random, 0, 0);
          ball.gap = -random.between(Real(0.01), Real(0.02));
          ball.world.bodies[1].position.y() = ball.radius + ball.gap;
          ball.world.gravity.setZero();
          ball.substeps(4, answer);
-         return {ball.height(), ball.speed()};
+         const Real gap = random.between(1, 2), overlap = random.between(1, 2);
+         return {ball.height(), ball.speed(), answer.relaxed_bias(gap, Real(-0.001), ball.h),
+                 answer.relaxed_bias(-overlap, Real(0.001), ball.h)};
        }},
   };
 }
@@ -239,6 +245,46 @@ std::vector<Mistake<Answer>> mistakes() {
        "energy "
        "fed in.",
        with_relaxed([](Real bias, Real, Real) -> Real { return bias; })},
+      {"relaxed by where the bodies are now",
+       "it looks as if the relaxing pass asked whether the bodies are apart now. It goes by how the substep began: what was "
+       "apart, b > 0, keeps its b, and a push-out, b < 0, becomes 0.",
+       with_relaxed([](Real bias, Real C, Real) -> Real { return C < 0 ? 0 : bias; })},
+      {"relaxed by where the bodies are now",
+       "it looks as if the relaxing pass asked whether the bodies are apart now. It goes by how the substep began: what was "
+       "apart, b > 0, keeps its b, and a push-out, b < 0, becomes 0.",
+       with_relaxed([](Real bias, Real C, Real) -> Real { return C > 0 ? std::max(bias, Real(0)) : 0; })},
+      {"the push-out turned round",
+       "it looks as if the relaxing pass turned the push-out round. A b > 0 would let the bodies come nearer again: it is 0.",
+       with_relaxed([](Real bias, Real, Real) -> Real { return std::abs(bias); })},
+      {"one body's turn left out",
+       "it looks as if one of the two bodies did not turn. Both have a turn and an arm.",
+       with_separation([](const Found& f, const Moved& a, const Moved& b) -> Real {
+         return f.C + f.n.dot(b.way - a.way - a.turn.cross(f.arm_a));
+       })},
+      {"one body alone",
+       "it looks as if one of the two bodies had not moved. C grows by what B's point has moved along n more than A's.",
+       with_separation([](const Found& f, const Moved&, const Moved& b) -> Real {
+         return f.C + f.n.dot(b.way + b.turn.cross(f.arm_b));
+       })},
+      {"one body alone",
+       "it looks as if one of the two bodies had not moved. C grows by what B's point has moved along n more than A's.",
+       with_separation([](const Found& f, const Moved& a, const Moved&) -> Real {
+         return f.C - f.n.dot(a.way + a.turn.cross(f.arm_a));
+       })},
+      {"one arm for both",
+       "it looks as if both turns had the arm of one body. Each body turns about its own centre of mass.",
+       with_separation([](const Found& f, const Moved& a, const Moved& b) -> Real {
+         return f.C + f.n.dot(b.way - a.way + b.turn.cross(f.arm_a) - a.turn.cross(f.arm_a));
+       })},
+      {"one arm for both",
+       "it looks as if both turns had the arm of one body. Each body turns about its own centre of mass.",
+       with_separation([](const Found& f, const Moved& a, const Moved& b) -> Real {
+         return f.C + f.n.dot(b.way - a.way + b.turn.cross(f.arm_b) - a.turn.cross(f.arm_b));
+       })},
+      {"h in the wrong place",
+       "it looks as if h did not turn the gap into a speed. Bodies that may come nearer by C within h seconds may do so at "
+       "C/h.",
+       with_bias([](Real C, Real rate, Real h) -> Real { return C > 0 ? C * h : rate * C; })},
       {"relaxed with the gap of now",
        "it looks as if the relaxing pass asked for C/h of where the bodies are now. That already brakes for the next "
        "substep: the ball is slow before it has arrived. Keep the C/h with which this substep began.",

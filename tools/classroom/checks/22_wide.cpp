@@ -111,11 +111,14 @@ std::vector<Check<Answer>> checks() {
        1,
        {{"in your column two pairs of one colour meet in a box", "times", 0.5},
         {"your column has so many colours:", "", 0.5},
-        {"the colours of your column's pairs, added up, are", "", 0.5}},
+        {"the colours of your column's pairs, added up, are", "", 0.5},
+        {"the colours of forty pairs that all meet in one body, added up, are", "", 0.5}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Graph graph = column(10 + random.below(10));
          const Colours colours = colours_by(answer, graph);
-         return {clashes(graph, colours), count_of(colours), sum_of(colours)};
+         Graph star{Movable(41, true), {}};
+         for (std::size_t i = 1; i <= 40; ++i) star.pairs.push_back({0, i});
+         return {clashes(graph, colours), count_of(colours), sum_of(colours), sum_of(colours_by(answer, star))};
        }},
   };
 }
