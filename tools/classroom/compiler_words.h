@@ -6,7 +6,8 @@
 
 namespace pushback {
 
-/// The first error in these messages of g++ or clang++: where it is, the line itself, and what it means.
+/// The first error in these messages of g++, clang++ or the linker: the line of the student's file that it comes from, also where
+/// it shows elsewhere, the line itself, and what it means.
 std::string first_error(const std::string& messages, const std::filesystem::path& students_file);
 
 }  // namespace pushback

@@ -7,22 +7,15 @@ namespace {
 
 constexpr Real slop = Slop{}.slop;
 
-/// Baumgarte's bias as the plain loop has it: whatever C is, also where it is positive.
-struct Bias : Effect {
-  Real beta = Real(0.2);
-  void build(StepContext& step) {
-    for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].bias = beta / step.dt * step.rows[i].separation;
-  }
-};
+using Pushing = Solver<Clamping, Baumgarte, AnyEffect>;
 
-using Pushing = Solver<Clamping, Bias, AnyEffect>;
-
-/// A ball so deep in the ground, under gravity; others may lie beside it.
+/// A ball so deep in the ground, under gravity; others may lie beside it. Steps are long enough for gravity to slow it as fast as
+/// the push-out does: it does not fly past the slop.
 struct Ball {
   World world;
   Real radius, h;
 
-  Ball(Random& random, Real depth) : radius(random.between(Real(0.3), Real(0.5))), h(1 / random.between(80, 240)) {
+  Ball(Random& random, Real depth) : radius(random.between(Real(0.3), Real(0.5))), h(1 / random.between(70, 110)) {
     world.add(ground());
     add(random.between(5, 20), depth);
   }
@@ -67,7 +60,7 @@ std::vector<Check<Answer>> checks() {
        1,
        {{"after thirty steps your shallow ball is deep by", "mm", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         return thirty_steps(Ball(random, random.between(Real(0.001), Real(0.004))), answer);
+         return thirty_steps(Ball(random, random.between(Real(0.001), Real(0.0025))), answer);
        }},
       {"a deep ball ends at the slop",
        1,
@@ -104,7 +97,34 @@ struct TimesSixtyH : Effect {
   }
 };
 
+struct TimesH : Effect {
+  void adjust_separation(StepContext& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i)
+      step.rows[i].separation = std::min(Real(0), step.rows[i].separation + step.dt * slop);
+  }
+};
+/// C of the first step, for good.
+struct OfTheFirstStep : Effect {
+  std::vector<Real> first;
+  void adjust_separation(StepContext& step) {
+    for (std::size_t i = first.size(); i < step.contacts.size(); ++i)
+      first.push_back(std::min(Real(0), step.rows[i].separation + slop));
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].separation = first[i];
+  }
+};
+/// C of the first contact, for all.
+struct OneForAll : Effect {
+  void adjust_separation(StepContext& step) {
+    const Real counts = step.contacts.empty() ? 0 : std::min(Real(0), step.rows[0].separation + slop);
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].separation = counts;
+  }
+};
+
 std::vector<Mistake<Answer>> mistakes() {
+  const std::string nothing =
+      "it looks as if nothing were left to push out. C is negative where bodies overlap, and what is pushed out is "
+      "what "
+      "is negative: of 0 and C + slop, the lesser.";
   return {
       {"dead zone",
        "it looks as if the slop were a dead zone: all of C where it is deeper, nothing where it is not. Then what is "
@@ -115,14 +135,15 @@ std::vector<Mistake<Answer>> mistakes() {
        "it looks as if the slop had the wrong sign. C is negative where bodies overlap, so C + slop is the lesser "
        "overlap.",
        mistaken([](Real c) { return std::min(Real(0), c - slop); })},
-      {"min forgotten",
-       "it looks as if min were forgotten. Where the overlap is less than the slop, C + slop is positive, and the row "
-       "lets the "
-       "body sink until it is as deep as the slop.",
-       mistaken([](Real c) { return c + slop; })},
-      {"max for min",
-       "it looks as if the greater of 0 and C + slop were taken. What is pushed out is what is negative.",
-       mistaken([](Real c) { return std::max(Real(0), c + slop); })},
+      {"nothing to push out", nothing, mistaken([](Real c) { return std::max(Real(0), c + slop); })},
+      {"the depth for C",
+       "it looks as if the depth d were taken for C. C = -d: what is pushed out is a negative C, so with d - slop deep "
+       "balls stay and shallow ones are pushed out.",
+       mistaken([](Real c) { return std::min(Real(0), -c - slop); })},
+      {"shallow ones as they were",
+       "it looks as if C stayed as it is where the overlap is less than the slop. It still is an overlap that the bias "
+       "takes away: there, nothing counts, and C becomes 0.",
+       mistaken([](Real c) { return c < -slop ? c + slop : c; })},
       {"no slop",
        "it looks as if there were no slop: C is as it was when the bias is made of it. Is it row.separation that you "
        "set?",
@@ -134,6 +155,19 @@ std::vector<Mistake<Answer>> mistakes() {
       {"a slop that depends on the step",
        "it looks as if the slop were multiplied by 60 h. It is a length, and the same in steps of every length.",
        {TimesSixtyH{}}},
+      {"slop times h",
+       "it looks as if the slop were multiplied by h, so almost nothing is left of it. It is a length: C + slop, in "
+       "steps of every length.",
+       {TimesH{}}},
+      {"the depth of the first step",
+       "it looks as if C were that of the first step for good. A ball that comes up is less deep in each step: read "
+       "row.separation in each, or it is pushed on past the slop.",
+       {OfTheFirstStep{}}},
+      {"one C for all",
+       "it looks as if all contacts had the C of the first. Each ball has a depth of its own: row.separation of its "
+       "own "
+       "row.",
+       {OneForAll{}}},
       {"at least the slop",
        "it looks as if every overlap counted as the slop, at least or at most. What counts is how much deeper it is "
        "than the slop.",

@@ -176,6 +176,43 @@ std::vector<Mistake<Answer>> mistakes() {
          const Real c = row.separation;
          row.bias = c > 0 ? c / h : c < -slop ? beta / h * c : 0;
        }}},
+      {"1/h forgotten in the overlap",
+       "it looks as if 1/h were forgotten where bodies overlap. C is a distance; to take the part β of it away in one "
+       "step, the speed is β C / h.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? c / h : beta * std::min(Real(0), c + slop);
+       }}},
+      {"slop taken off the gap",
+       "it looks as if the slop were taken off the gap. The body then stops above the surface, or is pushed away from "
+       "it: of bodies that are apart, the whole gap may be closed.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? (c - slop) / h : of_chapter_04(c, beta, slop, h);
+       }}},
+      {"sign of the slop",
+       "it looks as if the slop had the wrong sign. C is negative where bodies overlap, so C + slop is the lesser "
+       "overlap, and what is less deep than the slop is left alone.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? c / h : beta / h * std::min(Real(0), c - slop);
+       }}},
+      {"shallow ones pushed out",
+       "it looks as if an overlap less than the slop were closed as a gap is, within one step. C is negative there: C "
+       "/ h "
+       "throws the body out. Up to the slop, an overlap is left alone.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > -slop ? c / h : beta / h * (c + slop);
+       }}},
+      {"it pulls",
+       "it looks as if the row pulled. A body that leaves, or is too slow to reach the surface, feels nothing: a "
+       "contact "
+       "only pushes, and its sum is not below 0.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         right(row, beta, slop, h);
+         row.lo = -std::numeric_limits<Real>::infinity();
+       }}},
       {"overlap left in",
        "it looks as if b were 0 at every overlap. What is deeper than the slop is to come up.",
        {[](Row& row, Real, Real, Real h) { row.bias = std::max(Real(0), row.separation / h); }}},

@@ -48,16 +48,33 @@ Real some_e(Random& random) {
   return random.between(Real(0.7), Real(0.9));
 }
 
+/// The first is too slow to bounce, the second lands slowly on a ground that is bouncier than it is. Its speed upwards, m/s.
+Real second_of_two(Random& random, const Answer& answer) {
+  World world;
+  world.gravity.setZero();
+  world.add(ground().bouncy(some_e(random)));
+  for (const bool first : {true, false}) {
+    const Real arrives = first ? random.between(Real(0.03), Real(0.09)) : yield * random.between(Real(0.6), Real(0.9));
+    Body ball = sphere(Real(0.3), 10);
+    ball.at({first ? Real(0) : Real(1), Real(0.299), 0}).moving({0, -arrives, 0});
+    world.add(ball.bouncy(first ? Real(0.8) : random.between(Real(0.3), Real(0.5))));
+  }
+  auto solver = with_effect<Bouncing>(answer.bounce);
+  world.step(solver, Real(1) / 60, 1);
+  return world.bodies[2].velocity.y();
+}
+
 std::vector<Check<Answer>> checks() {
   return {
       {"a slow impact has the restitution of its contact, and gains no energy",
        2,
        {{"of each joule your slow ball keeps", "J", 1e-6},
-        {"your ball, which lands a little more slowly than the yield speed, leaves with", "m/s", 1e-6}},
+        {"your ball, which lands a little more slowly than the yield speed, leaves with", "m/s", 1e-6},
+        {"your second of two balls, whose ground is bouncier than it is, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const Ball slow{some_e(random), random.between(Real(0.12), Real(0.4))},
+         const Ball slow{some_e(random), random.between(Real(0.16), Real(0.4))},
              less{some_e(random), yield * random.between(Real(0.6), Real(0.9))};
-         return {slow.kept(answer), less.solved(answer)};
+         return {slow.kept(answer), less.solved(answer), second_of_two(random, answer)};
        }},
       {"above the yield speed e falls with the fourth root of the speed",
        2,
@@ -69,36 +86,44 @@ std::vector<Check<Answer>> checks() {
       {"this step's gravity is no part of the approach",
        2,
        {{"your fast ball, which gravity accelerates as it lands, leaves with", "m/s", 1e-6},
-        {"your ball, which lies still, leaves with", "m/s", 1e-6}},
+        {"your ball, which lies still, leaves with", "m/s", 1e-6},
+        {"your ball, which lands more slowly than the threshold but for gravity, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Ball lands = heavy(random, some_e(random), random.between(4, 8)),
-                    rests = heavy(random, some_e(random), 0);
-         return {lands.solved(answer), rests.solved(answer)};
+                    rests = heavy(random, some_e(random), 0),
+                    creeps = heavy(random, some_e(random), random.between(Real(0.04), Real(0.09)));
+         return {lands.solved(answer), rests.solved(answer), creeps.solved(answer)};
        }},
       {"only the motion along the normal counts",
        1,
        {{"your ball, which slides fast and lands gently, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         return {Ball{some_e(random), random.between(Real(0.5), Real(1.5)), random.between(6, 12)}.solved(answer)};
+         return {Ball{some_e(random), random.between(Real(0.5), Real(0.9)), random.between(6, 12)}.solved(answer)};
        }},
       {"of the bounce and the push-out, the one for more speed stays",
        2,
        {{"your ball, which is pushed out faster than it bounces, leaves with", "m/s", 1e-6},
-        {"your ball, which bounces faster than it is pushed out, leaves with", "m/s", 1e-6}},
+        {"your ball, which bounces faster than it is pushed out, leaves with", "m/s", 1e-6},
+        {"your ball, which is too slow to bounce and is pushed out, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Ball more{some_e(random), random.between(4, 8)}, less{some_e(random), random.between(4, 8)};
          more.asked = more.arrives * random.between(Real(1.2), 2);
          less.asked = less.arrives * random.between(Real(0.05), Real(0.2));
-         return {more.solved(answer), less.solved(answer)};
+         Ball slow{some_e(random), random.between(Real(0.03), Real(0.09))};
+         slow.asked = random.between(Real(0.3), Real(0.6));
+         return {more.solved(answer), less.solved(answer), slow.solved(answer)};
        }},
       {"what arrives more slowly than the threshold stays, what arrives faster bounces",
        1,
        {{"your ball, which arrives more slowly than the threshold, leaves with", "m/s", 1e-6},
+        {"your ball, which slides fast and arrives more slowly than the threshold, leaves with", "m/s", 1e-6},
         {"your ball, which arrives a little faster than the threshold, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Ball slow{some_e(random), random.between(Real(0.03), Real(0.09))},
-             faster{some_e(random), random.between(Real(0.12), Real(0.2))};
-         return {slow.solved(answer), faster.solved(answer)};
+             faster{some_e(random), threshold * random.between(Real(1.02), Real(1.1))};  // whose e v is below it
+         Ball sliding = slow;
+         sliding.slides = random.between(2, 4);
+         return {slow.solved(answer), sliding.solved(answer), faster.solved(answer)};
        }},
   };
 }
@@ -139,6 +164,49 @@ Answer with_bias(Real (*bias)(Real b, Real bounce)) {
   return {Bounce{{}, before, before, falling, bias}};
 }
 
+Real bounce_of(const StepContext& step, std::size_t i) {
+  const Real v = approach_speed(step.world, step.contacts[i]);
+  return falling(step.contacts[i].restitution, std::abs(v)) * v;
+}
+/// B's e.
+struct OwnE : Effect {
+  void build(StepContext& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      const Real v = approach_speed(step.world, step.contacts[i]);
+      const Real e = step.world.bodies_of(step.contacts[i]).second.restitution;
+      if (v < -threshold) step.rows[i].bias = std::min(step.rows[i].bias, falling(e, std::abs(v)) * v);
+    }
+  }
+};
+/// Ends at the first contact that is too slow.
+struct Ending : Effect {
+  void build(StepContext& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      if (approach_speed(step.world, step.contacts[i]) >= -threshold) return;
+      step.rows[i].bias = std::min(step.rows[i].bias, bounce_of(step, i));
+    }
+  }
+};
+/// b is 0 where nothing bounces.
+struct TakingAway : Effect {
+  Real (*bias)(Real b, Real bounce) = larger;
+  void build(StepContext& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      const bool bounces = approach_speed(step.world, step.contacts[i]) < -threshold;
+      step.rows[i].bias = bounces ? bias(step.rows[i].bias, bounce_of(step, i)) : 0;
+    }
+  }
+};
+/// Which speed it compares with the threshold.
+struct ByThreshold : Effect {
+  Real (*speed)(const StepContext&, const Row&, const Contact&);
+  void build(StepContext& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i)
+      if (speed(step, step.rows[i], step.contacts[i]) < -threshold)
+        step.rows[i].bias = std::min(step.rows[i].bias, bounce_of(step, i));
+  }
+};
+
 std::vector<Mistake<Answer>> mistakes() {
   const std::string power =
       "it looks as if e fell by another power of the speed. Sixteen times the yield speed halves e.";
@@ -148,6 +216,30 @@ std::vector<Mistake<Answer>> mistakes() {
     return (b.velocity_before - a.velocity_before).norm();
   };
   return {
+      {"the yield speed forgotten",
+       "it looks as if e fell with v to the power of -1/4 in m/s, whatever the yield speed. At v = v_y both laws "
+       "agree, "
+       "so it is v / v_y that counts: e = e_0 (v_y / v)^(1/4).",
+       with_law([](Real e, Real speed) { return e * std::min(Real(1), std::pow(speed, Real(-0.25))); })},
+      {"the yield speed forgotten",
+       "it looks as if e fell with v to the power of -1/4 in m/s, whatever the yield speed. At v = v_y both laws "
+       "agree, "
+       "so it is v / v_y that counts: e = e_0 (v_y / v)^(1/4).",
+       with_law([](Real e, Real speed) { return speed > yield ? e * std::pow(speed, Real(-0.25)) : e; })},
+      {"what exceeds the yield speed",
+       "it looks as if e fell with the part of the speed that exceeds v_y. The law is of the whole speed, and both "
+       "laws "
+       "agree at v = v_y: e = e_0 (v_y / v)^(1/4).",
+       with_law([](Real e, Real speed) { return speed > yield ? e * std::pow(1 + speed - yield, Real(-0.25)) : e; })},
+      {"what exceeds the yield speed",
+       "it looks as if e fell with the part of the speed that exceeds v_y. The law is of the whole speed, and both "
+       "laws "
+       "agree at v = v_y: e = e_0 (v_y / v)^(1/4).",
+       with_law([](Real e, Real speed) { return speed > yield ? e * std::pow(speed - yield, Real(-0.25)) : e; })},
+      {"the factor alone",
+       "it looks as if e_0 were left out. Above the yield speed e falls from that of the contact: "
+       "e = e_0 (v_y / v)^(1/4).",
+       with_law([](Real e, Real speed) { return speed > yield ? std::pow(yield / speed, Real(0.25)) : e; })},
       {"not limited",
        "it looks as if the law for fast impacts were used for slow ones, too. There e is above 1: the ball leaves "
        "faster "
@@ -197,6 +289,32 @@ std::vector<Mistake<Answer>> mistakes() {
        "it looks as if the greater b were kept, by max. b is minus a speed: of two wishes, the lesser b is the one for "
        "more speed.",
        with_bias([](Real b, Real bounce) { return std::max(b, bounce); })},
+      {"e of the bodies",
+       "it looks as if e_0 were that of one body. A contact has the e of its pair, step.contacts[i].restitution.",
+       {OwnE{}}},
+      {"the first contact alone",
+       "it looks as if the loop ended at the first contact, or at the first that is too slow. Each of the "
+       "step.contacts.size() rows has an approach of its own: what does not bounce is to be passed over.",
+       {Ending{}}},
+      {"the push-out taken away",
+       "it looks as if b became 0 where nothing bounces. What is too slow to bounce still has to be pushed out: there, "
+       "b "
+       "stays as it is.",
+       {TakingAway{}}},
+      {"threshold on the departure",
+       "it looks as if the threshold were compared with e v_n. It is for the speed of the approach, v_n.",
+       {ByThreshold{{},
+                    [](const StepContext& step, const Row&, const Contact& at) {
+                      const Real v = approach_speed(step.world, at);
+                      return falling(at.restitution, std::abs(v)) * v;
+                    }}}},
+      {"threshold with gravity",
+       "it looks as if the threshold were compared with a speed that has this step's gravity in it. A body that creeps "
+       "then bounces, since gravity adds g h to every contact in every step: compare v_n of before the step.",
+       {ByThreshold{{}, [](const StepContext&, const Row& row, const Contact&) { return row.speed(); }}}},
+      {"overwritten",
+       "it looks as if b were simply overwritten. The push-out had asked for more speed: keep the lesser b, by min.",
+       {TakingAway{{}, [](Real, Real bounce) { return bounce; }}}},
       {"overwritten",
        "it looks as if b were simply overwritten. The push-out had asked for more speed: keep the lesser b, by min.",
        with_bias([](Real, Real bounce) { return bounce; })},

@@ -11,9 +11,10 @@ using Sliding = Solver<Clamping, AnyEffect>;
 /// other: one sweep is exact.
 void touch(World& world, const Body& body, Real height, const Vec3& velocity, Real mu,
            const Vec3& normal = Vec3::UnitY()) {
-  if (world.bodies.empty()) world.add(half_space(normal).rough(1));
+  constexpr Real of_ground = Real(0.8);
+  if (world.bodies.empty()) world.add(half_space(normal).rough(of_ground));
   Body placed = body;
-  const int index = world.add(placed.at(height * normal).moving(velocity).rough(mu * mu));
+  const int index = world.add(placed.at(height * normal).moving(velocity).rough(mu * mu / of_ground));
   world.contacts.push_back({.normal = normal, .friction = mu, .id = {0, static_cast<std::uint32_t>(index), 0}});
 }
 Body ball(Random& random) {
@@ -54,7 +55,7 @@ std::vector<Check<Answer>> checks() {
          const Real mu = random.between(Real(0.5), Real(0.8));
          World world;
          touch(world, ball(random), {speed, -3 * speed, across * speed}, mu);
-         solve(world, random, 1, answer);
+         solve(world, random, 3, answer);
          return {world.bodies[1].velocity.x(), world.bodies[1].velocity.z()};
        }},
       {"a box that stands on one foot: the foot sticks, whichever way it slid",
@@ -88,7 +89,9 @@ std::vector<Check<Answer>> checks() {
        }},
       {"a ball slips down a slope, g (sin θ − μ cos θ) h faster each step",
        1,
-       {{"your ball, which slips down a slope, starts with", "m/s", 1e-6}},
+       {{"your ball, which slips down a slope, starts with", "m/s", 1e-6},
+        {"your ball, which crosses a slope, is braked along the first tangent by", "m/s", 1e-6},
+        {"your ball, which crosses a slope, is braked along the second tangent by", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real theta = random.between(Real(0.6), Real(0.8)), h = random_step(random);
          const Real mu = random.between(Real(0.5), Real(0.8)) * Real(2) / 7 * std::tan(theta);  // it rolls from 1 on
@@ -97,7 +100,18 @@ std::vector<Check<Answer>> checks() {
          touch(world, body, std::get<Sphere>(body.shape).radius, h * world.gravity, mu,
                {-std::sin(theta), std::cos(theta), 0});
          with_effect<Sliding>(answer.friction).solve(world, h, 4);
-         return {-world.bodies[1].velocity.dot(Vec3(std::cos(theta), std::sin(theta), 0))};
+         const Real slips = -world.bodies[1].velocity.dot(Vec3(std::cos(theta), std::sin(theta), 0));
+         const Real lean = random.between(Real(0.4), Real(0.6)), aside = random.between(Real(0.2), Real(0.3));
+         const Vec3 normal = Vec3(lean, 1, aside).normalized();
+         const auto [tangent1, tangent2] = tangents_of(normal);
+         const Real speed = random.between(30, 40), arrival = random.between(1, 2);
+         const Vec3 crossing = speed * tangent1 - Real(0.7) * speed * tangent2 - arrival * normal;
+         World other;
+         touch(other, body, std::get<Sphere>(body.shape).radius, crossing, random.between(Real(0.4), Real(0.6)),
+               normal);
+         solve(other, random, 4, answer);
+         const Vec3 lost = crossing - other.bodies[1].velocity;
+         return {slips, lost.dot(tangent1), -lost.dot(tangent2)};
        }},
       {"of two balls, each is braked by its own push on the ground",
        1,
@@ -117,6 +131,28 @@ std::vector<Check<Answer>> checks() {
          solve(world, random, 4, answer);
          const Vec3 first = velocity[0] - world.bodies[1].velocity, second = velocity[1] - world.bodies[2].velocity;
          return {first.x(), first.z(), second.x(), second.z()};
+       }},
+      {"a box that comes down on a corner: friction and push act on each other, and end in agreement",
+       2,
+       {{"your box, which slides on its rear corner, is braked along x by", "m/s", 1e-6},
+        {"your box, which slides on its rear corner, is braked along z by", "m/s", 1e-6},
+        {"your box, which slides on its front corner, is braked along x by", "m/s", 1e-6},
+        {"your box, which slides on its front corner, is braked along z by", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         Numbers braked;
+         for (const Real forward : {Real(1), Real(-1)}) {  // where its centre is
+           const Real wide = random.between(Real(0.4), Real(0.6)), high = random.between(Real(0.4), Real(0.6));
+           const Real speed = random.between(30, 40), arrival = random.between(1, 2);
+           const Real mu = random.between(Real(0.3), Real(0.4));
+           const Vec3 velocity(speed, -arrival, speed / 2);
+           World world;
+           touch(world, box({wide, high, wide}, random.between(50, 150)), high, velocity, mu);
+           world.bodies[1].position += forward * Vec3(wide, 0, wide / 2);
+           solve(world, random, 100, answer);
+           const Vec3 lost = velocity - world.bodies[1].velocity;
+           braked.insert(braked.end(), {lost.x(), lost.z()});
+         }
+         return braked;
        }},
   };
 }
@@ -156,6 +192,46 @@ Answer each_mistaken(Solve solve) {
 
 constexpr Real inf = std::numeric_limits<Real>::infinity();
 
+/// Which of the pushes of a normal bounds its tangents: in all that it has given before this sweep, what it gives in this
+/// one, and what it gave in the first.
+struct ByPush : Friction {
+  Real (*push)(Real before, Real now, Real first);
+  std::vector<Real> before, first;
+  void build(StepContext& step) {
+    Friction::build(step);
+    before.assign(step.contacts.size(), 0);
+    first.clear();
+  }
+  void sweep(StepContext& step) {
+    for (std::size_t i = first.size(); i < step.contacts.size(); ++i) first.push_back(step.rows[i].impulse);
+    for (std::size_t k = first_; k < step.rows.size(); ++k) {
+      const std::size_t i = step.rows[k].owner;
+      within(step.rows[k], step.contacts[i].friction * push(before[i], step.rows[i].impulse - before[i], first[i]));
+    }
+    for (std::size_t i = 0; i < before.size(); ++i) before[i] = step.rows[i].impulse;
+  }
+};
+/// Along which tangents its rows lie.
+struct Along : Friction {
+  std::pair<Vec3, Vec3> (*tangents)(const Vec3& normal);
+  void build(StepContext& step) {
+    Friction::build(step);
+    for (std::size_t k = first_; k < step.rows.size(); k += 2) {
+      const Contact& at = step.contacts[step.rows[k].owner];
+      const auto [a, b] = step.world.bodies_of(at);
+      const auto [tangent1, tangent2] = tangents(at.normal);
+      for (const bool one : {true, false})
+        step.rows[one ? k : k + 1].Jacobian::operator=(Jacobian::along(one ? tangent1 : tangent2, a, b, at.point));
+      for (std::size_t row : {k, k + 1}) {
+        Row& tangent = step.rows[row];
+        tangent.weigh();
+        tangent.effective_mass = 1 / (tangent.n.dot(tangent.dvb - tangent.dva) + tangent.rb_n.dot(tangent.dwb) -
+                                      tangent.ra_n.dot(tangent.dwa));
+      }
+    }
+  }
+};
+
 std::vector<Mistake<Answer>> mistakes() {
   const std::string one_k =
       "it looks as if one effective mass served both tangents. A long box turns more easily about its "
@@ -172,8 +248,9 @@ std::vector<Mistake<Answer>> mistakes() {
          within(tangent, step.contacts[tangent.owner].friction / tangent.b->inverse_mass * World::g * step.dt);
        })},
       {"each correction clamped",
-       "it looks as if each correction were clamped, not their sum. Every sweep then brakes by the full bound once "
-       "more.",
+       "it looks as if each correction were clamped, not their sum, or the sum began at 0 in each sweep. Every sweep "
+       "then "
+       "brakes by the full bound once more.",
        each_mistaken([](StepContext&, Row& tangent, Real bound) {
          const Real lambda = std::clamp(tangent.wanted() - tangent.impulse, -bound, bound);
          tangent.reach(tangent.impulse + lambda);
@@ -199,7 +276,8 @@ std::vector<Mistake<Answer>> mistakes() {
          }
        })},
       {"the normal's K",
-       "it looks as if the tangents were solved with the normal's effective mass. Friction also turns the body, so "
+       "it looks as if the tangents were solved with the normal's effective mass, or as if nothing turned. Friction "
+       "turns the body, so "
        "along a tangent the contact point gives way more easily: each row has its own K.",
        each_mistaken([](StepContext& step, Row& tangent, Real bound) {
          within(tangent, tangent.impulse - step.rows[tangent.owner].effective_mass * tangent.speed(), -bound, bound);
@@ -210,6 +288,11 @@ std::vector<Mistake<Answer>> mistakes() {
        each_mistaken([](StepContext&, Row& tangent, Real) { tangent.solve(); })},
       {"μ forgotten", "it looks as if the bound were Σλn. Friction is at most the part μ of the push.",
        each_mistaken([](StepContext& step, Row& tangent, Real) { within(tangent, step.rows[tangent.owner].impulse); })},
+      {"the μ of one body",
+       "it looks as if the μ were that of one body. How rough a contact is depends on both: step.contacts[i].friction.",
+       each_mistaken([](StepContext& step, Row& tangent, Real) {
+         within(tangent, tangent.a->friction * step.rows[tangent.owner].impulse);
+       })},
       {"the μ of one body",
        "it looks as if the μ were that of one body. How rough a contact is depends on both: step.contacts[i].friction.",
        each_mistaken([](StepContext& step, Row& tangent, Real) {
@@ -235,6 +318,105 @@ std::vector<Mistake<Answer>> mistakes() {
          tangent1.place(tangent2);
          for (Row* tangent : {&tangent1, &tangent2}) within(*tangent, bound_of(step, *tangent));
        })},
+      {"tangents of no unit length",
+       "it looks as if a tangent were no unit vector, or not at a right angle to the other. The bound is that of an "
+       "impulse "
+       "along a unit vector: along a shorter one the same Σλt brakes less. tangents_of gives two unit vectors.",
+       {Along{{},
+              [](const Vec3& n) {
+                const Vec3 one = n.cross(Vec3::UnitX());
+                return std::pair<Vec3, Vec3>(one, n.cross(one));
+              }}}},
+      {"tangents of no unit length",
+       "it looks as if a tangent were no unit vector, or not at a right angle to the other. The bound is that of an "
+       "impulse "
+       "along a unit vector: along a shorter one the same Σλt brakes less. tangents_of gives two unit vectors.",
+       {Along{{},
+              [](const Vec3& n) {
+                int flattest = 0;
+                n.cwiseAbs().minCoeff(&flattest);
+                const Vec3 axis = Vec3::Unit(flattest), one = axis - n.dot(axis) * n;
+                return std::pair<Vec3, Vec3>(one, n.cross(one));
+              }}}},
+      {"along the world's axes",
+       "it looks as if the rows lay along x and z of the world. On a slope these are no tangents: friction then pushes "
+       "into the ground or lifts off it. The tangents are those of the contact's own normal.",
+       {Along{{}, [](const Vec3&) { return std::pair<Vec3, Vec3>(Vec3::UnitX(), Vec3::UnitZ()); }}}},
+      {"other tangents",
+       "it looks as if the rows lay along other tangents than those of tangents_of. Each has the bound for itself, so "
+       "the "
+       "pyramid turns with them, and friction with the pyramid.",
+       {Along{{},
+              [](const Vec3& n) {
+                const Vec3 one = n.cross(Vec3::UnitX()).normalized();
+                return std::pair<Vec3, Vec3>(one, n.cross(one));
+              }}}},
+      {"the push of this sweep alone",
+       "it looks as if the bound came from what the normal has added in this sweep alone. Σλn is its sum over the "
+       "sweeps of "
+       "this step: once the normal adds nothing more, a bound of its change is 0, and friction is taken back.",
+       {ByPush{{}, [](Real, Real now, Real) { return now; }}}},
+      {"the push of the sweep before",
+       "it looks as if the bound came from the sum that the normal had reached one sweep before. In the first sweep "
+       "that is "
+       "0, and nothing brakes: take the sum that it has reached in this very sweep, after it was solved.",
+       {ByPush{{}, [](Real before, Real, Real) { return before; }}}},
+      {"the push of the first sweep",
+       "it looks as if the bound stayed as it was in the first sweep. Friction turns the body, and the push of the "
+       "normal "
+       "changes with that: the bound is made anew in each sweep, of Σλn as it is now.",
+       {ByPush{{}, [](Real, Real, Real first) { return first; }}}},
+      {"the largest push so far",
+       "it looks as if the bound could only grow. Where the normal takes back some of its push, friction has to "
+       "follow: "
+       "the bound is that of Σλn as it is now.",
+       {ByPush{{}, [](Real before, Real now, Real first) { return std::max(first, before + now); }}}},
+      {"hi for lo",
+       "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, "
+       "whichever way the body slips. Friction is anything from -μ Σλn to μ Σλn.",
+       each_mistaken([](StepContext&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), bound, bound); })},
+      {"hi for lo",
+       "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, "
+       "whichever way the body slips. Friction is anything from -μ Σλn to μ Σλn.",
+       each_mistaken([](StepContext&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), bound, -bound); })},
+      {"the 1-norm",
+       "it looks as if both tangents together had the bound, as |Σλ1| + |Σλ2|. Here each tangent has the full bound "
+       "for "
+       "itself.",
+       mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
+         const Real bound = bound_of(step, tangent1), wanted1 = tangent1.wanted(), wanted2 = tangent2.wanted();
+         const Real scale = std::min(Real(1), bound / (std::abs(wanted1) + std::abs(wanted2)));
+         tangent1.reach(scale * wanted1);
+         tangent2.reach(scale * wanted2);
+       })},
+      {"the mean of both μ",
+       "it looks as if μ were the mean of those of the bodies. How rough a contact is depends on both in another way: "
+       "step.contacts[i].friction is the μ of the pair.",
+       each_mistaken([](StepContext& step, Row& tangent, Real) {
+         within(tangent, (tangent.a->friction + tangent.b->friction) / 2 * step.rows[tangent.owner].impulse);
+       })},
+      {"the first contact alone",
+       "it looks as if only the first contact had friction. Each contact has two tangents, and all of them are solved "
+       "in "
+       "each sweep.",
+       mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
+         if (tangent1.owner > 0) return;
+         for (Row* tangent : {&tangent1, &tangent2}) within(*tangent, bound_of(step, *tangent));
+       })},
+      {"the push of the first contact",
+       "it looks as if all tangents were bounded by the first contact's push. Each contact is pressed on by itself: "
+       "the "
+       "last argument of a new row is the index of its contact, and rows[owner] then its normal's row.",
+       each_mistaken([](StepContext& step, Row& tangent, Real) {
+         within(tangent, step.contacts[0].friction * step.rows[0].impulse);
+       })},
+      {"the push of the first contact",
+       "it looks as if all tangents were bounded by the first contact's push. Each contact is pressed on by itself: "
+       "the "
+       "last argument of a new row is the index of its contact, and rows[owner] then its normal's row.",
+       each_mistaken([](StepContext& step, Row& tangent, Real) {
+         within(tangent, step.contacts[tangent.owner].friction * step.rows[0].impulse);
+       })},
       {"the push of another row",
        "it looks as if the bound came from the wrong row. The k-th tangent's row is not of the k-th contact: the "
        "normal's row is step.rows[tangent.owner].",
@@ -253,7 +435,7 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"no friction",
        "it looks as if nothing braked. Rows that are made and never solved do nothing. And a bound that is computed in "
-       "build is 0: no normal has pushed yet.",
+       "build is 0, as no normal has pushed yet; so is one of step.contacts[i].impulse, which is known after the step.",
        each_mistaken([](StepContext&, Row&, Real) {})},
   };
 }

@@ -99,7 +99,8 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          Ball fast(random);
          const Real arrival = random.between(1, 2);
-         const Surfaces surfaces{.mu = 0, .lever = random.between(Real(0.01), Real(0.02))};
+         const Real lever = random.between(Real(0.01), Real(0.02));
+         const Surfaces surfaces{.mu = 0, .lever = lever, .belt_a = random_belt(random)};  // which slips away under it
          const Real most = surfaces.lever * arrival / (Real(0.4) * fast.radius * fast.radius);  // rad/s
          fast.velocity.y() = -arrival;
          Ball slow = fast;
@@ -181,14 +182,20 @@ constexpr Real inf = std::numeric_limits<Real>::infinity();
 
 std::vector<Mistake<Answer>> mistakes() {
   const std::string each =
-      "it looks as if each correction were clamped, not their sum. Every sweep then adds the full bound once more.";
+      "it looks as if each correction were clamped, not their sum, or the sum began at 0 in each sweep. Every sweep "
+      "then "
+      "adds the full bound once more.";
+  const std::string ends =
+      "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, whichever way "
+      "the "
+      "surfaces slip. It is anything from minus the bound to the bound.";
   const std::string one_sided =
       "it looks as if the sum of a row could not be negative. A normal only pushes; what holds a slip or a turn acts "
       "both ways, from minus the bound to the bound.";
   return {
       {"belt forgotten",
        "it looks as if the belt stood still. What friction holds is the slip of the surfaces: that of the bodies, and "
-       "how the belt runs under it.",
+       "how the belt runs under it along t, which is slip.n (the normal's n has no part of it).",
        {with_slip<[](const Row& slip, const Surfaces&) { return slip.speed(); }>}},
       {"sign of the belt",
        "it looks as if the belt ran the other way. The surface of A moves with v_A + belt_a, that of B with "
@@ -249,6 +256,38 @@ std::vector<Mistake<Answer>> mistakes() {
          roll.lo = 0;
          roll.hi = surfaces.lever * normal.impulse;
          roll.reach(roll.wanted());
+       }}},
+      {"hi for lo", ends, {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         slip.lo = slip.hi = surfaces.mu * normal.impulse;
+         roll.lo = roll.hi = surfaces.lever * normal.impulse;
+         slip.reach(slip.impulse - slip.effective_mass * slip_of(slip, surfaces));
+         roll.reach(roll.wanted());
+       }}},
+      {"hi for lo", ends, {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         slip.lo = surfaces.mu * normal.impulse;
+         slip.hi = -slip.lo;
+         roll.lo = surfaces.lever * normal.impulse;
+         roll.hi = -roll.lo;
+         slip.reach(slip.impulse - slip.effective_mass * slip_of(slip, surfaces));
+         roll.reach(roll.wanted());
+       }}},
+      {"slip forgotten",
+       "it looks as if nothing held the slip. Only friction takes a ball along: slip is solved as well, against the "
+       "slip "
+       "of the surfaces.",
+       {[](const Row& normal, Row&, Row& roll, const Surfaces& surfaces) { hold_roll(normal, roll, surfaces); }}},
+      {"sign of the slip",
+       "it looks as if friction pushed along with the slip. The impulse that makes the slip of the surfaces 0 is minus "
+       "that slip times the effective mass.",
+       {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         hold(slip, -slip_of(slip, surfaces), surfaces.mu * normal.impulse);
+         hold_roll(normal, roll, surfaces);
+       }}},
+      {"μ forgotten",
+       "it looks as if the bound of the slip were Σλn. Friction is at most the part μ of the push.",
+       {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         hold(slip, slip_of(slip, surfaces), normal.impulse);
+         hold_roll(normal, roll, surfaces);
        }}},
       {"roll forgotten",
        "it looks as if nothing held the turn. A row that is never solved does nothing.",

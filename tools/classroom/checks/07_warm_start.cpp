@@ -133,17 +133,22 @@ std::vector<Check<Answer>> checks() {
        2,
        {{"before the first sweep your ball, whose contact has turned, moves along x with", "m/s", 1e-6},
         {"before the first sweep your ball, whose contact has turned, moves along y with", "m/s", 1e-6},
-        {"before the first sweep your ball, whose contact has turned, moves along z with", "m/s", 1e-6}},
+        {"before the first sweep your ball, whose contact has turned, moves along z with", "m/s", 1e-6},
+        {"before the first sweep your second ball, whose contact has turned, moves along x with", "m/s", 1e-6},
+        {"before the first sweep your second ball, whose contact has turned, moves along z with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Balls balls(random);
-         const Real weight = balls.add(random);
-         const Real along = random.between(Real(0.1), Real(0.2)), across = random.between(Real(0.1), Real(0.2));
-         balls.touched(1, weight * Vec3(along, Real(0.8), across));
-         const Real lean = random.between(Real(0.3), Real(0.4)), side = random.between(Real(0.1), Real(0.2));
-         balls.touches(1);
-         balls.world.contacts[0].normal = Vec3(lean, 1, side).normalized();
+         for (const std::uint32_t ball : {1u, 2u}) {
+           const Real weight = balls.add(random), side = ball == 1 ? 1 : -1;
+           const Real along = random.between(Real(0.1), Real(0.2)), across = random.between(Real(0.1), Real(0.2));
+           balls.touched(ball, weight * Vec3(along, Real(0.8), side * across));
+           balls.touches(ball);
+           const Real lean = random.between(Real(0.3), Real(0.4)), aside = random.between(Real(0.1), Real(0.2));
+           balls.world.contacts.back().normal = Vec3(side * lean, 1, aside).normalized();
+         }
          balls.solve(answer, 0);
-         return {balls.velocity(1).x(), balls.velocity(1).y(), balls.velocity(1).z()};
+         return {balls.velocity(1).x(), balls.velocity(1).y(), balls.velocity(1).z(), balls.velocity(2).x(),
+                 balls.velocity(2).z()};
        }},
   };
 }
@@ -185,6 +190,15 @@ bool same_bodies(const ContactId& one, const ContactId& other) {
   return one.body_a == other.body_a && one.body_b == other.body_b;
 }
 
+/// Takes the k-th row for one of contact k modulo their count.
+struct Miscounted : Effect {
+  void start(StepContext& step) {
+    for (std::size_t k = 0; k < step.rows.size(); ++k)
+      for (const Contact& old : step.world.contacts_before)
+        if (old.id == step.contacts[k % step.contacts.size()].id) step.rows[k].reach(guess_of(step, step.rows[k], old));
+  }
+};
+
 std::vector<Mistake<Answer>> mistakes() {
   const std::string by_index =
       "it looks as if contacts were matched by their place in the list. When one goes, all after it move up and take "
@@ -222,6 +236,50 @@ std::vector<Mistake<Answer>> mistakes() {
          for (const Contact& old : step.world.contacts_before)
            if (same_bodies(old.id, step.contacts[i].id) && (!found || far(old) < far(*found))) found = &old;
          return found;
+       })},
+      {"by the feature alone",
+       "it looks as if only the feature were compared. Features are numbered anew for each pair of bodies: compare the "
+       "whole id.",
+       mismatched([](const StepContext& step, std::size_t i) {
+         const Contact* found = nullptr;
+         for (const Contact& old : step.world.contacts_before)
+           if (!found && old.id.feature == step.contacts[i].id.feature) found = &old;
+         return found;
+       })},
+      {"turning left out",
+       "it looks as if the guess had moved the bodies and not turned them. An impulse beside a body's centre turns it, "
+       "too: row.apply, or row.reach, does both.",
+       mistaken([](StepContext& step, Row& row, const Contact& old) {
+         row.impulse = guess_of(step, row, old);
+         row.a->velocity += row.impulse * row.dva;
+         row.b->velocity += row.impulse * row.dvb;
+       })},
+      {"A along with B",
+       "it looks as if the guess had moved A the same way as B. What pushes B pushes A back: row.apply, or row.reach, "
+       "does both.",
+       mistaken([](StepContext& step, Row& row, const Contact& old) {
+         row.impulse = guess_of(step, row, old);
+         row.a->velocity -= row.impulse * row.dva;
+         row.a->angular_velocity -= row.impulse * row.dwa;
+         row.b->velocity += row.impulse * row.dvb;
+         row.b->angular_velocity += row.impulse * row.dwb;
+       })},
+      {"the contact of another row",
+       "it looks as if a tangent took the impulse of another contact. The k-th row is not of the k-th contact: each "
+       "has "
+       "two tangents, and row.owner says whose it is.",
+       {Miscounted{}}},
+      {"no negative guess",
+       "it looks as if a guess were never negative. A normal only pushes, but friction acts both ways: the sum of a "
+       "tangent may be less than 0.",
+       mistaken([](StepContext& step, Row& row, const Contact& old) {
+         row.reach(std::max(Real(0), guess_of(step, row, old)));
+       })},
+      {"the normal for all rows",
+       "it looks as if each row took the part along its contact's normal. A tangent takes the part along its own "
+       "direction: row.n.",
+       mistaken([](StepContext& step, Row& row, const Contact& old) {
+         row.reach(step.world.impulse_scale(step.dt) * old.impulse.dot(step.contacts[row.owner].normal));
        })},
       {"applied to B alone",
        "it looks as if only B had felt the guess. An impulse acts on both bodies: row.apply, or row.reach, moves A the "

@@ -26,9 +26,11 @@ struct Balls {
       world.add(sphere(radius, mass).at({0, radius, 0}));
     }
   }
-  /// Bears the part `part` of B's weight in a step of dt.
+  /// Bears the part `part` of B's weight in a step of dt: right below it, or to the left (feature 1) or the right (2).
   Contact bearing(const ContactId& id, Real part, Real dt) const {
-    return {.normal = Vec3::UnitY(),
+    const Real aside = id.feature == 0 ? 0 : id.feature == 1 ? Real(-0.1) : Real(0.1);
+    return {.point = Vec3(world.bodies[id.body_b].position.x() + aside, 0, 0),
+            .normal = Vec3::UnitY(),
             .id = id,
             .impulse = part / world.bodies[id.body_b].inverse_mass * dt * World::g * Vec3::UnitY()};
   }
@@ -37,12 +39,18 @@ struct Balls {
     for (const ContactId& id : ids) contacts.push_back(bearing(id, part, dt));
     answer.keep(memory, contacts, dt);
   }
+  /// The left point has borne one part, the right one another.
+  void keep_two(const ContactId& left, Real part_left, const ContactId& right, Real part_right, Real dt) {
+    answer.keep(memory, {bearing(left, part_left, dt), bearing(right, part_right, dt)}, dt);
+  }
   /// m/s, upwards, of each ball: gravity has pulled in this step, and the memory has answered.
   Numbers started(const std::vector<ContactId>& ids, Real dt) {
     world.contacts.clear();
     for (const ContactId& id : ids) world.contacts.push_back(bearing(id, 0, dt));
-    for (Body& body : world.bodies)
+    for (Body& body : world.bodies) {
       if (body.movable()) body.velocity = dt * world.gravity;
+      body.angular_velocity.setZero();
+    }
     Solver<Clamping, Starting> solver;
     static_cast<Starting&>(solver) = {{}, answer, memory};
     solver.solve(world, dt, 0);
@@ -53,7 +61,7 @@ struct Balls {
   }
 };
 
-constexpr ContactId first{0, 1, 0}, second{0, 2, 0};
+constexpr ContactId first{0, 1, 0}, second{0, 2, 0}, left{0, 3, 1}, right{0, 3, 2};
 
 std::vector<Check<Answer>> checks() {
   return {
@@ -61,20 +69,27 @@ std::vector<Check<Answer>> checks() {
        2,
        {{"in a step that is shorter your ball starts with", "m/s", 1e-6},
         {"in a step that is longer your ball starts with", "m/s", 1e-6},
-        {"your ball that touches for the first time starts with", "m/s", 1e-6}},
+        {"your ball that touches for the first time starts with", "m/s", 1e-6},
+        {"your ball that touches in two points starts with", "m/s", 1e-6},
+        {"your ball that touches in two points starts to turn with", "rad/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         Balls balls(random, 2, answer);
+         Balls balls(random, 3, answer);
          const Real before = random.between(Real(0.2), Real(0.4)), latest = random.between(Real(0.6), Real(0.8));
          const Real h = random.between(Real(0.01), Real(0.015)), ratio = random.between(Real(0.3), Real(0.6));
          balls.keep({first}, before, 2 * h);
          balls.keep({first}, latest, h);
          const Numbers shorter = balls.started({first, second}, ratio * h);
-         return {shorter[0], balls.started({first, second}, h / ratio)[0], shorter[1]};
+         const Real longer = balls.started({first, second}, h / ratio)[0];
+         const Real part_left = random.between(Real(0.1), Real(0.2)), part_right = random.between(Real(0.4), Real(0.6));
+         balls.keep_two(left, part_left, right, part_right, h);
+         const Real in_two = balls.started({left, right}, ratio * h)[2];
+         return {shorter[0], longer, shorter[1], in_two, balls.world.bodies[3].angular_velocity.z()};
        }},
       {"a point that is lost for a few steps comes back with its force",
        2,
        {{"your ball, whose contact was lost right after it first touched, starts with", "m/s", 1e-6},
-        {"your ball, whose contact was lost after a while, starts with", "m/s", 1e-6}},
+        {"your ball, whose contact was lost after a while, starts with", "m/s", 1e-6},
+        {"your ball, whose contact was lost for many short steps, starts with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Balls balls(random, 2, answer);
          const Real part = random.between(Real(0.5), Real(0.8));
@@ -85,19 +100,27 @@ std::vector<Check<Answer>> checks() {
            const Real more = random.between(Real(0.1), Real(0.2)) * static_cast<Real>(1 + step);
            balls.keep({first}, more, random.between(Real(0.0205), Real(0.0245)));
          }
-         for (int step = 0; step < 3; ++step) balls.keep({}, 0, random.between(Real(0.015), Real(0.018)));
-         return {early, balls.started({first}, random.between(Real(0.005), Real(0.01)))[0]};
+         for (int step = 0; step < 3; ++step) balls.keep({}, 0, random.between(Real(0.0175), Real(0.019)));
+         const Real late = balls.started({first}, random.between(Real(0.005), Real(0.01)))[0];
+         Balls quick(random, 1, answer);
+         quick.keep({first}, random.between(Real(0.5), Real(0.8)), Real(0.002));
+         for (int step = 0; step < 27; ++step) quick.keep({}, 0, random.between(Real(0.00195), Real(0.0021)));
+         return {early, late, quick.started({first}, Real(0.002))[0]};
        }},
       {"a point that is lost for long is forgotten",
        1,
-       {{"your ball, which was up and away for long, starts with", "m/s", 1e-6}},
+       {{"your ball, which was up and away for long, starts with", "m/s", 1e-6},
+        {"your ball, which was up and away for a few long steps, starts with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Balls balls(random, 1, answer);
          const Real part = random.between(Real(0.5), Real(0.8));
-         balls.keep({first}, part, random.between(Real(0.01), Real(0.02)));
-         const std::size_t steps = 8 + random.below(5);
-         for (std::size_t step = 0; step < steps; ++step) balls.keep({}, 0, random.between(Real(0.0165), Real(0.0245)));
-         return balls.started({first}, random.between(Real(0.005), Real(0.01)));
+         balls.keep({first}, part, random.between(Real(0.015), Real(0.02)));
+         for (int step = 0; step < 8; ++step) balls.keep({}, 0, random.between(Real(0.0175), Real(0.0235)));
+         const Real many = balls.started({first}, random.between(Real(0.005), Real(0.01)))[0];
+         Balls slow(random, 1, answer);
+         slow.keep({first}, random.between(Real(0.5), Real(0.8)), Real(0.002));
+         for (int step = 0; step < 5; ++step) slow.keep({}, 0, random.between(Real(0.043), Real(0.045)));
+         return {many, slow.started({first}, random.between(Real(0.03), Real(0.04)))[0]};
        }},
       {"a body that is put elsewhere leaves its impulses behind, and nobody else does",
        2,
@@ -162,7 +185,28 @@ void keep_by_first_touch(Memory& memory, const Contacts& contacts, Real dt) {
   forget_old(memory);
 }
 
+bool same_bodies(const ContactId& one, const ContactId& other) {
+  return one.body_a == other.body_a && one.body_b == other.body_b;
+}
+Vec3 guess_of_pair(const Memory& memory, const ContactId& id, Real dt) {
+  for (const Remembered& one : memory)
+    if (same_bodies(one.id, id)) return dt / one.dt * one.impulse;
+  return Vec3::Zero();
+}
+void keep_of_pair(Memory& memory, const Contacts& contacts, Real dt) {
+  grow_older(memory, dt);
+  for (const Contact& contact : contacts) {
+    std::erase_if(memory, [&](const Remembered& one) { return same_bodies(one.id, contact.id); });
+    memory.push_back({contact.id, contact.impulse, dt, 0});
+  }
+  forget_old(memory);
+}
+
 std::vector<Mistake<Answer>> mistakes() {
+  const std::string by_bodies =
+      "it looks as if only the bodies were compared. Two bodies may touch in several points, each with a load of its "
+      "own: "
+      "compare the whole id.";
   const std::string one_side =
       "it looks as if only points were forgotten in which the body is A, or only those in which it is B. Which of the "
       "two it is, is decided by its index: look at both.";
@@ -223,6 +267,67 @@ std::vector<Mistake<Answer>> mistakes() {
           add_points(memory, contacts, dt);
         },
         put_elsewhere}},
+      {"age in steps",
+       "it looks as if age were counted in steps. 0.1 s are fifty steps of 2 ms, and less than three of 40 ms: a point "
+       "grows older by dt in each step.",
+       {guess,
+        [](Memory& memory, const Contacts& contacts, Real dt) {
+          grow_older(memory, Real(1) / 60);
+          forget_points(memory, contacts);
+          add_points(memory, contacts, dt);
+          forget_old(memory);
+        },
+        put_elsewhere}},
+      {"twice as old",
+       "it looks as if a point grew older by twice the step. It is forgotten 0.1 s after it last touched: its age "
+       "grows by "
+       "dt once in each step.",
+       {guess,
+        [](Memory& memory, const Contacts& contacts, Real dt) {
+          grow_older(memory, dt);
+          keep(memory, contacts, dt);
+        },
+        put_elsewhere}},
+      {"older by the step of the touch",
+       "it looks as if a point grew older by the length of the step in which it touched. Age is the time that has "
+       "passed "
+       "since: it grows by the dt of each step that goes by.",
+       {guess,
+        [](Memory& memory, const Contacts& contacts, Real dt) {
+          for (Remembered& one : memory) one.age += one.dt;
+          forget_points(memory, contacts);
+          add_points(memory, contacts, dt);
+          forget_old(memory);
+        },
+        put_elsewhere}},
+      {"impulses added up",
+       "it looks as if the impulses of several steps were added up. A point is known with what acted on it in the "
+       "latest "
+       "step in which it touched, and with nothing of before.",
+       {guess,
+        [](Memory& memory, const Contacts& contacts, Real dt) {
+          grow_older(memory, dt);
+          for (const Contact& contact : contacts) {
+            const Remembered* old = known(memory, contact.id);
+            const Vec3 sum = contact.impulse + (old ? old->impulse : Vec3::Zero());
+            std::erase_if(memory, [&](const Remembered& one) { return one.id == contact.id; });
+            memory.push_back({contact.id, sum, dt, 0});
+          }
+          forget_old(memory);
+        },
+        put_elsewhere}},
+      {"by bodies", by_bodies, {guess_of_pair, keep, put_elsewhere}},
+      {"by bodies", by_bodies, {guess_of_pair, keep_of_pair, put_elsewhere}},
+      {"by bodies", by_bodies, {guess, keep_of_pair, put_elsewhere}},
+      {"by the feature alone",
+       "it looks as if only the feature were compared. Features are numbered anew for each pair of bodies: compare the "
+       "whole id.",
+       {[](const Memory& memory, const ContactId& id, Real dt) {
+          for (const Remembered& one : memory)
+            if (one.id.feature == id.feature) return Vec3(dt / one.dt * one.impulse);
+          return Vec3(Vec3::Zero());
+        },
+        keep, put_elsewhere}},
       {"age of the first touch", first_touch, {guess, keep_by_first_touch<false>, put_elsewhere}},
       {"age of the first touch", first_touch, {guess, keep_by_first_touch<true>, put_elsewhere}},
       {"everybody forgets",

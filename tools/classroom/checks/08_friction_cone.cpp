@@ -44,6 +44,15 @@ class Board {
     static_cast<Asked&>(solver).answer = answer;
     solver.solve(world_, Real(1) / 60, sweeps);
   }
+  /// The length of the sum, N s, after visits with these bounds, N s for each kg; no normal is solved.
+  Real friction_after(const Vec3& sliding, const std::vector<Real>& bounds, const Answer& answer) {
+    Body& body = world_.bodies[1];
+    body.velocity = sliding;
+    const auto [tangent1, tangent2] = tangents_of(Vec3::UnitY());
+    Row one(world_, world_.contacts[0], tangent1, 0), two(world_, world_.contacts[0], tangent2, 0);
+    for (const Real bound : bounds) answer.solve(one, two, TangentBlock(one, two).k12, bound / body.inverse_mass);
+    return std::hypot(one.impulse, two.impulse);
+  }
   Vec3 slip() const { return level(world_.bodies[1].velocity_at(Vec3::Zero())); }
   Vec3 friction() const { return level(world_.contacts[0].impulse); }
   /// Degrees; 0 where nothing slips.
@@ -93,6 +102,18 @@ std::vector<Check<Answer>> checks() {
          board.solve(speed * board.across, 4, 1, answer);
          return {board.slip().norm(), board.friction().norm()};
        }},
+      {"the disc is that of this sweep, though the normal impulse changes from sweep to sweep",
+       1,
+       {{"friction gives your foot, which has been pressed on more,", "N s", 1e-5},
+        {"friction gives your foot, which has been pressed on less,", "N s", 1e-5}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         Board more(random), less = more;
+         const Real heading = random.between(Real(0.5), Real(0.9)), speed = random.between(3, 4);
+         const Real bound = random.between(Real(0.1), Real(0.15)), ratio = random.between(Real(1.5), Real(2.5));
+         const Vec3 sliding = speed * (std::cos(heading) * more.along + std::sin(heading) * more.across);
+         return {more.friction_after(sliding, {ratio * bound, bound}, answer),
+                 less.friction_after(sliding, {bound / ratio, bound}, answer)};
+       }},
   };
 }
 
@@ -114,6 +135,16 @@ Real mass_of(const Row& one, const Row& two) {
   return 1 / TangentBlock(one, two).larger_eigenvalue();
 }
 
+/// The disc of a bound made of this one, that of the visit before and that of the first. The row's separation and bias, which
+/// friction has no use for, keep them.
+template <auto bound_of>
+void by_disc(Row& one, Row& two, Real k12, Real bound) {
+  if (one.separation == 0) one.separation = one.bias = bound;
+  const Real before = one.separation, first = one.bias;
+  one.separation = bound;
+  right(one, two, k12, bound_of(bound, before, first));
+}
+
 std::vector<Mistake<Answer>> mistakes() {
   const std::string late =
       "it looks as if the second slip were read when the first tangent had acted already. Then it is no longer the "
@@ -123,6 +154,14 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if each tangent were clamped by itself. That allows a square, and friction is carried to its "
       "corner; "
       "|λ_t| ≤ bound is a disc.";
+  const std::string other_disc =
+      "it looks as if the disc were not that of this sweep. The normal is solved before its tangents and its sum "
+      "changes, so "
+      "friction may be no more, and no less, than μ times that sum as it is now: `bound`, as it comes.";
+  const std::string too_far =
+      "it looks as if the step were 1 over the smaller eigenvalue, or friction always of full size against the slip. "
+      "Across "
+      "the board that is far too much: the foot is thrown back faster than it came, which feeds in energy.";
   const std::string root =
       "it looks as if there were a slip under the root. There stand two squares: of k₁₂, and of (k₁₁ − k₂₂)/2, which "
       "is "
@@ -150,12 +189,14 @@ std::vector<Mistake<Answer>> mistakes() {
          two.reach(two.impulse - mass * two.speed());
          Chapters::reach_in_disc(one, two, one.impulse, two.impulse, bound);
        }}},
-      {"the smaller eigenvalue",
-       "it looks as if the step were 1 over the smaller eigenvalue. Across the board that is three times too far: the "
-       "foot is thrown back faster than it came, which feeds in energy.",
-       {[](Row& one, Row& two, Real, Real bound) {
+      {"the smaller eigenvalue", too_far, {[](Row& one, Row& two, Real, Real bound) {
          const TangentBlock k(one, two);
          step_of(1 / (k.k11 + k.k22 - k.larger_eigenvalue()), one, two, bound);
+       }}},
+      {"the smaller eigenvalue", too_far, {[](Row& one, Row& two, Real, Real bound) {
+         const Real u1 = one.speed(), u2 = two.speed(), slip = std::hypot(u1, u2);
+         one.reach(-bound * u1 / slip);
+         two.reach(-bound * u2 / slip);
        }}},
       {"a square", square, {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
@@ -166,6 +207,68 @@ std::vector<Mistake<Answer>> mistakes() {
       {"a square", square, {[](Row& one, Row& two, Real, Real bound) {
          for (Row* row : {&one, &two})
            row->reach(std::clamp(row->impulse - row->effective_mass * row->speed(), -bound, bound));
+       }}},
+      {"the disc of another sweep",
+       other_disc,
+       {by_disc<[](Real now, Real before, Real) { return (now + before) / 2; }>}},
+      {"the disc of another sweep", other_disc, {by_disc<[](Real, Real before, Real) { return before; }>}},
+      {"the disc of another sweep", other_disc, {by_disc<[](Real, Real, Real first) { return first; }>}},
+      {"the 1-norm",
+       "it looks as if |λ₁| + |λ₂| were taken for the length of the sum. That allows a square on its tip, which is no "
+       "wider "
+       "than the disc along the tangents and too narrow in between: the length is the root of λ₁² + λ₂².",
+       {[](Row& one, Row& two, Real, Real bound) {
+         const Real mass = mass_of(one, two);
+         const Real total1 = one.impulse - mass * one.speed(), total2 = two.impulse - mass * two.speed();
+         const Real kept = std::min(Real(1), bound / (std::abs(total1) + std::abs(total2)));
+         one.reach(kept * total1);
+         two.reach(kept * total2);
+       }}},
+      {"the square of the length",
+       "it looks as if the square of the length were compared with the bound, or divided by. Both sums are multiplied "
+       "by "
+       "bound / |λ_t|, and |λ_t| is the root of λ₁² + λ₂².",
+       {[](Row& one, Row& two, Real, Real bound) {
+         const Real mass = mass_of(one, two);
+         const Real total1 = one.impulse - mass * one.speed(), total2 = two.impulse - mass * two.speed();
+         const Real kept = std::min(Real(1), bound / (total1 * total1 + total2 * total2));
+         one.reach(kept * total1);
+         two.reach(kept * total2);
+       }}},
+      {"the square of the length",
+       "it looks as if the square of the length were compared with the bound, or divided by. Both sums are multiplied "
+       "by "
+       "bound / |λ_t|, and |λ_t| is the root of λ₁² + λ₂².",
+       {[](Row& one, Row& two, Real, Real bound) {
+         const Real mass = mass_of(one, two);
+         const Real total1 = one.impulse - mass * one.speed(), total2 = two.impulse - mass * two.speed();
+         const Real kept = std::min(Real(1), bound * bound / (total1 * total1 + total2 * total2));
+         one.reach(kept * total1);
+         two.reach(kept * total2);
+       }}},
+      {"what the first tangent leaves",
+       "it looks as if the first tangent took what it wants of the disc, and the second what is left. Friction then "
+       "leans "
+       "towards the first tangent: the nearest point of the disc shortens both by the same factor.",
+       {[](Row& one, Row& two, Real, Real bound) {
+         const Real mass = mass_of(one, two);
+         const Real total1 = one.impulse - mass * one.speed(), total2 = two.impulse - mass * two.speed();
+         const Real sum1 = std::clamp(total1, -bound, bound), left = std::sqrt(bound * bound - sum1 * sum1);
+         one.reach(sum1);
+         two.reach(std::clamp(total2, -left, left));
+       }}},
+      {"the whole sum applied",
+       "it looks as if the bodies felt the whole sum in each sweep. They have felt the earlier sum already: what acts "
+       "is "
+       "the difference, and reach sees to that.",
+       {[](Row& one, Row& two, Real, Real bound) {
+         const Real mass = mass_of(one, two);
+         const Real total1 = one.impulse - mass * one.speed(), total2 = two.impulse - mass * two.speed();
+         const Real kept = std::min(Real(1), bound / std::hypot(total1, total2));
+         one.apply(kept * total1);
+         two.apply(kept * total2);
+         one.impulse = kept * total1;
+         two.impulse = kept * total2;
        }}},
       {"no bound",
        "it looks as if there were no disc. Friction can be no more than μ times the normal impulse.",
@@ -219,6 +322,11 @@ std::vector<Mistake<Answer>> mistakes() {
       {"a slip under the root", root, {[](Row& one, Row& two, Real k12, Real bound) {
          const TangentBlock k(one, two);
          step_of(1 / ((k.k11 + k.k22) / 2 + std::hypot(k.k11 - k.k22, k12)), one, two, bound);
+       }}},
+      {"a slip under the root", root, {[](Row& one, Row& two, Real k12, Real bound) {
+         const TangentBlock k(one, two);
+         step_of(1 / ((k.k11 + k.k22) / 2 + std::sqrt((k.k11 - k.k22) * (k.k11 - k.k22) / 4 + std::abs(k12))), one, two,
+                 bound);
        }}},
       {"the sum of both eigenvalues",
        "it looks as if the step were 1 / (k₁₁ + k₂₂). That arrives as well, but more slowly: it is the sum of both "

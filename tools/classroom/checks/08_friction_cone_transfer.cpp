@@ -148,6 +148,15 @@ void disc(Row& along, Row& across, const Skate& skate, Real mu) {
   reach(along, across, drawn_back(moved, mu, mu, skate.normal));
 }
 
+/// The right step, drawn back by another length.
+template <class Length>
+void bounded(Row& along, Row& across, const Skate& skate, Length length) {
+  const Real a = skate.mu_along, b = skate.mu_across, k = largest_stretched(along, across, skate);
+  const Sums moved{along.impulse - a * a / k * along.speed(), across.impulse - b * b / k * across.speed()};
+  const Real kept = std::min(Real(1), skate.normal / length(moved.along / a, moved.across / b, skate.normal));
+  reach(along, across, {kept * moved.along, kept * moved.across});
+}
+
 std::vector<Mistake<Answer>> mistakes() {
   const std::string round =
       "it looks as if the bound were a disc. Along the blade friction can be μ₁ Σλₙ, across it μ₂ Σλₙ, and in between "
@@ -161,6 +170,10 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if sums were measured in semi-axes, but the slip were not. If y = λ/μ, an impulse y is worth μ y N "
       "s, so "
       "the slip that goes with it is μ u.";
+  const std::string bounded_sum =
+      "it looks as if no ellipse bounded the sum: without one, or with one around each correction, many calls add up "
+      "to any "
+      "friction. Friction of the whole step can be no more than the ellipse, however fast the skate slips.";
   const std::string slow =
       "it looks as if your step were made for the wrong block: it is far too short to arrive in 300 calls. Where sums "
       "are measured in semi-axes, each k is stretched as well, k₁₂ by both μ.";
@@ -226,9 +239,9 @@ std::vector<Mistake<Answer>> mistakes() {
          step_of(along, across, skate, a * a / k, b * b / k);
        }}},
       {"the smaller eigenvalue",
-       "it looks as if your step were too long, as 1 over the smaller eigenvalue is. What is thrown back further than "
-       "it "
-       "came never arrives.",
+       "it looks as if your step were too long, as 1 over the smaller eigenvalue is, or always as long as the ellipse "
+       "lets it. "
+       "What is thrown back further than it came never arrives.",
        {[](Row& along, Row& across, const Skate& skate) {
          const Real a = skate.mu_along, b = skate.mu_across;
          const Real k =
@@ -251,9 +264,7 @@ std::vector<Mistake<Answer>> mistakes() {
          across.reach(across.impulse - b * b / k * across.speed());
          reach(along, across, drawn_back({along.impulse, across.impulse}, a, b, skate.normal));
        }}},
-      {"no bound",
-       "it looks as if there were no ellipse. Friction can be no more than that, however fast the skate slips.",
-       {[](Row& along, Row& across, const Skate& skate) {
+      {"no bound", bounded_sum, {[](Row& along, Row& across, const Skate& skate) {
          Skate bound = skate;
          bound.normal = 1e9;
          right(along, across, bound);
@@ -265,6 +276,46 @@ std::vector<Mistake<Answer>> mistakes() {
          Skate bound = skate;
          bound.normal = 1;
          right(along, across, bound);
+       }}},
+      {"the 1-norm",
+       "it looks as if the bound were |λ₁|/μ₁ + |λ₂|/μ₂ ≤ Σλₙ. That is a rhombus: the ellipse bounds the root of the "
+       "sum of the "
+       "squares.",
+       {[](Row& along, Row& across, const Skate& skate) {
+         bounded(along, across, skate, [](Real x, Real y, Real) { return std::abs(x) + std::abs(y); });
+       }}},
+      {"the square of the length",
+       "it looks as if (λ₁/μ₁)² + (λ₂/μ₂)² were compared with Σλₙ, without its square, or divided by. Both sums are "
+       "multiplied "
+       "by Σλₙ over the root of that.",
+       {[](Row& along, Row& across, const Skate& skate) {
+         bounded(along, across, skate, [](Real x, Real y, Real) { return x * x + y * y; });
+       }}},
+      {"the square of the length",
+       "it looks as if (λ₁/μ₁)² + (λ₂/μ₂)² were compared with Σλₙ, without its square, or divided by. Both sums are "
+       "multiplied "
+       "by Σλₙ over the root of that.",
+       {[](Row& along, Row& across, const Skate& skate) {
+         bounded(along, across, skate, [](Real x, Real y, Real normal) { return (x * x + y * y) / normal; });
+       }}},
+      {"the sum forgotten",
+       "it looks as if the correction took the place of the sum. reach makes its argument the new sum: the old one "
+       "counts.",
+       {[](Row& along, Row& across, const Skate& skate) {
+         const Real a = skate.mu_along, b = skate.mu_across, k = largest_stretched(along, across, skate);
+         reach(along, across,
+               drawn_back({-a * a / k * along.speed(), -b * b / k * across.speed()}, a, b, skate.normal));
+       }}},
+      {"no bound", bounded_sum, {[](Row& along, Row& across, const Skate& skate) {
+         const Real a = skate.mu_along, b = skate.mu_across, k = largest_stretched(along, across, skate);
+         const Sums change = drawn_back({-a * a / k * along.speed(), -b * b / k * across.speed()}, a, b, skate.normal);
+         reach(along, across, {along.impulse + change.along, across.impulse + change.across});
+       }}},
+      {"sign",
+       "it looks as if the sums were moved along the slip. Friction acts against it, and takes energy.",
+       {[](Row& along, Row& across, const Skate& skate) {
+         const Real a = skate.mu_along, b = skate.mu_across, k = -largest_stretched(along, across, skate);
+         step_of(along, across, skate, a * a / k, b * b / k);
        }}},
       {"always at the edge",
        "it looks as if friction were brought to the edge of the ellipse from inside, too. Inside, it stays as it is.",
