@@ -169,7 +169,8 @@ struct DeepestForAll : Effect {
 struct Some : Effect {
   std::size_t first = 0, left_out = 0;  // how many rows count from the first on, or are left out at the end
   void build(StepContext& step) {
-    const std::size_t all = step.rows.size(), count = first > 0 ? std::min(first, all) : std::max(all, left_out + 1) - left_out;
+    const std::size_t all = step.rows.size(),
+                      count = first > 0 ? std::min(first, all) : std::max(all, left_out + 1) - left_out;
     for (std::size_t i = 0; i < std::min(count, all); ++i)
       step.rows[i].bias = std::min(step.rows[i].bias, beta / step.dt * step.rows[i].separation);
   }
@@ -192,7 +193,8 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if all rows had the separation of one of them. Each point is as deep as it is: C of its own row.";
   return {
       {"β/h²",
-       "it looks as if β d were divided by h twice. A distance divided by a time is a speed: β d / h; divided once more "
+       "it looks as if β d were divided by h twice. A distance divided by a time is a speed: β d / h; divided once "
+       "more "
        "it would be an acceleration.",
        mistaken([](Real b, Real c, Real h) { return std::min(b, beta / (h * h) * c); })},
       {"the h of the first step",
@@ -200,7 +202,8 @@ std::vector<Mistake<Answer>> mistakes() {
        "one.",
        {KeepsH{}}},
       {"the depth of the first step",
-       "it looks as if the depth were that of the first step. Each step begins with the depth that is left: β of that is "
+       "it looks as if the depth were that of the first step. Each step begins with the depth that is left: β of that "
+       "is "
        "to go, less each time.",
        {KeepsDepth{}}},
       {"another row's depth", another, {FirstDepthForAll{}}},
@@ -210,7 +213,8 @@ std::vector<Mistake<Answer>> mistakes() {
       {"contacts left out", some, {Some{{}, 3, 0}}},
       {"contacts left out", some, {Some{{}, 0, 1}}},
       {"no b for points that are apart",
-       "it looks as if b became 0 where the points are apart. Another effect may have asked for a speed there: leave its b "
+       "it looks as if b became 0 where the points are apart. Another effect may have asked for a speed there: leave "
+       "its b "
        "as it is.",
        mistaken([](Real b, Real c, Real h) { return c < 0 ? std::min(b, beta / h * c) : 0; })},
       {"1/h forgotten", per_step, mistaken([](Real b, Real c, Real) { return std::min(b, beta * c); })},

@@ -1,6 +1,7 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/10_position_correction/exercise/asked.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_10 {
 
@@ -15,6 +16,7 @@ void step(World& world, Real h, const Answer& answer) {
   CorrectingSolver<Clamping, Asked> solver;
   static_cast<Asked&>(solver).answer = answer;
   world.step(solver, h, 60);
+  show(world);
 }
 
 /// A ball without weight, some way in the ground.
@@ -55,7 +57,8 @@ std::pair<Real, Real> in_the_air(Random& random, const Answer& answer) {
 Real one_side_up(Random& random, const Answer& answer) {
   World world;
   world.gravity.setZero();
-  const Real width = random.between(Real(0.4), Real(0.6)), depth = random.between(Real(0.01), Real(0.02)), h = Real(1) / 60;
+  const Real width = random.between(Real(0.4), Real(0.6)), depth = random.between(Real(0.01), Real(0.02)),
+             h = Real(1) / 60;
   world.add(ground());
   world.add(box({width, Real(0.1), width}, random.between(50, 150)).at({0, Real(0.1) - depth, 0}));
   Body& body = world.bodies[1];
@@ -154,7 +157,8 @@ struct Wrong {
   bool push_without_h = false;   ///< b' without 1/h
   bool move_without_h = false;   ///< x += v'
   bool sums_kept = false, increments = false;
-  bool not_aside = false, spin_not_aside = false, turned = true, min_forgotten = false, min_of_C = false, push_by_h = false;
+  bool not_aside = false, spin_not_aside = false, turned = true, min_forgotten = false, min_of_C = false,
+       push_by_h = false;
   bool push_by_h_squared = false, second_body_only = false;
   std::size_t pushes = std::numeric_limits<std::size_t>::max(), left_out = 0;
   int rounds = exercise_10::rounds;
@@ -177,7 +181,8 @@ void correct(CorrectingContext& step, const Wrong& wrong) {
     body.velocity.setZero();
     if (!wrong.spin_not_aside) body.angular_velocity.setZero();
   }
-  const std::size_t kept = std::min(pushes.size() > wrong.left_out ? pushes.size() - wrong.left_out : pushes.size(), wrong.pushes);
+  const std::size_t kept =
+      std::min(pushes.size() > wrong.left_out ? pushes.size() - wrong.left_out : pushes.size(), wrong.pushes);
   pushes.erase(pushes.begin() + static_cast<std::ptrdiff_t>(kept), pushes.end());
   for (int round = 0; round < wrong.rounds; ++round) {
     for (Row& push : pushes) {
@@ -207,10 +212,12 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if b' were made of C alone. C is of before the move; the body has come up by h J V since, and only "
       "C + h J V is left. With every bounce a push that is not needed adds height, and height is energy.";
   const std::string min =
-      "it looks as if the min were not around all of C + h J V. A point that comes out of the overlap by itself in this "
+      "it looks as if the min were not around all of C + h J V. A point that comes out of the overlap by itself in "
+      "this "
       "step has nothing to undo: b' = 0, also where C was negative.";
   const std::string some =
-      "it looks as if some pushes were left out. Every normal has its own, and in each round all of them have their turn.";
+      "it looks as if some pushes were left out. Every normal has its own, and in each round all of them have their "
+      "turn.";
   return {
       {"min forgotten", min, {[](CorrectingContext& step) { correct(step, {.min_forgotten = true}); }}},
       {"min forgotten", min, {[](CorrectingContext& step) { correct(step, {.min_of_C = true}); }}},
@@ -218,15 +225,18 @@ std::vector<Mistake<Answer>> mistakes() {
        "it looks as if b' were divided by h twice. A distance divided by a time is a speed: β/h, once.",
        {[](CorrectingContext& step) { correct(step, {.push_by_h_squared = true}); }}},
       {"h for 1/h in b'",
-       "it looks as if b' were multiplied by h. β (C + h J V) is a distance; to cover it within h, the speed is that over "
+       "it looks as if b' were multiplied by h. β (C + h J V) is a distance; to cover it within h, the speed is that "
+       "over "
        "h.",
        {[](CorrectingContext& step) { correct(step, {.push_by_h = true}); }}},
       {"spin not set aside",
-       "it looks as if the bodies had kept their spins while the pushes were solved. V' has a part ω', too: it starts from "
+       "it looks as if the bodies had kept their spins while the pushes were solved. V' has a part ω', too: it starts "
+       "from "
        "0, or each body turns by h ω a second time.",
        {[](CorrectingContext& step) { correct(step, {.spin_not_aside = true}); }}},
       {"the first body left out",
-       "it looks as if the first body were not moved. Not every world has a ground: each body is moved by its own h V'.",
+       "it looks as if the first body were not moved. Not every world has a ground: each body is moved by its own h "
+       "V'.",
        {[](CorrectingContext& step) { correct(step, {.second_body_only = true}); }}},
       {"pushes left out", some, {[](CorrectingContext& step) { correct(step, {.pushes = 1}); }}},
       {"pushes left out", some, {[](CorrectingContext& step) { correct(step, {.pushes = 2}); }}},
