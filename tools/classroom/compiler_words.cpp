@@ -17,7 +17,8 @@ namespace {
 
 struct Error {
   bool in_students_file = false;
-  std::size_t line = 0;      // of the student's file, from which it comes; 0: that is not said
+  std::size_t line = 0;  // of the student's file, from which it comes; 0: that is not said
+  std::size_t column = 1;
   bool in_included = false;  // `line` has an #include, and the error shows in that header
   std::string said;
 };
@@ -30,7 +31,7 @@ std::size_t line_in(const std::string& message, const std::string& file) {
 }
 
 std::optional<Error> first_of(const std::vector<std::string>& messages, const std::string& file) {
-  static const std::regex place("(.*?):([0-9]+):([0-9]+): (?:fatal )?error: (.*)");
+  static const std::regex place("(.*?):([0-9]+)(?::([0-9]+))?: (?:fatal )?error: (.*)");
   std::smatch found;
   std::size_t included = 0, required = 0;  // lines of the student's file
   for (std::size_t i = 0; i < messages.size(); ++i) {
@@ -40,7 +41,8 @@ std::optional<Error> first_of(const std::vector<std::string>& messages, const st
     if (message.find("required from") != std::string::npos) required = std::max(required, line_in(message, file));
     if (message.find(": warning: ") != std::string::npos) included = required = 0;
     if (!std::regex_match(message, found, place)) continue;
-    Error error{line_in(message, file) > 0, line_in(message, file), false, found[4]};
+    Error error{line_in(message, file) > 0, line_in(message, file), std::strtoul(found[3].str().c_str(), nullptr, 10),
+                false, found[4]};
     if (error.in_students_file) return error;
     error.line = required > 0 ? required : included;
     error.in_included = required == 0 && included > 0;
@@ -115,6 +117,11 @@ std::string first_error(const std::string& messages, const std::filesystem::path
   const std::optional<Unclosed> hole = unclosed(text);
   if (hole && (!error->in_students_file || hole->line <= error->line || std::regex_match(error->said, of_syntax)))
     return at(hole->line) + hole->words + by_the_compiler;
+  static const std::regex of_line_before("expected (',' or ';'|';'|initializer) before.*");
+  if (error->in_students_file && error->line <= code.size() && error->column > 0 &&
+      code[error->line - 1].find_first_not_of(" \t") + 1 >= error->column &&
+      std::regex_match(error->said, of_line_before))  // g++ names what comes next
+    return at(last_code(code, error->line)) + "a semicolon is missing at the end of this line." + by_the_compiler;
   const std::string means = meaning_of(error->said);
   const std::string words =
       means.empty() ? fmt::format("the compiler says: {}.", error->said) : means + by_the_compiler;

@@ -1,3 +1,5 @@
+#include <tuple>
+
 #include "pushback/chapters/00_naive_impulses/exercise/asked.h"
 #include "pushback/chapters/00_naive_impulses/exercise/touching.h"
 #include "pushback/chapters/00_naive_impulses/naive.h"
@@ -159,8 +161,7 @@ Answer with_inertias(Inertias inertias) {
   return {[inertias](World& world, Contact& c) {
     World other = world;
     const auto [a, b] = other.bodies_of(c);
-    std::tie(a.inverse_inertia, b.inverse_inertia) =
-        inertias(Mat3(a.inverse_inertia), Mat3(b.inverse_inertia));
+    std::tie(a.inverse_inertia, b.inverse_inertia) = inertias(Mat3(a.inverse_inertia), Mat3(b.inverse_inertia));
     right(other, c);
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
       world.bodies[i].velocity = other.bodies[i].velocity;
@@ -204,7 +205,8 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if K had the turn of one body alone. The impulse turns both, and each makes the point give way more "
       "easily: (r × n) · I⁻¹ (r × n) of A and of B.";
   const std::string one_in_K =
-      "it looks as if K knew one of the bodies alone. The impulse moves both of them: K is the sum of 1/m and (r × n) · "
+      "it looks as if K knew one of the bodies alone. The impulse moves both of them: K is the sum of 1/m and (r × n) "
+      "· "
       "I⁻¹ (r × n) of A and of B.";
   const std::string one_in_v =
       "it looks as if v_n were the speed of one of the points. Both may move: v_n is that of B's point minus that of "
@@ -221,7 +223,8 @@ std::vector<Mistake<Answer>> mistakes() {
   return {
       {"not applied", nothing, {[](World&, Contact&) {}}},
       {"(1+e)²",
-       "it looks as if (1+e) were there twice. Once gives them e times the speed at which they met: f = -(1+e) v_n / K.",
+       "it looks as if (1+e) were there twice. Once gives them e times the speed at which they met: f = -(1+e) v_n / "
+       "K.",
        with_impulse([](const Terms& t) { return -(1 + t.e) * (1 + t.e) * t.v_n() / t.K(); })},
       {"1-e",
        "it looks as if e were subtracted from 1. It takes one v_n / K to stop the two, and e of it more to send them "
@@ -280,7 +283,8 @@ std::vector<Mistake<Answer>> mistakes() {
        "they approach, spins included, and none where they part.",
        with_every_impulse([](const Terms& t) { return t.centres < 0 ? -(1 + t.e) * t.v_n() / t.K() : 0; })},
       {"pushed apart once more",
-       "it looks as if bodies that separate by themselves were pushed on, as by |v_n|. Where v_n is not negative there is "
+       "it looks as if bodies that separate by themselves were pushed on, as by |v_n|. Where v_n is not negative there "
+       "is "
        "no impulse.",
        with_every_impulse([](const Terms& t) { return (1 + t.e) * std::abs(t.v_n()) / t.K(); })},
       {"e left out",

@@ -90,8 +90,8 @@ std::vector<Check<Answer>> checks() {
          Game crooked(random, -random.between(6, 9), 1, random.between(5, 8), Pivot::beside_it);
          const Real crooked_before = kinetic_energy(crooked.world);
          crooked.play(answer);
-         return {game.separates(), kinetic_energy(game.world) - before,
-                 kinetic_energy(crooked.world) - crooked_before, crooked.spin()};
+         return {game.separates(), kinetic_energy(game.world) - before, kinetic_energy(crooked.world) - crooked_before,
+                 crooked.spin()};
        }},
       {"a hand at the pivot feels nothing of a ball at the sweet spot, and much of one at the tip",
        2,
@@ -208,7 +208,8 @@ std::vector<Mistake<Answer>> mistakes() {
          t.inertia = Terms::about_centre(bat) + t.d.squaredNorm() / bat.inverse_mass * Mat3::Identity();
        })},
       {"sign of d dᵀ",
-       "it looks as if d dᵀ were added. Along d the centre of mass has no arm, so this part is taken off: m (|d|² 1 - d "
+       "it looks as if d dᵀ were added. Along d the centre of mass has no arm, so this part is taken off: m (|d|² 1 - "
+       "d "
        "dᵀ).",
        changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
          t.inertia += 2 / bat.inverse_mass * t.d * t.d.transpose();
@@ -224,12 +225,10 @@ std::vector<Mistake<Answer>> mistakes() {
       {"one number for the inertia", scalar, changed([](Terms& t, const Body&, const Body&, const Contact&) {
          t.inertia = t.inertia.trace() / 3 * Mat3::Identity();
        })},
-      {"an arm from the origin", from_the_origin,
-       changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
+      {"an arm from the origin", from_the_origin, changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
          t.inertia = Terms::about_centre(bat) + Terms::steiner(bat, bat.position);
        })},
-      {"an arm from the origin", from_the_origin,
-       changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
+      {"an arm from the origin", from_the_origin, changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
          t.inertia = Terms::about_centre(bat) + Terms::steiner(bat, bat.position);
          t.d = bat.position;
        })},
@@ -238,12 +237,10 @@ std::vector<Mistake<Answer>> mistakes() {
          t.arm = c.point;
          t.speed = c.normal.dot(ball.velocity - bat.angular_velocity.cross(c.point));
        })},
-      {"(1+e)²", factor, changed([](Terms& t, const Body&, const Body&, const Contact& c) {
-         t.speed *= 1 + c.restitution;
-       })},
-      {"e left out", factor, changed([](Terms& t, const Body&, const Body&, const Contact& c) {
-         t.speed /= 1 + c.restitution;
-       })},
+      {"(1+e)²", factor,
+       changed([](Terms& t, const Body&, const Body&, const Contact& c) { t.speed *= 1 + c.restitution; })},
+      {"e left out", factor,
+       changed([](Terms& t, const Body&, const Body&, const Contact& c) { t.speed /= 1 + c.restitution; })},
       {"e for 1+e", factor, changed([](Terms& t, const Body&, const Body&, const Contact& c) {
          t.speed *= c.restitution / (1 + c.restitution);
        })},

@@ -135,12 +135,13 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if one body had the inertia of the other. Each resists its turn by its own: I_A⁻¹ with r_A × n, "
       "I_B⁻¹ with r_B × n.";
   const std::string some =
-      "it looks as if some contacts were left out. All four corners carry the column: in each sweep, each has its turn.";
+      "it looks as if some contacts were left out. All four corners carry the column: in each sweep, each has its "
+      "turn.";
   const auto weighed = [](Row& row, Real K) { row.effective_mass = 1 / K; };
   const auto turn = [](const Body& body, const Mat3& inverse_inertia, const Vec3& arm) {
     return body.movable() ? arm.dot(inverse_inertia * arm) : Real(0);
   };
-  const auto turned = [turn, weighed](Row& row, const Body& of_a, const Body& of_b) {
+  const auto turned = [weighed](Row& row, const Body& of_a, const Body& of_b) {
     row.dwa = -(of_a.inverse_inertia * row.ra_n);
     row.dwb = of_b.inverse_inertia * row.rb_n;
     weighed(row, row.a->inverse_mass + row.b->inverse_mass + row.ra_n.dot(of_a.inverse_inertia * row.ra_n) +
@@ -189,12 +190,10 @@ std::vector<Mistake<Answer>> mistakes() {
          turned(row, *row.b, *row.b);
          row.solve();
        })},
-      {"J of one body", one_in_J, visiting([](Row& row) {
-         stop(row, -row.n.dot(row.a->velocity) - row.ra_n.dot(row.a->angular_velocity));
-       })},
-      {"J of one body", one_in_J, visiting([](Row& row) {
-         stop(row, row.n.dot(row.b->velocity) + row.rb_n.dot(row.b->angular_velocity));
-       })},
+      {"J of one body", one_in_J,
+       visiting([](Row& row) { stop(row, -row.n.dot(row.a->velocity) - row.ra_n.dot(row.a->angular_velocity)); })},
+      {"J of one body", one_in_J,
+       visiting([](Row& row) { stop(row, row.n.dot(row.b->velocity) + row.rb_n.dot(row.b->angular_velocity)); })},
       {"J of one body", one_in_J, visiting([weighed](Row& row) {
          weighed(row, row.a->inverse_mass + row.ra_n.dot(row.a->inverse_inertia * row.ra_n));
          row.dvb = row.dwb = Vec3::Zero();
@@ -205,12 +204,10 @@ std::vector<Mistake<Answer>> mistakes() {
          row.dva = row.dwa = Vec3::Zero();
          stop(row, row.n.dot(row.b->velocity) + row.rb_n.dot(row.b->angular_velocity));
        })},
-      {"one body's spin left out", one_spin, visiting([](Row& row) {
-         stop(row, row.speed() + row.ra_n.dot(row.a->angular_velocity));
-       })},
-      {"one body's spin left out", one_spin, visiting([](Row& row) {
-         stop(row, row.speed() - row.rb_n.dot(row.b->angular_velocity));
-       })},
+      {"one body's spin left out", one_spin,
+       visiting([](Row& row) { stop(row, row.speed() + row.ra_n.dot(row.a->angular_velocity)); })},
+      {"one body's spin left out", one_spin,
+       visiting([](Row& row) { stop(row, row.speed() - row.rb_n.dot(row.b->angular_velocity)); })},
       {"one body moved", one_moved, visiting([](Row& row) {
          row.dva = row.dwa = Vec3::Zero();
          stop(row, row.speed());

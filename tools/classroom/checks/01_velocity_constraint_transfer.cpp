@@ -164,7 +164,8 @@ std::vector<Mistake<Answer>> mistakes() {
       "it "
       "has one about the centre of mass.";
   const std::string along =
-      "it looks as if the rail took the body along with it. There is no friction: only the part of u across the rail is "
+      "it looks as if the rail took the body along with it. There is no friction: only the part of u across the rail "
+      "is "
       "felt.";
   return {
       {"r from the origin",
@@ -173,12 +174,14 @@ std::vector<Mistake<Answer>> mistakes() {
          row.r_n += row.body.position.cross(row.n);
          row.weigh(row.body.inverse_inertia);
        })},
-      {"taken along by the rail", along,
+      {"taken along by the rail",
+       along,
        {[](Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
          body.velocity += rail.dot(rails_velocity) * rail;
          changed(nothing).hold(body, ring, rail, rails_velocity, sweeps);
        }}},
-      {"taken along by the rail", along,
+      {"taken along by the rail",
+       along,
        {[](Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
          body.velocity -= rails_velocity;
          changed(nothing).hold(body, ring, rail, Vec3::Zero(), sweeps);
@@ -192,8 +195,7 @@ std::vector<Mistake<Answer>> mistakes() {
              if (row.speed + row.b < 0) row.solve();
            }
        }}},
-      {"sign of λ",
-       "it looks as if λ had the wrong sign. It has to undo J V + b: λ = -(J V + b) / K.",
+      {"sign of λ", "it looks as if λ had the wrong sign. It has to undo J V + b: λ = -(J V + b) / K.",
        changed([](RailRow& row) { row.K = -row.K; })},
       {"multiplied by K",
        "it looks as if J V + b were multiplied by K. K is the speed that a newton second makes: divide by it.",

@@ -114,7 +114,8 @@ void right(Row& row) {
 
 std::vector<Mistake<Answer>> mistakes() {
   const std::string cut_off =
-      "it looks as if a b of one sign did not count. A negative b asks for a separating speed, and a positive b lets the "
+      "it looks as if a b of one sign did not count. A negative b asks for a separating speed, and a positive b lets "
+      "the "
       "bodies come nearer at up to that speed: the row solves J V + b = 0 for both.";
   return {
       {"each correction clamped",
@@ -158,7 +159,8 @@ std::vector<Mistake<Answer>> mistakes() {
          row.impulse = sum;
        }}},
       {"the old sum clamped",
-       "it looks as if the old sum were clamped, and the correction added after that. What is then kept and applied may be "
+       "it looks as if the old sum were clamped, and the correction added after that. What is then kept and applied "
+       "may be "
        "negative, a pull: clamp the new sum, max(0, Σλ + λ).",
        {[](Row& row) {
          const Real sum = std::max(Real(0), row.impulse) + wanted(row) - row.impulse;
@@ -166,7 +168,8 @@ std::vector<Mistake<Answer>> mistakes() {
          row.impulse = sum;
        }}},
       {"an upper limit for the lower one",
-       "it looks as if the sum were kept below 0, by min. A contact pushes and never pulls: 0 is the least that the sum "
+       "it looks as if the sum were kept below 0, by min. A contact pushes and never pulls: 0 is the least that the "
+       "sum "
        "may be.",
        {[](Row& row) {
          const Real sum = std::min(Real(0), wanted(row));
@@ -174,7 +177,8 @@ std::vector<Mistake<Answer>> mistakes() {
          row.impulse = sum;
        }}},
       {"the correction applied as it was",
-       "it looks as if only the kept sum were clamped, and the bodies got the whole correction. They get what the clamped "
+       "it looks as if only the kept sum were clamped, and the bodies got the whole correction. They get what the "
+       "clamped "
        "sum differs from the old one.",
        {[](Row& row) {
          const Real sum = wanted(row);
@@ -196,7 +200,8 @@ std::vector<Mistake<Answer>> mistakes() {
          row.impulse = sum;
        }}},
       {"K for 1/K",
-       "it looks as if J V + b were divided by row.effective_mass, or not multiplied by it. The effective mass is 1/K, in "
+       "it looks as if J V + b were divided by row.effective_mass, or not multiplied by it. The effective mass is 1/K, "
+       "in "
        "kg: times a speed it is an impulse.",
        {[](Row& row) {
          const Real sum = std::max(Real(0), row.impulse - (row.speed() + row.bias) / row.effective_mass);
@@ -204,7 +209,8 @@ std::vector<Mistake<Answer>> mistakes() {
          row.impulse = sum;
        }}},
       {"K for 1/K",
-       "it looks as if J V + b were divided by row.effective_mass, or not multiplied by it. The effective mass is 1/K, in "
+       "it looks as if J V + b were divided by row.effective_mass, or not multiplied by it. The effective mass is 1/K, "
+       "in "
        "kg: times a speed it is an impulse.",
        {[](Row& row) {
          const Real sum = std::max(Real(0), row.impulse - (row.speed() + row.bias));

@@ -182,7 +182,8 @@ std::vector<Mistake<Answer>> mistakes() {
          for (Row& row : rows) reach(row, std::clamp(wanted(row), -pull(rows, force, h), pull(rows, force, h)));
        }}},
       {"the old sum limited",
-       "it looks as if the old sum were limited, and the correction added after that. Then the sum itself may pull by any "
+       "it looks as if the old sum were limited, and the correction added after that. Then the sum itself may pull by "
+       "any "
        "amount: limit the new sum, max(-F h / n, Σλ + λ).",
        {[](Rows& rows, Real force, Real h) {
          for (Row& row : rows) reach(row, std::max(-pull(rows, force, h), row.impulse) + wanted(row) - row.impulse);
@@ -250,7 +251,8 @@ std::vector<Mistake<Answer>> mistakes() {
          }
        }}},
       {"nothing kept",
-       "it looks as if the sum began anew in each sweep: row.impulse is never written, or set back to 0. Without the sum "
+       "it looks as if the sum began anew in each sweep: row.impulse is never written, or set back to 0. Without the "
+       "sum "
        "nobody knows how much has been pulled already.",
        {[](Rows& rows, Real force, Real h) {
          for (Row& row : rows) row.apply(std::max(-pull(rows, force, h), wanted(row)) - row.impulse);

@@ -121,7 +121,8 @@ std::vector<Mistake<Answer>> mistakes() {
          row.bias = std::min(row.bias, std::max(-cap, beta * row.separation));
        }}},
       {"β/h²",
-       "it looks as if β d were divided by h twice, so that nearly all is at the cap. A distance divided by a time is a "
+       "it looks as if β d were divided by h twice, so that nearly all is at the cap. A distance divided by a time is "
+       "a "
        "speed: β d / h.",
        {[](Row& row, Real beta, Real cap, Real h) {
          row.bias = std::min(row.bias, std::max(-cap, beta / (h * h) * row.separation));
@@ -142,7 +143,8 @@ std::vector<Mistake<Answer>> mistakes() {
          row.bias = std::max(row.bias, std::max(-cap, beta / h * row.separation));
        }}},
       {"sign of the push-out",
-       "it looks as if the push-out had the wrong sign. C is negative where bodies overlap, and so is b = β/h C: minus the "
+       "it looks as if the push-out had the wrong sign. C is negative where bodies overlap, and so is b = β/h C: minus "
+       "the "
        "wanted speed.",
        {[](Row& row, Real beta, Real cap, Real h) {
          row.bias = std::min(row.bias, std::max(-cap, -beta / h * row.separation));
@@ -159,13 +161,15 @@ std::vector<Mistake<Answer>> mistakes() {
          row.bias = std::min(row.bias, std::max(-cap, beta / h * row.separation - row.speed()));
        }}},
       {"no b for points that are apart",
-       "it looks as if b became 0 where the points are apart. A bounce may have asked for a speed there: leave its b as it "
+       "it looks as if b became 0 where the points are apart. A bounce may have asked for a speed there: leave its b "
+       "as it "
        "is.",
        {[](Row& row, Real beta, Real cap, Real h) {
          row.bias = row.separation < 0 ? std::min(row.bias, std::max(-cap, beta / h * row.separation)) : 0;
        }}},
       {"a push-out only where nothing else is asked",
-       "it looks as if the push-out counted only where no other effect asks for a speed. Of two wishes, the one for more "
+       "it looks as if the push-out counted only where no other effect asks for a speed. Of two wishes, the one for "
+       "more "
        "speed stays: the lesser b, by min.",
        {[](Row& row, Real beta, Real cap, Real h) {
          if (row.bias == 0) row.bias = std::min(row.bias, std::max(-cap, beta / h * row.separation));

@@ -152,7 +152,8 @@ std::vector<Check<Answer>> checks() {
         {"your balls, which approach a little faster than the threshold, leave each other with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real mass = random.between(3, 8), threshold = random.between(Real(0.2), Real(0.4));
-         const Real approach = threshold * random.between(Real(0.6), Real(0.9)), e = random.between(Real(0.5), Real(0.9));
+         const Real approach = threshold * random.between(Real(0.6), Real(0.9)),
+                    e = random.between(Real(0.5), Real(0.9));
          const Solved after = solved(Line{{mass, mass}, {approach, 0}, {e}}, answer, threshold);
          const Real faster = threshold * random.between(Real(1.1), Real(1.5));
          const Solved bounced = solved(Line{{mass, mass}, {faster, 0}, {e}}, answer, threshold);
@@ -340,7 +341,8 @@ std::vector<Mistake<Answer>> mistakes() {
       {"pairs left out", some, {round_of<TwoPairsAlone>}},
       {"pairs left out", some, {round_of<AllButTheLast>}},
       {"the first pair's forces",
-       "it looks as if by_forces[0] counted for all pairs. What gravity adds differs from pair to pair: nothing where both "
+       "it looks as if by_forces[0] counted for all pairs. What gravity adds differs from pair to pair: nothing where "
+       "both "
        "fall, g h where one lies on the ground. It is by_forces[i].",
        {round_of<FirstPairsForces>}},
       {"a threshold of one's own",
@@ -348,7 +350,8 @@ std::vector<Mistake<Answer>> mistakes() {
        "world.",
        {round_of<FixedThreshold>}},
       {"forces in the threshold",
-       "it looks as if the threshold were compared with a speed that has this step's gravity in it. What only gravity makes "
+       "it looks as if the threshold were compared with a speed that has this step's gravity in it. What only gravity "
+       "makes "
        "fast is no impact: compare v_n = row.speed() - by_forces[i].",
        {[](StepContext& step, const std::vector<Real>& by_forces, Real limit) {
          bool bounced = false;

@@ -150,7 +150,8 @@ std::vector<Mistake<Answer>> mistakes() {
   const std::string a_substep =
       "it looks as if there were not `count` substeps. `count` of them, each of dt / count seconds, make up the frame.";
   const std::string moved_first =
-      "it looks as if gravity were added after the move. Each substep moves the bodies by the velocity that it ends with: "
+      "it looks as if gravity were added after the move. Each substep moves the bodies by the velocity that it ends "
+      "with: "
       "gravity, contacts, solver, move.";
   return {
       {"gravity after the move", moved_first, {[](Parts& parts, Real dt, int count, Real before) {
@@ -162,7 +163,8 @@ std::vector<Mistake<Answer>> mistakes() {
          });
        }}},
       {"detected after the move",
-       "it looks as if contacts were detected after the move, and the first substep had none of its own. A substep solves "
+       "it looks as if contacts were detected after the move, and the first substep had none of its own. A substep "
+       "solves "
        "what touches as it begins: detect before solve.",
        {[](Parts& parts, Real dt, int count, Real before) {
          loop(dt, count, before, [&](Real h, Real scale) {
@@ -181,7 +183,8 @@ std::vector<Mistake<Answer>> mistakes() {
          right(parts, dt + h, count + 1, before);
        }}},
       {"solved twice",
-       "it looks as if a substep solved more than once. One sweep a substep: the next substep goes on from what is kept.",
+       "it looks as if a substep solved more than once. One sweep a substep: the next substep goes on from what is "
+       "kept.",
        {[](Parts& parts, Real dt, int count, Real before) {
          loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(h);

@@ -163,16 +163,20 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if there were no γ, or next to none: without its first h it is that small. The contact is hard "
       "then, with a push-out: nothing yields under a load.";
   const std::string one_way =
-      "it looks as if the relaxing pass treated a ball that leaves, or one that falls, another way. It is the visit of a "
-      "hard contact: J V = 0 with a sum that is 0 or more, so one that falls is stopped, and one that leaves by itself goes "
+      "it looks as if the relaxing pass treated a ball that leaves, or one that falls, another way. It is the visit of "
+      "a "
+      "hard contact: J V = 0 with a sum that is 0 or more, so one that falls is stopped, and one that leaves by itself "
+      "goes "
       "on.";
   return {
       {"not clamped",
-       "it looks as if the sum could become negative. Spring and damper of a contact push and never pull: Σλ ≥ 0, as reach "
+       "it looks as if the sum could become negative. Spring and damper of a contact push and never pull: Σλ ≥ 0, as "
+       "reach "
        "has it.",
        {[](Row& row, const Spring& spring, bool relaxing) { visit(row, spring, relaxing, {.not_clamped = true}); }}},
       {"each correction clamped",
-       "it looks as if each correction were clamped, not their sum. What was too much is then never taken back, not even by "
+       "it looks as if each correction were clamped, not their sum. What was too much is then never taken back, not "
+       "even by "
        "the relaxing pass.",
        {[](Row& row, const Spring& spring, bool relaxing) {
          const Real before = row.impulse;

@@ -145,23 +145,26 @@ std::vector<Mistake<Answer>> mistakes() {
       "rounds_ times.";
   return {
       {"a push of |C|",
-       "it looks as if the push did not ask whether a rod is too long or too short. C has a sign, and the push goes back "
+       "it looks as if the push did not ask whether a rod is too long or too short. C has a sign, and the push goes "
+       "back "
        "by it.",
        answer(absolute, absolute, as_often, Remembers::load)},
       {"only rods that are too long",
-       "it looks as if only rods that are too long were pushed back. A rod is an equality: too short is an error as well.",
+       "it looks as if only rods that are too long were pushed back. A rod is an equality: too short is an error as "
+       "well.",
        answer(push, only_low, as_often, Remembers::load)},
-      {"β/h² in b",
-       "it looks as if C were divided by h twice. In b there is β/h C, a speed: take out just that.",
+      {"β/h² in b", "it looks as if C were divided by h twice. In b there is β/h C, a speed: take out just that.",
        answer(twice, twice, as_often, Remembers::load)},
-      {"β/h² in b",
-       "it looks as if C were divided by h twice. In b there is β/h C, a speed: put back just that.",
+      {"β/h² in b", "it looks as if C were divided by h twice. In b there is β/h C, a speed: put back just that.",
        answer(push, twice, as_often, Remembers::load)},
-      {"another number of rounds", another, answer(
+      {"another number of rounds", another,
+       answer(
            push, push, [](int rounds) { return 2 * rounds; }, Remembers::load)},
-      {"another number of rounds", another, answer(
+      {"another number of rounds", another,
+       answer(
            push, push, [](int) { return 5; }, Remembers::load)},
-      {"another number of rounds", another, answer(
+      {"another number of rounds", another,
+       answer(
            push, push, [](int) { return 10; }, Remembers::load)},
       {"the push remembered", remembered, answer(none, none, never, Remembers::all)},
       {"the push remembered", remembered, answer(push, push, as_often, Remembers::all)},

@@ -168,6 +168,11 @@ double moved_by(const ContactProblem& problem, const Vector& r, const Speed& s) 
   return errors(problem, r, projected_to_cone, s).norm() / problem.q.norm();
 }
 
+double with_mu(ContactProblem problem, const Vector& r, double mu) {
+  problem.mu.setConstant(mu);
+  return errors(problem, r).norm() / problem.q.norm();
+}
+
 Three to_disc(const Three& x, double mu) {
   const double push = std::max(0.0, x[0]), bound = mu * push, length = x.tail<2>().norm();
   const double part = length > bound ? bound / length : 1;
@@ -187,7 +192,49 @@ std::vector<Mistake<Answer>> mistakes() {
   const std::string edge =
       "it looks as if all that pulls were projected to 0. That is right below the cone's apex, where μ |x_t| ≤ -x_n; "
       "beside it, the nearest point is still on the cone's edge.";
+  const std::string one_mu =
+      "it looks as if all contacts had the μ of one of them. Each has its own cone: problem.mu[c].";
+  const std::string some = "it looks as if some contacts were left out. The error is one number over all of them.";
   return {
+      {"1-norm",
+       "it looks as if sizes were added up, without squares. The norm is Euclid's, as the length of a vector: the root "
+       "of "
+       "the sum of squares.",
+       {[](const ContactProblem& problem, const Vector& r) {
+         const Vector u = problem.speeds(r);
+         double sum = 0;
+         for (Eigen::Index c = 0; c < problem.contacts(); ++c) {
+           const Three at = r.segment<3>(3 * c), s = with_slip(u.segment<3>(3 * c), problem.mu[c]);
+           sum += (at - projected_to_cone(at - s, problem.mu[c])).lpNorm<1>();
+         }
+         return sum / problem.q.lpNorm<1>();
+       }}},
+      {"1-norm",
+       "it looks as if |q| were the sum of sizes. The norm is Euclid's, as the length of a vector: the root of the sum "
+       "of "
+       "squares.",
+       {[](const ContactProblem& problem, const Vector& r) {
+         return errors(problem, r).norm() / problem.q.lpNorm<1>();
+       }}},
+      {"another contact's μ", one_mu, {[](const ContactProblem& problem, const Vector& r) {
+         return with_mu(problem, r, problem.mu[0]);
+       }}},
+      {"another contact's μ", one_mu, {[](const ContactProblem& problem, const Vector& r) {
+         return with_mu(problem, r, problem.mu[problem.contacts() - 1]);
+       }}},
+      {"contacts left out", some, {[](const ContactProblem& problem, const Vector& r) {
+         return errors(problem, r)[0] / problem.q.norm();
+       }}},
+      {"contacts left out", some, {[](const ContactProblem& problem, const Vector& r) {
+         return errors(problem, r).head(std::min<Eigen::Index>(2, problem.contacts())).norm() / problem.q.norm();
+       }}},
+      {"a mean of all contacts",
+       "it looks as if the squares were divided by how many contacts there are. The norms are over all contacts "
+       "together, "
+       "above and below.",
+       {[](const ContactProblem& problem, const Vector& r) {
+         return errors(problem, r).norm() / std::sqrt(static_cast<double>(problem.contacts())) / problem.q.norm();
+       }}},
       {"disc for cone",
        "it looks as if friction were drawn back to its disc, with the normal impulse as it is. The nearest point of "
        "the "

@@ -118,6 +118,7 @@ Threes right(Blocks own, const Blocks& next, Threes wanted) {
 
 /// An elimination, and what may be wrong with it.
 struct Slip {
+  bool transposed_back = true;           // in the substitution
   int block = -1, side = -1, back = -1;  // the signs; 0: left out
   bool transposed = true, old_block = false, old_side = false, free_end = true;
 };
@@ -136,7 +137,8 @@ Threes eliminated(Blocks own, const Blocks& next, Threes wanted) {
   for (std::size_t i = 0; i < own.size(); ++i) {
     Eigen::Vector3d side = wanted[i];
     if (i > 0) {
-      const Eigen::Matrix3d back = slip.transposed ? Eigen::Matrix3d(next[i - 1].transpose()) : next[i - 1];
+      const bool turned = slip.transposed && slip.transposed_back;
+      const Eigen::Matrix3d back = turned ? Eigen::Matrix3d(next[i - 1].transpose()) : next[i - 1];
       side += slip.back * back * impulses[i - 1];
     }
     impulses.push_back(own[i].inverse() * side);
@@ -153,6 +155,11 @@ std::vector<Mistake<Answer>> mistakes() {
        "it looks as if a block stood where its transpose belongs. next[i] says what joint i + 1 does to joint i; the "
        "other way it is next[i].transpose(). In a straight chain the two are equal, in a crooked one not.",
        {eliminated<Slip{.transposed = false}>}},
+      {"transpose forgotten",
+       "it looks as if next[i - 1] stood in the substitution, where its transpose belongs. next[i] says what joint i + "
+       "1 "
+       "does to joint i; the other way it is next[i].transpose().",
+       {eliminated<Slip{.transposed_back = false}>}},
       {"sign of the elimination", sign, {eliminated<Slip{.block = 1}>}},
       {"sign of the elimination", sign, {eliminated<Slip{.side = 1}>}},
       {"sign of the elimination", sign, {eliminated<Slip{.block = 1, .side = 1}>}},

@@ -154,10 +154,9 @@ bool beats(const Measured& one, const Measured& other) {
 
 /// Right but for the time that counts.
 template <class Seconds>
-Measurements front_by(const Measurements& all, const Seconds& seconds) {
-  Measurements found = all;
-  leave_out_lost(found);
-  found = left_by(found, [&](const Measured& one, const Measured& other) {
+Measurements front_by(Measurements all, const Seconds& seconds) {
+  leave_out_lost(all);
+  Measurements found = left_by(all, [&](const Measured& one, const Measured& other) {
     return seconds(one) <= seconds(other) && one.error <= other.error &&
            (seconds(one) < seconds(other) || one.error < other.error);
   });
@@ -261,15 +260,20 @@ std::vector<Mistake<Answer>> mistakes() {
          return found;
        }}},
       {"a mean or a last round for the median",
-       "it looks as if a round in which the machine was busy counted, by the mean of all rounds or as the last one. The "
+       "it looks as if a round in which the machine was busy counted, by the mean of all rounds or as the last one. "
+       "The "
        "median of all rounds does not mind one of them.",
-       {[](const Measurements& all) { return front_by(all, [](const Measured& one) { return one.seconds.back(); }); }}},
+       {[](Measurements all) {
+         return front_by(std::move(all), [](const Measured& one) { return one.seconds.back(); });
+       }}},
       {"a mean or a last round for the median",
-       "it looks as if a round in which the machine was busy counted, by the mean of all rounds or as the last one. The "
+       "it looks as if a round in which the machine was busy counted, by the mean of all rounds or as the last one. "
+       "The "
        "median of all rounds does not mind one of them.",
-       {[](const Measurements& all) {
-         return front_by(all, [](const Measured& one) {
-           return std::accumulate(one.seconds.begin(), one.seconds.end(), 0.0) / static_cast<double>(one.seconds.size());
+       {[](Measurements all) {
+         return front_by(std::move(all), [](const Measured& one) {
+           return std::accumulate(one.seconds.begin(), one.seconds.end(), 0.0) /
+                  static_cast<double>(one.seconds.size());
          });
        }}},
       {"the fastest round for the median",

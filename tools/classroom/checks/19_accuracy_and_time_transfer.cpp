@@ -75,7 +75,9 @@ std::vector<Check<Answer>> checks() {
        2,
        {{"after it has stopped your box, which slides back, is at", "m", 1e-6},
         {"your box, which slides back and which friction nearly holds, is at", "m", 1e-6},
-        {"your box that starts at rest, and that friction does not hold, is at", "m", 1e-6}},
+        {"your box that starts at rest, and that friction does not hold, is at", "m", 1e-6},
+        {"your box on a steep slope, which slides back, is at", "m", 1e-6},
+        {"your box on a gentle slope, which slides back, is at", "m", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Push back = push_of(random, between(random, 0.3, 0.6), between(random, 3, 4));
          Push nearly = push_of(random, 1, 0), starts = push_of(random, between(random, 0.3, 0.6), 0);
@@ -84,7 +86,13 @@ std::vector<Check<Answer>> checks() {
          nearly.t = between(random, 3, 4) * nearly.turn();
          starts.speed = 0;
          starts.t = between(random, 0.5, 1);
-         return {back.asked(answer), nearly.asked(answer), starts.asked(answer)};
+         Numbers numbers{back.asked(answer), nearly.asked(answer), starts.asked(answer)};
+         for (const double slope : {between(random, 0.95, 1.1), between(random, 0.2, 0.4)}) {
+           Push push{between(random, 2, 4), slope, 0.92 * std::tan(slope), 0};
+           push.t = between(random, 3, 4) * push.turn();
+           numbers.push_back(push.asked(answer));
+         }
+         return numbers;
        }},
       {"without friction it comes back as it went",
        1,

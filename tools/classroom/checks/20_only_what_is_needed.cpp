@@ -75,13 +75,17 @@ std::vector<Check<Answer>> checks() {
          for (int i = 1; i < 6; ++i) piles.add(true);  // a row on the ground
          for (const int i : {0, 2, 4, 3, 1}) piles.touch(first + i, first + i + 1);
          for (int i = 0; i < 6; ++i) piles.touch(0, first + i);
+         const int middle = piles.add(true), moves = piles.add(false), far = piles.add(true);
+         piles.touch(middle, far);
+         piles.touch(middle, moves);
          piles.pile(2, true);
          return piles.asleep(answer);
        }},
       {"bodies that are joined sleep and wake together; those that hang on the same fixed beam need not", 1, quantities,
        [](Random& random, const Answer& answer) -> Numbers {
          Piles piles(random);
-         const int beside = piles.pile(1, true), moves = piles.pile(1, false), towed = piles.pile(1, true), beam = piles.add(true);
+         const int beside = piles.pile(1, true), moves = piles.pile(1, false), towed = piles.pile(1, true),
+                   beam = piles.add(true);
          piles.join(moves, towed);
          const int next_to_it = piles.pile(1, true), last = piles.pile(1, true);  // towed in turn, and pushed
          piles.touch(towed, next_to_it);
@@ -174,30 +178,30 @@ void wake(std::vector<bool>& awake, const std::vector<std::pair<int, int>>& by, 
   }
 }
 
-Answer woken(int most_contacts, int most_joints) {
-  return {[=](const World& world, const std::vector<bool>& rests) {
-    std::vector<bool> awake = rests, sleeps(rests.size());
-    awake.flip();
-    wake(awake, links(world, both_movable, never_linked), most_contacts);
-    wake(awake, links(world, never_linked, both_movable), most_joints);
-    for (std::size_t i = 0; i < rests.size(); ++i) sleeps[i] = world.bodies[i].movable() && !awake[i];
-    return sleeps;
-  }};
+template <int most_contacts, int most_joints>
+std::vector<bool> woken(const World& world, const std::vector<bool>& rests) {
+  std::vector<bool> awake = rests, sleeps(rests.size());
+  awake.flip();
+  wake(awake, links(world, both_movable, never_linked), most_contacts);
+  wake(awake, links(world, never_linked, both_movable), most_joints);
+  for (std::size_t i = 0; i < rests.size(); ++i) sleeps[i] = world.bodies[i].movable() && !awake[i];
+  return sleeps;
 }
 
 std::vector<Mistake<Answer>> mistakes() {
   const std::string once =
-      "it looks as if contacts and joints were not gone through to the end. Who is woken by a joint wakes who touches it, "
+      "it looks as if contacts and joints were not gone through to the end. Who is woken by a joint wakes who touches "
+      "it, "
       "and so on: begin again until nobody is woken any more.";
   const std::string hand =
       "it looks as if two islands were joined by one body each. Who is joined brings along all of its island: each "
       "body "
       "that had the one number has to get the other.";
   return {
-      {"not to the end", once, woken(1000, 1)},
-      {"not to the end", once, woken(1000, 1000)},
-      {"not to the end", once, woken(1, 1)},
-      {"not to the end", once, woken(2, 1)},
+      {"not to the end", once, {woken<1000, 1>}},
+      {"not to the end", once, {woken<1000, 1000>}},
+      {"not to the end", once, {woken<1, 1>}},
+      {"not to the end", once, {woken<2, 1>}},
       {"the first joint alone",
        "it looks as if joints after the first were left out. Each of world.joints holds two bodies together.",
        {[](const World& world, const std::vector<bool>& rests) {
@@ -207,7 +211,8 @@ std::vector<Mistake<Answer>> mistakes() {
          return sleeping(world, rests, islands_by(world, found));
        }}},
       {"a fixed body wakes",
-       "it looks as if a body that nothing moves woke who touches it or hangs on it. It passes nothing on, and belongs to "
+       "it looks as if a body that nothing moves woke who touches it or hangs on it. It passes nothing on, and belongs "
+       "to "
        "no island.",
        {[](const World& world, const std::vector<bool>& rests) {
          std::vector<bool> at_rest = rests;
