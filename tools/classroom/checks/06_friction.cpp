@@ -196,7 +196,7 @@ constexpr Real inf = std::numeric_limits<Real>::infinity();
 /// one, and what it gave in the first.
 struct ByPush : Friction {
   Real (*push)(Real before, Real now, Real first);
-  std::vector<Real> before, first;
+  std::vector<Real> before = {}, first = {};
   void build(StepContext& step) {
     Friction::build(step);
     before.assign(step.contacts.size(), 0);
