@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "pushback/common/exercise/answer_program.h"
+#include "pushback/common/exercise/shown.h"
 
 using namespace pushback;
 
@@ -24,9 +25,11 @@ int main() {
       say(fmt::format("check {}", check));
       Random random = random_of(seed, check, scene);
       try {
-        std::string line = "numbers";
-        for (const Real value : students_numbers(check, random)) line += fmt::format(" {}", value);
-        say(line);
+        const Recording recording;
+        const Numbers numbers = students_numbers(check, random);
+        for (const Instant& instant : recording.instants())
+          say(fmt::format("shown {}", fmt::join(numbers_of(instant), " ")));
+        say(fmt::format("numbers {}", fmt::join(numbers, " ")));
       } catch (const std::bad_alloc&) {
         say("memory");
         return 1;

@@ -9,6 +9,7 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
+#include "pushback/common/exercise/shown.h"
 #include "pushback/tools/classroom/budget.h"
 #include "pushback/tools/classroom/compiler_words.h"
 #include "pushback/tools/classroom/kit.h"
@@ -65,6 +66,15 @@ std::string shortened(std::string text, std::size_t most) {
   if (text.size() <= most) return text;
   while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80) --most;  // in the middle of a letter
   return text.substr(0, most) + " ...";
+}
+
+/// Of the scene whose numbers come next. No more and no longer ones than a scene has: who knows the word may write anything.
+void keep_shown(Attempt& outcome, std::string_view text) {
+  constexpr std::size_t longest = 25 * most_numbers_shown;  // characters
+  const std::size_t check = outcome.numbers.size() - 1, scene = outcome.numbers.back().size();
+  if (scene >= scenes_of_a_check || text.size() > longest) return;
+  std::vector<Numbers>& instants = outcome.shown[{check, scene}];
+  if (instants.size() < most_instants) instants.push_back(numbers_in(text));
 }
 
 struct Problem {
@@ -181,6 +191,8 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
       if (check < exercise.checks.size()) outcome.numbers.resize(std::max(outcome.numbers.size(), check + 1));
     } else if (said.starts_with("numbers") && !outcome.numbers.empty())
       outcome.numbers.back().push_back(numbers_in(said.substr(7)));
+    else if (said.starts_with("shown ") && !outcome.numbers.empty())
+      keep_shown(outcome, std::string_view(said).substr(6));
     else if (said == "end") complete = true;
     else if (said == "memory") outcome.kind = "memory";
     else if (said.starts_with("exception ")) outcome.kind = said;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "pushback/common/exercise/exercise.h"
 
@@ -17,6 +18,8 @@ struct Attempt {
   std::string problem;                   ///< in plain words, why it got no further; empty: it did
   std::string kind;     ///< of the problem: "does not compile", "time", "memory", "crash", "exception", "exit"
   std::string printed;  ///< by the answer
+  /// What its scenes showed, by check and scene: see numbers_of in shown.h. For the picture alone, and not yet looked at.
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<Numbers>> shown = {};
 };
 
 /// What a known answer would have sent.

@@ -10,6 +10,7 @@
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/render/canvas.h"
 #include "pushback/tools/classroom/attempt.h"
+#include "pushback/tools/classroom/bodies_picture.h"
 #include "pushback/tools/classroom/student_files.h"
 
 namespace pushback {
@@ -23,6 +24,7 @@ constexpr int strip_left = 150, strip_right = 960, strip_height = 34;
 constexpr std::array columns{985, 1180, 1375};  // of the numbers: right, yours, the mistake's
 constexpr Ink dark{28, 32, 40}, grey{104, 112, 124}, pale{222, 226, 232}, white{255, 255, 255};
 constexpr Ink of_yours{0, 114, 178}, of_mistake{213, 94, 0}, failed{176, 0, 32};
+constexpr int frame = 4, half_width = (right_edge - margin - 24) / 2, half_height = 420;  // of the bodies
 constexpr Real off_the_strip = 4;  // times as far as what is right and the mistake span
 
 /// Of one check; the mistake's are empty where none is known.
@@ -75,16 +77,24 @@ class Span {
   Real low_ = std::numeric_limits<Real>::infinity(), high_ = -low_;
 };
 
+/// The bodies of a scene that fails.
+struct Shown {
+  std::optional<BodiesPicture> picture;
+  std::string scene, yours, right;  ///< which it is; the number that tells, as it is and as it should be
+  std::string problem;              ///< why there is no picture
+};
+
 /// Draws from the top down; on an image of one pixel, to learn how high it will be.
 class Drawing {
  public:
   explicit Drawing(Image& onto) : image_(onto) {}
 
-  int draw(const std::string& title, const Verdict& verdict, const std::vector<Compared>& checks,
-           const std::vector<Image>& plots) {
+  int draw(const std::string& title, const Verdict& verdict, const std::optional<Shown>& shown,
+           const std::vector<Compared>& checks, const std::vector<Image>& plots) {
     lines(title, 36, dark, true);
     lines(verdict.in_words(), 22, verdict.passed() ? dark : failed, false);
     y_ += 6;
+    if (shown) bodies(*shown);
     legend(verdict);
     for (const Compared& compared : checks) check(compared);
     for (const Image& plot : plots) {
@@ -101,6 +111,42 @@ class Drawing {
       y_ += static_cast<int>(size * 1.25F);
       write_text(image_, line, margin, y_, size, ink, Align::left, bold);
     }
+  }
+
+  void bodies(const Shown& shown) {
+    if (!shown.picture) return lines("The bodies could not be drawn: " + shown.problem, 18, grey, false);
+    y_ += 12;
+    half(shown.picture->yours, margin, of_yours, "yours", shown.yours);
+    half(shown.picture->right, right_edge - half_width, dark, "right", shown.right);
+    y_ += half_height + 2 * frame + 30;
+    write_text(image_, shown.scene, margin, y_, 18, grey);
+    int x = right_edge;
+    for (std::size_t i = shown.picture->legend.size(); i-- > 0;) {
+      const LegendEntry& entry = shown.picture->legend[i];
+      x -= text_width(entry.text, 18);
+      write_text(image_, entry.text, x, y_, 18, dark);
+      const double middle = y_ - 6;
+      if (entry.kind == LegendEntry::Kind::arrow) {
+        draw_arrow(image_, {x - 44.0, middle}, {x - 8.0, middle}, 5, entry.colour);
+        x -= 70;
+      } else {
+        fill_disc(image_, static_cast<float>(x) - 16, static_cast<float>(middle), 8, dark);  // a rim: one is white
+        fill_disc(image_, static_cast<float>(x) - 16, static_cast<float>(middle), 6.5F, entry.colour);
+        x -= 50;
+      }
+    }
+    lines(shown.picture->note, 18, grey, false);
+    y_ += 4;
+  }
+
+  /// In a frame of the colour that its numbers have.
+  void half(const Image& picture, int x, Ink ink, const std::string& whose, const std::string& number) {
+    fill_rectangle(image_, x, y_, half_width, half_height + 2 * frame, ink);
+    paste(picture, image_, x + frame, y_ + frame, half_width - 2 * frame, half_height);
+    const int left = x + frame, base = y_ + frame + 30, wide = text_width(whose, 26, true);
+    fill_rectangle(image_, left, y_ + frame, wide + text_width(number, 26) + 36, 40, white);
+    write_text(image_, whose, left + 12, base, 26, dark, Align::left, true);
+    write_text(image_, number, left + wide + 24, base, 26, dark);
   }
 
   void legend(const Verdict& verdict) {
@@ -218,6 +264,25 @@ std::vector<Image> plots_of(const std::vector<Compared>& checks, const Verdict& 
   return plots;
 }
 
+/// Of the check that the verdict is about, if its scene shows any.
+std::optional<Shown> bodies_of(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome,
+                               const Verdict& verdict) {
+  const std::optional<TellingInstant> telling = telling_instant(exercise, seed, outcome, verdict);
+  if (!telling) return std::nullopt;
+  const auto [check, scene, quantity, yours, right] = *telling;
+  const Quantity& which = exercise.checks[check].quantities[quantity];
+  const auto number = [&](const NumbersOfScenes& scenes) { return in_words(scenes[scene][quantity], which); };
+  std::string words = fmt::format("{}, scene {}", exercise.checks[check].says, scene + 1);
+  if (right.time > 0) words += fmt::format(", t = {:.3g} s", right.time);
+  Shown shown{{}, words, number(outcome.numbers[check]), number(scenes_of(exercise.right, seed, check)), {}};
+  try {
+    shown.picture = picture_of_bodies(yours, right, half_width - 2 * frame, half_height);
+  } catch (const std::runtime_error& problem) {  // no graphics here: the numbers need none
+    shown.problem = problem.what();
+  }
+  return shown;
+}
+
 }  // namespace
 
 bool write_result_sheet(const fs::path& file, const Exercise& exercise, std::uint64_t seed, const Attempt& outcome,
@@ -234,10 +299,11 @@ bool write_result_sheet(const fs::path& file, const Exercise& exercise, std::uin
   const std::string title = short_name(exercise) + ": " + exercise.title;
   static std::mutex one_at_a_time;  // letters are laid out in one place for all
   const std::lock_guard guard(one_at_a_time);
+  const std::optional<Shown> shown = bodies_of(exercise, seed, outcome, verdict);
   const std::vector<Image> plots = plots_of(checks, verdict);
   Image nothing(1, 1);
-  Image image(width, Drawing(nothing).draw(title, verdict, checks, plots));
-  Drawing(image).draw(title, verdict, checks, plots);
+  Image image(width, Drawing(nothing).draw(title, verdict, shown, checks, plots));
+  Drawing(image).draw(title, verdict, shown, checks, plots);
   write_png(file, image);
   return true;
 }

@@ -1,5 +1,6 @@
 #include "pushback/chapters/03_baumgarte/baumgarte.h"
 #include "pushback/chapters/03_baumgarte/exercise/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_03 {
 
@@ -30,10 +31,11 @@ struct Ball {
     world.add(sphere(radius, random.between(5, 20)).at({0, radius - depth, 0}).moving({0, speed, 0}));
     world.contacts = {{.point = {0, -depth / 2, 0}, .normal = {0, 1, 0}, .depth = depth, .id = {0, 1, 0}}};
   }
-  /// Its speed after a step's solver, m/s.
+  /// Its speed after a step's solver, m/s; of all numbers of the check the one with this index.
   template <class ContactSolver>
-  Real solved(ContactSolver solver) {
+  Real solved(ContactSolver solver, std::size_t quantity = 0) {
     solver.solve(world, h, 1);
+    show(world, quantity);
     return world.bodies[1].velocity.y();
   }
 };
@@ -80,7 +82,7 @@ std::vector<Check<Answer>> checks() {
          Ball leaving(random, -gap, random.between(Real(0.01), Real(0.1)));
          Ball coming(random, -gap, -random.between(6, 8));
          const auto solver = with_effect<PushingOut>(answer.push_out);
-         return {leaving.solved(solver), coming.solved(solver)};
+         return {leaving.solved(solver, 0), coming.solved(solver, 1)};
        }},
       {"of two wishes the one for more speed stays",
        1,
@@ -91,12 +93,12 @@ std::vector<Check<Answer>> checks() {
          auto solver = with_effect<PushingOutToo>(answer.push_out);
          Ball more(random, Real(0.02)), less(random, Real(0.02));
          solver.bias = -2 * beta * Real(0.02) / more.h;
-         const Real faster = more.solved(solver);
+         const Real faster = more.solved(solver, 0);
          solver.bias = Real(-0.5) * beta * Real(0.02) / less.h;
-         const Real slower = less.solved(solver);
+         const Real slower = less.solved(solver, 1);
          Ball above(random, Real(-0.02));
          solver.bias = -random.between(1, 2);
-         return {faster, slower, above.solved(solver)};
+         return {faster, slower, above.solved(solver, 2)};
        }},
       {"under gravity a box comes up along d₀ (1−β)ᵏ",
        2,
@@ -112,6 +114,7 @@ std::vector<Check<Answer>> checks() {
          Numbers depths{1000 * depth};
          for (std::size_t step = 0; step < steps; ++step) {
            world.step(solver, h, 100);
+           show(world);
            depths.push_back(1000 * (half - world.bodies[1].position.y()));
          }
          return with_record({depths.back(), world.bodies[1].velocity.y()}, depths);

@@ -1,5 +1,6 @@
 #include "pushback/chapters/05_restitution/exercise/asked.h"
 #include "pushback/chapters/05_restitution/restitution.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_05 {
 
@@ -21,7 +22,7 @@ struct Ball {
   Real gravity = 0, h = Real(1) / 60, asked = 0, slides = 0;
 
   /// Its speed after the step, m/s.
-  Real solved(const Answer& answer) const {
+  Real solved(const Answer& answer, std::size_t quantity = 0) const {
     World world;
     world.gravity = {0, -gravity, 0};
     world.add(ground());
@@ -29,6 +30,7 @@ struct Ball {
     auto solver = with_effect<Bouncing>(answer.bounce);
     solver.speed = asked;
     world.step(solver, h, 1);
+    show(world, quantity);
     return world.bodies[1].velocity.y();
   }
 };
@@ -58,7 +60,7 @@ std::vector<Check<Answer>> checks() {
          const Ball lands = heavy(random, e, -random.between(1, 5)), rests = heavy(random, e, 0),
                     leaves = heavy(random, e, random.between(Real(0.4), Real(0.6))),
                     creeps = heavy(random, e, -random.between(Real(0.04), Real(0.09)));
-         return {lands.solved(answer), rests.solved(answer), leaves.solved(answer), creeps.solved(answer)};
+         return {lands.solved(answer, 0), rests.solved(answer, 1), leaves.solved(answer, 2), creeps.solved(answer, 3)};
        }},
       {"of the bounce and the push-out, the one for more speed stays",
        2,
@@ -71,7 +73,7 @@ std::vector<Check<Answer>> checks() {
          less.asked = -less.e * less.upwards * random.between(Real(0.2), Real(0.7));
          Ball slow{more.e, -random.between(Real(0.03), Real(0.09))};
          slow.asked = random.between(Real(0.3), Real(0.6));
-         return {more.solved(answer), less.solved(answer), slow.solved(answer)};
+         return {more.solved(answer, 0), less.solved(answer, 1), slow.solved(answer, 2)};
        }},
       {"what arrives more slowly than the threshold stays, what arrives faster bounces",
        1,
@@ -83,7 +85,7 @@ std::vector<Check<Answer>> checks() {
          const Ball slow{e, -random.between(Real(0.03), Real(0.09))}, fast{e, -random.between(Real(0.12), Real(0.2))};
          Ball sliding = slow;
          sliding.slides = random.between(2, 4);
-         return {slow.solved(answer), sliding.solved(answer), fast.solved(answer)};
+         return {slow.solved(answer, 0), sliding.solved(answer, 1), fast.solved(answer, 2)};
        }},
       {"each contact bounces by its own e, that of both its bodies",
        2,

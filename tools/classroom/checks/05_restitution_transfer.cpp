@@ -1,4 +1,5 @@
 #include "pushback/chapters/05_restitution/exercise/transfer/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_05_transfer {
 
@@ -22,7 +23,7 @@ struct Ball {
   Real slides = 0, gravity = 0, h = Real(1) / 60, asked = 0;
 
   /// Its speed upwards after the step, m/s.
-  Real solved(const Answer& answer) const {
+  Real solved(const Answer& answer, std::size_t quantity = 0) const {
     World world;
     world.gravity = {0, -gravity, 0};
     world.add(ground());
@@ -30,6 +31,7 @@ struct Ball {
     auto solver = with_effect<Bouncing>(answer.bounce);
     solver.speed = asked;
     world.step(solver, h, 1);
+    show(world, quantity);
     return world.bodies[1].velocity.y();
   }
   /// Of its kinetic energy.
@@ -81,7 +83,7 @@ std::vector<Check<Answer>> checks() {
        {{"your fast ball leaves with", "m/s", 1e-6}, {"your very fast ball leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Ball fast{some_e(random), random.between(4, 8)}, faster{some_e(random), random.between(20, 40)};
-         return {fast.solved(answer), faster.solved(answer)};
+         return {fast.solved(answer, 0), faster.solved(answer, 1)};
        }},
       {"this step's gravity is no part of the approach",
        2,
@@ -92,7 +94,7 @@ std::vector<Check<Answer>> checks() {
          const Ball lands = heavy(random, some_e(random), random.between(4, 8)),
                     rests = heavy(random, some_e(random), 0),
                     creeps = heavy(random, some_e(random), random.between(Real(0.04), Real(0.09)));
-         return {lands.solved(answer), rests.solved(answer), creeps.solved(answer)};
+         return {lands.solved(answer, 0), rests.solved(answer, 1), creeps.solved(answer, 2)};
        }},
       {"only the motion along the normal counts",
        1,
@@ -111,7 +113,7 @@ std::vector<Check<Answer>> checks() {
          less.asked = less.arrives * random.between(Real(0.05), Real(0.2));
          Ball slow{some_e(random), random.between(Real(0.03), Real(0.09))};
          slow.asked = random.between(Real(0.3), Real(0.6));
-         return {more.solved(answer), less.solved(answer), slow.solved(answer)};
+         return {more.solved(answer, 0), less.solved(answer, 1), slow.solved(answer, 2)};
        }},
       {"what arrives more slowly than the threshold stays, what arrives faster bounces",
        1,
@@ -123,7 +125,7 @@ std::vector<Check<Answer>> checks() {
              faster{some_e(random), threshold * random.between(Real(1.02), Real(1.1))};  // whose e v is below it
          Ball sliding = slow;
          sliding.slides = random.between(2, 4);
-         return {slow.solved(answer), sliding.solved(answer), faster.solved(answer)};
+         return {slow.solved(answer, 0), sliding.solved(answer, 1), faster.solved(answer, 2)};
        }},
   };
 }

@@ -1,6 +1,7 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/10_position_correction/exercise/asked.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_10 {
 
@@ -15,6 +16,7 @@ void step(World& world, Real h, const Answer& answer) {
   CorrectingSolver<Clamping, Asked> solver;
   static_cast<Asked&>(solver).answer = answer;
   world.step(solver, h, 60);
+  show(world);
 }
 
 /// A ball without weight, some way in the ground.

@@ -1,6 +1,7 @@
 #include "pushback/chapters/13_joints/exercise/asked.h"
 #include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/13_joints/joints.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_13 {
 
@@ -105,6 +106,7 @@ std::vector<Check<Answer>> checks() {
          Solver<Joints> solver;
          solver.beta = random.between(Real(0.3), Real(0.6));
          hinged.world.step(solver, Real(0.02), 2000);
+         show(hinged.world);
          return {1000 * (hinged.pin_of_b() - hinged.pin_of_a()).norm(),
                  1000 * hinged.axis().cross(hinged.b().orientation * hinged.axis_b).norm()};
        }},

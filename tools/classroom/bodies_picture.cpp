@@ -1,0 +1,305 @@
+#include "pushback/tools/classroom/bodies_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pushback/common/collision/broad_phase.h"
+#include "pushback/common/experiment/marks.h"
+#include "pushback/common/experiment/picture_of.h"
+#include "pushback/common/render/canvas.h"
+#include "pushback/common/render/painter.h"
+#include "pushback/common/render/palette.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr int passes = 8;
+constexpr Real clearly = Real(0.02);  // of the largest: what differs by less is not drawn
+constexpr Ink white{255, 255, 255};
+
+/// Drawn over the bodies, so that none hides it: with a head at the end of its path, m, world axes.
+struct Stroke {
+  std::vector<Vec3> path;
+  Ink ink;
+};
+
+/// How long arrows are: one scale for both halves.
+struct Scale {
+  Real of_velocity = 0, of_spin = 0, of_impulse = 0;  ///< m for 1 m/s, rad for 1 rad/s, m for 1 N s; 0: not drawn
+  Real longest = 0, widest = 0, strongest = 0;        ///< m, rad, m: what is longer is cut
+  bool cut = false;
+};
+
+Real typical_size(const World& world) {
+  Real sum = 0, count = 0;
+  for (const Body& body : world.bodies) {
+    if (!body.movable()) continue;
+    sum += size_of(body);
+    ++count;
+  }
+  return count > 0 ? sum / count : 1;
+}
+
+/// The largest of something in a world.
+template <class Measure>
+Real largest(const World& world, Measure measure) {
+  Real most = 0;
+  for (const Body& body : world.bodies)
+    if (body.movable()) most = std::max(most, measure(body));
+  return most;
+}
+Real fastest(const World& world) {
+  return largest(world, [](const Body& body) { return body.velocity.norm(); });
+}
+Real fastest_spin(const World& world) {
+  return largest(world, [](const Body& body) { return body.angular_velocity.norm(); });
+}
+Real strongest(const World& world) {
+  Real most = 0;
+  for (const Contact& contact : world.contacts) most = std::max(most, contact.impulse.norm());
+  return most;
+}
+
+Vec3 friction_of(const Contact& contact) {
+  return contact.impulse - contact.impulse.dot(contact.normal) * contact.normal;
+}
+Real rubbed(const World& world) {
+  Real most = 0;
+  for (const Contact& contact : world.contacts) most = std::max(most, friction_of(contact).norm());
+  return most;
+}
+
+/// So much for each unit that the larger is drawn as `full`; yet what is right is to remain visible beside what is far off.
+Real scale_of(Real yours, Real right, Real full, bool& cut) {
+  constexpr Real most_times = 6;
+  const bool far_off = right > Real(1e-3) && yours > most_times * right;
+  cut = cut || far_off;
+  return full / (far_off ? most_times * right : std::max(yours, right));
+}
+
+Scale scale_for(const World& yours, const World& right, const Apart& apart) {
+  Scale scale;
+  const Real size = typical_size(right);
+  scale.longest = Real(1.2) * size;
+  scale.widest = Real(4.5);
+  scale.strongest = Real(0.5) * size;
+  if (apart.speed > clearly) scale.of_velocity = scale_of(fastest(yours), fastest(right), scale.longest, scale.cut);
+  if (apart.spin > clearly) scale.of_spin = scale_of(fastest_spin(yours), fastest_spin(right), scale.widest, scale.cut);
+  if (apart.impulse > clearly && std::max(strongest(yours), strongest(right)) > 0)
+    scale.of_impulse = scale_of(strongest(yours), strongest(right), scale.strongest, scale.cut);
+  return scale;
+}
+
+void add_straight(std::vector<Stroke>& strokes, const Vec3& from, const Vec3& value, Real scale, Real longest,
+                  Ink ink) {
+  const Real length = std::min(scale * value.norm(), longest);
+  if (length > Real(0.02) * longest) strokes.push_back({{from, from + length * value.normalized()}, ink});
+}
+
+/// Around the body, seen from the side of the camera.
+void add_turn(std::vector<Stroke>& strokes, const Body& body, const Scale& scale, const Vec3& eye) {
+  const Real spin = body.angular_velocity.norm(), angle = std::min(scale.of_spin * spin, scale.widest);
+  if (angle < Real(0.02) * scale.widest) return;
+  const Vec3 axis = body.angular_velocity / spin, ahead = (eye - body.position).normalized();
+  Vec3 towards = ahead - ahead.dot(axis) * axis;
+  if (towards.norm() < Real(0.3)) towards = tangents_of(axis).tangent1;
+  towards.normalize();
+  const Vec3 aside = axis.cross(towards);
+  const Real radius = Real(0.6) * size_of(body);
+  constexpr int pieces = 40;
+  Stroke stroke{{}, near_black_ink()};
+  for (int i = 0; i <= pieces; ++i) {
+    const Real at = angle * (static_cast<Real>(i) / pieces - Real(0.5));
+    stroke.path.emplace_back(body.position + radius * (std::cos(at) * towards + std::sin(at) * aside));
+  }
+  strokes.push_back(std::move(stroke));
+}
+
+std::vector<Stroke> strokes_of(const World& world, const Scale& scale, const Vec3& eye) {
+  std::vector<Stroke> strokes;
+  for (const Contact& contact : world.contacts) {
+    const Vec3 friction = friction_of(contact);
+    add_straight(strokes, contact.point, contact.impulse - friction, scale.of_impulse, scale.strongest,
+                 normal_arrow_ink());
+    add_straight(strokes, contact.point, friction, scale.of_impulse, scale.strongest, friction_arrow_ink());
+  }
+  for (const Body& body : world.bodies) {
+    if (!body.movable()) continue;
+    add_straight(strokes, body.position, body.velocity, scale.of_velocity, scale.longest, near_black_ink());
+    add_turn(strokes, body, scale, eye);
+  }
+  return strokes;
+}
+
+/// Where a camera's picture of so many pixels has a point.
+class View {
+ public:
+  View(const Camera& camera, int width, int height)
+      : camera_(camera),
+        width_(width),
+        height_(height),
+        ahead_((camera.target - camera.eye).normalized()),
+        right_(ahead_.cross(Vec3::UnitY()).normalized()),
+        up_(right_.cross(ahead_)) {}
+  Spot operator()(const Vec3& point) const {
+    const Vec3 from_eye = point - camera_.eye;
+    const Real pixels = static_cast<Real>(height_) / camera_.height_at(point);
+    return {static_cast<double>(static_cast<Real>(width_) / 2 + pixels * right_.dot(from_eye)),
+            static_cast<double>(static_cast<Real>(height_) / 2 - pixels * up_.dot(from_eye))};
+  }
+
+ private:
+  Camera camera_;
+  int width_, height_;
+  Vec3 ahead_, right_, up_;
+};
+
+/// With a rim, since bodies have all colours.
+void draw(Image& image, const Stroke& stroke, const View& view) {
+  const float wide = static_cast<float>(image.height) / 75;
+  std::vector<Spot> path;
+  for (const Vec3& point : stroke.path) path.push_back(view(point));
+  // The head takes the last pieces of the path.
+  std::size_t neck = path.size() - 2;
+  const auto from_tip = [&](std::size_t i) { return std::hypot(path.back().x - path[i].x, path.back().y - path[i].y); };
+  while (neck > 0 && from_tip(neck) < 5.0 * static_cast<double>(wide)) --neck;
+  const auto draw_at = [&](double x, double y, Ink ink) {
+    const auto moved = [&](const Spot& spot) { return Spot{spot.x + x, spot.y + y}; };
+    for (std::size_t i = 0; i < neck; ++i) draw_line(image, moved(path[i]), moved(path[i + 1]), wide, ink);
+    draw_arrow(image, moved(path[neck]), moved(path.back()), wide, ink);
+  };
+  constexpr int around = 12;
+  constexpr double rim = 2;  // pixels
+  for (int i = 0; i < around; ++i)
+    draw_at(rim * std::cos(2 * pi * i / around), rim * std::sin(2 * pi * i / around), white);
+  draw_at(0, 0, stroke.ink);
+}
+
+Bounds together(const Bounds& a, const Bounds& b) {
+  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+}
+
+void add_corners(std::vector<Vec3>& points, const Bounds& bounds) {
+  for (int corner = 0; corner < 8; ++corner)
+    points.emplace_back((corner & 1) != 0 ? bounds.high.x() : bounds.low.x(),
+                        (corner & 2) != 0 ? bounds.high.y() : bounds.low.y(),
+                        (corner & 4) != 0 ? bounds.high.z() : bounds.low.z());
+}
+
+/// What is to be in the picture: all that moves, but for bodies that have gone far from where they should be.
+std::vector<Vec3> corners_of(const World& yours, const World& right) {
+  std::vector<Vec3> points;
+  std::optional<Bounds> all;
+  for (const Body& body : right.bodies)
+    if (body.movable()) all = all ? together(*all, bounds_of(body)) : bounds_of(body);
+  if (!all) return {Vec3::Zero()};
+  const Real extent = (all->high - all->low).maxCoeff();
+  for (std::size_t i = 0; i < right.bodies.size(); ++i) {
+    const Bounds should_be = bounds_of(right.bodies[i]);
+    const bool floor = !should_be.low.allFinite() || !should_be.high.allFinite();
+    if (floor || (!right.bodies[i].movable() && (should_be.high - should_be.low).maxCoeff() > 3 * extent)) continue;
+    add_corners(points, should_be);
+    if ((yours.bodies[i].position - right.bodies[i].position).norm() < 3 * extent)
+      add_corners(points, bounds_of(yours.bodies[i]));
+  }
+  return points;
+}
+
+/// From before, a little from the right and from above, as near as all points are in the picture with some room.
+Camera camera_for(const std::vector<Vec3>& points, Real aspect) {
+  constexpr Real room = Real(0.86);
+  Camera camera;
+  camera.field_of_view = Real(0.5);
+  const Vec3 back = Vec3(Real(0.4), Real(0.32), 1).normalized(), right = Vec3::UnitY().cross(back).normalized(),
+             up = back.cross(right);
+  const Real tall = room * std::tan(camera.field_of_view / 2), wide = tall * aspect;
+  camera.target = points.front();
+  for (int round = 0; round < 8; ++round) {
+    Real distance = Real(0.1);
+    for (const Vec3& point : points) {
+      const Vec3 at = point - camera.target;
+      distance =
+          std::max(distance, back.dot(at) + std::max(std::abs(right.dot(at)) / wide, std::abs(up.dot(at)) / tall));
+    }
+    // What is to the left and to the right of the target, and below and above it, gets as much room.
+    Real left = 0, most_right = 0, bottom = 0, top = 0;
+    for (const Vec3& point : points) {
+      const Vec3 at = point - camera.target;
+      const Real nearer = distance / std::max(Real(0.1) * distance, distance - back.dot(at));
+      left = std::min(left, nearer * right.dot(at));
+      most_right = std::max(most_right, nearer * right.dot(at));
+      bottom = std::min(bottom, nearer * up.dot(at));
+      top = std::max(top, nearer * up.dot(at));
+    }
+    camera.target += (left + most_right) / 2 * right + (bottom + top) / 2 * up;
+    camera.eye = camera.target + distance * back;
+  }
+  return camera;
+}
+
+/// How many times a deviation is drawn that an eye would miss, where nothing else tells.
+Real times_drawn(const Apart& apart) {
+  const Real deviation = std::max(apart.place, apart.turn);
+  if (deviation < Real(1e-5) || deviation > Real(0.06) || std::max(apart.speed, apart.spin) > Real(0.1)) return 1;
+  Real times = 1;
+  for (const Real more : {2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000})
+    if (more * deviation <= Real(0.25)) times = more;
+  return times;
+}
+
+}  // namespace
+
+BodiesPicture picture_of_bodies(const World& yours, const World& right, int width, int height) {
+  BodiesPicture made;
+  const Apart differing = apart(yours, right);
+  const Real times = times_drawn(differing);
+  const std::array<World, 2> worlds{times > 1 ? magnified(yours, right, times) : yours, right};
+  const Apart drawn = apart(worlds[0], right);
+  const Scale scale = scale_for(yours, right, differing);
+
+  const Real aspect = static_cast<Real>(width) / static_cast<Real>(height);
+  std::vector<Vec3> points = corners_of(worlds[0], right);
+  Camera camera = camera_for(points, aspect);
+  for (const World& world : worlds)
+    for (const Stroke& stroke : strokes_of(world, scale, camera.eye))
+      points.insert(points.end(), stroke.path.begin(), stroke.path.end());
+  camera = camera_for(points, aspect);
+
+  const bool outlined = std::max(drawn.place, drawn.turn) > Real(0.02);
+  Painter painter(width, height);
+  Legend legend;
+  std::array<Image, 2> images;
+  for (std::size_t half = 0; half < 2; ++half) {
+    Picture picture = picture_of(worlds[half], camera, Real(0));
+    legend.see(picture);
+    for (const Body& body : right.bodies)
+      if (half == 0 && outlined && body.movable()) add_outline(picture, body);
+    images[half] = painter.draw_still(picture, passes);
+    for (const Stroke& stroke : strokes_of(worlds[half], scale, camera.eye))
+      draw(images[half], stroke, View(camera, width, height));
+  }
+  made.yours = std::move(images[0]);
+  made.right = std::move(images[1]);
+
+  made.legend = legend.entries();
+  using Kind = LegendEntry::Kind;
+  const auto arrow = [&](bool there, Ink ink, const std::string& words, Real most, const std::string& unit) {
+    if (there) made.legend.push_back({Kind::arrow, ink, fmt::format("{} (the longest: {:.3g} {})", words, most, unit)});
+  };
+  arrow(scale.of_velocity > 0, near_black_ink(), "velocity", std::max(fastest(yours), fastest(right)), "m/s");
+  arrow(scale.of_spin > 0, near_black_ink(), "spin, curved", std::max(fastest_spin(yours), fastest_spin(right)),
+        "rad/s");
+  arrow(scale.of_impulse > 0, normal_arrow_ink(), "impulse", std::max(strongest(yours), strongest(right)), "N s");
+  arrow(scale.of_impulse > 0 && std::max(rubbed(yours), rubbed(right)) > Real(1e-3), friction_arrow_ink(), "friction",
+        std::max(rubbed(yours), rubbed(right)), "N s");
+  if (times > 1) made.note = fmt::format("Yours deviates so little that it is drawn {:.0f} times as far off. ", times);
+  if (outlined) made.note += "Thin lines: where the right ones are. ";
+  if (scale.cut) made.note += "Arrows that are more than six times as long as the longest right one are cut. ";
+  return made;
+}
+
+}  // namespace pushback
