@@ -15,7 +15,8 @@ using Make = StepSolver* (*)(const StepSolver* like);
 class LoadedSolver : public ForwardingSolver {
  public:
   explicit LoadedSolver(Make make) : make_(make), held_(make(nullptr)) {}
-  LoadedSolver(const LoadedSolver& other) : ForwardingSolver(other), make_(other.make_), held_(make_(other.held_.get())) {}
+  LoadedSolver(const LoadedSolver& other)
+      : ForwardingSolver(other), make_(other.make_), held_(make_(other.held_.get())) {}
   LoadedSolver(LoadedSolver&&) noexcept = default;
   LoadedSolver& operator=(LoadedSolver other) noexcept {
     std::swap(make_, other.make_);

@@ -51,7 +51,11 @@ std::string capital(std::string words) {
 void print_checks(const ChapterOfMine& chapter, const VerdictOfMine& made) {
   const auto line = [&](std::size_t i) {
     const Passed passed = made.verdict.checks[i];
-    fmt::print("  {} {}\n", passed == Passed::yes ? "✓" : passed == Passed::no ? "✗" : "·", made.exercise.checks[i].says);
+    fmt::print("  {} {}\n",
+               passed == Passed::yes  ? "✓"
+               : passed == Passed::no ? "✗"
+                                      : "·",
+               made.exercise.checks[i].says);
   };
   std::size_t earlier = 0, kept = 0;
   for (std::size_t i = 0; i < made.exercise.checks.size() && chapter_of_check(i) < chapter.number; ++i) {
@@ -83,7 +87,8 @@ std::string sentence(const ChapterOfMine& chapter, const VerdictOfMine& made, co
   const int its = chapter_of_check(std::min(first, made.verdict.checks.size() - 1));
   if (made.verdict.checks[first] != Passed::no || its == chapter.number) return made.verdict.in_words();
   return fmt::format("Chapter {}, which {}: {}", two_digits(its),
-                     mine.state(its) == MyFolder::State::open ? "comes before" : "you had passed", made.verdict.sentence);
+                     mine.state(its) == MyFolder::State::open ? "comes before" : "you had passed",
+                     made.verdict.sentence);
 }
 
 /// The verdict, line by line, then the picture; true where all checks pass.
@@ -129,8 +134,8 @@ void show_difference(const ChapterOfMine& chapter, const MyFolder& mine) {
     throw InvalidInput(fmt::format("--diff shows the plain loop once yours passes: ./course mine {}", number));
   const ScratchFolder scratch;
   write_text_file(scratch.path / "plain.h", plain_loop(chapter.number));
-  const Ended ended = run_program({"diff", "-u", "--label", "the plain loop of chapter " + number, "--label", mine.file(),
-                                   scratch.path / "plain.h", mine.file()});
+  const Ended ended = run_program({"diff", "-u", "--label", "the plain loop of chapter " + number, "--label",
+                                   mine.file(), scratch.path / "plain.h", mine.file()});
   if (ended.status > 1) throw std::runtime_error("diff failed: " + ended.err);
   fmt::print("{}", ended.status == 0 ? "There is no difference.\n" : ended.out);
 }

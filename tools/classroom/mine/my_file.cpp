@@ -63,8 +63,9 @@ void MyFolder::reset() {
 std::string MyFolder::text() const {
   std::string text = read_text_file(file());
   if (text.find("MySolver") == text.npos)
-    throw InvalidInput(fmt::format("{} has no class MySolver, which is what is checked. --reset begins anew, and keeps your file",
-                                   file().string()));
+    throw InvalidInput(
+        fmt::format("{} has no class MySolver, which is what is checked. --reset begins anew, and keeps your file",
+                    file().string()));
   return text;
 }
 

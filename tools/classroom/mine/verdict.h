@@ -14,6 +14,7 @@ struct VerdictOfMine {
 };
 
 /// `text`: of the file; headers in `folder` are found beside it.
-VerdictOfMine verdict_of_mine(int chapter, const std::string& text, const std::filesystem::path& folder, std::uint64_t seed);
+VerdictOfMine verdict_of_mine(int chapter, const std::string& text, const std::filesystem::path& folder,
+                              std::uint64_t seed);
 
 }  // namespace pushback
