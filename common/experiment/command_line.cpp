@@ -60,6 +60,8 @@ std::optional<int> Experiment::read_command_line(int argc, const char* const* ar
   app.add_option("--variants", only_, "Only these variants, by the names that --list prints, separated by commas")
       ->delimiter(',')
       ->group("Every experiment");
+  app.add_option("--mine", mine_, "A shared object with a solver, which plays each scene as one more variant, mine")
+      ->group("Every experiment");
   const auto flag = [&app](const std::string& name_of_it, bool& value, const std::string& help) {
     app.add_flag(name_of_it, value, help)->group("Every experiment");
   };

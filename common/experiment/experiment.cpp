@@ -154,12 +154,13 @@ void Experiment::remark(std::string sentence) {
 
 // ---- what it comes to ------------------------------------------------------------------------------------------------
 
-void Experiment::describe(const std::function<void()>& define) {
+void Experiment::describe(const std::function<void()>& define, const AnySolver* one_more) {
   acts_.clear();
   variants_.clear();
   studies_.clear();
   posed_.clear();
   define();
+  if (one_more) add_to_all_scenes("mine", *one_more);
   refuse_twins();
   choose_colours();
 }
@@ -174,6 +175,27 @@ int Experiment::sweeps_of(const Variant& variant) const {
   if (told_.contains("--sweeps")) return sweeps_;
   if (variant.sweeps > 0) return variant.sweeps;
   return variant.solver ? variant.plan(dt_).sweeps : sweeps_;
+}
+
+/// Behind the last variant of each scene, and as that one is played: with its sweeps, and what it changes in the scene.
+void Experiment::add_to_all_scenes(const std::string& name, const AnySolver& solver) {
+  std::deque<Variant> all;
+  for (std::size_t act = 0; act < acts_.size(); ++act) {
+    for (const Variant& variant : variants_)
+      if (variant.scene == act) all.push_back(variant);
+    if (all.empty() || all.back().scene != act) continue;
+    Variant added = all.back();
+    added.name = name;
+    added.solver = solver;
+    added.motion = {};
+    added.checked = true;
+    added.colour = -1;
+    added.curves = true;
+    added.expected.clear();
+    added.references.clear();
+    all.push_back(std::move(added));
+  }
+  variants_ = std::move(all);
 }
 
 /// Two of one name would share a folder; two scenes of one key, a sheet.

@@ -179,9 +179,10 @@ class Experiment {
 
   Variant& add_variant(const std::string& name);
   std::optional<int> read_command_line(int argc, const char* const* argv);
-  void describe(const std::function<void()>& define);
+  void describe(const std::function<void()>& define, const AnySolver* one_more = nullptr);
   void refuse_twins() const;
   void choose_colours();
+  void add_to_all_scenes(const std::string& name, const AnySolver& solver);
   void choose_variants();
   void check() const;
   void fill(World& world, const Variant& variant) const;
@@ -218,6 +219,7 @@ class Experiment {
   std::set<std::string> told_;  ///< the flags that were given
   std::string film_;            ///< ending of the films; empty: none
   std::vector<std::string> only_;
+  std::string mine_;  ///< shared object with one more solver; empty: none
   bool no_images_ = false, no_study_ = false, list_ = false, list_parameters_ = false;
 };
 

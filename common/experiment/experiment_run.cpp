@@ -9,6 +9,7 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/experiment_parts.h"
 #include "pushback/common/experiment/film.h"
+#include "pushback/common/experiment/loaded_solver.h"
 
 namespace pushback {
 
@@ -75,7 +76,8 @@ int Experiment::run(int argc, const char* const* argv, const std::function<void(
       throw InvalidInput(fmt::format("--frames is {}: a whole number from 0 to 100000 is needed", frames_));
     if (!film_.empty() && no_images_) throw InvalidInput("--film and --no-images exclude each other");
     if (!film_.empty()) require_ffmpeg();
-    describe(define);
+    const std::optional<AnySolver> mine = mine_.empty() ? std::optional<AnySolver>() : loaded_solver(mine_);
+    describe(define, mine ? &*mine : nullptr);
     if (list_) {
       list();
       return 0;

@@ -3,7 +3,7 @@
 set(kit ${PROJECT_BINARY_DIR}/exercise)
 get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 list(TRANSFORM eigen_folders PREPEND -isystem)
-set(answer_flags -std=c++20 -O1 -ffp-contract=off -I${headers} ${eigen_folders} $<$<STREQUAL:${PUSHBACK_REAL},float>:-DPUSHBACK_FLOAT>
+set(answer_flags -std=c++20 -O1 -fPIC -ffp-contract=off -I${headers} ${eigen_folders} $<$<STREQUAL:${PUSHBACK_REAL},float>:-DPUSHBACK_FLOAT>
     $<$<BOOL:${PUSHBACK_SANITIZE}>:-fsanitize=address,undefined>)
 set(parsed ${kit}/headers.h.gch)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")

@@ -1,0 +1,183 @@
+#include "pushback/tools/classroom/mine/chapters.h"
+
+#include <fmt/ranges.h>
+
+#include "pushback/chapters/00_naive_impulses/naive.h"
+#include "pushback/chapters/01_velocity_constraint/flat.h"
+#include "pushback/chapters/02_clamping/flat.h"
+#include "pushback/chapters/03_baumgarte/flat.h"
+#include "pushback/chapters/04_slop/flat.h"
+#include "pushback/chapters/05_restitution/flat.h"
+#include "pushback/chapters/06_friction/flat.h"
+#include "pushback/chapters/07_warm_start/flat.h"
+#include "pushback/chapters/08_friction_cone/flat.h"
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/process.h"
+#include "pushback/tools/classroom/kit.h"
+#include "pushback/tools/classroom/mine/slips.h"
+
+namespace pushback {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// By chapter, from 00 on.
+const WholeSolver& plain(int chapter) {
+  static const WholeSolver loops[] = {
+      whole_solver<NaiveOnce>(),           whole_solver<flat_01::FlatSolver>(), whole_solver<flat_02::FlatSolver>(),
+      whole_solver<flat_03::FlatSolver>(), whole_solver<flat_04::FlatSolver>(), whole_solver<flat_05::FlatSolver>(),
+      whole_solver<flat_06::FlatSolver>(), whole_solver<flat_07::FlatSolver>(), whole_solver<flat_08::FlatSolver>()};
+  return loops[chapter];
+}
+
+/// Every chapter but the first has a solver to begin from, and as long as nothing new is in it, it shows the old numbers.
+Mistake<WholeSolver> not_begun(int chapter) {
+  return {"nothing new",
+          fmt::format("these are the numbers of chapter {}. What chapter {} adds is not there yet, or has no effect.",
+                      two_digits(chapter - 1), two_digits(chapter)),
+          plain(chapter - 1)};
+}
+
+void replace_all(std::string& text, const std::string& what, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+    text.replace(at, what.size(), by);
+}
+
+}  // namespace
+
+const std::vector<ChapterOfMine>& chapters_of_mine() {
+  static const std::vector<ChapterOfMine> all{
+      {0,
+       "an impulse for every contact",
+       {"Go over world.contacts once. world.bodies_of(c) gives A and B, c.normal points from A to B, c.point is where "
+        "they "
+        "touch.",
+        "The speed v_n along the normal is that of the point of B minus that of A: v + w × r, with r = c.point − "
+        "position. If "
+        "v_n ≥ 0, they leave each other: nothing to do.",
+        "K = 1/m_A + 1/m_B + (r_A × n)·I_A⁻¹(r_A × n) + (r_B × n)·I_B⁻¹(r_B × n). λ = −(1 + e) v_n / K: B gets +λ n, A "
+        "gets "
+        "−λ n. Add λ n to c.impulse, then move both apart by depth, each in proportion to its 1/m."}},
+      {1,
+       "a row for each contact, solved over and over",
+       {"Forget the bounce and the moving by hand. Make a list of rows first, one a contact: what J and K are made of, "
+        "a sum "
+        "that begins at 0.",
+        "For each of `sweeps` sweeps, for each row: λ = −J V / K, with J V read then and there; add λ to the row's sum "
+        "and "
+        "give it to the bodies. Whichever sign it has: a row is an equation.",
+        "After the sweeps, c.impulse is the sum times n. Clear the list at the next call."}},
+      {2,
+       "contacts push and never pull",
+       {"The sum of λ, not each λ, is never less than 0.", "new sum = max(0, sum + λ). The bodies get new sum − sum."}},
+      {3,
+       "overlap, pushed out as a velocity",
+       {"Each row gets a b, made before the sweeps: the row then solves J V + b = 0.",
+        "b = β/h C, C = min(0, −depth), β = 0.2, h = dt. λ = −(J V + b) / K."}},
+      {4, "a little overlap is left", {"C = min(0, −depth + slop), slop = 0.005 m. Nothing else changes."}},
+      {5,
+       "bounce",
+       {"v_n of the points, as it was before this step: velocity_before and angular_velocity_before of both bodies.",
+        "Where v_n < −0.1 m/s: b = min(b, e v_n), e = c.restitution."}},
+      {6,
+       "friction: two rows along the surface",
+       {"tangents_of(c.normal) gives two directions. Each is a row like the normal, with b = 0. Contacts with "
+        "c.friction == 0 "
+        "need none.",
+        "In each sweep all normals first, then all tangents. The sum of a tangent stays within ± μ times the sum of "
+        "its "
+        "contact's normal.",
+        "A row says which contact it belongs to: the place of a tangent in its list is not that of its normal. "
+        "c.impulse is the "
+        "sum of all three."}},
+      {7,
+       "the impulses of the step before as the initial guess",
+       {"world.contacts_before has the contacts of the step before, each with its impulse. Both lists ascend by id.",
+        "Before the sweeps, each row begins with its part of world.impulse_scale(dt) times the old impulse of the same "
+        "id: · n "
+        "for the normal, · t for each tangent.",
+        "Begin means two things: the row's sum is it, and the bodies get it. The normal's part is never less than 0."}},
+      {8,
+       "a disc for the square",
+       {"Both tangents of a contact are solved together: read both slips, make both new sums, and if the length of "
+        "(sum₁, sum₂) "
+        "is more than μ times the normal's sum, scale both back to it. Then apply.",
+        "Both take steps of the same size 1/k: k is the larger eigenvalue of the 2 × 2 matrix (k₁₁ k₁₂; k₁₂ k₂₂) of "
+        "the two "
+        "tangents, k₁₂ the speed along t₂ that an impulse of 1 N s along t₁ makes.",
+        "k = (k₁₁ + k₂₂)/2 + hypot((k₁₁ − k₂₂)/2, k₁₂)."}},
+  };
+  return all;
+}
+
+std::string two_digits(int chapter) {
+  return fmt::format("{:02}", chapter);
+}
+
+std::string folder_of(int chapter) {
+  for (const auto& entry : fs::directory_iterator(kit().sources / "chapters"))
+    if (entry.path().filename().string().starts_with(two_digits(chapter) + "_"))
+      return entry.path().filename().string();
+  throw InvalidInput(fmt::format("there is no chapter {} in {}", chapter, (kit().sources / "chapters").string()));
+}
+
+const ChapterOfMine& chapter_of_mine(const std::string& word) {
+  std::vector<std::string> names;
+  for (const ChapterOfMine& chapter : chapters_of_mine()) {
+    const std::string number = two_digits(chapter.number), folder = folder_of(chapter.number);
+    if (word == number || "0" + word == number || word == folder || word == folder.substr(3)) return chapter;
+    names.push_back(number);
+  }
+  throw InvalidInput(fmt::format("unknown chapter '{}': one of these is needed: {}", word, fmt::join(names, ", ")));
+}
+
+int chapter_of_check(std::size_t check) {
+  return checks_of_chapters()[check].chapter;
+}
+bool holds(std::size_t check, int chapter) {
+  return chapter <= checks_of_chapters()[check].last;
+}
+
+Exercise exercise_of_chapter(int chapter) {
+  std::vector<Check<WholeSolver>> checks;
+  for (std::size_t i = 0; i < checks_of_chapters().size() && chapter_of_check(i) <= chapter; ++i) {
+    checks.push_back(checks_of_chapters()[i].check);
+    if (holds(i, chapter)) continue;
+    for (Quantity& quantity : checks.back().quantities) quantity.tolerance = std::numeric_limits<double>::infinity();
+  }
+  std::vector<Mistake<WholeSolver>> mistakes;
+  for (const KnownSlip& known : known_slips())
+    if (known.chapter <= chapter && chapter <= known.last)
+      mistakes.push_back({known.name, known.hint, loop_with(chapter, known.slip)});
+  if (chapter > 0) mistakes.push_back(not_begun(chapter));
+  const ChapterOfMine& told = chapters_of_mine()[static_cast<std::size_t>(chapter)];
+  Exercise made = exercise_of<WholeSolver>(told.title, told.hints, checks, plain(chapter), std::move(mistakes));
+  made.name = "mine";
+  made.object = kit().folder / "libwhole_solver_scenes.a";
+  return made;
+}
+
+std::string plain_loop(int chapter) {
+  const fs::path folder = kit().sources / "chapters" / folder_of(chapter);
+  const bool naive = !fs::exists(folder / "flat.h");
+  std::string header = read_text_file(folder / (naive ? "naive.h" : "flat.h")), source;
+  if (!naive) source = read_text_file(folder / "flat.cpp");
+  // One namespace, and one class in it, from two files of which each has its own includes first.
+  std::string text, own_include = fmt::format("#include \"pushback/chapters/{}/flat.h\"", folder.filename().string());
+  for (const std::string& line : lines_of(header + source))
+    if (line != own_include) text += line + "\n";
+  replace_all(text, fmt::format("namespace pushback::flat_{} {{", two_digits(chapter)),
+              "namespace mine {\n\nusing namespace pushback;");
+  replace_all(text, fmt::format("}}  // namespace pushback::flat_{}\n", two_digits(chapter)), "}  // namespace mine\n");
+  replace_all(text, "FlatSolver", "MySolver");
+  if (naive) {
+    replace_all(text, "namespace pushback {", "namespace mine {\n\nusing namespace pushback;");
+    replace_all(text, "}  // namespace pushback\n", "}  // namespace mine\n");
+    replace_all(text, "NaiveOnce", "MySolver");
+  }
+  return text;
+}
+
+}  // namespace pushback

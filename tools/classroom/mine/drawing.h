@@ -1,0 +1,15 @@
+/// A reader's solver as one more variant in the chapter's own sheet and plot.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace pushback {
+
+/// Fills `to` with sheet.png, plot.png and numbers.md (and films) of the chapter's program, in which the solver in `text`
+/// plays every scene with the sweeps and the step of the last variant. Headers in `folder` are found by the text. Returns what
+/// went wrong, in words; empty: nothing.
+std::string draw_mine(int chapter, const std::string& text, const std::filesystem::path& folder,
+                      const std::filesystem::path& to, bool film);
+
+}  // namespace pushback

@@ -1,0 +1,193 @@
+/// ./course mine: a solver of the reader's own, one file that grows from chapter to chapter.
+#include <algorithm>
+#include <random>
+#include <thread>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/process.h"
+#include "pushback/common/experiment/program.h"
+#include "pushback/tools/classroom/attempt.h"
+#include "pushback/tools/classroom/mine/chapters.h"
+#include "pushback/tools/classroom/mine/drawing.h"
+#include "pushback/tools/classroom/mine/my_file.h"
+#include "pushback/tools/classroom/mine/verdict.h"
+
+using namespace pushback;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Asked {
+  std::vector<std::string> words;
+  std::string folder;      // empty: mine/ of the project
+  std::uint64_t seed = 0;  // 0: another one each time
+  bool hint = false, watch = false, reset = false, diff = false, no_sheet = false, film = false;
+};
+
+void list(const MyFolder& mine) {
+  const ChapterOfMine* next = nullptr;
+  for (const ChapterOfMine& chapter : chapters_of_mine()) {
+    const MyFolder::State state = mine.state(chapter.number);
+    if (!next && state != MyFolder::State::passed) next = &chapter;
+    const char* stands = state == MyFolder::State::passed   ? "passed"
+                         : state == MyFolder::State::broken ? "broken"
+                         : next == &chapter                 ? "next"
+                                                            : "";
+    fmt::print("  {}  {:<7} {}\n", two_digits(chapter.number), stands, chapter.title);
+  }
+  if (next)
+    fmt::print("next: chapters/{}/README.md, then {}, then ./course mine {}\n", folder_of(next->number),
+               mine.file().string(), two_digits(next->number));
+  else fmt::print("all are passed: ./course mine 08 --diff shows the plain loop beside yours\n");
+}
+
+std::string capital(std::string words) {
+  if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
+
+/// Those of earlier chapters in one line as long as they pass; of this one, a line a check.
+void print_checks(const ChapterOfMine& chapter, const VerdictOfMine& made) {
+  const auto line = [&](std::size_t i) {
+    const Passed passed = made.verdict.checks[i];
+    fmt::print("  {} {}\n",
+               passed == Passed::yes  ? "✓"
+               : passed == Passed::no ? "✗"
+                                      : "·",
+               made.exercise.checks[i].says);
+  };
+  std::size_t earlier = 0, kept = 0;
+  for (std::size_t i = 0; i < made.exercise.checks.size() && chapter_of_check(i) < chapter.number; ++i) {
+    if (!holds(i, chapter.number)) continue;
+    ++earlier;
+    kept += made.verdict.checks[i] == Passed::yes;
+    if (made.verdict.checks[i] == Passed::no) line(i);
+  }
+  if (earlier > 0 && kept == earlier) fmt::print("  ✓ what the chapters before ask for: {} checks\n", earlier);
+  for (std::size_t i = 0; i < made.exercise.checks.size(); ++i)
+    if (chapter_of_check(i) == chapter.number) line(i);
+}
+
+void remember(const ChapterOfMine& chapter, const VerdictOfMine& made, MyFolder& mine) {
+  if (made.verdict.passed()) {
+    for (int each = 0; each <= chapter.number; ++each) mine.set_state(each, MyFolder::State::passed);
+    return;
+  }
+  for (std::size_t i = 0; i < made.verdict.checks.size(); ++i) {
+    const int its = chapter_of_check(i);
+    if (made.verdict.checks[i] == Passed::no && mine.state(its) == MyFolder::State::passed)
+      mine.set_state(its, MyFolder::State::broken);
+  }
+}
+
+/// "Chapter 02, which you had passed: the points ..."
+std::string sentence(const ChapterOfMine& chapter, const VerdictOfMine& made, const MyFolder& mine) {
+  const std::size_t first = made.first_failing();
+  const int its = chapter_of_check(std::min(first, made.verdict.checks.size() - 1));
+  if (made.verdict.checks[first] != Passed::no || its == chapter.number) return made.verdict.in_words();
+  return fmt::format("Chapter {}, which {}: {}", two_digits(its),
+                     mine.state(its) == MyFolder::State::open ? "comes before" : "you had passed",
+                     made.verdict.sentence);
+}
+
+/// The verdict, line by line, then the picture; true where all checks pass.
+bool check(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
+  const std::string number = two_digits(chapter.number), text = mine.text();
+  fmt::print("{}: {}\n", number, chapter.title);
+  const std::uint64_t seed = asked.seed != 0 ? asked.seed : std::random_device{}();
+  const VerdictOfMine made = verdict_of_mine(chapter.number, text, mine.path(), seed);
+  print_checks(chapter, made);
+  const std::vector<std::string> printed = lines_of(made.outcome.printed);
+  for (std::size_t i = 0; i < std::min<std::size_t>(printed.size(), 10); ++i) fmt::print("  | {}\n", printed[i]);
+  if (printed.size() > 10) fmt::print("  | ... and {} lines more that your file printed\n", printed.size() - 10);
+  remember(chapter, made, mine);
+  const bool passed = made.verdict.passed();
+  if (passed) fmt::print("\n  Passed. The chapter's plain loop beside yours: ./course mine {} --diff\n", number);
+  else
+    fmt::print("\n  {}\n\n  One hint more: ./course mine {} --hint. The same scenes again: --seed {}\n",
+               capital(sentence(chapter, made, mine)), number, seed);
+  std::fflush(stdout);  // the picture takes a moment
+  // What did not come to its end in a scene would not in the picture.
+  if (!asked.no_sheet && made.outcome.problem.empty()) {
+    const fs::path to = mine.path() / number;
+    const std::string wrong = draw_mine(chapter.number, text, mine.path(), to, asked.film);
+    if (wrong.empty())
+      fmt::print("  Yours beside the chapter's: {}, plot.png, numbers.md{}\n", (to / "sheet.png").string(),
+                 asked.film ? ", film.mp4" : "");
+    else fmt::print("  No picture was drawn: {}\n", wrong);
+  }
+  return passed;
+}
+
+void show_hints(const ChapterOfMine& chapter, MyFolder& mine) {
+  const std::size_t count = std::min(mine.hints(chapter.number) + 1, chapter.hints.size());
+  for (std::size_t i = 0; i < count; ++i) fmt::print("  {}. {}\n", i + 1, chapter.hints[i]);
+  if (count == chapter.hints.size())
+    fmt::print("  That was the last one. chapters/{}/README.md has the rest.\n", folder_of(chapter.number));
+  mine.set_hints(chapter.number, count);
+}
+
+void show_difference(const ChapterOfMine& chapter, const MyFolder& mine) {
+  const std::string number = two_digits(chapter.number);
+  if (mine.state(chapter.number) != MyFolder::State::passed)
+    throw InvalidInput(fmt::format("--diff shows the plain loop once yours passes: ./course mine {}", number));
+  const ScratchFolder scratch;
+  write_text_file(scratch.path / "plain.h", plain_loop(chapter.number));
+  const Ended ended = run_program({"diff", "-u", "--label", "the plain loop of chapter " + number, "--label",
+                                   mine.file(), scratch.path / "plain.h", mine.file()});
+  if (ended.status > 1) throw std::runtime_error("diff failed: " + ended.err);
+  fmt::print("{}", ended.status == 0 ? "There is no difference.\n" : ended.out);
+}
+
+[[noreturn]] void watch(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
+  fs::file_time_type seen{};
+  for (;;) {
+    const fs::file_time_type now = mine.written();
+    if (now != seen && mine.begun()) {
+      seen = now;
+      fmt::print("\n");
+      try {
+        check(chapter, mine, asked);
+      } catch (const InvalidInput& problem) {
+        fmt::print("{}\n", problem.what());
+      }
+      std::fflush(stdout);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Asked asked;
+  CommandLine line("A solver of your own: one file that grows from chapter to chapter.", "./course mine");
+  line.option("CHAPTER", asked.words, "00 to 08, or its name; none: where you stand").at_most_once();
+  line.flag("--hint", asked.hint, "One hint more each time");
+  line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
+  line.flag("--diff", asked.diff, "The chapter's plain loop beside your file, once it passes");
+  line.flag("--reset", asked.reset, "Begin anew; your file is kept, with .old at its end, then .old2, ...");
+  line.flag("--no-sheet", asked.no_sheet, "Do not draw your solver beside the chapter's");
+  line.flag("--film", asked.film, "Films, too, of each scene");
+  line.option("--seed", asked.seed, "The same random scenes as last time");
+  line.option("--in", asked.folder, "The folder with your file, mine/ by default");
+  bool passed = true;
+  const int status = line.run(argc, argv, [&] {
+    const ChapterOfMine* chapter = asked.words.empty() ? nullptr : &chapter_of_mine(asked.words[0]);
+    if (!chapter && (asked.hint || asked.watch || asked.diff || asked.film))
+      throw InvalidInput("of which chapter? Its number is needed, 03 for example");
+    MyFolder mine(asked.folder);
+    if (asked.reset || !mine.begun()) {
+      mine.reset();
+      fmt::print("Your solver is {}: it compiles, and does nothing right.\n", mine.file().string());
+      if (!asked.watch) return list(mine);
+    }
+    if (!chapter) list(mine);
+    else if (asked.hint) show_hints(*chapter, mine);
+    else if (asked.diff) show_difference(*chapter, mine);
+    else if (asked.watch) watch(*chapter, mine, asked);
+    else passed = check(*chapter, mine, asked);
+  });
+  return status == 0 && !passed ? 1 : status;
+}

@@ -1,0 +1,670 @@
+#include "pushback/tools/classroom/mine/scenes.h"
+
+#include <fmt/format.h>
+
+#include "pushback/common/basics/input.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr double exact = 1e-6;  // m/s, rad/s, N s ...: see scenes.h
+
+/// Contacts that are made by hand, solved as World::step would have them solved.
+struct Touching {
+  World world;
+  Real h;
+
+  explicit Touching(Random& random) : h(1 / random.between(50, 240)) { world.gravity.setZero(); }
+
+  Contact& touch(std::uint32_t a, std::uint32_t b, const Vec3& point, const Vec3& normal, std::uint32_t feature = 0) {
+    world.contacts.push_back({.point = point, .normal = normal, .id = {a, b, feature}});
+    return world.contacts.back();
+  }
+  /// The velocities are those with which the step begins.
+  void begin() {
+    for (Body& body : world.bodies) keep_velocity(body);
+  }
+  void solve(StepSolver& solver, int sweeps) {
+    solver.check(world, h);
+    solver.detected(world, h);
+    solver.solve(world, h, sweeps);
+    solver.done(world);
+  }
+  /// The next step, of which these contacts are found.
+  void next(Real its_h, Contacts found) {
+    world.contacts_before = std::move(world.contacts);
+    world.contacts = std::move(found);
+    world.dt_before = h;
+    h = its_h;
+  }
+};
+
+/// A body that tumbles: its inertia differs from axis to axis.
+Body lump(Random& random) {
+  const Real x = random.between(Real(0.3), Real(0.8)), y = random.between(Real(0.3), Real(0.8)),
+             z = random.between(Real(0.3), Real(0.8));
+  Body body = box({x, y, z}, random.over_decades(1, 10));
+  return body.oriented(random.orientation());
+}
+
+/// Two bodies that touch in one point, and that can both move.
+struct Pair : Touching {
+  Vec3 momentum_before, angular_before, slip_before;
+
+  /// Their points part at `speed`, m/s; negative: they meet.
+  Pair(Random& random, Real speed, bool spheres = false) : Touching(random) {
+    const Vec3 point = random.vector(1), normal = random.direction();
+    for (const int side : {-1, 1}) {
+      const Real away = random.between(Real(0.3), Real(0.8));
+      Body body = spheres ? sphere(away, random.over_decades(1, 10)) : lump(random);
+      Vec3 place = point + static_cast<Real>(side) * away * normal;
+      if (!spheres) place += random.vector(Real(0.3));
+      body.at(place).moving(random.vector(2));
+      if (!spheres) body.spinning(random.vector(2));
+      world.add(body);
+    }
+    touch(0, 1, point, normal, static_cast<std::uint32_t>(random.below(5)));
+    meet(speed);
+  }
+  Contact& contact() { return world.contacts[0]; }
+  /// As above; the velocities across the normal stay.
+  void meet(Real speed) {
+    world.bodies[1].velocity += (speed - separating_speed(world, contact())) * contact().normal;
+    begin();
+    momentum_before = momentum(world);
+    angular_before = angular_momentum(world);
+  }
+  /// How fast B's point moves along A's surface, m/s.
+  Vec3 slip() const {
+    const Contact& c = world.contacts[0];
+    const Vec3 speed = world.bodies[1].velocity_at(c.point) - world.bodies[0].velocity_at(c.point);
+    return speed - speed.dot(c.normal) * c.normal;
+  }
+  /// Gives B such a velocity that this is its slip, m/s.
+  void slide(const Vec3& wanted) {
+    world.bodies[1].velocity += wanted - slip();
+    meet(separating_speed(world, contact()));
+    slip_before = wanted;
+  }
+  Real parting() const { return separating_speed(world, world.contacts[0]); }
+  Real pushed() const { return world.contacts[0].impulse.dot(world.contacts[0].normal); }
+  Real rubbed() const { return (world.contacts[0].impulse - pushed() * world.contacts[0].normal).norm(); }
+};
+
+const std::vector<Quantity> of_a_pair{{"the points at which your bodies touch part with", "m/s", exact},
+                                      {"your impulses change the momentum of both bodies together by", "N s", exact},
+                                      {"and their angular momentum by", "N m s", exact},
+                                      {"your lower body leaves with", "m/s", exact},
+                                      {"your upper body leaves with", "m/s", exact},
+                                      {"your lower body turns with", "rad/s", exact},
+                                      {"your upper body turns with", "rad/s", exact},
+                                      {"your contact keeps an impulse along its normal of", "N s", exact}};
+
+Numbers numbers_of(const Pair& pair) {
+  const auto& bodies = pair.world.bodies;
+  return {pair.parting(),
+          (momentum(pair.world) - pair.momentum_before).norm(),
+          (angular_momentum(pair.world) - pair.angular_before).norm(),
+          bodies[0].velocity.norm(),
+          bodies[1].velocity.norm(),
+          bodies[0].angular_velocity.norm(),
+          bodies[1].angular_velocity.norm(),
+          pair.pushed()};
+}
+
+Numbers solved(Pair& pair, const WholeSolver& answer, int sweeps) {
+  const auto solver = answer.make();
+  pair.solve(*solver, sweeps);
+  return numbers_of(pair);
+}
+
+/// Three boxes on the ground and on each other, which touch in six points.
+struct Pile : Touching {
+  explicit Pile(Random& random) : Touching(random) {
+    world.add(ground());
+    const Vec3 places[] = {{-1, 1, 0}, {1, 1, 0}, {0, Real(2.2), 0}};
+    for (const Vec3& place : places) {
+      Body body = lump(random);
+      world.add(body.at(place + random.vector(Real(0.1))));
+    }
+    const auto near = [&](std::uint32_t a, std::uint32_t b, const Vec3& point, const Vec3& normal,
+                          std::uint32_t feature = 0) {
+      const Vec3 off = random.vector(Real(0.15)), tilt = random.vector(Real(0.2));
+      touch(a, b, point + off, (normal + tilt).normalized(), feature);
+    };
+    near(0, 1, {-1, Real(0.3), 0}, Vec3::UnitY());
+    near(0, 2, {1, Real(0.3), 0}, Vec3::UnitY());
+    near(1, 2, {0, 1, Real(-0.6)}, Vec3::UnitX(), 2);
+    near(1, 2, {0, 1, Real(0.6)}, Vec3::UnitX(), 5);
+    near(1, 3, {Real(-0.5), Real(1.6), Real(-0.2)}, Vec3(Real(0.5), 1, 0));
+    near(2, 3, {Real(0.5), Real(1.6), Real(0.2)}, Vec3(Real(-0.5), 1, 0));
+  }
+  /// Velocities that just these impulses, N s, one a contact, bring to rest.
+  void thrown_by(const Numbers& impulses) {
+    for (std::size_t i = 0; i < impulses.size(); ++i) {
+      const Contact& c = world.contacts[i];
+      const auto [a, b] = world.bodies_of(c);
+      const Vec3 impulse = impulses[i] * c.normal;
+      a.velocity += a.inverse_mass * impulse;
+      a.angular_velocity += a.inverse_inertia * (c.point - a.position).cross(impulse);
+      b.velocity -= b.inverse_mass * impulse;
+      b.angular_velocity -= b.inverse_inertia * (c.point - b.position).cross(impulse);
+    }
+    begin();
+  }
+};
+
+std::vector<Quantity> of_a_pile() {
+  std::vector<Quantity> all;
+  for (const int box : {1, 2, 3}) {
+    all.push_back({fmt::format("box {} of your pile moves with", box), "m/s", exact});
+    all.push_back({fmt::format("box {} of your pile turns with", box), "rad/s", exact});
+  }
+  for (const int contact : {1, 2, 3, 4, 5, 6})
+    all.push_back({fmt::format("contact {} of your pile keeps", contact), "N s", exact});
+  return all;
+}
+
+Numbers numbers_of(const Pile& pile) {
+  Numbers numbers;
+  for (std::size_t i = 1; i <= 3; ++i) {
+    numbers.push_back(pile.world.bodies[i].velocity.norm());
+    numbers.push_back(pile.world.bodies[i].angular_velocity.norm());
+  }
+  for (const Contact& c : pile.world.contacts) numbers.push_back(c.impulse.norm());
+  return numbers;
+}
+
+constexpr int to_the_end = 2000;  // sweeps, after which a pile has converged
+
+/// A beam over the ground, which is met by it in two points, as far left as right of its middle.
+struct Beam : Touching {
+  /// `reach`, m; the beam falls at `speed`, m/s, and turns about the axis across with `spin`, rad/s.
+  Beam(Random& random, Real reach, Real speed, Real spin = 0) : Touching(random) {
+    world.add(ground());
+    Body beam = box({1, Real(0.1), Real(0.2)}, random.over_decades(1, 10));
+    world.add(beam.at({0, Real(0.1), 0}).moving({0, -speed, 0}).spinning({0, 0, spin}));
+    touch(0, 1, {-reach, 0, 0}, Vec3::UnitY(), 0);
+    touch(0, 1, {reach, 0, 0}, Vec3::UnitY(), 1);
+    begin();
+  }
+};
+
+const std::vector<Quantity> of_a_beam{{"your beam moves upwards with", "m/s", exact},
+                                      {"your beam turns with", "rad/s", exact},
+                                      {"of your beam's two contacts, the one that pushes more keeps", "N s", exact},
+                                      {"the one that pushes less keeps", "N s", exact}};
+
+Numbers numbers_of(const Beam& beam) {
+  const Body& body = beam.world.bodies[1];
+  const Real left = beam.world.contacts[0].impulse.y(), right = beam.world.contacts[1].impulse.y();
+  return {body.velocity.y(), std::abs(body.angular_velocity.z()), std::max(left, right), std::min(left, right)};
+}
+
+int few(Random& random) {
+  return 1 + static_cast<int>(random.below(4));
+}
+
+Real meeting(Random& random) {
+  return -random.between(2, 6);
+}
+
+// ---- 00 to 02 --------------------------------------------------------------------------------------------------------
+
+Numbers meets(Random& random, const WholeSolver& answer) {
+  Pair pair(random, meeting(random));
+  return solved(pair, answer, 1);
+}
+
+Numbers bounces(Random& random, const WholeSolver& answer) {
+  Pair pair(random, meeting(random));
+  pair.contact().restitution = random.between(Real(0.2), Real(0.9));
+  Pair leaving(random, random.between(1, 3));
+  Numbers numbers = solved(pair, answer, 1);
+  numbers.push_back(solved(leaving, answer, 1)[0]);
+  return numbers;
+}
+
+Numbers moved_apart(Random& random, const WholeSolver& answer) {
+  Pair pair(random, random.between(1, 3));
+  pair.contact().depth = random.between(Real(0.01), Real(0.1));
+  const Vec3 lower = pair.world.bodies[0].position, upper = pair.world.bodies[1].position;
+  solved(pair, answer, 1);
+  const Vec3 normal = pair.contact().normal;
+  return {-1000 * (pair.world.bodies[0].position - lower).dot(normal),
+          1000 * (pair.world.bodies[1].position - upper).dot(normal)};
+}
+
+/// The same solver twice: in the second step nothing of the first is left.
+Numbers pile_stops(Random& random, const WholeSolver& answer) {
+  Pile pile(random);
+  const auto solver = answer.make();
+  for (int step = 0; step < 2; ++step) {
+    Numbers impulses;
+    for (std::size_t i = 0; i < pile.world.contacts.size(); ++i) impulses.push_back(random.between(1, 5));
+    pile.thrown_by(impulses);
+    if (step > 0) pile.next(pile.h, pile.world.contacts);
+    pile.solve(*solver, to_the_end);
+  }
+  return numbers_of(pile);
+}
+
+Numbers wide_beam(Random& random, const WholeSolver& answer) {
+  Beam beam(random, random.between(Real(0.7), Real(0.9)), random.between(1, 4));
+  beam.solve(*answer.make(), few(random));
+  return numbers_of(beam);
+}
+
+Numbers held_back(Random& random, const WholeSolver& answer) {
+  Pair pair(random, random.between(1, 3));
+  return solved(pair, answer, few(random));
+}
+
+Numbers let_go(Random& random, const WholeSolver& answer) {
+  Pair pair(random, random.between(1, 3));
+  return solved(pair, answer, few(random));
+}
+
+Numbers narrow_beam(Random& random, const WholeSolver& answer) {
+  Beam beam(random, random.between(Real(0.25), Real(0.4)), random.between(1, 4));
+  beam.solve(*answer.make(), 1 + few(random));
+  return numbers_of(beam);
+}
+
+/// One end meets the ground hard and the other lightly, which then goes up: whatever it was pushed with is taken back.
+Numbers tipping_beam(Random& random, const WholeSolver& answer) {
+  const Real reach = random.between(Real(0.25), Real(0.4)), speed = random.between(1, 4);
+  const Real side = random.below(2) == 0 ? 1 : -1;
+  Beam beam(random, reach, speed, side * random.between(Real(0.8), Real(0.9)) * speed / reach);
+  beam.solve(*answer.make(), 60);
+  return numbers_of(beam);
+}
+
+Numbers pile_of_any_velocities(Random& random, const WholeSolver& answer) {
+  Pile pile(random);
+  for (std::size_t i = 1; i < pile.world.bodies.size(); ++i)
+    pile.world.bodies[i].moving(random.vector(3)).spinning(random.vector(3));
+  pile.begin();
+  pile.solve(*answer.make(), to_the_end);
+  return numbers_of(pile);
+}
+
+// ---- 03 to 05 --------------------------------------------------------------------------------------------------------
+
+Real slow(Random& random) {
+  return -random.between(Real(0.01), Real(0.05));
+}
+
+/// s: steps so long that β d / h, β d and β d h differ by more than a few hundredths.
+Real long_step(Random& random) {
+  return random.between(Real(0.2), Real(0.5));
+}
+
+Numbers deep(Random& random, const WholeSolver& answer) {
+  Pair pair(random, slow(random));
+  pair.h = long_step(random);
+  pair.contact().depth = random.between(Real(0.01), Real(0.05));
+  return solved(pair, answer, few(random));
+}
+
+Numbers deeper(Random& random, const WholeSolver& answer) {
+  Pair pair(random, slow(random));
+  pair.h = long_step(random);
+  const int sweeps = few(random);
+  Pair other = pair;
+  pair.contact().depth = random.between(Real(0.01), Real(0.03));
+  other.contact().depth = pair.contact().depth + Real(0.01);
+  const Real less = solved(pair, answer, sweeps)[0], more = solved(other, answer, sweeps)[0];
+  return {more - less};
+}
+
+Numbers apart(Random& random, const WholeSolver& answer) {
+  Pair meets(random, -random.between(Real(0.05), Real(0.09))), leaves(random, random.between(Real(0.01), Real(0.05)));
+  meets.h = leaves.h = long_step(random);
+  meets.contact().depth = leaves.contact().depth = -random.between(Real(0.002), Real(0.02));
+  const int sweeps = few(random);
+  return {solved(meets, answer, sweeps)[0], solved(leaves, answer, sweeps)[0]};
+}
+
+Numbers shallow(Random& random, const WholeSolver& answer) {
+  Pair pair(random, slow(random));
+  pair.contact().depth = random.between(Real(0.001), Real(0.0045));
+  return solved(pair, answer, few(random));
+}
+
+/// A body that meets one which nothing moves, and that gravity has sped up in this step before its contact is solved.
+struct Falling : Pair {
+  /// As the step began, its points parted at `speed`, m/s.
+  Falling(Random& random, Real speed) : Pair(random, speed) {
+    world.bodies[0].fixed().moving(Vec3::Zero()).spinning(Vec3::Zero());
+    meet(speed);
+    world.gravity = -random.between(5, 15) * contact().normal;
+    integrate_velocity(world.bodies[1], world.gravity, h);
+  }
+};
+
+const std::vector<Quantity> of_who_falls{{"the points at which your bodies touch part with", "m/s", exact},
+                                         {"the body that fell leaves with", "m/s", exact},
+                                         {"the body that fell turns with", "rad/s", exact},
+                                         {"your contact keeps an impulse along its normal of", "N s", exact}};
+
+Numbers bounces_back(Random& random, const WholeSolver& answer) {
+  Falling pair(random, meeting(random));
+  pair.contact().restitution = random.between(Real(0.2), Real(0.9));
+  const Real parting = solved(pair, answer, few(random))[0];
+  const Body& fell = pair.world.bodies[1];
+  return {parting, fell.velocity.norm(), fell.angular_velocity.norm(), pair.pushed()};
+}
+
+Numbers too_slow(Random& random, const WholeSolver& answer) {
+  Falling pair(random, -random.between(Real(0.02), Real(0.09)));
+  pair.contact().restitution = random.between(Real(0.5), Real(0.9));
+  Falling leaving(random, random.between(Real(0.02), Real(0.05)));
+  leaving.contact().restitution = pair.contact().restitution;
+  const int sweeps = few(random);
+  return {solved(pair, answer, sweeps)[0], solved(leaving, answer, sweeps)[0]};
+}
+
+/// Deep, and fast: whichever asks for the higher speed.
+Numbers deep_and_fast(Random& random, const WholeSolver& answer) {
+  Falling fast(random, meeting(random)), deep(random, -random.between(Real(0.2), Real(0.4)));
+  fast.contact().restitution = deep.contact().restitution = random.between(Real(0.4), Real(0.9));
+  fast.contact().depth = random.between(Real(0.007), Real(0.01));
+  deep.contact().depth = random.between(Real(0.1), Real(0.2));
+  const int sweeps = few(random);
+  return {solved(fast, answer, sweeps)[0], solved(deep, answer, sweeps)[0]};
+}
+
+Numbers pile_of_all(Random& random, const WholeSolver& answer) {
+  Pile pile(random);
+  for (std::size_t i = 1; i < pile.world.bodies.size(); ++i)
+    pile.world.bodies[i].moving(random.vector(3)).spinning(random.vector(3));
+  pile.begin();
+  for (Contact& c : pile.world.contacts) {
+    c.depth = random.between(Real(-0.01), Real(0.02));
+    c.restitution = random.between(0, Real(0.8));
+  }
+  pile.solve(*answer.make(), to_the_end);
+  return numbers_of(pile);
+}
+
+// ---- 06 and 08 -------------------------------------------------------------------------------------------------------
+
+/// Two balls, which slide on each other along one of the tangents. A ball's points along its surface are alike in every
+/// direction, and its normal has nothing to do with them: one sweep solves it.
+struct Balls : Pair {
+  Balls(Random& random, Real speed_of_slip) : Pair(random, meeting(random), true) {
+    const auto [tangent1, tangent2] = tangents_of(contact().normal);
+    const Vec3 along = random.below(2) == 0 ? tangent1 : tangent2;
+    slide((random.below(2) == 0 ? speed_of_slip : -speed_of_slip) * along);
+  }
+};
+
+std::vector<Quantity> of_what_rubs() {
+  std::vector<Quantity> all = of_a_pair;
+  all.push_back({"your contact keeps an impulse along the surface of", "N s", exact});
+  all.push_back({"along the surface, the points at which your bodies touch slip with", "m/s", exact});
+  return all;
+}
+
+Numbers with_friction(Numbers numbers, const Pair& pair) {
+  numbers.push_back(pair.rubbed());
+  numbers.push_back(pair.slip().norm());
+  return numbers;
+}
+
+Numbers balls_slide(Random& random, const WholeSolver& answer) {
+  Balls balls(random, random.between(8, 12));
+  balls.contact().friction = random.between(Real(0.1), Real(0.4));
+  const Numbers numbers = solved(balls, answer, 1);
+  return with_friction(numbers, balls);
+}
+
+Numbers balls_stick(Random& random, const WholeSolver& answer) {
+  Balls balls(random, random.between(Real(0.1), Real(0.4)));
+  balls.contact().friction = random.between(Real(0.6), Real(0.9));
+  const Numbers numbers = solved(balls, answer, few(random));
+  return with_friction(numbers, balls);
+}
+
+/// A body of any shape, which friction holds.
+Numbers lumps_stick(Random& random, const WholeSolver& answer) {
+  Pair pair(random, meeting(random));
+  pair.slide(Real(0.3) * random.vector(1).cross(pair.contact().normal));
+  pair.contact().friction = 10;
+  const Numbers numbers = solved(pair, answer, 400);
+  return with_friction(numbers, pair);
+}
+
+/// Several pairs of balls in one world, some smooth and some rough.
+struct ManyBalls : Touching {
+  explicit ManyBalls(Random& random) : Touching(random) {
+    const std::size_t smooth = random.below(3);
+    for (std::uint32_t pair = 0; pair < 4; ++pair) {
+      const Balls balls(random, random.between(8, 12));
+      const Vec3 off(10 * static_cast<Real>(pair), 0, 0);
+      for (Body body : balls.world.bodies) world.add(body.at(body.position + off));
+      const Contact& c = balls.world.contacts[0];
+      touch(2 * pair, 2 * pair + 1, c.point + off, c.normal, c.id.feature).friction =
+          pair == smooth ? 0 : random.between(Real(0.1), Real(0.4));
+    }
+    begin();
+  }
+};
+
+std::vector<Quantity> of_many() {
+  std::vector<Quantity> all;
+  for (const int pair : {1, 2, 3, 4}) {
+    all.push_back({fmt::format("of four pairs of balls, number {} part with", pair), "m/s", exact});
+    all.push_back({fmt::format("of four pairs of balls, number {} slip with", pair), "m/s", exact});
+  }
+  return all;
+}
+
+Numbers numbers_of(const ManyBalls& balls, const Contacts& contacts) {
+  Numbers numbers;
+  for (const Contact& c : contacts) {
+    const auto [a, b] = balls.world.bodies_of(c);
+    const Vec3 speed = b.velocity_at(c.point) - a.velocity_at(c.point);
+    numbers.push_back(speed.dot(c.normal));
+    numbers.push_back((speed - speed.dot(c.normal) * c.normal).norm());
+  }
+  return numbers;
+}
+
+Numbers many_slide(Random& random, const WholeSolver& answer) {
+  ManyBalls balls(random);
+  balls.solve(*answer.make(), 1 + few(random));
+  return numbers_of(balls, balls.world.contacts);
+}
+
+/// Balls that slide in any direction.
+Numbers any_direction(Random& random, const WholeSolver& answer) {
+  Pair pair(random, meeting(random), true);
+  pair.slide(random.between(8, 12) * random.direction().cross(pair.contact().normal).normalized());
+  pair.contact().friction = random.between(Real(0.1), Real(0.4));
+  const Vec3 before = pair.slip();
+  Numbers numbers = with_friction(solved(pair, answer, 1), pair);
+  const Vec3 rub = pair.contact().impulse - pair.pushed() * pair.contact().normal;
+  numbers.push_back(std::atan2(rub.cross(before).norm(), -rub.dot(before)) * 180 / pi);
+  return numbers;
+}
+
+/// Bodies of any shape, of which the two tangents know each other.
+Numbers lumps_slide(Random& random, const WholeSolver& answer) {
+  Pair pair(random, meeting(random));
+  pair.slide(random.between(1, 6) * random.direction().cross(pair.contact().normal).normalized());
+  pair.contact().friction = random.between(Real(0.2), Real(0.8));
+  const Numbers numbers = solved(pair, answer, few(random));
+  return with_friction(numbers, pair);
+}
+
+// ---- 07 --------------------------------------------------------------------------------------------------------------
+
+/// A first step of four pairs that touch; in the second, without a sweep, one is gone and another one is new; in the third
+/// that one is back.
+Numbers remembered(Random& random, const WholeSolver& answer) {
+  ManyBalls balls(random);
+  Contacts all = balls.world.contacts, first = all, second = all, third = all;
+  first.erase(first.begin() + static_cast<std::ptrdiff_t>(random.below(2)));
+  second.erase(second.begin() + 2 + static_cast<std::ptrdiff_t>(random.below(2)));
+  const auto solver = answer.make();
+  balls.world.contacts = first;
+  balls.solve(*solver, 2);
+  balls.next(balls.h * random.between(Real(0.4), Real(0.9)), second);
+  balls.begin();
+  balls.solve(*solver, 0);
+  Numbers numbers = numbers_of(balls, all);
+  balls.next(balls.h * random.between(Real(1.2), Real(2)), third);
+  balls.begin();
+  balls.solve(*solver, 0);
+  for (const Real number : numbers_of(balls, all)) numbers.push_back(number);
+  return numbers;
+}
+
+std::vector<Quantity> of_what_is_remembered() {
+  std::vector<Quantity> all;
+  for (const char* step : {"second", "third"}) {
+    for (const int pair : {1, 2, 3, 4}) {
+      for (const char* does : {"part", "slip"})
+        all.push_back({fmt::format("after a {} step without a sweep, the balls of pair {} {} with", step, pair, does),
+                       "m/s", exact});
+    }
+  }
+  return all;
+}
+
+/// What was too much as a guess is taken back: in the second step the bodies leave by themselves.
+Numbers guess_taken_back(Random& random, const WholeSolver& answer) {
+  Pair pair(random, meeting(random));
+  const auto solver = answer.make();
+  pair.solve(*solver, few(random));
+  pair.next(pair.h * random.between(Real(0.5), Real(1.5)), pair.world.contacts);
+  pair.world.bodies[1].velocity += random.vector(1);
+  pair.meet(random.between(Real(0.5), 2));
+  pair.solve(*solver, few(random));
+  return numbers_of(pair);
+}
+
+/// A bounce in a step that begins with a guess.
+Numbers bounce_after_guess(Random& random, const WholeSolver& answer) {
+  Pair pair(random, meeting(random));
+  const auto solver = answer.make();
+  pair.solve(*solver, few(random));
+  pair.next(pair.h * random.between(Real(0.5), Real(1.5)), pair.world.contacts);
+  pair.contact().restitution = random.between(Real(0.3), Real(0.9));
+  pair.meet(meeting(random));
+  pair.solve(*solver, few(random));
+  return numbers_of(pair);
+}
+
+/// How many boxes of a stack are no longer where they were, to a fifth of their side. Which way it falls is chaos; whether it
+/// does is not.
+Numbers stack_stands(Random& random, const WholeSolver& answer) {
+  World world;
+  stack(world, 4 + static_cast<int>(random.below(3)));
+  const std::vector<Body> before = world.bodies;
+  const auto solver = answer.make();
+  try {
+    for (int step = 0; step < 180; ++step) world.step(*solver, Real(1) / 60, 10);
+  } catch (const InvalidInput&) {  // a body has a velocity without bounds
+    return {static_cast<Real>(before.size() - 1)};
+  }
+  Real gone = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    gone += !((world.bodies[i].position - before[i].position).norm() < Real(0.2));
+  return {gone};
+}
+
+std::vector<CheckOfChapter> made() {
+  const std::vector<Quantity> after_a_bounce = [] {
+    std::vector<Quantity> all = of_a_pair;
+    all.push_back({"two other bodies, which were leaving each other, part with", "m/s", exact});
+    return all;
+  }();
+  const std::vector<Quantity> in_any_direction = [] {
+    std::vector<Quantity> all = of_what_rubs();
+    all.push_back({"your friction points away from the direction against the slip by", "°", 1e-4});
+    return all;
+  }();
+  const Quantity meets_apart{"bodies that are still apart and meet, part with", "m/s", exact};
+  const Quantity leaves_apart{"bodies that are still apart and leave, part with", "m/s", exact};
+  constexpr int all = last_of_all;
+  return {
+      {0, all, {"two bodies that meet no longer do", 1, of_a_pair, meets}},
+      {0, 0, {"they bounce, e times as fast", 1, after_a_bounce, bounces}},
+      {0,
+       0,
+       {"bodies that overlap are moved apart, the lighter one further",
+        1,
+        {{"your lower body is moved by", "mm", exact}, {"your upper body is moved by", "mm", exact}},
+        moved_apart}},
+      {1, all, {"sweep after sweep, the points of a beam share the load", 1, of_a_beam, wide_beam}},
+      {1, all, {"a pile of three boxes that all meet comes to rest, twice", 1, of_a_pile(), pile_stops}},
+      {1, 1, {"a row is an equation: bodies that leave are held back", 1, of_a_pair, held_back}},
+      {2, all, {"bodies that leave are let go", 1, of_a_pair, let_go}},
+      {2, all, {"a beam that lands flat does not bounce", 1, of_a_beam, narrow_beam}},
+      {2, all, {"a push that was too much is taken back", 1, of_a_beam, tipping_beam}},
+      {2, all, {"a pile with any velocities", 1, of_a_pile(), pile_of_any_velocities}},
+      {3, 3, {"bodies that are too deep part with β d / h", 1, of_a_pair, deep}},
+      {3,
+       all,
+       {"10 mm more of depth are β/h times 10 mm more of speed",
+        1,
+        {{"for 10 mm more of depth, your bodies part faster by", "m/s", exact}},
+        deeper}},
+      {3, all, {"bodies that are still apart are neither pushed nor let in", 1, {meets_apart, leaves_apart}, apart}},
+      {4, all, {"bodies that are less deep than the slop are left alone", 1, of_a_pair, shallow}},
+      {4, all, {"bodies that are deeper part with β (d − slop) / h", 1, of_a_pair, deep}},
+      {5, all, {"bodies part e times as fast as they met before this step's gravity", 1, of_who_falls, bounces_back}},
+      {5,
+       all,
+       {"who meets too slowly, or leaves, does not bounce",
+        1,
+        {{"bodies that met too slowly to bounce part with", "m/s", exact},
+         {"bodies that were leaving, before gravity, part with", "m/s", exact}},
+        too_slow}},
+      {5,
+       all,
+       {"bounce and depth: the one that asks for more speed",
+        1,
+        {{"bodies that meet fast and are a little deep part with", "m/s", exact},
+         {"bodies that meet slowly and are deep part with", "m/s", exact}},
+        deep_and_fast}},
+      {5, all, {"a pile with any velocities, depths and bounces", 1, of_a_pile(), pile_of_all}},
+      {6, all, {"balls that slide lose μ times the push, no more", 1, of_what_rubs(), balls_slide}},
+      {6, all, {"balls that friction can hold stick", 1, of_what_rubs(), balls_stick}},
+      {6, all, {"bodies of any shape stick", 1, of_what_rubs(), lumps_stick}},
+      {6, all, {"each contact rubs by its own push and its own μ", 1, of_many(), many_slide}},
+      {7,
+       all,
+       {"without a sweep, bodies get what the same point had one step before, to the scale of h", 1,
+        of_what_is_remembered(), remembered}},
+      {7, all, {"a guess that was too much is taken back", 1, of_a_pair, guess_taken_back}},
+      {7, all, {"the guess changes no bounce", 1, of_a_pair, bounce_after_guess}},
+      {7,
+       all,
+       {"a stack of four to six stands for three seconds",
+        1,
+        {{"of the boxes of your stack, those that have left their place are", "", 0.5}},
+        stack_stands}},
+      {8, all, {"in every direction, friction points against the slip", 1, in_any_direction, any_direction}},
+      {8, all, {"bodies of any shape slide as the cone says", 1, of_what_rubs(), lumps_slide}},
+  };
+}
+
+}  // namespace
+
+const std::vector<CheckOfChapter>& checks_of_chapters() {
+  static const std::vector<CheckOfChapter> all = made();
+  return all;
+}
+
+Numbers play(std::size_t check, Random& random, const WholeSolver& answer) {
+  return checks_of_chapters()[check].check.play(random, answer);
+}
+
+}  // namespace pushback

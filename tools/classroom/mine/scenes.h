@@ -1,0 +1,31 @@
+/// What each chapter asks of a whole solver: scenes made of random numbers, played with a solver of which nothing else is
+/// known.
+///
+/// The plain loop of a later chapter does not give the numbers of an earlier one, and who writes chapter 05 has no solver of
+/// chapter 02 any more. So the scenes of a check are such that what later chapters add has nothing to do in them: no overlap,
+/// no bounce, no friction, no impulse from the step before, unless the check is about it. Then a right solver of any later
+/// chapter gives the same numbers, and the check stays. Where a later chapter changes the very thing (01 pulls, 02 does not;
+/// 04 leaves a part of the depth that 03 took), `last` says with which chapter the check ends.
+///
+/// Rows may be solved in another order than here. So a scene has pairs that touch in one point and know nothing of each
+/// other; or two points that mirror each other, of which the same comes whichever goes first; or so many sweeps that it has
+/// converged, to velocities and impulses that no order changes. The tolerances (1e-6 m/s and alike, of some m/s) are a million
+/// times what another order of the arithmetic changes, and less than a thousandth of what the known mistakes do.
+#pragma once
+
+#include "pushback/common/exercise/whole_solver.h"
+
+namespace pushback {
+
+inline constexpr int last_of_all = 99;
+
+struct CheckOfChapter {
+  int chapter;  ///< that asks for it first
+  int last;     ///< the last one of which a right solver passes it
+  Check<WholeSolver> check;
+};
+
+/// Those of a chapter stand together, and after those of the chapters before.
+const std::vector<CheckOfChapter>& checks_of_chapters();
+
+}  // namespace pushback
