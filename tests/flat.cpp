@@ -115,7 +115,7 @@ void pile(World& world) {
   }
 }
 
-/// A pile to whose bodies chains of two more hang, and springs.
+/// A pile to whose bodies chains of two more hang, and weak rods, every other one soft.
 void jointed_pile(World& world) {
   pile(world);
   Random random(12);
@@ -125,6 +125,15 @@ void jointed_pile(World& world) {
               second = world.add(random.body(3).at(place + Vec3(1, 1, 0)));
     world.joints.push_back(distance(world, 3 * i, place, first, place + Vec3(0, 1, 0)));
     world.joints.push_back(hinge(world, first, second, place + Vec3(Real(0.5), 1, 0), random.vector(1)));
+    const auto weak = [i](const Body& a, const Body& b, const TimeStep&, Equations& equations) {
+      const Vec3 n = (b.position - a.position).normalized();
+      equations.push_back({.jacobian = Jacobian::along(n, a, a.position, b, b.position),
+                           .error = (b.position - a.position).norm() - 1,
+                           .softness = i % 2 == 0 ? Real(0.01) : 0,
+                           .lo = -5,
+                           .hi = 8});
+    };
+    world.joints.push_back({"a weak rod", 3 * i, second, weak});
   }
 }
 
