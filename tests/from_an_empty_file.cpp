@@ -1,6 +1,6 @@
 /// The three pages that begin from nothing: what their code does, beside closed forms and beside common/.
-#include "docs/from_an_empty_file/names.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/docs/from_an_empty_file/names.h"
 #include "tests/support/catch.h"
 #include "tests/support/contacts_of.h"
 

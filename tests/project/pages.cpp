@@ -55,7 +55,9 @@ TEST_CASE("docs/speed.md has the bytes of a contact and of a row") {
   CHECK(contains(page, fmt::format("| a `Row`; three with friction | {}; {} |", sizeof(Row), 3 * sizeof(Row))));
 }
 
-TEST_CASE("each of chapters 01 to 14, and 21, has its plain loop, of at most 250 lines, or 400 in 21, that includes no other chapter") {
+TEST_CASE(
+    "each of chapters 01 to 14, and 21, has its plain loop, of at most 250 lines, or 400 in 21, that includes no other "
+    "chapter") {
   int loops = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_DIR) / "chapters")) {
     if (!fs::exists(entry.path() / "flat.cpp")) continue;

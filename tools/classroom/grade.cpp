@@ -84,9 +84,8 @@ Json graded(const Grading& grading, const Exercise& exercise, const std::string&
 /// What a student's result follows from.
 std::string fingerprint(const Grading& grading, const HandedIn& handed_in, std::uint64_t seed) {
   const Limits& limits = grading.limits;
-  std::string all =
-      fmt::format("{} {} {} {} {} {} {} {}", seed, grading.sandboxed, grading.sheets, limits.seconds, limits.megabytes,
-                  limits.processes, limits.compile_seconds, limits.compile_megabytes);
+  std::string all = fmt::format("{} {} {} {} {} {} {} {}", seed, grading.sandboxed, grading.sheets, limits.seconds,
+                                limits.megabytes, limits.processes, limits.compile_seconds, limits.compile_megabytes);
   all += handed_in.problem();
   for (const Exercise* exercise : grading.exercises) {
     all += short_name(*exercise);

@@ -1,11 +1,10 @@
 // The pages that begin from nothing: a free spin, and how two boxes touch.
-#include "docs/from_an_empty_file/names.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "pushback/docs/from_an_empty_file/names.h"
 #include "pushback/tools/figures/figures.h"
 #include "pushback/tools/figures/svg.h"
 

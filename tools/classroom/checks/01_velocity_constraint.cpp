@@ -138,8 +138,8 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if some contacts were left out. All four corners carry the column: in each sweep, each has its "
       "turn.";
   const auto weighed = [](Row& row, Real K) { row.effective_mass = 1 / K; };
-  const auto turn = [](const Body& body, const Mat3& inverse_inertia, const Vec3& arm) {
-    return body.movable() ? arm.dot(inverse_inertia * arm) : Real(0);
+  const auto turn = [](const Body& body, const Mat3& inverse_inertia, const Vec3& lever) {
+    return body.movable() ? lever.dot(inverse_inertia * lever) : Real(0);
   };
   const auto turned = [weighed](Row& row, const Body& of_a, const Body& of_b) {
     row.dwa = -(of_a.inverse_inertia * row.ra_n);
