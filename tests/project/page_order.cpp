@@ -15,14 +15,14 @@ bool in_section(const std::string& line, std::initializer_list<const char*> name
 }
 
 /// Words of prose that a reader meets who unfolds nothing: without tables, code, display formulas, pictures, comments, and
-/// the sections that one turns to later. A formula in a line is one word.
+/// the sections that one works through: what to build, to run, to solve. A formula in a line is one word.
 std::size_t words_of_main_path(const std::string& page) {
   std::size_t words = 0, folded = 0;
   bool code = false, formula = false, later = false, inside_picture = false;
   for (std::string line : lines_of(page)) {
     if (line.starts_with("```")) code = !code;
     if (code || line.starts_with("```")) continue;
-    if (line.starts_with("## ")) later = in_section(line, {"Run it", "Exercises", "Sources"});
+    if (line.starts_with("## ")) later = in_section(line, {"Build it", "Run it", "Exercises", "Sources"});
     if (contains(line, "<details>")) ++folded;
     const bool was_folded = folded > 0;
     if (contains(line, "</details>")) --folded;

@@ -148,6 +148,9 @@ std::string separating_axes() {
   shadows(svg, a, b, least.normal, {60, view(empty_file::Vec3::Zero()).y()}, 125,
           fmt::format("{:.0f} mm: the least", 1000 * least.depth));
   shadows(svg, a, b, other, {690, 200}, 125, fmt::format("{:.0f} mm", 1000 * depth_along(other)));
+  svg.text(view(touches.front().point + 0.35 * least.normal) + Place(16, 12), "$n$", {at_left, 18});
+  svg.text({24, 24}, "along the normal", {at_left, 16, hue::grey});
+  svg.text({680, 50}, "along an axis of $B$", {at_middle, 16, hue::grey});
   for (const empty_file::Touch& touch : touches) {
     svg.arrow(view(touch.point), view(touch.point + 0.35 * touch.normal), {hue::ink, 2.5});
     svg.circle(view(touch.point), 6, hue::yellow, {hue::ink, 2});
