@@ -36,7 +36,8 @@ export function outline(root) {
 
   add("Start", "README.md");
   add("Start", "docs/before_you_start.md");
-  for (const page of names("docs/from_an_empty_file").filter((name) => name.endsWith(".md"))) add("Start", `docs/from_an_empty_file/${page}`);
+  for (const page of names("docs/from_an_empty_file").filter((name) => name.endsWith(".md")))
+    add("Start", `docs/from_an_empty_file/${page}`);
   for (const chapter of names("chapters").filter((name) => /^\d\d_/.test(name))) {
     const parent = `chapters/${chapter}/README.md`;
     add("Chapters", parent, { chapter, experiment: chapter });

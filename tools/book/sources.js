@@ -94,7 +94,7 @@ export class Sources {
           this.#files.push(new Packed(file, fs.readFileSync(path.join(root, file), "utf8")));
       }
     };
-    for (const folder of ["chapters", "common", "tests", "tools"]) walk(folder);
+    for (const folder of ["chapters", "common", "docs", "tests", "tools"]) walk(folder);
   }
 
   /// {places: [{file, line}], missing: the first line of a part that stands nowhere}. Parts are apart by an empty line.
