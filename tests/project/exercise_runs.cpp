@@ -1,6 +1,8 @@
 /// What students' files may do to whoever checks them, and how the verdict calls it.
 #include "pushback/common/basics/input.h"
+#include "pushback/common/exercise/shown.h"
 #include "pushback/tools/classroom/all_exercises.h"
+#include "pushback/tools/classroom/result_sheet.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
 
@@ -92,6 +94,55 @@ TEST_CASE("to answer in the place of the program that asks is no pass") {
   fails_as(
       verdict_with_helper(forged("\"check 0\", \"numbers 0 0\", \"numbers 0 0\", \"numbers 0 0\", \"end\""), right),
       "nothing kept", "its row keeps an impulse of 0 N s where ");
+}
+
+TEST_CASE("whatever is said of bodies changes no verdict, and no more of it is kept than a picture takes") {
+  const std::string helper = R"(#include <cstdio>
+#include <string>
+#include <unistd.h>
+inline bool say_nonsense() {
+  char text[200] = {}, word[40] = {};
+  if (pread(0, text, sizeof text - 1, 0) < 0 || std::sscanf(text, "%39s", word) != 1) _exit(9);
+  const std::string begin = std::string(word) + " shown ";
+  std::string lines;
+  for (const char* one : {"", "x", "nan", "0 nan nan nan", "1e300 1e300", "-1 -1"}) lines += begin + one + "\n";
+  for (int i = 0; i < 1000; ++i) {
+    lines += begin + "0";
+    for (int j = 0; j < 500; ++j) lines += " 1e300";
+    lines += "\n";
+  }
+  lines += begin + std::string(10000000, '1') + "\n";
+  for (int file = 3; file < 10; ++file)
+    for (std::size_t at = 0; at < lines.size();) {
+      const ssize_t written = write(file, lines.data() + at, lines.size() - at);
+      if (written <= 0) break;
+      at += static_cast<std::size_t>(written);
+    }
+  return true;
+}
+)";
+  const auto sent = [&](const std::string& lines) {
+    const ScratchFolder scratch;
+    const fs::path file = scratch.path / (example().name + ".h");
+    std::string text = filled_in(example(), lines);
+    write_text_file(file, text.insert(text.find("namespace student"), helper));
+    return attempt(example(), file, 1, nullptr, {.seconds = 3, .megabytes = 512});
+  };
+  const std::string wrong = "row.apply(-row.effective_mass * row.speed());\n";
+  for (const std::string& lines : {std::string(right), wrong}) {
+    const Attempt quiet = sent(lines), loud = sent("static const bool said = say_nonsense();\n(void)said;\n" + lines);
+    const Verdict verdict = judge(example(), 1, loud);
+    CHECK(verdict.passed() == (lines == right));
+    CHECK(loud.numbers == quiet.numbers);
+    CHECK(verdict.sentence == judge(example(), 1, quiet).sentence);
+    const auto kept = loud.shown.find({0, 0});
+    REQUIRE(kept != loud.shown.end());
+    CHECK(kept->second.size() == most_instants);
+    CHECK(loud.shown.size() <= example().checks.size() * scenes_of_a_check);
+    for (const Numbers& instant : kept->second) CHECK(instant.size() <= most_numbers_shown);
+    const Scratch drawn;
+    CHECK(write_result_sheet(drawn / "sheet.png", example(), 1, loud, verdict));
+  }
 }
 
 TEST_CASE("to ask for what is right, or to play the scenes with it, is no pass") {
@@ -191,7 +242,8 @@ TEST_CASE("a file that does not compile gets the first error in plain words, wit
   fails_as(verdict_on_lines("row.impulse = 0\n"), "does not compile", "    row.impulse = 0");
   fails_as(verdict_on_lines("row.impuls = 0;\n"), "does not compile", "has nothing called 'impuls'");
   fails_as(verdict_on_lines("sum = 0;\n"), "does not compile", "nothing here has the name 'sum'");
-  fails_as(verdict_on_lines("if (row.impulse < 0) {\n"), "does not compile", "brace");
+  fails_as(verdict_on_lines("if (row.impulse < 0) {\n"), "does not compile",
+           "this { is never closed: each { needs a }.");
   fails_as(verdict_on_lines("row.impulse = row.n;\n"), "does not compile", "another kind");
   fails_as(verdict_on_lines("extern void helper();\nhelper();\n"), "does not compile", "declared but never defined");
   fails_as(verdict_on(example(), "#pragma once\n", 1), "does not compile", "the last line of the file is missing");

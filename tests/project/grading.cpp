@@ -1,4 +1,5 @@
 /// ./course grade and ./course handout: many students, a table, JUnit XML and JSON, in parts and taken up again.
+#include <map>
 #include <set>
 
 #include "pushback/common/basics/input.h"
@@ -69,6 +70,50 @@ TEST_CASE("a class is graded: a table, JSON and JUnit XML, and again, only what 
   const Ended fourth = all.grade("--points " + (all.scratch / "points").string());
   CHECK(contains(fourth.out, "anna       10 of 10  03-transfer 10/10\n"));
   CHECK(contains(fourth.out, "ben & co    0 of 10"));
+}
+
+namespace {
+
+/// What students get for it in all transfers that are named, by their names.
+void earn_nothing(const std::string& options, const std::map<std::string, std::string>& of_students) {
+  const Scratch scratch;
+  std::string folders;
+  for (const auto& [student, line] : of_students) {
+    fs::create_directories(scratch / student);
+    for (const Exercise& exercise : all_exercises()) {
+      if (!exercise.transfer()) continue;
+      std::string text = read_text_file(stub_of(exercise));
+      text.insert(text.rfind('\n', text.find("TODO")) + 1, line);
+      write_text_file(scratch / student / (exercise.name + ".h"), text);
+    }
+    folders += (scratch / student).string() + " ";
+  }
+  const Ended ended = call_program(
+      GRADE_PROGRAM, folders + "--no-sandbox --no-sheet --out " + (scratch / "out").string() + options, 550);
+  INFO(ended.out);
+  CHECK(ended.status == 0);
+  const std::string json = text_of(scratch / "out/results.json");
+  std::size_t none = 0;
+  for (std::size_t at = 0; (at = json.find("\"points\": 0,", at)) != std::string::npos; ++at) ++none;
+  const std::vector<Exercise> all = all_exercises();
+  const auto transfers = std::count_if(all.begin(), all.end(), [](const Exercise& one) { return one.transfer(); });
+  const std::size_t graded = contains(options, "--exercises") ? 1 : static_cast<std::size_t>(transfers);
+  CHECK(none == of_students.size() * graded);
+  CHECK_FALSE(contains(json, "\"passed\": true"));
+  CHECK_FALSE(contains(json, "does not compile"));
+}
+
+const std::map<std::string, std::string> with_a_line{{"copy", "static constexpr int nothing = 1;\n"}};
+
+}  // namespace
+
+TEST_CASE("who does nothing earns nothing, in all transfers") {
+  earn_nothing("", {{"gap", ""}, {"comment", "// I do not know\n"}});
+  earn_nothing(" --exercises 03-transfer", with_a_line);
+}
+
+TEST_CASE("who writes what changes nothing earns nothing, in all transfers", "[checked]") {
+  earn_nothing(" --jobs 2", with_a_line);
 }
 
 TEST_CASE("parts, each for itself, make the whole, and half of a result is graded anew") {
