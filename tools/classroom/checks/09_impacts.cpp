@@ -155,8 +155,8 @@ std::vector<Check<Answer>> checks() {
          const Real approach = threshold * random.between(Real(0.6), Real(0.9)),
                     e = random.between(Real(0.5), Real(0.9));
          const Solved after = solved(Line{{mass, mass}, {approach, 0}, {e}}, answer, threshold);
-         const Real faster = threshold * random.between(Real(1.1), Real(1.5));
-         const Solved bounced = solved(Line{{mass, mass}, {faster, 0}, {e}}, answer, threshold);
+         const Real low = random.between(Real(0.03), Real(0.06)), faster = low * random.between(Real(1.1), Real(1.5));
+         const Solved bounced = solved(Line{{mass, mass}, {faster, 0}, {e}}, answer, low);
          return {after.speeds[0], after.rounds, bounced.separates};
        }},
       {"this step's gravity is no part of the approach",
