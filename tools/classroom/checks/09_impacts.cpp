@@ -113,7 +113,7 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          // Each is lighter than the one that hits it, so they are all apart in the end.
          Line line{{random.between(3, 5)}, {0}, {}};
-         const std::size_t pairs = 2 + random.below(3);
+         const std::size_t pairs = 3 + random.below(2);
          const Real heavier = random.between(Real(1.3), Real(1.5));
          for (std::size_t i = 0; i < pairs; ++i) {
            line.masses.push_back(line.masses.back() * heavier);
