@@ -273,7 +273,8 @@ std::vector<Mistake<Answer>> mistakes() {
        "h.",
        {[](CorrectingContext& step) { correct(step, {.push_without_h = true}); }}},
       {"moved without h",
-       "it looks as if h were missing in the move, or 1/h stood twice in b'. b' is a speed, β/h times a distance, and in a "
+       "it looks as if h were missing in the move, or 1/h stood twice in b'. b' is a speed, β/h times a distance, and "
+       "in a "
        "step of h seconds v' covers h v'.",
        {[](CorrectingContext& step) { correct(step, {.move_without_h = true}); }}},
       {"β forgotten",

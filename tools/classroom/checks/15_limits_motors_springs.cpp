@@ -53,7 +53,8 @@ std::vector<Check<Answer>> checks() {
        {{"your load, which cannot reach the end of its rope in this step, goes on with", "m/s", 1e-6},
         {"your load, which would get farther than its rope in this step, goes on with", "m/s", 1e-6},
         {"your load, which would get farther than its nearly taut rope, goes on with", "m/s", 1e-6},
-        {"your load, which would get farther than its rope in a step of half a second or more, goes on with", "m/s", 1e-6}},
+        {"your load, which would get farther than its rope in a step of half a second or more, goes on with", "m/s",
+         1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Roped roped(random);
          const Real slack = random.between(Real(0.02), Real(0.05)), fastest = slack / roped.h;

@@ -90,7 +90,7 @@ std::vector<Check<Answer>> checks() {
            ball.substeps(1, answer);
            heights.push_back(ball.height());
          }
-         constexpr Real most = 1e6;  // no row at all asks for infinity
+         constexpr Real most = 1e6;                            // no row at all asks for infinity
          const Real h = random.between(Real(0.5), Real(0.7));  // in a short one C h is as good as 0
          const Real small = std::min(most, answer.bias(random.between(Real(0.0003), Real(0.0009)), ball.rate, h));
          return with_record({before, ball.height(), small}, heights);
