@@ -12,12 +12,17 @@ namespace {
 using Spin = TwoBars::Spin;
 using Axes = TwoBars::Axes;
 
-/// The ends separate (`way` = 1) or meet (-1) by their spins, and the centres the other way round, half as fast.
+/// The ends separate (`way` = 1) or meet (-1) by their spins, and the centres the other way round, half as fast. The end of B
+/// alone goes the other way than the ends do: what it does says nothing of the pair.
 TwoBars spun_bars(Random& random, Real way, Real e) {
   TwoBars bars(random, 0, e, Spin::some, Axes::turned);
   if (way * bars.separates() < 0)
     for (Body& bar : bars.world.bodies) bar.angular_velocity *= -1;
-  bars.world.bodies[1].velocity -= bars.separates() / 2 * bars.contact().normal;
+  const Vec3 n = bars.contact().normal;
+  bars.world.bodies[1].velocity -= bars.separates() / 2 * n;
+  const Real end_of_b = n.dot(bars.world.bodies[1].velocity_at(bars.contact().point));
+  const Vec3 both = -(bars.separates() / 2 + end_of_b) * n;
+  for (Body& bar : bars.world.bodies) bar.velocity += both;
   return bars;
 }
 

@@ -47,11 +47,15 @@ std::vector<Check<Answer>> checks() {
   return {
       {"a ball with the ring at its centre keeps its speed along the rail, and no other",
        1,
-       {{"your ball leaves the rail with", "m/s", 1e-6}, {"your ball goes along the rail with", "m/s", 1e-5}},
+       {{"your ball leaves the rail with", "m/s", 1e-6},
+        {"your ball goes along the rail with", "m/s", 1e-5},
+        {"your ball, sent the other way, leaves the rail with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         Ride ride = ball(random);
+         Ride ride = ball(random), back = ride;
+         back.body.velocity *= -1;
          ride.play(answer);
-         return {ride.leaves(), ride.along()};
+         back.play(answer);
+         return {ride.leaves(), ride.along(), back.leaves()};
        }},
       {"the ring of a bar stays on the rail, and the bar swings",
        2,

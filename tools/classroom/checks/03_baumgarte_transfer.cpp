@@ -52,7 +52,8 @@ std::vector<Check<Answer>> checks() {
          Ball shallow = ball_wanting(random, cap * random.between(Real(0.2), Real(0.8)), cap);
          shallow.speed = -random.between(1, 3);
          const Ball very = ball_wanting(random, cap * random.between(Real(0.001), Real(0.003)), cap);
-         Ball slow = ball_wanting(random, cap * random.between(Real(0.4), Real(0.8)), cap);
+         // In metres it is less deep than the cap is fast in m/s.
+         Ball slow = ball_wanting(random, cap * random.between(Real(0.2), Real(0.3)), cap);
          const Real longer = random.between(Real(0.2), Real(0.3));
          slow.depth *= longer / slow.h;
          slow.h = longer;

@@ -58,7 +58,7 @@ class Board {
 Board sliding(Random& random, bool round, const Answer& answer) {
   Board board(random);
   if (round) board.skate.mu_along = board.skate.mu_across;
-  const Real speed = random.between(3, 4), heading = random.between(Real(0.5), Real(0.9));
+  const Real speed = random.between(4, 5), heading = random.between(Real(0.5), Real(0.9));
   board.solve(speed, heading, board.mass * random.between(Real(0.8), Real(1.2)), answer);
   return board;
 }

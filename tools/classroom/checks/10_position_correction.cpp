@@ -159,7 +159,7 @@ struct Wrong {
   bool sums_kept = false, increments = false;
   bool not_aside = false, spin_not_aside = false, turned = true, min_forgotten = false, min_of_C = false,
        push_by_h = false;
-  bool push_by_h_squared = false, second_body_only = false;
+  bool second_body_only = false;
   std::size_t pushes = std::numeric_limits<std::size_t>::max(), left_out = 0;
   int rounds = exercise_10::rounds;
   Real old = 1, old_spin = 1, pseudo = 0;  ///< what each body goes on with
@@ -170,7 +170,7 @@ void correct(CorrectingContext& step, const Wrong& wrong) {
   const Real h = step.dt;
   for (Row& push : pushes) {
     const Real way = wrong.speed * (wrong.speed_without_h ? 1 : h) * push.speed();
-    const Real over = wrong.push_without_h ? 1 : wrong.push_by_h ? 1 / h : wrong.push_by_h_squared ? h * h : h;
+    const Real over = wrong.push_without_h ? 1 : wrong.push_by_h ? 1 / h : h;
     const Real left = wrong.min_of_C ? std::min(Real(0), push.separation) + way : push.separation + way;
     push.bias = wrong.beta / over * (wrong.min_forgotten || wrong.min_of_C ? left : std::min(Real(0), left));
     if (!wrong.sums_kept) push.impulse = 0;
@@ -221,9 +221,6 @@ std::vector<Mistake<Answer>> mistakes() {
   return {
       {"min forgotten", min, {[](CorrectingContext& step) { correct(step, {.min_forgotten = true}); }}},
       {"min forgotten", min, {[](CorrectingContext& step) { correct(step, {.min_of_C = true}); }}},
-      {"β/h² in b'",
-       "it looks as if b' were divided by h twice. A distance divided by a time is a speed: β/h, once.",
-       {[](CorrectingContext& step) { correct(step, {.push_by_h_squared = true}); }}},
       {"h for 1/h in b'",
        "it looks as if b' were multiplied by h. β (C + h J V) is a distance; to cover it within h, the speed is that "
        "over "
@@ -276,7 +273,9 @@ std::vector<Mistake<Answer>> mistakes() {
        "h.",
        {[](CorrectingContext& step) { correct(step, {.push_without_h = true}); }}},
       {"moved without h",
-       "it looks as if the bodies were moved by v', not by h v'. v' is a speed; in a step of h seconds it covers h v'.",
+       "it looks as if h were missing in the move, or 1/h stood twice in b'. b' is a speed, β/h times a distance, and "
+       "in a "
+       "step of h seconds v' covers h v'.",
        {[](CorrectingContext& step) { correct(step, {.move_without_h = true}); }}},
       {"β forgotten",
        "it looks as if β were missing: all of the overlap is gone after one step, where the part β is asked for.",

@@ -30,6 +30,13 @@ struct Roped {
   }
 };
 
+/// In short steps C h, C h² and 0 are almost the same b, and C/h² is more than any load needs; here each is another.
+Roped in_long_steps(Random& random) {
+  Roped roped(random);
+  roped.h = random.between(Real(0.5), Real(0.7));
+  return roped;
+}
+
 std::vector<Check<Answer>> checks() {
   return {
       {"a taut rope stops a load that leaves, and lets go one that comes",
@@ -45,24 +52,30 @@ std::vector<Check<Answer>> checks() {
        2,
        {{"your load, which cannot reach the end of its rope in this step, goes on with", "m/s", 1e-6},
         {"your load, which would get farther than its rope in this step, goes on with", "m/s", 1e-6},
-        {"your load, which would get farther than its nearly taut rope, goes on with", "m/s", 1e-6}},
+        {"your load, which would get farther than its nearly taut rope, goes on with", "m/s", 1e-6},
+        {"your load, which would get farther than its rope in a step of half a second or more, goes on with", "m/s",
+         1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Roped roped(random);
          const Real slack = random.between(Real(0.02), Real(0.05)), fastest = slack / roped.h;
          const Real slow = fastest * random.between(Real(0.6), Real(0.9)),
                     fast = fastest * random.between(Real(1.5), 3);
          const Real little = random.between(Real(0.001), Real(0.003));
+         const Roped slowly = in_long_steps(random);
+         const Real far = slack / slowly.h * random.between(4, 6);
          return {roped.solved(slack, slow, random, answer), roped.solved(slack, fast, random, answer),
-                 roped.solved(little, fast, random, answer)};
+                 roped.solved(little, fast, random, answer), slowly.solved(slack, far, random, answer)};
        }},
       {"a rope that is too long comes back by the part β, and does not hold up a load that comes faster",
        1,
        {{"your load, which is too far, comes back with", "m/s", 1e-6},
-        {"your load, which is too far and was coming fast by itself, comes with", "m/s", 1e-6}},
+        {"your load, which is too far and was coming fast by itself, comes with", "m/s", 1e-6},
+        {"your load, which is too far, comes back in a step of half a second or more with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Roped roped(random);
          const Real slack = -random.between(Real(0.02), Real(0.05)), comes = random.between(1, 2) * -slack / roped.h;
-         return {-roped.solved(slack, 0, random, answer), -roped.solved(slack, -comes, random, answer)};
+         return {-roped.solved(slack, 0, random, answer), -roped.solved(slack, -comes, random, answer),
+                 -in_long_steps(random).solved(slack, 0, random, answer)};
        }},
       {"a hand that holds with F takes h F off the load in a step",
        2,
@@ -78,7 +91,7 @@ std::vector<Check<Answer>> checks() {
          const Real slack = random.between(Real(0.02), Real(0.05));
          return {roped.solved(0, fast, random, answer), roped.solved(0, faster, random, answer),
                  roped.solved(slack, fast + slack / roped.h, random, answer),
-                 roped.solved(-slack, fast, random, answer)};
+                 roped.solved(-slack, fast + slack / roped.h, random, answer)};
        }},
   };
 }
