@@ -174,5 +174,7 @@ TEST_CASE("the way of a reader: a file, a verdict, hints, the difference, and ba
   CHECK(unknown.status == 2);
   CHECK(contains(unknown.err, "unknown chapter '99': one of these is needed: 00, 01"));
   CHECK(call("--hint").status == 2);
-  CHECK(call_program(MINE_PROGRAM, "--in /proc/none").status == 2);
+  const Ended nowhere = call_program(MINE_PROGRAM, "--in /proc/none");
+  CHECK(nowhere.status == 2);
+  CHECK(contains(nowhere.err, "--in: folder '/proc/none' cannot be written to"));
 }
