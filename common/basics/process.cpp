@@ -46,7 +46,7 @@ class Passage {
 };
 
 /// Waits until a child of ours has ended; gives back how.
-int end_of(pid_t child, const Watcher& watcher) {
+int end_of(pid_t child, const ProcessWatcher& watcher) {
   const int handle = watcher ? static_cast<int>(syscall(SYS_pidfd_open, child, 0)) : -1;  // -1 before Linux 5.3
   int status = 0;
   while (true) {
@@ -62,7 +62,7 @@ int end_of(pid_t child, const Watcher& watcher) {
 
 }  // namespace
 
-Ended run_program(std::vector<std::string> command, double seconds, std::string_view input, const Watcher& watcher) {
+Ended run_program(std::vector<std::string> command, double seconds, std::string_view input, const ProcessWatcher& watcher) {
   // In the foreground: who interrupts us interrupts the program as well.
   command.insert(command.begin(), {"timeout", "--foreground", "--kill-after=5", fmt::format("{}", seconds)});
   std::vector<char*> words;

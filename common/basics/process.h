@@ -19,12 +19,12 @@ struct Ended {
 
 /// Is called while a program runs, with the process that is the root of all that it starts. Says after how long it wants to be
 /// called again.
-using Watcher = std::function<std::chrono::milliseconds(int process)>;
+using ProcessWatcher = std::function<std::chrono::milliseconds(int process)>;
 
 /// Runs command[0], looked up as a shell does, with the rest as its arguments and `input` on its standard input; no other
 /// file of ours is open in it. After `seconds` it is ended; 0: it may take as long as it likes.
 Ended run_program(std::vector<std::string> command, double seconds = 0, std::string_view input = "",
-                  const Watcher& watcher = {});
+                  const ProcessWatcher& watcher = {});
 
 inline std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;

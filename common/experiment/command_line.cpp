@@ -48,6 +48,8 @@ std::optional<int> Experiment::read_command_line(int argc, const char* const* ar
   common("--size", size_, "Pixels of a frame, WIDTHxHEIGHT; the sheet's pictures have its shape");
   app.add_option("--seconds", seconds_, "Simulated time of every variant; each scene's own unless given")
       ->group("Every experiment");
+  common("--passes", passes_, "Passes that a picture of the sheet is averaged from: fewer are faster, and coarser")
+      ->check(CLI::Range(1, 4096));
   CLI::Option* frames = common("--frames", frames_, "Frames of each variant to keep, evenly spread over its time");
   app.add_option("--film", film_, "A film of each scene, its variants side by side: film.mp4, or of another ending")
       ->expected(0, 1)

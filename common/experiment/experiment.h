@@ -215,7 +215,7 @@ class Experiment {
   std::string out_ = "renders", size_ = "640x360";
   int width_ = 0, height_ = 0;
   Real seconds_ = 0, dt_ = Real(1) / 60;
-  int frames_ = 0, sweeps_ = 10;
+  int frames_ = 0, sweeps_ = 10, passes_ = 16;
   std::set<std::string> told_;  ///< the flags that were given
   std::string film_;            ///< ending of the films; empty: none
   std::vector<std::string> only_;

@@ -12,12 +12,6 @@ namespace pushback {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-constexpr int passes = 16;
-
-}  // namespace
-
 Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& start, Output& output, Result& result)
     : experiment_(of),
       variant_(of.variants_[index]),
@@ -99,7 +93,7 @@ Picture Experiment::Shots::picture(const World& world, std::size_t step) const {
 
 Image Experiment::Shots::still(const Picture& of, Output::Size size) {
   result_.legend.see(of);
-  return output_.painter(size).draw_still(of, passes);
+  return output_.painter(size).draw_still(of, experiment_.passes_);
 }
 
 void Experiment::Shots::take(const World& world, std::size_t step) {

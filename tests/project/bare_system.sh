@@ -27,6 +27,7 @@ tries=(  # each command of ./course --help, for a moment; those that read what o
   "bench detection -- --benchmark_min_time=0.01"
   "tidy HEAD"
   "exercise"
+  "mine"
   "handout /tmp/handout --with 03"
   "grade /tmp/handout --no-sandbox"
   "check --quick"

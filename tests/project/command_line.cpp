@@ -125,7 +125,7 @@ TEST_CASE("option --help names every option and ends with status 0") {
     CHECK(outcome.status == 0);
     CHECK(outcome.err.empty());
     std::vector<std::string> options{"--help", "--out",      "--size",      "--seconds",  "--frames", "--sweeps",
-                                     "--dt",   "--variants", "--no-images", "--no-study", "--list"};
+                                     "--dt",   "--variants", "--no-images", "--no-study", "--passes", "--list"};
     if (own_options.count(chapter) > 0)
       options.insert(options.end(), own_options.at(chapter).begin(), own_options.at(chapter).end());
     for (const std::string& option : options) {

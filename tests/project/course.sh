@@ -347,7 +347,7 @@ course --help solve && expect 0 "usage: ./course"
 course effects --help && expect 0 "usage: ./course"
 
 # Exercises: what is handed on goes to the program, which is called from where one stands.
-for name in exercise grade handout; do
+for name in exercise mine grade handout; do
   printf '#!/bin/sh\necho "%s: $* in $PWD"\nexit 1\n' $name >"$scratch/home/build/release/programs/$name"
   chmod +x "$scratch/home/build/release/programs/$name"
 done
@@ -360,6 +360,10 @@ printf '#!/bin/sh\necho "answers: $*"\nexit 1\n' >"$scratch/home/build/release/t
 chmod +x "$scratch/home/build/release/tests/exercise_answers"
 course exercise --quality && expect 1 "--target exercise_answers" "answers: " && expect_not "--quality"
 course exercise 03 --quality 04-transfer && expect 1 "answers: 03 04-transfer"
+# The chapter whose picture is drawn is built, too; what --seed and --in are given is no chapter.
+course mine 03 --hint && expect 1 "--target mine 03_three" "mine: 03 --hint in $scratch/sub"
+course mine 03 --seed 4 --in 10 && expect 1 "--target mine 03_three" "mine: 03 --seed 4 --in 10 in $scratch/sub" &&
+  expect_not "04_four" && expect_not "10_ten"
 course grade a b --jobs 2 && expect 1 "--target grade" "grade: a b --jobs 2 in $scratch/sub"
 course grade -- -rf a && expect 1 "--target grade" "grade: -- -rf a in $scratch/sub"
 course handout to --with 03 && expect 1 "--target handout" "handout: to --with 03 in $scratch/sub"

@@ -18,7 +18,7 @@ struct Budget {
 class Watch {
  public:
   Watch(const Budget& budget, bool sandboxed) : budget_(budget), sandboxed_(sandboxed) {}
-  /// A `Watcher` of run_program.
+  /// A `ProcessWatcher` of run_program.
   std::chrono::milliseconds look(int program);
   /// "more than 32 processes"; empty: it has kept to its budget.
   const std::string& exceeded() const { return exceeded_; }

@@ -48,7 +48,9 @@ std::string draw_mine(int chapter, const std::string& text, const fs::path& fold
     const Ended ended = run_program(command, 120);
     if (ended.status != 0) return "it does not compile as a library: " + last_line(ended.err);
   }
-  Command draw{program, "--mine", library, "--out", scratch.path};
+  // Of a picture that one waits for: what is worked out beside the scenes has no variant of the reader's, and soft shadows
+  // need more passes than the eye needs to compare.
+  Command draw{program, "--mine", library, "--out", scratch.path, "--no-study", "--passes", "4"};
   if (film) draw.push_back("--film");
   const Ended ended = run_program(draw, 600);
   if (ended.status != 0) return fmt::format("{} came to no end with your solver: {}", name, last_line(ended.err));

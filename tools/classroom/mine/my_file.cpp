@@ -39,7 +39,12 @@ class MySolver : public StepSolver {
 }  // namespace
 
 MyFolder::MyFolder(const fs::path& folder) : folder_(fs::proximate(folder.empty() ? kit().sources / "mine" : folder)) {
-  make_writable_folder(folder_);
+  try {
+    make_writable_folder(folder_);
+  } catch (const InvalidInput&) {
+    throw InvalidInput(fmt::format(
+        "--in: folder '{}' cannot be written to: a folder that can be made or written to is needed", folder_.string()));
+  }
   const fs::path file = folder_ / ".remembered";
   if (!fs::exists(file)) return;
   std::istringstream lines(read_text_file(file));
