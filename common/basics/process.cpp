@@ -62,7 +62,8 @@ int end_of(pid_t child, const ProcessWatcher& watcher) {
 
 }  // namespace
 
-Ended run_program(std::vector<std::string> command, double seconds, std::string_view input, const ProcessWatcher& watcher) {
+Ended run_program(std::vector<std::string> command, double seconds, std::string_view input,
+                  const ProcessWatcher& watcher) {
   // In the foreground: who interrupts us interrupts the program as well.
   command.insert(command.begin(), {"timeout", "--foreground", "--kill-after=5", fmt::format("{}", seconds)});
   std::vector<char*> words;
