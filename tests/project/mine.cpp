@@ -176,5 +176,6 @@ TEST_CASE("the way of a reader: a file, a verdict, hints, the difference, and ba
   CHECK(call("--hint").status == 2);
   const Ended nowhere = call_program(MINE_PROGRAM, "--in /proc/none");
   CHECK(nowhere.status == 2);
-  CHECK(contains(nowhere.err, "--in: folder '/proc/none' cannot be written to"));
+  CHECK(contains(nowhere.err, "--in: folder '"));
+  CHECK(contains(nowhere.err, "proc/none' cannot be written to"));  // as seen from where one stands
 }
