@@ -271,7 +271,9 @@ std::optional<Shown> bodies_of(const Exercise& exercise, std::uint64_t seed, con
   if (!telling) return std::nullopt;
   const auto [check, scene, quantity, yours, right] = *telling;
   const Quantity& which = exercise.checks[check].quantities[quantity];
-  const auto number = [&](const NumbersOfScenes& scenes) { return in_words(scenes[scene][quantity], which); };
+  const auto number = [&, scene = scene, quantity = quantity](const NumbersOfScenes& scenes) {
+    return in_words(scenes[scene][quantity], which);
+  };
   std::string words = fmt::format("{}, scene {}", exercise.checks[check].says, scene + 1);
   if (right.time > 0) words += fmt::format(", t = {:.3g} s", right.time);
   Shown shown{{}, words, number(outcome.numbers[check]), number(scenes_of(exercise.right, seed, check)), {}};

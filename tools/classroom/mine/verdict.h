@@ -1,6 +1,8 @@
 /// A whole solver's verdict in a chapter.
 #pragma once
 
+#include <filesystem>
+
 #include "pushback/tools/classroom/judge.h"
 
 namespace pushback {
