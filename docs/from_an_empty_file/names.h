@@ -41,8 +41,8 @@ inline Polygon clip(const Polygon& polygon, const Vec3& n, double offset, int si
   return kept;
 }
 
-/// Two boxes, one with a face as good as any other's edge. The face with the least overlap is the reference; the other box's
-/// face against it is clipped at the four sides of the reference, and what then is below the reference touches it.
+/// The face with the least overlap is the reference. The other box's face against it is clipped at the four sides of the
+/// reference; each corner that is then below the reference is a contact point.
 inline Touches touch_of_faces(const Body& a, const Body& b, const Axis& axis) {
   const bool of_a = axis.axis_a >= 0;
   const Body &reference = of_a ? a : b, &incident = of_a ? b : a;
