@@ -1,14 +1,17 @@
-/// What students may write, exercise by exercise: compiles each answer of tests/NN_name/exercise/*.txt as `./course exercise`
-/// would, compares the verdict with its title, and counts: how many wrong answers are named rightly, not at all, and wrongly.
+/// What students may write, exercise by exercise: each answer of tests/NN_name/exercise/*.txt is run and judged as `./course exercise`
+/// would, its verdict compared with its title, and counted: how many wrong answers are named rightly, not at all, and wrongly.
+/// All answers of an exercise are compiled as one program: one by one they would take ten times as long.
 /// Called with the name of an exercise, it looks at that one, otherwise at all.
 #include <fmt/format.h>
 
 #include <atomic>
 #include <set>
+#include <stdexcept>
 #include <thread>
 
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/classroom/all_exercises.h"
+#include "pushback/tools/classroom/kit.h"
 #include "tests/support/answers.h"
 
 using namespace pushback;
@@ -37,27 +40,86 @@ struct Count {
   }
 };
 
+/// A program that has all answers in it, each in a namespace of its own, and plays the one that ANSWER of its environment says.
+class Together {
+ public:
+  Together(const Exercise& exercise, const std::vector<WrittenAnswer>& answers) {
+    const std::filesystem::path source = scratch_.path / "together.cpp", object = scratch_.path / "together.o";
+    std::string cases, namespaces;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      std::string text = filled_in(exercise, answers[i].lines);
+      constexpr std::string_view begin = "namespace student {";
+      text.replace(text.find(begin), begin.size(), fmt::format("namespace student_{} {{", i));
+      namespaces += text;
+      cases += fmt::format("    case {0}: return play(check, random, student_{0}::answer);\n", i);
+    }
+    std::string once;  // "#pragma once" would do for headers that include the file, of which this is none
+    for (const std::string& line : lines_of(namespaces))
+      if (!line.starts_with("#pragma once")) once += line + "\n";
+    write_text_file(source,
+                    fmt::format("#include <cstdlib>\n{}\npushback::Numbers pushback::students_numbers(std::size_t "
+                                "check, Random& random) {{\n  switch (std::atoi(std::getenv(\"ANSWER\"))) {{\n{}  "
+                                "}}\n  std::abort();\n}}\n",
+                                once, cases));
+    std::vector<std::string> compile = kit().words_of("compile.txt"), link = kit().words_of("link.txt");
+    for (const std::string& word : {std::string("-include"), (kit().folder / "headers.h").string(), std::string("-c"),
+                                    source.string(), std::string("-o"), object.string()})
+      compile.push_back(word);
+    link.insert(link.begin() + 1, {"-o", all().string(), object.string()});
+    for (const auto& command : {compile, link})
+      if (const Ended ended = run_program(command, 600); ended.status != 0) throw std::runtime_error(ended.err);
+  }
+
+  /// Runs the answer: for attempt(), which is handed a program without words.
+  std::filesystem::path program(std::size_t answer) const {
+    const std::filesystem::path script = scratch_.path / fmt::format("answer_{}", answer);
+    write_text_file(script, fmt::format("#!/bin/sh\nANSWER={} exec {}\n", answer, all().string()));
+    std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+    return script;
+  }
+
+ private:
+  std::filesystem::path all() const { return scratch_.path / "all"; }
+  ScratchFolder scratch_;
+};
+
 /// The answers of one exercise, and what came of them.
 struct Looked {
   const Exercise& exercise;
   std::vector<WrittenAnswer> answers;  // the gap as it is comes last
   std::vector<Verdict> verdicts;
-  std::atomic<std::size_t> done = 0;
+  std::string problem;  // that kept it from looking
+  std::atomic<bool> done = false;
 
-  explicit Looked(const Exercise& of)
-      : exercise(of), answers(written_answers(of, SOURCE_DIR "/tests")), verdicts(answers.size() + 1) {
-    answers.push_back({"nothing changes", ""});
+  explicit Looked(const Exercise& of) : exercise(of), answers(written_answers(of, SOURCE_DIR "/tests")) {
+    answers.push_back({"nothing changes", lines_of_the_gap(of)});
   }
 
-  void look(std::size_t i, UntouchedFiles& untouched_files) {
-    const bool of_the_gap = i + 1 == answers.size();
-    const std::string text = of_the_gap ? read_text_file(stub_of(exercise)) : filled_in(exercise, answers[i].lines);
-    verdicts[i] =
-        verdict_on(exercise, text, of_the_gap ? 1 : std::hash<std::string>{}(text), nullptr, {}, &untouched_files);
+  void look() {
+    try {
+      const Together together(exercise, answers);
+      const auto attempt_of = [&](std::size_t i, std::uint64_t seed) {
+        return attempt(exercise, stub_of(exercise), seed, nullptr, {}, together.program(i));
+      };
+      for (std::size_t i = 0; i < answers.size(); ++i) {
+        const std::uint64_t seed =
+            i + 1 == answers.size() ? 1 : std::hash<std::string>{}(filled_in(exercise, answers[i].lines));
+        verdicts.push_back(
+            judge(exercise, seed, attempt_of(i, seed), [&] { return attempt_of(answers.size() - 1, seed); }));
+      }
+    } catch (const std::exception& caught) {
+      problem = caught.what();
+    }
+    done = true;
+    done.notify_all();
   }
 
   /// How many verdicts are not as they should be.
   int say(Count& all) const {
+    if (!problem.empty()) {
+      fmt::print("FAILED {}: {}\n", short_name(exercise), problem);
+      return 1;
+    }
     int failures = 0;
     Count count;
     std::set<std::string> missing{"right"};
@@ -98,7 +160,6 @@ struct Looked {
 int main(int argc, char** argv) {
   const std::vector<Exercise> all = all_exercises();
   std::vector<std::unique_ptr<Looked>> looked;
-  std::vector<std::pair<Looked*, std::size_t>> waiting;
   try {
     for (int i = 1; i < argc; ++i) looked.push_back(std::make_unique<Looked>(exercise_named(all, argv[i])));
     if (argc == 1)
@@ -107,25 +168,16 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "{}\n", problem.what());
     return 2;
   }
-  for (const auto& one : looked)
-    for (std::size_t i = 0; i < one->answers.size(); ++i) waiting.emplace_back(one.get(), i);
-  UntouchedFiles untouched_files;
   std::atomic<std::size_t> next = 0;
-  // One alone is a test, of which others run beside it.
-  const unsigned jobs = looked.size() == 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::thread> threads;
-  for (unsigned job = 0; job < jobs; ++job)
+  for (unsigned job = 0; job < std::max(1U, std::thread::hardware_concurrency()); ++job)
     threads.emplace_back([&] {
-      for (std::size_t i = next++; i < waiting.size(); i = next++) {
-        const auto& [one, answer] = waiting[i];
-        one->look(answer, untouched_files);
-        if (++one->done == one->answers.size()) one->done.notify_all();
-      }
+      for (std::size_t i = next++; i < looked.size(); i = next++) looked[i]->look();
     });
   int failures = 0;
   Count count;
   for (const auto& one : looked) {
-    for (std::size_t done = one->done; done < one->answers.size(); done = one->done) one->done.wait(done);
+    one->done.wait(false);
     failures += one->say(count);
   }
   for (std::thread& thread : threads) thread.join();

@@ -8,11 +8,23 @@
 
 namespace pushback {
 
+/// Where the gap of this text begins and ends: whole lines, with both TODOs.
+inline std::pair<std::size_t, std::size_t> gap_in(const std::string& stub) {
+  return {stub.rfind('\n', stub.find("TODO")) + 1, stub.find('\n', stub.find("TODO ends")) + 1};
+}
+
 /// The exercise's own file with `lines` in the place of its gap.
 inline std::string filled_in(const Exercise& exercise, const std::string& lines) {
   const std::string stub = read_text_file(stub_of(exercise));
-  const std::size_t from = stub.rfind('\n', stub.find("TODO")) + 1, to = stub.find('\n', stub.find("TODO ends")) + 1;
+  const auto [from, to] = gap_in(stub);
   return stub.substr(0, from) + lines + stub.substr(to);
+}
+
+/// What stands there as students get it.
+inline std::string lines_of_the_gap(const Exercise& exercise) {
+  const std::string stub = read_text_file(stub_of(exercise));
+  const auto [from, to] = gap_in(stub);
+  return stub.substr(from, to - from);
 }
 
 struct WrittenAnswer {
