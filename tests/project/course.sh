@@ -151,19 +151,6 @@ printf 'build tests/test_%s: link\n' 04_four four >"$scratch/home/build/release/
 course test 04 && expect 0 "--target test_04_four test_four" "-R ^04_four:|^four:" && expect_not "not_built"
 course test 03 && expect 1 "no tests belong to 03" && expect_not "ctest"
 course test 99 && expect 2 "unknown chapter '99'" "the chapters are: 03_three 04_four 10_ten"
-# Whole proofs of the exercises that changed last since main: those of which a file, an answer, or a header of the chapter did.
-for tool in paste awk; do [[ -e $scratch/bin/$tool ]] || ln -s "$(type -P $tool)" "$scratch/bin/$tool"; done
-stand_in git 'case "$*" in
-  merge-base*) echo abc ;;
-  "diff --name-only HEAD") printf "chapters/03_three/README.md\ntools/classroom/checks/04_four_transfer.cpp\n" ;;
-  log*abc..HEAD) printf "tests/10_ten/exercise/rebuild.txt\ntests/03_three/three.cpp\nchapters/05_five/five.h\nchapters/04_four/four.h\nchapters/06_six/six.h\nchapters/07_seven/seven.h\n" ;;
-esac'
-course test --changed && expect 0 "-LE ^(long|checked)\$" "-L ^checked\$ -R ^exercise (04_four|10_ten)(_transfer)?: "
-stand_in git 'case "$*" in log*) printf "chapters/03_three/main.cpp\nchapters/05_five/five.h\n" ;; esac'
-course test --changed && expect 0 "-R ^exercise (05_five)(_transfer)?: "
-stand_in git true
-course test --changed && expect 0 "-LE ^(long|checked)\$" && expect_not "-L ^checked"
-stand_in git 'echo "git $*"'
 stand_in ctest 'exit 8'
 course test && expect 8
 

@@ -1,7 +1,8 @@
 /// What students may write, exercise by exercise: each answer of tests/NN_name/exercise/*.txt is run and judged as `./course exercise`
 /// would, its verdict compared with its title, and counted: how many wrong answers are named rightly, not at all, and wrongly.
 /// All answers of an exercise are compiled as one program: one by one they would take ten times as long.
-/// Called with the name of an exercise, it looks at that one, otherwise at all.
+/// Called with names of exercises, it looks at those, otherwise at all; `--seeds 20` looks at each answer with twenty sets of
+/// random numbers, in the place of one.
 #include <fmt/format.h>
 
 #include <atomic>
@@ -9,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "pushback/common/basics/input.h"
+#include "pushback/common/experiment/program.h"
 #include "pushback/tools/classroom/all_exercises.h"
 #include "pushback/tools/classroom/kit.h"
 #include "tests/support/answers.h"
@@ -95,7 +96,8 @@ struct Looked {
     answers.push_back({"nothing changes", lines_of_the_gap(of)});
   }
 
-  void look() {
+  /// `others`: which scenes its random numbers make, of those that a student may get.
+  void look(std::uint64_t others) {
     try {
       const Together together(exercise, answers);
       const auto attempt_of = [&](std::size_t i, std::uint64_t seed) {
@@ -103,7 +105,7 @@ struct Looked {
       };
       for (std::size_t i = 0; i < answers.size(); ++i) {
         const std::uint64_t seed =
-            i + 1 == answers.size() ? 1 : std::hash<std::string>{}(filled_in(exercise, answers[i].lines));
+            hash_of(i + 1 == answers.size() ? "" : filled_in(exercise, answers[i].lines)) + others;
         verdicts.push_back(
             judge(exercise, seed, attempt_of(i, seed), [&] { return attempt_of(answers.size() - 1, seed); }));
       }
@@ -158,29 +160,31 @@ struct Looked {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<Exercise> all = all_exercises();
-  std::vector<std::unique_ptr<Looked>> looked;
-  try {
-    for (int i = 1; i < argc; ++i) looked.push_back(std::make_unique<Looked>(exercise_named(all, argv[i])));
-    if (argc == 1)
-      for (const Exercise& exercise : all) looked.push_back(std::make_unique<Looked>(exercise));
-  } catch (const InvalidInput& problem) {
-    fmt::print(stderr, "{}\n", problem.what());
-    return 2;
-  }
-  std::atomic<std::size_t> next = 0;
-  std::vector<std::thread> threads;
-  for (unsigned job = 0; job < std::max(1U, std::thread::hardware_concurrency()); ++job)
-    threads.emplace_back([&] {
-      for (std::size_t i = next++; i < looked.size(); i = next++) looked[i]->look();
-    });
+  std::vector<std::string> names;
+  std::uint64_t others = 0;
+  CommandLine line("Says how true the hints of the exercises are.", "./course exercise --quality");
+  line.option("EXERCISE", names, "Those to look at, such as 03-transfer; all by default");
+  line.option("--seed", others, "Other random numbers in all scenes");
   int failures = 0;
-  Count count;
-  for (const auto& one : looked) {
-    one->done.wait(false);
-    failures += one->say(count);
-  }
-  for (std::thread& thread : threads) thread.join();
-  if (looked.size() > 1) fmt::print("all {} exercises: {}\n", looked.size(), count.words());
-  return failures > 0;
+  const int status = line.run(argc, argv, [&] {
+    const std::vector<Exercise> all = all_exercises();
+    std::vector<std::unique_ptr<Looked>> looked;
+    for (const std::string& name : names) looked.push_back(std::make_unique<Looked>(exercise_named(all, name)));
+    if (names.empty())
+      for (const Exercise& exercise : all) looked.push_back(std::make_unique<Looked>(exercise));
+    std::atomic<std::size_t> next = 0;
+    std::vector<std::thread> threads;
+    for (unsigned job = 0; job < std::max(1U, std::thread::hardware_concurrency()); ++job)
+      threads.emplace_back([&] {
+        for (std::size_t i = next++; i < looked.size(); i = next++) looked[i]->look(others);
+      });
+    Count count;
+    for (const auto& one : looked) {
+      one->done.wait(false);
+      failures += one->say(count);
+    }
+    for (std::thread& thread : threads) thread.join();
+    if (looked.size() > 1) fmt::print("all {} exercises: {}\n", looked.size(), count.words());
+  });
+  return status != 0 ? status : failures > 0;
 }

@@ -44,6 +44,26 @@ Vec3 lost_by_ball(Random& random, const Vec3& heading, const Answer& answer) {
   return velocity - world.bodies[1].velocity;
 }
 
+/// A box on two feet that are so near to each other that what brakes one brakes both: the first has to take some of its friction
+/// back. How fast the faster of them slips on, m/s.
+Real slip_of_two_feet(Random& random, const Answer& answer) {
+  const Real wide = random.between(Real(0.4), Real(0.6)), foot = wide * random.between(Real(0.2), Real(0.3));
+  const Real speed = random.between(1, 2), mu = random.between(Real(0.6), Real(0.8));
+  World world;
+  touch(world, box({wide, wide, wide}, random.between(50, 150)), wide, {speed, -6 * speed, speed}, mu);
+  world.contacts.push_back(world.contacts[0]);
+  world.contacts[0].point = {-foot, 0, 0};
+  world.contacts[1].point = {foot, 0, 0};
+  world.contacts[1].id.feature = 1;
+  solve(world, random, 100, answer);
+  Real fastest = 0;
+  for (const Contact& at : world.contacts) {
+    const Vec3 slip = world.bodies[1].velocity_at(at.point);
+    fastest = std::max(fastest, std::hypot(slip.x(), slip.z()));
+  }
+  return fastest;
+}
+
 std::vector<Check<Answer>> checks() {
   return {
       {"a ball that is pressed on hard enough ends rolling",
@@ -137,7 +157,8 @@ std::vector<Check<Answer>> checks() {
        {{"your box, which slides on its rear corner, is braked along x by", "m/s", 1e-6},
         {"your box, which slides on its rear corner, is braked along z by", "m/s", 1e-6},
         {"your box, which slides on its front corner, is braked along x by", "m/s", 1e-6},
-        {"your box, which slides on its front corner, is braked along z by", "m/s", 1e-6}},
+        {"your box, which slides on its front corner, is braked along z by", "m/s", 1e-6},
+        {"your box, which stands on two feet that should stick, slips on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Numbers braked;
          for (const Real forward : {Real(1), Real(-1)}) {  // where its centre is
@@ -152,6 +173,7 @@ std::vector<Check<Answer>> checks() {
            const Vec3 lost = velocity - world.bodies[1].velocity;
            braked.insert(braked.end(), {lost.x(), lost.z()});
          }
+         braked.push_back(slip_of_two_feet(random, answer));
          return braked;
        }},
   };
@@ -432,6 +454,13 @@ std::vector<Mistake<Answer>> mistakes() {
          const Real scale = std::min(Real(1), bound / std::hypot(wanted1, wanted2));
          tangent1.reach(scale * wanted1);
          tangent2.reach(scale * wanted2);
+       })},
+      {"never taken back",
+       "it looks as if friction could only grow. Two feet of one box brake each other too: what the first has given "
+       "may "
+       "be too much once the second has, and then it slips the other way, and has to take some back.",
+       each_mistaken([](StepContext&, Row& tangent, Real bound) {
+         if (tangent.impulse * tangent.speed() <= 0) within(tangent, bound);
        })},
       {"no friction",
        "it looks as if nothing braked. Rows that are made and never solved do nothing. And a bound that is computed in "

@@ -95,7 +95,8 @@ std::vector<Check<Answer>> checks() {
       {"where nothing rubs, a turn loses ϱ Σλn / I, and stops when it is less",
        1,
        {{"your ball, which turns fast on a smooth floor, turns more slowly by", "rad/s", 1e-6},
-        {"your ball, which turns slowly on a smooth floor, turns on with", "rad/s", 1e-6}},
+        {"your ball, which turns slowly on a smooth floor, turns on with", "rad/s", 1e-6},
+        {"your ball, which turns slowly the other way, turns on with", "rad/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Ball fast(random);
          const Real arrival = random.between(1, 2);
@@ -106,8 +107,11 @@ std::vector<Check<Answer>> checks() {
          Ball slow = fast;
          fast.spin.x() = random.between(6, 9) * most;
          slow.spin.x() = random.between(Real(0.4), Real(0.7)) * most;
+         Ball other_way = slow;
+         other_way.spin *= -1;
          return {fast.spin.x() - fast.solved(surfaces, answer).angular_velocity.x(),
-                 slow.solved(surfaces, answer).angular_velocity.x()};
+                 slow.solved(surfaces, answer).angular_velocity.x(),
+                 other_way.solved(surfaces, answer).angular_velocity.x()};
        }},
       {"a ball that rolls is slowed by its rolling resistance, and keeps rolling",
        2,

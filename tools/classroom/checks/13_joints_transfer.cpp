@@ -97,7 +97,8 @@ std::vector<Check<Answer>> checks() {
        2,
        {{"after a step your slider is off the plane of its rail by", "mm", 0.3},
         {"after a step your slider is too far from the middle of its rail by", "mm", 0.3},
-        {"after a step your slider, which was below the plane, is off it by", "mm", 0.3}},
+        {"after a step your slider, which was below the plane, is off it by", "mm", 0.3},
+        {"while it comes back, the angular momentum of both boxes together changes by", "N m s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Body a = random_box(random), b = random_box(random);
          Railed railed(random, a, b, random_corner(random), answer);
@@ -105,13 +106,17 @@ std::vector<Check<Answer>> checks() {
                                 random.between(Real(0.01), Real(0.015)) * railed.across().normalized();
          Solver<Joints> solver;
          solver.beta = random.between(Real(0.3), Real(0.6));
+         Railed pushed = railed;  // by impulses alone: what turns in a step changes its inertia
+         Solver<Joints> pushing = solver;
+         pushing.solve(pushed.world, Real(0.02), 1);
+         const Real made = pushed.angular_momentum().norm();  // they were at rest
          railed.world.step(solver, Real(0.02), 2000);
          const Body other_a = random_box(random), other_b = random_box(random);
          Railed below(random, other_a, other_b, random_corner(random), answer);
          below.b().position -= random.between(Real(0.01), Real(0.015)) * below.axis();
          below.world.step(solver, Real(0.02), 2000);
          return {1000 * railed.off_the_plane(), 1000 * (railed.across().norm() - railed.rail.radius),
-                 1000 * below.off_the_plane()};
+                 1000 * below.off_the_plane(), made};
        }},
   };
 }
@@ -137,6 +142,9 @@ void right(const RoundRail& rail, const Body& a, const Body& b, Equations& rows)
 }
 
 std::vector<Mistake<Answer>> mistakes() {
+  const std::string arm_to_q =
+      "it looks as if A's arm ended at Q. As A turns, m turns with it, and the rail sweeps past the slider: A feels "
+      "the force where it acts, at P. Two equal and opposite forces at two points make a torque out of nothing.";
   const std::string in_world =
       "it looks as if the rail did not turn with A. centre and axis are in A's axes: point_of(a, rail.centre) and "
       "a.orientation * rail.axis are where they are now.";
@@ -156,12 +164,17 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if r_A × n had the wrong sign. J = [-n, -r_A × n, n, r_B × n] has its minus in the row: ra_n is r_A "
       "× n.";
   return {
-      {"A's arm to the middle",
-       "it looks as if A's arm ended at Q. As A turns, m turns with it, and the rail sweeps past the slider: A feels "
-       "the force where it acts, at P. Two equal and opposite forces at two points make a torque out of nothing.",
-       {[](const RoundRail& rail, const Body& a, const Body& b, Equations& rows) {
+      {"A's arm to the middle", arm_to_q, {[](const RoundRail& rail, const Body& a, const Body& b, Equations& rows) {
          right(rail, a, b, rows);
          for (Equation& row : rows) row.jacobian.ra_n = (point_of(a, rail.centre) - a.position).cross(row.jacobian.n);
+       }}},
+      {"A's arm to the middle", arm_to_q, {[](const RoundRail& rail, const Body& a, const Body& b, Equations& rows) {
+         right(rail, a, b, rows);  // seen only off the plane: on it n of the ring points from Q to P
+         rows[1].jacobian.ra_n = (point_of(a, rail.centre) - a.position).cross(rows[1].jacobian.n);
+       }}},
+      {"A's arm to the middle", arm_to_q, {[](const RoundRail& rail, const Body& a, const Body& b, Equations& rows) {
+         right(rail, a, b, rows);
+         rows[0].jacobian.ra_n = (point_of(a, rail.centre) - a.position).cross(rows[0].jacobian.n);
        }}},
       {"C without a sign",
        "it looks as if C₁ were a distance from the plane, without a sign. On the other side of the plane the feedback "

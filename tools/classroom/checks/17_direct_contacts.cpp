@@ -89,13 +89,22 @@ std::vector<Check<Answer>> checks() {
   return {
       {"the first variable to reach 0 leaves",
        1,
-       {leaves, {"the variable that enters becomes", "", 1e-6}, {"the least value in your tableau is", "", 1e-6}},
+       {leaves,
+        {"the variable that enters becomes", "", 1e-6},
+        {"the least value in your tableau is", "", 1e-6},
+        {"in a second tableau the number of the variable that leaves is", "", 1e-6},
+        {"in a third tableau the number of the variable that leaves is", "", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          auto [tableau, entering] = scene(random);
          const Index left = answer.pivot(tableau, entering);
          const double entered = values_of(tableau)[static_cast<std::size_t>(entering)];
-         return {static_cast<Real>(left), static_cast<Real>(entered),
-                 static_cast<Real>(tableau.t.rightCols<1>().minCoeff())};
+         Numbers numbers{static_cast<Real>(left), static_cast<Real>(entered),
+                         static_cast<Real>(tableau.t.rightCols<1>().minCoeff())};
+         for (int more = 0; more < 2; ++more) {
+           auto [another, enters] = scene(random);
+           numbers.push_back(static_cast<Real>(answer.pivot(another, enters)));
+         }
+         return numbers;
        }},
       {"the equations say the same as before",
        1,
