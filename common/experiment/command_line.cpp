@@ -68,6 +68,7 @@ std::optional<int> Experiment::read_command_line(int argc, const char* const* ar
     app.add_flag(name_of_it, value, help)->group("Every experiment");
   };
   flag("--no-images", no_images_, "Only the numbers: metrics.csv and numbers.md");
+  flag("--first-scene", first_scene_, "Only the first of its scenes");
   flag("--no-study", no_study_, "Leave out what is worked out beside the scenes: their variants alone are run");
   flag("--list", list_, "List the scenes and variants, and do nothing");
   flag("--parameters", list_parameters_, "Print what may be set for this experiment, as JSON, and do nothing");

@@ -220,7 +220,7 @@ class Experiment {
   std::string film_;            ///< ending of the films; empty: none
   std::vector<std::string> only_;
   std::string mine_;  ///< shared object with one more solver; empty: none
-  bool no_images_ = false, no_study_ = false, list_ = false, list_parameters_ = false;
+  bool no_images_ = false, no_study_ = false, first_scene_ = false, list_ = false, list_parameters_ = false;
 };
 
 }  // namespace pushback

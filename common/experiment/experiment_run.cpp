@@ -16,6 +16,7 @@ namespace pushback {
 namespace fs = std::filesystem;
 
 void Experiment::choose_variants() {
+  if (first_scene_) std::erase_if(variants_, [](const Variant& v) { return v.scene != 0; });
   if (only_.empty()) return;
   const auto is_meant = [this](const Variant& variant, const std::string& word) {
     return slug(word) == slug(variant.name) || word == slug(acts_[variant.scene].scene.name) + "_" + slug(variant.name);

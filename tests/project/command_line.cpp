@@ -124,8 +124,9 @@ TEST_CASE("option --help names every option and ends with status 0") {
     INFO(chapter);
     CHECK(outcome.status == 0);
     CHECK(outcome.err.empty());
-    std::vector<std::string> options{"--help", "--out",      "--size",      "--seconds",  "--frames", "--sweeps",
-                                     "--dt",   "--variants", "--no-images", "--no-study", "--passes", "--list"};
+    std::vector<std::string> options{"--help",        "--out",    "--size",     "--seconds",   "--frames",
+                                     "--sweeps",      "--dt",     "--variants", "--no-images", "--no-study",
+                                     "--first-scene", "--passes", "--list"};
     if (own_options.count(chapter) > 0)
       options.insert(options.end(), own_options.at(chapter).begin(), own_options.at(chapter).end());
     for (const std::string& option : options) {
@@ -362,6 +363,15 @@ TEST_CASE("options: --variants picks, --sweeps and --dt act") {
   const std::size_t overlap = all.column("deepest_overlap");
   for (std::size_t i = 0; i < one.rows.size(); ++i)
     CHECK(one.rows[i][overlap] == all.rows[one.rows.size() + i][overlap]);
+
+  const Numbers scenes = numbers_of("06_friction", "--seconds 0.2"),
+                first = numbers_of("06_friction", "--seconds 0.2 --first-scene");
+  const std::size_t scene = scenes.column("scene");
+  std::size_t of_the_first = 0;
+  for (const auto& row : scenes.rows) of_the_first += row[scene] == scenes.rows[0][scene];
+  CHECK(of_the_first < scenes.rows.size());
+  CHECK(first.rows.size() == of_the_first);
+  for (const auto& row : first.rows) CHECK(row[scene] == scenes.rows[0][scene]);
 
   CHECK(contains(numbers_of("03_baumgarte", "--seconds 0.1").table, "the tuning rule"));
   CHECK_FALSE(contains(numbers_of("03_baumgarte", "--seconds 0.1 --no-study").table, "the tuning rule"));
