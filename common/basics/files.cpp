@@ -42,6 +42,18 @@ std::string read_text_file(const std::filesystem::path& file) {
   return text;
 }
 
+ScratchFolder::ScratchFolder()
+    : path([] {
+        std::string name = (fs::temp_directory_path() / "pushback_XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder in " + name);
+        return name;
+      }()) {}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path, ignored);
+}
+
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
