@@ -13,7 +13,7 @@ namespace pushback {
 namespace fs = std::filesystem;
 
 Stage stage_of_library(const std::string& library) {
-  Stage stage{{"mine", "your own: the library that --mine names", loaded_solver(library), {}}};
+  Stage stage{{"mine", "your own, as it was when the table was made", loaded_solver(library), {}}};
   stage.library = library;
   return stage;
 }

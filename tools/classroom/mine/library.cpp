@@ -21,6 +21,13 @@ extern "C" pushback::StepSolver* make_solver(const pushback::StepSolver* like) {
 }
 )";
 
+/// The first error; what is below it often follows from it.
+std::string first_error(const std::string& text) {
+  for (const std::string& line : lines_of(text))
+    if (const std::size_t at = line.find("error: "); at != line.npos) return line.substr(at);
+  return last_line(text);
+}
+
 }  // namespace
 
 std::string make_library(const std::string& text, const fs::path& folder, const fs::path& library, Speed speed) {
@@ -37,7 +44,7 @@ std::string make_library(const std::string& text, const fs::path& folder, const 
   compile.insert(compile.end(), more.begin(), more.end());
   for (const Command& command : {compile, link}) {
     const Ended ended = run_program(command, 120);
-    if (ended.status != 0) return "it does not compile as a library: " + last_line(ended.err);
+    if (ended.status != 0) return "it does not compile as a library: " + first_error(ended.err);
   }
   return "";
 }
