@@ -300,3 +300,28 @@ TEST_CASE("a race: what is off in the plain loop of 08 is off in the same file a
   CHECK(contains(broken.err, "it does not compile as a library: error: expected"));
   CHECK_FALSE(fs::exists(scratch / "hard_cases"));
 }
+
+TEST_CASE("error against time: a curve of a reader's solver, or a line that says why there is none", "[checked]") {
+  const Scratch scratch;
+  const auto study = [&](const std::string& text) {
+    write_text_file(scratch / "solver.h", text);
+    return call_program(MINE_PROGRAM, "study rolling --in " + (scratch / "").string(), 120);
+  };
+  const Ended wrong = study(
+      "#include <stdexcept>\n#include \"pushback/common/world/step_solver.h\"\n"
+      "struct MySolver : pushback::StepSolver {\n"
+      "  void solve(pushback::World&, pushback::Real, int) { throw std::runtime_error(\"I give up\"); }\n};\n");
+  CHECK(wrong.status == 1);
+  CHECK(wrong.err == "there are no diagrams: I give up\n");
+  CHECK_FALSE(fs::exists(scratch / "study"));
+  CHECK(study(plain_loop(8)).status == 0);
+  CHECK(fs::exists(scratch / "study" / "work_precision.png"));
+  double best = 1;  // m
+  for (const std::string& line : lines_of(text_of(scratch / "study" / "study.csv")))
+    if (const auto fields = fields_of(line); fields[1] == "motion_mine") best = std::min(best, std::stod(fields[5]));
+  CHECK(best > 1e-4);
+  CHECK(best < 1e-3);
+  const Ended unknown = call_program(MINE_PROGRAM, "study none --in " + (scratch / "").string());
+  CHECK(unknown.status == 2);
+  CHECK(contains(unknown.err, "motion is 'none': one of these is needed: bounce, "));
+}

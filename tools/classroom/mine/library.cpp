@@ -50,8 +50,10 @@ std::string make_library(const std::string& text, const fs::path& folder, const 
 }
 
 std::string last_line(const std::string& text) {
-  const std::vector<std::string> lines = lines_of(text);
-  return lines.empty() ? "it said nothing" : lines.back();
+  std::string last = "it said nothing";
+  for (const std::string& line : lines_of(text))
+    if (!line.empty()) last = line;
+  return last;
 }
 
 fs::path program_beside(const std::string& name) {

@@ -161,7 +161,7 @@ void show_difference(const ChapterOfMine& chapter, const MyFolder& mine) {
   }
 }
 
-/// `race` or `hard-cases`; true where the solver came to its end.
+/// `race`, `hard-cases` or `study`; true where the solver came to its end.
 bool compare(const MyFolder& mine, const Asked& asked) {
   const std::vector<std::string> words(asked.words.begin() + 1, asked.words.end());
   if (asked.words[0] == "hard-cases") {
@@ -169,6 +169,12 @@ bool compare(const MyFolder& mine, const Asked& asked) {
     const bool ended = play_hard_cases(mine, {.names = words, .all = asked.all, .at_most = asked.at_most});
     fmt::print("Yours beside the stages: {}, table.md\n", (to / "overview.png").string());
     return ended;
+  }
+  if (asked.words[0] == "study") {
+    study_with_mine(mine, {.motions = words});
+    fmt::print("Error against time, yours beside ours: {}, others.md\n",
+               (mine.path() / "study" / "work_precision.png").string());
+    return true;
   }
   if (words.size() != 1)
     throw InvalidInput("race takes the name of one scene, 07-pyramid for example; ./course effects --help lists them");
@@ -183,7 +189,8 @@ int main(int argc, char** argv) {
   line.option(
       "CHAPTER", asked.words,
       "00 to 08, or its name; none: where you stand. Or hard-cases [NAME...]: yours beside the stages in the table of "
-      "hard cases. Or race SCENE: its time and what is off, beside ours");
+      "hard cases. Or race SCENE: its time and what is off, beside ours. "
+      "Or study [MOTION...]: error against time, beside ours");
   line.flag("--hint", asked.hint, "One hint more each time");
   line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
   line.flag("--diff", asked.diff, "The chapter's plain loop beside your file, once it passes");
@@ -199,7 +206,8 @@ int main(int argc, char** argv) {
   bool passed = true;
   const int status = line.run(argc, argv, [&] {
     require_between("--at-most", static_cast<Real>(asked.at_most), Real(0.1), 3600);  // the range lets nan pass
-    const bool compares = !asked.words.empty() && (asked.words[0] == "hard-cases" || asked.words[0] == "race");
+    const bool compares = !asked.words.empty() &&
+                          (asked.words[0] == "hard-cases" || asked.words[0] == "race" || asked.words[0] == "study");
     if (!compares && asked.words.size() > 1)
       throw InvalidInput(fmt::format("one chapter at a time: '{}' is too much", asked.words[1]));
     const ChapterOfMine* chapter = asked.words.empty() || compares ? nullptr : &chapter_of_mine(asked.words[0]);

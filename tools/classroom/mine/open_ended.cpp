@@ -6,6 +6,7 @@
 #include <cstring>
 #include <sstream>
 
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
@@ -156,6 +157,33 @@ bool race(const MyFolder& mine, const AskedOfRace& asked) {
       "error "
       "in any scene without a motor.\n");
   return lanes.front().problem.empty();
+}
+
+void study_with_mine(const MyFolder& mine, const AskedOfStudy& asked) {
+  const std::string program = built_program("study");
+  built_program("motion_mine");
+  std::vector<std::string> motions;
+  for (const std::string& name : asked.motions) motions.push_back(motion_named(name).name);
+  for (const Motion& motion : all_motions())
+    if (asked.motions.empty() && motion.pins.empty()) motions.push_back(motion.name);
+  const ScratchFolder scratch;
+  const fs::path library = scratch.path / "solver.so", to = fs::absolute(mine.path()) / "study";
+  make_mine(mine, library, Speed::of_chapters);
+  fmt::print("{} of the study's motions are played in all quick settings by every solver.\n", motions.size());
+  std::fflush(stdout);
+  Command study{program, "--quick", "--mine", library, "--out", scratch.path, "--only"};
+  study.insert(study.end(), motions.begin(), motions.end());
+  const Ended ended = run_program(study, 1800);
+  const fs::path made = scratch.path / "19_accuracy_and_time";
+  if (ended.status != 0 || !fs::exists(made / "work_precision.png")) {
+    const std::string said = last_line(ended.err), before = "failed: ";  // the call of a motion, with all settings
+    const std::size_t at = said.rfind(before);
+    throw std::runtime_error("there are no diagrams: " + (at == said.npos ? said : said.substr(at + before.size())));
+  }
+  fs::remove_all(to);
+  fs::create_directories(to);
+  for (const char* file : {"work_precision.png", "others.md", "study.csv", "machine.md"})
+    fs::copy(made / file, to / file);
 }
 
 }  // namespace pushback

@@ -29,4 +29,12 @@ struct AskedOfRace {
 /// False where the reader's came to no end. Throws as above.
 bool race(const MyFolder& mine, const AskedOfRace& asked);
 
+struct AskedOfStudy {
+  std::vector<std::string> motions;  ///< of ./course study, by their names; none: all without joints
+};
+
+/// Fills study/ in the reader's folder with the diagrams of error against time, the reader's solver among ours. Throws as above,
+/// also where the solver came to no end.
+void study_with_mine(const MyFolder& mine, const AskedOfStudy& asked);
+
 }  // namespace pushback
