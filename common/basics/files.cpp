@@ -1,6 +1,8 @@
 #include "pushback/common/basics/files.h"
 
+#include <cstdlib>
 #include <fstream>
+#include <stdexcept>
 #include <system_error>
 
 #include "pushback/common/basics/input.h"

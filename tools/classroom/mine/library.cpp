@@ -30,13 +30,13 @@ std::string first_error(const std::string& text) {
 
 }  // namespace
 
-std::string make_library(const std::string& text, const fs::path& folder, const fs::path& library, Speed speed) {
+std::string make_library(const std::string& text, const fs::path& folder, const fs::path& library, CompiledAs as) {
   const ScratchFolder scratch;
   const fs::path source = scratch.path / "solver.cpp", object = scratch.path / "solver.o";
   write_text_file(source, text + as_library);
   Command compile = kit().words_of("compile.txt");
   const Command link{compile[0], "-shared", "-o", library, object};
-  if (speed == Speed::of_chapters) {  // the headers are parsed anew then
+  if (as == CompiledAs::chapter) {  // the headers are parsed anew then
     std::istringstream flags(CHAPTER_FLAGS);
     for (std::string flag; flags >> flag;) compile.push_back(flag);
   }

@@ -6,15 +6,15 @@
 
 namespace pushback {
 
-enum class Speed {
-  of_exercises,  ///< compiled quickly
-  of_chapters    ///< compiled as the chapters are: for who takes times
+enum class CompiledAs {
+  exercise,  ///< quickly
+  chapter    ///< with the settings of this build: for who takes times
 };
 
 /// Compiles the solver in `text` to `library`. Headers in `folder` are found by the text. Returns what went wrong, in words;
 /// empty: nothing.
 std::string make_library(const std::string& text, const std::filesystem::path& folder,
-                         const std::filesystem::path& library, Speed speed = Speed::of_exercises);
+                         const std::filesystem::path& library, CompiledAs as = CompiledAs::exercise);
 
 /// The last line of what a program said; never empty.
 std::string last_line(const std::string& text);

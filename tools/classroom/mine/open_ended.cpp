@@ -41,8 +41,8 @@ void ask(const Command& command) {
   if (ended.status != 0) throw std::runtime_error(fmt::format("{} failed: {}", command[0], last_line(ended.err)));
 }
 
-void make_mine(const MyFolder& mine, const fs::path& library, Speed speed) {
-  const std::string wrong = make_library(mine.text(), fs::absolute(mine.path()), library, speed);
+void make_mine(const MyFolder& mine, const fs::path& library, CompiledAs as) {
+  const std::string wrong = make_library(mine.text(), fs::absolute(mine.path()), library, as);
   if (!wrong.empty()) throw std::runtime_error(wrong + ". ./course mine 00 shows all that the compiler says");
 }
 
@@ -73,7 +73,7 @@ bool play_hard_cases(const MyFolder& mine, const AskedOfHardCases& asked) {
   ask(list);
   const ScratchFolder scratch;
   const fs::path library = scratch.path / "solver.so";
-  make_mine(mine, library, Speed::of_exercises);
+  make_mine(mine, library, CompiledAs::exercise);
   if (asked.names.empty())
     fmt::print("All cases are played, which takes {}.\n", asked.all ? "minutes" : "about a minute");
   std::fflush(stdout);
@@ -134,7 +134,7 @@ bool race(const MyFolder& mine, const AskedOfRace& asked) {
   ask({program, asked.scene, "--steps", "1", "--solver", recommended_name});
   const ScratchFolder scratch;
   const fs::path library = scratch.path / "solver.so";
-  make_mine(mine, library, Speed::of_chapters);
+  make_mine(mine, library, CompiledAs::chapter);
   std::vector<Lane> lanes{{"mine", lap_of("--mine", library)},
                           {plain_name, lap_of("--solver", plain_name)},
                           {recommended_name, lap_of("--solver", recommended_name)}};
@@ -168,7 +168,7 @@ void study_with_mine(const MyFolder& mine, const AskedOfStudy& asked) {
     if (asked.motions.empty() && motion.pins.empty()) motions.push_back(motion.name);
   const ScratchFolder scratch;
   const fs::path library = scratch.path / "solver.so", to = fs::absolute(mine.path()) / "study";
-  make_mine(mine, library, Speed::of_chapters);
+  make_mine(mine, library, CompiledAs::chapter);
   fmt::print("{} of the study's motions are played in all quick settings by every solver.\n", motions.size());
   std::fflush(stdout);
   Command study{program, "--quick", "--mine", library, "--out", scratch.path, "--only"};
