@@ -1,6 +1,8 @@
 #include "pushback/common/basics/files.h"
 
+#include <cstdlib>
 #include <fstream>
+#include <stdexcept>
 #include <system_error>
 
 #include "pushback/common/basics/input.h"
@@ -40,6 +42,18 @@ std::string read_text_file(const std::filesystem::path& file) {
   std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (!in) throw InvalidInput(fmt::format("file '{}' cannot be read", file.string()));
   return text;
+}
+
+ScratchFolder::ScratchFolder()
+    : path([] {
+        std::string name = (fs::temp_directory_path() / "pushback_XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder in " + name);
+        return name;
+      }()) {}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path, ignored);
 }
 
 std::string quoted(const std::string& text) {

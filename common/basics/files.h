@@ -12,6 +12,16 @@ void make_writable_folder(const std::filesystem::path& folder);
 void write_text_file(const std::filesystem::path& file, const std::string& text);
 /// All of it. Throws InvalidInput, naming the file, where it cannot be read.
 std::string read_text_file(const std::filesystem::path& file);
+/// A folder that is gone with this.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path path;
+};
+
 /// In double quotes, with quotes and backslashes escaped: as gnuplot and JSON read it.
 std::string quoted(const std::string& text);
 

@@ -3,6 +3,8 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/classroom/mine/chapters.h"
+#include "pushback/tools/classroom/mine/lap.h"
+#include "pushback/tools/classroom/mine/library.h"
 #include "pushback/tools/classroom/mine/slips.h"
 #include "pushback/tools/classroom/mine/verdict.h"
 #include "tests/support/call.h"
@@ -97,6 +99,38 @@ void judge_wrong_files(std::size_t most) {
   }
 }
 
+/// What a stage's lines of a table.csv say, without its name.
+std::vector<std::vector<std::string>> column_of(const fs::path& table, const std::string& stage) {
+  std::vector<std::vector<std::string>> column;
+  for (const std::string& line : lines_of(text_of(table))) {
+    std::vector<std::string> fields = fields_of(line);
+    if (fields[1] != stage) continue;
+    fields.erase(fields.begin() + 1);
+    column.push_back(fields);
+  }
+  return column;
+}
+
+/// Does one wrong thing for each number of bodies: the hard cases `slopes`, `squeezed`, `densities-1-1-100`, `far-1e5`, `born-deep`.
+constexpr const char* wrong_in_each_case = R"(
+#include <cstdlib>
+#include <stdexcept>
+#include "pushback/common/world/step_solver.h"
+class MySolver : public pushback::StepSolver {
+ public:
+  void solve(pushback::World& world, pushback::Real, int) override {
+    const std::size_t bodies = world.bodies.size();
+    if (bodies == 2) throw std::runtime_error("I give up");
+    if (bodies == 3) std::abort();
+    if (bodies == 4) world.bodies.back().velocity.setConstant(std::nan(""));
+    while (bodies == 5) turns_ = turns_ + 1;
+    if (bodies == 6) std::exit(0);
+  }
+ private:
+  volatile int turns_ = 0;
+};
+)";
+
 }  // namespace
 
 TEST_CASE("a right solver of a later chapter passes what is kept of earlier ones, and each mistake is told apart") {
@@ -178,4 +212,116 @@ TEST_CASE("the way of a reader: a file, a verdict, hints, the difference, and ba
   CHECK(nowhere.status == 2);
   CHECK(contains(nowhere.err, "--in: folder '"));
   CHECK(contains(nowhere.err, "proc/none' cannot be written to"));  // as seen from where one stands
+}
+
+TEST_CASE("beside the hard cases' stages, the plain loop of 08 is stage 08 in every digit") {
+  const Scratch scratch;
+  write_text_file(scratch / "solver.h", plain_loop(8));
+  const Ended played = call_program(MINE_PROGRAM, "hard-cases heavy-1 slopes --in " + (scratch / "").string(), 120);
+  CHECK(played.status == 0);
+  CHECK(played.err.empty());
+  CHECK(contains(played.out, "08 friction cone 1, mine 1\n"));
+  const fs::path folder = scratch / "hard_cases";
+  const auto mine = column_of(folder / "table.csv", "mine");
+  CHECK(mine.size() == 5);
+  CHECK(mine == column_of(folder / "table.csv", "08 friction cone"));
+  CHECK(mine != column_of(folder / "table.csv", "07 warm start"));
+  CHECK(contains(text_of(folder / "table.md"), "| mine |"));
+  CHECK(fs::exists(folder / "overview.png"));
+  CHECK(column_of(folder / "table.csv", "18 direct joint solve").empty());
+}
+
+TEST_CASE("a solver that throws, crashes, never ends or leaves ends its case, not the table of hard cases") {
+  const Scratch scratch;
+  write_text_file(scratch / "solver.h", wrong_in_each_case);
+  const std::string in = " --at-most 1 --in " + (scratch / "").string();
+  const Ended played = call_program(
+      MINE_PROGRAM, "hard-cases slopes squeezed densities-1-1-100 far-1e5 born-deep middle-axis" + in, 120);
+  CHECK(played.status == 1);
+  CHECK(lines_of(played.err) ==
+        std::vector<std::string>{"mine: slopes: threw: I give up", "mine: born-deep: crashed: it left the program",
+                                 "mine: squeezed: crashed: Aborted", "mine: far-1e5: no end within 1 s"});
+  CHECK(contains(played.out, "mine 1\n"));  // one body that nothing touches
+  const std::string table = text_of(scratch / "hard_cases" / "table.md");
+  for (const char* word : {"threw", "crash", "no end", "NaN"}) CHECK(contains(table, fmt::format("✗ –<br>{} |", word)));
+
+  const Ended raced = call_program(MINE_PROGRAM, "race 00-one-box" + in, 120);
+  CHECK(raced.status == 1);
+  CHECK(contains(raced.out, fmt::format("\n{:<18} I give up\n", "mine")));
+  CHECK(contains(raced.out, "\n21 detected once "));
+}
+
+TEST_CASE("after three cases without an end, no other is played") {
+  const Scratch scratch;
+  const fs::path library = scratch / "solver.so";
+  REQUIRE(make_library(wrong_in_each_case, scratch / "", library).empty());
+  const Ended played =
+      call_program(TABLE_PROGRAM, fmt::format("far-1e5 far-1e7 row-sequential row-simultaneous middle-axis --stages 02 "
+                                              "--jobs 1 --no-images --at-most 0.2 --mine {} --out {}",
+                                              library.string(), (scratch / "").string()));
+  CHECK(played.status == 1);
+  CHECK(contains(played.err, "mine: row-sequential: no end within 0.2 s\n"));
+  CHECK(contains(played.err, "mine: far-1e7: not played: 3 cases before it had no end\n"));
+  CHECK(lines_of(played.err).size() == 5);
+}
+
+TEST_CASE("a race: what is off in the plain loop of 08 is off in the same file as a reader's") {
+  const Scratch scratch;
+  write_text_file(scratch / "solver.h", plain_loop(8));
+  const auto call = [&](const std::string& words) {
+    return call_program(MINE_PROGRAM, words + " --in " + (scratch / "").string(), 120);
+  };
+  const Ended raced = call("race 03-three-boxes");
+  CHECK(raced.status == 0);
+  const std::vector<std::string> lines = lines_of(raced.out);
+  REQUIRE(lines.size() == 6);
+  const auto off = [&](std::size_t line) { return lines[line].substr(lines[line].find(')')); };
+  CHECK(lines[2].starts_with("mine "));
+  CHECK(off(2) == off(3));
+  CHECK(off(2) != off(4));
+  CHECK(contains(off(2), " 4.06 mm "));
+  const std::optional<Lap> lap = read_lap(call_program(LAP_PROGRAM, "03-three-boxes --solver 'plain loop of 08'").out);
+  REQUIRE(lap);
+  CHECK(std::abs(lap->overlap - 4.06) < 0.005);
+  CHECK(lap->ms_per_step > 0);
+  CHECK(call_program(LAP_PROGRAM, "13-door --solver 'plain loop of 08'").status == 2);  // it holds no joints
+
+  const Ended scene = call("race none"), scenes = call("race"), cases = call("hard-cases none");
+  CHECK(scene.status == 2);
+  CHECK(contains(scene.err, "scene is 'none': one of these is needed: 00-one-hit, "));
+  CHECK(scenes.status == 2);
+  CHECK(cases.status == 2);
+  CHECK(contains(cases.err, "case is 'none': one of these is needed: stack-10, "));
+  CHECK(call("03 04").status == 2);
+  CHECK(call("race 03-three-boxes --at-most nan").status == 2);
+  write_text_file(scratch / "solver.h", "class MySolver {\n  int x = ;\n};\n");
+  const Ended broken = call("hard-cases slopes");
+  CHECK(broken.status == 1);
+  CHECK(contains(broken.err, "it does not compile as a library: error: expected"));
+  CHECK_FALSE(fs::exists(scratch / "hard_cases"));
+}
+
+TEST_CASE("error against time: a curve of a reader's solver, or a line that says why there is none", "[checked]") {
+  const Scratch scratch;
+  const auto study = [&](const std::string& text) {
+    write_text_file(scratch / "solver.h", text);
+    return call_program(MINE_PROGRAM, "study rolling --in " + (scratch / "").string(), 120);
+  };
+  const Ended wrong = study(
+      "#include <stdexcept>\n#include \"pushback/common/world/step_solver.h\"\n"
+      "struct MySolver : pushback::StepSolver {\n"
+      "  void solve(pushback::World&, pushback::Real, int) { throw std::runtime_error(\"I give up\"); }\n};\n");
+  CHECK(wrong.status == 1);
+  CHECK(wrong.err == "there are no diagrams: I give up\n");
+  CHECK_FALSE(fs::exists(scratch / "study"));
+  CHECK(study(plain_loop(8)).status == 0);
+  CHECK(fs::exists(scratch / "study" / "work_precision.png"));
+  double best = 1;  // m
+  for (const std::string& line : lines_of(text_of(scratch / "study" / "study.csv")))
+    if (const auto fields = fields_of(line); fields[1] == "motion_mine") best = std::min(best, std::stod(fields[5]));
+  CHECK(best > 1e-4);
+  CHECK(best < 1e-3);
+  const Ended unknown = call_program(MINE_PROGRAM, "study none --in " + (scratch / "").string());
+  CHECK(unknown.status == 2);
+  CHECK(contains(unknown.err, "motion is 'none': one of these is needed: bounce, "));
 }

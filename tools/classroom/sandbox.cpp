@@ -23,18 +23,6 @@ Command operator+(Command first, const Command& then) {
 
 }  // namespace
 
-ScratchFolder::ScratchFolder()
-    : path([] {
-        std::string name = (fs::temp_directory_path() / "pushback_XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder in " + name);
-        return name;
-      }()) {}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path, ignored);
-}
-
 Sandbox::Sandbox() {
   const fs::path& source = kit().sources;
   for (const char* part : {"common", "chapters"}) {

@@ -5,17 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace pushback {
+#include "pushback/common/basics/files.h"
 
-/// A folder that is gone with this.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path path;
-};
+namespace pushback {
 
 /// bubblewrap: no network, no writing but in a scratch folder, and to be read only the compiler and the headers: no checks, no
 /// answers, no other student. Who is root outside has none of root's rights inside, and system calls that no answer needs are

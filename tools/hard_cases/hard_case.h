@@ -105,6 +105,7 @@ struct Outcome {
   double ms_per_step = 0;               ///< wall time; the only entry that differs from run to run
   std::vector<Real> largest = numbers;  ///< one a criterion, of all starts
   int starts = 1, starts_passed = 0;
+  bool ended = true;  ///< false: the process that played it came to no good end, and `broken` says how
   /// From every start, every number within its limit, and no invariant broken.
   bool passed(const HardCase& of) const;
   /// The criterion of which the largest number is nearest to its limit, or furthest beyond.

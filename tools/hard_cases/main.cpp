@@ -9,6 +9,7 @@
 #include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/program.h"
+#include "pushback/tools/hard_cases/apart.h"
 #include "pushback/tools/hard_cases/table.h"
 #include "pushback/tools/hard_cases/table_picture.h"
 
@@ -89,15 +90,38 @@ void join(std::size_t parts, const std::filesystem::path& folder, bool images) {
   show(table, folder, images);
 }
 
+/// Of a solver of one's own, beside the others; false where it came to no end somewhere.
+bool sum_up(const Table& table) {
+  for (std::size_t column = 0; column < table.stages.size(); ++column) {
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < table.cases.size(); ++row) count += table.passed(row, column) ? 1 : 0;
+    fmt::print("{}{} {}", column == 0 ? "pass, of " + std::to_string(table.cases.size()) + ": " : ", ",
+               table.stages[column].name, count);
+  }
+  fmt::print("\n");
+  std::fflush(stdout);
+  bool ended = true;
+  for (std::size_t pair = 0; pair < table.outcomes.size(); ++pair) {
+    const Outcome& outcome = table.outcomes[pair];
+    if (outcome.ended) continue;
+    ended = false;
+    fmt::print(stderr, "{}: {}: {}\n", table.stages[pair % table.stages.size()].name,
+               table.cases[pair / table.stages.size()].name, outcome.broken);
+  }
+  return ended;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   std::vector<std::string> names, stage_names;
-  std::string out = "renders", shard_text = "1/1";
+  std::string out = "renders", shard_text = "1/1", mine;
+  GivingUp giving_up;
   std::size_t parts = 0;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   int starts = many_starts;
   bool quick = false, only_needed = false, no_images = false, list = false, redraw = false;
+  bool alone = false, ended = true;
   CommandLine line("Every hard case under every stage of the solver: which feature keeps which case stable?",
                    "hard_cases_table");
   line.option("NAME", names, "Only these cases, by their names or a part of them");
@@ -120,12 +144,22 @@ int main(int argc, char** argv) {
       .between(2, 1000);
   line.flag("--no-images", no_images, "Only table.csv, table.md and times.csv");
   line.flag("--redraw", redraw, "Nothing is played: table.md and overview.png of what is in hard_cases/table.csv");
+  line.option(
+      "--mine", mine,
+      "A solver as a shared object, as one more column 'mine'; each of its cases is played by a process of its own");
+  line.option("--at-most", giving_up.seconds,
+              "Each of those is given up after so long, s; after three, no other is begun")
+      .between(0.1, 3600.0)
+      .shows_default();
+  line.flag("--alone", alone, "The column 'mine' and no other, in this process, and no table.md");
   line.flag("--list", list, "List the cases and the stages, and do nothing");
-  return line.run(argc, argv, [&] {
+  const int status = line.run(argc, argv, [&] {
     if (jobs < 1 || jobs > 256)
       throw InvalidInput(fmt::format("--jobs is {}: a whole number from 1 to 256 is needed", jobs));
     if (starts < 1 || starts > many_starts)
       throw InvalidInput(fmt::format("--starts is {}: a whole number from 1 to {} is needed", starts, many_starts));
+    require_between("--at-most", static_cast<Real>(giving_up.seconds), Real(0.1), 3600);  // the range lets nan pass
+    if (alone && mine.empty()) throw InvalidInput("--alone is of --mine LIBRARY, which is missing");
     if (redraw) {
       const std::filesystem::path folder = std::filesystem::path(out) / "hard_cases";
       show(read_table_csv(read_text_file(folder / "table.csv")), folder, !no_images);
@@ -137,14 +171,19 @@ int main(int argc, char** argv) {
     if (quick) all.erase(all.begin() + chapter_stages, all.end());
     std::vector<Stage> columns = chosen("stage", all, stage_names);
     if (only_needed) std::transform(columns.begin(), columns.end(), columns.begin(), only_what_is_needed);
+    if (!mine.empty()) {
+      if (alone) columns.clear();
+      columns.push_back(stage_of_library(mine));
+      if (alone) columns.back().library.clear();
+    }
     if (list) {
       for (const HardCase& c : cases) fmt::print("{:<24}{}: {}\n", c.name, c.title, c.stresses);
       fmt::print("\n");
       for (const Stage& stage : columns) fmt::print("{:<24}{}\n", stage.name, stage.what);
       return;
     }
-    const bool whole =
-        cases.size() == hard_cases().size() && columns.size() == table_stages().size() && starts == many_starts;
+    const bool whole = cases.size() == hard_cases().size() && columns.size() == table_stages().size() &&
+                       starts == many_starts && mine.empty();
     std::filesystem::path folder = std::filesystem::path(out) / "hard_cases" /
                                    (only_needed ? "only_what_is_needed"
                                     : whole     ? ""
@@ -158,17 +197,20 @@ int main(int argc, char** argv) {
     make_writable_folder(folder);
     std::size_t index = 0;
     std::erase_if(cases, [&](const HardCase&) { return !shard.has(index++); });
+    const bool all_numbers = !whole && (mine.empty() || cases.size() <= 3);
     std::size_t printed = 0;
     const bool terminal = isatty(fileno(stdout)) == 1;
     const auto progress = [&](const Table& so_far, std::size_t rows, std::size_t done) {
       if (terminal) fmt::print("\r\033[K");
-      for (; printed < rows; ++printed) print_row(so_far, printed, !whole);
+      for (; printed < rows; ++printed) print_row(so_far, printed, all_numbers);
       if (terminal && done < so_far.outcomes.size()) fmt::print("{} of {}", done, so_far.outcomes.size());
       std::fflush(stdout);
     };
-    const Table table = play(std::move(cases), std::move(columns), jobs, progress);
+    const Table table = play(std::move(cases), std::move(columns), jobs, progress, giving_up);
     write_text_file(folder / "table.csv", table_csv(table));
     write_text_file(folder / "times.csv", times_csv(table));
-    if (shard.whole()) show(table, folder, !no_images);
+    if (shard.whole() && !alone) show(table, folder, !no_images);
+    if (!mine.empty() && !alone) ended = sum_up(table);
   });
+  return status == 0 && !ended ? 1 : status;
 }

@@ -18,6 +18,8 @@ struct Stage : NamedSolver {
   bool only_needed = false;
   /// From so many starts at most is a case played: what takes long is played once.
   int most_starts = std::numeric_limits<int>::max();
+  /// Of a shared object, where it is one: each case is then played by a process of its own, as it may crash or never end.
+  std::string library = {};
 
   /// Into how many it divides a step of dt.
   int substeps(Real dt = Real(1) / 60) const { return solver.plan(dt).all_substeps(); }

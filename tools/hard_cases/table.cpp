@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "pushback/common/basics/input.h"
+#include "pushback/common/basics/named.h"
 
 namespace pushback {
 
@@ -71,16 +72,20 @@ std::string in_short(Real value, Real limit, const std::string& unit) {
 }
 
 std::string in_a_word(const std::string& broken) {
-  // In the words of the watcher, or of World::step; "angular momentum" has to come before "momentum".
-  static constexpr std::array<std::pair<const char*, const char*>, 9> words{{{"gained", "energy"},
-                                                                             {"angular momentum", "spin"},
-                                                                             {"momentum", "momentum"},
-                                                                             {"pulls", "pulls"},
-                                                                             {"friction", "friction"},
-                                                                             {"overlap", "overlap"},
-                                                                             {"not finite", "NaN"},
-                                                                             {"holds no joints", "no joints"},
-                                                                             {"too large", "too large"}}};
+  // In the words of outcome_apart, then of the watcher, or of World::step; "angular momentum" has to come before "momentum".
+  static constexpr std::array<std::pair<const char*, const char*>, 13> words{{{"crashed", "crash"},
+                                                                              {"threw", "threw"},
+                                                                              {"no end", "no end"},
+                                                                              {"not played", "not played"},
+                                                                              {"gained", "energy"},
+                                                                              {"angular momentum", "spin"},
+                                                                              {"momentum", "momentum"},
+                                                                              {"pulls", "pulls"},
+                                                                              {"friction", "friction"},
+                                                                              {"overlap", "overlap"},
+                                                                              {"not finite", "NaN"},
+                                                                              {"holds no joints", "no joints"},
+                                                                              {"too large", "too large"}}};
   for (const auto& [said, word] : words) {
     if (broken.find(said) != std::string::npos) return word;
   }
@@ -197,7 +202,7 @@ Table empty_table(std::vector<HardCase> cases, std::vector<Stage> columns) {
   return table;
 }
 
-Table read_table_csv(const std::string& text) {
+Table read_table_csv(const std::string& text, const std::vector<Stage>& stages) {
   const std::vector<std::vector<std::string>> lines = fields_in(text);
   std::vector<HardCase> cases;
   std::vector<Stage> columns;
@@ -206,7 +211,7 @@ Table read_table_csv(const std::string& text) {
       throw InvalidInput(fmt::format("table.csv: line {} has {} fields, 11 are needed", i + 1, lines[i].size()));
     if (cases.empty() || cases.back().name != lines[i][0]) cases.push_back(hard_case_named(lines[i][0]));
     if (cases.size() == 1 && (columns.empty() || columns.back().name != lines[i][1]))
-      columns.push_back(stage_named(lines[i][1]));
+      columns.push_back(named("stage", stages, lines[i][1]));
   }
   if (cases.empty()) throw InvalidInput("table.csv has no lines of cases");
   Table table = empty_table(std::move(cases), std::move(columns));

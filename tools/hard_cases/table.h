@@ -21,9 +21,16 @@ struct Table {
 /// Called after each pair: the first `rows` rows are complete, `done` pairs are.
 using Progress = std::function<void(const Table&, std::size_t rows, std::size_t done)>;
 
+/// Each case of a stage with a library is given up after so long. Who has been given up so often plays nothing more.
+struct GivingUp {
+  double seconds = 30;
+  int times = 3;
+};
+
 /// Plays every case under every stage. Each pair has a world and a solver of its own, so that the order and the number of
 /// threads change nothing.
-Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress);
+Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress,
+           const GivingUp& giving_up = {});
 
 /// With an outcome for each pair, of nothing.
 Table empty_table(std::vector<HardCase> cases, std::vector<Stage> stages);
@@ -48,7 +55,7 @@ std::string passed_of_starts(const Outcome& outcome);
 std::string table_csv(const Table& table);
 /// Back from it: what is then written and drawn is the same. Throws InvalidInput where it is no such table, or of other cases,
 /// stages or criteria than there are.
-Table read_table_csv(const std::string& text);
+Table read_table_csv(const std::string& text, const std::vector<Stage>& stages = table_stages());
 /// For GitHub: a row a case, a column a stage, the chapters and what came after in a table each; below them what every case
 /// stresses and what is asked of it. `folder`: where the page will be, for its links to the chapters.
 std::string table_md(const Table& table, const std::filesystem::path& folder);

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <thread>
 
+#include "pushback/tools/hard_cases/apart.h"
 #include "pushback/tools/hard_cases/table.h"
 
 namespace pushback {
@@ -35,14 +36,22 @@ void in_parallel(std::size_t count, int threads, const std::function<void(std::s
 
 }  // namespace
 
-Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress) {
+Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress,
+           const GivingUp& giving_up) {
   Table table = empty_table(std::move(cases), std::move(stages));
   const std::size_t columns = table.stages.size(), pairs = table.cases.size() * columns;
   std::vector<std::size_t> left(table.cases.size(), columns);
   std::size_t rows = 0, done = 0;
   std::mutex mutex;
+  std::atomic<int> given_up = 0;
   in_parallel(pairs, threads, [&](std::size_t i) {
-    Outcome outcome = outcome_of(table.cases[i / columns], table.stages[i % columns]);
+    const HardCase& hard_case = table.cases[i / columns];
+    const Stage& stage = table.stages[i % columns];
+    Outcome outcome = stage.library.empty() ? outcome_of(hard_case, stage)
+                      : given_up < giving_up.times
+                          ? outcome_apart(hard_case, stage, giving_up.seconds)
+                          : without_end(hard_case, fmt::format("not played: {} cases before it had no end", given_up));
+    given_up += outcome.broken.starts_with(no_end) ? 1 : 0;
     const std::lock_guard lock(mutex);
     table.outcomes[i] = std::move(outcome);
     --left[i / columns];

@@ -16,7 +16,7 @@ struct Asked {
   bool quick = false, others = false, redraw = false;
   int rounds = 0;
   std::vector<std::string> only;
-  std::string out = "renders", shard = "1/1";
+  std::string out = "renders", shard = "1/1", mine;
   std::size_t parts = 0;
 };
 
@@ -77,7 +77,11 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
     report(all, engines_of(all), folder);
     return;
   }
-  const std::vector<Engine> engines = engines_in(programs, asked.others);
+  std::vector<Engine> engines = engines_in(programs, asked.others);
+  if (!asked.mine.empty()) {
+    engines.push_back(engine_of_mine());
+    setenv("PUSHBACK_MINE", std::filesystem::absolute(asked.mine).c_str(), 1);  // where its program looks for it
+  }
   RoundOptions options{.engines = engines, .programs = programs, .quick = asked.quick};
   if (asked.rounds > 0 || asked.quick) options.rounds = std::max(1, asked.rounds);
   options.say = [](const std::string& what) {
@@ -103,6 +107,7 @@ int main(int argc, char** argv) {
   Asked asked;
   line.flag("--quick", asked.quick, "Fewer settings, fewer rounds: in two minutes");
   line.flag("--peers", asked.others, "Bullet, ODE and MuJoCo as well, where they were built");
+  line.option("--mine", asked.mine, "A solver as a shared object, as one more engine");
   line.option("--rounds", asked.rounds, "In which all that is near a front is timed; 3, or 1 with --quick")
       .between(1, 1000);
   line.flag("--redraw", asked.redraw, "Nothing is measured: pictures and tables of what is in study.csv");

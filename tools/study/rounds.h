@@ -19,6 +19,9 @@ struct Engine {
 /// Bullet, ODE and MuJoCo that are there: std::runtime_error where none is.
 std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others);
 
+/// The program that plays a reader's solver.
+Engine engine_of_mine();
+
 struct RoundOptions {
   std::vector<Engine> engines;     ///< see engines_in
   std::filesystem::path programs;  ///< the folder of `motion` and the others

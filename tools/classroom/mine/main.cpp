@@ -10,6 +10,7 @@
 #include "pushback/tools/classroom/mine/chapters.h"
 #include "pushback/tools/classroom/mine/drawing.h"
 #include "pushback/tools/classroom/mine/my_file.h"
+#include "pushback/tools/classroom/mine/open_ended.h"
 #include "pushback/tools/classroom/mine/verdict.h"
 
 using namespace pushback;
@@ -23,6 +24,8 @@ struct Asked {
   std::string folder;      // empty: mine/ of the project
   std::uint64_t seed = 0;  // 0: another one each time
   bool hint = false, watch = false, reset = false, diff = false, no_sheet = false, film = false;
+  bool all = false;
+  double at_most = 30;
 };
 
 void list(const MyFolder& mine) {
@@ -158,12 +161,36 @@ void show_difference(const ChapterOfMine& chapter, const MyFolder& mine) {
   }
 }
 
+/// `race`, `hard-cases` or `study`; true where the solver came to its end.
+bool compare(const MyFolder& mine, const Asked& asked) {
+  const std::vector<std::string> words(asked.words.begin() + 1, asked.words.end());
+  if (asked.words[0] == "hard-cases") {
+    const fs::path to = mine.path() / "hard_cases";
+    const bool ended = play_hard_cases(mine, {.names = words, .all = asked.all, .at_most = asked.at_most});
+    fmt::print("Yours beside the stages: {}, table.md\n", (to / "overview.png").string());
+    return ended;
+  }
+  if (asked.words[0] == "study") {
+    study_with_mine(mine, {.motions = words});
+    fmt::print("Error against time, yours beside ours: {}, others.md\n",
+               (mine.path() / "study" / "work_precision.png").string());
+    return true;
+  }
+  if (words.size() != 1)
+    throw InvalidInput("race takes the name of one scene, 07-pyramid for example; ./course effects --help lists them");
+  return race(mine, {.scene = words[0], .at_most = asked.at_most});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   Asked asked;
   CommandLine line("A solver of your own: one file that grows from chapter to chapter.", "./course mine");
-  line.option("CHAPTER", asked.words, "00 to 08, or its name; none: where you stand").at_most_once();
+  line.option(
+      "CHAPTER", asked.words,
+      "00 to 08, or its name; none: where you stand. Or hard-cases [NAME...]: yours beside the stages in the table of "
+      "hard cases. Or race SCENE: its time and what is off, beside ours. "
+      "Or study [MOTION...]: error against time, beside ours");
   line.flag("--hint", asked.hint, "One hint more each time");
   line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
   line.flag("--diff", asked.diff, "The chapter's plain loop beside your file, once it passes");
@@ -172,9 +199,18 @@ int main(int argc, char** argv) {
   line.flag("--film", asked.film, "Films, too, of each scene");
   line.option("--seed", asked.seed, "The same random scenes as last time");
   line.option("--in", asked.folder, "The folder with your file, mine/ by default");
+  line.flag("--all", asked.all, "hard-cases: beside every stage, not only those that are a plain loop");
+  line.option("--at-most", asked.at_most, "hard-cases, race: a case or a run is given up after so long, s")
+      .between(0.1, 3600.0)
+      .shows_default();
   bool passed = true;
   const int status = line.run(argc, argv, [&] {
-    const ChapterOfMine* chapter = asked.words.empty() ? nullptr : &chapter_of_mine(asked.words[0]);
+    require_between("--at-most", static_cast<Real>(asked.at_most), Real(0.1), 3600);  // the range lets nan pass
+    const bool compares = !asked.words.empty() &&
+                          (asked.words[0] == "hard-cases" || asked.words[0] == "race" || asked.words[0] == "study");
+    if (!compares && asked.words.size() > 1)
+      throw InvalidInput(fmt::format("one chapter at a time: '{}' is too much", asked.words[1]));
+    const ChapterOfMine* chapter = asked.words.empty() || compares ? nullptr : &chapter_of_mine(asked.words[0]);
     if (!chapter && (asked.hint || asked.watch || asked.diff || asked.film))
       throw InvalidInput("of which chapter? Its number is needed, 03 for example");
     MyFolder mine(asked.folder);
@@ -183,7 +219,8 @@ int main(int argc, char** argv) {
       fmt::print("Your solver is {}: it compiles, and does nothing right.\n", mine.file().string());
       if (!asked.watch) return list(mine);
     }
-    if (!chapter) list(mine);
+    if (compares) passed = compare(mine, asked);
+    else if (!chapter) list(mine);
     else if (asked.hint) show_hints(*chapter, mine);
     else if (asked.diff) show_difference(*chapter, mine);
     else if (asked.watch) watch(*chapter, mine, asked);
