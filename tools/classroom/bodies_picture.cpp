@@ -206,6 +206,11 @@ std::vector<Vec3> corners_of(const World& yours, const World& right) {
     if ((yours.bodies[i].position - right.bodies[i].position).norm() < 3 * extent)
       add_corners(points, bounds_of(yours.bodies[i]));
   }
+  for (const Joint& joint : right.joints) {
+    if (!joint.line) continue;
+    const std::vector<Vec3> corners = joint.line(body_of(right, joint.a), body_of(right, joint.b));
+    points.insert(points.end(), corners.begin(), corners.end());
+  }
   return points;
 }
 

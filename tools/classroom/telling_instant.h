@@ -15,6 +15,7 @@ struct Apart {
   Real speed = 0;  ///< of the largest in either world, as are the next two
   Real spin = 0;
   Real impulse = 0;         ///< of a contact; 1 where one world has another number of contacts
+  Real sleep = 0;           ///< 1: a body sleeps in one world only
   Real to_be_seen() const;  ///< 0: nothing
 };
 

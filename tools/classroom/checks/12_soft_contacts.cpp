@@ -1,5 +1,6 @@
 #include "pushback/chapters/12_soft_contacts/exercise/asked.h"
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_12 {
 
@@ -38,6 +39,7 @@ struct Ball {
     for (Row& one : rows) visit(one, answer);
     world.move(spring.h);
     for (Row& one : rows) visit(one, answer, true);
+    show(world);
   }
 };
 
@@ -60,6 +62,9 @@ std::vector<Check<Answer>> checks() {
            Row row = one->row();
            one->visit(row, answer);
          }
+         show(ball.world, {0});
+         show(deep.world, {1});
+         show(leaving.world, {2});
          return {ball.speed(), deep.speed(), leaving.speed()};
        }},
       {"more sweeps do not change that, and neither does an initial guess that was too large",
@@ -74,6 +79,8 @@ std::vector<Check<Answer>> checks() {
          for (int i = 0; i < 8; ++i) ball.visit(row, answer);
          guessed_row.reach(guess * guessed_row.effective_mass * depth / guessed.spring.h);
          guessed.visit(guessed_row, answer);
+         show(ball.world, {0});
+         show(guessed.world, {1});
          return {ball.speed(), guessed.speed()};
        }},
       {"the relaxing pass takes the push-out back from the velocity, not from the position",

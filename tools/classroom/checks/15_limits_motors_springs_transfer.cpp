@@ -1,5 +1,6 @@
 #include "pushback/chapters/13_joints/distance.h"
 #include "pushback/chapters/15_limits_motors_springs/exercise/transfer/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_15_transfer {
 
@@ -23,7 +24,10 @@ struct Rods {
     const int ball = world.add(sphere(Real(0.1), mass).at(at).moving(speed * away.back()));
     world.joints.push_back(distance(world, the_world, begins, ball, at));
   }
-  void solve(Real h) { solver.solve(world, h, 4); }
+  void solve(Real h, const std::vector<std::size_t>& quantities = {}) {
+    solver.solve(world, h, 4);
+    show(world, quantities);
+  }
   Real speed(std::size_t ball) const { return world.bodies[ball].velocity.dot(away[ball]); }
   /// All that is still on a rod, kg.
   Real held() const {
@@ -35,13 +39,14 @@ struct Rods {
 
 /// A ball that is too fast for its rod by `times`, in units of what the rod takes off in a step: its speeds after one and after
 /// two steps.
-std::array<Real, 2> two_steps(Random& random, Real times, const Answer& answer) {
+std::array<Real, 2> two_steps(Random& random, Real times, const Answer& answer,
+                              const std::vector<std::size_t>& quantities) {
   const Real mass = random.between(2, 10), h = 1 / random.between(40, 100);
   Rods rods(answer);
   rods.add(mass, times * h * strength / mass, random);
   std::array<Real, 2> speeds{};
   for (Real& speed : speeds) {
-    rods.solve(h);
+    rods.solve(h, quantities);
     speed = rods.speed(0);
   }
   return speeds;
@@ -56,13 +61,13 @@ std::array<Real, 3> four_balls(Random& random, const Answer& answer) {
     const Real mass = random.between(2, 10);
     rods.add(mass, times * h * strength / mass, random);
   }
-  rods.solve(h);
+  rods.solve(h, {2, 3});
   const Real speed = rods.speed(2);
   const Real first = rods.world.joints.empty() ? 0 : static_cast<Real>(rods.world.joints.front().b);
   for (Body& ball : rods.world.bodies) ball.velocity.setZero();
   Body& second = rods.world.bodies[1];
   second.velocity = Real(0.7) * h * strength * second.inverse_mass * rods.away[1];
-  rods.solve(h / 2);
+  rods.solve(h / 2, {4});
   return {speed, first, rods.held()};
 }
 
@@ -84,8 +89,8 @@ std::vector<Check<Answer>> checks() {
         {"in the next step your ball, whose rod is broken, goes on with", "m/s", 1e-6},
         {"your ball, which is far too fast for its rod, goes on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const auto [first, second] = two_steps(random, random.between(Real(2.5), 4), answer);
-         const auto far_too_fast = two_steps(random, random.between(150, 200), answer);
+         const auto [first, second] = two_steps(random, random.between(Real(2.5), 4), answer, {0, 1});
+         const auto far_too_fast = two_steps(random, random.between(150, 200), answer, {2});
          return {first, second, far_too_fast[0]};
        }},
       {"so is a rod that is pushed too hard",
@@ -93,7 +98,7 @@ std::vector<Check<Answer>> checks() {
        {{"your ball, which pushes too hard at its rod, comes on with", "m/s", 1e-6},
         {"in the next step your ball, whose rod is broken, comes on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const auto [first, second] = two_steps(random, -random.between(Real(2.5), 4), answer);
+         const auto [first, second] = two_steps(random, -random.between(Real(2.5), 4), answer, {0, 1});
          return {-first, -second};
        }},
       {"of several rods those break that bear too much",
@@ -112,9 +117,9 @@ std::vector<Check<Answer>> checks() {
            rods.add(mass, times * h * strength / mass, random);
          }
          rods.world.bodies[0].asleep = true;
-         rods.solve(h);
+         rods.solve(h, {0});
          const Real held = rods.held();
-         rods.solve(h);
+         rods.solve(h, {1});
          const auto [fast, first, shorter] = four_balls(random, answer);
          return {held, rods.held(), fast, first, shorter};
        }},

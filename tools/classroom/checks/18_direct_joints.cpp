@@ -4,6 +4,7 @@
 #include "pushback/chapters/13_joints/joints.h"
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/18_direct_joints/exercise/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_18 {
 
@@ -57,6 +58,7 @@ struct Chain {
     Solver<Eliminated> solver;
     solver.answer = answer;
     solver.solve(world, h, 1);
+    show(world);
     const JointRows& rows = solver.joint_rows();
     const auto size = [&rows](std::size_t i) {
       return Vec3(rows[i].impulse, rows[i + 1].impulse, rows[i + 2].impulse).norm();
