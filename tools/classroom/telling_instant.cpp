@@ -35,7 +35,9 @@ std::optional<TellingInstant> where_it_fails(const Exercise& exercise, std::uint
       most = off;
       worst = i;
     }
-    if (most > 1) return TellingInstant{check, scene, worst, {}, {}};
+    if (most <= 1) continue;
+    const std::string& unit = quantities[worst].unit;
+    return TellingInstant{check, scene, worst, {}, {}, unit == "m" || unit == "mm" || unit == "mrad"};
   }
   return std::nullopt;
 }
@@ -96,8 +98,11 @@ std::optional<TellingInstant> telling_instant(const Exercise& exercise, std::uin
       if (numbers.empty() || numbers[0] != static_cast<Real>(instant.number)) continue;
       const std::optional<World> yours = with_numbers(instant.world, numbers);
       if (!yours) continue;
-      const Real seen = apart(*yours, instant.world).to_be_seen();
-      if (seen < Real(1e-5) || seen < Real(0.98) * most) continue;  // of equals the last
+      const Apart differing = apart(*yours, instant.world);
+      Real seen = differing.to_be_seen();
+      const Real off_place = std::max(differing.place, differing.turn);
+      if (telling->of_place && off_place > Real(1e-5)) seen = 10 * off_place;  // before all that only moves
+      if (seen < Real(1e-5) || seen < Real(0.98) * most) continue;             // of equals the last
       most = std::max(most, seen);
       telling->yours = *yours;
       telling->right = instant.world;

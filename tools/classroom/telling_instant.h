@@ -27,6 +27,7 @@ Real size_of(const Body& body);
 struct TellingInstant {
   std::size_t check, scene, quantity;  ///< those of the verdict's sentence
   World yours, right;
+  bool of_place = false;  ///< the number is a length or an angle: velocities do not tell it
 };
 
 /// Nothing where no check fails by its numbers, or where what was shown differs nowhere, or makes no sense.

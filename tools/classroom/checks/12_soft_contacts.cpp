@@ -32,14 +32,14 @@ struct Ball {
   }
   void visit(Row& row, const Answer& answer, bool relaxing = false) { answer.solve(row, spring, relaxing); }
   /// With the relaxing pass.
-  void step(const Answer& answer) {
+  void step(const Answer& answer, const std::vector<std::size_t>& quantities = {}) {
     world.begin_step(spring.h);
     std::vector<Row> rows;
     if (!world.contacts.empty()) rows.push_back(row());
     for (Row& one : rows) visit(one, answer);
     world.move(spring.h);
     for (Row& one : rows) visit(one, answer, true);
-    show(world);
+    show(world, quantities);
   }
 };
 
@@ -93,13 +93,14 @@ std::vector<Check<Answer>> checks() {
          Ball ball(random, some_depth(random));
          ball.world.gravity.setZero();
          const Real before = ball.depth();
-         ball.step(answer);
+         ball.step(answer, {0, 1});
          Numbers numbers{ball.speed(), before - ball.depth()};
          for (const Real upwards : {random.between(1, 2), -random.between(1, 2)}) {
            Ball by_itself(random, some_depth(random));
            by_itself.world.bodies[1].velocity.y() = upwards;
            Row row = by_itself.row();
            by_itself.visit(row, answer, true);
+           show(by_itself.world, {numbers.size()});
            numbers.push_back(by_itself.speed());
          }
          return numbers;

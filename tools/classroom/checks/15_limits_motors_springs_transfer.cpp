@@ -20,13 +20,29 @@ struct Rods {
   /// `speed`: m/s, by which it would leave; negative: by which it would come.
   void add(Real mass, Real speed, Random& random) {
     away.push_back(random.direction());
-    const Vec3 begins(static_cast<Real>(10 * away.size()), 0, 0), at = begins + away.back();
+    const Vec3 begins = beginning_of(away.size() - 1), at = begins + away.back();
     const int ball = world.add(sphere(Real(0.1), mass).at(at).moving(speed * away.back()));
     world.joints.push_back(distance(world, the_world, begins, ball, at));
   }
   void solve(Real h, const std::vector<std::size_t>& quantities = {}) {
     solver.solve(world, h, 4);
-    show(world, quantities);
+    show(with_rods(), quantities);
+  }
+  /// m, of a ball's rod.
+  static Vec3 beginning_of(std::size_t ball) { return {Real(2.5) * static_cast<Real>(ball + 1), 0, 0}; }
+  /// To be seen: a rod is a body, and one that is broken points past its ball.
+  World with_rods() const {
+    World seen;
+    seen.bodies = world.bodies;
+    for (std::size_t ball = 0; ball < away.size(); ++ball) {
+      const bool held = std::any_of(world.joints.begin(), world.joints.end(),
+                                    [&](const Joint& joint) { return joint.b == static_cast<int>(ball); });
+      const Vec3 along = held ? away[ball] : (away[ball] + 2 * tangents_of(away[ball]).tangent1).normalized();
+      Body rod = box({Real(0.02), Real(0.5), Real(0.02)}, 1).at(beginning_of(ball) + along / 2);
+      rod.orientation = Quat::FromTwoVectors(Vec3::UnitY(), along);
+      seen.add(rod);
+    }
+    return seen;
   }
   Real speed(std::size_t ball) const { return world.bodies[ball].velocity.dot(away[ball]); }
   /// All that is still on a rod, kg.

@@ -23,11 +23,18 @@ struct Piles {
   }
   void touch(int a, int b) {
     Contact contact;
+    const Vec3 at_b = world.body(b).position;
+    contact.point = a == 0 ? Vec3(at_b.x(), 0, 0) : Vec3((world.body(a).position + at_b) / 2);
     contact.normal = {0, 1, 0};
     contact.id = {static_cast<std::uint32_t>(std::min(a, b)), static_cast<std::uint32_t>(std::max(a, b)), 0};
     world.contacts.push_back(contact);
   }
-  void join(int a, int b) { world.joints.push_back({.name = "a rope", .a = a, .b = b, .ask = {}}); }
+  void join(int a, int b) {
+    const auto line = [](const Body& one, const Body& other) {
+      return std::vector<Vec3>{one.position, other.position};
+    };
+    world.joints.push_back({.name = "a rope", .a = a, .b = b, .ask = {}, .line = line});
+  }
   /// From the ground up; the last is the top.
   int pile(std::size_t boxes, bool resting) {
     int below = 0;
