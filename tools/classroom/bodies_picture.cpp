@@ -245,7 +245,7 @@ Real seen_from(const Vec3& back, const World& yours, const World& right) {
 
 /// From before, a little from the right and from above; from elsewhere where little is seen from there.
 Vec3 side_of_camera(const World& yours, const World& right) {
-  constexpr Real enough = Real(0.5);
+  constexpr Real enough = Real(0.8);
   const Vec3 usual = Vec3(Real(0.4), Real(0.32), 1).normalized();
   Vec3 best = usual;
   for (const Real degrees : {0, -45, 45, -90, 90, -135, 135, 180}) {
@@ -290,6 +290,7 @@ Camera camera_for(const std::vector<Vec3>& points, Real aspect, const Vec3& back
 /// How many times a deviation is drawn so as to be at most so large.
 Real times_drawn(Real deviation, Real most) {
   Real times = 1;
+  if (deviation < Real(1e-5)) return times;
   for (const Real more : {2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000})
     if (more * deviation <= most) times = more;
   return times;
@@ -299,7 +300,7 @@ Real times_drawn(Real deviation, Real most) {
 Real times_drawn(const Apart& apart, bool of_place) {
   const Real deviation = std::max(apart.place, apart.turn);
   const bool moving = std::max(apart.speed, apart.spin) > Real(0.1);
-  if (deviation < Real(1e-5) || deviation > Real(0.06) || (moving && !of_place)) return 1;
+  if (deviation > Real(0.06) || (moving && !of_place)) return 1;
   return times_drawn(deviation, Real(0.25));
 }
 
@@ -312,6 +313,12 @@ World faster_off(World world, const World& right, Real times) {
     body.angular_velocity = right_one.angular_velocity + times * (body.angular_velocity - right_one.angular_velocity);
   }
   return world;
+}
+
+/// So far that it is seen.
+bool is_off(const Body& body, const Body& right) {
+  return (body.position - right.position).norm() > Real(0.02) * size_of(right) ||
+         body.orientation.angularDistance(right.orientation) > Real(0.02);
 }
 
 /// The floor or slope is before it.
@@ -356,10 +363,11 @@ BodiesPicture picture_of_bodies(const World& yours, const World& right, int widt
   for (std::size_t half = 0; half < 2; ++half) {
     Picture picture = picture_of(worlds[half], camera, Real(0));
     legend.see(picture);
-    for (const Body& body : right.bodies)
-      if (half == 0 && outlined && body.movable()) add_outline(picture, body);
-    for (const Body& body : worlds[half].bodies)
-      if (hidden(body, worlds[half])) add_outline(picture, body);
+    for (std::size_t i = 0; i < right.bodies.size(); ++i) {
+      const Body &one = worlds[half].bodies[i], &right_one = right.bodies[i];
+      if (outlined && one.movable() && is_off(one, right_one)) add_outline(picture, right_one);
+      if (hidden(one, worlds[half])) add_outline(picture, one);
+    }
     images[half] = painter.draw_still(picture, passes);
     for (const Stroke& stroke : strokes_of(worlds[half], scale, camera.eye))
       draw(images[half], stroke, View(camera, width, height));

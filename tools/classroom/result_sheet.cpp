@@ -120,7 +120,7 @@ class Drawing {
     half(shown.picture->right, right_edge - half_width, dark, "right", shown.right);
     y_ += half_height + 2 * frame + 30;
     write_text(image_, shown.scene, margin, y_, 18, grey);
-    y_ += 28;
+    if (!shown.picture->legend.empty()) y_ += 28;
     int x = margin;
     for (const LegendEntry& entry : shown.picture->legend) {
       const int wide = 48 + text_width(entry.text, 18);

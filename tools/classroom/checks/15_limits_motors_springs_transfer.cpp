@@ -29,7 +29,9 @@ struct Rods {
     show(with_rods(), quantities);
   }
   /// m, of a ball's rod.
-  static Vec3 beginning_of(std::size_t ball) { return {Real(2.5) * static_cast<Real>(ball + 1), 0, 0}; }
+  static Vec3 beginning_of(std::size_t ball) {
+    return {Real(2.5) * static_cast<Real>(1 + ball % 3), Real(-2.5) * static_cast<Real>(ball / 3), 0};
+  }
   /// To be seen: a rod is a body, and one that is broken points past its ball.
   World with_rods() const {
     World seen;

@@ -43,6 +43,9 @@ struct Chain {
     const Vec3 centre = end - length / 2 * Vec3::UnitY() + aside;
     const int here = world.add(sphere(length / 4, mass).at(centre).moving(velocity));
     world.joints.push_back(ball_and_socket(world, here == 0 ? the_world : here - 1, here, end));
+    world.joints.back().line = [socket = point_on(world.body(here), end)](const Body& a, const Body& b) {
+      return std::vector<Vec3>{a.position, point_of(b, socket), b.position};
+    };
     end.y() -= length;
   }
   void hang_crooked(Random& random) {

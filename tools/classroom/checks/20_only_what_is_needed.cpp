@@ -17,7 +17,7 @@ struct Piles {
 
   int add(bool resting, bool on_top = false) {
     rests.push_back(resting);
-    if (!on_top) x += 2;
+    if (!on_top) x += Real(1.6);
     const Real y = on_top ? world.bodies.back().position.y() + 1 : Real(0.5);  // for the eye: nothing here asks where
     return world.add(box(Vec3::Constant(Real(0.5)), random.between(10, 100)).at({x, y, 0}));
   }
