@@ -200,6 +200,13 @@ std::vector<Vec3> corners_of(const World& yours, const World& right) {
   for (const Body& body : right.bodies)
     if (body.movable()) all = all ? together(*all, bounds_of(body)) : bounds_of(body);
   if (!all) return {Vec3::Zero()};
+  for (const Joint& joint : right.joints) {
+    if (!joint.line) continue;
+    for (const Vec3& corner : joint.line(body_of(right, joint.a), body_of(right, joint.b))) {
+      all = together(*all, {corner, corner});
+      points.push_back(corner);
+    }
+  }
   const Real extent = (all->high - all->low).maxCoeff();
   for (std::size_t i = 0; i < right.bodies.size(); ++i) {
     const Bounds should_be = bounds_of(right.bodies[i]);
@@ -208,11 +215,6 @@ std::vector<Vec3> corners_of(const World& yours, const World& right) {
     add_corners(points, should_be);
     if ((yours.bodies[i].position - right.bodies[i].position).norm() < 3 * extent)
       add_corners(points, bounds_of(yours.bodies[i]));
-  }
-  for (const Joint& joint : right.joints) {
-    if (!joint.line) continue;
-    const std::vector<Vec3> corners = joint.line(body_of(right, joint.a), body_of(right, joint.b));
-    points.insert(points.end(), corners.begin(), corners.end());
   }
   return points;
 }
