@@ -9,7 +9,7 @@ namespace {
 
 thread_local Recording* recording = nullptr;
 
-constexpr std::size_t of_body = 13, of_contact = 12;
+constexpr std::size_t of_body = 14, of_contact = 12;
 constexpr Real out_of_reach = Real(1e6);  // m, m/s, rad/s, N s
 
 void add(Numbers& numbers, const Vec3& vector) {
@@ -26,11 +26,11 @@ Recording::~Recording() {
   recording = outer_;
 }
 
-void Recording::keep(const World& world, std::optional<std::size_t> quantity) {
+void Recording::keep(const World& world, const std::vector<std::size_t>& quantities) {
   const auto off_stride = [this](const Instant& instant) { return instant.number % stride_ != 0; };
   if (!instants_.empty() && off_stride(instants_.back()))
     instants_.pop_back();  // was there only because it was the last
-  Instant instant{shown_++, quantity, {}};
+  Instant instant{shown_++, quantities, {}};
   instant.world.bodies = world.bodies;
   instant.world.contacts = world.contacts;
   instant.world.joints = world.joints;
@@ -41,8 +41,8 @@ void Recording::keep(const World& world, std::optional<std::size_t> quantity) {
   instants_.erase(std::remove_if(instants_.begin(), instants_.end() - 1, off_stride), instants_.end() - 1);
 }
 
-void show(const World& world, std::optional<std::size_t> quantity) {
-  if (recording) recording->keep(world, quantity);
+void show(const World& world, const std::vector<std::size_t>& quantities) {
+  if (recording) recording->keep(world, quantities);
 }
 
 Numbers numbers_of(const Instant& instant) {
@@ -53,6 +53,7 @@ Numbers numbers_of(const Instant& instant) {
     numbers.insert(numbers.end(), turn.data(), turn.data() + 4);
     add(numbers, body.velocity);
     add(numbers, body.angular_velocity);
+    numbers.push_back(body.asleep ? 1 : 0);
   }
   for (const Contact& contact : instant.world.contacts) {
     add(numbers, contact.point);
@@ -82,6 +83,7 @@ std::optional<World> with_numbers(World right, const Numbers& numbers) {
     body.orientation = turn.normalized();
     body.velocity = {at[7], at[8], at[9]};
     body.angular_velocity = {at[10], at[11], at[12]};
+    body.asleep = at[13] > 0;
   }
   right.contacts.resize((numbers.size() - bodies) / of_contact);
   for (Contact& contact : right.contacts) {

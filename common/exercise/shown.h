@@ -9,14 +9,14 @@
 
 namespace pushback {
 
-/// Called in a check's `play`: bodies and contacts as they are now are an instant that the picture may show. `quantity`: the
-/// only one of the check's that is measured on this world, where a scene has several worlds.
-void show(const World& world, std::optional<std::size_t> quantity = {});
+/// Called in a check's `play`: bodies and contacts as they are now are an instant that the picture may show. `quantities`:
+/// those of the check's that are measured on this world, where a scene has several worlds.
+void show(const World& world, const std::vector<std::size_t>& quantities = {});
 
 struct Instant {
-  std::size_t number;  ///< of the scene's, from 0 on
-  std::optional<std::size_t> quantity;
-  World world;  ///< bodies, contacts, joints and time
+  std::size_t number;                   ///< of the scene's, from 0 on
+  std::vector<std::size_t> quantities;  ///< empty: all
+  World world;                          ///< bodies, contacts, joints and time
 };
 
 inline constexpr std::size_t most_instants = 16;
@@ -32,15 +32,15 @@ class Recording {
   const std::vector<Instant>& instants() const { return instants_; }
 
  private:
-  friend void show(const World& world, std::optional<std::size_t> quantity);
-  void keep(const World& world, std::optional<std::size_t> quantity);
+  friend void show(const World& world, const std::vector<std::size_t>& quantities);
+  void keep(const World& world, const std::vector<std::size_t>& quantities);
   std::vector<Instant> instants_;
   std::size_t shown_ = 0, stride_ = 1;
   Recording* outer_;
 };
 
 /// What a student's program says of an instant: its number, of each body position (m), orientation (x, y, z, w) and the two
-/// velocities, and of each contact point, normal, impulse (N s), bodies and state. What does not move, shapes and joints are known.
+/// velocities, whether it sleeps (1, or 0), and of each contact point, normal, impulse (N s), bodies and state. What does not move, shapes and joints are known.
 Numbers numbers_of(const Instant& instant);
 /// Back again: `right`, with bodies and contacts where `numbers` says. Nothing where these are not of as many bodies, of more
 /// than `most_contacts`, or where one is not finite, or beyond all reach.

@@ -1,9 +1,13 @@
 /// The picture of an answer's numbers: a disc for yours, a bar for what is right, a ring for the mistake that shows.
+#include <set>
+
 #include "pushback/common/basics/files.h"
+#include "pushback/common/exercise/shown.h"
 #include "pushback/common/render/canvas.h"
 #include "pushback/tools/classroom/all_exercises.h"
 #include "pushback/tools/classroom/result_sheet.h"
 #include "pushback/tools/classroom/student_files.h"
+#include "pushback/tools/classroom/telling_instant.h"
 #include "tests/support/call.h"
 
 using namespace pushback;
@@ -62,6 +66,39 @@ Attempt sent(const Exercise& exercise, const Exercise::Played& answer) {
   return outcome;
 }
 
+/// The same with what its scenes show.
+Attempt sent_with_bodies(const Exercise& exercise, const Exercise::Played& answer) {
+  Attempt outcome = sent(exercise, answer);
+  for (std::size_t check = 0; check < exercise.checks.size(); ++check) {
+    for (std::size_t scene = 0; scene < scenes_of_a_check; ++scene) {
+      Random random = random_of(1, check, scene);
+      const Recording recording;
+      answer(check, random);
+      for (const Instant& instant : recording.instants()) outcome.shown[{check, scene}].push_back(numbers_of(instant));
+    }
+  }
+  return outcome;
+}
+
+/// Checks, from 0 on, whose numbers no body shows: of equations and tables, of what a joint remembers, of a separation alone.
+bool is_without_bodies(const Exercise& exercise, std::size_t check) {
+  static const std::map<std::string, std::set<std::size_t>> some{{"14_joints_under_load", {1}},
+                                                                 {"21_detected_once", {0, 1}}};
+  static const std::set<std::string> all{
+      "16_whole_problem", "17_direct_contacts", "19_accuracy_and_time", "19_accuracy_and_time_transfer",
+      "22_wide",          "23_threads"};
+  const auto found = some.find(exercise.name);
+  return all.contains(exercise.name) || (found != some.end() && found->second.contains(check));
+}
+
+/// Mistakes whose bodies are the right ones, or out of all reach.
+const std::set<std::pair<std::string, std::string>> not_to_be_seen{
+    {"01_velocity_constraint_transfer", "sign of λ"},   {"02_clamping_transfer", "stored unlimited"},
+    {"09_impacts", "a round ends at the first bounce"}, {"09_impacts", "never ending"},
+    {"09_impacts", "the approach of before the round"}, {"15_limits_motors_springs_transfer", "another order"},
+    {"20_only_what_is_needed", "the ground asleep"},    {"21_detected_once", "relaxed by where the bodies are now"},
+    {"21_detected_once", "the push-out turned round"}};
+
 const Exercise& example() {
   static const std::vector<Exercise> all = all_exercises();
   return exercise_named(all, "03");
@@ -116,6 +153,39 @@ TEST_CASE("numbers that lie far off, or are none, leave the others readable, and
   outcome.numbers.pop_back();
   CHECK(discs(Drawn(example(), outcome).image).size() ==
         strips(example()) - 3 - scenes_of_a_check * example().checks.back().quantities.size());
+}
+
+TEST_CASE("each check shows the bodies that its numbers are of, but for those of no body") {
+  for (const Exercise& exercise : all_exercises()) {
+    for (std::size_t check = 0; check < exercise.checks.size(); ++check) {
+      Random random = random_of(1, check, 0);
+      const Recording recording;
+      exercise.right(check, random);
+      for (std::size_t quantity = 0; quantity < exercise.checks[check].quantities.size(); ++quantity) {
+        INFO(exercise.name << ", check " << check << ": " << exercise.checks[check].quantities[quantity].words);
+        CHECK((is_without_bodies(exercise, check) ||
+               std::any_of(recording.instants().begin(), recording.instants().end(), [&](const Instant& instant) {
+                 const auto& of = instant.quantities;
+                 return of.empty() || std::count(of.begin(), of.end(), quantity) > 0;
+               })));
+      }
+    }
+  }
+}
+
+TEST_CASE("the first check that a mistake fails has bodies that differ from the right ones") {
+  for (const Exercise& exercise : all_exercises()) {
+    for (const auto& mistake : exercise.mistakes) {
+      if (not_to_be_seen.contains({exercise.name, mistake.name})) continue;
+      INFO(exercise.name << ": " << mistake.name);
+      const Attempt outcome = sent_with_bodies(exercise, mistake.played);
+      const Verdict verdict = judge(exercise, 1, outcome);
+      const auto first = std::find(verdict.checks.begin(), verdict.checks.end(), Passed::no);
+      REQUIRE(first != verdict.checks.end());
+      if (is_without_bodies(exercise, static_cast<std::size_t>(first - verdict.checks.begin()))) continue;
+      CHECK(telling_instant(exercise, 1, outcome, verdict));
+    }
+  }
 }
 
 TEST_CASE("where nothing was sent there is no picture, not even an old one") {

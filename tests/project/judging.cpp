@@ -150,10 +150,10 @@ TEST_CASE("what is said of bodies is taken only if it makes sense, and then come
       CHECK_FALSE(is_taken(changed));
     }
     CHECK_FALSE(is_taken(Numbers(said.begin(), said.begin() + static_cast<std::ptrdiff_t>(i))) ==
-                (i != 1 + 13 * right.bodies.size()));  // those of all bodies and of no contact are an instant
+                (i != 1 + 14 * right.bodies.size()));  // those of all bodies and of no contact are an instant
   }
   Numbers more = said;
-  more.insert(more.end(), 13, Real(1));  // a body more
+  more.insert(more.end(), 14, Real(1));  // a body more
   CHECK_FALSE(is_taken(more));
   more = said;
   for (std::size_t i = 1; i < most_contacts; ++i) more.insert(more.end(), said.end() - 12, said.end());

@@ -31,6 +31,7 @@ struct Stroke {
 struct Scale {
   Real of_velocity = 0, of_spin = 0, of_impulse = 0;  ///< m for 1 m/s, rad for 1 rad/s, m for 1 N s; 0: not drawn
   Real longest = 0, widest = 0, strongest = 0;        ///< m, rad, m: what is longer is cut
+  Real least_radius = 0;                              ///< m, of a curved arrow
   bool cut = false;
 };
 
@@ -81,12 +82,14 @@ Real scale_of(Real yours, Real right, Real full, bool& cut) {
   return full / (far_off ? most_times * right : std::max(yours, right));
 }
 
-Scale scale_for(const World& yours, const World& right, const Apart& apart) {
+/// `high`: m, what the picture shows from its bottom to its top.
+Scale scale_for(const World& yours, const World& right, const Apart& apart, Real high) {
   Scale scale;
-  const Real size = typical_size(right);
+  const Real size = std::max(typical_size(right), high / 6);  // an arrow needs room for its head
   scale.longest = Real(1.2) * size;
   scale.widest = Real(4.5);
   scale.strongest = Real(0.5) * size;
+  scale.least_radius = high / 12;
   if (apart.speed > clearly) scale.of_velocity = scale_of(fastest(yours), fastest(right), scale.longest, scale.cut);
   if (apart.spin > clearly) scale.of_spin = scale_of(fastest_spin(yours), fastest_spin(right), scale.widest, scale.cut);
   if (apart.impulse > clearly && std::max(strongest(yours), strongest(right)) > 0)
@@ -109,7 +112,7 @@ void add_turn(std::vector<Stroke>& strokes, const Body& body, const Scale& scale
   if (towards.norm() < Real(0.3)) towards = tangents_of(axis).tangent1;
   towards.normalize();
   const Vec3 aside = axis.cross(towards);
-  const Real radius = Real(0.6) * size_of(body);
+  const Real radius = std::max(Real(0.6) * size_of(body), scale.least_radius);
   constexpr int pieces = 40;
   Stroke stroke{{}, near_black_ink()};
   for (int i = 0; i <= pieces; ++i) {
@@ -197,6 +200,13 @@ std::vector<Vec3> corners_of(const World& yours, const World& right) {
   for (const Body& body : right.bodies)
     if (body.movable()) all = all ? together(*all, bounds_of(body)) : bounds_of(body);
   if (!all) return {Vec3::Zero()};
+  for (const Joint& joint : right.joints) {
+    if (!joint.line) continue;
+    for (const Vec3& corner : joint.line(body_of(right, joint.a), body_of(right, joint.b))) {
+      all = together(*all, {corner, corner});
+      points.push_back(corner);
+    }
+  }
   const Real extent = (all->high - all->low).maxCoeff();
   for (std::size_t i = 0; i < right.bodies.size(); ++i) {
     const Bounds should_be = bounds_of(right.bodies[i]);
@@ -209,13 +219,51 @@ std::vector<Vec3> corners_of(const World& yours, const World& right) {
   return points;
 }
 
-/// From before, a little from the right and from above, as near as all points are in the picture with some room.
-Camera camera_for(const std::vector<Vec3>& points, Real aspect) {
+/// How well it is seen from there, 1 at best: bodies beside each other, a velocity that differs from its side, slopes from
+/// above.
+Real seen_from(const Vec3& back, const World& yours, const World& right) {
+  const auto across = [&](const Vec3& v) { return (v - v.dot(back) * back).norm(); };
+  Real seen = 1, most = 0;
+  Vec3 differs = Vec3::Zero();
+  for (std::size_t i = 0; i < right.bodies.size(); ++i) {
+    const Body& one = right.bodies[i];
+    if (const auto* slope = std::get_if<HalfSpace>(&one.shape))
+      seen = std::min(seen, 4 * back.dot(one.orientation * slope->normal));
+    if (!one.movable()) continue;
+    for (std::size_t k = 0; k < i; ++k) {
+      const Vec3 between = one.position - right.bodies[k].position;
+      if (!right.bodies[k].movable() || between.isZero(0)) continue;
+      const Real apart = std::min(between.norm(), (size_of(one) + size_of(right.bodies[k])) / 2);
+      seen = std::min(seen, across(between) / apart);
+    }
+    const Vec3 difference = yours.bodies[i].velocity - one.velocity;
+    if (difference.norm() <= most) continue;
+    most = difference.norm();
+    differs = difference;
+  }
+  if (apart(yours, right).speed > clearly) seen = std::min(seen, across(differs) / most);
+  return seen;
+}
+
+/// From before, a little from the right and from above; from elsewhere where little is seen from there.
+Vec3 side_of_camera(const World& yours, const World& right) {
+  constexpr Real enough = Real(0.8);
+  const Vec3 usual = Vec3(Real(0.4), Real(0.32), 1).normalized();
+  Vec3 best = usual;
+  for (const Real degrees : {0, -45, 45, -90, 90, -135, 135, 180}) {
+    const Vec3 back = Quat(Eigen::AngleAxis<Real>(degrees * pi / 180, Vec3::UnitY())) * usual;
+    if (seen_from(best, yours, right) > enough) break;
+    if (seen_from(back, yours, right) > seen_from(best, yours, right)) best = back;
+  }
+  return best;
+}
+
+/// As near as all points are in the picture with some room.
+Camera camera_for(const std::vector<Vec3>& points, Real aspect, const Vec3& back) {
   constexpr Real room = Real(0.86);
   Camera camera;
   camera.field_of_view = Real(0.5);
-  const Vec3 back = Vec3(Real(0.4), Real(0.32), 1).normalized(), right = Vec3::UnitY().cross(back).normalized(),
-             up = back.cross(right);
+  const Vec3 right = Vec3::UnitY().cross(back).normalized(), up = back.cross(right);
   const Real tall = room * std::tan(camera.field_of_view / 2), wide = tall * aspect;
   camera.target = points.front();
   for (int round = 0; round < 8; ++round) {
@@ -241,43 +289,87 @@ Camera camera_for(const std::vector<Vec3>& points, Real aspect) {
   return camera;
 }
 
-/// How many times a deviation is drawn that an eye would miss, where nothing else tells.
-Real times_drawn(const Apart& apart) {
-  const Real deviation = std::max(apart.place, apart.turn);
-  if (deviation < Real(1e-5) || deviation > Real(0.06) || std::max(apart.speed, apart.spin) > Real(0.1)) return 1;
+/// How many times a deviation is drawn so as to be at most so large.
+Real times_drawn(Real deviation, Real most) {
   Real times = 1;
+  if (deviation < Real(1e-5)) return times;
   for (const Real more : {2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000})
-    if (more * deviation <= Real(0.25)) times = more;
+    if (more * deviation <= most) times = more;
   return times;
+}
+
+/// The same of where bodies are, if an eye would miss it, and it is what tells, or nothing else does.
+Real times_drawn(const Apart& apart, bool of_place) {
+  const Real deviation = std::max(apart.place, apart.turn);
+  const bool moving = std::max(apart.speed, apart.spin) > Real(0.1);
+  if (deviation > Real(0.06) || (moving && !of_place)) return 1;
+  return times_drawn(deviation, Real(0.25));
+}
+
+/// Bodies that move as those of `world` do, but so many times as far off the right ones.
+World faster_off(World world, const World& right, Real times) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    Body& body = world.bodies[i];
+    const Body& right_one = right.bodies[i];
+    body.velocity = right_one.velocity + times * (body.velocity - right_one.velocity);
+    body.angular_velocity = right_one.angular_velocity + times * (body.angular_velocity - right_one.angular_velocity);
+  }
+  return world;
+}
+
+/// So far that it is seen.
+bool is_off(const Body& body, const Body& right) {
+  return (body.position - right.position).norm() > Real(0.02) * size_of(right) ||
+         body.orientation.angularDistance(right.orientation) > Real(0.02);
+}
+
+/// The floor or slope is before it.
+bool hidden(const Body& body, const World& world) {
+  return std::any_of(world.bodies.begin(), world.bodies.end(), [&](const Body& other) {
+    const auto* floor = std::get_if<HalfSpace>(&other.shape);
+    return floor && body.movable() && (body.position - other.position).dot(floor->normal) < 0;
+  });
 }
 
 }  // namespace
 
-BodiesPicture picture_of_bodies(const World& yours, const World& right, int width, int height) {
+BodiesPicture picture_of_bodies(const World& yours, const World& right, int width, int height, bool of_place) {
   BodiesPicture made;
-  const Apart differing = apart(yours, right);
-  const Real times = times_drawn(differing);
-  const std::array<World, 2> worlds{times > 1 ? magnified(yours, right, times) : yours, right};
+  Apart differing = apart(yours, right);
+  const Real times = times_drawn(differing, of_place);
+  std::array<World, 2> worlds{times > 1 ? magnified(yours, right, times) : yours, right};
   const Apart drawn = apart(worlds[0], right);
-  const Scale scale = scale_for(yours, right, differing);
+  const bool outlined = std::max(drawn.place, drawn.turn) > Real(0.02);
+  Real times_faster = 1;
+  if (times > 1 && of_place) differing.speed = differing.spin = 0;
+  else if (!outlined && std::max({differing.speed, differing.spin, differing.impulse}) <= clearly)
+    times_faster = times_drawn(std::max(differing.speed, differing.spin), Real(0.5));
+  if (times_faster > 1) {
+    worlds[0] = faster_off(worlds[0], right, times_faster);
+    differing = apart(worlds[0], right);
+  }
 
   const Real aspect = static_cast<Real>(width) / static_cast<Real>(height);
   std::vector<Vec3> points = corners_of(worlds[0], right);
-  Camera camera = camera_for(points, aspect);
+  const Vec3 side = side_of_camera(yours, right);
+  Camera camera = camera_for(points, aspect, side);
+  const Scale scale = scale_for(worlds[0], right, differing, camera.height_at(camera.target));
   for (const World& world : worlds)
     for (const Stroke& stroke : strokes_of(world, scale, camera.eye))
       points.insert(points.end(), stroke.path.begin(), stroke.path.end());
-  camera = camera_for(points, aspect);
+  camera = camera_for(points, aspect, side);
 
-  const bool outlined = std::max(drawn.place, drawn.turn) > Real(0.02);
   Painter painter(width, height);
   Legend legend;
   std::array<Image, 2> images;
   for (std::size_t half = 0; half < 2; ++half) {
     Picture picture = picture_of(worlds[half], camera, Real(0));
     legend.see(picture);
-    for (const Body& body : right.bodies)
-      if (half == 0 && outlined && body.movable()) add_outline(picture, body);
+    for (std::size_t i = 0; i < right.bodies.size(); ++i) {
+      const Body &one = worlds[half].bodies[i], &right_one = right.bodies[i];
+      if (outlined && one.movable() && is_off(one, right_one)) add_outline(picture, right_one);
+      if (hidden(one, worlds[half])) add_outline(picture, one);
+    }
     images[half] = painter.draw_still(picture, passes);
     for (const Stroke& stroke : strokes_of(worlds[half], scale, camera.eye))
       draw(images[half], stroke, View(camera, width, height));
@@ -288,7 +380,8 @@ BodiesPicture picture_of_bodies(const World& yours, const World& right, int widt
   made.legend = legend.entries();
   using Kind = LegendEntry::Kind;
   const auto arrow = [&](bool there, Ink ink, const std::string& words, Real most, const std::string& unit) {
-    if (there) made.legend.push_back({Kind::arrow, ink, fmt::format("{} (the longest: {:.3g} {})", words, most, unit)});
+    const std::string longest = times_faster > 1 ? "" : fmt::format(" (the longest: {:.3g} {})", most, unit);
+    if (there) made.legend.push_back({Kind::arrow, ink, words + longest});
   };
   arrow(scale.of_velocity > 0, near_black_ink(), "velocity", std::max(fastest(yours), fastest(right)), "m/s");
   arrow(scale.of_spin > 0, near_black_ink(), "spin, curved", std::max(fastest_spin(yours), fastest_spin(right)),
@@ -297,6 +390,9 @@ BodiesPicture picture_of_bodies(const World& yours, const World& right, int widt
   arrow(scale.of_impulse > 0 && std::max(rubbed(yours), rubbed(right)) > Real(1e-3), friction_arrow_ink(), "friction",
         std::max(rubbed(yours), rubbed(right)), "N s");
   if (times > 1) made.note = fmt::format("Yours deviates so little that it is drawn {:.0f} times as far off. ", times);
+  if (times_faster > 1)
+    made.note =
+        fmt::format("Yours moves so little otherwise that the difference is drawn {:.0f} times. ", times_faster);
   if (outlined) made.note += "Thin lines: where the right ones are. ";
   if (scale.cut) made.note += "Arrows that are more than six times as long as the longest right one are cut. ";
   return made;

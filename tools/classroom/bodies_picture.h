@@ -17,7 +17,7 @@ struct BodiesPicture {
 };
 
 /// Velocities and impulses are drawn where they differ, on one scale. A deviation that is too small to see is drawn larger, and
-/// the note says how many times. Throws std::runtime_error where no graphics context can be had.
-BodiesPicture picture_of_bodies(const World& yours, const World& right, int width, int height);
+/// the note says how many times; `of_place`: whatever the velocities do. Throws std::runtime_error where no graphics context can be had.
+BodiesPicture picture_of_bodies(const World& yours, const World& right, int width, int height, bool of_place = false);
 
 }  // namespace pushback

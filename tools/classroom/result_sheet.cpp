@@ -120,20 +120,23 @@ class Drawing {
     half(shown.picture->right, right_edge - half_width, dark, "right", shown.right);
     y_ += half_height + 2 * frame + 30;
     write_text(image_, shown.scene, margin, y_, 18, grey);
-    int x = right_edge;
-    for (std::size_t i = shown.picture->legend.size(); i-- > 0;) {
-      const LegendEntry& entry = shown.picture->legend[i];
-      x -= text_width(entry.text, 18);
-      write_text(image_, entry.text, x, y_, 18, dark);
+    if (!shown.picture->legend.empty()) y_ += 28;
+    int x = margin;
+    for (const LegendEntry& entry : shown.picture->legend) {
+      const int wide = 48 + text_width(entry.text, 18);
+      if (x + wide > right_edge) {
+        x = margin;
+        y_ += 26;
+      }
       const double middle = y_ - 6;
       if (entry.kind == LegendEntry::Kind::arrow) {
-        draw_arrow(image_, {x - 44.0, middle}, {x - 8.0, middle}, 5, entry.colour);
-        x -= 70;
+        draw_arrow(image_, {x + 0.0, middle}, {x + 36.0, middle}, 5, entry.colour);
       } else {
-        fill_disc(image_, static_cast<float>(x) - 16, static_cast<float>(middle), 8, dark);  // a rim: one is white
-        fill_disc(image_, static_cast<float>(x) - 16, static_cast<float>(middle), 6.5F, entry.colour);
-        x -= 50;
+        fill_disc(image_, static_cast<float>(x) + 28, static_cast<float>(middle), 8, dark);  // a rim: one is white
+        fill_disc(image_, static_cast<float>(x) + 28, static_cast<float>(middle), 6.5F, entry.colour);
       }
+      write_text(image_, entry.text, x + 48, y_, 18, dark);
+      x += wide + 30;
     }
     lines(shown.picture->note, 18, grey, false);
     y_ += 4;
@@ -269,7 +272,7 @@ std::optional<Shown> bodies_of(const Exercise& exercise, std::uint64_t seed, con
                                const Verdict& verdict) {
   const std::optional<TellingInstant> telling = telling_instant(exercise, seed, outcome, verdict);
   if (!telling) return std::nullopt;
-  const auto [check, scene, quantity, yours, right] = *telling;
+  const auto [check, scene, quantity, yours, right, of_place] = *telling;
   const Quantity& which = exercise.checks[check].quantities[quantity];
   const auto number = [&, scene = scene, quantity = quantity](const NumbersOfScenes& scenes) {
     return in_words(scenes[scene][quantity], which);
@@ -278,7 +281,7 @@ std::optional<Shown> bodies_of(const Exercise& exercise, std::uint64_t seed, con
   if (right.time > 0) words += fmt::format(", t = {:.3g} s", right.time);
   Shown shown{{}, words, number(outcome.numbers[check]), number(scenes_of(exercise.right, seed, check)), {}};
   try {
-    shown.picture = picture_of_bodies(yours, right, half_width - 2 * frame, half_height);
+    shown.picture = picture_of_bodies(yours, right, half_width - 2 * frame, half_height, of_place);
   } catch (const std::runtime_error& problem) {  // no graphics here: the numbers need none
     shown.problem = problem.what();
   }

@@ -35,7 +35,9 @@ std::optional<TellingInstant> where_it_fails(const Exercise& exercise, std::uint
       most = off;
       worst = i;
     }
-    if (most > 1) return TellingInstant{check, scene, worst, {}, {}};
+    if (most <= 1) continue;
+    const std::string& unit = quantities[worst].unit;
+    return TellingInstant{check, scene, worst, {}, {}, unit == "m" || unit == "mm" || unit == "mrad"};
   }
   return std::nullopt;
 }
@@ -43,7 +45,7 @@ std::optional<TellingInstant> where_it_fails(const Exercise& exercise, std::uint
 }  // namespace
 
 Real Apart::to_be_seen() const {
-  return std::max({std::min(place, Real(2)), std::min(turn, Real(1)), speed / 2, spin / 2, Real(0.3) * impulse});
+  return std::max({std::min(place, Real(2)), std::min(turn, Real(1)), speed / 2, spin / 2, Real(0.3) * impulse, sleep});
 }
 
 Real size_of(const Body& body) {
@@ -59,6 +61,7 @@ Apart apart(const World& yours, const World& right) {
     if (!should_be.movable()) continue;
     apart.place = std::max(apart.place, (is.position - should_be.position).norm() / size_of(should_be));
     apart.turn = std::max(apart.turn, is.orientation.angularDistance(should_be.orientation));
+    if (is.asleep != should_be.asleep) apart.sleep = 1;
     speed = std::max(speed, (is.velocity - should_be.velocity).norm());
     spin = std::max(spin, (is.angular_velocity - should_be.angular_velocity).norm());
     for (const Body* body : {&is, &should_be}) {
@@ -89,13 +92,17 @@ std::optional<TellingInstant> telling_instant(const Exercise& exercise, std::uin
 
   Real most = 0;
   for (const Instant& instant : recording.instants()) {
-    if (instant.quantity && *instant.quantity != telling->quantity) continue;
+    const auto& measured = instant.quantities;
+    if (!measured.empty() && std::count(measured.begin(), measured.end(), telling->quantity) == 0) continue;
     for (const Numbers& numbers : sent->second) {
       if (numbers.empty() || numbers[0] != static_cast<Real>(instant.number)) continue;
       const std::optional<World> yours = with_numbers(instant.world, numbers);
       if (!yours) continue;
-      const Real seen = apart(*yours, instant.world).to_be_seen();
-      if (seen < Real(1e-5) || seen < Real(0.98) * most) continue;  // of equals the last
+      const Apart differing = apart(*yours, instant.world);
+      Real seen = differing.to_be_seen();
+      const Real off_place = std::max(differing.place, differing.turn);
+      if (telling->of_place && off_place > Real(1e-5)) seen = 10 * off_place;  // before all that only moves
+      if (seen < Real(1e-5) || seen < Real(0.98) * most) continue;             // of equals the last
       most = std::max(most, seen);
       telling->yours = *yours;
       telling->right = instant.world;

@@ -15,6 +15,7 @@ struct Apart {
   Real speed = 0;  ///< of the largest in either world, as are the next two
   Real spin = 0;
   Real impulse = 0;         ///< of a contact; 1 where one world has another number of contacts
+  Real sleep = 0;           ///< 1: a body sleeps in one world only
   Real to_be_seen() const;  ///< 0: nothing
 };
 
@@ -26,6 +27,7 @@ Real size_of(const Body& body);
 struct TellingInstant {
   std::size_t check, scene, quantity;  ///< those of the verdict's sentence
   World yours, right;
+  bool of_place = false;  ///< the number is a length or an angle: velocities do not tell it
 };
 
 /// Nothing where no check fails by its numbers, or where what was shown differs nowhere, or makes no sense.

@@ -3,6 +3,7 @@
 #include "pushback/chapters/00_naive_impulses/exercise/asked.h"
 #include "pushback/chapters/00_naive_impulses/exercise/touching.h"
 #include "pushback/chapters/00_naive_impulses/naive.h"
+#include "pushback/common/exercise/shown.h"
 #include "pushback/common/world/measure.h"
 
 namespace pushback::exercise_00 {
@@ -26,6 +27,12 @@ TwoBars spun_bars(Random& random, Real way, Real e) {
   return bars;
 }
 
+/// The impact of two bodies.
+void meet(Touching& touching, const Answer& answer, const std::vector<std::size_t>& quantities = {}) {
+  answer.impact(touching.world, touching.contact());
+  show(touching.world, quantities);
+}
+
 std::vector<Check<Answer>> checks() {
   return {
       {"two balls that meet head on fly apart e times as fast as they met",
@@ -34,7 +41,7 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const Real e = random.between(Real(0.3), Real(0.8));
          TwoBalls balls(random, -random.between(3, 5), e);
-         answer.impact(balls.world, balls.contact());
+         meet(balls, answer);
          return {balls.along_n(0), balls.along_n(1)};
        }},
       {"the ends of two bars separate e times as fast as they met, and the bars turn",
@@ -45,7 +52,7 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const Real e = random.between(Real(0.3), Real(0.8));
          TwoBars bars(random, -random.between(3, 5), e);
-         answer.impact(bars.world, bars.contact());
+         meet(bars, answer);
          return {bars.separates(), bars.spin(0), bars.spin(1)};
        }},
       {"at e = 1 bars that spin keep their energy",
@@ -55,7 +62,7 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          TwoBars bars(random, -random.between(3, 5), 1, Spin::some);
          const Real before = kinetic_energy(bars.world);
-         answer.impact(bars.world, bars.contact());
+         meet(bars, answer);
          return {bars.separates(), kinetic_energy(bars.world) - before};
        }},
       {"the ends of bars that lie askew separate e times as fast as they met",
@@ -67,9 +74,9 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const Real e = random.between(Real(0.3), Real(0.8));
          TwoBars bars(random, -random.between(3, 5), e, Spin::some, Axes::turned);
-         answer.impact(bars.world, bars.contact());
+         meet(bars, answer, {0, 1, 2});
          TwoBars spun = spun_bars(random, -1, e);
-         answer.impact(spun.world, spun.contact());
+         meet(spun, answer, {3});
          return {bars.separates(), bars.spin(0), bars.spin(1), spun.separates()};
        }},
       {"bodies that separate by themselves get no impulse",
@@ -79,9 +86,9 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const Real e = random.between(Real(0.3), Real(0.8));
          TwoBars bars(random, random.between(3, 5), e, Spin::some, Axes::turned);
-         answer.impact(bars.world, bars.contact());
+         meet(bars, answer, {0});
          TwoBars spun = spun_bars(random, 1, e);
-         answer.impact(spun.world, spun.contact());
+         meet(spun, answer, {1});
          return {bars.separates(), spun.separates()};
        }},
   };

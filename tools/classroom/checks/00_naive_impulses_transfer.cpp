@@ -1,5 +1,6 @@
 #include "pushback/chapters/00_naive_impulses/exercise/transfer/asked.h"
 #include "pushback/chapters/00_naive_impulses/naive.h"
+#include "pushback/common/exercise/shown.h"
 #include "pushback/common/world/measure.h"
 
 namespace pushback::exercise_00_transfer {
@@ -36,6 +37,10 @@ struct Game {
     bat.moving(bat.angular_velocity.cross(bat.position - pivot));
     world.add(bat);
     world.bodies[0].refresh_inertia();
+    const auto pin = [middle = pivot, half_length = Vec3(turn * Vec3(0, 0, Real(0.15)))](const Body&, const Body&) {
+      return std::vector<Vec3>{middle - half_length, middle + half_length};
+    };
+    world.joints.push_back({.name = "a pivot", .a = the_world, .b = 0, .ask = {}, .line = pin});  // only to be seen
     const Vec3 sideways = random.vector(1);
     world.add(sphere(radius, random.between(Real(0.15), Real(0.4)))
                   .moving(sideways + (leaving - n_.dot(sideways)) * n_)
@@ -49,9 +54,10 @@ struct Game {
     world.bodies[1].position = world.contacts[0].point + radius * n_;
   }
   /// The impulse that the hand had to give, N s.
-  Real play(const Answer& answer) {
+  Real play(const Answer& answer, const std::vector<std::size_t>& quantities = {}) {
     const Vec3 before = momentum(world);
     answer.hit(world.bodies[0], pivot, world.bodies[1], world.contacts[0]);
+    show(world, quantities);
     return (momentum(world) - before).norm();
   }
   Real pivots_speed() const { return world.bodies[0].velocity_at(pivot).norm(); }
@@ -86,10 +92,10 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          Game game(random, -random.between(6, 9), 1, random.between(5, 8));
          const Real before = kinetic_energy(game.world);
-         game.play(answer);
+         game.play(answer, {0, 1});
          Game crooked(random, -random.between(6, 9), 1, random.between(5, 8), Pivot::beside_it);
          const Real crooked_before = kinetic_energy(crooked.world);
-         crooked.play(answer);
+         crooked.play(answer, {2, 3});
          return {game.separates(), kinetic_energy(game.world) - before, kinetic_energy(crooked.world) - crooked_before,
                  crooked.spin()};
        }},
@@ -103,8 +109,8 @@ std::vector<Check<Answer>> checks() {
          Game other = game;
          game.touch_at(game.sweet_spot);
          other.touch_at(other.tip);
-         const Real at_the_sweet_spot = game.play(answer);
-         return {at_the_sweet_spot, other.play(answer)};
+         const Real at_the_sweet_spot = game.play(answer, {0});
+         return {at_the_sweet_spot, other.play(answer, {1})};
        }},
       {"a ball that flies away by itself is let go",
        1,

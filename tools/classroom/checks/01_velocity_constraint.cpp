@@ -1,6 +1,7 @@
 #include "pushback/chapters/00_naive_impulses/exercise/touching.h"
 #include "pushback/chapters/01_velocity_constraint/exercise/asked.h"
 #include "pushback/chapters/01_velocity_constraint/solver.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_01 {
 
@@ -13,6 +14,11 @@ using Axes = TwoBars::Axes;
 
 constexpr Real e = Real(0.5);  // no row of this chapter asks for it
 
+void solve(World& world, int sweeps, const Answer& answer) {
+  answer.solve(world, sweeps);
+  show(world);
+}
+
 std::vector<Check<Answer>> checks() {
   return {
       {"two balls that meet head on go on together",
@@ -20,7 +26,7 @@ std::vector<Check<Answer>> checks() {
        {{"your ball A goes on with", "m/s", 1e-6}, {"your ball B goes on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          TwoBalls balls(random, -random.between(3, 5), e);
-         answer.solve(balls.world, 1);
+         solve(balls.world, 1, answer);
          return {balls.along_n(0), balls.along_n(1)};
        }},
       {"balls that were leaving go on together, too: JV = 0 holds them",
@@ -28,7 +34,7 @@ std::vector<Check<Answer>> checks() {
        {{"your ball A, which was leaving B, goes on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          TwoBalls balls(random, random.between(3, 5), e);
-         answer.solve(balls.world, 1);
+         solve(balls.world, 1, answer);
          return {balls.along_n(0)};
        }},
       {"points on the ends of two bars keep their distance, and the bars turn",
@@ -38,7 +44,7 @@ std::vector<Check<Answer>> checks() {
         {"your bar B turns with", "rad/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          TwoBars bars(random, -random.between(3, 5), e, Spin::some);
-         answer.solve(bars.world, 1);
+         solve(bars.world, 1, answer);
          return {bars.separates(), bars.spin(0), bars.spin(1)};
        }},
       {"the same holds for bars that lie askew",
@@ -48,7 +54,7 @@ std::vector<Check<Answer>> checks() {
         {"your bar B, which lies askew, turns with", "rad/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          TwoBars bars(random, -random.between(3, 5), e, Spin::some, Axes::turned);
-         answer.solve(bars.world, 1);
+         solve(bars.world, 1, answer);
          return {bars.separates(), bars.spin(0), bars.spin(1)};
        }},
       {"a column that lands on its four corners stops within twenty sweeps",
@@ -65,7 +71,7 @@ std::vector<Check<Answer>> checks() {
                        .moving({random.between(1, 2), -random.between(2, 4), 0})
                        .bouncy(e));
          world.find_contacts();
-         answer.solve(world, 20);
+         solve(world, 20, answer);
          const Body& column = world.bodies[1];
          return {column.velocity.y(), column.angular_velocity.norm(), column.velocity.x()};
        }},

@@ -1,5 +1,6 @@
 #include "pushback/chapters/01_velocity_constraint/exercise/transfer/asked.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/common/exercise/shown.h"
 #include "pushback/common/world/measure.h"
 
 namespace pushback::exercise_01_transfer {
@@ -12,7 +13,10 @@ struct Ride {
   Vec3 ring, rail;
   Vec3 rails_velocity = Vec3::Zero();
 
-  void play(const Answer& answer) { answer.hold(body, ring, rail, rails_velocity, 24); }
+  void play(const Answer& answer, const std::vector<std::size_t>& quantities = {}) {
+    answer.hold(body, ring, rail, rails_velocity, 24);
+    show(with_rail(), quantities);
+  }
   /// m/s, of the ring across the rail.
   Real leaves() const {
     const Vec3 velocity = body.velocity_at(ring) - rails_velocity;
@@ -22,6 +26,18 @@ struct Ride {
   /// N m s, about the place where the ring is.
   Vec3 angular_momentum() const {
     return spin_momentum(body) + (body.position - ring).cross(body.velocity / body.inverse_mass);
+  }
+
+ private:
+  /// Only to be seen.
+  World with_rail() const {
+    World world;
+    world.add(body);
+    const auto line = [from = Vec3(ring - rail), to = Vec3(ring + rail)](const Body&, const Body&) {
+      return std::vector<Vec3>{from, to};
+    };
+    world.joints.push_back({.name = "a ring on a rail", .a = the_world, .b = 0, .ask = {}, .line = line});
+    return world;
   }
 };
 
@@ -53,8 +69,8 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          Ride ride = ball(random), back = ride;
          back.body.velocity *= -1;
-         ride.play(answer);
-         back.play(answer);
+         ride.play(answer, {0, 1});
+         back.play(answer, {2});
          return {ride.leaves(), ride.along(), back.leaves()};
        }},
       {"the ring of a bar stays on the rail, and the bar swings",

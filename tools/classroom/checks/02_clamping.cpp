@@ -1,11 +1,13 @@
 #include "pushback/chapters/02_clamping/exercise/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_02 {
 
 namespace {
 
 /// The rows of what touches in this world, each solved `sweeps` times by the answer.
-Rows solved(World& world, const Answer& answer, int sweeps, Real bias = 0) {
+Rows solved(World& world, const Answer& answer, int sweeps, Real bias = 0,
+            const std::vector<std::size_t>& quantities = {}) {
   world.find_contacts();
   Rows rows;
   for (std::size_t i = 0; i < world.contacts.size(); ++i) {
@@ -14,6 +16,8 @@ Rows solved(World& world, const Answer& answer, int sweeps, Real bias = 0) {
   }
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (Row& row : rows) answer.solve(row);
+  for (std::size_t i = 0; i < rows.size(); ++i) world.contacts[i].impulse = rows[i].impulse * rows[i].n;
+  show(world, quantities);
   return rows;
 }
 
@@ -26,11 +30,11 @@ Real sum_of(const Rows& rows) {
 /// A ball that touches the ground and moves up or down: its speed after ten sweeps, and the impulse that was kept.
 struct Ball {
   Real speed, impulse;
-  Ball(Real mass, Real upwards, const Answer& answer, Real bias = 0) {
+  Ball(Real mass, Real upwards, const Answer& answer, Real bias = 0, const std::vector<std::size_t>& quantities = {}) {
     World world;
     world.add(ground());
     world.add(sphere(Real(0.5), mass).at({0, Real(0.499), 0}).moving({0, upwards, 0}));
-    impulse = sum_of(solved(world, answer, 10, bias));
+    impulse = sum_of(solved(world, answer, 10, bias, quantities));
     speed = world.bodies[1].velocity.y();
   }
 };
@@ -71,7 +75,7 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const Real mass = random.between(5, 20), fall = random.between(1, 5), wanted = random.between(1, 3);
          const Real slower = random.between(Real(0.2), Real(0.8)) * fall;
-         return {Ball(mass, -fall, answer, -wanted).speed, Ball(mass, -fall, answer, slower).speed};
+         return {Ball(mass, -fall, answer, -wanted, {0}).speed, Ball(mass, -fall, answer, slower, {1}).speed};
        }},
       {"a column that lands flat comes to rest",
        2,

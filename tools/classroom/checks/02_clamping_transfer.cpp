@@ -1,4 +1,5 @@
 #include "pushback/chapters/02_clamping/exercise/transfer/asked.h"
+#include "pushback/common/exercise/shown.h"
 #include "pushback/common/world/world.h"
 
 namespace pushback::exercise_02_transfer {
@@ -24,9 +25,12 @@ struct Magnet {
   Body& body() { return world.bodies[1]; }
   /// m/s, from which the magnet can just stop the body in this step.
   Real can_stop() { return force * h * body().inverse_mass; }
-  void play(const Answer& answer, Real bias = 0) {
+  void play(const Answer& answer, const std::vector<std::size_t>& quantities = {}, Real bias = 0) {
     for (Row& row : rows) row.bias = bias;
     for (int sweep = 0; sweep < 100; ++sweep) answer.sweep(rows, force, h);
+    for (std::size_t i = 0; i < std::min(rows.size(), world.contacts.size()); ++i)
+      world.contacts[i].impulse = rows[i].impulse * rows[i].n;
+    show(world, quantities);
   }
   Real upwards() { return body().velocity.y(); }
   Real impulse() const {
@@ -73,8 +77,8 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          Magnet ball = Magnet::ball(random, random.between(Real(1.5), 4));
          Magnet shot = Magnet::ball(random, random.between(150, 300));
-         ball.play(answer);
-         shot.play(answer);
+         ball.play(answer, {0});
+         shot.play(answer, {1, 2});
          return {ball.upwards(), shot.upwards(), shot.impulse()};
        }},
       {"a ball that lands is stopped, however hard",
@@ -86,8 +90,8 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          Magnet ball = Magnet::ball(random, -random.between(Real(1.5), 4));
          Magnet column = Magnet::column(random, -random.between(8, 12));
-         ball.play(answer);
-         column.play(answer);
+         ball.play(answer, {0, 1});
+         column.play(answer, {2, 3});
          return {ball.upwards(), ball.impulse(), column.upwards(), column.body().angular_velocity.norm()};
        }},
       {"b is minus the speed that is wanted",
@@ -95,7 +99,7 @@ std::vector<Check<Answer>> checks() {
        {{"your ball, of which b asks a separating speed, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          Magnet ball = Magnet::ball(random, random.between(Real(0.4), Real(0.9)));
-         ball.play(answer, -random.between(Real(0.1), Real(0.3)) * ball.can_stop());
+         ball.play(answer, {}, -random.between(Real(0.1), Real(0.3)) * ball.can_stop());
          return {ball.upwards()};
        }},
       {"the four points of a column hold F together",
@@ -106,8 +110,8 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          Magnet fast = Magnet::column(random, random.between(Real(1.3), 3));
          Magnet slow = Magnet::column(random, random.between(Real(0.3), Real(0.7)));
-         fast.play(answer);
-         slow.play(answer);
+         fast.play(answer, {0});
+         slow.play(answer, {1, 2});
          return {fast.upwards(), slow.upwards(), slow.impulse()};
        }},
       {"a column that lands turning is pushed on one side, and held on the other",

@@ -35,7 +35,7 @@ struct Ball {
   template <class ContactSolver>
   Real solved(ContactSolver solver, std::size_t quantity = 0) {
     solver.solve(world, h, 1);
-    show(world, quantity);
+    show(world, {quantity});
     return world.bodies[1].velocity.y();
   }
 };
@@ -52,6 +52,7 @@ std::pair<Real, Real> five_balls(Random& random, const Answer& answer) {
   }
   auto solver = with_effect<PushingOut>(answer.push_out);
   solver.solve(world, 1 / random.between(50, 240), 1);
+  show(world, {2, 3});
   return {world.bodies[1].velocity.y(), world.bodies[5].velocity.y()};
 }
 
@@ -68,7 +69,9 @@ std::vector<Check<Answer>> checks() {
          Ball deep(random, random.between(Real(0.5), Real(0.8)));
          auto solver = with_effect<PushingOut>(answer.push_out);  // one, for steps of another length
          solver.solve(ball.world, ball.h, 1);
+         show(ball.world, {0});
          solver.solve(deep.world, deep.h, 1);
+         show(deep.world, {1});
          const Real alone = ball.world.bodies[1].velocity.y(), fast = deep.world.bodies[1].velocity.y();
          const auto [first, last] = five_balls(random, answer);
          return {alone, fast, first, last};

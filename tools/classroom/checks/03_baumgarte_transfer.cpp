@@ -1,5 +1,6 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/03_baumgarte/exercise/transfer/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_03_transfer {
 
@@ -20,7 +21,7 @@ struct Capped : Effect {
 struct Ball {
   Real depth, h, beta, cap, asked = 0, speed = 0;
 
-  Real solved(Random& random, const Answer& answer) const {
+  Real solved(Random& random, const Answer& answer, std::size_t quantity) const {
     World world;
     const Real radius = random.between(Real(0.3), Real(0.5));
     world.gravity.setZero();
@@ -30,6 +31,7 @@ struct Ball {
     Solver<Clamping, Capped> solver;
     static_cast<Capped&>(solver) = {{}, answer, beta, cap, asked};
     solver.solve(world, h, 1);
+    show(world, {quantity});
     return world.bodies[1].velocity.y();
   }
 };
@@ -57,7 +59,7 @@ std::vector<Check<Answer>> checks() {
          const Real longer = random.between(Real(0.2), Real(0.3));
          slow.depth *= longer / slow.h;
          slow.h = longer;
-         return {shallow.solved(random, answer), very.solved(random, answer), slow.solved(random, answer)};
+         return {shallow.solved(random, answer, 0), very.solved(random, answer, 1), slow.solved(random, answer, 2)};
        }},
       {"a deep ball leaves at the cap",
        2,
@@ -68,7 +70,7 @@ std::vector<Check<Answer>> checks() {
          const Ball deep = ball_wanting(random, cap * random.between(Real(1.5), 3), cap);
          Ball lost = deep;
          lost.depth = random.between(Real(1.2), 2);
-         return {deep.solved(random, answer), lost.solved(random, answer)};
+         return {deep.solved(random, answer, 0), lost.solved(random, answer, 1)};
        }},
       {"a ball that is to bounce faster than the cap does",
        2,
@@ -82,7 +84,7 @@ std::vector<Check<Answer>> checks() {
          fast.asked = cap * random.between(Real(2.5), 4);
          slow.asked = cap * random.between(Real(0.1), Real(0.6));
          shallow.asked = cap * random.between(Real(0.4), Real(0.9));
-         return {fast.solved(random, answer), slow.solved(random, answer), shallow.solved(random, answer)};
+         return {fast.solved(random, answer, 0), slow.solved(random, answer, 1), shallow.solved(random, answer, 2)};
        }},
       {"a ball that is still apart goes its way, and is not let in",
        1,
@@ -97,7 +99,8 @@ std::vector<Check<Answer>> checks() {
          Ball bouncing = leaving;
          bouncing.speed = 0;
          bouncing.asked = cap * random.between(Real(0.5), 2);
-         return {leaving.solved(random, answer), coming.solved(random, answer), bouncing.solved(random, answer)};
+         return {leaving.solved(random, answer, 0), coming.solved(random, answer, 1),
+                 bouncing.solved(random, answer, 2)};
        }},
   };
 }

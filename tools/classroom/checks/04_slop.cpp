@@ -1,5 +1,6 @@
 #include "pushback/chapters/04_slop/exercise/asked.h"
 #include "pushback/chapters/04_slop/slop.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_04 {
 
@@ -30,6 +31,7 @@ struct Ball {
     Numbers found{depth()};
     for (int step = 0; step < steps; ++step) {
       world.step(solver, h, 4);
+      show(world);
       found.push_back(depth());
     }
     return found;

@@ -1,5 +1,6 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/04_slop/exercise/transfer/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_04_transfer {
 
@@ -22,18 +23,19 @@ struct Setting {
         slop(random.between(Real(0.003), Real(0.006))),
         gap(random.between(Real(0.002), Real(0.008))) {}
 
-  void solve(World& world, const Answer& answer, int sweeps) const {
+  void solve(World& world, const Answer& answer, int sweeps, const std::vector<std::size_t>& quantities = {}) const {
     Solver<Clamping, Margin> solver;
     static_cast<Margin&>(solver) = {{}, answer, beta, slop};
     solver.solve(world, h, sweeps);
+    show(world, quantities);
   }
   /// A ball without weight, so far above the ground (m) and so fast upwards (m/s): its speed after the step's solver.
-  Real ball(Real separation, Real speed, const Answer& answer) const {
+  Real ball(Real separation, Real speed, const Answer& answer, const std::vector<std::size_t>& quantities = {}) const {
     World world;
     world.add(ground());
     world.add(sphere(Real(0.3), 10).at({0, Real(0.3) + separation, 0}).moving({0, speed, 0}));
     world.contacts = {{.normal = {0, 1, 0}, .depth = -separation, .id = {0, 1, 0}}};
-    solve(world, answer, 1);
+    solve(world, answer, 1, quantities);
     return world.bodies[1].velocity.y();
   }
 };
@@ -47,8 +49,8 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const Setting at(random);
          const Real just_reaches = at.gap / at.h;
-         return {at.ball(at.gap, -just_reaches * random.between(Real(0.4), Real(0.8)), answer),
-                 at.ball(at.gap, just_reaches * random.between(Real(0.1), Real(0.5)), answer)};
+         return {at.ball(at.gap, -just_reaches * random.between(Real(0.4), Real(0.8)), answer, {0}),
+                 at.ball(at.gap, just_reaches * random.between(Real(0.1), Real(0.5)), answer, {1})};
        }},
       {"what would pass the surface in this step ends on it",
        2,
@@ -66,7 +68,7 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const Setting at(random);
          const Real deep = at.slop * random.between(2, 4), shallow = at.slop * random.between(Real(0.3), Real(0.7));
-         return {at.ball(-deep, 0, answer), at.ball(-shallow, -random.between(2, 3), answer)};
+         return {at.ball(-deep, 0, answer, {0}), at.ball(-shallow, -random.between(2, 3), answer, {1})};
        }},
       {"a box that touches with one edge comes down on the other",
        1,

@@ -30,7 +30,7 @@ struct Ball {
     auto solver = with_effect<Bouncing>(answer.bounce);
     solver.speed = asked;
     world.step(solver, h, 1);
-    show(world, quantity);
+    show(world, {quantity});
     return world.bodies[1].velocity.y();
   }
 };
@@ -109,6 +109,7 @@ std::vector<Check<Answer>> checks() {
          add(random.between(1, 5), more);
          auto solver = with_effect<Bouncing>(answer.bounce);
          world.step(solver, Real(1) / 60, 1);
+         show(world);
          Numbers speeds;
          for (std::size_t ball = 1; ball <= 4; ++ball) speeds.push_back(world.bodies[ball].velocity.y());
          return speeds;
@@ -142,6 +143,7 @@ std::vector<Check<Answer>> checks() {
            body.angular_velocity *= random.between(Real(1.1), Real(1.2));
          }
          with_effect<Bouncing>(answer.bounce).solve(world, Real(1) / 60, 1);
+         show(world);
          return {separating_speed(world, world.contacts[0])};
        }},
   };

@@ -1,5 +1,6 @@
 #include "pushback/chapters/06_friction/exercise/asked.h"
 #include "pushback/chapters/06_friction/friction.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_06 {
 
@@ -14,8 +15,10 @@ void touch(World& world, const Body& body, Real height, const Vec3& velocity, Re
   constexpr Real of_ground = Real(0.8);
   if (world.bodies.empty()) world.add(half_space(normal).rough(of_ground));
   Body placed = body;
-  const int index = world.add(placed.at(height * normal).moving(velocity).rough(mu * mu / of_ground));
-  world.contacts.push_back({.normal = normal, .friction = mu, .id = {0, static_cast<std::uint32_t>(index), 0}});
+  const Vec3 point(2 * static_cast<Real>(world.bodies.size() - 1), 0, 0);  // beside the one before
+  const int index = world.add(placed.at(point + height * normal).moving(velocity).rough(mu * mu / of_ground));
+  world.contacts.push_back(
+      {.point = point, .normal = normal, .friction = mu, .id = {0, static_cast<std::uint32_t>(index), 0}});
 }
 Body ball(Random& random) {
   const Real radius = random.between(Real(0.2), Real(0.5)), mass = random.between(5, 20);
@@ -29,18 +32,21 @@ Real random_step(Random& random) {
   return 1 / random.between(50, 240);
 }
 
-void solve(World& world, Random& random, int sweeps, const Answer& answer) {
+void solve(World& world, Random& random, int sweeps, const Answer& answer,
+           const std::vector<std::size_t>& quantities = {}) {
   auto solver = with_effect<Sliding>(answer.friction);
   solver.solve(world, random_step(random), sweeps);
+  show(world, quantities);
 }
 
 /// A ball too fast for its friction: what it loses of its velocity in a step of four sweeps, m/s.
-Vec3 lost_by_ball(Random& random, const Vec3& heading, const Answer& answer) {
+Vec3 lost_by_ball(Random& random, const Vec3& heading, const Answer& answer,
+                  const std::vector<std::size_t>& quantities) {
   const Real speed = random.between(30, 40), arrival = random.between(1, 2), mu = random.between(Real(0.4), Real(0.6));
   World world;
   const Vec3 velocity = speed * heading - arrival * Vec3::UnitY();
   touch(world, ball(random), velocity, mu);
-  solve(world, random, 4, answer);
+  solve(world, random, 4, answer, quantities);
   return velocity - world.bodies[1].velocity;
 }
 
@@ -102,9 +108,9 @@ std::vector<Check<Answer>> checks() {
         {"your ball, which slides aslant, is braked along x by", "m/s", 1e-6},
         {"your ball, which slides aslant, is braked along z by", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const Real right = lost_by_ball(random, Vec3::UnitX(), answer).x();
-         const Real left = -lost_by_ball(random, -Vec3::UnitX(), answer).x();
-         const Vec3 aslant = lost_by_ball(random, {Real(0.8), 0, Real(0.6)}, answer);
+         const Real right = lost_by_ball(random, Vec3::UnitX(), answer, {0}).x();
+         const Real left = -lost_by_ball(random, -Vec3::UnitX(), answer, {1}).x();
+         const Vec3 aslant = lost_by_ball(random, {Real(0.8), 0, Real(0.6)}, answer, {2, 3});
          return {right, left, aslant.x(), aslant.z()};
        }},
       {"a ball slips down a slope, g (sin θ − μ cos θ) h faster each step",
@@ -120,6 +126,7 @@ std::vector<Check<Answer>> checks() {
          touch(world, body, std::get<Sphere>(body.shape).radius, h * world.gravity, mu,
                {-std::sin(theta), std::cos(theta), 0});
          with_effect<Sliding>(answer.friction).solve(world, h, 4);
+         show(world, {0});
          const Real slips = -world.bodies[1].velocity.dot(Vec3(std::cos(theta), std::sin(theta), 0));
          const Real lean = random.between(Real(0.4), Real(0.6)), aside = random.between(Real(0.2), Real(0.3));
          const Vec3 normal = Vec3(lean, 1, aside).normalized();
@@ -129,7 +136,7 @@ std::vector<Check<Answer>> checks() {
          World other;
          touch(other, body, std::get<Sphere>(body.shape).radius, crossing, random.between(Real(0.4), Real(0.6)),
                normal);
-         solve(other, random, 4, answer);
+         solve(other, random, 4, answer, {1, 2});
          const Vec3 lost = crossing - other.bodies[1].velocity;
          return {slips, lost.dot(tangent1), -lost.dot(tangent2)};
        }},
@@ -169,7 +176,7 @@ std::vector<Check<Answer>> checks() {
            World world;
            touch(world, box({wide, high, wide}, random.between(50, 150)), high, velocity, mu);
            world.bodies[1].position += forward * Vec3(wide, 0, wide / 2);
-           solve(world, random, 100, answer);
+           solve(world, random, 100, answer, {braked.size(), braked.size() + 1});
            const Vec3 lost = velocity - world.bodies[1].velocity;
            braked.insert(braked.end(), {lost.x(), lost.z()});
          }

@@ -1,5 +1,6 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/06_friction/exercise/transfer/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_06_transfer {
 
@@ -34,7 +35,7 @@ struct Ball {
   explicit Ball(Random& random) : radius(random.between(Real(0.2), Real(0.5))), mass(random.between(5, 20)) {}
 
   /// After the step.
-  Body solved(const Surfaces& surfaces, const Answer& answer) const {
+  Body solved(const Surfaces& surfaces, const Answer& answer, const std::vector<std::size_t>& quantities = {}) const {
     World world;
     if (floor_first) world.add(ground());
     const int ball = world.add(sphere(radius, mass).at({0, radius, 0}).moving(velocity).spinning(spin));
@@ -43,6 +44,7 @@ struct Ball {
     Solver<Clamping, Rubbing> solver;
     static_cast<Rubbing&>(solver) = {{}, answer, surfaces};
     solver.solve(world, Real(1) / 60, sweeps);
+    show(world, quantities);
     return world.body(ball);
   }
 };
@@ -89,8 +91,8 @@ std::vector<Check<Answer>> checks() {
          fast.velocity.x() = random.between(2, 3) * belt;
          const Surfaces surfaces{
              .mu = random.between(Real(0.4), Real(0.6)), .lever = 0, .belt_a = belt * Vec3::UnitX()};
-         return {slow.solved(surfaces, answer).velocity.x(),
-                 fast.velocity.x() - fast.solved(surfaces, answer).velocity.x()};
+         return {slow.solved(surfaces, answer, {0}).velocity.x(),
+                 fast.velocity.x() - fast.solved(surfaces, answer, {1}).velocity.x()};
        }},
       {"where nothing rubs, a turn loses ϱ Σλn / I, and stops when it is less",
        1,
@@ -109,9 +111,9 @@ std::vector<Check<Answer>> checks() {
          slow.spin.x() = random.between(Real(0.4), Real(0.7)) * most;
          Ball other_way = slow;
          other_way.spin *= -1;
-         return {fast.spin.x() - fast.solved(surfaces, answer).angular_velocity.x(),
-                 slow.solved(surfaces, answer).angular_velocity.x(),
-                 other_way.solved(surfaces, answer).angular_velocity.x()};
+         return {fast.spin.x() - fast.solved(surfaces, answer, {0}).angular_velocity.x(),
+                 slow.solved(surfaces, answer, {1}).angular_velocity.x(),
+                 other_way.solved(surfaces, answer, {2}).angular_velocity.x()};
        }},
       {"a ball that rolls is slowed by its rolling resistance, and keeps rolling",
        2,

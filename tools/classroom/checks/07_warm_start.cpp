@@ -1,5 +1,6 @@
 #include "pushback/chapters/07_warm_start/exercise/asked.h"
 #include "pushback/chapters/07_warm_start/warm_start.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_07 {
 
@@ -19,11 +20,17 @@ struct Balls {
   /// A ball that gravity has just pulled for this step. Returns its weight for the step, N s.
   Real add(Random& random) {
     const Real radius = random.between(Real(0.2), Real(0.5)), mass = random.between(5, 20);
-    world.add(sphere(radius, mass).at({0, radius, 0}).moving(h * world.gravity));
+    const Vec3 place = place_of(static_cast<std::uint32_t>(world.bodies.size()));
+    world.add(sphere(radius, mass).at(place + radius * Vec3::UnitY()).moving(h * world.gravity));
     return mass * World::g * h;
   }
+  static Vec3 place_of(std::uint32_t ball) { return {2 * static_cast<Real>(ball - 1), 0, 0}; }
   static Contact of(std::uint32_t ball, const Vec3& impulse, std::uint32_t feature = 0) {
-    return {.normal = Vec3::UnitY(), .friction = Real(0.5), .id = {0, ball, feature}, .impulse = impulse};
+    return {.point = place_of(ball),
+            .normal = Vec3::UnitY(),
+            .friction = Real(0.5),
+            .id = {0, ball, feature},
+            .impulse = impulse};
   }
   void touches(std::uint32_t ball, std::uint32_t feature = 0) {
     world.contacts.push_back(of(ball, Vec3::Zero(), feature));
@@ -31,7 +38,10 @@ struct Balls {
   void touched(std::uint32_t ball, const Vec3& impulse, std::uint32_t feature = 0) {
     world.contacts_before.push_back(of(ball, impulse, feature));
   }
-  void solve(const Answer& answer, int sweeps) { with_effect<Warm>(answer.warm_start).solve(world, h, sweeps); }
+  void solve(const Answer& answer, int sweeps, const std::vector<std::size_t>& quantities = {}) {
+    with_effect<Warm>(answer.warm_start).solve(world, h, sweeps);
+    show(world, quantities);
+  }
   Vec3 velocity(std::size_t ball) const { return world.bodies[ball].velocity; }
 };
 
@@ -122,7 +132,8 @@ std::vector<Check<Answer>> checks() {
            balls.world.dt_before = longer ? ratio * balls.h : balls.h / ratio;
            balls.touches(1);
            balls.touched(1, weight * balls.world.dt_before / balls.h * Vec3::UnitY());
-           balls.solve(answer, 0);
+           if (longer) balls.solve(answer, 0, {1});
+           else balls.solve(answer, 0, {0, 2});
            numbers.push_back(balls.velocity(1).y());
            if (!longer) guess = balls.world.contacts[0].impulse.y();
          }

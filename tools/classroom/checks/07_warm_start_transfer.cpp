@@ -1,5 +1,6 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/07_warm_start/exercise/transfer/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_07_transfer {
 
@@ -23,7 +24,7 @@ struct Balls {
     world.add(ground());
     for (std::size_t i = 0; i < count; ++i) {
       const Real radius = random.between(Real(0.2), Real(0.5)), mass = random.between(5, 20);
-      world.add(sphere(radius, mass).at({0, radius, 0}));
+      world.add(sphere(radius, mass).at({2 * static_cast<Real>(i) - 4, radius, 0}));  // the third at 0
     }
   }
   /// Bears the part `part` of B's weight in a step of dt: right below it, or to the left (feature 1) or the right (2).
@@ -44,7 +45,7 @@ struct Balls {
     answer.keep(memory, {bearing(left, part_left, dt), bearing(right, part_right, dt)}, dt);
   }
   /// m/s, upwards, of each ball: gravity has pulled in this step, and the memory has answered.
-  Numbers started(const std::vector<ContactId>& ids, Real dt) {
+  Numbers started(const std::vector<ContactId>& ids, Real dt, const std::vector<std::size_t>& quantities = {}) {
     world.contacts.clear();
     for (const ContactId& id : ids) world.contacts.push_back(bearing(id, 0, dt));
     for (Body& body : world.bodies) {
@@ -54,6 +55,7 @@ struct Balls {
     Solver<Clamping, Starting> solver;
     static_cast<Starting&>(solver) = {{}, answer, memory};
     solver.solve(world, dt, 0);
+    show(world, quantities);
     Numbers speeds;
     for (const Body& body : world.bodies)
       if (body.movable()) speeds.push_back(body.velocity.y());
@@ -78,11 +80,11 @@ std::vector<Check<Answer>> checks() {
          const Real h = random.between(Real(0.01), Real(0.015)), ratio = random.between(Real(0.3), Real(0.6));
          balls.keep({first}, before, 2 * h);
          balls.keep({first}, latest, h);
-         const Numbers shorter = balls.started({first, second}, ratio * h);
-         const Real longer = balls.started({first, second}, h / ratio)[0];
+         const Numbers shorter = balls.started({first, second}, ratio * h, {0, 2});
+         const Real longer = balls.started({first, second}, h / ratio, {1})[0];
          const Real part_left = random.between(Real(0.1), Real(0.2)), part_right = random.between(Real(0.4), Real(0.6));
          balls.keep_two(left, part_left, right, part_right, h);
-         const Real in_two = balls.started({left, right}, ratio * h)[2];
+         const Real in_two = balls.started({left, right}, ratio * h, {3, 4})[2];
          return {shorter[0], longer, shorter[1], in_two, balls.world.bodies[3].angular_velocity.z()};
        }},
       {"a point that is lost for a few steps comes back with its force",
@@ -95,17 +97,17 @@ std::vector<Check<Answer>> checks() {
          const Real part = random.between(Real(0.5), Real(0.8));
          balls.keep({second}, part, random.between(Real(0.0205), Real(0.0245)));
          balls.keep({}, 0, random.between(Real(0.015), Real(0.018)));
-         const Real early = balls.started({second}, random.between(Real(0.005), Real(0.01)))[1];
+         const Real early = balls.started({second}, random.between(Real(0.005), Real(0.01)), {0})[1];
          for (int step = 0; step < 4; ++step) {
            const Real more = random.between(Real(0.1), Real(0.2)) * static_cast<Real>(1 + step);
            balls.keep({first}, more, random.between(Real(0.0205), Real(0.0245)));
          }
          for (int step = 0; step < 3; ++step) balls.keep({}, 0, random.between(Real(0.0175), Real(0.019)));
-         const Real late = balls.started({first}, random.between(Real(0.005), Real(0.01)))[0];
+         const Real late = balls.started({first}, random.between(Real(0.005), Real(0.01)), {1})[0];
          Balls quick(random, 1, answer);
          quick.keep({first}, random.between(Real(0.5), Real(0.8)), Real(0.002));
          for (int step = 0; step < 27; ++step) quick.keep({}, 0, random.between(Real(0.00195), Real(0.0021)));
-         return {early, late, quick.started({first}, Real(0.002))[0]};
+         return {early, late, quick.started({first}, Real(0.002), {2})[0]};
        }},
       {"a point that is lost for long is forgotten",
        1,
@@ -116,11 +118,11 @@ std::vector<Check<Answer>> checks() {
          const Real part = random.between(Real(0.5), Real(0.8));
          balls.keep({first}, part, random.between(Real(0.015), Real(0.02)));
          for (int step = 0; step < 8; ++step) balls.keep({}, 0, random.between(Real(0.0175), Real(0.0235)));
-         const Real many = balls.started({first}, random.between(Real(0.005), Real(0.01)))[0];
+         const Real many = balls.started({first}, random.between(Real(0.005), Real(0.01)), {0})[0];
          Balls slow(random, 1, answer);
          slow.keep({first}, random.between(Real(0.5), Real(0.8)), Real(0.002));
          for (int step = 0; step < 5; ++step) slow.keep({}, 0, random.between(Real(0.043), Real(0.045)));
-         return {many, slow.started({first}, random.between(Real(0.03), Real(0.04)))[0]};
+         return {many, slow.started({first}, random.between(Real(0.03), Real(0.04)), {1})[0]};
        }},
       {"a body that is put elsewhere leaves its impulses behind, and nobody else does",
        2,

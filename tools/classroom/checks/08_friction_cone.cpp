@@ -1,6 +1,7 @@
 #include "pushback/chapters/08_friction_cone/exercise/asked.h"
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/08_friction_cone/scenes.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_08 {
 
@@ -37,20 +38,25 @@ class Board {
     world_.contacts = {{.normal = {0, 1, 0}, .id = {0, 1, 0}}};
   }
   /// It comes down with 1 m/s, and slides.
-  void solve(const Vec3& sliding, Real mu, int sweeps, const Answer& answer) {
+  void solve(const Vec3& sliding, Real mu, int sweeps, const Answer& answer,
+             const std::vector<std::size_t>& quantities = {}) {
     world_.bodies[1].velocity = sliding - Vec3::UnitY();
     world_.contacts[0].friction = mu;
     Solver<Clamping, Asked> solver;
     static_cast<Asked&>(solver).answer = answer;
     solver.solve(world_, Real(1) / 60, sweeps);
+    show(world_, quantities);
   }
   /// The length of the sum, N s, after visits with these bounds, N s for each kg; no normal is solved.
-  Real friction_after(const Vec3& sliding, const std::vector<Real>& bounds, const Answer& answer) {
+  Real friction_after(const Vec3& sliding, const std::vector<Real>& bounds, const Answer& answer,
+                      std::size_t quantity) {
     Body& body = world_.bodies[1];
     body.velocity = sliding;
     const auto [tangent1, tangent2] = tangents_of(Vec3::UnitY());
     Row one(world_, world_.contacts[0], tangent1, 0), two(world_, world_.contacts[0], tangent2, 0);
     for (const Real bound : bounds) answer.solve(one, two, TangentBlock(one, two).k12, bound / body.inverse_mass);
+    world_.contacts[0].impulse = one.impulse * tangent1 + two.impulse * tangent2;
+    show(world_, {quantity});
     return std::hypot(one.impulse, two.impulse);
   }
   Vec3 slip() const { return level(world_.bodies[1].velocity_at(Vec3::Zero())); }
@@ -88,8 +94,8 @@ std::vector<Check<Answer>> checks() {
          const Real heading = random.between(Real(0.5), Real(0.9)), speed = random.between(3, 4);
          const Real mu = random.between(Real(0.2), Real(0.3));
          const Vec3 sliding = speed * (std::cos(heading) * board.along + std::sin(heading) * board.across);
-         board.solve(sliding, mu, 100, answer);
-         once.solve(sliding, mu, 1, answer);
+         board.solve(sliding, mu, 100, answer, {0, 1, 2});
+         once.solve(sliding, mu, 1, answer, {3});
          return {board.off_direction(), board.slip().norm(), board.friction().norm(), once.friction().norm()};
        }},
       {"across the board, where it is the easiest to push, a foot stops within one sweep",
@@ -111,8 +117,8 @@ std::vector<Check<Answer>> checks() {
          const Real heading = random.between(Real(0.5), Real(0.9)), speed = random.between(3, 4);
          const Real bound = random.between(Real(0.1), Real(0.15)), ratio = random.between(Real(1.5), Real(2.5));
          const Vec3 sliding = speed * (std::cos(heading) * more.along + std::sin(heading) * more.across);
-         return {more.friction_after(sliding, {ratio * bound, bound}, answer),
-                 less.friction_after(sliding, {bound / ratio, bound}, answer)};
+         return {more.friction_after(sliding, {ratio * bound, bound}, answer, 0),
+                 less.friction_after(sliding, {bound / ratio, bound}, answer, 1)};
        }},
   };
 }

@@ -1,4 +1,5 @@
 #include "pushback/chapters/08_friction_cone/exercise/transfer/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_08_transfer {
 
@@ -35,6 +36,8 @@ class Board {
     friction_across = across.impulse;
     slip_along = along.speed();
     slip_across = across.speed();
+    world_.contacts[0].impulse = normal * at.normal + friction_along * blade_ + friction_across * aside_;
+    show(world_);
   }
   Real slip_along = 0, slip_across = 0, friction_along = 0, friction_across = 0;
   Real friction() const { return std::hypot(friction_along, friction_across); }

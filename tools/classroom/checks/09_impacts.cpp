@@ -1,6 +1,7 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/09_impacts/exercise/asked.h"
 #include "pushback/chapters/09_impacts/sequential.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_09 {
 
@@ -38,7 +39,8 @@ struct Solved {
 };
 
 /// The rest of a step, once its contacts are known.
-Solved solved(World& world, const Answer& answer, Real threshold = usual_threshold) {
+Solved solved(World& world, const Answer& answer, Real threshold = usual_threshold,
+              const std::vector<std::size_t>& quantities = {}) {
   constexpr Real h = Real(1) / 60;
   for (Body& body : world.bodies) {
     keep_velocity(body);
@@ -48,12 +50,14 @@ Solved solved(World& world, const Answer& answer, Real threshold = usual_thresho
   solver.answer = answer;
   solver.threshold = threshold;
   solver.solve(world, h, 10);
+  show(world, quantities);
   Solved after{{}, world.contacts[0].impulse.norm(), static_cast<Real>(solver.rounds), solver.separates};
   for (const Body& body : world.bodies) after.speeds.push_back(body.velocity.dot(world.contacts[0].normal));
   return after;
 }
 
-Solved solved(const Line& line, const Answer& answer, Real threshold = usual_threshold) {
+Solved solved(const Line& line, const Answer& answer, Real threshold = usual_threshold,
+              const std::vector<std::size_t>& quantities = {}) {
   World world;
   world.gravity.setZero();
   for (std::size_t i = 0; i < line.masses.size(); ++i)
@@ -64,7 +68,7 @@ Solved solved(const Line& line, const Answer& answer, Real threshold = usual_thr
                               .normal = {1, 0, 0},
                               .restitution = line.restitutions[i],
                               .id = {i, i + 1, 0}});
-  return solved(world, answer, threshold);
+  return solved(world, answer, threshold, quantities);
 }
 
 /// A ball that lies on the ground while two others meet in the air, whose contact comes first: its speed upwards, m/s.
@@ -77,17 +81,18 @@ Real beside_two_that_meet(Random& random, const Answer& answer) {
   const Real e = random.between(Real(0.5), Real(0.9));
   world.contacts = {{.point = {Real(2.3), 5, 0}, .normal = {1, 0, 0}, .restitution = e, .id = {2, 3, 0}},
                     {.normal = {0, 1, 0}, .restitution = e, .id = {0, 1, 0}}};
-  solved(world, answer);
+  solved(world, answer, usual_threshold, {3});
   return world.bodies[1].velocity.y();
 }
 
 /// A ball on the ground: its speed upwards after the step, m/s. In a step it falls by 0.16 m/s, more than the threshold.
-Real on_the_ground(Real mass, Real upwards, Real e, const Answer& answer, Real threshold = usual_threshold) {
+Real on_the_ground(Real mass, Real upwards, Real e, const Answer& answer, std::size_t quantity,
+                   Real threshold = usual_threshold) {
   World world;
   world.add(ground());
   world.add(sphere(Real(0.3), mass).at({0, Real(0.3), 0}).moving({0, upwards, 0}));
   world.contacts = {{.normal = {0, 1, 0}, .restitution = e, .id = {0, 1, 0}}};
-  return solved(world, answer, threshold).speeds[1];
+  return solved(world, answer, threshold, {quantity}).speeds[1];
 }
 
 std::vector<Check<Answer>> checks() {
@@ -155,9 +160,9 @@ std::vector<Check<Answer>> checks() {
          const Real mass = random.between(3, 8), threshold = random.between(Real(0.2), Real(0.4));
          const Real approach = threshold * random.between(Real(0.6), Real(0.9)),
                     e = random.between(Real(0.5), Real(0.9));
-         const Solved after = solved(Line{{mass, mass}, {approach, 0}, {e}}, answer, threshold);
+         const Solved after = solved(Line{{mass, mass}, {approach, 0}, {e}}, answer, threshold, {0, 1});
          const Real low = random.between(Real(0.03), Real(0.06)), faster = low * random.between(Real(1.1), Real(1.5));
-         const Solved bounced = solved(Line{{mass, mass}, {faster, 0}, {e}}, answer, low);
+         const Solved bounced = solved(Line{{mass, mass}, {faster, 0}, {e}}, answer, low, {2});
          return {after.speeds[0], after.rounds, bounced.separates};
        }},
       {"this step's gravity is no part of the approach",
@@ -169,8 +174,8 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const Real mass = random.between(3, 8), e = random.between(Real(0.5), Real(0.9)), lands = random.between(1, 4);
          const Real slow = random.between(Real(0.38), Real(0.45));  // e times that is more than it falls in a step
-         return {on_the_ground(mass, 0, e, answer), on_the_ground(mass, -lands, e, answer),
-                 on_the_ground(mass, -slow, e, answer, Real(0.5)), beside_two_that_meet(random, answer)};
+         return {on_the_ground(mass, 0, e, answer, 0), on_the_ground(mass, -lands, e, answer, 1),
+                 on_the_ground(mass, -slow, e, answer, 2, Real(0.5)), beside_two_that_meet(random, answer)};
        }},
   };
 }

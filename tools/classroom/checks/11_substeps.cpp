@@ -1,5 +1,6 @@
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/11_substeps/exercise/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_11 {
 
@@ -35,6 +36,7 @@ struct Frame {
   void simulate(World& world, const Answer& answer) const {
     Parts parts(world);
     answer.frame(parts, dt, count, before);
+    show(world);
   }
 };
 

@@ -1,5 +1,6 @@
 #include "pushback/chapters/12_soft_contacts/exercise/asked.h"
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_12 {
 
@@ -31,13 +32,14 @@ struct Ball {
   }
   void visit(Row& row, const Answer& answer, bool relaxing = false) { answer.solve(row, spring, relaxing); }
   /// With the relaxing pass.
-  void step(const Answer& answer) {
+  void step(const Answer& answer, const std::vector<std::size_t>& quantities = {}) {
     world.begin_step(spring.h);
     std::vector<Row> rows;
     if (!world.contacts.empty()) rows.push_back(row());
     for (Row& one : rows) visit(one, answer);
     world.move(spring.h);
     for (Row& one : rows) visit(one, answer, true);
+    show(world, quantities);
   }
 };
 
@@ -60,6 +62,9 @@ std::vector<Check<Answer>> checks() {
            Row row = one->row();
            one->visit(row, answer);
          }
+         show(ball.world, {0});
+         show(deep.world, {1});
+         show(leaving.world, {2});
          return {ball.speed(), deep.speed(), leaving.speed()};
        }},
       {"more sweeps do not change that, and neither does an initial guess that was too large",
@@ -74,6 +79,8 @@ std::vector<Check<Answer>> checks() {
          for (int i = 0; i < 8; ++i) ball.visit(row, answer);
          guessed_row.reach(guess * guessed_row.effective_mass * depth / guessed.spring.h);
          guessed.visit(guessed_row, answer);
+         show(ball.world, {0});
+         show(guessed.world, {1});
          return {ball.speed(), guessed.speed()};
        }},
       {"the relaxing pass takes the push-out back from the velocity, not from the position",
@@ -86,13 +93,14 @@ std::vector<Check<Answer>> checks() {
          Ball ball(random, some_depth(random));
          ball.world.gravity.setZero();
          const Real before = ball.depth();
-         ball.step(answer);
+         ball.step(answer, {0, 1});
          Numbers numbers{ball.speed(), before - ball.depth()};
          for (const Real upwards : {random.between(1, 2), -random.between(1, 2)}) {
            Ball by_itself(random, some_depth(random));
            by_itself.world.bodies[1].velocity.y() = upwards;
            Row row = by_itself.row();
            by_itself.visit(row, answer, true);
+           show(by_itself.world, {numbers.size()});
            numbers.push_back(by_itself.speed());
          }
          return numbers;

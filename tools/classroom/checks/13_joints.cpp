@@ -66,6 +66,7 @@ struct Hinged {
     }
     for (int sweep = 0; sweep < 2000; ++sweep)
       for (JointRow& row : rows) row.solve();
+    show(world);
   }
 };
 

@@ -1,9 +1,23 @@
 #include "pushback/chapters/13_joints/exercise/transfer/asked.h"
 #include "pushback/chapters/13_joints/joints.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_13_transfer {
 
 namespace {
+
+/// From B's centre to its slider, from there to the rail, and around it.
+std::vector<Vec3> line_of(const RoundRail& rail, const Body& a, const Body& b) {
+  const Vec3 centre = point_of(a, rail.centre), axis = a.orientation * rail.axis, slider = point_of(b, rail.slider);
+  const Vec3 d = slider - centre, out = (d - axis.dot(d) * axis).normalized(), aside = axis.cross(out);
+  constexpr int pieces = 48;
+  std::vector<Vec3> corners{b.position, slider};
+  for (int i = 0; i <= pieces; ++i) {
+    const Real angle = 2 * pi * static_cast<Real>(i) / pieces;
+    corners.emplace_back(centre + rail.radius * (std::cos(angle) * out + std::sin(angle) * aside));
+  }
+  return corners;
+}
 
 /// Two bodies, the second on a rail of the first.
 struct Railed {
@@ -19,9 +33,12 @@ struct Railed {
     world.gravity.setZero();
     world.add(a);
     world.add(b);
-    world.joints.push_back({"your slider", 0, 1,
-                            [its = rail, answer](const Body& first, const Body& second, const TimeStep&,
-                                                 Equations& equations) { answer.ask(its, first, second, equations); }});
+    world.joints.push_back(
+        {"your slider", 0, 1,
+         [its = rail, answer](const Body& first, const Body& second, const TimeStep&, Equations& equations) {
+           answer.ask(its, first, second, equations);
+         },
+         [its = rail](const Body& first, const Body& second) { return line_of(its, first, second); }});
   }
   Body& a() { return world.bodies[0]; }
   Body& b() { return world.bodies[1]; }
@@ -72,6 +89,7 @@ std::vector<Check<Answer>> checks() {
          railed.b().velocity = outwards * out + off * axis + along * axis.cross(out);
          Solver<Joints> solver;
          solver.solve(railed.world, Real(0.02), 1);
+         show(railed.world);
          const auto [leaves, rises, slides] = railed.speeds();
          return {leaves, rises, slides};
        }},
@@ -90,6 +108,7 @@ std::vector<Check<Answer>> checks() {
          const Vec3 before = railed.angular_momentum();
          Solver<Joints> solver;
          solver.solve(railed.world, Real(0.02), 2000);
+         show(railed.world);
          const auto [leaves, rises, slides] = railed.speeds();
          return {std::hypot(leaves, rises), (railed.angular_momentum() - before).norm(), slides};
        }},
@@ -111,10 +130,12 @@ std::vector<Check<Answer>> checks() {
          pushing.solve(pushed.world, Real(0.02), 1);
          const Real made = pushed.angular_momentum().norm();  // they were at rest
          railed.world.step(solver, Real(0.02), 2000);
+         show(railed.world, {0, 1});
          const Body other_a = random_box(random), other_b = random_box(random);
          Railed below(random, other_a, other_b, random_corner(random), answer);
          below.b().position -= random.between(Real(0.01), Real(0.015)) * below.axis();
          below.world.step(solver, Real(0.02), 2000);
+         show(below.world, {2});
          return {1000 * railed.off_the_plane(), 1000 * (railed.across().norm() - railed.rail.radius),
                  1000 * below.off_the_plane(), made};
        }},

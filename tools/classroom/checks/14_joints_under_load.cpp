@@ -1,6 +1,7 @@
 #include "pushback/chapters/13_joints/distance.h"
 #include "pushback/chapters/14_joints_under_load/exercise/asked.h"
 #include "pushback/chapters/14_joints_under_load/split_joints.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_14 {
 
@@ -22,6 +23,10 @@ struct Chain {
     const int load = world.add(sphere(Real(0.1), mass).at(to));
     world.joints.push_back(distance(world, above < 0 ? the_world : above, from, load, to, 1));
   }
+  void step(Real seconds, int sweeps, const std::vector<std::size_t>& quantities = {}) {
+    world.step(solver, seconds, sweeps);
+    show(world, quantities);
+  }
   Real rises(std::size_t load) const { return world.bodies[load].velocity.y(); }
   /// What the next step starts from, N s.
   Real remembered(std::size_t joint) const {
@@ -42,8 +47,8 @@ std::vector<Check<Answer>> checks() {
          Chain chain(random, answer), high(random, answer);
          chain.hang(random.between(5, 20), random.between(Real(0.01), Real(0.05)));
          high.hang(random.between(5, 20), -random.between(Real(0.01), Real(0.05)));
-         chain.world.step(chain.solver, chain.h, 5);
-         high.world.step(high.solver, high.h, 5);
+         chain.step(chain.h, 5, {0});
+         high.step(high.h, 5, {1});
          return {chain.rises(0), -high.rises(0)};
        }},
       {"the next step starts from the impulse that carries the load",
@@ -55,10 +60,10 @@ std::vector<Check<Answer>> checks() {
          Chain chain(random, answer), high(random, answer);
          chain.hang(random.between(5, 20), random.between(Real(0.03), Real(0.06)));
          high.hang(random.between(5, 20), -random.between(Real(0.03), Real(0.06)));
-         chain.world.step(chain.solver, chain.h, 5);
-         high.world.step(high.solver, high.h, 5);
+         chain.step(chain.h, 5, {0});
+         high.step(high.h, 5, {1});
          const Real first = chain.remembered(0);
-         chain.world.step(chain.solver, chain.h * random.between(Real(1.2), Real(1.5)), 5);
+         chain.step(chain.h * random.between(Real(1.2), Real(1.5)), 5, {2});
          return {first, high.remembered(0), chain.remembered(0)};
        }},
       {"a gap is closed by as many sweeps as a load is carried",
@@ -71,7 +76,7 @@ std::vector<Check<Answer>> checks() {
          const Real upper = random.between(2, 4);
          chain.hang(upper, random.between(Real(0.01), Real(0.05)));
          chain.hang(upper * random.between(2, 4), random.between(Real(0.01), Real(0.05)));
-         chain.world.step(chain.solver, chain.h, 3);
+         chain.step(chain.h, 3);
          return {chain.rises(0), chain.rises(1), chain.remembered(0)};
        }},
       {"a chain with a heavy load holds",
@@ -83,7 +88,7 @@ std::vector<Check<Answer>> checks() {
          chain.hang(random.between(10, 20), random.between(Real(0.02), Real(0.04)));
          Numbers too_low{1000 * chain.too_low()};
          for (int step = 0; step < 15; ++step) {
-           chain.world.step(chain.solver, chain.h, 5);
+           chain.step(chain.h, 5);
            too_low.push_back(1000 * chain.too_low());
          }
          return with_record({too_low.back()}, too_low);

@@ -1,5 +1,6 @@
 #include "pushback/chapters/15_limits_motors_springs/exercise/asked.h"
 #include "pushback/chapters/15_limits_motors_springs/limits.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_15 {
 
@@ -15,7 +16,7 @@ struct Roped {
         strength(1e6),
         beta(random.between(Real(0.1), Real(0.4))) {}
   /// Its speed away from the hand, m/s, before and after. `slack`: m.
-  Real solved(Real slack, Real speed, Random& random, const Answer& answer) const {
+  Real solved(Real slack, Real speed, Random& random, const Answer& answer, std::size_t quantity) const {
     World world;
     const Vec3 away = random.direction();
     world.add(sphere(Real(0.1), mass).at(away));
@@ -26,6 +27,8 @@ struct Roped {
     rope.separation = slack;
     answer.pull(rope, strength, beta, h);
     for (int sweep = 0; sweep < 4; ++sweep) rope.solve();
+    world.joints.push_back(distance(world, the_world, Vec3::Zero(), 0, load.position));  // only to be seen
+    show(world, {quantity});
     return load.velocity.dot(away);
   }
 };
@@ -46,7 +49,7 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const Roped roped(random);
          const Real leaves = random.between(2, 5), comes = random.between(2, 5);
-         return {roped.solved(0, leaves, random, answer), -roped.solved(0, -comes, random, answer)};
+         return {roped.solved(0, leaves, random, answer, 0), -roped.solved(0, -comes, random, answer, 1)};
        }},
       {"a load on a slack rope goes as far as the rope is long",
        2,
@@ -63,8 +66,8 @@ std::vector<Check<Answer>> checks() {
          const Real little = random.between(Real(0.001), Real(0.003));
          const Roped slowly = in_long_steps(random);
          const Real far = slack / slowly.h * random.between(4, 6);
-         return {roped.solved(slack, slow, random, answer), roped.solved(slack, fast, random, answer),
-                 roped.solved(little, fast, random, answer), slowly.solved(slack, far, random, answer)};
+         return {roped.solved(slack, slow, random, answer, 0), roped.solved(slack, fast, random, answer, 1),
+                 roped.solved(little, fast, random, answer, 2), slowly.solved(slack, far, random, answer, 3)};
        }},
       {"a rope that is too long comes back by the part β, and does not hold up a load that comes faster",
        1,
@@ -74,8 +77,8 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const Roped roped(random);
          const Real slack = -random.between(Real(0.02), Real(0.05)), comes = random.between(1, 2) * -slack / roped.h;
-         return {-roped.solved(slack, 0, random, answer), -roped.solved(slack, -comes, random, answer),
-                 -in_long_steps(random).solved(slack, 0, random, answer)};
+         return {-roped.solved(slack, 0, random, answer, 0), -roped.solved(slack, -comes, random, answer, 1),
+                 -in_long_steps(random).solved(slack, 0, random, answer, 2)};
        }},
       {"a hand that holds with F takes h F off the load in a step",
        2,
@@ -89,9 +92,9 @@ std::vector<Check<Answer>> checks() {
          const Real in_a_step = roped.h * roped.strength / roped.mass, in_a_second = roped.strength / roped.mass;
          const Real fast = random.between(2, 3) * in_a_step, faster = random.between(Real(1.5), 2) * in_a_second;
          const Real slack = random.between(Real(0.02), Real(0.05));
-         return {roped.solved(0, fast, random, answer), roped.solved(0, faster, random, answer),
-                 roped.solved(slack, fast + slack / roped.h, random, answer),
-                 roped.solved(-slack, fast + slack / roped.h, random, answer)};
+         return {roped.solved(0, fast, random, answer, 0), roped.solved(0, faster, random, answer, 1),
+                 roped.solved(slack, fast + slack / roped.h, random, answer, 2),
+                 roped.solved(-slack, fast + slack / roped.h, random, answer, 3)};
        }},
   };
 }

@@ -1,5 +1,6 @@
 #include "pushback/chapters/13_joints/distance.h"
 #include "pushback/chapters/15_limits_motors_springs/exercise/transfer/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_15_transfer {
 
@@ -19,11 +20,32 @@ struct Rods {
   /// `speed`: m/s, by which it would leave; negative: by which it would come.
   void add(Real mass, Real speed, Random& random) {
     away.push_back(random.direction());
-    const Vec3 begins(static_cast<Real>(10 * away.size()), 0, 0), at = begins + away.back();
+    const Vec3 begins = beginning_of(away.size() - 1), at = begins + away.back();
     const int ball = world.add(sphere(Real(0.1), mass).at(at).moving(speed * away.back()));
     world.joints.push_back(distance(world, the_world, begins, ball, at));
   }
-  void solve(Real h) { solver.solve(world, h, 4); }
+  void solve(Real h, const std::vector<std::size_t>& quantities = {}) {
+    solver.solve(world, h, 4);
+    show(with_rods(), quantities);
+  }
+  /// m, of a ball's rod.
+  static Vec3 beginning_of(std::size_t ball) {
+    return {Real(2.5) * static_cast<Real>(1 + ball % 3), Real(-2.5) * static_cast<Real>(ball / 3), 0};
+  }
+  /// To be seen: a rod is a body, and one that is broken points past its ball.
+  World with_rods() const {
+    World seen;
+    seen.bodies = world.bodies;
+    for (std::size_t ball = 0; ball < away.size(); ++ball) {
+      const bool held = std::any_of(world.joints.begin(), world.joints.end(),
+                                    [&](const Joint& joint) { return joint.b == static_cast<int>(ball); });
+      const Vec3 along = held ? away[ball] : (away[ball] + 2 * tangents_of(away[ball]).tangent1).normalized();
+      Body rod = box({Real(0.02), Real(0.5), Real(0.02)}, 1).at(beginning_of(ball) + along / 2);
+      rod.orientation = Quat::FromTwoVectors(Vec3::UnitY(), along);
+      seen.add(rod);
+    }
+    return seen;
+  }
   Real speed(std::size_t ball) const { return world.bodies[ball].velocity.dot(away[ball]); }
   /// All that is still on a rod, kg.
   Real held() const {
@@ -35,13 +57,14 @@ struct Rods {
 
 /// A ball that is too fast for its rod by `times`, in units of what the rod takes off in a step: its speeds after one and after
 /// two steps.
-std::array<Real, 2> two_steps(Random& random, Real times, const Answer& answer) {
+std::array<Real, 2> two_steps(Random& random, Real times, const Answer& answer,
+                              const std::vector<std::size_t>& quantities) {
   const Real mass = random.between(2, 10), h = 1 / random.between(40, 100);
   Rods rods(answer);
   rods.add(mass, times * h * strength / mass, random);
   std::array<Real, 2> speeds{};
   for (Real& speed : speeds) {
-    rods.solve(h);
+    rods.solve(h, quantities);
     speed = rods.speed(0);
   }
   return speeds;
@@ -56,13 +79,13 @@ std::array<Real, 3> four_balls(Random& random, const Answer& answer) {
     const Real mass = random.between(2, 10);
     rods.add(mass, times * h * strength / mass, random);
   }
-  rods.solve(h);
+  rods.solve(h, {2, 3});
   const Real speed = rods.speed(2);
   const Real first = rods.world.joints.empty() ? 0 : static_cast<Real>(rods.world.joints.front().b);
   for (Body& ball : rods.world.bodies) ball.velocity.setZero();
   Body& second = rods.world.bodies[1];
   second.velocity = Real(0.7) * h * strength * second.inverse_mass * rods.away[1];
-  rods.solve(h / 2);
+  rods.solve(h / 2, {4});
   return {speed, first, rods.held()};
 }
 
@@ -84,8 +107,8 @@ std::vector<Check<Answer>> checks() {
         {"in the next step your ball, whose rod is broken, goes on with", "m/s", 1e-6},
         {"your ball, which is far too fast for its rod, goes on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const auto [first, second] = two_steps(random, random.between(Real(2.5), 4), answer);
-         const auto far_too_fast = two_steps(random, random.between(150, 200), answer);
+         const auto [first, second] = two_steps(random, random.between(Real(2.5), 4), answer, {0, 1});
+         const auto far_too_fast = two_steps(random, random.between(150, 200), answer, {2});
          return {first, second, far_too_fast[0]};
        }},
       {"so is a rod that is pushed too hard",
@@ -93,7 +116,7 @@ std::vector<Check<Answer>> checks() {
        {{"your ball, which pushes too hard at its rod, comes on with", "m/s", 1e-6},
         {"in the next step your ball, whose rod is broken, comes on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const auto [first, second] = two_steps(random, -random.between(Real(2.5), 4), answer);
+         const auto [first, second] = two_steps(random, -random.between(Real(2.5), 4), answer, {0, 1});
          return {-first, -second};
        }},
       {"of several rods those break that bear too much",
@@ -112,9 +135,9 @@ std::vector<Check<Answer>> checks() {
            rods.add(mass, times * h * strength / mass, random);
          }
          rods.world.bodies[0].asleep = true;
-         rods.solve(h);
+         rods.solve(h, {0});
          const Real held = rods.held();
-         rods.solve(h);
+         rods.solve(h, {1});
          const auto [fast, first, shorter] = four_balls(random, answer);
          return {held, rods.held(), fast, first, shorter};
        }},

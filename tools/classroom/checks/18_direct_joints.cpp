@@ -4,6 +4,7 @@
 #include "pushback/chapters/13_joints/joints.h"
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/18_direct_joints/exercise/asked.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_18 {
 
@@ -42,6 +43,9 @@ struct Chain {
     const Vec3 centre = end - length / 2 * Vec3::UnitY() + aside;
     const int here = world.add(sphere(length / 4, mass).at(centre).moving(velocity));
     world.joints.push_back(ball_and_socket(world, here == 0 ? the_world : here - 1, here, end));
+    world.joints.back().line = [socket = point_on(world.body(here), end)](const Body& a, const Body& b) {
+      return std::vector<Vec3>{a.position, point_of(b, socket), b.position};
+    };
     end.y() -= length;
   }
   void hang_crooked(Random& random) {
@@ -57,6 +61,7 @@ struct Chain {
     Solver<Eliminated> solver;
     solver.answer = answer;
     solver.solve(world, h, 1);
+    show(world);
     const JointRows& rows = solver.joint_rows();
     const auto size = [&rows](std::size_t i) {
       return Vec3(rows[i].impulse, rows[i + 1].impulse, rows[i + 2].impulse).norm();

@@ -1,5 +1,6 @@
 #include "pushback/chapters/20_only_what_is_needed/exercise/asked.h"
 #include "pushback/chapters/20_only_what_is_needed/islands.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_20 {
 
@@ -10,26 +11,35 @@ struct Piles {
   World world;
   std::vector<bool> rests{true};
   Random& random;
+  Real x = 0;  ///< m, of the latest pile
 
   explicit Piles(Random& its_random) : random(its_random) { world.add(ground()); }
 
-  int add(bool resting) {
+  int add(bool resting, bool on_top = false) {
     rests.push_back(resting);
-    const Real place = static_cast<Real>(world.bodies.size());  // each to itself: nothing here asks where they are
-    return world.add(box(Vec3::Constant(Real(0.5)), random.between(10, 100)).at({2 * place, Real(0.5), 0}));
+    if (!on_top) x += Real(1.6);
+    const Real y = on_top ? world.bodies.back().position.y() + 1 : Real(0.5);  // for the eye: nothing here asks where
+    return world.add(box(Vec3::Constant(Real(0.5)), random.between(10, 100)).at({x, y, 0}));
   }
   void touch(int a, int b) {
     Contact contact;
+    const Vec3 at_b = world.body(b).position;
+    contact.point = a == 0 ? Vec3(at_b.x(), 0, 0) : Vec3((world.body(a).position + at_b) / 2);
     contact.normal = {0, 1, 0};
     contact.id = {static_cast<std::uint32_t>(std::min(a, b)), static_cast<std::uint32_t>(std::max(a, b)), 0};
     world.contacts.push_back(contact);
   }
-  void join(int a, int b) { world.joints.push_back({.name = "a rope", .a = a, .b = b, .ask = {}}); }
+  void join(int a, int b) {
+    const auto line = [](const Body& one, const Body& other) {
+      return std::vector<Vec3>{one.position, other.position};
+    };
+    world.joints.push_back({.name = "a rope", .a = a, .b = b, .ask = {}, .line = line});
+  }
   /// From the ground up; the last is the top.
   int pile(std::size_t boxes, bool resting) {
     int below = 0;
     for (; boxes > 0; --boxes) {
-      const int above = add(resting);
+      const int above = add(resting, below > 0);
       touch(below, above);
       below = above;
     }
@@ -38,6 +48,9 @@ struct Piles {
   /// How many bodies sleep, and how heavy they are together, kg. What nothing moves has no weight here.
   Numbers asleep(const Answer& answer) const {
     const std::vector<bool> sleeps = answer.asleep(world, rests);
+    World slept = world;
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) slept.bodies[i].asleep = sleeps.at(i);
+    show(slept);
     Real count = 0, mass = 0;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
       if (!sleeps.at(i)) continue;

@@ -1,5 +1,6 @@
 #include "pushback/chapters/21_detected_once/exercise/asked.h"
 #include "pushback/chapters/21_detected_once/kept_contact.h"
+#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_21 {
 
@@ -45,6 +46,7 @@ struct Ball {
       ball_moved.way += h * world.bodies[1].velocity;
       row->bias = answer.relaxed_bias(asked, separation(answer), h);
       row->solve();
+      show(world);
     }
   }
   Real speed() const { return world.bodies[1].velocity.y(); }
