@@ -156,15 +156,33 @@ TEST_CASE("to ask for what is right, or to play the scenes with it, is no pass")
     fails_as(verdict_with_helper(stolen, "\n"), "does not compile", "declared but never defined");
 }
 
-TEST_CASE("in the sandbox there is no answer to be read, nothing to be written outside, and no network") {
-  std::unique_ptr<Sandbox> here;
-  try {
-    here = std::make_unique<Sandbox>();
-  } catch (const InvalidInput& problem) {
-    WARN("skipped: " << problem.what());
+TEST_CASE("a sandbox holds a few hundred processes, whoever watches it") {
+  if (const std::string why = no_sandbox(); !why.empty()) {
+    WARN("skipped: " << why);
     return;
   }
-  const Sandbox& sandbox = *here;
+  const Sandbox sandbox;
+  const ScratchFolder folder;
+  const auto started = [&](int count) {
+    return run_program(sandbox.around({"sh", "-c",
+                                       "i=0; while [ $i -lt " + std::to_string(count) +
+                                           " ]; do sleep 60 & i=$((i+1)); done; echo all"},
+                                      folder.path, {}),
+                       60);
+  };
+  CHECK(started(20).out == "all\n");
+  const Ended many = started(2000);
+  INFO(many.err);
+  CHECK(many.out == "");
+  CHECK(many.status != 0);
+}
+
+TEST_CASE("in the sandbox there is no answer to be read, nothing to be written outside, and no network") {
+  if (const std::string why = no_sandbox(); !why.empty()) {
+    WARN("skipped: " << why);
+    return;
+  }
+  const Sandbox sandbox;
   const ScratchFolder folder;
   for (const char* compiler : {"c++", "cc", "g++"})  // Debian has the first two by way of /etc/alternatives
     if (fs::exists(fs::path("/usr/bin") / compiler))
@@ -203,7 +221,7 @@ TEST_CASE("in the sandbox there is no answer to be read, nothing to be written o
                             "  std::ifstream its(std::string(\"/proc/\") + process + \"/environ\");\n"
                             "  const std::string all{std::istreambuf_iterator<char>(its), {}};\n"
                             "  if (all.find(\"SECRET\") != all.npos) throw std::runtime_error(\"read\");\n}\n" +
-                                right,
+                                std::string(right),
                             &sandbox)
             .passed());
   for (const std::string file : {"/tmp/x", "/dev/shm/x", "/tmp/y", "x", "/x", "/dev/x"})

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pushback/common/basics/files.h"
+#include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/tools/classroom/attempt.h"
 #include "pushback/tools/classroom/student_files.h"
@@ -55,6 +56,16 @@ inline Verdict verdict_on(const Exercise& exercise, const std::string& text, std
   const Attempt outcome = attempt(exercise, file, seed, sandbox, limits);
   if (!untouched_files) return judge(exercise, seed, outcome);
   return judge(exercise, seed, outcome, [&] { return untouched_files->attempt(exercise, seed); });
+}
+
+/// Why there is none here; empty: there is.
+inline std::string no_sandbox() {
+  try {
+    const Sandbox here;
+    return "";
+  } catch (const InvalidInput& problem) {
+    return problem.what();
+  }
 }
 
 }  // namespace pushback

@@ -1,6 +1,10 @@
 #include "pushback/tools/classroom/sandbox.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
@@ -23,7 +27,49 @@ Command operator+(Command first, const Command& then) {
 
 }  // namespace
 
+namespace {
+
+/// What a student's program may never exceed, whoever watches it: enough for those who are watched more closely.
+constexpr int most_processes = 256;
+
+bool are_root() {
+  return geteuid() == 0;
+}
+
+/// Root is exempt from the kernel's limit of processes, so whoever is root becomes somebody else in the sandbox, each time
+/// another one: the limit is of all that one user runs.
+unsigned nobody_else() {
+  static std::atomic<unsigned> count = 0;
+  constexpr unsigned first = 1u << 29, each = 64;
+  return first + static_cast<unsigned>(getpid()) * each + count++ % each;
+}
+
+/// Of the user that we are, with threads: a kernel before 5.14 counts them in.
+int processes_of_ours() {
+  int count = 0;
+  std::error_code ended;
+  for (const auto& entry : fs::directory_iterator("/proc", ended)) {
+    struct stat owner{};
+    if (stat(entry.path().c_str(), &owner) != 0 || owner.st_uid != geteuid()) continue;
+    std::error_code gone;
+    for (auto task = fs::directory_iterator(entry.path() / "task", gone); !gone && task != fs::directory_iterator();
+         task.increment(gone))
+      ++count;
+  }
+  return count;
+}
+
+void give_to(unsigned user, const fs::path& folder) {
+  if (lchown(folder.c_str(), user, user) != 0) throw std::runtime_error("cannot give away " + folder.string());
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (lchown(entry.path().c_str(), user, user) != 0)
+      throw std::runtime_error("cannot give away " + entry.path().string());
+}
+
+}  // namespace
+
 Sandbox::Sandbox() {
+  fs::permissions(headers_.path, fs::perms::others_read | fs::perms::others_exec, fs::perm_options::add);
   const fs::path& source = kit().sources;
   for (const char* part : {"common", "chapters"}) {
     for (const auto& entry : fs::recursive_directory_iterator(source / part)) {
@@ -33,6 +79,10 @@ Sandbox::Sandbox() {
       fs::copy_file(entry.path(), copy);
     }
   }
+  for (const auto& entry : fs::recursive_directory_iterator(headers_.path))  // whatever is usual here
+    fs::permissions(entry.path(),
+                    fs::perms::others_read | (entry.is_directory() ? fs::perms::others_exec : fs::perms::none),
+                    fs::perm_options::add);
   write_text_file(filter_.path / "filter", filter_of_calls());
   const ScratchFolder folder;
   const Ended ended = run_program(around({"true"}, folder.path, {}), 10);
@@ -51,10 +101,15 @@ Command Sandbox::around(Command command, const fs::path& folder, const std::vect
   Command made{"env", "-i", fmt::format("PATH={}", path == nullptr ? "/usr/bin" : path)};
   if (has_filter) made = made + Command{"sh", "-c", "exec bwrap --seccomp 9 \"$@\" 9<\"$0\"", filter_.path / "filter"};
   else made.emplace_back("bwrap");
-  made = made + Command{"--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL"};
+  made = made + Command{"--die-with-parent", "--new-session", "--cap-drop", "ALL"};
+  if (are_root())  // whoever it becomes is nobody in a user namespace
+    made = made + Command{"--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup-try",
+                          "--cap-add",     "CAP_SETUID",    "--cap-add",     "CAP_SETGID"};
+  else made.emplace_back("--unshare-all");
   made = made + Command{"--clearenv", "--setenv", "PATH", "/usr/bin"};
   made = made + Command{"--ro-bind", "/usr", "/usr", "--proc", "/proc", "--dev", "/dev"};
-  for (const char* memory : {"/dev/shm", "/tmp"}) made = made + Command{"--size", most_bytes, "--tmpfs", memory};
+  for (const char* memory : {"/dev/shm", "/tmp"})
+    made = made + Command{"--perms", "1777", "--size", most_bytes, "--tmpfs", memory};
   for (const char* link : {"bin", "lib", "lib64"})
     made = made + Command{"--symlink", fmt::format("usr/{}", link), fmt::format("/{}", link)};
   made =
@@ -62,8 +117,15 @@ Command Sandbox::around(Command command, const fs::path& folder, const std::vect
   made = made + Command{"--ro-bind", headers_.path, kit().headers, may_be == Folder::writable ? "--bind" : "--ro-bind",
                         folder,      folder,        "--chdir",     folder};
   for (const fs::path& readable_path : readable) made = made + Command{"--ro-bind", readable_path, readable_path};
-  // What root owns in /proc/sys is root's to write, even without any rights: root inside is root outside to it.
-  return made + Command{"--remount-ro", "/proc", "--remount-ro", "/dev", "--remount-ro", "/", "--"} + command;
+  made = made + Command{"--remount-ro", "/proc", "--remount-ro", "/dev", "--remount-ro", "/", "--"};
+  int processes = most_processes;
+  if (are_root()) {
+    const unsigned user = nobody_else();
+    give_to(user, folder);
+    made =
+        made + Command{"setpriv", fmt::format("--reuid={}", user), fmt::format("--regid={}", user), "--clear-groups"};
+  } else processes += processes_of_ours();
+  return made + Command{"prlimit", fmt::format("--nproc={}", processes)} + command;
 }
 
 }  // namespace pushback

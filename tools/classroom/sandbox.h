@@ -10,7 +10,7 @@
 namespace pushback {
 
 /// bubblewrap: no network, no writing but in a scratch folder, and to be read only the compiler and the headers: no checks, no
-/// answers, no other student. Who is root outside has none of root's rights inside, and system calls that no answer needs are
+/// answers, no other student. Who is root outside is nobody inside, there are never more than 256 processes and threads, and system calls that no answer needs are
 /// refused: those for memory that nobody could count, for looking into other processes, and for sandboxes in the sandbox.
 class Sandbox {
  public:
