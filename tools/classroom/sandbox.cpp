@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <set>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
@@ -24,10 +25,6 @@ Command operator+(Command first, const Command& then) {
   first.insert(first.end(), then.begin(), then.end());
   return first;
 }
-
-}  // namespace
-
-namespace {
 
 /// What a student's program may never exceed, whoever watches it: enough for those who are watched more closely.
 constexpr int most_processes = 256;
@@ -57,6 +54,17 @@ int processes_of_ours() {
       ++count;
   }
   return count;
+}
+
+/// bubblewrap makes folders that only root may enter on the way to what is bound.
+Command ways_to(const std::vector<fs::path>& bound) {
+  std::set<fs::path> ways;
+  for (const fs::path& path : bound)
+    for (fs::path way = path.parent_path(); way != way.root_path(); way = way.parent_path()) ways.insert(way);
+  Command made;
+  for (const fs::path& way : ways)  // the shorter ones first
+    if (way != "/tmp" && *++way.begin() != "usr") made = made + Command{"--perms", "0755", "--dir", way};
+  return made;
 }
 
 void give_to(unsigned user, const fs::path& folder) {
@@ -112,20 +120,22 @@ Command Sandbox::around(Command command, const fs::path& folder, const std::vect
     made = made + Command{"--perms", "1777", "--size", most_bytes, "--tmpfs", memory};
   for (const char* link : {"bin", "lib", "lib64"})
     made = made + Command{"--symlink", fmt::format("usr/{}", link), fmt::format("/{}", link)};
-  made =
-      made + Command{"--ro-bind-try", "/etc/alternatives", "/etc/alternatives"};  // where Debian's /usr/bin/c++ leads
+  const fs::path names = "/etc/alternatives";  // where Debian's /usr/bin/c++ leads
+  std::vector<fs::path> bound = readable;
+  bound.insert(bound.end(), {folder, kit().headers, names});
+  made = made + ways_to(bound) + Command{"--ro-bind-try", names, names};
   made = made + Command{"--ro-bind", headers_.path, kit().headers, may_be == Folder::writable ? "--bind" : "--ro-bind",
-                        folder,      folder,        "--chdir",     folder};
+                        folder,      folder};
   for (const fs::path& readable_path : readable) made = made + Command{"--ro-bind", readable_path, readable_path};
   made = made + Command{"--remount-ro", "/proc", "--remount-ro", "/dev", "--remount-ro", "/", "--"};
   int processes = most_processes;
   if (are_root()) {
     const unsigned user = nobody_else();
     give_to(user, folder);
-    made =
-        made + Command{"setpriv", fmt::format("--reuid={}", user), fmt::format("--regid={}", user), "--clear-groups"};
+    made = made + Command{"setpriv", fmt::format("--reuid={}", user), fmt::format("--regid={}", user), "--clear-groups",
+                          "--inh-caps=-all"};
   } else processes += processes_of_ours();
-  return made + Command{"prlimit", fmt::format("--nproc={}", processes)} + command;
+  return made + Command{"env", "-C", folder, "prlimit", fmt::format("--nproc={}", processes)} + command;
 }
 
 }  // namespace pushback
