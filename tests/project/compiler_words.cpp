@@ -67,8 +67,8 @@ TEST_CASE("a file that does not compile: its own line and plain words for what b
            {"  row.aply(0);\n", first, "has nothing called 'aply'"},
            {"  row.apply(row.speed);\n", first, "it needs brackets ()"},
            {"  row.apply(row.impulse());\n", first, "is no function"},
-           {"  row.apply();\n", first, "more values"},
-           {"  row.apply(1, 2);\n", first, "fewer values"},
+           {"  row.apply();\n", first, "too many, too few"},
+           {"  row.apply(1, 2);\n", first, "too many, too few"},
            {"  row.apply(std::max(0, row.impulse));\n", first, "write Real(0)"},
            {"  const Real sum = 0;\n  sum += row.speed();\n", first + 1, "what is const cannot be changed"},
            {"  const Vec3 v = row.speed() + Vec3::Zero();\n  row.apply(v.x());\n", first, "do not go together"},
@@ -103,7 +103,7 @@ TEST_CASE("a file that does not compile: its own line and plain words for what b
   says(replaced(last_line, last_line.substr(0, last_line.size() - 1)), {"", last - 2, "a semicolon is missing"});
   says(replaced(end, ""), {"", 6, "this { is never closed"});
   says(replaced(last_line + "\n\n" + end, "}\n" + last_line.substr(0, last_line.size() - 1)),
-       {"", last - 1, "is missing"});
+       {"", last - 1, "in braces { } that have ended"});
   says(replaced("#include \"pushback/chapters/02_clamping", "int nothing\n#include \"pushback/chapters/02_clamping"),
        {"", 4, "a semicolon or a } is missing"});
   says(replaced("#include \"pushback/chapters/02_clamping",
@@ -113,7 +113,7 @@ TEST_CASE("a file that does not compile: its own line and plain words for what b
   says(replaced("inline void solve", "Real helper(Real x);\n\ninline void solve")
            .replace(replaced("inline void solve", "Real helper(Real x);\n\ninline void solve").find("(void)row;"), 10,
                     "row.apply(helper(1));"),
-       {"", 16, "declared but never defined"});
+       {"", first - 1, "declared but never defined"});
   says(replaced("answer{solve}", "answer{3}"), {"", last - 2, "a value of one kind"});
 }
 
