@@ -19,7 +19,7 @@ namespace {
 
 constexpr int passes = 8;
 constexpr Real clearly = Real(0.02);  // of the largest: what differs by less is not drawn
-constexpr Ink white{255, 255, 255};
+constexpr Ink white{255, 255, 255}, slip_ink{214, 120, 0};
 
 /// Drawn over the bodies, so that none hides it: with a head at the end of its path, m, world axes.
 struct Stroke {
@@ -30,6 +30,7 @@ struct Stroke {
 /// How long arrows are: one scale for both halves.
 struct Scale {
   Real of_velocity = 0, of_spin = 0, of_impulse = 0;  ///< m for 1 m/s, rad for 1 rad/s, m for 1 N s; 0: not drawn
+  Real of_slip = 0;                                   ///< m for 1 m/s
   Real longest = 0, widest = 0, strongest = 0;        ///< m, rad, m: what is longer is cut
   Real least_radius = 0;                              ///< m, of a curved arrow
   bool cut = false;
@@ -74,6 +75,27 @@ Real rubbed(const World& world) {
   return most;
 }
 
+/// How the surfaces move past each other where bodies touch, m/s.
+Vec3 slip_of(const World& world, const Contact& contact) {
+  const auto [a, b] = world.bodies_of(contact);
+  const Vec3 velocity = b.velocity_at(contact.point) - a.velocity_at(contact.point);
+  return velocity - velocity.dot(contact.normal) * contact.normal;
+}
+Real fastest_slip(const World& world) {
+  Real most = 0;
+  for (const Contact& contact : world.contacts) most = std::max(most, slip_of(world, contact).norm());
+  return most;
+}
+/// Where friction acts: of the same contacts.
+bool slip_differs(const World& yours, const World& right) {
+  if (std::max(rubbed(yours), rubbed(right)) < Real(1e-3) || yours.contacts.size() != right.contacts.size())
+    return false;
+  Real most = 0;
+  for (std::size_t i = 0; i < right.contacts.size(); ++i)
+    most = std::max(most, (slip_of(yours, yours.contacts[i]) - slip_of(right, right.contacts[i])).norm());
+  return most > std::max(clearly * std::max(fastest_slip(yours), fastest_slip(right)), Real(1e-3));
+}
+
 /// So much for each unit that the larger is drawn as `full`; yet what is right is to remain visible beside what is far off.
 Real scale_of(Real yours, Real right, Real full, bool& cut) {
   constexpr Real most_times = 6;
@@ -91,6 +113,8 @@ Scale scale_for(const World& yours, const World& right, const Apart& apart, Real
   scale.strongest = Real(0.5) * size;
   scale.least_radius = high / 12;
   if (apart.speed > clearly) scale.of_velocity = scale_of(fastest(yours), fastest(right), scale.longest, scale.cut);
+  if (slip_differs(yours, right))
+    scale.of_slip = scale_of(fastest_slip(yours), fastest_slip(right), scale.longest, scale.cut);
   if (apart.spin > clearly) scale.of_spin = scale_of(fastest_spin(yours), fastest_spin(right), scale.widest, scale.cut);
   if (apart.impulse > clearly && std::max(strongest(yours), strongest(right)) > 0)
     scale.of_impulse = scale_of(strongest(yours), strongest(right), scale.strongest, scale.cut);
@@ -130,6 +154,8 @@ std::vector<Stroke> strokes_of(const World& world, const Scale& scale, const Vec
                  normal_arrow_ink());
     add_straight(strokes, contact.point, friction, scale.of_impulse, scale.strongest, friction_arrow_ink());
   }
+  for (const Contact& contact : world.contacts)
+    add_straight(strokes, contact.point, slip_of(world, contact), scale.of_slip, scale.longest, slip_ink);
   for (const Body& body : world.bodies) {
     if (!body.movable()) continue;
     add_straight(strokes, body.position, body.velocity, scale.of_velocity, scale.longest, near_black_ink());
@@ -389,6 +415,7 @@ BodiesPicture picture_of_bodies(const World& yours, const World& right, int widt
   arrow(scale.of_impulse > 0, normal_arrow_ink(), "impulse", std::max(strongest(yours), strongest(right)), "N s");
   arrow(scale.of_impulse > 0 && std::max(rubbed(yours), rubbed(right)) > Real(1e-3), friction_arrow_ink(), "friction",
         std::max(rubbed(yours), rubbed(right)), "N s");
+  arrow(scale.of_slip > 0, slip_ink, "slip", std::max(fastest_slip(yours), fastest_slip(right)), "m/s");
   if (times > 1) made.note = fmt::format("Yours deviates so little that it is drawn {:.0f} times as far off. ", times);
   if (times_faster > 1)
     made.note =

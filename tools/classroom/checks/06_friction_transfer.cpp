@@ -44,6 +44,8 @@ struct Ball {
     Solver<Clamping, Rubbing> solver;
     static_cast<Rubbing&>(solver) = {{}, answer, surfaces};
     solver.solve(world, Real(1) / 60, sweeps);
+    // Only to be seen: what slips does so against the belt.
+    world.bodies[floor_first ? 0 : 1].velocity = floor_first ? surfaces.belt_a : surfaces.belt_b;
     show(world, quantities);
     return world.body(ball);
   }

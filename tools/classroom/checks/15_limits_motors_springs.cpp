@@ -1,3 +1,4 @@
+#include "pushback/chapters/13_joints/distance.h"
 #include "pushback/chapters/15_limits_motors_springs/exercise/asked.h"
 #include "pushback/chapters/15_limits_motors_springs/limits.h"
 #include "pushback/common/exercise/shown.h"
