@@ -86,10 +86,9 @@ Problem problem_of(const Ended& ended, const std::string& where, const Limits& l
                    const std::string& last_printed) {
   const auto by_signal = [&](int signal) { return ended.signal == signal || ended.status == 128 + signal; };
   if (ended.status == 124 || by_signal(SIGXCPU) || by_signal(SIGKILL))
-    return {"time",
-            fmt::format("{}, your program had no answer after {} s of processor time, or {} s by the clock. Look for "
-                        "a loop that never ends.",
-                        where, limits.seconds, Limits::patience * limits.seconds)};
+    return {"time", fmt::format("{}, your program had no answer after {} s of processor time, or {} s by the clock. "
+                                "Look for a loop that never ends.",
+                                where, limits.seconds, Limits::patience * limits.seconds)};
   if (by_signal(SIGABRT))
     return {"crash",
             fmt::format("{}, your program stopped itself{}.", where, last_printed.empty() ? "" : ": " + last_printed)};
@@ -99,16 +98,13 @@ Problem problem_of(const Ended& ended, const std::string& where, const Limits& l
   for (const int signal : {SIGALRM, SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2})
     if (by_signal(signal)) return {"crash", fmt::format("{}, your program was ended by the signal {}.", where, signal)};
   if (ended.status < 0 || ended.status > 128)
-    return {
-        "crash",
-        where +
-            ", your program used memory that is not its own, and was stopped. Look for an index that is past the end "
-            "of a list, a pointer to nothing, or a function that calls itself without an end."};
-  return {"exit",
-          fmt::format(
-              "{}, your program ended by itself, with the status {}, before it had answered. A solution gives numbers "
-              "back; it does not end the program.",
-              where, ended.status)};
+    return {"crash",
+            where +
+                ", your program used memory that is not its own, and was stopped. Look for an index that is past the "
+                "end of a list, a pointer to nothing, or a function that calls itself without an end."};
+  return {"exit", fmt::format("{}, your program ended by itself, with the status {}, before it had answered. A "
+                              "solution gives numbers back; it does not end the program.",
+                              where, ended.status)};
 }
 
 /// Why there is no program.

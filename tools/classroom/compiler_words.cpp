@@ -86,8 +86,7 @@ std::string undefined(const std::string& message, const std::vector<std::string>
   std::smatch found;
   const std::size_t line = std::regex_match(name, found, of_function) ? line_with(code, found[1]) : 0;
   return at(line) +
-         "something is declared but never defined: its { body } is missing, or the value of a variable. (The "
-         "linker: " +
+         "something is declared but never defined: its { body } is missing, or the value of a variable. (The linker: " +
          name + ".)";
 }
 
@@ -111,8 +110,8 @@ std::string first_error(const std::string& messages, const std::filesystem::path
   }
 
   static const std::regex of_syntax(
-      "expected.*|unterminated.*|missing terminating.*|.*end of input.*|stray.*|invalid use of '::'.*|"
-      "extraneous.*|.*not allowed here.*|.*unqualified-id.*|.*conditional.*");
+      "expected.*|unterminated.*|missing terminating.*|.*end of input.*|stray.*|invalid use of "
+      "'::'.*|extraneous.*|.*not allowed here.*|.*unqualified-id.*|.*conditional.*");
   const std::string by_the_compiler = fmt::format(" (The compiler: {}.)", error->said);
   const std::optional<Unclosed> hole = unclosed(text);
   if (hole && (!error->in_students_file || hole->line <= error->line || std::regex_match(error->said, of_syntax)))

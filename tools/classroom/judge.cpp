@@ -163,8 +163,8 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outco
   if (std::isnan(is) && !verdict.changes_nothing) {
     verdict.mistake = "not a number";
     verdict.sentence = fmt::format(
-        "{} NaN, which is not a number, where {} is right: look for 0/0, the root of a negative number, "
-        "or a variable that nothing was written into.",
+        "{} NaN, which is not a number, where {} is right: look for 0/0, the root of a negative number, or a variable "
+        "that nothing was written into.",
         quantity.words, should_be);
     return verdict;
   }

@@ -211,15 +211,13 @@ std::vector<Mistake<Answer>> mistakes() {
       "those of the world: inverse_inertia is turned already, principal_inverse_inertia is not.";
   const std::string turned_round =
       "it looks as if n, or the sign of v_n, were turned round. n leads from A to B, and v_n = n · (v of B - v of A) "
-      "is "
-      "negative where the two approach. Only then is there an impulse, and f is positive.";
+      "is negative where the two approach. Only then is there an impulse, and f is positive.";
   const std::string one_turns =
       "it looks as if K had the turn of one body alone. The impulse turns both, and each makes the point give way more "
       "easily: (r × n) · I⁻¹ (r × n) of A and of B.";
   const std::string one_in_K =
       "it looks as if K knew one of the bodies alone. The impulse moves both of them: K is the sum of 1/m and (r × n) "
-      "· "
-      "I⁻¹ (r × n) of A and of B.";
+      "· I⁻¹ (r × n) of A and of B.";
   const std::string one_in_v =
       "it looks as if v_n were the speed of one of the points. Both may move: v_n is that of B's point minus that of "
       "A's, along n.";
@@ -296,8 +294,7 @@ std::vector<Mistake<Answer>> mistakes() {
        with_every_impulse([](const Terms& t) { return t.centres < 0 ? -(1 + t.e) * t.v_n() / t.K() : 0; })},
       {"pushed apart once more",
        "it looks as if bodies that separate by themselves were pushed on, as by |v_n|. Where v_n is not negative there "
-       "is "
-       "no impulse.",
+       "is no impulse.",
        with_every_impulse([](const Terms& t) { return (1 + t.e) * std::abs(t.v_n()) / t.K(); })},
       {"e left out",
        "it looks as if e were left out. 1/K stops the two; (1+e)/K makes them separate again, e times as fast as they "
@@ -393,15 +390,14 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
-      "the impulse of a pair",
-      {"A point that is r from a body's centre of mass moves with v + ω × r. v_n is how fast the point of B moves away "
-       "from that of A, along n.",
-       "K says by how much v_n grows for each newton second: 1/m for each body, and (r × n) · I⁻¹ (r × n) for its "
-       "turn.",
-       "f = -(1+e) v_n / K where v_n is negative, and none where it is not. Then v_B += f n / m_B, "
-       "ω_B += I_B⁻¹ (r_B × f n), and the same on A with -f."},
-      checks(), {right}, mistakes());
+  return exercise_of<Answer>("the impulse of a pair",
+                             {"A point that is r from a body's centre of mass moves with v + ω × r. v_n is how fast "
+                              "the point of B moves away from that of A, along n.",
+                              "K says by how much v_n grows for each newton second: 1/m for each body, and (r × n) · "
+                              "I⁻¹ (r × n) for its turn.",
+                              "f = -(1+e) v_n / K where v_n is negative, and none where it is not. Then v_B += f n / "
+                              "m_B, ω_B += I_B⁻¹ (r_B × f n), and the same on A with -f."},
+                             checks(), {right}, mistakes());
 }
 
 }  // namespace pushback::exercise_00

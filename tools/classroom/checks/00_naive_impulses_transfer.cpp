@@ -215,8 +215,7 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"sign of d dᵀ",
        "it looks as if d dᵀ were added. Along d the centre of mass has no arm, so this part is taken off: m (|d|² 1 - "
-       "d "
-       "dᵀ).",
+       "d dᵀ).",
        changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
          t.inertia += 2 / bat.inverse_mass * t.d * t.d.transpose();
        })},
@@ -277,26 +276,22 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"a free bat",
        "it looks as if the bat were hit as a free body. Something holds its pivot, and gives an impulse as well. The "
-       "bat "
-       "can only turn about the pivot.",
+       "bat can only turn about the pivot.",
        {[](Body& bat, const Vec3&, Body& ball, const Contact& c) { of_free_bodies(bat, ball, c); }}},
       {"a free bat, put back on its pivot",
        "it looks as if the bat were hit as a free body, and its centre of mass put right afterwards. The impulse at "
-       "the "
-       "pivot acts during the impact, and changes the turn as well.",
+       "the pivot acts during the impact, and changes the turn as well.",
        {[](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
          of_free_bodies(bat, ball, c);
          bat.velocity = bat.angular_velocity.cross(bat.position - pivot);
        }}},
       {"the centre of mass moved by f n / m",
        "it looks as if the bat's centre of mass moved by f n / m, as that of a free body. The impulse at the pivot "
-       "moves "
-       "it, too; it follows the turn, v = ω × d.",
+       "moves it, too; it follows the turn, v = ω × d.",
        with_velocity([](const Body& bat, const Vec3& impulse) { return Vec3(-bat.inverse_mass * impulse); })},
       {"the centre of mass left behind",
        "it looks as if the bat's centre of mass kept its velocity while the bat began to turn. It is a point of the "
-       "bat "
-       "and follows the turn, v = ω × d.",
+       "bat and follows the turn, v = ω × d.",
        with_velocity([](const Body&, const Vec3&) { return Vec3(Vec3::Zero()); })},
       {"the bat's mass in K",
        "it looks as if K had the bat's 1/m in it, too. The bat cannot give way as a whole, its pivot is held. It only "
@@ -314,8 +309,7 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"the arm from the centre of mass",
        "it looks as if the arm r led from the centre of mass. The bat turns about the pivot, so its moments are about "
-       "the "
-       "pivot.",
+       "the pivot.",
        changed([](Terms& t, const Body&, const Body&, const Contact&) { t.arm = t.r - t.d; })},
       {"inertia in body axes",
        "it looks as if the inertia were that of body axes. The bat lies askew: inverse_inertia is turned already, "
@@ -369,11 +363,9 @@ Exercise exercise() {
       {"The bat has no motion but its turn about the pivot. Its point r from the pivot moves with ω × r, and a newton "
        "second there changes ω by I_P⁻¹ (r × n), with the inertia I_P about the pivot.",
        "Steiner's theorem: I_P = I + m (|d|² 1 - d dᵀ), where I = bat.inverse_inertia.inverse() and d leads from the "
-       "pivot "
-       "to the centre of mass.",
+       "pivot to the centre of mass.",
        "So K has 1/m of the ball alone, and (r × n) · I_P⁻¹ (r × n) of the bat, with r from the pivot. The ball does "
-       "not "
-       "begin to spin: n leads to its centre. Last, bat.velocity = ω × d."},
+       "not begin to spin: n leads to its centre. Last, bat.velocity = ω × d."},
       checks(), {right}, mistakes());
 }
 

@@ -339,8 +339,8 @@ std::vector<Mistake<Answer>> mistakes() {
          }
        }}},
       {"velocities of before the step",
-       "it looks as if JV were computed once, before the first sweep. Then every sweep pushes against the same "
-       "fall again. JV is computed anew before each impulse.",
+       "it looks as if JV were computed once, before the first sweep. Then every sweep pushes against the same fall "
+       "again. JV is computed anew before each impulse.",
        {[](World& world, int sweeps) {
          std::vector<Real> speeds;
          for (const Contact& contact : world.contacts) speeds.push_back(separating_speed(world, contact));
@@ -352,8 +352,8 @@ std::vector<Mistake<Answer>> mistakes() {
          }
        }}},
       {"one sweep",
-       "it looks as if the rows were solved once. Each row disturbs those before it, less in each sweep: go over "
-       "all rows `sweeps` times.",
+       "it looks as if the rows were solved once. Each row disturbs those before it, less in each sweep: go over all "
+       "rows `sweeps` times.",
        {[](World& world, int) { right(world, 1); }}},
   };
 }
@@ -367,8 +367,8 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 Exercise exercise() {
   return exercise_of<Answer>(
       "a row, its J and K, and how an impulse is applied",
-      {"J V is the speed at which the point of B moves away from that of A: n · (v_B - v_A) + (r_B × n) · ω_B - "
-       "(r_A × n) · ω_A, with r from each centre of mass to the point.",
+      {"J V is the speed at which the point of B moves away from that of A: n · (v_B - v_A) + (r_B × n) · ω_B - (r_A × "
+       "n) · ω_A, with r from each centre of mass to the point.",
        "K is the change of J V by an impulse of 1 N s: 1/m_A + 1/m_B + (r_A × n) · I_A⁻¹ (r_A × n) + (r_B × n) · I_B⁻¹ "
        "(r_B × n). Then λ = -J V / K.",
        "v_B += λ n / m_B, ω_B += I_B⁻¹ (r_B × n) λ; on A the same with a minus. Do it at once, before the next row."},

@@ -171,8 +171,7 @@ void nothing(RailRow&) {}
 std::vector<Mistake<Answer>> mistakes() {
   const std::string few =
       "it looks as if one direction across the rail were still free. Two directions are at right angles to a rail; "
-      "each "
-      "needs a row.";
+      "each needs a row.";
   const std::string order =
       "it looks as if the torque were n × r, or the speed of the ring r × ω. It is r × n and ω × r, with r from the "
       "centre of mass to the ring.";
@@ -181,12 +180,10 @@ std::vector<Mistake<Answer>> mistakes() {
       "principal_inverse_inertia is not.";
   const std::string moment =
       "it looks as if what holds the ring turned nothing. It acts at the ring, so it has no moment about the ring, but "
-      "it "
-      "has one about the centre of mass.";
+      "it has one about the centre of mass.";
   const std::string along =
       "it looks as if the rail took the body along with it. There is no friction: only the part of u across the rail "
-      "is "
-      "felt.";
+      "is felt.";
   return {
       {"r from the origin",
        "it looks as if r led from the origin of the world to the ring. An arm begins at the centre of mass.",
@@ -236,8 +233,8 @@ std::vector<Mistake<Answer>> mistakes() {
          body.velocity -= velocity - rail.dot(velocity) * rail;
        }}},
       {"the centre on the rail",
-       "it looks as if JV had no ω in it. The rail holds the ring, not the centre of mass: its speed is that of "
-       "v + ω × r.",
+       "it looks as if JV had no ω in it. The rail holds the ring, not the centre of mass: its speed is that of v + ω "
+       "× r.",
        changed([](RailRow& row) { row.speed = row.n.dot(row.body.velocity); })},
       {"no turn", moment, changed([](RailRow& row) {
          row.dw.setZero();
@@ -246,8 +243,7 @@ std::vector<Mistake<Answer>> mistakes() {
       {"no turn", moment, changed([](RailRow& row) { row.dw.setZero(); })},
       {"K of the mass alone",
        "it looks as if K had only the mass in it. The ring also gives way because the bar turns: (r × n) · I⁻¹ (r × "
-       "n). "
-       "Without it each impulse is too large, and the next has more to undo.",
+       "n). Without it each impulse is too large, and the next has more to undo.",
        changed([](RailRow& row) { row.K = row.body.inverse_mass; })},
       {"n × r for r × n", order, changed([](RailRow& row) {
          row.r_n = -row.r_n;
@@ -258,8 +254,8 @@ std::vector<Mistake<Answer>> mistakes() {
          row.speed = row.n.dot(row.body.velocity) - row.r_n.dot(row.body.angular_velocity);
        })},
       {"velocities of before the first sweep",
-       "it looks as if JV were computed once, before the first sweep. Then every sweep pushes against the same "
-       "speed again. JV is computed anew before each impulse.",
+       "it looks as if JV were computed once, before the first sweep. Then every sweep pushes against the same speed "
+       "again. JV is computed anew before each impulse.",
        {[](Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
          std::vector<RailRow> rows;
          for (const Vec3& n : directions_of(rail, Directions::across))
@@ -269,8 +265,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"one sweep",
        "it looks as if the rows were solved once. Where the ring is not at the centre of mass, the second row moves "
-       "the "
-       "ring along the first: solve them in turn, over and over.",
+       "the ring along the first: solve them in turn, over and over.",
        changed(nothing, Directions::across, 1)},
       {"inertia not turned", axes,
        changed([](RailRow& row) { row.dw = Mat3(row.body.principal_inverse_inertia.asDiagonal()) * row.r_n; })},
@@ -296,11 +291,10 @@ Exercise exercise() {
   return exercise_of<Answer>(
       "a body on a rail",
       {"Two rows: one for each direction n at right angles to the rail, which are the two of tangents_of(rail). J V is "
-       "the "
-       "speed of the ring along n, n · v + (r × n) · ω.",
+       "the speed of the ring along n, n · v + (r × n) · ω.",
        "K = 1/m + (r × n) · I⁻¹ (r × n), with r from the centre of mass to the ring. Nothing of the rail is in it.",
-       "The ring is to have the rail's speed along n, n · u. The row makes J V = -b, so b = -n · u. "
-       "Compute J V anew before each impulse."},
+       "The ring is to have the rail's speed along n, n · u. The row makes J V = -b, so b = -n · u. Compute J V anew "
+       "before each impulse."},
       checks(), changed(nothing), mistakes());
 }
 

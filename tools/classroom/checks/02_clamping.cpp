@@ -119,13 +119,11 @@ void right(Row& row) {
 std::vector<Mistake<Answer>> mistakes() {
   const std::string cut_off =
       "it looks as if a b of one sign did not count. A negative b asks for a separating speed, and a positive b lets "
-      "the "
-      "bodies come nearer at up to that speed: the row solves J V + b = 0 for both.";
+      "the bodies come nearer at up to that speed: the row solves J V + b = 0 for both.";
   return {
       {"each correction clamped",
        "it looks as if each correction were clamped, not their sum. A correction that is negative takes back a push "
-       "that was "
-       "too large; without it nothing ever does.",
+       "that was too large; without it nothing ever does.",
        {[](Row& row) {
          const Real lambda = std::max(Real(0), -row.effective_mass * (row.speed() + row.bias));
          row.impulse += lambda;
@@ -140,8 +138,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"stored unclamped",
        "it looks as if the row kept the sum from before it was clamped. The next sweep then takes a pull for granted "
-       "that "
-       "no body has felt.",
+       "that no body has felt.",
        {[](Row& row) {
          const Real sum = wanted(row);
          row.apply(std::max(Real(0), sum) - row.impulse);
@@ -164,8 +161,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"the old sum clamped",
        "it looks as if the old sum were clamped, and the correction added after that. What is then kept and applied "
-       "may be "
-       "negative, a pull: clamp the new sum, max(0, Σλ + λ).",
+       "may be negative, a pull: clamp the new sum, max(0, Σλ + λ).",
        {[](Row& row) {
          const Real sum = std::max(Real(0), row.impulse) + wanted(row) - row.impulse;
          row.apply(sum - row.impulse);
@@ -173,8 +169,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"an upper limit for the lower one",
        "it looks as if the sum were kept below 0, by min. A contact pushes and never pulls: 0 is the least that the "
-       "sum "
-       "may be.",
+       "sum may be.",
        {[](Row& row) {
          const Real sum = std::min(Real(0), wanted(row));
          row.apply(sum - row.impulse);
@@ -182,8 +177,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"the correction applied as it was",
        "it looks as if only the kept sum were clamped, and the bodies got the whole correction. They get what the "
-       "clamped "
-       "sum differs from the old one.",
+       "clamped sum differs from the old one.",
        {[](Row& row) {
          const Real sum = wanted(row);
          row.apply(sum - row.impulse);
@@ -205,8 +199,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"K for 1/K",
        "it looks as if J V + b were divided by row.effective_mass, or not multiplied by it. The effective mass is 1/K, "
-       "in "
-       "kg: times a speed it is an impulse.",
+       "in kg: times a speed it is an impulse.",
        {[](Row& row) {
          const Real sum = std::max(Real(0), row.impulse - (row.speed() + row.bias) / row.effective_mass);
          row.apply(sum - row.impulse);
@@ -214,8 +207,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"K for 1/K",
        "it looks as if J V + b were divided by row.effective_mass, or not multiplied by it. The effective mass is 1/K, "
-       "in "
-       "kg: times a speed it is an impulse.",
+       "in kg: times a speed it is an impulse.",
        {[](Row& row) {
          const Real sum = std::max(Real(0), row.impulse - (row.speed() + row.bias));
          row.apply(sum - row.impulse);
@@ -263,8 +255,8 @@ Exercise exercise() {
       "accumulate, clamp, apply the difference",
       {"If no other row existed, the row would want the sum Σλ - (J V + b) / K. Compute that first.",
        "A contact pushes and never pulls, over the whole step: the sum is at least 0.",
-       "The bodies have already had row.impulse. What they get now is the new sum minus the old one: "
-       "row.apply(new - old). Then row.impulse becomes the new sum."},
+       "The bodies have already had row.impulse. What they get now is the new sum minus the old one: row.apply(new - "
+       "old). Then row.impulse becomes the new sum."},
       checks(), {right}, mistakes());
 }
 

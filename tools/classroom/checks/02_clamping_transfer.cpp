@@ -187,8 +187,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"the old sum limited",
        "it looks as if the old sum were limited, and the correction added after that. Then the sum itself may pull by "
-       "any "
-       "amount: limit the new sum, max(-F h / n, Σλ + λ).",
+       "any amount: limit the new sum, max(-F h / n, Σλ + λ).",
        {[](Rows& rows, Real force, Real h) {
          for (Row& row : rows) reach(row, std::max(-pull(rows, force, h), row.impulse) + wanted(row) - row.impulse);
        }}},
@@ -244,8 +243,7 @@ std::vector<Mistake<Answer>> mistakes() {
          }
        }}},
       {"stored unlimited",
-       "it looks as if the row kept the sum from before it was limited. The next sweep then takes a pull for "
-       "granted "
+       "it looks as if the row kept the sum from before it was limited. The next sweep then takes a pull for granted "
        "that no body has felt.",
        {[](Rows& rows, Real force, Real h) {
          for (Row& row : rows) {
@@ -256,8 +254,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"nothing kept",
        "it looks as if the sum began anew in each sweep: row.impulse is never written, or set back to 0. Without the "
-       "sum "
-       "nobody knows how much has been pulled already.",
+       "sum nobody knows how much has been pulled already.",
        {[](Rows& rows, Real force, Real h) {
          for (Row& row : rows) row.apply(std::max(-pull(rows, force, h), wanted(row)) - row.impulse);
        }}},
@@ -277,14 +274,13 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
-      "a magnet that holds up to F",
-      {"Chapter 02 keeps the sum of each row in [0, ∞). Only one end of that interval changes.",
-       "An impulse is compared with impulses. Which impulse can the magnet give in h seconds, and which part of it one "
-       "of its points?",
-       "The sum is at least -F h / n for a magnet of n points. Clamp it, apply what it differs from the old one, keep "
-       "it."},
-      checks(), {right}, mistakes());
+  return exercise_of<Answer>("a magnet that holds up to F",
+                             {"Chapter 02 keeps the sum of each row in [0, ∞). Only one end of that interval changes.",
+                              "An impulse is compared with impulses. Which impulse can the magnet give in h seconds, "
+                              "and which part of it one of its points?",
+                              "The sum is at least -F h / n for a magnet of n points. Clamp it, apply what it differs "
+                              "from the old one, keep it."},
+                             checks(), {right}, mistakes());
 }
 
 }  // namespace pushback::exercise_02_transfer

@@ -188,8 +188,8 @@ std::vector<Mistake<Answer>> mistakes() {
   const std::string apart =
       "it looks as if points that are still apart were pushed, too. Where C > 0 there is no overlap to undo.";
   const std::string least =
-      "it looks as if b were simply overwritten. Another effect may want more speed, and points that are "
-      "still apart want none: keep the lesser b, by min.";
+      "it looks as if b were simply overwritten. Another effect may want more speed, and points that are still apart "
+      "want none: keep the lesser b, by min.";
   const std::string some =
       "it looks as if some contacts were left out. Every row has a b of its own, up to step.contacts.size().";
   const std::string another =
@@ -197,8 +197,7 @@ std::vector<Mistake<Answer>> mistakes() {
   return {
       {"β/h²",
        "it looks as if β d were divided by h twice. A distance divided by a time is a speed: β d / h; divided once "
-       "more "
-       "it would be an acceleration.",
+       "more it would be an acceleration.",
        mistaken([](Real b, Real c, Real h) { return std::min(b, beta / (h * h) * c); })},
       {"the h of the first step",
        "it looks as if h were that of the first step. Steps may be of different lengths: step.dt is the length of this "
@@ -206,8 +205,7 @@ std::vector<Mistake<Answer>> mistakes() {
        {KeepsH{}}},
       {"the depth of the first step",
        "it looks as if the depth were that of the first step. Each step begins with the depth that is left: β of that "
-       "is "
-       "to go, less each time.",
+       "is to go, less each time.",
        {KeepsDepth{}}},
       {"another row's depth", another, {FirstDepthForAll{}}},
       {"another row's depth", another, {DeepestForAll{}}},
@@ -217,8 +215,7 @@ std::vector<Mistake<Answer>> mistakes() {
       {"contacts left out", some, {Some{{}, 0, 1}}},
       {"no b for points that are apart",
        "it looks as if b became 0 where the points are apart. Another effect may have asked for a speed there: leave "
-       "its b "
-       "as it is.",
+       "its b as it is.",
        mistaken([](Real b, Real c, Real h) { return c < 0 ? std::min(b, beta / h * c) : 0; })},
       {"1/h forgotten", per_step, mistaken([](Real b, Real c, Real) { return std::min(b, beta * c); })},
       {"1/h forgotten", per_step, mistaken([](Real, Real c, Real) { return beta * c; })},
@@ -257,8 +254,8 @@ Exercise exercise() {
       "the push-out",
       {"The row solves J V + b = 0: b is minus the separating speed that you want.",
        "After one step of h seconds the part β of the depth d = -C should be gone. Which speed covers β d in h?",
-       "b = β/h C, with C = row.separation: negative, so it asks for a positive speed. Keep the lesser of "
-       "this and the b that is there already: std::min."},
+       "b = β/h C, with C = row.separation: negative, so it asks for a positive speed. Keep the lesser of this and the "
+       "b that is there already: std::min."},
       checks(), {Baumgarte{{}, beta}}, mistakes(), {{3, {"depth of your box", "mm", "step"}}});
 }
 

@@ -126,8 +126,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"β/h²",
        "it looks as if β d were divided by h twice, so that nearly all is at the cap. A distance divided by a time is "
-       "a "
-       "speed: β d / h.",
+       "a speed: β d / h.",
        {[](Row& row, Real beta, Real cap, Real h) {
          row.bias = std::min(row.bias, std::max(-cap, beta / (h * h) * row.separation));
        }}},
@@ -148,8 +147,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"sign of the push-out",
        "it looks as if the push-out had the wrong sign. C is negative where bodies overlap, and so is b = β/h C: minus "
-       "the "
-       "wanted speed.",
+       "the wanted speed.",
        {[](Row& row, Real beta, Real cap, Real h) {
          row.bias = std::min(row.bias, std::max(-cap, -beta / h * row.separation));
        }}},
@@ -166,15 +164,13 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"no b for points that are apart",
        "it looks as if b became 0 where the points are apart. A bounce may have asked for a speed there: leave its b "
-       "as it "
-       "is.",
+       "as it is.",
        {[](Row& row, Real beta, Real cap, Real h) {
          row.bias = row.separation < 0 ? std::min(row.bias, std::max(-cap, beta / h * row.separation)) : 0;
        }}},
       {"a push-out only where nothing else is asked",
        "it looks as if the push-out counted only where no other effect asks for a speed. Of two wishes, the one for "
-       "more "
-       "speed stays: the lesser b, by min.",
+       "more speed stays: the lesser b, by min.",
        {[](Row& row, Real beta, Real cap, Real h) {
          if (row.bias == 0) row.bias = std::min(row.bias, std::max(-cap, beta / h * row.separation));
        }}},

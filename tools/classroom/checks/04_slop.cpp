@@ -125,13 +125,11 @@ struct OneForAll : Effect {
 std::vector<Mistake<Answer>> mistakes() {
   const std::string nothing =
       "it looks as if nothing were left to push out. C is negative where bodies overlap, and what is pushed out is "
-      "what "
-      "is negative: of 0 and C + slop, the lesser.";
+      "what is negative: of 0 and C + slop, the lesser.";
   return {
       {"dead zone",
        "it looks as if the slop were a dead zone: all of C where it is deeper, nothing where it is not. Then what is "
-       "pressed past "
-       "the slop is kicked back at β slop / h. What counts is how much deeper it is, C + slop.",
+       "pressed past the slop is kicked back at β slop / h. What counts is how much deeper it is, C + slop.",
        mistaken([](Real c) { return c > -slop ? 0 : c; })},
       {"sign",
        "it looks as if the slop had the wrong sign. C is negative where bodies overlap, so C + slop is the lesser "
@@ -167,8 +165,7 @@ std::vector<Mistake<Answer>> mistakes() {
        {OfTheFirstStep{}}},
       {"one C for all",
        "it looks as if all contacts had the C of the first. Each ball has a depth of its own: row.separation of its "
-       "own "
-       "row.",
+       "own row.",
        {OneForAll{}}},
       {"at least the slop",
        "it looks as if every overlap counted as the slop, at least or at most. What counts is how much deeper it is "

@@ -104,12 +104,10 @@ void right(Row& row, Real beta, Real slop, Real h) {
 std::vector<Mistake<Answer>> mistakes() {
   const std::string hovers =
       "it looks as if b were 0 while the bodies are apart. J V + b >= 0 with b = 0 forbids every approach: the body "
-      "stops "
-      "in mid-air. A positive b lets it come nearer.";
+      "stops in mid-air. A positive b lets it come nearer.";
   const std::string slop_on_gap =
       "it looks as if the slop were added to the gap. The body then passes the surface and stops as deep as the slop: "
-      "of "
-      "bodies that are apart, nothing is to be left.";
+      "of bodies that are apart, nothing is to be left.";
   return {
       {"stops in mid-air", hovers, {[](Row& row, Real beta, Real slop, Real h) {
          row.bias = of_chapter_04(row.separation, beta, slop, h);
@@ -129,8 +127,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"a push on points that are apart",
        "it looks as if points that are apart were pushed farther apart. b is minus the separating speed: with b > 0 "
-       "the "
-       "bodies may approach with b.",
+       "the bodies may approach with b.",
        {[](Row& row, Real beta, Real slop, Real h) {
          const Real c = row.separation;
          row.bias = c > 0 ? -c / h : of_chapter_04(c, beta, slop, h);
@@ -152,21 +149,18 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"min left out",
        "it looks as if it were β/h (C + slop) everywhere. Where C + slop is positive, this lets a body sink as deep as "
-       "the "
-       "slop, and slows it down where it is apart.",
+       "the slop, and slows it down where it is apart.",
        {[](Row& row, Real beta, Real slop, Real h) { row.bias = beta / h * (row.separation + slop); }}},
       {"the whole overlap at once",
        "it looks as if β were forgotten. A gap may be closed within one step; an overlap is to go by the part β a "
-       "step, or "
-       "it throws the body out.",
+       "step, or it throws the body out.",
        {[](Row& row, Real, Real slop, Real h) {
          const Real c = row.separation;
          row.bias = c > 0 ? c / h : std::min(Real(0), c + slop) / h;
        }}},
       {"no slop",
        "it looks as if there were no slop. The margin keeps points that are apart; an overlap up to the slop still is "
-       "to "
-       "be left alone.",
+       "to be left alone.",
        {[](Row& row, Real beta, Real, Real h) {
          const Real c = row.separation;
          row.bias = c > 0 ? c / h : beta / h * c;
@@ -201,16 +195,14 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"shallow ones pushed out",
        "it looks as if an overlap less than the slop were closed as a gap is, within one step. C is negative there: C "
-       "/ h "
-       "throws the body out. Up to the slop, an overlap is left alone.",
+       "/ h throws the body out. Up to the slop, an overlap is left alone.",
        {[](Row& row, Real beta, Real slop, Real h) {
          const Real c = row.separation;
          row.bias = c > -slop ? c / h : beta / h * (c + slop);
        }}},
       {"it pulls",
        "it looks as if the row pulled. A body that leaves, or is too slow to reach the surface, feels nothing: a "
-       "contact "
-       "only pushes, and its sum is not below 0.",
+       "contact only pushes, and its sum is not below 0.",
        {[](Row& row, Real beta, Real slop, Real h) {
          right(row, beta, slop, h);
          row.lo = -std::numeric_limits<Real>::infinity();
@@ -231,11 +223,9 @@ Exercise exercise() {
   return exercise_of<Answer>(
       "a margin that keeps points which are still apart",
       {"J V >= -b: with b = 0 the bodies may not come nearer at all. Which b allows an approach, a positive or a "
-       "negative "
-       "one?",
+       "negative one?",
        "A body that is C above the ground and comes with the speed v is at C - h v after the step. Which v brings it "
-       "to "
-       "0?",
+       "to 0?",
        "That is two cases. The first has neither β nor the slop in it, the second is the bias of chapter 04."},
       checks(), {right}, mistakes());
 }

@@ -279,8 +279,7 @@ std::vector<Mistake<Answer>> mistakes() {
        {Ending{{}, [](std::size_t, Real v) { return v >= -threshold; }}}},
       {"the push-out taken away",
        "it looks as if b became 0 where nothing bounces. What is too slow to bounce still has to be pushed out: there, "
-       "b "
-       "stays as it is.",
+       "b stays as it is.",
        mistaken([](Real b, Real e, Real v) { return v < -threshold ? std::min(b, e * v) : 0; })},
       {"threshold with gravity",
        "it looks as if the threshold were compared with a speed that has this step's gravity in it. A body that creeps "
@@ -318,8 +317,8 @@ std::vector<Mistake<Answer>> mistakes() {
              .dot(at.normal);
        })},
       {"the arm from the origin",
-       "it looks as if r led from the origin of the world to the contact. A body turns about its own centre: "
-       "r = point - position.",
+       "it looks as if r led from the origin of the world to the contact. A body turns about its own centre: r = point "
+       "- position.",
        mistaken([](const StepContext& step, const Row&, const Contact& at) {
          const auto [a, b] = step.world.bodies_of(at);
          return (b.velocity_before + b.angular_velocity_before.cross(at.point) - a.velocity_before -
@@ -335,8 +334,8 @@ std::vector<Mistake<Answer>> mistakes() {
        "pushes it on.",
        mistaken([](Real b, Real e, Real v) { return std::abs(v) > threshold ? std::min(b, -e * std::abs(v)) : b; })},
       {"A and B swapped",
-       "it looks as if A and B were swapped in v_n. The normal points from A to B, so bodies approach where "
-       "(v_B - v_A) . n is negative. With the other sign a ball that lands is not seen, and one that leaves bounces.",
+       "it looks as if A and B were swapped in v_n. The normal points from A to B, so bodies approach where (v_B - "
+       "v_A) . n is negative. With the other sign a ball that lands is not seen, and one that leaves bounces.",
        mistaken(
            [](const StepContext& step, const Row&, const Contact& at) { return -approach_speed(step.world, at); })},
       {"threshold on the departure",
@@ -377,8 +376,7 @@ Exercise exercise() {
   return exercise_of<Answer>(
       "the bias of a bounce",
       {"A point at r from the centre of its body moves with v + ω × r: angular_velocity_before.cross(r) in code. v_n "
-       "is "
-       "how fast B's point moves along the normal, minus how fast A's does.",
+       "is how fast B's point moves along the normal, minus how fast A's does.",
        "The row makes the separating speed -b. Newton's rule wants -e v_n. So b = e v_n, which is negative while the "
        "bodies approach.",
        "Only where v_n < -threshold. There the new b is the lesser of the old one and e v_n: std::min."},

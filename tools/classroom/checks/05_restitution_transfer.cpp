@@ -221,32 +221,27 @@ std::vector<Mistake<Answer>> mistakes() {
   return {
       {"the yield speed forgotten",
        "it looks as if e fell with v to the power of -1/4 in m/s, whatever the yield speed. At v = v_y both laws "
-       "agree, "
-       "so it is v / v_y that counts: e = e_0 (v_y / v)^(1/4).",
+       "agree, so it is v / v_y that counts: e = e_0 (v_y / v)^(1/4).",
        with_law([](Real e, Real speed) { return e * std::min(Real(1), std::pow(speed, Real(-0.25))); })},
       {"the yield speed forgotten",
        "it looks as if e fell with v to the power of -1/4 in m/s, whatever the yield speed. At v = v_y both laws "
-       "agree, "
-       "so it is v / v_y that counts: e = e_0 (v_y / v)^(1/4).",
+       "agree, so it is v / v_y that counts: e = e_0 (v_y / v)^(1/4).",
        with_law([](Real e, Real speed) { return speed > yield ? e * std::pow(speed, Real(-0.25)) : e; })},
       {"what exceeds the yield speed",
        "it looks as if e fell with the part of the speed that exceeds v_y. The law is of the whole speed, and both "
-       "laws "
-       "agree at v = v_y: e = e_0 (v_y / v)^(1/4).",
+       "laws agree at v = v_y: e = e_0 (v_y / v)^(1/4).",
        with_law([](Real e, Real speed) { return speed > yield ? e * std::pow(1 + speed - yield, Real(-0.25)) : e; })},
       {"what exceeds the yield speed",
        "it looks as if e fell with the part of the speed that exceeds v_y. The law is of the whole speed, and both "
-       "laws "
-       "agree at v = v_y: e = e_0 (v_y / v)^(1/4).",
+       "laws agree at v = v_y: e = e_0 (v_y / v)^(1/4).",
        with_law([](Real e, Real speed) { return speed > yield ? e * std::pow(speed - yield, Real(-0.25)) : e; })},
       {"the factor alone",
-       "it looks as if e_0 were left out. Above the yield speed e falls from that of the contact: "
-       "e = e_0 (v_y / v)^(1/4).",
+       "it looks as if e_0 were left out. Above the yield speed e falls from that of the contact: e = e_0 (v_y / "
+       "v)^(1/4).",
        with_law([](Real e, Real speed) { return speed > yield ? std::pow(yield / speed, Real(0.25)) : e; })},
       {"not limited",
        "it looks as if the law for fast impacts were used for slow ones, too. There e is above 1: the ball leaves "
-       "faster "
-       "than it came, and each bounce makes energy.",
+       "faster than it came, and each bounce makes energy.",
        with_law([](Real e, Real speed) { return e * std::pow(yield / speed, Real(0.25)); })},
       {"limited at 1",
        "it looks as if e were limited at 1. That gains no energy, but loses none either: up to the yield speed, e is "
@@ -254,8 +249,7 @@ std::vector<Mistake<Answer>> mistakes() {
        with_law([](Real e, Real speed) { return std::min(Real(1), e * std::pow(yield / speed, Real(0.25))); })},
       {"the greater of the two laws",
        "it looks as if the greater of the two laws were taken. Then slow impacts gain energy and fast ones do not "
-       "yield: "
-       "take the lesser.",
+       "yield: take the lesser.",
        with_law([](Real e, Real speed) { return e * std::max(Real(1), std::pow(yield / speed, Real(0.25))); })},
       {"e does not fall",
        "it looks as if e did not fall. Two reasons are hard to see in C++: 1 / 4 is a division of whole numbers, which "
@@ -263,13 +257,11 @@ std::vector<Mistake<Answer>> mistakes() {
        with_law([](Real e, Real) { return e; })},
       {"grows with the speed",
        "it looks as if e grew with the speed. A negative exponent turns the fraction round: v_y / v, less than 1 for "
-       "fast "
-       "impacts.",
+       "fast impacts.",
        with_law([](Real e, Real speed) { return e * std::min(Real(1), std::pow(speed / yield, Real(0.25))); })},
       {"grows with the speed",
        "it looks as if e grew with the speed. A negative exponent turns the fraction round: v_y / v, less than 1 for "
-       "fast "
-       "impacts.",
+       "fast impacts.",
        with_law([](Real e, Real speed) { return e * std::max(Real(1), std::pow(speed / yield, Real(0.25))); })},
       {"another power", power, with_law([](Real e, Real speed) { return e * std::min(Real(1), yield / speed); })},
       {"another power", power,
@@ -301,8 +293,7 @@ std::vector<Mistake<Answer>> mistakes() {
        {Ending{}}},
       {"the push-out taken away",
        "it looks as if b became 0 where nothing bounces. What is too slow to bounce still has to be pushed out: there, "
-       "b "
-       "stays as it is.",
+       "b stays as it is.",
        {TakingAway{}}},
       {"threshold on the departure",
        "it looks as if the threshold were compared with e v_n. It is for the speed of the approach, v_n.",
@@ -342,11 +333,9 @@ Exercise exercise() {
   return exercise_of<Answer>(
       "a restitution that falls with the speed",
       {"Two laws agree at v = v_y, where e = e_0, and one is proportional to v to the power of -1/4. Which power of "
-       "v_y / "
-       "v is that?",
+       "v_y / v is that?",
        "Below the yield speed this law gives more than e_0, above it less. Which of the two laws is right is a min or "
-       "a "
-       "max.",
+       "a max.",
        "The rest is chapter 05's: where v_n < -threshold, b becomes the lesser of the old b and e v_n, with your e."},
       checks(), {right}, mistakes());
 }

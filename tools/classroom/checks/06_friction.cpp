@@ -263,12 +263,11 @@ struct Along : Friction {
 
 std::vector<Mistake<Answer>> mistakes() {
   const std::string one_k =
-      "it looks as if one effective mass served both tangents. A long box turns more easily about its "
-      "length than across it, so its foot gives way more easily along one tangent: each row has its own K.";
+      "it looks as if one effective mass served both tangents. A long box turns more easily about its length than "
+      "across it, so its foot gives way more easily along one tangent: each row has its own K.";
   const std::string same_twice =
       "it looks as if both rows of a contact lay along the same tangent: it brakes twice there, and not at all along "
-      "the "
-      "other.";
+      "the other.";
   return {
       {"μ m g",
        "it looks as if the bound were μ m g. What bounds friction is the push on this contact: on a slope it is less "
@@ -278,8 +277,7 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"each correction clamped",
        "it looks as if each correction were clamped, not their sum, or the sum began at 0 in each sweep. Every sweep "
-       "then "
-       "brakes by the full bound once more.",
+       "then brakes by the full bound once more.",
        each_mistaken([](StepContext&, Row& tangent, Real bound) {
          const Real lambda = std::clamp(tangent.wanted() - tangent.impulse, -bound, bound);
          tangent.reach(tangent.impulse + lambda);
@@ -306,14 +304,13 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"the normal's K",
        "it looks as if the tangents were solved with the normal's effective mass, or as if nothing turned. Friction "
-       "turns the body, so "
-       "along a tangent the contact point gives way more easily: each row has its own K.",
+       "turns the body, so along a tangent the contact point gives way more easily: each row has its own K.",
        each_mistaken([](StepContext& step, Row& tangent, Real bound) {
          within(tangent, tangent.impulse - step.rows[tangent.owner].effective_mass * tangent.speed(), -bound, bound);
        })},
       {"no bound",
-       "it looks as if nothing bounded the friction. What is not pressed on cannot be held: the sum stays within "
-       "μ Σλn.",
+       "it looks as if nothing bounded the friction. What is not pressed on cannot be held: the sum stays within μ "
+       "Σλn.",
        each_mistaken([](StepContext&, Row& tangent, Real) { tangent.solve(); })},
       {"μ forgotten", "it looks as if the bound were Σλn. Friction is at most the part μ of the push.",
        each_mistaken([](StepContext& step, Row& tangent, Real) { within(tangent, step.rows[tangent.owner].impulse); })},
@@ -349,8 +346,7 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"tangents of no unit length",
        "it looks as if a tangent were no unit vector, or not at a right angle to the other. The bound is that of an "
-       "impulse "
-       "along a unit vector: along a shorter one the same Σλt brakes less. tangents_of gives two unit vectors.",
+       "impulse along a unit vector: along a shorter one the same Σλt brakes less. tangents_of gives two unit vectors.",
        {Along{{},
               [](const Vec3& n) {
                 const Vec3 one = n.cross(Vec3::UnitX());
@@ -358,8 +354,7 @@ std::vector<Mistake<Answer>> mistakes() {
               }}}},
       {"tangents of no unit length",
        "it looks as if a tangent were no unit vector, or not at a right angle to the other. The bound is that of an "
-       "impulse "
-       "along a unit vector: along a shorter one the same Σλt brakes less. tangents_of gives two unit vectors.",
+       "impulse along a unit vector: along a shorter one the same Σλt brakes less. tangents_of gives two unit vectors.",
        {Along{{},
               [](const Vec3& n) {
                 int flattest = 0;
@@ -373,8 +368,7 @@ std::vector<Mistake<Answer>> mistakes() {
        {Along{{}, [](const Vec3&) { return std::pair<Vec3, Vec3>(Vec3::UnitX(), Vec3::UnitZ()); }}}},
       {"other tangents",
        "it looks as if the rows lay along other tangents than those of tangents_of. Each has the bound for itself, so "
-       "the "
-       "pyramid turns with them, and friction with the pyramid.",
+       "the pyramid turns with them, and friction with the pyramid.",
        {Along{{},
               [](const Vec3& n) {
                 const Vec3 one = n.cross(Vec3::UnitX()).normalized();
@@ -382,36 +376,32 @@ std::vector<Mistake<Answer>> mistakes() {
               }}}},
       {"the push of this sweep alone",
        "it looks as if the bound came from what the normal has added in this sweep alone. Σλn is its sum over the "
-       "sweeps of "
-       "this step: once the normal adds nothing more, a bound of its change is 0, and friction is taken back.",
+       "sweeps of this step: once the normal adds nothing more, a bound of its change is 0, and friction is taken "
+       "back.",
        {ByPush{{}, [](Real, Real now, Real) { return now; }}}},
       {"the push of the sweep before",
        "it looks as if the bound came from the sum that the normal had reached one sweep before. In the first sweep "
-       "that is "
-       "0, and nothing brakes: take the sum that it has reached in this very sweep, after it was solved.",
+       "that is 0, and nothing brakes: take the sum that it has reached in this very sweep, after it was solved.",
        {ByPush{{}, [](Real before, Real, Real) { return before; }}}},
       {"the push of the first sweep",
        "it looks as if the bound stayed as it was in the first sweep. Friction turns the body, and the push of the "
-       "normal "
-       "changes with that: the bound is made anew in each sweep, of Σλn as it is now.",
+       "normal changes with that: the bound is made anew in each sweep, of Σλn as it is now.",
        {ByPush{{}, [](Real, Real, Real first) { return first; }}}},
       {"the largest push so far",
        "it looks as if the bound could only grow. Where the normal takes back some of its push, friction has to "
-       "follow: "
-       "the bound is that of Σλn as it is now.",
+       "follow: the bound is that of Σλn as it is now.",
        {ByPush{{}, [](Real before, Real now, Real first) { return std::max(first, before + now); }}}},
       {"hi for lo",
-       "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, "
-       "whichever way the body slips. Friction is anything from -μ Σλn to μ Σλn.",
+       "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, whichever "
+       "way the body slips. Friction is anything from -μ Σλn to μ Σλn.",
        each_mistaken([](StepContext&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), bound, bound); })},
       {"hi for lo",
-       "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, "
-       "whichever way the body slips. Friction is anything from -μ Σλn to μ Σλn.",
+       "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, whichever "
+       "way the body slips. Friction is anything from -μ Σλn to μ Σλn.",
        each_mistaken([](StepContext&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), bound, -bound); })},
       {"the 1-norm",
        "it looks as if both tangents together had the bound, as |Σλ1| + |Σλ2|. Here each tangent has the full bound "
-       "for "
-       "itself.",
+       "for itself.",
        mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
          const Real bound = bound_of(step, tangent1), wanted1 = tangent1.wanted(), wanted2 = tangent2.wanted();
          const Real scale = std::min(Real(1), bound / (std::abs(wanted1) + std::abs(wanted2)));
@@ -426,23 +416,20 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"the first contact alone",
        "it looks as if only the first contact had friction. Each contact has two tangents, and all of them are solved "
-       "in "
-       "each sweep.",
+       "in each sweep.",
        mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
          if (tangent1.owner > 0) return;
          for (Row* tangent : {&tangent1, &tangent2}) within(*tangent, bound_of(step, *tangent));
        })},
       {"the push of the first contact",
        "it looks as if all tangents were bounded by the first contact's push. Each contact is pressed on by itself: "
-       "the "
-       "last argument of a new row is the index of its contact, and rows[owner] then its normal's row.",
+       "the last argument of a new row is the index of its contact, and rows[owner] then its normal's row.",
        each_mistaken([](StepContext& step, Row& tangent, Real) {
          within(tangent, step.contacts[0].friction * step.rows[0].impulse);
        })},
       {"the push of the first contact",
        "it looks as if all tangents were bounded by the first contact's push. Each contact is pressed on by itself: "
-       "the "
-       "last argument of a new row is the index of its contact, and rows[owner] then its normal's row.",
+       "the last argument of a new row is the index of its contact, and rows[owner] then its normal's row.",
        each_mistaken([](StepContext& step, Row& tangent, Real) {
          within(tangent, step.contacts[tangent.owner].friction * step.rows[0].impulse);
        })},
@@ -464,8 +451,7 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"never taken back",
        "it looks as if friction could only grow. Two feet of one box brake each other too: what the first has given "
-       "may "
-       "be too much once the second has, and then it slips the other way, and has to take some back.",
+       "may be too much once the second has, and then it slips the other way, and has to take some back.",
        each_mistaken([](StepContext&, Row& tangent, Real bound) {
          if (tangent.impulse * tangent.speed() <= 0) within(tangent, bound);
        })},
@@ -486,8 +472,7 @@ Exercise exercise() {
   return exercise_of<Answer>(
       "two tangent rows and their bound",
       {"build: for each contact, tangents_of its normal, and one row along each. Do the new rows come after all "
-       "normals? "
-       "Then you can find those of contact i again.",
+       "normals? Then you can find those of contact i again.",
        "sweep: a tangent's row wants J V = 0, so the sum that it wants is impulse - effective_mass * speed().",
        "sweep: the bound is contact.friction times the impulse of the contact's normal row. Set lo to minus the bound "
        "and hi to the bound, and reach the wanted sum."},

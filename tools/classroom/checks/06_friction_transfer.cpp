@@ -191,12 +191,10 @@ constexpr Real inf = std::numeric_limits<Real>::infinity();
 std::vector<Mistake<Answer>> mistakes() {
   const std::string each =
       "it looks as if each correction were clamped, not their sum, or the sum began at 0 in each sweep. Every sweep "
-      "then "
-      "adds the full bound once more.";
+      "then adds the full bound once more.";
   const std::string ends =
       "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, whichever way "
-      "the "
-      "surfaces slip. It is anything from minus the bound to the bound.";
+      "the surfaces slip. It is anything from minus the bound to the bound.";
   const std::string one_sided =
       "it looks as if the sum of a row could not be negative. A normal only pushes; what holds a slip or a turn acts "
       "both ways, from minus the bound to the bound.";
@@ -206,8 +204,8 @@ std::vector<Mistake<Answer>> mistakes() {
        "how the belt runs under it along t, which is slip.n (the normal's n has no part of it).",
        {with_slip<[](const Row& slip, const Surfaces&) { return slip.speed(); }>}},
       {"sign of the belt",
-       "it looks as if the belt ran the other way. The surface of A moves with v_A + belt_a, that of B with "
-       "v_B + belt_b; the slip is the second minus the first.",
+       "it looks as if the belt ran the other way. The surface of A moves with v_A + belt_a, that of B with v_B + "
+       "belt_b; the slip is the second minus the first.",
        {with_slip<[](const Row& slip, const Surfaces& surfaces) {
          return slip.speed() + (surfaces.belt_a - surfaces.belt_b).dot(slip.n);
        }>}},
@@ -228,8 +226,8 @@ std::vector<Mistake<Answer>> mistakes() {
          return slip.speed() + surfaces.belt_b.norm() - surfaces.belt_a.norm();
        }>}},
       {"a belt faster in each sweep",
-       "it looks as if the belt got faster with each sweep. rub is called several times a step: what it adds to a "
-       "bias is added each time.",
+       "it looks as if the belt got faster with each sweep. rub is called several times a step: what it adds to a bias "
+       "is added each time.",
        {with_slip<[](Row& slip, const Surfaces& surfaces) {
          slip.bias += (surfaces.belt_b - surfaces.belt_a).dot(slip.n);
          return slip.speed() + slip.bias;
@@ -281,8 +279,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"slip forgotten",
        "it looks as if nothing held the slip. Only friction takes a ball along: slip is solved as well, against the "
-       "slip "
-       "of the surfaces.",
+       "slip of the surfaces.",
        {[](const Row& normal, Row&, Row& roll, const Surfaces& surfaces) { hold_roll(normal, roll, surfaces); }}},
       {"sign of the slip",
        "it looks as if friction pushed along with the slip. The impulse that makes the slip of the surfaces 0 is minus "

@@ -239,8 +239,7 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"by the nearest point",
        "it looks as if the old contact were looked for by its place. Bodies move, and points with them: only the id "
-       "says "
-       "which of the old ones it is.",
+       "says which of the old ones it is.",
        mismatched([](const StepContext& step, std::size_t i) {
          const Contact* found = nullptr;
          const auto far = [&](const Contact& old) { return (old.point - step.contacts[i].point).norm(); };
@@ -277,8 +276,7 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"the contact of another row",
        "it looks as if a tangent took the impulse of another contact. The k-th row is not of the k-th contact: each "
-       "has "
-       "two tangents, and row.owner says whose it is.",
+       "has two tangents, and row.owner says whose it is.",
        {Miscounted{}}},
       {"no negative guess",
        "it looks as if a guess were never negative. A normal only pushes, but friction acts both ways: the sum of a "
@@ -331,8 +329,8 @@ std::vector<Mistake<Answer>> mistakes() {
          if (&row < step.rows.data() + step.contacts.size()) row.reach(guess_of(step, row, old));
        })},
       {"the length of P",
-       "it looks as if a row took the length of the old impulse. A row takes the part of it along its own direction: "
-       "P · n.",
+       "it looks as if a row took the length of the old impulse. A row takes the part of it along its own direction: P "
+       "· n.",
        mistaken([](StepContext& step, Row& row, const Contact& old) {
          row.reach(step.world.impulse_scale(step.dt) * old.impulse.norm());
        })},
@@ -358,8 +356,8 @@ std::vector<Mistake<Answer>> mistakes() {
          row.reach(step.world.impulse_scale(step.dt) * old.impulse.dot(old.normal));
        })},
       {"the sign of P",
-       "it looks as if the bodies were pulled together. P acted on B, along the normal from A to B: the row's sum is "
-       "P · n, with this sign.",
+       "it looks as if the bodies were pulled together. P acted on B, along the normal from A to B: the row's sum is P "
+       "· n, with this sign.",
        mistaken([](StepContext& step, Row& row, const Contact& old) {
          row.impulse = -guess_of(step, row, old);
          row.apply(row.impulse);
@@ -384,8 +382,8 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 Exercise exercise() {
   return exercise_of<Answer>(
       "match two lists by id, rescale, project, apply",
-      {"For each row, look through step.world.contacts_before for the contact with the id of "
-       "step.contacts[row.owner]. If there is none, the row starts from 0.",
+      {"For each row, look through step.world.contacts_before for the contact with the id of step.contacts[row.owner]. "
+       "If there is none, the row starts from 0.",
        "What stays from step to step is a force. Multiply the old impulse by step.dt / step.world.dt_before.",
        "A row takes the part along its own direction, P · n: row.reach(scale * old.impulse.dot(row.n))."},
       checks(), {WarmStart{}}, mistakes());

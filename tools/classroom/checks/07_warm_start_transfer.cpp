@@ -207,8 +207,7 @@ void keep_of_pair(Memory& memory, const Contacts& contacts, Real dt) {
 std::vector<Mistake<Answer>> mistakes() {
   const std::string by_bodies =
       "it looks as if only the bodies were compared. Two bodies may touch in several points, each with a load of its "
-      "own: "
-      "compare the whole id.";
+      "own: compare the whole id.";
   const std::string one_side =
       "it looks as if only points were forgotten in which the body is A, or only those in which it is B. Which of the "
       "two it is, is decided by its index: look at both.";
@@ -282,8 +281,7 @@ std::vector<Mistake<Answer>> mistakes() {
         put_elsewhere}},
       {"twice as old",
        "it looks as if a point grew older by twice the step. It is forgotten 0.1 s after it last touched: its age "
-       "grows by "
-       "dt once in each step.",
+       "grows by dt once in each step.",
        {guess,
         [](Memory& memory, const Contacts& contacts, Real dt) {
           grow_older(memory, dt);
@@ -292,8 +290,7 @@ std::vector<Mistake<Answer>> mistakes() {
         put_elsewhere}},
       {"older by the step of the touch",
        "it looks as if a point grew older by the length of the step in which it touched. Age is the time that has "
-       "passed "
-       "since: it grows by the dt of each step that goes by.",
+       "passed since: it grows by the dt of each step that goes by.",
        {guess,
         [](Memory& memory, const Contacts& contacts, Real dt) {
           for (Remembered& one : memory) one.age += one.dt;
@@ -304,8 +301,7 @@ std::vector<Mistake<Answer>> mistakes() {
         put_elsewhere}},
       {"impulses added up",
        "it looks as if the impulses of several steps were added up. A point is known with what acted on it in the "
-       "latest "
-       "step in which it touched, and with nothing of before.",
+       "latest step in which it touched, and with nothing of before.",
        {guess,
         [](Memory& memory, const Contacts& contacts, Real dt) {
           grow_older(memory, dt);
@@ -374,8 +370,7 @@ Exercise exercise() {
       "a memory for steps of changing length, and for bodies that are put elsewhere",
       {"guess: find the entry with this id. Its force was impulse / dt, with the dt of that entry.",
        "keep, in this order: all entries grow older by dt; the points that touch are entered anew, with age 0, and "
-       "their "
-       "older entries go; who is older than `lasts` goes.",
+       "their older entries go; who is older than `lasts` goes.",
        "put_elsewhere: an entry goes if one.id.body_a or one.id.body_b is the body."},
       checks(), {guess, keep, put_elsewhere}, mistakes());
 }

@@ -154,24 +154,19 @@ void by_disc(Row& one, Row& two, Real k12, Real bound) {
 std::vector<Mistake<Answer>> mistakes() {
   const std::string late =
       "it looks as if the second slip were read when the first tangent had acted already. Then it is no longer the "
-      "slip "
-      "that both started from, and the step has another direction.";
+      "slip that both started from, and the step has another direction.";
   const std::string square =
       "it looks as if each tangent were clamped by itself. That allows a square, and friction is carried to its "
-      "corner; "
-      "|λ_t| ≤ bound is a disc.";
+      "corner; |λ_t| ≤ bound is a disc.";
   const std::string other_disc =
       "it looks as if the disc were not that of this sweep. The normal is solved before its tangents and its sum "
-      "changes, so "
-      "friction may be no more, and no less, than μ times that sum as it is now: `bound`, as it comes.";
+      "changes, so friction may be no more, and no less, than μ times that sum as it is now: `bound`, as it comes.";
   const std::string too_far =
       "it looks as if the step were 1 over the smaller eigenvalue, or friction always of full size against the slip. "
-      "Across "
-      "the board that is far too much: the foot is thrown back faster than it came, which feeds in energy.";
+      "Across the board that is far too much: the foot is thrown back faster than it came, which feeds in energy.";
   const std::string root =
       "it looks as if there were a slip under the root. There stand two squares: of k₁₂, and of (k₁₁ − k₂₂)/2, which "
-      "is "
-      "a difference, and halved.";
+      "is a difference, and halved.";
   return {
       {"solved and scaled back",
        "it looks as if the 2×2 block were solved, and the result scaled back to the disc. At its fixed point friction "
@@ -221,8 +216,7 @@ std::vector<Mistake<Answer>> mistakes() {
       {"the disc of another sweep", other_disc, {by_disc<[](Real, Real, Real first) { return first; }>}},
       {"the 1-norm",
        "it looks as if |λ₁| + |λ₂| were taken for the length of the sum. That allows a square on its tip, which is no "
-       "wider "
-       "than the disc along the tangents and too narrow in between: the length is the root of λ₁² + λ₂².",
+       "wider than the disc along the tangents and too narrow in between: the length is the root of λ₁² + λ₂².",
        {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
          const Real total1 = one.impulse - mass * one.speed(), total2 = two.impulse - mass * two.speed();
@@ -232,8 +226,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"the square of the length",
        "it looks as if the square of the length were compared with the bound, or divided by. Both sums are multiplied "
-       "by "
-       "bound / |λ_t|, and |λ_t| is the root of λ₁² + λ₂².",
+       "by bound / |λ_t|, and |λ_t| is the root of λ₁² + λ₂².",
        {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
          const Real total1 = one.impulse - mass * one.speed(), total2 = two.impulse - mass * two.speed();
@@ -243,8 +236,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"the square of the length",
        "it looks as if the square of the length were compared with the bound, or divided by. Both sums are multiplied "
-       "by "
-       "bound / |λ_t|, and |λ_t| is the root of λ₁² + λ₂².",
+       "by bound / |λ_t|, and |λ_t| is the root of λ₁² + λ₂².",
        {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
          const Real total1 = one.impulse - mass * one.speed(), total2 = two.impulse - mass * two.speed();
@@ -254,8 +246,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"what the first tangent leaves",
        "it looks as if the first tangent took what it wants of the disc, and the second what is left. Friction then "
-       "leans "
-       "towards the first tangent: the nearest point of the disc shortens both by the same factor.",
+       "leans towards the first tangent: the nearest point of the disc shortens both by the same factor.",
        {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
          const Real total1 = one.impulse - mass * one.speed(), total2 = two.impulse - mass * two.speed();
@@ -265,8 +256,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"the whole sum applied",
        "it looks as if the bodies felt the whole sum in each sweep. They have felt the earlier sum already: what acts "
-       "is "
-       "the difference, and reach sees to that.",
+       "is the difference, and reach sees to that.",
        {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
          const Real total1 = one.impulse - mass * one.speed(), total2 = two.impulse - mass * two.speed();
@@ -281,8 +271,7 @@ std::vector<Mistake<Answer>> mistakes() {
        {[](Row& one, Row& two, Real, Real) { step_of(mass_of(one, two), one, two, 1e9); }}},
       {"always at the edge",
        "it looks as if the sums were brought to the edge of the disc from inside, too. What is within the disc stays "
-       "as "
-       "it is: the factor is min(1, bound / |λ_t|).",
+       "as it is: the factor is min(1, bound / |λ_t|).",
        {[](Row& one, Row& two, Real, Real bound) {
          const Real mass = mass_of(one, two);
          const Real total1 = one.impulse - mass * one.speed(), total2 = two.impulse - mass * two.speed();
@@ -315,8 +304,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"the root forgotten",
        "it looks as if the step were 1 over the mean of k₁₁ and k₂₂. That is the mean of the two eigenvalues; the "
-       "larger "
-       "one is greater by the root.",
+       "larger one is greater by the root.",
        {[](Row& one, Row& two, Real, Real bound) {
          const TangentBlock k(one, two);
          step_of(2 / (k.k11 + k.k22), one, two, bound);
@@ -362,8 +350,7 @@ Exercise exercise() {
       {"Both tangents take a step of the same size, 1/k_max. k11 and k22 are 1 / effective_mass.",
        "Read both slips before either tangent acts: first both new sums, then both calls of reach.",
        "The length of both sums together is at most `bound`. Where it is more, multiply both by bound / length; where "
-       "it "
-       "is not, leave them as they are."},
+       "it is not, leave them as they are."},
       checks(), {right}, mistakes());
 }
 

@@ -163,20 +163,16 @@ void bounded(Row& along, Row& across, const Skate& skate, Length length) {
 std::vector<Mistake<Answer>> mistakes() {
   const std::string round =
       "it looks as if the bound were a disc. Along the blade friction can be μ₁ Σλₙ, across it μ₂ Σλₙ, and in between "
-      "the "
-      "ellipse decides.";
+      "the ellipse decides.";
   const std::string opposite =
       "it looks as if friction were opposite to the slip, only shortened to the ellipse. Where it slips along as fast "
-      "as "
-      "across, the blade takes more energy across: the slip is at a right angle to the edge.";
+      "as across, the blade takes more energy across: the slip is at a right angle to the edge.";
   const std::string metric =
       "it looks as if sums were measured in semi-axes, but the slip were not. If y = λ/μ, an impulse y is worth μ y N "
-      "s, so "
-      "the slip that goes with it is μ u.";
+      "s, so the slip that goes with it is μ u.";
   const std::string bounded_sum =
       "it looks as if no ellipse bounded the sum: without one, or with one around each correction, many calls add up "
-      "to any "
-      "friction. Friction of the whole step can be no more than the ellipse, however fast the skate slips.";
+      "to any friction. Friction of the whole step can be no more than the ellipse, however fast the skate slips.";
   const std::string slow =
       "it looks as if your step were made for the wrong block: it is far too short to arrive in 300 calls. Where sums "
       "are measured in semi-axes, each k is stretched as well, k₁₂ by both μ.";
@@ -214,8 +210,8 @@ std::vector<Mistake<Answer>> mistakes() {
          step_of(along, across, skate, mass, mass);
        }}},
       {"1/k for each tangent",
-       "it looks as if each tangent took a step of its own 1/k. At its fixed point friction is along "
-       "(u₁/k₁₁, u₂/k₂₂): the masses decide on its direction, and they have no say in it.",
+       "it looks as if each tangent took a step of its own 1/k. At its fixed point friction is along (u₁/k₁₁, u₂/k₂₂): "
+       "the masses decide on its direction, and they have no say in it.",
        {[](Row& along, Row& across, const Skate& skate) {
          step_of(along, across, skate, along.effective_mass, across.effective_mass);
        }}},
@@ -243,8 +239,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"the smaller eigenvalue",
        "it looks as if your step were too long, as 1 over the smaller eigenvalue is, or always as long as the ellipse "
-       "lets it. "
-       "What is thrown back further than it came never arrives.",
+       "lets it. What is thrown back further than it came never arrives.",
        {[](Row& along, Row& across, const Skate& skate) {
          const Real a = skate.mu_along, b = skate.mu_across;
          const Real k =
@@ -282,22 +277,19 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"the 1-norm",
        "it looks as if the bound were |λ₁|/μ₁ + |λ₂|/μ₂ ≤ Σλₙ. That is a rhombus: the ellipse bounds the root of the "
-       "sum of the "
-       "squares.",
+       "sum of the squares.",
        {[](Row& along, Row& across, const Skate& skate) {
          bounded(along, across, skate, [](Real x, Real y, Real) { return std::abs(x) + std::abs(y); });
        }}},
       {"the square of the length",
        "it looks as if (λ₁/μ₁)² + (λ₂/μ₂)² were compared with Σλₙ, without its square, or divided by. Both sums are "
-       "multiplied "
-       "by Σλₙ over the root of that.",
+       "multiplied by Σλₙ over the root of that.",
        {[](Row& along, Row& across, const Skate& skate) {
          bounded(along, across, skate, [](Real x, Real y, Real) { return x * x + y * y; });
        }}},
       {"the square of the length",
        "it looks as if (λ₁/μ₁)² + (λ₂/μ₂)² were compared with Σλₙ, without its square, or divided by. Both sums are "
-       "multiplied "
-       "by Σλₙ over the root of that.",
+       "multiplied by Σλₙ over the root of that.",
        {[](Row& along, Row& across, const Skate& skate) {
          bounded(along, across, skate, [](Real x, Real y, Real normal) { return (x * x + y * y) / normal; });
        }}},
@@ -342,11 +334,9 @@ Exercise exercise() {
       "a skate: an ellipse for the disc",
       {"Measured in its own semi-axes, the ellipse is a disc: what is (λ₁/μ₁, λ₂/μ₂) bounded by?",
        "Write y = (λ₁/μ₁, λ₂/μ₂). If y₁ grows by 1, the impulse grows by μ₁. By how much does the energy change, if "
-       "the "
-       "slip is u? And by how much does that change again, with K_t?",
+       "the slip is u? And by how much does that change again, with K_t?",
        "So chapter 08's step is made in y: with the slip (μ₁u₁, μ₂u₂), and with a block whose k_ij is μ_i μ_j times "
-       "the "
-       "old one."},
+       "the old one."},
       checks(), {right}, mistakes());
 }
 

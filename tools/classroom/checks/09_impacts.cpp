@@ -348,8 +348,7 @@ std::vector<Mistake<Answer>> mistakes() {
       {"pairs left out", some, {round_of<AllButTheLast>}},
       {"the first pair's forces",
        "it looks as if by_forces[0] counted for all pairs. What gravity adds differs from pair to pair: nothing where "
-       "both "
-       "fall, g h where one lies on the ground. It is by_forces[i].",
+       "both fall, g h where one lies on the ground. It is by_forces[i].",
        {round_of<FirstPairsForces>}},
       {"a threshold of one's own",
        "it looks as if the threshold were a number of your own. It is given as `threshold`, and may be another in each "
@@ -357,8 +356,7 @@ std::vector<Mistake<Answer>> mistakes() {
        {round_of<FixedThreshold>}},
       {"forces in the threshold",
        "it looks as if the threshold were compared with a speed that has this step's gravity in it. What only gravity "
-       "makes "
-       "fast is no impact: compare v_n = row.speed() - by_forces[i].",
+       "makes fast is no impact: compare v_n = row.speed() - by_forces[i].",
        {[](StepContext& step, const std::vector<Real>& by_forces, Real limit) {
          bool bounced = false;
          for (std::size_t i = 0; i < step.contacts.size(); ++i) {
@@ -376,8 +374,8 @@ std::vector<Mistake<Answer>> mistakes() {
       {"never ending", never, {round_of<AlwaysAgain>}},
       {"never ending", never, {round_of<AgainForSlowOnes>}},
       {"taken back",
-       "it looks as if the sweeps had taken the bounce back. They solve each row for J V = 0, and a pair that "
-       "bounces separates faster. Set row.lo = row.impulse, so that they cannot lower the sum.",
+       "it looks as if the sweeps had taken the bounce back. They solve each row for J V = 0, and a pair that bounces "
+       "separates faster. Set row.lo = row.impulse, so that they cannot lower the sum.",
        {round_of<TakenBack>}},
       {"the approach of before the step",
        "it looks as if the approach speed were that of before the step. The same approach then bounces again in every "
@@ -385,8 +383,7 @@ std::vector<Mistake<Answer>> mistakes() {
        {round_of<BeforeTheStep>}},
       {"the approach of before the round",
        "it looks as if all approach speeds were measured before the round's first impact. Impacts in sequence: each "
-       "pair "
-       "takes the speeds that the pair before it has left, also within a round.",
+       "pair takes the speeds that the pair before it has left, also within a round.",
        {speeds_of_before_the_round}},
       {"ends after one round",
        "it looks as if there were one round only. A pair that has had its turn may approach again when its neighbour "
@@ -402,8 +399,7 @@ std::vector<Mistake<Answer>> mistakes() {
        {round_of<NoThreshold>}},
       {"forces counted in",
        "it looks as if this step's gravity were part of the approach. The ball has not fallen by it yet, and a ball at "
-       "rest "
-       "would bounce off the ground by itself. Subtract by_forces[i] from row.speed().",
+       "rest would bounce off the ground by itself. Subtract by_forces[i] from row.speed().",
        {round_of<ForcesCountedIn>}},
       {"sign of by_forces",
        "it looks as if by_forces had the wrong sign. row.speed() already has it in: subtract it.",
@@ -413,8 +409,8 @@ std::vector<Mistake<Answer>> mistakes() {
        "separate: together 1 + e.",
        {round_of<EForOnePlusE>}},
       {"sign",
-       "it looks as if the impulse had the wrong sign. v_n is negative while bodies approach, so that "
-       "-(1 + e) v_n / K pushes them apart.",
+       "it looks as if the impulse had the wrong sign. v_n is negative while bodies approach, so that -(1 + e) v_n / K "
+       "pushes them apart.",
        {round_of<Sign>}},
       {"mass forgotten",
        "it looks as if 1/K were forgotten. (1 + e) v_n is a change of speed; times the effective mass it is an "
@@ -422,13 +418,11 @@ std::vector<Mistake<Answer>> mistakes() {
        {round_of<MassForgotten>}},
       {"the sum replaced",
        "it looks as if the second impact of a pair replaced its first. row.reach takes the sum of all: row.impulse "
-       "plus "
-       "the new impulse.",
+       "plus the new impulse.",
        {round_of<SumReplaced>}},
       {"not kept",
        "it looks as if the row did not know of its impact. The bodies have felt it, row.impulse says 0: friction and "
-       "the "
-       "next step read it there. Use row.reach.",
+       "the next step read it there. Use row.reach.",
        {round_of<NotKept>}},
   };
 }
@@ -444,8 +438,7 @@ Exercise exercise() {
       "sequential impacts",
       {"Go over all contacts. v_n = row.speed() - by_forces[i]. Pass over those with v_n >= -threshold.",
        "The new sum is the old one plus the impulse of this impact: row.reach(row.impulse - row.effective_mass * (1 + "
-       "e) * "
-       "v_n). Then row.lo = row.impulse.",
+       "e) * v_n). Then row.lo = row.impulse.",
        "A bool says whether any pair has bounced: false before the loop, true at each impact, and given back at the "
        "end."},
       checks(), {right}, mistakes());

@@ -206,15 +206,13 @@ std::vector<Mistake<Answer>> mistakes() {
       "were.";
   const std::string lost =
       "it looks as if the body's own velocity had not been put back. What was set aside before V' took its place "
-      "returns "
-      "when the body has been moved.";
+      "returns when the body has been moved.";
   const std::string from_before =
       "it looks as if b' were made of C alone. C is of before the move; the body has come up by h J V since, and only "
       "C + h J V is left. With every bounce a push that is not needed adds height, and height is energy.";
   const std::string min =
       "it looks as if the min were not around all of C + h J V. A point that comes out of the overlap by itself in "
-      "this "
-      "step has nothing to undo: b' = 0, also where C was negative.";
+      "this step has nothing to undo: b' = 0, also where C was negative.";
   const std::string some =
       "it looks as if some pushes were left out. Every normal has its own, and in each round all of them have their "
       "turn.";
@@ -223,13 +221,11 @@ std::vector<Mistake<Answer>> mistakes() {
       {"min forgotten", min, {[](CorrectingContext& step) { correct(step, {.min_of_C = true}); }}},
       {"h for 1/h in b'",
        "it looks as if b' were multiplied by h. β (C + h J V) is a distance; to cover it within h, the speed is that "
-       "over "
-       "h.",
+       "over h.",
        {[](CorrectingContext& step) { correct(step, {.push_by_h = true}); }}},
       {"spin not set aside",
        "it looks as if the bodies had kept their spins while the pushes were solved. V' has a part ω', too: it starts "
-       "from "
-       "0, or each body turns by h ω a second time.",
+       "from 0, or each body turns by h ω a second time.",
        {[](CorrectingContext& step) { correct(step, {.spin_not_aside = true}); }}},
       {"the first body left out",
        "it looks as if the first body were not moved. Not every world has a ground: each body is moved by its own h "
@@ -247,8 +243,7 @@ std::vector<Mistake<Answer>> mistakes() {
       {"velocity not put back", lost, {[](CorrectingContext& step) { correct(step, {.old_spin = 0}); }}},
       {"increments clamped",
        "it looks as if each increment were clamped, not their sum. What one corner is lifted too far, because the next "
-       "one "
-       "lifts it as well, is then never taken back.",
+       "one lifts it as well, is then never taken back.",
        {[](CorrectingContext& step) { correct(step, {.increments = true}); }}},
       {"sums not reset",
        "it looks as if the pushes went on from the impulses of the step. Down to -Σλ they could then pull: the lighter "
@@ -256,26 +251,22 @@ std::vector<Mistake<Answer>> mistakes() {
        {[](CorrectingContext& step) { correct(step, {.sums_kept = true}); }}},
       {"not set aside",
        "it looks as if the bodies had kept their own velocities while the pushes were solved. V' starts from 0; or "
-       "else "
-       "each body moves by h V a second time.",
+       "else each body moves by h V a second time.",
        {[](CorrectingContext& step) { correct(step, {.not_aside = true}); }}},
       {"not turned",
        "it looks as if the bodies were shifted, but not turned. V' has a part ω' as well.",
        {[](CorrectingContext& step) { correct(step, {.turned = false}); }}},
       {"one round",
        "it looks as if each push were solved only once. What one corner does, another one undoes: it takes all "
-       "`rounds` "
-       "rounds.",
+       "`rounds` rounds.",
        {[](CorrectingContext& step) { correct(step, {.rounds = 1}); }}},
       {"1/h forgotten in b'",
        "it looks as if 1/h were missing in b'. β (C + h J V) is a distance; to cover it within h, the speed is that "
-       "over "
-       "h.",
+       "over h.",
        {[](CorrectingContext& step) { correct(step, {.push_without_h = true}); }}},
       {"moved without h",
        "it looks as if h were missing in the move, or 1/h stood twice in b'. b' is a speed, β/h times a distance, and "
-       "in a "
-       "step of h seconds v' covers h v'.",
+       "in a step of h seconds v' covers h v'.",
        {[](CorrectingContext& step) { correct(step, {.move_without_h = true}); }}},
       {"β forgotten",
        "it looks as if β were missing: all of the overlap is gone after one step, where the part β is asked for.",
@@ -305,8 +296,7 @@ Exercise exercise() {
       {"First make b' of all pushes, as long as speed() is J V: b' = β/h min(0, C + h J V). Their sums start from 0.",
        "A copy of step.world.bodies keeps the velocities. Then set both velocities of each body to 0: V' starts there.",
        "After `rounds` times over all pushes, body.velocity and body.angular_velocity are v' and ω'. displace(body, h "
-       "v', h "
-       "ω'), and the velocities from the copy."},
+       "v', h ω'), and the velocities from the copy."},
       checks(), {right}, mistakes());
 }
 

@@ -144,8 +144,7 @@ void right(Parts& parts, Real dt, int count, Real before) {
 std::vector<Mistake<Answer>> mistakes() {
   const std::string once =
       "it looks as if all of the frame's gravity were added before the first substep. The speed at the end is the "
-      "same, "
-      "but the bodies fall at it from the start, and the first sweep has the error of a whole step to undo.";
+      "same, but the bodies fall at it from the start, and the first sweep has the error of a whole step to undo.";
   const std::string not_rescaled =
       "it looks as if the impulses were not rescaled. What carried a weight for `before` seconds is too much for a "
       "shorter substep, and the column is thrown up: an impulse is a force times a time.";
@@ -153,8 +152,7 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if there were not `count` substeps. `count` of them, each of dt / count seconds, make up the frame.";
   const std::string moved_first =
       "it looks as if gravity were added after the move. Each substep moves the bodies by the velocity that it ends "
-      "with: "
-      "gravity, contacts, solver, move.";
+      "with: gravity, contacts, solver, move.";
   return {
       {"gravity after the move", moved_first, {[](Parts& parts, Real dt, int count, Real before) {
          loop(dt, count, before, [&](Real h, Real scale) {
@@ -166,8 +164,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"detected after the move",
        "it looks as if contacts were detected after the move, and the first substep had none of its own. A substep "
-       "solves "
-       "what touches as it begins: detect before solve.",
+       "solves what touches as it begins: detect before solve.",
        {[](Parts& parts, Real dt, int count, Real before) {
          loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(h);
@@ -219,8 +216,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"rescaled in each substep",
        "it looks as if every substep scaled by h / `before`. The second one starts from the impulses of the first, "
-       "which "
-       "was as long as itself: `before` is then h.",
+       "which was as long as itself: `before` is then h.",
        {[](Parts& parts, Real dt, int count, Real before) {
          loop(dt, count, before, [&](Real h, Real) {
            parts.add_gravity(h);
@@ -251,14 +247,12 @@ std::vector<Mistake<Answer>> mistakes() {
          });
        }}},
       {"nothing remembered",
-       "it looks as if every substep started from impulses of 0. One sweep is not enough then; substeps share "
-       "their "
+       "it looks as if every substep started from impulses of 0. One sweep is not enough then; substeps share their "
        "work only by what they remember.",
        {[](Parts& parts, Real dt, int count, Real) { always_scaled_by(0, parts, dt, count); }}},
       {"dt of the frame in b",
        "it looks as if b were made with the frame's dt. The push-out is to undo the part β in one step, and the step "
-       "is "
-       "a substep now.",
+       "is a substep now.",
        {[](Parts& parts, Real dt, int count, Real before) {
          loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(h);
@@ -269,8 +263,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"detected once a frame",
        "it looks as if contacts were detected once, before the first substep. A ball that arrives later meets nothing, "
-       "and "
-       "one that is pushed out is pushed as if it were still where it was.",
+       "and one that is pushed out is pushed as if it were still where it was.",
        {[](Parts& parts, Real dt, int count, Real before) {
          parts.detect();
          loop(dt, count, before, [&](Real h, Real scale) {
@@ -291,8 +284,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"moved once a frame",
        "it looks as if the bodies were moved once, after the last substep. Then all substeps see the same positions: "
-       "they "
-       "are sweeps of one step, and no more.",
+       "they are sweeps of one step, and no more.",
        {[](Parts& parts, Real dt, int count, Real before) {
          loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(h);
@@ -314,8 +306,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"gravity after the solver",
        "it looks as if gravity were added when the solver was done. Then every body moves on with the g h that nothing "
-       "has "
-       "held.",
+       "has held.",
        {[](Parts& parts, Real dt, int count, Real before) {
          loop(dt, count, before, [&](Real h, Real scale) {
            parts.detect();
@@ -326,8 +317,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"moved before the solver",
        "it looks as if the bodies were moved before the solver had changed their velocities. The order is gravity, "
-       "solver, "
-       "move.",
+       "solver, move.",
        {[](Parts& parts, Real dt, int count, Real before) {
          loop(dt, count, before, [&](Real h, Real scale) {
            parts.add_gravity(h);

@@ -165,27 +165,22 @@ void visit(Row& row, const Spring& spring, bool relaxing, const Wrong& wrong) {
 std::vector<Mistake<Answer>> mistakes() {
   const std::string h_forgotten =
       "it looks as if the h of 2ζ + hΩ were forgotten. Ω is in 1/s, and 2ζ is a number: without h the push-out takes "
-      "about a "
-      "second, however fast the spring is.";
+      "about a second, however fast the spring is.";
   const std::string hard =
       "it looks as if there were no γ, or next to none: without its first h it is that small. The contact is hard "
       "then, with a push-out: nothing yields under a load.";
   const std::string one_way =
       "it looks as if the relaxing pass treated a ball that leaves, or one that falls, another way. It is the visit of "
-      "a "
-      "hard contact: J V = 0 with a sum that is 0 or more, so one that falls is stopped, and one that leaves by itself "
-      "goes "
-      "on.";
+      "a hard contact: J V = 0 with a sum that is 0 or more, so one that falls is stopped, and one that leaves by "
+      "itself goes on.";
   return {
       {"not clamped",
        "it looks as if the sum could become negative. Spring and damper of a contact push and never pull: Σλ ≥ 0, as "
-       "reach "
-       "has it.",
+       "reach has it.",
        {[](Row& row, const Spring& spring, bool relaxing) { visit(row, spring, relaxing, {.not_clamped = true}); }}},
       {"each correction clamped",
        "it looks as if each correction were clamped, not their sum. What was too much is then never taken back, not "
-       "even by "
-       "the relaxing pass.",
+       "even by the relaxing pass.",
        {[](Row& row, const Spring& spring, bool relaxing) {
          const Real before = row.impulse;
          Row copy = row;
@@ -201,8 +196,8 @@ std::vector<Mistake<Answer>> mistakes() {
          if (!relaxing || row.speed() >= 0) visit(row, spring, relaxing, {});
        }}},
       {"γ in the denominator only",
-       "it looks as if γ stood in the denominator only. Then each sweep pushes as if there had been none before, "
-       "and many of them make the contact hard. The spring has yielded to the whole sum so far: JV + b + γ Σλ.",
+       "it looks as if γ stood in the denominator only. Then each sweep pushes as if there had been none before, and "
+       "many of them make the contact hard. The spring has yielded to the whole sum so far: JV + b + γ Σλ.",
        {[](Row& row, const Spring& spring, bool relaxing) { visit(row, spring, relaxing, {.above = 0}); }}},
       {"γ in the numerator only",
        "it looks as if γ stood in the numerator only. An impulse changes JV by K λ and what the spring asks for by γ "
@@ -243,8 +238,7 @@ std::vector<Mistake<Answer>> mistakes() {
        {[](Row& row, const Spring& spring, bool relaxing) { visit(row, spring, relaxing, {.zeta = Real(0.5)}); }}},
       {"sign of b",
        "it looks as if b had the wrong sign, or were left out. C is negative where the bodies overlap, and so is b: "
-       "the row wants JV = "
-       "-b.",
+       "the row wants JV = -b.",
        {[](Row& row, const Spring& spring, bool relaxing) { visit(row, spring, relaxing, {.b = -1}); }}},
       {"1/K for K",
        "it looks as if K were row.effective_mass. That is 1/K, in kg.",
@@ -253,8 +247,8 @@ std::vector<Mistake<Answer>> mistakes() {
        "it looks as if the correction took the place of the sum. reach makes its argument the new sum: Σλ + λ.",
        {[](Row& row, const Spring& spring, bool relaxing) { visit(row, spring, relaxing, {.sum_forgotten = true}); }}},
       {"not relaxed",
-       "it looks as if the relaxing pass asked for the same as a sweep. The body keeps the push-out's speed, and "
-       "a velocity stays.",
+       "it looks as if the relaxing pass asked for the same as a sweep. The body keeps the push-out's speed, and a "
+       "velocity stays.",
        {[](Row& row, const Spring& spring, bool relaxing) {
          visit(row, spring, relaxing, {.relaxed_b = 1, .relaxed_gamma = 1});
        }}},

@@ -151,8 +151,7 @@ std::vector<Mistake<Answer>> mistakes() {
   return {
       {"a push of |C|",
        "it looks as if the push did not ask whether a rod is too long or too short. C has a sign, and the push goes "
-       "back "
-       "by it.",
+       "back by it.",
        answer(absolute, absolute, as_often, Remembers::load)},
       {"only rods that are too long",
        "it looks as if only rods that are too long were pushed back. A rod is an equality: too short is an error as "
@@ -176,13 +175,13 @@ std::vector<Mistake<Answer>> mistakes() {
       {"the push remembered", remembered, answer(none, none, as_often, Remembers::load)},
       {"its rounds left out", left_out, answer(push, push, never, Remembers::load)},
       {"one round only",
-       "it looks as if the push had one sweep only. A push has to go along the whole chain as the load did: by as "
-       "many sweeps as there have been.",
+       "it looks as if the push had one sweep only. A push has to go along the whole chain as the load did: by as many "
+       "sweeps as there have been.",
        answer(
            push, push, [](int) { return 1; }, Remembers::load)},
       {"the push not put back",
-       "it looks as if b stayed without its push. The second half of the sweeps then solves the same equations "
-       "once more.",
+       "it looks as if b stayed without its push. The second half of the sweeps then solves the same equations once "
+       "more.",
        answer(push, none, as_often, Remembers::load)},
       {"sign of the push", sign, answer(push, negative, as_often, Remembers::load)},
       {"sign of the push", sign, answer(negative, negative, as_often, Remembers::load)},

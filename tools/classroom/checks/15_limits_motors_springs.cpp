@@ -121,8 +121,7 @@ std::vector<Mistake<Answer>> mistakes() {
       "it looks as if the limits were turned round. In this row an impulse above 0 pulls: from 0 up to h F.";
   const std::string a_speed =
       "it looks as if h did not turn a length into a speed. In b stand speeds: C/h where the rope is slack, and β/h C "
-      "where "
-      "it is too long.";
+      "where it is too long.";
   const std::string only_one =
       "it looks as if the hand's limit held in one of the two cases alone. The hand slips above F, slack rope or not.";
   return {
@@ -144,8 +143,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"hi for lo",
        "it looks as if lo and hi were exchanged. In this row an impulse above 0 pulls: the least sum is 0, the largest "
-       "h "
-       "F.",
+       "h F.",
        {[](JointRow& rope, Real strength, Real beta, Real h) {
          right(rope, strength, beta, h);
          std::swap(rope.lo, rope.hi);

@@ -198,8 +198,7 @@ std::vector<Mistake<Answer>> mistakes() {
   return {
       {"1-norm",
        "it looks as if sizes were added up, without squares. The norm is Euclid's, as the length of a vector: the root "
-       "of "
-       "the sum of squares.",
+       "of the sum of squares.",
        {[](const ContactProblem& problem, const Vector& r) {
          const Vector u = problem.speeds(r);
          double sum = 0;
@@ -211,8 +210,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"1-norm",
        "it looks as if |q| were the sum of sizes. The norm is Euclid's, as the length of a vector: the root of the sum "
-       "of "
-       "squares.",
+       "of squares.",
        {[](const ContactProblem& problem, const Vector& r) {
          return errors(problem, r).norm() / problem.q.lpNorm<1>();
        }}},
@@ -230,15 +228,13 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"a mean of all contacts",
        "it looks as if the squares were divided by how many contacts there are. The norms are over all contacts "
-       "together, "
-       "above and below.",
+       "together, above and below.",
        {[](const ContactProblem& problem, const Vector& r) {
          return errors(problem, r).norm() / std::sqrt(static_cast<double>(problem.contacts())) / problem.q.norm();
        }}},
       {"disc for cone",
        "it looks as if friction were drawn back to its disc, with the normal impulse as it is. The nearest point of "
-       "the "
-       "cone has a larger normal impulse: (x_n + μ |x_t|) / (1 + μ²).",
+       "the cone has a larger normal impulse: (x_n + μ |x_t|) / (1 + μ²).",
        {[](const ContactProblem& problem, const Vector& r) { return projected_by(problem, r, to_disc); }}},
       {"disc for cone",
        "it looks as if friction were drawn back to its disc, and μ |u_t| were left out. That, too, is 0 where the step "
@@ -324,8 +320,8 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 Exercise exercise() {
   return exercise_of<Answer>(
       "the residual by the natural map",
-      {"Contact by contact: s is u with μ |u_t| added to its first number. Which point of the cone is nearest to "
-       "x = r - s? If that is r itself, the contact is solved.",
+      {"Contact by contact: s is u with μ |u_t| added to its first number. Which point of the cone is nearest to x = r "
+       "- s? If that is r itself, the contact is solved.",
        "Three cases. x is in the cone if |x_t| ≤ μ x_n: it is the nearest point itself. If μ |x_t| ≤ -x_n, it is 0. "
        "Otherwise the nearest point lies on the edge, in the direction of x_t.",
        "On the edge: x_n' = (x_n + μ |x_t|) / (1 + μ²), and x_t' has the length μ x_n'. Add the squares of r - x' over "

@@ -162,8 +162,7 @@ std::vector<Mistake<Answer>> mistakes() {
        {eliminated<Slip{.transposed = false}>}},
       {"transpose forgotten",
        "it looks as if next[i - 1] stood in the substitution, where its transpose belongs. next[i] says what joint i + "
-       "1 "
-       "does to joint i; the other way it is next[i].transpose().",
+       "1 does to joint i; the other way it is next[i].transpose().",
        {eliminated<Slip{.transposed_back = false}>}},
       {"sign of the elimination", sign, {eliminated<Slip{.block = 1}>}},
       {"sign of the elimination", sign, {eliminated<Slip{.side = 1}>}},
@@ -218,8 +217,8 @@ Exercise exercise() {
       "the elimination of a chain",
       {"Row i of A λ = wanted: next[i-1]ᵀ λ_i-1 + own[i] λ_i + next[i] λ_i+1 = wanted[i]. At the free end there is no "
        "λ_i+1: solve for λ_i, and put that into row i - 1.",
-       "That changes only row i - 1: own[i-1] loses next[i-1] own[i]⁻¹ next[i-1]ᵀ, and wanted[i-1] loses "
-       "next[i-1] own[i]⁻¹ wanted[i]. Go on with i - 1, down to 1.",
+       "That changes only row i - 1: own[i-1] loses next[i-1] own[i]⁻¹ next[i-1]ᵀ, and wanted[i-1] loses next[i-1] "
+       "own[i]⁻¹ wanted[i]. Go on with i - 1, down to 1.",
        "Now the hook's row has only λ_0. Solve it; then each next joint: own[i] λ_i = wanted[i] - next[i-1]ᵀ λ_i-1."},
       checks(), {right}, mistakes());
 }

@@ -167,8 +167,8 @@ Measurements front_by(Measurements all, const Seconds& seconds) {
 std::vector<Mistake<Answer>> mistakes() {
   return {
       {"equal times kept",
-       "it looks as if settings that take equally long were kept together. The one with the larger error costs as "
-       "much and gives less. Of equal times, the least error has to come first.",
+       "it looks as if settings that take equally long were kept together. The one with the larger error costs as much "
+       "and gives less. Of equal times, the least error has to come first.",
        {[](Measurements all) {
          leave_out_lost(all);
          std::stable_sort(all.begin(), all.end(), by_time);
@@ -261,15 +261,13 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"a mean or a last round for the median",
        "it looks as if a round in which the machine was busy counted, by the mean of all rounds or as the last one. "
-       "The "
-       "median of all rounds does not mind one of them.",
+       "The median of all rounds does not mind one of them.",
        {[](Measurements all) {
          return front_by(std::move(all), [](const Measured& one) { return one.seconds.back(); });
        }}},
       {"a mean or a last round for the median",
        "it looks as if a round in which the machine was busy counted, by the mean of all rounds or as the last one. "
-       "The "
-       "median of all rounds does not mind one of them.",
+       "The median of all rounds does not mind one of them.",
        {[](Measurements all) {
          return front_by(std::move(all), [](const Measured& one) {
            return std::accumulate(one.seconds.begin(), one.seconds.end(), 0.0) /
@@ -296,14 +294,13 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
-      "the front of a diagram",
-      {"Leave out first what has an infinite error: std::isfinite.",
-       "Put the others in the order of their times; of equal times, the smaller error first. A std::pair of both "
-       "compares so.",
-       "Go through them in that order. Nobody who comes later is faster, so a setting belongs to the front exactly if "
-       "its error is smaller than that of the last one that you took."},
-      checks(), {study::front}, mistakes());
+  return exercise_of<Answer>("the front of a diagram",
+                             {"Leave out first what has an infinite error: std::isfinite.",
+                              "Put the others in the order of their times; of equal times, the smaller error first. A "
+                              "std::pair of both compares so.",
+                              "Go through them in that order. Nobody who comes later is faster, so a setting belongs "
+                              "to the front exactly if its error is smaller than that of the last one that you took."},
+                             checks(), {study::front}, mistakes());
 }
 
 }  // namespace pushback::exercise_19

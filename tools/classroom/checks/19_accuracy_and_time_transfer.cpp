@@ -147,8 +147,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"never held",
        "it looks as if nothing ever held the box. Where μ > tan of the slope, friction can bear all that pulls it "
-       "down, "
-       "and bears just that: it is no force that moves a box up.",
+       "down, and bears just that: it is no force that moves a box up.",
        {[](double speed, double slope, double mu, double t) {
          const Pulls its(slope, mu);
          return way_of(speed, its.pull + its.rub, its.pull - its.rub, false, t);
@@ -183,8 +182,8 @@ std::vector<Mistake<Answer>> mistakes() {
          return speed * turn / 2 - (its.pull - its.rub) * t * t / 2;
        }}},
       {"the top forgotten",
-       "it looks as if the way back were counted from the start's place. It slides back from where it stopped, "
-       "v² / 2a further up.",
+       "it looks as if the way back were counted from the start's place. It slides back from where it stopped, v² / 2a "
+       "further up.",
        {[](double speed, double slope, double mu, double t) {
          const Pulls its(slope, mu);
          const double up = its.pull + its.rub, top = speed * speed / (2 * up);

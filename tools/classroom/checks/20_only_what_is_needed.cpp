@@ -204,12 +204,10 @@ std::vector<bool> woken(const World& world, const std::vector<bool>& rests) {
 std::vector<Mistake<Answer>> mistakes() {
   const std::string once =
       "it looks as if contacts and joints were not gone through to the end. Who is woken by a joint wakes who touches "
-      "it, "
-      "and so on: begin again until nobody is woken any more.";
+      "it, and so on: begin again until nobody is woken any more.";
   const std::string hand =
       "it looks as if two islands were joined by one body each. Who is joined brings along all of its island: each "
-      "body "
-      "that had the one number has to get the other.";
+      "body that had the one number has to get the other.";
   return {
       {"not to the end", once, {woken<1000, 1>}},
       {"not to the end", once, {woken<1000, 1000>}},
@@ -225,8 +223,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"a fixed body wakes",
        "it looks as if a body that nothing moves woke who touches it or hangs on it. It passes nothing on, and belongs "
-       "to "
-       "no island.",
+       "to no island.",
        {[](const World& world, const std::vector<bool>& rests) {
          std::vector<bool> at_rest = rests;
          for (const auto& [a, b] : links(world, any_pair, any_pair)) {

@@ -170,8 +170,7 @@ std::vector<Mistake<Answer>> mistakes() {
   return {
       {"the sign of A's part",
        "it looks as if what A has moved were added, not subtracted. n points from A to B: where A moves along n, the "
-       "gap "
-       "closes.",
+       "gap closes.",
        with_separation([](const Found& f, const Moved& a, const Moved& b) -> Real {
          return f.C + f.n.dot(b.way + a.way + b.turn.cross(f.arm_b) + a.turn.cross(f.arm_a));
        })},
@@ -213,8 +212,7 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"stopped in the air",
        "it looks as if b were 0 for bodies that are still apart. JV ≥ 0 forbids them to come nearer at all. They may, "
-       "by "
-       "as much as they are apart: JV + C/h ≥ 0.",
+       "by as much as they are apart: JV + C/h ≥ 0.",
        with_bias([](Real C, Real rate, Real) -> Real { return std::min(rate * C, Real(0)); })},
       {"braked in the air",
        "it looks as if bodies that are apart had the push-out's b. `rate` is for what overlaps: here it lets the ball "
@@ -232,8 +230,7 @@ std::vector<Mistake<Answer>> mistakes() {
        with_bias([](Real C, Real rate, Real h) -> Real { return C > 0 ? -C / h : rate * C; })},
       {"pushed out at once",
        "it looks as if b were C/h for what overlaps, too. That is all of the overlap in one substep; the push-out is "
-       "to "
-       "take its time: rate · C.",
+       "to take its time: rate · C.",
        with_bias([](Real C, Real, Real h) -> Real { return C / h; })},
       {"no push-out",
        "it looks as if nothing were asked for where the bodies overlap, or b had the wrong sign there. C is negative "
@@ -241,23 +238,19 @@ std::vector<Mistake<Answer>> mistakes() {
        with_bias([](Real C, Real, Real h) -> Real { return std::max(C / h, Real(0)); })},
       {"relaxed in the air",
        "it looks as if the relaxing pass asked for b = 0 of bodies that are apart. That stops them where they are. "
-       "Only "
-       "the push-out is to be removed.",
+       "Only the push-out is to be removed.",
        with_relaxed([](Real, Real, Real) -> Real { return 0; })},
       {"the push-out kept",
        "it looks as if the relaxing pass kept the push-out. The body has moved by it; what is left of its speed is "
-       "energy "
-       "fed in.",
+       "energy fed in.",
        with_relaxed([](Real bias, Real, Real) -> Real { return bias; })},
       {"relaxed by where the bodies are now",
        "it looks as if the relaxing pass asked whether the bodies are apart now. It goes by how the substep began: "
-       "what was "
-       "apart, b > 0, keeps its b, and a push-out, b < 0, becomes 0.",
+       "what was apart, b > 0, keeps its b, and a push-out, b < 0, becomes 0.",
        with_relaxed([](Real bias, Real C, Real) -> Real { return C < 0 ? 0 : bias; })},
       {"relaxed by where the bodies are now",
        "it looks as if the relaxing pass asked whether the bodies are apart now. It goes by how the substep began: "
-       "what was "
-       "apart, b > 0, keeps its b, and a push-out, b < 0, becomes 0.",
+       "what was apart, b > 0, keeps its b, and a push-out, b < 0, becomes 0.",
        with_relaxed([](Real bias, Real C, Real) -> Real { return C > 0 ? std::max(bias, Real(0)) : 0; })},
       {"the push-out turned round",
        "it looks as if the relaxing pass turned the push-out round. A b > 0 would let the bodies come nearer again: it "
@@ -289,8 +282,7 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"h in the wrong place",
        "it looks as if h did not turn the gap into a speed. Bodies that may come nearer by C within h seconds may do "
-       "so at "
-       "C/h.",
+       "so at C/h.",
        with_bias([](Real C, Real rate, Real h) -> Real { return C > 0 ? C * h : rate * C; })},
       {"relaxed with the gap of now",
        "it looks as if the relaxing pass asked for C/h of where the bodies are now. That already brakes for the next "
@@ -308,11 +300,9 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 Exercise exercise() {
   return exercise_of<Answer>("the separation of contacts that stay, and what their rows ask for",
                              {"The point of B has moved by b.way + b.turn × found.arm_b, the point of A likewise. C "
-                              "grows by what B's moved more "
-                              "than A's, along found.n.",
+                              "grows by what B's moved more than A's, along found.n.",
                               "What is apart, C > 0, may come nearer by all of C in this substep: b = C/h. What "
-                              "overlaps is pushed out: b = rate "
-                              "· C.",
+                              "overlaps is pushed out: b = rate · C.",
                               "In the relaxing pass a push-out, b < 0, becomes 0. A b > 0 stays as it was."},
                              checks(), right, mistakes(),
                              {{2, {"height of your ball", "mm", "substep after the third"}}});

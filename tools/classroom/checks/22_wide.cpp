@@ -163,8 +163,7 @@ std::vector<Mistake<Answer>> mistakes() {
   return {
       {"all in one set",
        "it looks as if all pairs had one colour. Two pairs that meet in a body both read its velocity and both write "
-       "it: one "
-       "of the two pushes is lost.",
+       "it: one of the two pushes is lost.",
        {[](const Pairs& pairs, const Movable&) { return Colours(pairs.size(), 0); }}},
       {"a colour for each pair",
        "it looks as if each pair had a colour of its own. That is one after the other again: nothing is solved side by "
@@ -176,8 +175,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"two colours in turn",
        "it looks as if pairs had two colours in turn. That is right for a column alone: the colour depends on what the "
-       "two "
-       "bodies already have.",
+       "two bodies already have.",
        {[](const Pairs& pairs, const Movable&) {
          Colours colours;
          for (std::size_t i = 0; i < pairs.size(); ++i) colours.push_back(static_cast<int>(i % 2));
@@ -185,8 +183,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"the ground shared",
        "it looks as if bodies that cannot move counted. Nothing changes their velocity, so pairs that meet only there "
-       "can "
-       "be solved side by side.",
+       "can be solved side by side.",
        {[](const Pairs& pairs, const Movable& movable) { return greedy(pairs, movable, {.fixed_count = true}); }}},
       {"only A's colours",
        "it looks as if only the colours of body A were looked at. The colour has to be free in both bodies.",
@@ -205,13 +202,11 @@ std::vector<Mistake<Answer>> mistakes() {
        {[](const Pairs& pairs, const Movable& movable) { return greedy(pairs, movable, {.both_needed = true}); }}},
       {"above all that are taken",
        "it looks as if the colour were one more than the highest that either body has. Gaps below it stay unused, and "
-       "there "
-       "are more colours than are needed.",
+       "there are more colours than are needed.",
        {[](const Pairs& pairs, const Movable& movable) { return greedy(pairs, movable, {.above_all = true}); }}},
       {"pairs with the ground left out",
        "it looks as if pairs with a body that cannot move had colour 0 in any case, and their other body did not take "
-       "note. "
-       "The body that can move is in that pair as in any other.",
+       "note. The body that can move is in that pair as in any other.",
        {[](const Pairs& pairs, const Movable& movable) {
          Pairs others;
          for (const Pair& pair : pairs)

@@ -173,8 +173,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"no wait",
        "it looks as if nobody waited. A thread that is done early begins the next set, whose bundles share bodies with "
-       "those "
-       "that others still solve.",
+       "those that others still solve.",
        {[](Thread& thread, const Sizes& sizes) {
          Thread waiting(thread.who, thread.count);
          right(waiting, sizes);
@@ -192,8 +191,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"a share of the whole list",
        "it looks as if a thread's share were cut from the list of all bundles. It is cut from each set: all threads "
-       "solve the "
-       "same set at the same time.",
+       "solve the same set at the same time.",
        {[](Thread& thread, const Sizes& sizes) {
          const int all = std::accumulate(sizes.begin(), sizes.end(), 0);
          for (int i = all * thread.who / thread.count; i < all * (thread.who + 1) / thread.count; ++i) thread.solve(i);
@@ -201,8 +199,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"a wait after each bundle",
        "it looks as if a thread waited after each of its bundles. Within a set nobody has to wait; and who has fewer "
-       "bundles "
-       "waits less often than the others, which then wait for ever.",
+       "bundles waits less often than the others, which then wait for ever.",
        {[](Thread& thread, const Sizes& sizes) {
          Thread waiting(thread.who, thread.count);
          right(waiting, sizes);
@@ -222,8 +219,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"no wait without a share",
        "it looks as if a thread that has no bundle in a set did not wait. It would begin the next set at once, and the "
-       "others "
-       "would wait for it in vain.",
+       "others would wait for it in vain.",
        {[](Thread& thread, const Sizes& sizes) {
          Thread waiting(thread.who, thread.count);
          right(waiting, sizes);
@@ -234,8 +230,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"the rest left out",
        "it looks as if n / T were rounded down for every thread, so that the last bundles of a set belong to nobody. "
-       "Multiply "
-       "first: n t / T.",
+       "Multiply first: n t / T.",
        {[](Thread& thread, const Sizes& sizes) {
          int first = 0;
          for (const int size : sizes) {
@@ -270,8 +265,7 @@ std::vector<Mistake<Answer>> mistakes() {
        }}},
       {"numbered anew in each set",
        "it looks as if bundles were counted from 0 in each set. Their numbers go on: the first of set 1 follows the "
-       "last of "
-       "set 0.",
+       "last of set 0.",
        {[](Thread& thread, const Sizes& sizes) {
          for (const int size : sizes) {
            const int begin = size * thread.who / thread.count, end = size * (thread.who + 1) / thread.count;
@@ -289,13 +283,12 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
-      "a sweep by several threads",
-      {"Go through the sets in their order, and keep the number of the first bundle of each.",
-       "Of a set with n bundles, this thread has those from n who / count to before n (who + 1) / "
-       "count, counted from the first of the set.",
-       "Then thread.wait_for_all(), in every set, also where this thread had nothing to do."},
-      checks(), {right}, mistakes());
+  return exercise_of<Answer>("a sweep by several threads",
+                             {"Go through the sets in their order, and keep the number of the first bundle of each.",
+                              "Of a set with n bundles, this thread has those from n who / count to before n (who + 1) "
+                              "/ count, counted from the first of the set.",
+                              "Then thread.wait_for_all(), in every set, also where this thread had nothing to do."},
+                             checks(), {right}, mistakes());
 }
 
 }  // namespace pushback::exercise_23

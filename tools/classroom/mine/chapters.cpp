@@ -52,22 +52,17 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
       {0,
        "an impulse for every contact",
        {"Go over world.contacts once. world.bodies_of(c) gives A and B, c.normal points from A to B, c.point is where "
-        "they "
-        "touch.",
+        "they touch.",
         "The speed v_n along the normal is that of the point of B minus that of A: v + w × r, with r = c.point − "
-        "position. If "
-        "v_n ≥ 0, they leave each other: nothing to do.",
+        "position. If v_n ≥ 0, they leave each other: nothing to do.",
         "K = 1/m_A + 1/m_B + (r_A × n)·I_A⁻¹(r_A × n) + (r_B × n)·I_B⁻¹(r_B × n). λ = −(1 + e) v_n / K: B gets +λ n, A "
-        "gets "
-        "−λ n. Add λ n to c.impulse, then move both apart by depth, each in proportion to its 1/m."}},
+        "gets −λ n. Add λ n to c.impulse, then move both apart by depth, each in proportion to its 1/m."}},
       {1,
        "a row for each contact, solved over and over",
        {"Forget the bounce and the moving by hand. Make a list of rows first, one a contact: what J and K are made of, "
-        "a sum "
-        "that begins at 0.",
+        "a sum that begins at 0.",
         "For each of `sweeps` sweeps, for each row: λ = −J V / K, with J V read then and there; add λ to the row's sum "
-        "and "
-        "give it to the bodies. Whichever sign it has: a row is an equation.",
+        "and give it to the bodies. Whichever sign it has: a row is an equation.",
         "After the sweeps, c.impulse is the sum times n. Clear the list at the next call."}},
       {2,
        "contacts push and never pull",
@@ -84,29 +79,23 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
       {6,
        "friction: two rows along the surface",
        {"tangents_of(c.normal) gives two directions. Each is a row like the normal, with b = 0. Contacts with "
-        "c.friction == 0 "
-        "need none.",
+        "c.friction == 0 need none.",
         "In each sweep all normals first, then all tangents. The sum of a tangent stays within ± μ times the sum of "
-        "its "
-        "contact's normal.",
+        "its contact's normal.",
         "A row says which contact it belongs to: the place of a tangent in its list is not that of its normal. "
-        "c.impulse is the "
-        "sum of all three."}},
+        "c.impulse is the sum of all three."}},
       {7,
        "the impulses of the step before as the initial guess",
        {"world.contacts_before has the contacts of the step before, each with its impulse. Both lists ascend by id.",
         "Before the sweeps, each row begins with its part of world.impulse_scale(dt) times the old impulse of the same "
-        "id: · n "
-        "for the normal, · t for each tangent.",
+        "id: · n for the normal, · t for each tangent.",
         "Begin means two things: the row's sum is it, and the bodies get it. The normal's part is never less than 0."}},
       {8,
        "a disc for the square",
        {"Both tangents of a contact are solved together: read both slips, make both new sums, and if the length of "
-        "(sum₁, sum₂) "
-        "is more than μ times the normal's sum, scale both back to it. Then apply.",
+        "(sum₁, sum₂) is more than μ times the normal's sum, scale both back to it. Then apply.",
         "Both take steps of the same size 1/k: k is the larger eigenvalue of the 2 × 2 matrix (k₁₁ k₁₂; k₁₂ k₂₂) of "
-        "the two "
-        "tangents, k₁₂ the speed along t₂ that an impulse of 1 N s along t₁ makes.",
+        "the two tangents, k₁₂ the speed along t₂ that an impulse of 1 N s along t₁ makes.",
         "k = (k₁₁ + k₂₂)/2 + hypot((k₁₁ − k₂₂)/2, k₁₂)."}},
   };
   return all;

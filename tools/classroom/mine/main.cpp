@@ -192,11 +192,10 @@ bool compare(const MyFolder& mine, const Asked& asked) {
 int main(int argc, char** argv) {
   Asked asked;
   CommandLine line("A solver of your own: one file that grows from chapter to chapter.", "./course mine");
-  line.option(
-      "CHAPTER", asked.words,
-      "00 to 08, or its name; none: where you stand. Or hard-cases [NAME...]: yours beside the stages in the table of "
-      "hard cases. Or race SCENE: its time and what is off, beside ours. "
-      "Or study [MOTION...]: error against time, beside ours");
+  line.option("CHAPTER", asked.words,
+              "00 to 08, or its name; none: where you stand. Or hard-cases [NAME...]: yours beside the stages in the "
+              "table of hard cases. Or race SCENE: its time and what is off, beside ours. Or study [MOTION...]: error "
+              "against time, beside ours");
   line.flag("--hint", asked.hint, "One hint more each time");
   line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
   line.flag("--diff", asked.diff, "The chapter's plain loop beside your file, once it passes");

@@ -154,8 +154,7 @@ bool race(const MyFolder& mine, const AskedOfRace& asked) {
   fmt::print(
       "overlap: the deepest in any step. moved: the way from its start of the body that is farthest from it; speed at "
       "end: of the\nfastest body: errors only where all should rest. gained: the most energy above the start's: an "
-      "error, "
-      "unless a motor runs\nor bodies begin inside each other.\n");
+      "error, unless a motor runs\nor bodies begin inside each other.\n");
   return lanes.front().problem.empty();
 }
 

@@ -376,14 +376,12 @@ const std::vector<KnownSlip>& known_slips() {
   static const std::vector<KnownSlip> slips{
       {Slip::nothing_done, 0, all, "nothing done",
        "nothing has changed the bodies. Either nothing is written yet, or copies were changed: world.bodies_of(c) "
-       "gives "
-       "references, so write auto [a, b] = ... for it, and never Body a = ..."},
+       "gives references, so write auto [a, b] = ... for it, and never Body a = ..."},
       {Slip::against_itself, 0, all, "sign of λ",
        "it looks as if the impulse had the wrong sign. It is to undo the speed of the points: λ = −J V / K."},
       {Slip::same_direction, 0, all, "both in one direction",
        "it looks as if both bodies got the impulse in the same direction. The normal points from A to B: B gets +λ n, "
-       "A gets "
-       "−λ n, and so do their spins."},
+       "A gets −λ n, and so do their spins."},
       {Slip::only_upper, 0, all, "A forgotten",
        "it looks as if only B got the impulse. Whatever B gets, A gets with the other sign."},
       {Slip::no_spin, 0, all, "spin forgotten",
@@ -391,8 +389,7 @@ const std::vector<KnownSlip>& known_slips() {
        "n)."},
       {Slip::arm_crossed, 0, all, "n × r",
        "it looks as if the arm and the normal were crossed in the wrong order: it is r × n, with r from the centre to "
-       "the "
-       "point."},
+       "the point."},
       {Slip::arm_from_origin, 0, all, "arm from the origin",
        "it looks as if the arm began at the world's origin. It begins at the body's centre: r = point − position."},
       {Slip::inertia_of_body_axes, 0, all, "inertia in the body's axes",
@@ -402,18 +399,15 @@ const std::vector<KnownSlip>& known_slips() {
        "it looks as if the speed at the point were read without the spins. A point moves with v + w × r."},
       {Slip::k_without_arms, 0, all, "K without arms",
        "it looks as if K were 1/m_A + 1/m_B alone. A body that turns gives way more easily: (r × n) · I⁻¹ (r × n) of "
-       "each body "
-       "belongs to K."},
+       "each body belongs to K."},
       {Slip::k_not_inverted, 0, all, "K for 1/K",
        "it looks as if the speed were multiplied by K. K is the speed that an impulse of 1 N s makes, so λ is the "
-       "speed "
-       "divided by K."},
+       "speed divided by K."},
       {Slip::k_of_upper, 0, all, "K of B alone",
        "it looks as if K held one body only. Both give way: A and B each bring 1/m and an arm."},
       {Slip::impulse_not_kept, 0, all, "impulse not kept",
        "it looks as if the contact were told nothing. What was done to it belongs into its `impulse`: the sum along "
-       "the "
-       "normal, times n (and along the tangents, once there are any)."},
+       "the normal, times n (and along the tangents, once there are any)."},
       {Slip::no_bounce, 0, 0, "e forgotten", "it looks as if e were forgotten: (1 + e) times what just stops them."},
       {Slip::bounces_when_leaving, 0, 0, "leaving ones hit",
        "it looks as if bodies got an impulse that are leaving each other already. They need none."},
@@ -429,40 +423,33 @@ const std::vector<KnownSlip>& known_slips() {
        "`sweeps` times."},
       {Slip::speeds_read_first, 1, all, "all speeds read first",
        "it looks as if all speeds of a sweep were read before the first impulse. Each row is to see what the row "
-       "before "
-       "did: read J V where λ is made of it."},
+       "before did: read J V where λ is made of it."},
       {Slip::last_impulse_kept, 1, all, "last λ kept",
        "it looks as if the contact kept what the last sweep gave. It got an impulse in every sweep: keep the sum."},
       {Slip::rows_not_cleared, 1, all, "rows of the step before",
        "it looks as if rows of the step before were still there. The solver lives on from step to step: clear its "
-       "lists "
-       "first."},
+       "lists first."},
       {Slip::already_let_go, 1, 1, "clamped already",
        "it looks as if bodies that leave were let go. That is right, and comes in chapter 02; in this one a row is an "
        "equation, so that you see what it does: J V = 0, whichever sign λ has. (Done already? Go on with chapter 02.)"},
 
       {Slip::each_clamped, 2, all, "each λ clamped",
        "it looks as if each λ were clamped. A later sweep must be able to take back what was too much: add λ to the "
-       "sum, "
-       "clamp the sum, and apply by how much it has changed."},
+       "sum, clamp the sum, and apply by how much it has changed."},
       {Slip::pulls_only, 2, all, "sign of the clamp",
        "it looks as if contacts pulled and never pushed. The sum of λ is never less than 0: max(0, sum)."},
       {Slip::sum_clamped_alone, 2, all, "clamped λ not applied",
        "it looks as if the sum were clamped, and the bodies got λ all the same. They get what the sum gains: new sum − "
-       "old "
-       "sum."},
+       "old sum."},
       {Slip::clamped_at_the_end, 2, all, "clamped at the end",
        "it looks as if only what is kept were clamped, and bodies are pulled before. Clamp in each row, before the "
-       "bodies get "
-       "anything."},
+       "bodies get anything."},
       {Slip::difference_forgotten, 2, all, "sum applied",
        "it looks as if the whole sum were applied in each sweep. The bodies have the old sum already: give them new "
-       "sum − old "
-       "sum."},
+       "sum − old sum."},
       {Slip::size_of_sum, 2, all, "absolute value",
        "it looks as if a negative sum became positive. A contact that would have to pull does nothing: max(0, sum), "
-       "not its "
-       "absolute value."},
+       "not its absolute value."},
 
       {Slip::no_clamp, 3, all, "clamp lost",
        "it looks as if nothing were clamped any more, as in chapter 01. The sum of λ along a normal is never less than "
@@ -476,25 +463,21 @@ const std::vector<KnownSlip>& known_slips() {
        "it looks as if β were forgotten. One step is to take away the part β = 0.2 of the overlap, not all of it."},
       {Slip::sign_of_bias, 3, all, "sign of b",
        "it looks as if b had the wrong sign. A row solves J V + b = 0, so b is minus the wanted speed: negative where "
-       "bodies "
-       "overlap."},
+       "bodies overlap."},
       {Slip::bias_not_divided, 3, all, "b beside 1/K",
        "it looks as if b were added to λ. It is a speed, as J V is: λ = −(J V + b) / K."},
       {Slip::bias_once, 3, all, "b in the first sweep",
        "it looks as if b counted in one sweep only; the next one takes the speed away again. b stays in the row in "
-       "every "
-       "sweep."},
+       "every sweep."},
       {Slip::gap_pushed, 3, all, "a push on points that are apart",
-       "it looks as if points that are still apart were pushed, too. Where depth < 0 there is no overlap to undo: "
-       "C = min(0, −depth)."},
+       "it looks as if points that are still apart were pushed, too. Where depth < 0 there is no overlap to undo: C = "
+       "min(0, −depth)."},
       {Slip::gap_let_in, 3, all, "points let in",
        "it looks as if points that are still apart were let in. C = min(0, −depth): here, an approach is stopped as if "
-       "they "
-       "touched."},
+       "they touched."},
       {Slip::depth_halved, 3, all, "half of the depth",
        "it looks as if each body were to take half of the depth. The row moves both against each other: the whole "
-       "depth belongs "
-       "into it, once."},
+       "depth belongs into it, once."},
 
       {Slip::slop_added, 4, all, "sign of the slop",
        "it looks as if the slop were added to the depth. It is the part that is left: C = min(0, −depth + slop)."},
@@ -503,8 +486,7 @@ const std::vector<KnownSlip>& known_slips() {
        "slop)."},
       {Slip::slop_all_or_nothing, 4, all, "all or nothing",
        "it looks as if all of the depth counted as soon as it is more than the slop. Only what is beyond the slop "
-       "does, or "
-       "bodies jump as they pass it."},
+       "does, or bodies jump as they pass it."},
       {Slip::slop_in_millimetres, 4, all, "slop in mm",
        "it looks as if the slop were in millimetres, or far too large. Lengths are in metres: 0.005."},
       {Slip::slop_outside, 4, all, "slop beside β/h",
@@ -515,8 +497,7 @@ const std::vector<KnownSlip>& known_slips() {
 
       {Slip::velocity_now, 5, all, "velocity_before ignored",
        "it looks as if the bounce were made of the velocities as they are now. This step's gravity is in them already: "
-       "take "
-       "velocity_before and angular_velocity_before."},
+       "take velocity_before and angular_velocity_before."},
       {Slip::no_threshold, 5, all, "threshold forgotten",
        "it looks as if everything bounced, however slow. Less than 0.1 m/s is no impact: nothing would come to rest."},
       {Slip::threshold_turned, 5, all, "sign of the threshold",
@@ -540,8 +521,7 @@ const std::vector<KnownSlip>& known_slips() {
 
       {Slip::friction_first, 6, all, "friction before its normal",
        "it looks as if friction came before its normal. Its bound is μ times the push, and in the first sweep there is "
-       "none "
-       "yet: solve the normals first."},
+       "none yet: solve the normals first."},
       {Slip::friction_not_summed, 6, 7, "each friction λ clamped",
        "it looks as if each λ of friction were clamped. What is bounded is the sum, as along the normal."},
       {Slip::one_sided, 6, all, "bound on one side",
@@ -550,19 +530,16 @@ const std::vector<KnownSlip>& known_slips() {
        "it looks as if the bound were made of the last λ of the normal. It is μ times the sum."},
       {Slip::bound_by_place, 6, all, "wrong normal",
        "it looks as if friction were bounded by the push of another contact. Smooth contacts have no tangents, so the "
-       "places in "
-       "the two lists differ: let each row say which contact it belongs to."},
+       "places in the two lists differ: let each row say which contact it belongs to."},
       {Slip::one_tangent, 6, all, "one tangent twice",
        "it looks as if both rows of friction had the same tangent. A surface has two directions: tangents_of(normal) "
-       "gives "
-       "both."},
+       "gives both."},
       {Slip::no_mu, 6, all, "μ forgotten",
        "it looks as if μ were forgotten: the bound is μ times the push, with the contact's own μ."},
       {Slip::mu_squared, 6, all, "μ twice", "it looks as if μ counted twice. c.friction is that of the pair already."},
       {Slip::slip_without_spin, 6, all, "slip without spin",
        "it looks as if the slip were read at the centres. A ball that rolls does not slip: v + w × r of each body, as "
-       "along the "
-       "normal."},
+       "along the normal."},
       {Slip::friction_not_kept, 6, all, "friction not kept",
        "it looks as if the contact kept its normal impulse alone. Add λ t of both tangents to c.impulse."},
       {Slip::friction_speeds_up, 6, all, "sign of friction",
@@ -575,34 +552,29 @@ const std::vector<KnownSlip>& known_slips() {
        "it looks as if the impulse were scaled by h before / h now. It is h now / h before: world.impulse_scale(dt)."},
       {Slip::by_place, 7, all, "matched by place",
        "it looks as if a contact started from what stood in its place in the list. Places change when a contact comes "
-       "or goes: "
-       "match by id."},
+       "or goes: match by id."},
       {Slip::tangents_cold, 7, all, "friction not warmed",
        "it looks as if friction began from nothing. Its rows start from the same impulse: c.impulse · t."},
       {Slip::stored_not_applied, 7, all, "stored, not applied",
        "it looks as if the rows knew the guess and the bodies had not got it. A sum that begins at p means that p has "
-       "been "
-       "applied."},
+       "been applied."},
       {Slip::applied_not_stored, 7, all, "applied, not stored",
        "it looks as if the bodies got the guess and the rows did not know. Begin the sums with it, or it cannot be "
        "taken back."},
       {Slip::applied_twice, 7, all, "applied twice", "it looks as if the bodies got the guess twice."},
       {Slip::step_before_last, 7, all, "the step before last",
        "it looks as if the guess were that of the step before last. world.contacts_before holds the step before this "
-       "one; what "
-       "you keep yourself is to be renewed in each step, also where contacts have gone."},
+       "one; what you keep yourself is to be renewed in each step, also where contacts have gone."},
       {Slip::guess_as_length, 7, all, "length of the impulse",
        "it looks as if the normal's guess were the length of the whole impulse. It is the part along the normal: "
        "impulse · n."},
       {Slip::guess_before_bias, 7, all, "warm start before the bias",
        "it looks as if the bounce were read after the guess was applied. The guess changes the velocities: make b "
-       "first, or of "
-       "velocity_before."},
+       "first, or of velocity_before."},
 
       {Slip::square, 8, all, "a square",
        "it looks as if each tangent had a bound of its own. Together they fill a square, which is too strong across "
-       "its "
-       "corners: bound the length of both, by a disc."},
+       "its corners: bound the length of both, by a disc."},
       {Slip::second_late, 8, all, "second slip read late",
        "it looks as if the second slip were read after the first row had changed the bodies. Read both, then change."},
       {Slip::no_k12, 8, all, "k₁₂ forgotten",
@@ -611,8 +583,7 @@ const std::vector<KnownSlip>& known_slips() {
        "it looks as if the smaller eigenvalue were taken. The step is 1/k with the larger one, or it goes too far."},
       {Slip::each_its_own, 8, all, "each its own step",
        "it looks as if each tangent went by its own 1/K. With steps of two sizes friction is not against the slip: "
-       "both take "
-       "1/k."},
+       "both take 1/k."},
       {Slip::each_step_bounded, 8, all, "each step in the disc",
        "it looks as if each step were kept within the disc. It is the sum that is."},
       {Slip::factor_squared, 8, all, "root forgotten",
