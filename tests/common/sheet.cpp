@@ -129,6 +129,19 @@ TEST_CASE("side by side, a variant is a column, and its instants stand below eac
   CHECK(line_with(image, y, red, 500) == -1);
 }
 
+TEST_CASE("a fourth variant beside three, as a reader's own is, stands below them as a column") {
+  Sheet sheet = sheet_of(4);
+  sheet.side_by_side = true;
+  for (SheetRow& row : sheet.rows) row.cells.resize(1);
+  const Image image = make_sheet(sheet);
+  CHECK(image.width == 1600);
+  const int three = line_with(image, 0, red, 1500);
+  REQUIRE(three > 0);
+  const int fourth = line_with(image, three + 281, red, 400);
+  REQUIRE(fourth > 0);
+  CHECK(runs(image, fourth, red) == std::vector<std::pair<int, int>>{{40, 500}});
+}
+
 TEST_CASE("cells that were drawn smaller stand on the sheet as large as the others") {
   Sheet sheet = sheet_of(1);
   sheet.rows.front().cells.assign(3, filled(250, 140, red));

@@ -128,6 +128,7 @@ std::vector<Check<Answer>> checks() {
          Railed pushed = railed;  // by impulses alone: what turns in a step changes its inertia
          Solver<Joints> pushing = solver;
          pushing.solve(pushed.world, Real(0.02), 1);
+         show(pushed.world, {3});
          const Real made = pushed.angular_momentum().norm();  // they were at rest
          railed.world.step(solver, Real(0.02), 2000);
          show(railed.world, {0, 1});
