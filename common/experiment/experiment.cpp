@@ -177,7 +177,29 @@ int Experiment::sweeps_of(const Variant& variant) const {
   return variant.solver ? variant.plan(dt_).sweeps : sweeps_;
 }
 
-/// Behind the last variant of each scene, and as that one is played: with its sweeps, and what it changes in the scene.
+namespace {
+
+/// A scene may be one in half steps: it is so for whoever joins in.
+class DetectingAsOften : public ForwardingSolver {
+ public:
+  DetectingAsOften(AnySolver solver, int detections) : solver_(std::move(solver)), detections_(detections) {}
+  Plan plan(Real dt) const override {
+    Plan plan = solver_.plan(dt);
+    plan.detections = std::max(plan.detections, detections_);
+    return plan;
+  }
+
+ private:
+  StepSolver& inner() override { return solver_; }
+  const StepSolver& inner() const override { return solver_; }
+  AnySolver solver_;
+  int detections_;
+};
+
+}  // namespace
+
+/// Behind the last variant of each scene, and as that one is played: with its sweeps and its steps, and what it changes in the
+/// scene.
 void Experiment::add_to_all_scenes(const std::string& name, const AnySolver& solver) {
   std::deque<Variant> all;
   for (std::size_t act = 0; act < acts_.size(); ++act) {
@@ -186,7 +208,7 @@ void Experiment::add_to_all_scenes(const std::string& name, const AnySolver& sol
     if (all.empty() || all.back().scene != act) continue;
     Variant added = all.back();
     added.name = name;
-    added.solver = solver;
+    added.solver = DetectingAsOften(solver, added.solver ? added.plan(dt_).detections : 1);
     added.motion = {};
     added.checked = true;
     added.colour = -1;

@@ -325,3 +325,22 @@ TEST_CASE("error against time: a curve of a reader's solver, or a line that says
   CHECK(unknown.status == 2);
   CHECK(contains(unknown.err, "motion is 'none': one of these is needed: bounce, "));
 }
+
+TEST_CASE("in the sheet of 07 a reader's loop stands in half steps, as the chapter's own does", "[checked]") {
+  const Scratch scratch;
+  write_text_file(scratch / "solver.h", plain_loop(7));
+  CHECK(call_program(MINE_PROGRAM, "07 --seed 1 --in " + (scratch / "").string(), 120).status == 0);
+  std::string warm, mine;  // of the first scene
+  for (const std::string& line : lines_of(text_of(scratch / "07/numbers.md"))) {
+    if (warm.empty() && contains(line, " warm, 5 sweeps |")) warm = line.substr(line.find("sweeps") + 8);
+    if (mine.empty() && contains(line, " mine, 5 sweeps |")) mine = line.substr(line.find("sweeps") + 8);
+  }
+  REQUIRE_FALSE(warm.empty());
+  const auto column = [](std::string line, int number) {
+    for (; number > 0; --number) line.erase(0, line.find('|') + 1);
+    return line.substr(0, line.find('|'));
+  };
+  CHECK(column(mine, 0) == column(warm, 0));  // drift
+  CHECK(column(mine, 1) == " – ");            // of rows it says nothing
+  CHECK(column(mine, 2) == column(warm, 2));  // overlap
+}
