@@ -11,8 +11,8 @@ struct Budget {
   int processes;  ///< threads count
 };
 
-/// The kernel's own limits are of one process each, that of the number of processes is none for root, and a control group of
-/// one's own is there for few users. So we add up, up to a hundred times a second, what the kernel tells of each process below ours,
+/// The kernel's own limits are of one process each, but for that of the number of processes, and a control group of one's own is
+/// there for few users. So we add up, up to a hundred times a second, what the kernel tells of each process below ours,
 /// and kill them all when it is too much. In a sandbox the first process of its pid namespace is killed: all others go with it,
 /// and none can leave it.
 class Watch {
