@@ -117,7 +117,7 @@ std::vector<Check<Answer>> checks() {
        {{"your ball, which was flying away by itself, separates from the bat with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real e = random.between(Real(0.3), Real(0.8));
-         Game game(random, random.between(12, 15), e, random.between(5, 8));
+         Game game(random, random.between(30, 40), e, random.between(5, 8));
          game.play(answer);
          return {game.separates()};
        }},
