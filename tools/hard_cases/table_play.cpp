@@ -47,10 +47,11 @@ Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, 
   in_parallel(pairs, threads, [&](std::size_t i) {
     const HardCase& hard_case = table.cases[i / columns];
     const Stage& stage = table.stages[i % columns];
-    Outcome outcome = stage.library.empty() ? outcome_of(hard_case, stage)
-                      : given_up < giving_up.times
-                          ? outcome_apart(hard_case, stage, giving_up.seconds)
-                          : without_end(hard_case, fmt::format("not played: {} cases before it had no end", given_up));
+    Outcome outcome =
+        stage.library.empty() ? outcome_of(hard_case, stage)
+        : given_up < giving_up.times
+            ? outcome_apart(hard_case, stage, giving_up.seconds)
+            : without_end(hard_case, fmt::format("not played: {} cases before it had no end", given_up.load()));
     given_up += outcome.broken.starts_with(no_end) ? 1 : 0;
     const std::lock_guard lock(mutex);
     table.outcomes[i] = std::move(outcome);

@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
   line.option("--steps", steps, "So many, of 1/60 s").between(1, 100000).shows_default();
   return line.run(argc, argv, [&] {
     const std::vector<NamedScene> scenes = all_scenes();
-    const NamedScene& played = named("scene", scenes, scene);
+    const NamedScene played = named("scene", scenes, scene);
     const std::vector<Known> ours{{plain_name, flat_08::FlatSolver{}}, {recommended_name, DetectedOnce{}}};
     const Lap lap = lap_of(played, mine.empty() ? named("solver", ours, solver).solver : loaded_solver(mine), steps);
     fmt::print("\n{}\n", line_of(lap));  // whatever the solver has printed
