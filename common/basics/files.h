@@ -12,7 +12,7 @@ void make_writable_folder(const std::filesystem::path& folder);
 void write_text_file(const std::filesystem::path& file, const std::string& text);
 /// All of it. Throws InvalidInput, naming the file, where it cannot be read.
 std::string read_text_file(const std::filesystem::path& file);
-/// A folder that is gone with this.
+/// A folder for files that nobody keeps: it is gone with this. Throws std::runtime_error where none can be made.
 class ScratchFolder {
  public:
   ScratchFolder();

@@ -40,7 +40,8 @@ class Recording {
 };
 
 /// What a student's program says of an instant: its number, of each body position (m), orientation (x, y, z, w) and the two
-/// velocities, whether it sleeps (1, or 0), and of each contact point, normal, impulse (N s), bodies and state. What does not move, shapes and joints are known.
+/// velocities, whether it sleeps (1, or 0), and of each contact point, normal, impulse (N s), bodies and state. What does not
+/// move, shapes and joints are known.
 Numbers numbers_of(const Instant& instant);
 /// Back again: `right`, with bodies and contacts where `numbers` says. Nothing where these are not of as many bodies, of more
 /// than `most_contacts`, or where one is not finite, or beyond all reach.
