@@ -137,6 +137,13 @@ TEST_CASE("numbers of the untouched file say that nothing changes, beside the mi
   CHECK(another.mistake == "forgotten");
 }
 
+TEST_CASE("two numbers that differ in their fourth digit are told with four") {
+  Exercise exercise = with_mistakes({});
+  exercise.right = numbers({Real(3.45123), 0});
+  const std::string sentence = judge(exercise, 1, sent(exercise, numbers({Real(3.45223), 0}))).sentence;
+  CHECK(contains(sentence, "leaves with 3.452 m/s where 3.451 m/s is right"));
+}
+
 TEST_CASE("what is said of bodies is taken only if it makes sense, and then comes back as it was") {
   const World right = of_two();
   const Numbers said = numbers_of({0, {}, right});

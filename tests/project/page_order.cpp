@@ -104,8 +104,8 @@ TEST_CASE(
       if (!code && line.starts_with("## ")) headings.push_back(line);
     }
     std::vector<std::string> order = all;
-    const bool first = chapter.starts_with("00");  // where nobody has a solver yet
-    if (first || !fs::exists(fs::path(SOURCE_DIR) / "chapters" / chapter / "flat.cpp"))
+    const bool begins = chapter.starts_with("00");  // a solver of one's own, before there is a row
+    if (!begins && !fs::exists(fs::path(SOURCE_DIR) / "chapters" / chapter / "flat.cpp"))
       std::erase(order, "## Build it");
     CHECK(headings == order);
   }

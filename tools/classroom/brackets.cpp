@@ -31,7 +31,7 @@ Scanned scan(const std::string& text) {
   };
   for (std::size_t i = 0; i < text.size(); ++i) {
     const std::string_view rest = std::string_view(text).substr(i);
-    std::size_t end = i;
+    std::size_t end = 0;
     if (rest.starts_with("//")) {
       end = std::min(text.find('\n', i), text.size());
     } else if (rest.starts_with("/*")) {

@@ -120,8 +120,8 @@ NumbersOfScenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, st
   return scenes;
 }
 
-std::string in_words(Real value, const Quantity& quantity) {
-  const std::string digits = std::abs(value) < quantity.tolerance ? "0" : fmt::format("{:.3g}", value);
+std::string in_words(Real value, const Quantity& quantity, int digits_shown) {
+  const std::string digits = std::abs(value) < quantity.tolerance ? "0" : fmt::format("{:.{}g}", value, digits_shown);
   return digits + (quantity.unit.empty() ? "" : " " + quantity.unit);
 }
 
@@ -158,7 +158,13 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outco
   const Off off = furthest(quantities, right[*first], shown);
   const Quantity& quantity = quantities[off.quantity];
   const Real is = shown[off.scene][off.quantity];
-  const std::string should_be = in_words(right[*first][off.scene][off.quantity], quantity);
+  int digits = 3;  // as many as tell the two apart
+  const auto both = [&] {
+    return std::pair{in_words(is, quantity, digits),
+                     in_words(right[*first][off.scene][off.quantity], quantity, digits)};
+  };
+  while (both().first == both().second && digits < 12) ++digits;
+  const auto [measured, should_be] = both();
   verdict.changes_nothing = untouched && same_numbers(exercise, outcome, untouched());
   if (std::isnan(is) && !verdict.changes_nothing) {
     verdict.mistake = "not a number";
@@ -182,7 +188,7 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outco
   }
   if (!likely.empty()) verdict.resembles = likely.front();
   verdict.mistake = fmt::format("{}", fmt::join(names, " or "));
-  verdict.sentence = fmt::format("{} {} where {} is right", quantity.words, in_words(is, quantity), should_be);
+  verdict.sentence = fmt::format("{} {} where {} is right", quantity.words, measured, should_be);
   if (names.empty()) verdict.sentence += ". None of the mistakes that are known here shows these numbers alone.";
   else
     verdict.sentence +=

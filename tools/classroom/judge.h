@@ -25,7 +25,7 @@ struct Attempt {
 /// What a known answer would have sent.
 NumbersOfScenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, std::size_t check);
 /// "0.31 m/s"; less than the tolerance is 0.
-std::string in_words(Real value, const Quantity& quantity);
+std::string in_words(Real value, const Quantity& quantity, int digits_shown = 3);
 
 enum class Passed { yes, no, not_reached };
 

@@ -30,7 +30,8 @@ struct Rods {
   }
   /// m, of a ball's rod.
   static Vec3 beginning_of(std::size_t ball) {
-    return {Real(2.5) * static_cast<Real>(1 + ball % 3), Real(-2.5) * static_cast<Real>(ball / 3), 0};
+    const std::size_t column = ball % 3, row = ball / 3;
+    return {Real(2.5) * static_cast<Real>(1 + column), Real(-2.5) * static_cast<Real>(row), 0};
   }
   /// To be seen: a rod is a body, and one that is broken points past its ball.
   World with_rods() const {

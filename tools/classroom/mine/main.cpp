@@ -1,5 +1,6 @@
 /// ./course mine: a solver of the reader's own, one file that grows from chapter to chapter.
 #include <algorithm>
+#include <functional>
 #include <random>
 #include <thread>
 
@@ -7,6 +8,7 @@
 #include "pushback/common/basics/process.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/classroom/attempt.h"
+#include "pushback/tools/classroom/mine/below_command.h"
 #include "pushback/tools/classroom/mine/chapters.h"
 #include "pushback/tools/classroom/mine/drawing.h"
 #include "pushback/tools/classroom/mine/my_file.h"
@@ -149,15 +151,15 @@ void show_difference(const ChapterOfMine& chapter, const MyFolder& mine) {
   fmt::print("{}", ended.status == 0 ? "There is no difference.\n" : ended.out);
 }
 
-[[noreturn]] void watch(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
+[[noreturn]] void watch(const MyFolder& mine, const std::function<void()>& check) {
   fs::file_time_type seen{};
   for (;;) {
     const fs::file_time_type now = mine.written();
-    if (now != seen && mine.begun()) {
+    if (now != seen) {
       seen = now;
       fmt::print("\n");
       try {
-        check(chapter, mine, asked);
+        check();
       } catch (const InvalidInput& problem) {
         fmt::print("{}\n", problem.what());
       }
@@ -187,13 +189,25 @@ bool compare(const MyFolder& mine, const Asked& asked) {
   return race(mine, {.scene = words[0], .at_most = asked.at_most});
 }
 
+/// One of the three pages below chapter 00.
+bool on_page(const PageOfMine& page, MyFolder& mine, const Asked& asked) {
+  const auto check = [&] { return check_page(page, mine, asked.seed != 0 ? asked.seed : std::random_device{}()); };
+  if (asked.reset) mine.put_away(page.file());
+  if (asked.hint) show_hints(page, mine);
+  else if (asked.diff) show_difference(page, mine);
+  else if (asked.watch) watch(mine, check);
+  else return check();
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   Asked asked;
   CommandLine line("A solver of your own: one file that grows from chapter to chapter.", "./course mine");
   line.option("CHAPTER", asked.words,
-              "00 to 08, or its name; none: where you stand. Or hard-cases [NAME...]: yours beside the stages in the "
+              "00 to 08, or its name; none: where you stand. Or body, touch, names: what stands below, from an empty "
+              "file. Or hard-cases [NAME...]: yours beside the stages in the "
               "table of hard cases. Or race SCENE: its time and what is off, beside ours. Or study [MOTION...]: error "
               "against time, beside ours");
   line.flag("--hint", asked.hint, "One hint more each time");
@@ -215,6 +229,11 @@ int main(int argc, char** argv) {
                           (asked.words[0] == "hard-cases" || asked.words[0] == "race" || asked.words[0] == "study");
     if (!compares && asked.words.size() > 1)
       throw InvalidInput(fmt::format("one chapter at a time: '{}' is too much", asked.words[1]));
+    if (const PageOfMine* page = asked.words.empty() ? nullptr : page_of_mine(asked.words[0])) {
+      MyFolder mine(asked.folder);
+      passed = on_page(*page, mine, asked);
+      return;
+    }
     const ChapterOfMine* chapter = asked.words.empty() || compares ? nullptr : &chapter_of_mine(asked.words[0]);
     if (!chapter && (asked.hint || asked.watch || asked.diff || asked.film))
       throw InvalidInput("of which chapter? Its number is needed, 03 for example");
@@ -228,7 +247,10 @@ int main(int argc, char** argv) {
     else if (!chapter) list(mine);
     else if (asked.hint) show_hints(*chapter, mine);
     else if (asked.diff) show_difference(*chapter, mine);
-    else if (asked.watch) watch(*chapter, mine, asked);
+    else if (asked.watch)
+      watch(mine, [&] {
+        if (mine.begun()) check(*chapter, mine, asked);
+      });
     else passed = check(*chapter, mine, asked);
   });
   return status == 0 && !passed ? 1 : status;

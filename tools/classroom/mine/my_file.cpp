@@ -53,13 +53,17 @@ MyFolder::MyFolder(const fs::path& folder) : folder_(fs::proximate(folder.empty(
     remembered_[chapter] = {static_cast<State>(std::clamp(state, 0, 2)), hints};
 }
 
+void MyFolder::put_away(const std::string& name) const {
+  const fs::path file = folder_ / name;
+  if (!fs::exists(file)) return;
+  fs::path old = file;
+  old += ".old";
+  for (int i = 2; fs::exists(old); ++i) old.replace_extension(fmt::format(".old{}", i));
+  fs::rename(file, old);
+}
+
 void MyFolder::reset() {
-  if (begun()) {
-    fs::path old = file();
-    old += ".old";
-    for (int i = 2; fs::exists(old); ++i) old.replace_extension(fmt::format(".old{}", i));
-    fs::rename(file(), old);
-  }
+  put_away(file().filename().string());
   write_text_file(file(), begun_with);
   remembered_.clear();
   write();

@@ -14,7 +14,9 @@ class MyFolder {
   const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path file() const { return folder_ / "solver.h"; }
   bool begun() const { return std::filesystem::exists(file()); }
-  /// Some ten lines that compile and do nothing right. What may be there is kept beside it, with .old at its end, or .old2, ...
+  /// The file of this name, if there is one, gets .old at its end, or .old2, ...
+  void put_away(const std::string& name) const;
+  /// Some ten lines that compile and do nothing right. What may be there is put away.
   void reset();
   /// The text of the file. Throws InvalidInput, saying what to do, where it has no class MySolver.
   std::string text() const;

@@ -12,8 +12,10 @@ namespace {
 constexpr const char* as_answer = R"(
 #include "pushback/common/exercise/whole_solver.h"
 namespace mine {}
+namespace empty_file {}
 namespace student {
 using namespace mine;
+using namespace empty_file;
 const pushback::WholeSolver answer = pushback::whole_solver<MySolver>();
 }
 )";
