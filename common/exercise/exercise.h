@@ -58,6 +58,7 @@ struct Exercise {
     int points;
     std::vector<Quantity> quantities;
     std::optional<Recorded> recorded;
+    int stage = 0;  ///< of a whole solver's: the chapter that asks for it
   };
   /// What is measured in a scene of this check with an answer that is known.
   using Played = std::function<Numbers(std::size_t check, Random&)>;
@@ -73,14 +74,19 @@ struct Exercise {
   std::vector<Known> mistakes;
   std::string name = {};    ///< of its file: 03_baumgarte, 03_baumgarte_transfer; from its folder
   std::string folder = {};  ///< chapters/03_baumgarte/exercise
-  std::string object = {};  ///< of a teacher's own alone: what a student's program is linked with
+  std::string object = {};  ///< of a teacher's own, and of a whole solver: what a student's program is linked with
+  /// Of a whole solver alone, whose file is solver.h with headers beside it: what is compiled behind the student's text, which
+  /// keeps the numbers of its lines.
+  std::string behind = {};
 
   /// The use of an idea where the page does not.
   bool transfer() const { return !own() && name.ends_with("_transfer"); }
-  /// In no chapter: of a teacher.
+  /// A solver of the student's own.
+  bool whole() const { return !behind.empty(); }
+  /// In no chapter's folder: of a teacher, or a whole solver.
   bool own() const { return !object.empty(); }
-  /// What is in no page.
-  bool graded() const { return transfer() || own(); }
+  /// What is in no page. A whole solver is graded where it is asked for.
+  bool graded() const { return transfer() || (own() && !whole()); }
 };
 
 /// `recorded`: for a check, by its number from 0 on, what follows its quantities.

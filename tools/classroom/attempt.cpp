@@ -125,7 +125,7 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
   const fs::path own = scratch.path / file.filename(), object = scratch.path / "answer.o",
                  program = kept.empty() ? scratch.path / "answer" : kept, headers = kit().folder / "headers.h",
                  answer = kit().folder / "answer.cpp";
-  fs::copy_file(file, own);
+  write_text_file(own, read_text_file(file) + exercise.behind);
   if (exercise.own())  // as "asked.h"; the folder itself has the answer
     for (const auto& entry : fs::directory_iterator(exercise.folder))
       if (entry.path().extension() == ".h" && entry.path().filename() != "student.h")

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -29,6 +31,23 @@ std::string dumped(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+constexpr int no_stage = std::numeric_limits<int>::max();
+
+int first_failing_stage(const Exercise& exercise, const Verdict& verdict) {
+  int first = no_stage;
+  for (std::size_t i = 0; i < exercise.checks.size(); ++i)
+    if (verdict.checks[i] != Passed::yes) first = std::min(first, exercise.checks[i].stage);
+  return first;
+}
+
+/// The last chapter that passes, with all before it: "05", or "none".
+std::string stands_at(const Exercise& exercise, int fails) {
+  int last = -1;
+  for (const Exercise::Line& check : exercise.checks)
+    if (check.stage < fails) last = std::max(last, check.stage);
+  return last < 0 ? "none" : fmt::format("{:02}", last);
+}
+
 Json graded(const Grading& grading, const Exercise& exercise, const std::string& student, const HandedIn& handed_in,
             std::uint64_t seed, const Sandbox* sandbox, UntouchedFiles& untouched_files) {
   const std::optional<fs::path> file = handed_in.file(exercise);
@@ -36,23 +55,30 @@ Json graded(const Grading& grading, const Exercise& exercise, const std::string&
   fs::remove(sheet);
   Verdict verdict;
   std::string printed;
+  const auto attempted = [&] {
+    Exercise own = exercise;
+    if (exercise.whole()) own.folder = file->parent_path().string();  // with the headers beside it
+    return attempt(own, *file, seed, sandbox, grading.limits);
+  };
   if (!handed_in.problem().empty()) {
     verdict.mistake = "archive";
     verdict.sentence = fmt::format("the archive is not taken: {}.", handed_in.problem());
     verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
   } else if (!file) {
     verdict.mistake = "not handed in";
-    verdict.sentence = fmt::format("there is no file {}.h, of less than 1 MB, that is no link.", exercise.name);
+    verdict.sentence = fmt::format("there is no file {}, of less than 1 MB, that is no link.", file_of(exercise));
     verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
-  } else if (untouched(read_text_file(*file), read_text_file(stub_of(exercise)))) {
+  } else if (!exercise.whole() && untouched(read_text_file(*file), read_text_file(stub_of(exercise)))) {
     verdict.mistake = "nothing written";
     verdict.sentence = "the gap is as it was.";
     verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
   } else {
-    const Attempt outcome = attempt(exercise, *file, seed, sandbox, grading.limits);
-    verdict = judge(exercise, seed, outcome, [&] { return untouched_files.attempt(exercise, seed); });
+    const Attempt outcome = attempted();
+    verdict = exercise.whole()
+                  ? judge(exercise, seed, outcome)
+                  : judge(exercise, seed, outcome, [&] { return untouched_files.attempt(exercise, seed); });
     printed = outcome.printed.substr(0, 1000);
-    if (grading.sheets) {
+    if (grading.sheets && !exercise.whole()) {  // a page of 30 checks shows nobody anything
       fs::create_directories(sheet.parent_path());
       write_result_sheet(sheet, exercise, seed, outcome, verdict);
     }
@@ -64,10 +90,15 @@ Json graded(const Grading& grading, const Exercise& exercise, const std::string&
             {"verdict", verdict.sentence},
             {"printed", printed},
             {"checks", Json::array()}};
+  // A whole solver's checks count up to the chapter that fails first: a solver that does nothing passes some of later ones.
+  const int fails = first_failing_stage(exercise, verdict);
+  if (exercise.whole()) made["stands"] = stands_at(exercise, fails);
   int points = 0, of = 0;
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
-    const bool passed =
-        verdict.checks[i] == Passed::yes && !verdict.changes_nothing;  // what the gap itself passes is no work
+    if (exercise.whole() && exercise.checks[i].points == 0) continue;  // it ended with an earlier chapter
+    const bool passed = verdict.checks[i] == Passed::yes &&
+                        !verdict.changes_nothing &&  // what the gap itself passes is no work
+                        (!exercise.whole() || exercise.checks[i].stage <= fails);
     const int worth = grading.points.of(exercise, i);
     of += worth;
     if (passed) points += worth;
@@ -79,6 +110,15 @@ Json graded(const Grading& grading, const Exercise& exercise, const std::string&
   made["points"] = points;
   made["of"] = of;
   return made;
+}
+
+/// Their names and texts, in the order of the names.
+std::vector<std::string> headers_beside(const fs::path& file) {
+  std::vector<std::string> all;
+  for (const auto& entry : fs::directory_iterator(file.parent_path()))
+    if (entry.path() != file) all.push_back(entry.path().filename().string() + "\n" + read_text_file(entry.path()));
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 /// What a student's result follows from.
@@ -93,6 +133,8 @@ std::string fingerprint(const Grading& grading, const HandedIn& handed_in, std::
       all += fmt::format(" {}", grading.points.of(*exercise, i));
     const std::optional<fs::path> file = handed_in.file(*exercise);
     all += file ? read_text_file(*file) : "none";
+    if (file && exercise->whole())
+      for (const std::string& header : headers_beside(*file)) all += header;
   }
   return fmt::format("{:016x}", hash_of(all));
 }
@@ -164,8 +206,10 @@ void print_table(const Json& results) {
       points += exercise["points"].get<int>();
       of += exercise["of"].get<int>();
       const std::string mistake = exercise["mistake"];
-      each += fmt::format("  {} {}/{}{}", exercise["exercise"].get<std::string>(), exercise["points"].get<int>(),
-                          exercise["of"].get<int>(), mistake.empty() ? "" : " (" + mistake + ")");
+      const std::string stands =
+          exercise.contains("stands") ? fmt::format(", stands at {}", exercise["stands"].get<std::string>()) : "";
+      each += fmt::format("  {} {}/{}{}{}", exercise["exercise"].get<std::string>(), exercise["points"].get<int>(),
+                          exercise["of"].get<int>(), stands, mistake.empty() ? "" : " (" + mistake + ")");
     }
     fmt::print("{:<{}}  {:>3} of {}{}\n", student["student"].get<std::string>(), wide, points, of, each);
   }
@@ -187,8 +231,10 @@ std::string points_text(const std::vector<const Exercise*>& exercises) {
   std::string text = "# Points of each check: exercise, number of the check, points. What follows # is for you.\n";
   for (const Exercise* exercise : exercises)
     for (std::size_t i = 0; i < exercise->checks.size(); ++i)
-      text += fmt::format("{} {} {}  # {}\n", short_name(*exercise), i + 1, exercise->checks[i].points,
-                          exercise->checks[i].says);
+      if (!exercise->whole() || exercise->checks[i].points > 0)
+        text += fmt::format("{} {} {}  # {}{}\n", short_name(*exercise), i + 1, exercise->checks[i].points,
+                            exercise->whole() ? fmt::format("{:02}: ", exercise->checks[i].stage) : "",
+                            exercise->checks[i].says);
   return text;
 }
 

@@ -3,6 +3,8 @@
 
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/classroom/grade.h"
+#include "pushback/tools/classroom/mine/chapters.h"
+#include "pushback/tools/classroom/mine/class_table.h"
 #include "pushback/tools/classroom/own_tasks.h"
 #include "pushback/tools/classroom/student_files.h"
 
@@ -12,16 +14,16 @@ int main(int argc, char** argv) {
   Grading grading;
   std::vector<std::string> words;
   std::string points, tasks, shard = "1/1";
-  bool no_sandbox = false, no_sheet = false;
+  bool no_sandbox = false, no_sheet = false, hard_cases = false;
   CommandLine line(
       "Grades what students have handed in: a folder or an archive each, with files as 03_baumgarte_transfer.h.",
       "./course grade");
   line.option("FOLDER", grading.given,
               "For each student a folder, or an archive of one (.zip, .tar.gz), named after the student")
       .required();
-  line.option(
-          "--exercises", words,
-          "03-transfer,04: these, instead of all transfer exercises and all of your own, as far as --points names them")
+  line.option("--exercises", words,
+              "03-transfer,04,mine-06: these, instead of all transfer exercises and all of your own, as far as "
+              "--points names them")
       .split_at_commas();
   line.option("--points", points, "A file with the points of each check, as ./course handout writes it");
   line.option("--out", grading.out, "Where results go").shows_default();
@@ -43,13 +45,17 @@ int main(int argc, char** argv) {
       .shows_default();
   line.flag("--no-sandbox", no_sandbox, "Run what students wrote with all rights that you have yourself");
   line.flag("--no-sheet", no_sheet, "No pictures of the students' numbers beside the right ones");
+  line.flag("--hard-cases", hard_cases,
+            "Then play all hard cases with each student's solver.h: a column each in hard_cases/, for comparison");
   line.option("--tasks", tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
   return line.run(argc, argv, [&] {
-    const std::vector<Exercise> all = exercises_with(tasks);
+    std::vector<Exercise> all = exercises_with(tasks);
+    for (const ChapterOfMine& chapter : chapters_of_mine()) all.push_back(exercise_of_chapter(chapter.number));
     for (const std::string& word : words) grading.exercises.push_back(&exercise_named(all, word));
     if (!points.empty()) grading.points = Points(all, points);
     for (const Exercise& exercise : all)
-      if (words.empty() && exercise.graded() && (points.empty() || grading.points.has(exercise)))
+      if (words.empty() && (points.empty() ? exercise.graded()
+                                           : (exercise.graded() || exercise.whole()) && grading.points.has(exercise)))
         grading.exercises.push_back(&exercise);
     if (grading.exercises.empty())
       throw InvalidInput(
@@ -58,5 +64,6 @@ int main(int argc, char** argv) {
     grading.sandboxed = !no_sandbox;
     grading.sheets = !no_sheet;
     grade(grading);
+    if (hard_cases) play_class(grading, {});
   });
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <utility>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::uintmax_t most_bytes = 1'000'000;  // of a file
 constexpr std::size_t most_entries = 1000;        // of an archive
+constexpr std::size_t most_headers = 50;          // beside a solver
 constexpr std::size_t deepest = 3;                // top folder, exercises, file
 
 using Command = std::vector<std::string>;
@@ -112,21 +114,57 @@ std::size_t depth_of(const std::string& name) {
   return static_cast<std::size_t>(std::distance(path.begin(), path.end()));
 }
 
+bool is_header(const fs::path& file) {
+  return file.extension() == ".h" && file.filename() != ".h";
+}
+
 /// Leaves the files of these exercises in `folder`.
 void unpack(const Archive& archive, const std::vector<const Exercise*>& exercises, const fs::path& folder) {
   const std::vector<Entry> entries = archive.entries();
+  bool solver = false;
   for (const Exercise* exercise : exercises) {
-    const std::string wanted = exercise->name + ".h";
+    if (exercise->whole() && std::exchange(solver, true)) continue;  // one for all chapters
+    const std::string wanted = file_of(*exercise);
     std::vector<std::string> found;
     for (const Entry& entry : entries)
       if (entry.is_file && fs::path(entry.name).filename() == wanted && depth_of(entry.name) <= deepest)
         found.push_back(entry.name);
     if (found.size() > 1) throw Unreadable{fmt::format("there are {} files {} in it", found.size(), wanted)};
-    if (!found.empty()) write_text_file(folder / wanted, archive.text_of(found[0]));
+    if (found.empty()) continue;
+    write_text_file(folder / wanted, archive.text_of(found[0]));
+    if (!exercise->whole()) continue;
+    std::size_t count = 0;
+    for (const Entry& entry : entries) {
+      const fs::path name(entry.name);
+      if (!entry.is_file || entry.name == found[0] || !is_header(name) ||
+          name.parent_path() != fs::path(found[0]).parent_path())
+        continue;
+      if (++count > most_headers)
+        throw Unreadable{fmt::format("more than {} headers are beside solver.h", most_headers)};
+      write_text_file(folder / name.filename(), archive.text_of(entry.name));
+    }
   }
 }
 
+/// Copies solver.h and the headers beside it, as far as they are files of less than 1 MB and no links.
+bool copy_solver(const fs::path& from, const fs::path& to) {
+  const auto taken = [](const fs::path& file) {
+    return fs::is_regular_file(fs::symlink_status(file)) && fs::file_size(file) < most_bytes;
+  };
+  if (fs::is_symlink(from) || !taken(from / "solver.h")) return false;
+  std::size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(from))
+    if (is_header(entry.path()) && taken(entry.path()) && ++count <= most_headers + 1)
+      write_text_file(to / entry.path().filename(), read_text_file(entry.path()));
+  write_text_file(to / "solver.h", read_text_file(from / "solver.h"));
+  return true;
+}
+
 }  // namespace
+
+std::string file_of(const Exercise& exercise) {
+  return exercise.whole() ? "solver.h" : exercise.name + ".h";
+}
 
 std::string students_name(const fs::path& given) {
   if (fs::is_directory(given)) return fs::canonical(given).filename().string();
@@ -142,16 +180,21 @@ std::string students_name(const fs::path& given) {
 
 HandedIn::HandedIn(const fs::path& given, const std::vector<const Exercise*>& exercises, const Sandbox* sandbox)
     : folder_(given) {
-  if (fs::is_directory(given)) return;
-  folder_ = unpacked_.emplace().path;
-  try {
-    unpack(Archive(given, sandbox), exercises, folder_);
-  } catch (const Unreadable& problem) {
-    problem_ = problem.why;
+  if (!fs::is_directory(given)) {
+    folder_ = unpacked_.emplace().path;
+    try {
+      unpack(Archive(given, sandbox), exercises, folder_);
+    } catch (const Unreadable& problem) {
+      problem_ = problem.why;
+    }
   }
+  const bool wanted = std::any_of(exercises.begin(), exercises.end(), [](const Exercise* one) { return one->whole(); });
+  if (wanted && !copy_solver(folder_ / "mine", solver_.emplace().path) && !copy_solver(folder_, solver_->path))
+    solver_.reset();
 }
 
 std::optional<fs::path> HandedIn::file(const Exercise& exercise) const {
+  if (exercise.whole()) return solver_ ? std::optional(solver_->path / "solver.h") : std::nullopt;
   for (const fs::path& file : {folder_ / (exercise.name + ".h"), folder_ / "exercises" / (exercise.name + ".h")})
     if (fs::is_regular_file(fs::symlink_status(file)) && !fs::is_symlink(file.parent_path()) &&
         fs::file_size(file) < most_bytes)

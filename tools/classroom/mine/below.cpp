@@ -179,6 +179,7 @@ Exercise exercise_of_page(const PageOfMine& page) {
   Exercise made = exercise_of<OwnBodies>(page.title, page.hints, checks, bodies_of_pages(), std::move(mistakes));
   made.name = "mine_" + page.word;
   made.object = kit().folder / "libbelow_scenes.a";
+  made.behind = as_answer(page);
   return made;
 }
 
@@ -187,12 +188,9 @@ std::string header_of(const PageOfMine& page) {
 }
 
 Attempt attempt_of_page(const Exercise& exercise, const PageOfMine& page, const fs::path& folder, std::uint64_t seed) {
-  const ScratchFolder scratch;
-  const fs::path file = scratch.path / page.file();
-  write_text_file(file, read_text_file(folder / page.file()) + as_answer(page));
   Exercise with_folder = exercise;
   with_folder.folder = folder.string();
-  return attempt(with_folder, file, seed, nullptr);
+  return attempt(with_folder, folder / page.file(), seed, nullptr);
 }
 
 }  // namespace pushback

@@ -173,8 +173,7 @@ std::vector<MistakeOfPage> of_bodies() {
           };
         })}},
       {1,
-       {"masses, not their inverses", "the inverses are kept: 1/m, and 1/I about each axis.",
-        with([](OwnBodies& made) {
+       {"masses, not their inverses", "the inverses are kept: 1/m, and 1/I about each axis.", with([](OwnBodies& made) {
           made.box = [right = made.box](const Vec3& half, Real mass) {
             OwnBody body = right(half, mass);
             body.inverse_mass = mass;

@@ -32,6 +32,18 @@ const WholeSolver& plain(int chapter) {
   return loops[chapter];
 }
 
+/// Behind the reader's text.
+constexpr const char* as_answer = R"(
+#include "pushback/common/exercise/whole_solver.h"
+namespace mine {}
+namespace empty_file {}
+namespace student {
+using namespace mine;
+using namespace empty_file;
+const pushback::WholeSolver answer = pushback::whole_solver<MySolver>();
+}
+)";
+
 /// Every chapter but the first has a solver to begin from, and as long as nothing new is in it, it shows the old numbers.
 Mistake<WholeSolver> not_begun(int chapter) {
   return {"nothing new",
@@ -134,6 +146,7 @@ Exercise exercise_of_chapter(int chapter) {
   for (std::size_t i = 0; i < checks_of_chapters().size() && chapter_of_check(i) <= chapter; ++i) {
     checks.push_back(checks_of_chapters()[i].check);
     if (holds(i, chapter)) continue;
+    checks.back().points = 0;
     for (Quantity& quantity : checks.back().quantities) quantity.tolerance = std::numeric_limits<double>::infinity();
   }
   std::vector<Mistake<WholeSolver>> mistakes;
@@ -143,7 +156,9 @@ Exercise exercise_of_chapter(int chapter) {
   if (chapter > 0) mistakes.push_back(not_begun(chapter));
   const ChapterOfMine& told = chapters_of_mine()[static_cast<std::size_t>(chapter)];
   Exercise made = exercise_of<WholeSolver>(told.title, told.hints, checks, plain(chapter), std::move(mistakes));
-  made.name = "mine";
+  made.name = "mine_" + two_digits(chapter);
+  made.behind = as_answer;
+  for (std::size_t i = 0; i < made.checks.size(); ++i) made.checks[i].stage = chapter_of_check(i);
   made.object = kit().folder / "libwhole_solver_scenes.a";
   return made;
 }

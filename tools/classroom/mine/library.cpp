@@ -30,22 +30,31 @@ std::string first_error(const std::string& text) {
 
 }  // namespace
 
-std::string make_library(const std::string& text, const fs::path& folder, const fs::path& library, CompiledAs as) {
+std::string make_library(const std::string& text, const fs::path& folder, const fs::path& library, CompiledAs as,
+                         const Sandbox* sandbox) {
   const ScratchFolder scratch;
-  const fs::path source = scratch.path / "solver.cpp", object = scratch.path / "solver.o";
+  const fs::path source = scratch.path / "solver.cpp", object = scratch.path / "solver.o",
+                 made = scratch.path / "made.so", headers = kit().folder / "headers.h";
   write_text_file(source, text + as_library);
+  for (const auto& entry : fs::directory_iterator(folder))  // into what the sandbox can read
+    if (entry.path().extension() == ".h") fs::copy_file(entry.path(), scratch.path / entry.path().filename());
   Command compile = kit().words_of("compile.txt");
-  const Command link{compile[0], "-shared", "-o", library, object};
+  const Command link{compile[0], "-shared", "-o", made, object};
   if (as == CompiledAs::chapter) {  // the headers are parsed anew then
     std::istringstream flags(CHAPTER_FLAGS);
     for (std::string flag; flags >> flag;) compile.push_back(flag);
   }
-  const Command more{"-w", "-I" + folder.string(), "-include", kit().folder / "headers.h", "-c", source, "-o", object};
+  const Command more{"-w", "-I" + scratch.path.string(), "-include", headers, "-c", source, "-o", object};
   compile.insert(compile.end(), more.begin(), more.end());
+  std::vector<fs::path> readable{headers};
+  for (const char* parsed : {"headers.h.gch", "headers.h.pch"})
+    if (fs::exists(kit().folder / parsed)) readable.push_back(kit().folder / parsed);
   for (const Command& command : {compile, link}) {
-    const Ended ended = run_program(command, 120);
+    const Ended ended = run_program(sandbox ? sandbox->around(command, scratch.path, readable) : command, 120);
     if (ended.status != 0) return "it does not compile as a library: " + first_error(ended.err);
   }
+  if (!fs::is_regular_file(fs::symlink_status(made))) return "it does not compile as a library: there is none";
+  fs::copy_file(made, library, fs::copy_options::overwrite_existing);
   return "";
 }
 

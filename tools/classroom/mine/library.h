@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "pushback/tools/classroom/sandbox.h"
+
 namespace pushback {
 
 enum class CompiledAs {
@@ -12,9 +14,10 @@ enum class CompiledAs {
 };
 
 /// Compiles the solver in `text` to `library`. Headers in `folder` are found by the text. Returns what went wrong, in words;
-/// empty: nothing.
+/// empty: nothing. `sandbox`: for what others wrote; where it is null, there is none.
 std::string make_library(const std::string& text, const std::filesystem::path& folder,
-                         const std::filesystem::path& library, CompiledAs as = CompiledAs::exercise);
+                         const std::filesystem::path& library, CompiledAs as = CompiledAs::exercise,
+                         const Sandbox* sandbox = nullptr);
 
 /// The last line of what a program said; never empty.
 std::string last_line(const std::string& text);
