@@ -61,7 +61,8 @@ Mistake<WholeSolver> not_begun(int chapter) {
 
 /// A mistake of an earlier chapter in the solver of this one. It shows in the checks of the chapters up to its own, where
 /// what has come since has nothing to do; of the later ones nothing is said: they are as if it were right.
-Exercise::Known of_earlier(const std::string& name, const std::string& hint, int its, const WholeSolver& slip, int chapter) {
+Exercise::Known of_earlier(const std::string& name, const std::string& hint, int its, const WholeSolver& slip,
+                           int chapter) {
   return {name, hint, [=](std::size_t check, Random& random) {
             return play(check, random, chapter_of_check(check) <= its ? slip : plain(chapter));
           }};
@@ -71,10 +72,12 @@ Exercise::Known of_earlier(const std::string& name, const std::string& hint, int
 void add_mistakes_of_loops(Exercise& exercise, int chapter) {
   std::vector<Exercise::Known>& all = exercise.mistakes;
   for (int its = chapter; its > last_of_one_line; its = predecessor(its))
-    for (const SlipOfLoop& slip : slips_of_loop(its)) all.push_back(of_earlier(slip.name, slip.hint, its, slip.solver, chapter));
+    for (const SlipOfLoop& slip : slips_of_loop(its))
+      all.push_back(of_earlier(slip.name, slip.hint, its, slip.solver, chapter));
   for (const KnownSlip& known : known_slips())
     if (known.last >= last_of_one_line)
-      all.push_back(of_earlier(known.name, known.hint, last_of_one_line, loop_with(last_of_one_line, known.slip), chapter));
+      all.push_back(
+          of_earlier(known.name, known.hint, last_of_one_line, loop_with(last_of_one_line, known.slip), chapter));
 }
 
 void replace_all(std::string& text, const std::string& what, const std::string& by) {
@@ -136,31 +139,41 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
         "k = (k₁₁ + k₂₂)/2 + hypot((k₁₁ − k₂₂)/2, k₁₂)."}},
       {11,
        "32 substeps of one sweep",
-       {"Begin from the solver of chapter 08. Nothing in `solve` changes: a step calls it more often, each time with the dt "
+       {"Begin from the solver of chapter 08. Nothing in `solve` changes: a step calls it more often, each time with "
+        "the dt "
         "of a substep.",
-        "Override Plan plan(Real dt) const. It returns .detections = 32, so that contacts are detected in every substep, "
+        "Override Plan plan(Real dt) const. It returns .detections = 32, so that contacts are detected in every "
+        "substep, "
         "and .sweeps = 1."}},
       {12,
        "contacts that are springs with dampers",
-       {"Once a substep: ω = 2π min(240, 1/(8h)), the push-out rate k/(c + hk) = ω/(2ζ + hω), γ/K = 1/(hω(2ζ + hω)), ζ = 5.",
-        "A normal with depth > 0 that does not bounce gets b = −rate · depth, γ = γ/K · K and 1/(K + γ). Where b would be "
+       {"Once a substep: ω = 2π min(240, 1/(8h)), the push-out rate k/(c + hk) = ω/(2ζ + hω), γ/K = 1/(hω(2ζ + hω)), ζ "
+        "= 5.",
+        "A normal with depth > 0 that does not bounce gets b = −rate · depth, γ = γ/K · K and 1/(K + γ). Where b would "
+        "be "
         "below −3 m/s: b = −3 m/s, without γ. A row solves J V + b + γ Σλ = 0.",
-        "moved(world, dt): carry every row, tangents too, to where the bodies are (their arms, M⁻¹ Jᵀ, K, the steps of the "
+        "moved(world, dt): carry every row, tangents too, to where the bodies are (their arms, M⁻¹ Jᵀ, K, the steps of "
+        "the "
         "tangents); b is the bounce alone, γ = 0; one sweep more, and keep the impulses again."}},
       {13,
        "joints: rows that pull, too",
-       {"holds_joints() returns true. For each joint of world.joints: joint.ask(a, b, {world.time, dt}, equations), with "
+       {"holds_joints() returns true. For each joint of world.joints: joint.ask(a, b, {world.time, dt}, equations), "
+        "with "
         "world.body(joint.a) and world.body(joint.b), which also knows the_world.",
-        "A row for each equation: its Jacobian, b = bias + 0.2/dt · error, γ = softness, 1/(K + γ), limits dt · lo and dt · "
+        "A row for each equation: its Jacobian, b = bias + 0.2/dt · error, γ = softness, 1/(K + γ), limits dt · lo and "
+        "dt · "
         "hi. Where n is 0, K has no 1/m. Solve these rows after the normals in each sweep.",
-        "In moved, ask again. A row without softness gets the new Jacobian and b = bias alone; one with softness stays."}},
+        "In moved, ask again. A row without softness gets the new Jacobian and b = bias alone; one with softness "
+        "stays."}},
       {14,
        "joints that remember what they carry",
        {"joint.impulses: resize it to the number of the joint's equations. Before the sweeps, each row begins with "
         "world.impulse_scale(dt) times its number, and the bodies get it.",
-        "Where softness is 0, keep 0.2/dt · error apart. Sweep without it, each time 20 passes over the joints; write the "
+        "Where softness is 0, keep 0.2/dt · error apart. Sweep without it, each time 20 passes over the joints; write "
+        "the "
         "sums into joint.impulses; then add it to b, and solve the joints sweeps · 20 times more.",
-        "In moved, first bring each sum back to joint.impulses, bodies included; after the last sweep, write the sums there "
+        "In moved, first bring each sum back to joint.impulses, bodies included; after the last sweep, write the sums "
+        "there "
         "again."}},
   };
   return all;

@@ -12,7 +12,8 @@ std::vector<EditedLoop> edited_loops(const std::string& edits, const std::string
     if (out.empty()) return;
     std::string& text = loops.back().text;
     const std::size_t at = text.find(out);
-    if (at == text.npos) throw std::runtime_error("'" + loops.back().name + "': the loop does not have these lines: " + out);
+    if (at == text.npos)
+      throw std::runtime_error("'" + loops.back().name + "': the loop does not have these lines: " + out);
     text.replace(at, out.size(), in);
     out = in = "";
   };

@@ -399,7 +399,9 @@ std::vector<CheckOfChapter> made() {
       {3, all, {"bodies that are still apart are neither pushed nor let in", 1, {meets_apart, leaves_apart}, apart}},
       {4, {12}, {"bodies that are less deep than the slop are left alone", 1, of_a_pair, shallow}},
       {4, {10, 12}, {"bodies that are deeper part with β (d − slop) / h", 1, of_a_pair, deep}},
-      {5, {9, 21}, {"bodies part e times as fast as they met before this step's gravity", 1, of_who_falls, bounces_back}},
+      {5,
+       {9, 21},
+       {"bodies part e times as fast as they met before this step's gravity", 1, of_who_falls, bounces_back}},
       {5,
        all,
        {"who meets too slowly, or leaves, does not bounce",
@@ -434,7 +436,8 @@ std::vector<CheckOfChapter> made() {
       {8, all, {"in every direction, friction points against the slip", 1, in_any_direction, any_direction}},
       {8, all, {"bodies of any shape slide as the cone says", 1, of_what_rubs(), lumps_slide}},
   };
-  for (const auto& later : {checks_of_substeps(), checks_of_joints()}) made.insert(made.end(), later.begin(), later.end());
+  for (const auto& later : {checks_of_substeps(), checks_of_joints()})
+    made.insert(made.end(), later.begin(), later.end());
   return made;
 }
 

@@ -22,8 +22,9 @@
 namespace pushback {
 
 struct CheckOfChapter {
-  int chapter;            ///< that asks for it first
-  std::vector<int> ends;  ///< chapters of which, and of all that begin from them, a right solver does not pass it any more
+  int chapter;  ///< that asks for it first
+  std::vector<int>
+      ends;  ///< chapters of which, and of all that begin from them, a right solver does not pass it any more
   Check<WholeSolver> check;
 };
 

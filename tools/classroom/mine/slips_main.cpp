@@ -43,8 +43,8 @@ int main(int argc, char** argv) {
       made << text << "\n";
       listed += "    {R\"(" + name + ")\", R\"(" + hint + ")\", whole_solver<" + its + "::FlatSolver>()},\n";
     }
-    made << "namespace pushback {\n\nstd::vector<SlipOfLoop> slips_of_loop_" << number << "() {\n  return {\n" << listed
-         << "  };\n}\n\n}  // namespace pushback\n";
+    made << "namespace pushback {\n\nstd::vector<SlipOfLoop> slips_of_loop_" << number << "() {\n  return {\n"
+         << listed << "  };\n}\n\n}  // namespace pushback\n";
     return made.flush() ? 0 : 1;
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "%s\n", problem.what());

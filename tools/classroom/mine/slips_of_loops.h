@@ -1,4 +1,4 @@
-/// The known mistakes of chapters 09 to 14: each is the chapter's plain loop with a few lines replaced, see slips/NN.txt. A
+/// The known mistakes of chapters 11 to 14: each is the chapter's plain loop with a few lines replaced, see slips/NN.txt. A
 /// build makes code of them.
 #pragma once
 

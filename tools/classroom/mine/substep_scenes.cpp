@@ -137,7 +137,9 @@ std::vector<CheckOfChapter> checks_of_substeps() {
   sliding.push_back({"your contact keeps an impulse along the surface of", "N s", exact});
   sliding.push_back({"along the surface, the points at which your bodies touched slip with", "m/s", exact});
   return {
-      {11, all, {"a ball falls as far as in 32 steps", 1, {{"in a step, your ball falls by", "mm", exact}, speed}, falls}},
+      {11,
+       all,
+       {"a ball falls as far as in 32 steps", 1, {{"in a step, your ball falls by", "mm", exact}, speed}, falls}},
       {11, {21}, {"a ball that arrives in the midst of a step bounces then", 1, {height, speed}, arrives}},
       {11,
        {12},

@@ -102,14 +102,15 @@ struct Pair : Touching {
   Real rubbed() const { return (world.contacts[0].impulse - pushed() * world.contacts[0].normal).norm(); }
 };
 
-inline const std::vector<Quantity> of_a_pair{{"the points at which your bodies touch part with", "m/s", exact},
-                                      {"your impulses change the momentum of both bodies together by", "N s", exact},
-                                      {"and their angular momentum by", "N m s", exact},
-                                      {"your lower body leaves with", "m/s", exact},
-                                      {"your upper body leaves with", "m/s", exact},
-                                      {"your lower body turns with", "rad/s", exact},
-                                      {"your upper body turns with", "rad/s", exact},
-                                      {"your contact keeps an impulse along its normal of", "N s", exact}};
+inline const std::vector<Quantity> of_a_pair{
+    {"the points at which your bodies touch part with", "m/s", exact},
+    {"your impulses change the momentum of both bodies together by", "N s", exact},
+    {"and their angular momentum by", "N m s", exact},
+    {"your lower body leaves with", "m/s", exact},
+    {"your upper body leaves with", "m/s", exact},
+    {"your lower body turns with", "rad/s", exact},
+    {"your upper body turns with", "rad/s", exact},
+    {"your contact keeps an impulse along its normal of", "N s", exact}};
 
 inline Numbers numbers_of(const Pair& pair) {
   const auto& bodies = pair.world.bodies;
@@ -201,10 +202,11 @@ struct Beam : Touching {
   }
 };
 
-inline const std::vector<Quantity> of_a_beam{{"your beam moves upwards with", "m/s", exact},
-                                      {"your beam turns with", "rad/s", exact},
-                                      {"of your beam's two contacts, the one that pushes more keeps", "N s", exact},
-                                      {"the one that pushes less keeps", "N s", exact}};
+inline const std::vector<Quantity> of_a_beam{
+    {"your beam moves upwards with", "m/s", exact},
+    {"your beam turns with", "rad/s", exact},
+    {"of your beam's two contacts, the one that pushes more keeps", "N s", exact},
+    {"the one that pushes less keeps", "N s", exact}};
 
 inline Numbers numbers_of(const Beam& beam) {
   const Body& body = beam.world.bodies[1];
