@@ -14,6 +14,7 @@
 #include "pushback/chapters/06_friction/flat.h"
 #include "pushback/chapters/07_warm_start/flat.h"
 #include "pushback/chapters/08_friction_cone/flat.h"
+#include "pushback/chapters/10_position_correction/flat.h"
 #include "pushback/chapters/11_substeps/flat.h"
 #include "pushback/chapters/12_soft_contacts/flat.h"
 #include "pushback/chapters/13_joints/flat.h"
@@ -43,6 +44,7 @@ const WholeSolver& plain(int chapter) {
                                                 {6, whole_solver<flat_06::FlatSolver>()},
                                                 {7, whole_solver<flat_07::FlatSolver>()},
                                                 {8, whole_solver<flat_08::FlatSolver>()},
+                                                {10, whole_solver<flat_10::FlatSolver>()},
                                                 {11, whole_solver<flat_11::FlatSolver>()},
                                                 {12, whole_solver<flat_12::FlatSolver>()},
                                                 {13, whole_solver<flat_13::FlatSolver>()},
@@ -137,6 +139,13 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
         "Both take steps of the same size 1/k: k is the larger eigenvalue of the 2 × 2 matrix (k₁₁ k₁₂; k₁₂ k₂₂) of "
         "the two tangents, k₁₂ the speed along t₂ that an impulse of 1 N s along t₁ makes.",
         "k = (k₁₁ + k₂₂)/2 + hypot((k₁₁ − k₂₂)/2, k₁₂)."}},
+      {10,
+       "overlap, undone without a speed",
+       {"Begin from the solver of chapter 08. b is the bounce alone, or 0; each row keeps C = min(0, −depth + slop).",
+        "moved(world, dt) is called once the bodies have moved. b' = max(0.2 min(0, C + h J V), −0.05 m)/h where C < "
+        "0, 0 "
+        "elsewhere. Set all velocities aside and to 0, all sums to 0, and sweep the normals ten times with b'.",
+        "Then x += h v', and q += h/2 (0, w') q, normalised, with refresh_inertia(). Put the velocities back."}},
       {11,
        "32 substeps of one sweep",
        {"Begin from the solver of chapter 08. Nothing in `solve` changes: a step calls it more often, each time with "

@@ -194,7 +194,7 @@ int main(int argc, char** argv) {
   Asked asked;
   CommandLine line("A solver of your own: one file that grows from chapter to chapter.", "./course mine");
   line.option("CHAPTER", asked.words,
-              "00 to 08 and 11 to 14, or its name; none: where you stand. Or hard-cases [NAME...]: yours beside the "
+              "00 to 08 and 10 to 14, or its name; none: where you stand. Or hard-cases [NAME...]: yours beside the "
               "stages in the "
               "table of hard cases. Or race SCENE: its time and what is off, beside ours. Or study [MOTION...]: error "
               "against time, beside ours");

@@ -436,7 +436,7 @@ std::vector<CheckOfChapter> made() {
       {8, all, {"in every direction, friction points against the slip", 1, in_any_direction, any_direction}},
       {8, all, {"bodies of any shape slide as the cone says", 1, of_what_rubs(), lumps_slide}},
   };
-  for (const auto& later : {checks_of_substeps(), checks_of_joints()})
+  for (const auto& later : {checks_of_corrections(), checks_of_substeps(), checks_of_joints()})
     made.insert(made.end(), later.begin(), later.end());
   return made;
 }

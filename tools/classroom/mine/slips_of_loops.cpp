@@ -5,8 +5,11 @@
 namespace pushback {
 
 const std::vector<SlipOfLoop>& slips_of_loop(int chapter) {
-  static const std::map<int, std::vector<SlipOfLoop>> all{
-      {11, slips_of_loop_11()}, {12, slips_of_loop_12()}, {13, slips_of_loop_13()}, {14, slips_of_loop_14()}};
+  static const std::map<int, std::vector<SlipOfLoop>> all{{10, slips_of_loop_10()},
+                                                          {11, slips_of_loop_11()},
+                                                          {12, slips_of_loop_12()},
+                                                          {13, slips_of_loop_13()},
+                                                          {14, slips_of_loop_14()}};
   static const std::vector<SlipOfLoop> none;
   const auto found = all.find(chapter);
   return found == all.end() ? none : found->second;

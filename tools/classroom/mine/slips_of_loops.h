@@ -1,4 +1,4 @@
-/// The known mistakes of chapters 11 to 14: each is the chapter's plain loop with a few lines replaced, see slips/NN.txt. A
+/// The known mistakes of chapters 10 to 14: each is the chapter's plain loop with a few lines replaced, see slips/NN.txt. A
 /// build makes code of them.
 #pragma once
 
@@ -17,6 +17,7 @@ struct SlipOfLoop {
 /// Empty for a chapter that has no such file.
 const std::vector<SlipOfLoop>& slips_of_loop(int chapter);
 
+std::vector<SlipOfLoop> slips_of_loop_10();
 std::vector<SlipOfLoop> slips_of_loop_11();
 std::vector<SlipOfLoop> slips_of_loop_12();
 std::vector<SlipOfLoop> slips_of_loop_13();
