@@ -2,6 +2,9 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <map>
+
 #include "pushback/chapters/00_naive_impulses/naive.h"
 #include "pushback/chapters/01_velocity_constraint/flat.h"
 #include "pushback/chapters/02_clamping/flat.h"
@@ -11,11 +14,17 @@
 #include "pushback/chapters/06_friction/flat.h"
 #include "pushback/chapters/07_warm_start/flat.h"
 #include "pushback/chapters/08_friction_cone/flat.h"
+#include "pushback/chapters/10_position_correction/flat.h"
+#include "pushback/chapters/11_substeps/flat.h"
+#include "pushback/chapters/12_soft_contacts/flat.h"
+#include "pushback/chapters/13_joints/flat.h"
+#include "pushback/chapters/14_joints_under_load/flat.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/tools/classroom/kit.h"
 #include "pushback/tools/classroom/mine/slips.h"
+#include "pushback/tools/classroom/mine/slips_of_loops.h"
 
 namespace pushback {
 
@@ -23,13 +32,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// By chapter, from 00 on.
+constexpr int last_of_one_line = 8;  // up to here each chapter begins from the one before it
+
 const WholeSolver& plain(int chapter) {
-  static const WholeSolver loops[] = {
-      whole_solver<NaiveOnce>(),           whole_solver<flat_01::FlatSolver>(), whole_solver<flat_02::FlatSolver>(),
-      whole_solver<flat_03::FlatSolver>(), whole_solver<flat_04::FlatSolver>(), whole_solver<flat_05::FlatSolver>(),
-      whole_solver<flat_06::FlatSolver>(), whole_solver<flat_07::FlatSolver>(), whole_solver<flat_08::FlatSolver>()};
-  return loops[chapter];
+  static const std::map<int, WholeSolver> loops{{0, whole_solver<NaiveOnce>()},
+                                                {1, whole_solver<flat_01::FlatSolver>()},
+                                                {2, whole_solver<flat_02::FlatSolver>()},
+                                                {3, whole_solver<flat_03::FlatSolver>()},
+                                                {4, whole_solver<flat_04::FlatSolver>()},
+                                                {5, whole_solver<flat_05::FlatSolver>()},
+                                                {6, whole_solver<flat_06::FlatSolver>()},
+                                                {7, whole_solver<flat_07::FlatSolver>()},
+                                                {8, whole_solver<flat_08::FlatSolver>()},
+                                                {10, whole_solver<flat_10::FlatSolver>()},
+                                                {11, whole_solver<flat_11::FlatSolver>()},
+                                                {12, whole_solver<flat_12::FlatSolver>()},
+                                                {13, whole_solver<flat_13::FlatSolver>()},
+                                                {14, whole_solver<flat_14::FlatSolver>()}};
+  return loops.at(chapter);
 }
 
 /// Behind the reader's text.
@@ -46,10 +66,32 @@ const pushback::WholeSolver answer = pushback::whole_solver<MySolver>();
 
 /// Every chapter but the first has a solver to begin from, and as long as nothing new is in it, it shows the old numbers.
 Mistake<WholeSolver> not_begun(int chapter) {
+  const int before = predecessor(chapter);
   return {"nothing new",
           fmt::format("these are the numbers of chapter {}. What chapter {} adds is not there yet, or has no effect.",
-                      two_digits(chapter - 1), two_digits(chapter)),
-          plain(chapter - 1)};
+                      two_digits(before), two_digits(chapter)),
+          plain(before)};
+}
+
+/// A mistake of an earlier chapter in the solver of this one. It shows in the checks of the chapters up to its own, where
+/// what has come since has nothing to do; of the later ones nothing is said: they are as if it were right.
+Exercise::Known of_earlier(const std::string& name, const std::string& hint, int its, const WholeSolver& slip,
+                           int chapter) {
+  return {name, hint, [=](std::size_t check, Random& random) {
+            return play(check, random, chapter_of_check(check) <= its ? slip : plain(chapter));
+          }};
+}
+
+/// From 09 on: after those of this chapter all of those that it grew from, as far back as they are known.
+void add_mistakes_of_loops(Exercise& exercise, int chapter) {
+  std::vector<Exercise::Known>& all = exercise.mistakes;
+  for (int its = chapter; its > last_of_one_line; its = predecessor(its))
+    for (const SlipOfLoop& slip : slips_of_loop(its))
+      all.push_back(of_earlier(slip.name, slip.hint, its, slip.solver, chapter));
+  for (const KnownSlip& known : known_slips())
+    if (known.last >= last_of_one_line)
+      all.push_back(
+          of_earlier(known.name, known.hint, last_of_one_line, loop_with(last_of_one_line, known.slip), chapter));
 }
 
 void replace_all(std::string& text, const std::string& what, const std::string& by) {
@@ -109,6 +151,51 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
         "Both take steps of the same size 1/k: k is the larger eigenvalue of the 2 × 2 matrix (k₁₁ k₁₂; k₁₂ k₂₂) of "
         "the two tangents, k₁₂ the speed along t₂ that an impulse of 1 N s along t₁ makes.",
         "k = (k₁₁ + k₂₂)/2 + hypot((k₁₁ − k₂₂)/2, k₁₂)."}},
+      {10,
+       "overlap, undone without a speed",
+       {"Begin from the solver of chapter 08. b is the bounce alone, or 0; each row keeps C = min(0, −depth + slop).",
+        "moved(world, dt) is called once the bodies have moved. b' = max(0.2 min(0, C + h J V), −0.05 m)/h where C < "
+        "0, 0 "
+        "elsewhere. Set all velocities aside and to 0, all sums to 0, and sweep the normals ten times with b'.",
+        "Then x += h v', and q += h/2 (0, w') q, normalised, with refresh_inertia(). Put the velocities back."}},
+      {11,
+       "32 substeps of one sweep",
+       {"Begin from the solver of chapter 08. Nothing in `solve` changes: a step calls it more often, each time with "
+        "the dt "
+        "of a substep.",
+        "Override Plan plan(Real dt) const. It returns .detections = 32, so that contacts are detected in every "
+        "substep, "
+        "and .sweeps = 1."}},
+      {12,
+       "contacts that are springs with dampers",
+       {"Once a substep: ω = 2π min(240, 1/(8h)), the push-out rate k/(c + hk) = ω/(2ζ + hω), γ/K = 1/(hω(2ζ + hω)), ζ "
+        "= 5.",
+        "A normal with depth > 0 that does not bounce gets b = −rate · depth, γ = γ/K · K and 1/(K + γ). Where b would "
+        "be "
+        "below −3 m/s: b = −3 m/s, without γ. A row solves J V + b + γ Σλ = 0.",
+        "moved(world, dt): carry every row, tangents too, to where the bodies are (their arms, M⁻¹ Jᵀ, K, the steps of "
+        "the "
+        "tangents); b is the bounce alone, γ = 0; one sweep more, and keep the impulses again."}},
+      {13,
+       "joints: rows that pull, too",
+       {"holds_joints() returns true. For each joint of world.joints: joint.ask(a, b, {world.time, dt}, equations), "
+        "with "
+        "world.body(joint.a) and world.body(joint.b), which also knows the_world.",
+        "A row for each equation: its Jacobian, b = bias + 0.2/dt · error, γ = softness, 1/(K + γ), limits dt · lo and "
+        "dt · "
+        "hi. Where n is 0, K has no 1/m. Solve these rows after the normals in each sweep.",
+        "In moved, ask again. A row without softness gets the new Jacobian and b = bias alone; one with softness "
+        "stays."}},
+      {14,
+       "joints that remember what they carry",
+       {"joint.impulses: resize it to the number of the joint's equations. Before the sweeps, each row begins with "
+        "world.impulse_scale(dt) times its number, and the bodies get it.",
+        "Where softness is 0, keep 0.2/dt · error apart. Sweep without it, each time 20 passes over the joints; write "
+        "the "
+        "sums into joint.impulses; then add it to b, and solve the joints sweeps · 20 times more.",
+        "In moved, first bring each sum back to joint.impulses, bodies included; after the last sweep, write the sums "
+        "there "
+        "again."}},
   };
   return all;
 }
@@ -137,8 +224,14 @@ const ChapterOfMine& chapter_of_mine(const std::string& word) {
 int chapter_of_check(std::size_t check) {
   return checks_of_chapters()[check].chapter;
 }
+bool grows_from(int chapter, int earlier) {
+  while (chapter > earlier) chapter = predecessor(chapter);
+  return chapter == earlier;
+}
 bool holds(std::size_t check, int chapter) {
-  return chapter <= checks_of_chapters()[check].last;
+  const CheckOfChapter& its = checks_of_chapters()[check];
+  const auto ends = [&](int one) { return one > its.chapter && grows_from(chapter, one); };
+  return grows_from(chapter, its.chapter) && std::none_of(its.ends.begin(), its.ends.end(), ends);
 }
 
 Exercise exercise_of_chapter(int chapter) {
@@ -151,11 +244,14 @@ Exercise exercise_of_chapter(int chapter) {
   }
   std::vector<Mistake<WholeSolver>> mistakes;
   for (const KnownSlip& known : known_slips())
-    if (known.chapter <= chapter && chapter <= known.last)
+    if (chapter <= last_of_one_line && known.chapter <= chapter && chapter <= known.last)
       mistakes.push_back({known.name, known.hint, loop_with(chapter, known.slip)});
+  if (chapter <= last_of_one_line)
+    for (const SlipOfLoop& slip : slips_of_loop(chapter)) mistakes.push_back({slip.name, slip.hint, slip.solver});
   if (chapter > 0) mistakes.push_back(not_begun(chapter));
-  const ChapterOfMine& told = chapters_of_mine()[static_cast<std::size_t>(chapter)];
+  const ChapterOfMine& told = chapter_of_mine(two_digits(chapter));
   Exercise made = exercise_of<WholeSolver>(told.title, told.hints, checks, plain(chapter), std::move(mistakes));
+  if (chapter > last_of_one_line) add_mistakes_of_loops(made, chapter);
   made.name = "mine_" + two_digits(chapter);
   made.behind = as_answer;
   for (std::size_t i = 0; i < made.checks.size(); ++i) made.checks[i].stage = chapter_of_check(i);

@@ -1,4 +1,4 @@
-/// What `./course mine NN` asks of a whole solver, as one exercise: the checks of this chapter and of all before it.
+/// What `./course mine NN` asks of a whole solver, as one exercise: the checks of this chapter and of all it grows from.
 #pragma once
 
 #include <filesystem>
@@ -27,7 +27,9 @@ std::string folder_of(int chapter);
 Exercise exercise_of_chapter(int chapter);
 /// The chapter that a check of such an exercise belongs to.
 int chapter_of_check(std::size_t check);
-/// Whether a right solver of this chapter passes it.
+/// Whether `earlier` is `chapter`, or one that it grew from.
+bool grows_from(int chapter, int earlier);
+/// Whether a right solver of this chapter passes it, as the chapter grows from the check's.
 bool holds(std::size_t check, int chapter);
 
 /// The chapter's plain loop, flat.h and flat.cpp, as one file like the reader's own: its class is MySolver.

@@ -44,7 +44,7 @@ void list(const MyFolder& mine) {
   if (next)
     fmt::print("next: chapters/{}/README.md, then {}, then ./course mine {}\n", folder_of(next->number),
                mine.file().string(), two_digits(next->number));
-  else fmt::print("all are passed: ./course mine 08 --diff shows the plain loop beside yours\n");
+  else fmt::print("all are passed: ./course mine 14 --diff shows the plain loop beside yours\n");
 }
 
 std::string capital(std::string words) {
@@ -76,7 +76,8 @@ void print_checks(const ChapterOfMine& chapter, const VerdictOfMine& made) {
 
 void remember(const ChapterOfMine& chapter, const VerdictOfMine& made, MyFolder& mine) {
   if (made.verdict.passed()) {
-    for (int each = 0; each <= chapter.number; ++each) mine.set_state(each, MyFolder::State::passed);
+    for (const ChapterOfMine& each : chapters_of_mine())
+      if (grows_from(chapter.number, each.number)) mine.set_state(each.number, MyFolder::State::passed);
     return;
   }
   for (std::size_t i = 0; i < made.verdict.checks.size(); ++i) {
@@ -205,11 +206,12 @@ bool on_page(const PageOfMine& page, MyFolder& mine, const Asked& asked) {
 int main(int argc, char** argv) {
   Asked asked;
   CommandLine line("A solver of your own: one file that grows from chapter to chapter.", "./course mine");
-  line.option("CHAPTER", asked.words,
-              "00 to 08, or its name; none: where you stand. Or body, touch, names: what stands below, from an empty "
-              "file. Or hard-cases [NAME...]: yours beside the stages in the "
-              "table of hard cases. Or race SCENE: its time and what is off, beside ours. Or study [MOTION...]: error "
-              "against time, beside ours");
+  line.option(
+      "CHAPTER", asked.words,
+      "00 to 08 and 10 to 14, or its name; none: where you stand. Or body, touch, names: what stands below, from an "
+      "empty file. Or hard-cases [NAME...]: yours beside the stages in the "
+      "table of hard cases. Or race SCENE: its time and what is off, beside ours. Or study [MOTION...]: error "
+      "against time, beside ours");
   line.flag("--hint", asked.hint, "One hint more each time");
   line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
   line.flag("--diff", asked.diff, "The chapter's plain loop beside your file, once it passes");

@@ -5,7 +5,11 @@
 /// chapter 02 any more. So the scenes of a check are such that what later chapters add has nothing to do in them: no overlap,
 /// no bounce, no friction, no impulse from the step before, unless the check is about it. Then a right solver of any later
 /// chapter gives the same numbers, and the check stays. Where a later chapter changes the very thing (01 pulls, 02 does not;
-/// 04 leaves a part of the depth that 03 took), `last` says with which chapter the check ends.
+/// 04 leaves a part of the depth that 03 took), `ends` says with which chapter the check is over.
+///
+/// From 08 on chapters branch: 09, 10 and 11 each begin from 08. So what a chapter keeps is not an interval, but the way back
+/// to 00 over the chapter that each begins from (`predecessor`). A check is kept where it is of a chapter on that way and no
+/// chapter later on it ends it.
 ///
 /// Rows may be solved in another order than here. So a scene has pairs that touch in one point and know nothing of each
 /// other; or two points that mirror each other, of which the same comes whichever goes first; or so many sweeps that it has
@@ -17,15 +21,21 @@
 
 namespace pushback {
 
-inline constexpr int last_of_all = 99;
-
 struct CheckOfChapter {
   int chapter;  ///< that asks for it first
-  int last;     ///< the last one of which a right solver passes it
+  std::vector<int>
+      ends;  ///< chapters of which, and of all that begin from them, a right solver does not pass it any more
   Check<WholeSolver> check;
 };
 
-/// Those of a chapter stand together, and after those of the chapters before.
+/// Those of a chapter stand together, and after those of the chapters with lower numbers.
 const std::vector<CheckOfChapter>& checks_of_chapters();
+
+/// The chapter whose solver this one begins from; of 00, -1.
+int predecessor(int chapter);
+
+std::vector<CheckOfChapter> checks_of_corrections();  ///< 10
+std::vector<CheckOfChapter> checks_of_substeps();     ///< 11 and 12
+std::vector<CheckOfChapter> checks_of_joints();       ///< 13 and 14
 
 }  // namespace pushback

@@ -1,4 +1,5 @@
-/// The known mistakes of a whole solver: the plain loop of any chapter from 00 to 08, with a slip in it.
+/// The known mistakes of a whole solver: the plain loop of any chapter from 00 to 08, with a slip in it. Those of later
+/// chapters: slips_of_loops.h.
 #pragma once
 
 #include <string>

@@ -1,0 +1,19 @@
+/// Plain loops with lines replaced: a mistake is written as what it changes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pushback {
+
+struct EditedLoop {
+  std::string name, hint;
+  std::string text;  ///< the loop's, after the edits
+};
+
+/// `edits`: after `== name` lines of the hint, each behind `> `, then the lines to be replaced, behind `- `, and those in
+/// their place, behind `+ `; any number of such replacements. What stands before the first name is not looked at. Throws
+/// std::runtime_error where the loop does not have the lines.
+std::vector<EditedLoop> edited_loops(const std::string& edits, const std::string& loop);
+
+}  // namespace pushback

@@ -1,0 +1,272 @@
+/// 13 and 14: joints of one equation each, as no order of rows changes what comes of them; and a pair that mirrors itself.
+#include "pushback/chapters/13_joints/distance.h"
+#include "pushback/tools/classroom/mine/scenes.h"
+#include "pushback/tools/classroom/mine/touching.h"
+
+namespace pushback {
+
+using namespace touching;
+
+namespace {
+
+/// What an equation has beside its Jacobian; `error` is added to what the bodies' places say.
+struct Wanted {
+  Real error = 0, bias = 0, softness = 0;
+  Real force = std::numeric_limits<Real>::infinity();  // the most, N
+  bool between_turns = false;
+};
+
+/// Two bodies of any shape, of which one equation holds a point of one to a point of the other along n; or a turn about n.
+struct Joined : Touching {
+  Vec3 n, momentum_before, angular_before;
+  bool turns;
+
+  Joined(Random& random, const Wanted& wanted) : Touching(random), n(random.direction()), turns(wanted.between_turns) {
+    h = 1 / random.between(500, 2000);
+    for (const int side : {-1, 1}) {
+      Body body = lump(random);
+      const Vec3 place = static_cast<Real>(side) * Vec3(random.between(Real(0.5), 1), 0, 0) + random.vector(Real(0.3));
+      world.add(body.at(place).moving(random.vector(2)).spinning(random.vector(2)));
+    }
+    add_joint(0, 1, wanted);
+    begin();
+    momentum_before = momentum(world);
+    angular_before = angular_momentum(world);
+  }
+  void add_joint(int a, int b, const Wanted& wanted) {
+    const Vec3 on_a = point_on(world.body(a), Vec3::Zero()), on_b = point_on(world.body(b), Vec3::Zero());
+    const Vec3 along = n;
+    world.joints.push_back(
+        {"an equation", a, b, [=](const Body& first, const Body& second, const TimeStep&, Equations& to) {
+           const Vec3 p_a = point_of(first, on_a), p_b = point_of(second, on_b);
+           Equation made;
+           made.jacobian =
+               wanted.between_turns ? Jacobian::about(along) : Jacobian::along(along, first, p_a, second, p_b);
+           made.error = wanted.error;
+           if (!wanted.between_turns) made.error += (p_b - p_a).dot(along);
+           made.bias = wanted.bias;
+           made.softness = wanted.softness;
+           made.lo = -wanted.force;
+           made.hi = wanted.force;
+           to.push_back(made);
+         }});
+  }
+  /// J V of a joint, m/s or rad/s.
+  Real along(std::size_t joint = 0) const {
+    const Joint& its = world.joints[joint];
+    Equations asked;
+    its.ask(world.body(its.a), world.body(its.b), {world.time, h}, asked);
+    const Jacobian& j = asked[0].jacobian;
+    const Body &a = world.body(its.a), &b = world.body(its.b);
+    return j.n.dot(b.velocity - a.velocity) + j.rb_n.dot(b.angular_velocity) - j.ra_n.dot(a.angular_velocity);
+  }
+  Real remembered() const { return world.joints[0].impulses.empty() ? 0 : world.joints[0].impulses[0]; }
+};
+
+std::vector<Quantity> of_what_is_joined() {
+  return {{"along their joint, your bodies move with", "m/s or rad/s", exact},
+          {"your joint changes the momentum of both bodies together by", "N s", exact},
+          {"your impulses change the angular momentum of both bodies together by", "N m s", exact},
+          {"your first body leaves with", "m/s", exact},
+          {"your second body leaves with", "m/s", exact},
+          {"your first body turns with", "rad/s", exact},
+          {"your second body turns with", "rad/s", exact}};
+}
+
+Numbers numbers_of(const Joined& joined) {
+  const auto& bodies = joined.world.bodies;
+  return {joined.along(),
+          (momentum(joined.world) - joined.momentum_before).norm(),
+          (angular_momentum(joined.world) - joined.angular_before).norm(),
+          bodies[0].velocity.norm(),
+          bodies[1].velocity.norm(),
+          bodies[0].angular_velocity.norm(),
+          bodies[1].angular_velocity.norm()};
+}
+
+Numbers with_memory(Numbers numbers, const Joined& joined) {
+  numbers.push_back(joined.remembered());
+  return numbers;
+}
+
+Real gap(Random& random) {
+  return (random.below(2) == 0 ? 1 : -1) * random.between(Real(0.005), Real(0.02));
+}
+
+/// After `solve` alone.
+Numbers solved_once(Random& random, const WholeSolver& answer, const Wanted& wanted) {
+  Joined joined(random, wanted);
+  joined.solve(*answer.make(), 1 + few(random));
+  return numbers_of(joined);
+}
+
+// ---- 13 --------------------------------------------------------------------------------------------------------------
+
+Numbers holds(Random& random, const WholeSolver& answer) {
+  return solved_once(random, answer, {});
+}
+Numbers closes(Random& random, const WholeSolver& answer) {
+  return solved_once(random, answer, {.error = gap(random), .bias = random.between(Real(0.2), 1)});
+}
+Numbers holds_turn(Random& random, const WholeSolver& answer) {
+  return solved_once(random, answer, {.error = gap(random), .between_turns = true});
+}
+Numbers springs(Random& random, const WholeSolver& answer) {
+  return solved_once(random, answer, {.error = gap(random), .softness = random.over_decades(Real(0.05), 1)});
+}
+Numbers is_limited(Random& random, const WholeSolver& answer) {
+  return solved_once(random, answer, {.error = gap(random), .force = random.between(Real(0.1), Real(0.3))});
+}
+
+Numbers relaxes(Random& random, const WholeSolver& answer) {
+  Joined joined(random, {.error = gap(random), .bias = random.between(Real(0.2), 1)});
+  joined.substep(*answer.make(), few(random));
+  return numbers_of(joined);
+}
+Numbers spring_stays(Random& random, const WholeSolver& answer) {
+  Joined joined(random, {.error = gap(random), .softness = random.over_decades(Real(0.05), 1)});
+  joined.substep(*answer.make(), 1);
+  return numbers_of(joined);
+}
+
+Numbers two_joints(Random& random, const WholeSolver& answer) {
+  Joined joined(random, {.error = gap(random)});
+  for (int i = 0; i < 2; ++i) {
+    Body body = lump(random);
+    joined.world.add(body.at(random.vector(1)).moving(random.vector(2)));
+  }
+  joined.add_joint(2, 3, {.bias = random.between(Real(0.2), 1)});
+  joined.begin();
+  joined.solve(*answer.make(), few(random));
+  return {joined.along(0), joined.along(1)};
+}
+
+/// A ball on a rod, from the side; both ends of the rod stay where they are, or the ball is to follow.
+Numbers pendulum(Random& random, const WholeSolver& answer) {
+  const auto solver = answer.make();
+  if (!solver->holds_joints()) return {0, 0, 0};
+  World world;
+  Body ball = sphere(Real(0.2), random.over_decades(1, 10));
+  world.add(ball.at({random.between(Real(0.7), 1), random.between(Real(-0.5), Real(0.5)), 0}));
+  world.joints.push_back(distance(world, the_world, Vec3::Zero(), 0, world.bodies[0].position));
+  for (int step = 0; step < 12; ++step) world.step(*solver, Real(1) / 60);
+  const Body& now = world.bodies[0];
+  return {1, 1000 * now.position.norm(), now.velocity.norm()};
+}
+
+// ---- 14 --------------------------------------------------------------------------------------------------------------
+
+Numbers begins_warm(Random& random, const WholeSolver& answer) {
+  Joined joined(random, {});
+  const auto solver = answer.make();
+  joined.substep(*solver, few(random));
+  joined.next(joined.h * random.between(Real(0.4), Real(0.9)), {});
+  joined.begin();
+  joined.solve(*solver, 0);
+  return with_memory(numbers_of(joined), joined);
+}
+
+Numbers kept_apart(Random& random, const WholeSolver& answer) {
+  Joined joined(random, {.error = gap(random)});
+  joined.solve(*answer.make(), few(random));
+  return with_memory(numbers_of(joined), joined);
+}
+
+Numbers spring_is_whole(Random& random, const WholeSolver& answer) {
+  Joined joined(random, {.error = gap(random), .softness = random.over_decades(Real(0.05), 1)});
+  joined.solve(*answer.make(), few(random));
+  return with_memory(numbers_of(joined), joined);
+}
+
+Numbers taken_back(Random& random, const WholeSolver& answer) {
+  Joined joined(random, {.error = gap(random)});
+  joined.substep(*answer.make(), few(random));
+  return with_memory(numbers_of(joined), joined);
+}
+
+/// A light ball between two heavy ones, held by a rod on either side, and thrown across: each rod spoils what the other has
+/// done. The picture is its own mirror image, so it does not matter which rod is solved first.
+struct Sling : Touching {
+  explicit Sling(Random& random, Real error) : Touching(random) {
+    h = 1 / random.between(500, 2000);
+    const Real heavy = random.over_decades(1, 10), high = random.between(Real(0.1), Real(0.3));
+    const Real light = random.between(Real(0.2), Real(0.3)) * heavy;
+    for (const Real x : {Real(-1), Real(1)}) {
+      Body end = sphere(Real(0.2), heavy);
+      world.add(end.at({x, high, 0}));
+    }
+    Body middle = sphere(Real(0.2), light);
+    world.add(middle.moving({0, -random.between(2, 5), 0}));
+    const Real length = std::hypot(Real(1), high) - error;
+    for (const int end : {0, 1})
+      world.joints.push_back(
+          distance(world, end, world.bodies[static_cast<std::size_t>(end)].position, 2, Vec3::Zero(), length));
+    begin();
+  }
+  Numbers numbers() const {
+    const auto impulse = [this](std::size_t joint) {
+      const auto& kept = world.joints[joint].impulses;
+      return kept.empty() ? 0 : kept[0];
+    };
+    const Real one = std::abs(impulse(0)), other = std::abs(impulse(1));
+    return {world.bodies[2].velocity.norm(), std::max(one, other), std::min(one, other)};
+  }
+};
+
+Numbers many_passes(Random& random, const WholeSolver& answer) {
+  Sling sling(random, 0);
+  sling.solve(*answer.make(), 1);
+  return sling.numbers();
+}
+Numbers many_passes_close(Random& random, const WholeSolver& answer) {
+  Sling sling(random, random.between(Real(0.01), Real(0.03)));
+  sling.solve(*answer.make(), 1);
+  return sling.numbers();
+}
+Numbers many_passes_later(Random& random, const WholeSolver& answer) {
+  Sling sling(random, random.between(Real(0.01), Real(0.03)));
+  sling.substep(*answer.make(), 1);
+  return sling.numbers();
+}
+
+}  // namespace
+
+std::vector<CheckOfChapter> checks_of_joints() {
+  const std::vector<int> all{};
+  const std::vector<Quantity> joined = of_what_is_joined();
+  std::vector<Quantity> remembering = joined;
+  remembering.push_back({"your joint remembers an impulse of", "N s", exact});
+  const std::vector<Quantity> of_a_sling{{"between two rods, your light ball moves with", "m/s", exact},
+                                         {"of your two rods, the one that bears more remembers", "N s", exact},
+                                         {"the one that bears less remembers", "N s", exact}};
+  const std::vector<Quantity> of_a_pendulum{{"that it holds joints, 1 or 0, your solver says with", "", 0.5},
+                                            {"from where its rod hangs, your ball is by", "mm", exact},
+                                            {"your ball swings with", "m/s", exact}};
+  return {
+      {13, all, {"a joint holds two bodies, whether it pulls or pushes", 1, joined, holds}},
+      {13, all, {"what is open closes: b is the equation's own and β/h C", 1, joined, closes}},
+      {13, all, {"an equation between two turns", 1, joined, holds_turn}},
+      {13, all, {"a soft equation gives way", 1, joined, springs}},
+      {13, all, {"no joint is stronger than its limits", 1, joined, is_limited}},
+      {13, {14}, {"once bodies have moved, what closed the gap is gone", 1, joined, relaxes}},
+      {13, {21}, {"and what a spring has added is not", 1, joined, spring_stays}},
+      {13,
+       all,
+       {"every joint is solved",
+        1,
+        {{"along the first of two joints, your bodies move with", "m/s", exact},
+         {"along the second one, with", "m/s", exact}},
+        two_joints}},
+      {13, {14}, {"a ball swings on a rod", 1, of_a_pendulum, pendulum}},
+      {14, {21}, {"without a sweep, a joint begins with what it had, to the scale of h", 1, remembering, begins_warm}},
+      {14, {21}, {"what closes a gap is not remembered", 1, remembering, kept_apart}},
+      {14, {21}, {"a spring's impulse is remembered whole", 1, remembering, spring_is_whole}},
+      {14, {21}, {"what has closed the gap is taken back", 1, remembering, taken_back}},
+      {14, {21}, {"two rods are solved 20 times in a sweep", 1, of_a_sling, many_passes}},
+      {14, {21}, {"and as often where they close a gap", 1, of_a_sling, many_passes_close}},
+      {14, {21}, {"and begin the last sweep from what is remembered", 1, of_a_sling, many_passes_later}},
+      {14, {21}, {"a ball swings on a rod that remembers what it bears", 1, of_a_pendulum, pendulum}},
+  };
+}
+
+}  // namespace pushback

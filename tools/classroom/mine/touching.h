@@ -1,0 +1,245 @@
+/// Bodies that touch where a check wants them to: what the scenes of several chapters are made of.
+#pragma once
+
+#include <fmt/format.h>
+
+#include "pushback/common/exercise/whole_solver.h"
+#include "pushback/common/world/measure.h"
+
+namespace pushback::touching {
+
+inline constexpr double exact = 1e-6;  // m/s, rad/s, N s ...: see scenes.h
+
+/// Contacts that are made by hand, solved as World::step would have them solved.
+struct Touching {
+  World world;
+  Real h;
+
+  explicit Touching(Random& random) : h(1 / random.between(50, 240)) { world.gravity.setZero(); }
+
+  Contact& touch(std::uint32_t a, std::uint32_t b, const Vec3& point, const Vec3& normal, std::uint32_t feature = 0) {
+    world.contacts.push_back({.point = point, .normal = normal, .id = {a, b, feature}});
+    return world.contacts.back();
+  }
+  /// The velocities are those with which the step begins.
+  void begin() {
+    for (Body& body : world.bodies) keep_velocity(body);
+  }
+  void solve(StepSolver& solver, int sweeps) {
+    solver.check(world, h);
+    solver.detected(world, h);
+    solver.solve(world, h, sweeps);
+    solver.done(world);
+  }
+  /// All of a substep: the bodies move in it, and the solver may change what it did.
+  void substep(StepSolver& solver, int sweeps) {
+    solver.check(world, h);
+    solver.detected(world, h);
+    solver.solve(world, h, sweeps);
+    for (Body& body : world.bodies) move(body, h);
+    world.time += h;
+    solver.moved(world, h);
+    solver.done(world);
+  }
+  /// The next step, of which these contacts are found.
+  void next(Real its_h, Contacts found) {
+    world.contacts_before = std::move(world.contacts);
+    world.contacts = std::move(found);
+    world.dt_before = h;
+    h = its_h;
+  }
+};
+
+/// A body that tumbles: its inertia differs from axis to axis.
+inline Body lump(Random& random) {
+  const Real x = random.between(Real(0.3), Real(0.8)), y = random.between(Real(0.3), Real(0.8)),
+             z = random.between(Real(0.3), Real(0.8));
+  Body body = box({x, y, z}, random.over_decades(1, 10));
+  return body.oriented(random.orientation());
+}
+
+/// Two bodies that touch in one point, and that can both move.
+struct Pair : Touching {
+  Vec3 momentum_before, angular_before, slip_before;
+
+  /// Their points part at `speed`, m/s; negative: they meet.
+  Pair(Random& random, Real speed, bool spheres = false) : Touching(random) {
+    const Vec3 point = random.vector(1), normal = random.direction();
+    for (const int side : {-1, 1}) {
+      const Real away = random.between(Real(0.3), Real(0.8));
+      Body body = spheres ? sphere(away, random.over_decades(1, 10)) : lump(random);
+      Vec3 place = point + static_cast<Real>(side) * away * normal;
+      if (!spheres) place += random.vector(Real(0.3));
+      body.at(place).moving(random.vector(2));
+      if (!spheres) body.spinning(random.vector(2));
+      world.add(body);
+    }
+    touch(0, 1, point, normal, static_cast<std::uint32_t>(random.below(5)));
+    meet(speed);
+  }
+  Contact& contact() { return world.contacts[0]; }
+  /// As above; the velocities across the normal stay.
+  void meet(Real speed) {
+    world.bodies[1].velocity += (speed - separating_speed(world, contact())) * contact().normal;
+    begin();
+    momentum_before = momentum(world);
+    angular_before = angular_momentum(world);
+  }
+  /// How fast B's point moves along A's surface, m/s.
+  Vec3 slip() const {
+    const Contact& c = world.contacts[0];
+    const Vec3 speed = world.bodies[1].velocity_at(c.point) - world.bodies[0].velocity_at(c.point);
+    return speed - speed.dot(c.normal) * c.normal;
+  }
+  /// Gives B such a velocity that this is its slip, m/s.
+  void slide(const Vec3& wanted) {
+    world.bodies[1].velocity += wanted - slip();
+    meet(separating_speed(world, contact()));
+    slip_before = wanted;
+  }
+  Real parting() const { return separating_speed(world, world.contacts[0]); }
+  Real pushed() const { return world.contacts[0].impulse.dot(world.contacts[0].normal); }
+  Real rubbed() const { return (world.contacts[0].impulse - pushed() * world.contacts[0].normal).norm(); }
+};
+
+inline const std::vector<Quantity> of_a_pair{
+    {"the points at which your bodies touch part with", "m/s", exact},
+    {"your impulses change the momentum of both bodies together by", "N s", exact},
+    {"your impulses change the angular momentum of both bodies together by", "N m s", exact},
+    {"your lower body leaves with", "m/s", exact},
+    {"your upper body leaves with", "m/s", exact},
+    {"your lower body turns with", "rad/s", exact},
+    {"your upper body turns with", "rad/s", exact},
+    {"your contact keeps an impulse along its normal of", "N s", exact}};
+
+inline Numbers numbers_of(const Pair& pair) {
+  const auto& bodies = pair.world.bodies;
+  return {pair.parting(),
+          (momentum(pair.world) - pair.momentum_before).norm(),
+          (angular_momentum(pair.world) - pair.angular_before).norm(),
+          bodies[0].velocity.norm(),
+          bodies[1].velocity.norm(),
+          bodies[0].angular_velocity.norm(),
+          bodies[1].angular_velocity.norm(),
+          pair.pushed()};
+}
+
+inline Numbers solved(Pair& pair, const WholeSolver& answer, int sweeps) {
+  const auto solver = answer.make();
+  pair.solve(*solver, sweeps);
+  return numbers_of(pair);
+}
+
+/// Three boxes on the ground and on each other, which touch in six points.
+struct Pile : Touching {
+  explicit Pile(Random& random) : Touching(random) {
+    world.add(ground());
+    const Vec3 places[] = {{-1, 1, 0}, {1, 1, 0}, {0, Real(2.2), 0}};
+    for (const Vec3& place : places) {
+      Body body = lump(random);
+      world.add(body.at(place + random.vector(Real(0.1))));
+    }
+    const auto near = [&](std::uint32_t a, std::uint32_t b, const Vec3& point, const Vec3& normal,
+                          std::uint32_t feature = 0) {
+      const Vec3 off = random.vector(Real(0.15)), tilt = random.vector(Real(0.2));
+      touch(a, b, point + off, (normal + tilt).normalized(), feature);
+    };
+    near(0, 1, {-1, Real(0.3), 0}, Vec3::UnitY());
+    near(0, 2, {1, Real(0.3), 0}, Vec3::UnitY());
+    near(1, 2, {0, 1, Real(-0.6)}, Vec3::UnitX(), 2);
+    near(1, 2, {0, 1, Real(0.6)}, Vec3::UnitX(), 5);
+    near(1, 3, {Real(-0.5), Real(1.6), Real(-0.2)}, Vec3(Real(0.5), 1, 0));
+    near(2, 3, {Real(0.5), Real(1.6), Real(0.2)}, Vec3(Real(-0.5), 1, 0));
+  }
+  /// Velocities that just these impulses, N s, one a contact, bring to rest.
+  void thrown_by(const Numbers& impulses) {
+    for (std::size_t i = 0; i < impulses.size(); ++i) {
+      const Contact& c = world.contacts[i];
+      const auto [a, b] = world.bodies_of(c);
+      const Vec3 impulse = impulses[i] * c.normal;
+      a.velocity += a.inverse_mass * impulse;
+      a.angular_velocity += a.inverse_inertia * (c.point - a.position).cross(impulse);
+      b.velocity -= b.inverse_mass * impulse;
+      b.angular_velocity -= b.inverse_inertia * (c.point - b.position).cross(impulse);
+    }
+    begin();
+  }
+};
+
+inline std::vector<Quantity> of_a_pile() {
+  std::vector<Quantity> all;
+  for (const int box : {1, 2, 3}) {
+    all.push_back({fmt::format("box {} of your pile moves with", box), "m/s", exact});
+    all.push_back({fmt::format("box {} of your pile turns with", box), "rad/s", exact});
+  }
+  for (const int contact : {1, 2, 3, 4, 5, 6})
+    all.push_back({fmt::format("contact {} of your pile keeps", contact), "N s", exact});
+  return all;
+}
+
+inline Numbers numbers_of(const Pile& pile) {
+  Numbers numbers;
+  for (std::size_t i = 1; i <= 3; ++i) {
+    numbers.push_back(pile.world.bodies[i].velocity.norm());
+    numbers.push_back(pile.world.bodies[i].angular_velocity.norm());
+  }
+  for (const Contact& c : pile.world.contacts) numbers.push_back(c.impulse.norm());
+  return numbers;
+}
+
+inline constexpr int to_the_end = 2000;  // sweeps, after which a pile has converged
+
+/// A beam over the ground, which is met by it in two points, as far left as right of its middle.
+struct Beam : Touching {
+  /// `reach`, m; the beam falls at `speed`, m/s, and turns about the axis across with `spin`, rad/s.
+  Beam(Random& random, Real reach, Real speed, Real spin = 0) : Touching(random) {
+    world.add(ground());
+    Body beam = box({1, Real(0.1), Real(0.2)}, random.over_decades(1, 10));
+    world.add(beam.at({0, Real(0.1), 0}).moving({0, -speed, 0}).spinning({0, 0, spin}));
+    touch(0, 1, {-reach, 0, 0}, Vec3::UnitY(), 0);
+    touch(0, 1, {reach, 0, 0}, Vec3::UnitY(), 1);
+    begin();
+  }
+};
+
+inline const std::vector<Quantity> of_a_beam{
+    {"your beam moves upwards with", "m/s", exact},
+    {"your beam turns with", "rad/s", exact},
+    {"of your beam's two contacts, the one that pushes more keeps", "N s", exact},
+    {"of your beam's two contacts, the one that pushes less keeps", "N s", exact}};
+
+inline Numbers numbers_of(const Beam& beam) {
+  const Body& body = beam.world.bodies[1];
+  const Real left = beam.world.contacts[0].impulse.y(), right = beam.world.contacts[1].impulse.y();
+  return {body.velocity.y(), std::abs(body.angular_velocity.z()), std::max(left, right), std::min(left, right)};
+}
+
+inline int few(Random& random) {
+  return 1 + static_cast<int>(random.below(4));
+}
+
+inline Real meeting(Random& random) {
+  return -random.between(2, 6);
+}
+
+inline Real slow(Random& random) {
+  return -random.between(Real(0.01), Real(0.05));
+}
+
+/// s: steps so long that β d / h, β d and β d h differ by more than a few hundredths.
+inline Real long_step(Random& random) {
+  return random.between(Real(0.2), Real(0.5));
+}
+
+/// A body that meets one which nothing moves, and that gravity has sped up in this step before its contact is solved.
+struct Falling : Pair {
+  /// As the step began, its points parted at `speed`, m/s.
+  Falling(Random& random, Real speed) : Pair(random, speed) {
+    world.bodies[0].fixed().moving(Vec3::Zero()).spinning(Vec3::Zero());
+    meet(speed);
+    world.gravity = -random.between(5, 15) * contact().normal;
+    integrate_velocity(world.bodies[1], world.gravity, h);
+  }
+};
+
+}  // namespace pushback::touching
