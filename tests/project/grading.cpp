@@ -5,6 +5,7 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/classroom/all_exercises.h"
 #include "pushback/tools/classroom/grade.h"
+#include "pushback/tools/classroom/mine/chapters.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
 
@@ -114,6 +115,95 @@ TEST_CASE("who does nothing earns nothing, in all transfers") {
 
 TEST_CASE("who writes what changes nothing earns nothing, in all transfers", "[checked]") {
   earn_nothing(" --jobs 2", with_a_line);
+}
+
+namespace {
+
+/// The plain loop of 06 as a class of whole solvers: right, without a clamp, with nothing, with a crash, as a link, in an archive.
+struct Solvers {
+  Scratch scratch;
+  std::string folders;
+  Solvers() {
+    const std::string right = plain_loop(6);
+    std::string pulls = right;
+    pulls.replace(pulls.find("normal.lo = 0;"), 14, "");
+    write("anna", "mine/solver.h", "#include \"mu.h\"\n" + right);
+    write("anna", "mine/mu.h", "#pragma once\n");
+    write("ben", "solver.h", pulls);
+    write("carl", "mine/solver.h", begins + "override {}\n};\n");
+    write("dora", "mine/solver.h", "#include <cstdlib>\n" + begins + "override { std::abort(); }\n};\n");
+    write("eve", "mine/solver.h", begins + "override { int x = ; }\n};\n");
+    fs::create_directories(scratch / "frank/mine");
+    fs::create_symlink(scratch / "anna/mine/solver.h", scratch / "frank/mine/solver.h");
+    write("gina", "mine/solver.h", "#include \"stolen.h\"\n" + begins + "override {}\n};\n");
+    fs::create_symlink(scratch / "anna/mine/solver.h", scratch / "gina/mine/stolen.h");
+    REQUIRE(run_program({"tar", "-czf", scratch / "hana.tar.gz", "-C", scratch / "anna", "mine"}).status == 0);
+    folders += "'" + (scratch / "hana.tar.gz").string() + "' ";
+  }
+  void write(const std::string& name, const std::string& file, const std::string& text) {
+    if (!fs::exists(scratch / name)) folders += "'" + (scratch / name).string() + "' ";
+    fs::create_directories((scratch / name / file).parent_path());
+    write_text_file(scratch / name / file, text);
+  }
+  static inline const std::string begins =
+      "#include \"pushback/common/world/step_solver.h\"\nstruct MySolver : pushback::StepSolver {\n"
+      "  void solve(pushback::World&, pushback::Real, int) ";
+};
+
+}  // namespace
+
+TEST_CASE("a class's own solvers are graded up to a chapter: where each stands, and why it goes no further") {
+  Solvers all;
+  const fs::path points = all.scratch / "handout.points";
+  CHECK(call_program(HANDOUT_PROGRAM, (all.scratch / "handout").string() + " --with 03 --mine 06").status == 0);
+  std::string only_mine;
+  for (const std::string& line : lines_of(text_of(points)))
+    if (line.starts_with("mine_06 ")) only_mine += line + "\n";
+  CHECK(lines_of(only_mine).size() == 19);
+  write_text_file(points, only_mine);
+  const auto grade = [&] {
+    return call_program(GRADE_PROGRAM,
+                        all.folders + "'" + (all.scratch / "frank").string() +
+                            "' --no-sandbox --jobs 2 --seed 1 --points " + points.string() + " --out " +
+                            (all.scratch / "out").string(),
+                        120);
+  };
+  const Ended first = grade();
+  INFO(first.out << first.err);
+  CHECK(first.status == 0);
+  for (const char* line : {"anna      19 of 19  mine_06 19/19, stands at 06\n",
+                           "ben        4 of 19  mine_06 4/19, stands at 01 (clamp lost)",
+                           "carl       0 of 19  mine_06 0/19, stands at none (nothing done)",
+                           "dora       0 of 19  mine_06 0/19, stands at none (crash)",
+                           "eve        0 of 19  mine_06 0/19, stands at none (does not compile)",
+                           "frank      0 of 19  mine_06 0/19, stands at none (not handed in)",
+                           "gina       0 of 19  mine_06 0/19, stands at none (does not compile)",
+                           "hana      19 of 19  mine_06 19/19, stands at 06\n"})
+    CHECK(contains(first.out, line));
+  CHECK(contains(text_of(all.scratch / "out/results.json"), "\"stands\": \"01\""));
+  CHECK(grade().err.empty());
+  all.write("anna", "mine/mu.h", "#error\n");  // a header counts as the file does
+  CHECK(grade().err == "graded: anna\n");
+  CHECK(call_program(HANDOUT_PROGRAM, (all.scratch / "none").string() + " --mine 99").status == 2);
+  CHECK_FALSE(fs::exists(all.scratch / "none"));
+}
+
+TEST_CASE("where a class stands in the hard cases: a column for each solver that compiles", "[checked]") {
+  Solvers all;
+  const std::string some = "'" + (all.scratch / "anna").string() + "' '" + (all.scratch / "dora").string() + "' '" +
+                           (all.scratch / "eve").string() + "' ";
+  const Ended played = call_program(
+      GRADE_PROGRAM, some + "--exercises mine-06 --jobs 2 --hard-cases --out " + (all.scratch / "out").string(), 300);
+  if (contains(played.err, "there is no sandbox here")) return;
+  INFO(played.out << played.err);
+  CHECK(played.status == 0);
+  CHECK(contains(played.out, "hard cases passed, of 49:\n08 friction cone   19\nanna "));
+  CHECK(contains(played.out, "\ndora                0\n"));
+  CHECK(contains(played.out, "\neve                 –  it does not compile as a library: error: expected"));
+  CHECK(fs::exists(all.scratch / "out/hard_cases/overview.png"));
+  const std::string table = text_of(all.scratch / "out/hard_cases/table.csv");
+  CHECK(contains(table, "\nstack-10,anna,"));
+  CHECK(contains(table, "\nstack-10,dora,"));
 }
 
 TEST_CASE("parts, each for itself, make the whole, and half of a result is graded anew") {

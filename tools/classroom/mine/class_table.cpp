@@ -17,6 +17,7 @@
 #include "pushback/tools/classroom/handed_in.h"
 #include "pushback/tools/classroom/kit.h"
 #include "pushback/tools/classroom/mine/chapters.h"
+#include "pushback/tools/classroom/mine/current_folder.h"
 #include "pushback/tools/classroom/mine/library.h"
 #include "pushback/tools/hard_cases/table.h"
 #include "pushback/tools/hard_cases/table_picture.h"
@@ -135,10 +136,13 @@ void play_class(const Grading& grading, const std::vector<std::string>& cases) {
 
   const Table all = joined(columns);
   if (!all.cases.empty()) {
-    const fs::path folder = grading.out / "hard_cases";
+    const fs::path folder = fs::absolute(grading.out) / "hard_cases";
     make_writable_folder(folder);
     write_text_file(folder / "table.csv", table_csv(all));
-    write_text_file(folder / "table.md", table_md(all, folder));
+    {
+      const CurrentFolder root(kit().sources);  // the table has links to the chapters' pages
+      write_text_file(folder / "table.md", table_md(all, folder));
+    }
     keep_picture(folder / "overview.png", draw_overview(all));
   }
   fmt::print("hard cases passed, of {}:\n", all.cases.size());

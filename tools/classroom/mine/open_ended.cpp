@@ -12,6 +12,7 @@
 #include "pushback/common/basics/process.h"
 #include "pushback/common/basics/quantile.h"
 #include "pushback/tools/classroom/kit.h"
+#include "pushback/tools/classroom/mine/current_folder.h"
 #include "pushback/tools/classroom/mine/lap.h"
 #include "pushback/tools/classroom/mine/library.h"
 
@@ -45,21 +46,6 @@ void make_mine(const MyFolder& mine, const fs::path& library, CompiledAs as) {
   const std::string wrong = make_library(mine.text(), fs::absolute(mine.path()), library, as);
   if (!wrong.empty()) throw std::runtime_error(wrong + ". ./course mine 00 shows all that the compiler says");
 }
-
-/// In it for as long as this lives.
-class CurrentFolder {
- public:
-  explicit CurrentFolder(const fs::path& folder) : before_(fs::current_path()) { fs::current_path(folder); }
-  ~CurrentFolder() {
-    std::error_code ignored;
-    fs::current_path(before_, ignored);
-  }
-  CurrentFolder(const CurrentFolder&) = delete;
-  CurrentFolder& operator=(const CurrentFolder&) = delete;
-
- private:
-  fs::path before_;
-};
 
 }  // namespace
 
