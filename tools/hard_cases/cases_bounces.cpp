@@ -64,7 +64,8 @@ void crowd(World& world, Real inward) {
   world.gravity.setZero();
   Random random(49);
   for (int i = 0; i < per_side * per_side; ++i) {
-    const Vec3 place{static_cast<Real>(i % per_side - per_side / 2), static_cast<Real>(i / per_side - per_side / 2), 0};
+    const int column = i % per_side - per_side / 2, row = i / per_side - per_side / 2;
+    const Vec3 place{static_cast<Real>(column), static_cast<Real>(row), 0};
     Vec3 velocity = random.vector(3) - inward * place;
     velocity.z() = 0;
     world.add(sphere(ball_radius, 10).at(place).moving(velocity).bouncy(1).rough(0));

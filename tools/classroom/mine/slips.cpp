@@ -277,7 +277,6 @@ class LoopWithSlip : public StepSolver {
       case Slip::size_of_sum:
         return reach(row, std::abs(row.impulse + lambda), 0, inf);
       case Slip::no_clamp:
-        return reach(row, row.impulse + lambda, -inf, inf);
       case Slip::clamped_at_the_end:
         return reach(row, row.impulse + lambda, -inf, inf);
       case Slip::sum_clamped_alone:
