@@ -1,14 +1,40 @@
 /// ./course grade
 #include <thread>
 
+#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/process.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/classroom/grade.h"
 #include "pushback/tools/classroom/mine/chapters.h"
-#include "pushback/tools/classroom/mine/class_table.h"
+#include "pushback/tools/classroom/mine/library.h"
 #include "pushback/tools/classroom/own_tasks.h"
 #include "pushback/tools/classroom/student_files.h"
 
 using namespace pushback;
+
+namespace {
+
+/// By a program of its own, which has all solvers of the project in it.
+void play_hard_cases_of(const Grading& grading) {
+  const std::filesystem::path program = program_beside("class_table");
+  if (!std::filesystem::exists(program))
+    throw InvalidInput("--hard-cases needs a program that is not built: " + program.string());
+  std::vector<std::string> command{program,
+                                   "--out",
+                                   grading.out,
+                                   "--jobs",
+                                   std::to_string(grading.jobs),
+                                   "--megabytes",
+                                   std::to_string(grading.limits.megabytes)};
+  if (!grading.sandboxed) command.emplace_back("--no-sandbox");
+  command.emplace_back("--");
+  for (const auto& given : grading.given) command.push_back(given);
+  const Ended ended = run_program(command, 0);
+  fmt::print("{}", ended.out);
+  if (ended.status != 0) throw InvalidInput("--hard-cases: " + last_line(ended.err));
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   Grading grading;
@@ -64,6 +90,6 @@ int main(int argc, char** argv) {
     grading.sandboxed = !no_sandbox;
     grading.sheets = !no_sheet;
     grade(grading);
-    if (hard_cases) play_class(grading, {});
+    if (hard_cases) play_hard_cases_of(grading);
   });
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -40,8 +41,7 @@ struct Column {
 };
 
 /// Two columns, the reference and "mine".
-Column column_of(const std::string& student, const fs::path& given, const Grading& grading, const Sandbox* sandbox,
-                 const std::vector<std::string>& cases) {
+Column column_of(const std::string& student, const fs::path& given, const Grading& grading, const Sandbox* sandbox) {
   Column made{student, {}, {}};
   const Exercise whole = exercise_of_chapter(0);
   const HandedIn handed_in(given, {&whole}, sandbox);
@@ -57,7 +57,6 @@ Column column_of(const std::string& student, const fs::path& given, const Gradin
   const fs::path program = program_beside("hard_cases_table");
   if (!fs::exists(program)) throw InvalidInput("a program is needed that is not built: " + program.string());
   Command play{"prlimit", "--core=0", "--fsize=67108864", program};
-  play.insert(play.end(), cases.begin(), cases.end());
   for (const std::string& word :
        {std::string("--stages"), std::string(reference), std::string("--mine"), library.string(),
         std::string("--no-images"), std::string("--jobs"), std::string("1"), std::string("--out"), out.path.string()})
@@ -110,20 +109,33 @@ Table joined(const std::vector<Column>& columns) {
   return all;
 }
 
+/// By their names.
+std::map<std::string, fs::path> students(const std::vector<fs::path>& given) {
+  std::map<std::string, fs::path> all;
+  for (const fs::path& one : given) {
+    try {
+      all.emplace(students_name(one), one);
+    } catch (const InvalidInput&) {  // grade() has said so
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
-void play_class(const Grading& grading, const std::vector<std::string>& cases) {
+void play_class(const Grading& grading) {
   std::optional<Sandbox> sandbox;
   if (grading.sandboxed) sandbox.emplace();
-  std::vector<Column> columns(grading.given.size());
+  const std::map<std::string, fs::path> by_name = students(grading.given);
+  const std::vector<std::pair<std::string, fs::path>> all_students(by_name.begin(), by_name.end());
+  std::vector<Column> columns(all_students.size());
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
   std::mutex failing;
   const auto work = [&] {
     try {
       for (std::size_t i = next++; i < columns.size(); i = next++)
-        columns[i] =
-            column_of(students_name(grading.given[i]), grading.given[i], grading, sandbox ? &*sandbox : nullptr, cases);
+        columns[i] = column_of(all_students[i].first, all_students[i].second, grading, sandbox ? &*sandbox : nullptr);
     } catch (...) {
       const std::lock_guard guard(failing);
       failure = std::current_exception();
