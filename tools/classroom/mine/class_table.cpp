@@ -31,7 +31,7 @@ namespace {
 
 using Command = std::vector<std::string>;
 
-constexpr const char* reference = "08 friction cone";  // the column beside the students'
+constexpr const char* reference = "08 friction cone";  // a column that has to be there
 constexpr int longest = 900;                           // s, of a student's cases together
 
 struct Column {
@@ -77,7 +77,10 @@ Column column_of(const std::string& student, const fs::path& given, const Gradin
   stages.push_back(mine);
   try {
     made.table = read_table_csv(read_text_file(csv), stages);
-    if (made.table->stages.size() != 2) throw InvalidInput("other columns");
+    if (made.table->stages.size() != 2 || made.table->cases.size() != hard_cases().size())
+      throw InvalidInput("other cases or columns");
+    for (std::size_t i = 0; i < hard_cases().size(); ++i)
+      if (made.table->cases[i].name != hard_cases()[i].name) throw InvalidInput("other cases");
   } catch (const InvalidInput&) {
     made.table.reset();
     made.problem = "what it left is no table of these cases";
@@ -85,26 +88,26 @@ Column column_of(const std::string& student, const fs::path& given, const Gradin
   return made;
 }
 
-/// The reference once, then each student's own.
+/// The project's own columns of the chapters that are a plain loop, as its table has them, then each student's. Of what a
+/// student has left only the outcomes are taken: neither limits nor the column beside.
 Table joined(const std::vector<Column>& columns) {
+  const Table ours = read_table_csv(read_text_file(kit().sources / "renders" / "hard_cases" / "table.csv"));
+  std::vector<std::size_t> taken;
+  for (std::size_t i = 0; i < ours.stages.size(); ++i)
+    if (ours.stages[i].name < "09") taken.push_back(i);
   Table all;
+  all.cases = ours.cases;
+  for (const std::size_t i : taken) all.stages.push_back(ours.stages[i]);
+  all.chapters = all.stages.size();
   for (const Column& column : columns) {
     if (!column.table) continue;
-    if (all.stages.empty()) {
-      all.cases = column.table->cases;
-      all.chapters = column.table->chapters;
-      all.stages.push_back(column.table->stages[0]);
-    }
     all.stages.push_back(column.table->stages[1]);
     all.stages.back().name = column.student;
   }
   for (std::size_t row = 0; row < all.cases.size(); ++row) {
-    bool first = true;
-    for (const Column& column : columns) {
-      if (!column.table) continue;
-      if (std::exchange(first, false)) all.outcomes.push_back(column.table->at(row, 0));
-      all.outcomes.push_back(column.table->at(row, 1));
-    }
+    for (const std::size_t i : taken) all.outcomes.push_back(ours.at(row, i));
+    for (const Column& column : columns)
+      if (column.table) all.outcomes.push_back(column.table->at(row, 1));
   }
   return all;
 }
@@ -147,7 +150,7 @@ void play_class(const Grading& grading) {
   if (failure) std::rethrow_exception(failure);
 
   const Table all = joined(columns);
-  if (!all.cases.empty()) {
+  if (all.stages.size() > all.chapters) {
     const fs::path folder = fs::absolute(grading.out) / "hard_cases";
     make_writable_folder(folder);
     write_text_file(folder / "table.csv", table_csv(all));
