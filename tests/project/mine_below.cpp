@@ -103,16 +103,15 @@ TEST_CASE("a wrong header is called by its name") {
 }
 
 TEST_CASE("wrong headers of each page are called by their names", "[checked]") {
-  judge_wrong_headers(
-      {{1, "masses, not their inverses", "body.inverse_mass = 1 / mass", "body.inverse_mass = mass"},
-       {1, "ω kept", "  body.angular_velocity = world_inverse_inertia(body) * momentum;\n", ""},
-       {1, "the quaternion grows", "turned.normalized()", "turned"},
-       {1, "P × r", "(point - body.position).cross(impulse)", "impulse.cross(point - body.position)"},
-       {1, "what nothing moves falls", "if (body.inverse_mass > 0) body.velocity", "body.velocity"},
-       {2, "six axes", "if (!overlaps(axes_a.col(i).cross(axes_b.col(j)), i, j)) return false;", "{}"},
-       {3, "faces left out", "36 * faces + corner.name", "corner.name"},
-       {3, "no names", "36 * faces + corner.name", "0"},
-       {3, "not clipped", "    polygon = clip(", "    clip("}});
+  judge_wrong_headers({{1, "masses, not their inverses", "body.inverse_mass = 1 / mass", "body.inverse_mass = mass"},
+                       {1, "ω kept", "  body.angular_velocity = world_inverse_inertia(body) * momentum;\n", ""},
+                       {1, "the quaternion grows", "turned.normalized()", "turned"},
+                       {1, "P × r", "(point - body.position).cross(impulse)", "impulse.cross(point - body.position)"},
+                       {1, "what nothing moves falls", "if (body.inverse_mass > 0) body.velocity", "body.velocity"},
+                       {2, "six axes", "if (!overlaps(axes_a.col(i).cross(axes_b.col(j)), i, j)) return false;", "{}"},
+                       {3, "faces left out", "36 * faces + corner.name", "corner.name"},
+                       {3, "no names", "36 * faces + corner.name", "0"},
+                       {3, "not clipped", "    polygon = clip(", "    clip("}});
 }
 
 TEST_CASE("a solver of chapter 07 on the bodies of the first page passes the checks of 07") {

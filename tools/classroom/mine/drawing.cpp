@@ -11,7 +11,8 @@ namespace pushback {
 
 namespace fs = std::filesystem;
 
-std::string draw_mine(int chapter, const std::string& text, const fs::path& folder, const fs::path& to, Drawn drawn) {
+std::string draw_mine(int chapter, const std::string& text, const fs::path& folder, const fs::path& to,
+                      ScenesDrawn drawn) {
   const std::string name = folder_of(chapter);
   const fs::path program = program_beside(name);
   if (!fs::exists(program)) return fmt::format("the program that draws it is not built: {}", program.string());
@@ -21,8 +22,8 @@ std::string draw_mine(int chapter, const std::string& text, const fs::path& fold
   // Of a picture that one waits for: what is worked out beside the scenes has no variant of the reader's, and soft shadows
   // need more passes than the eye needs to compare.
   std::vector<std::string> draw{program, "--mine", library, "--out", scratch.path, "--no-study", "--passes", "4"};
-  if (drawn == Drawn::first_scene) draw.emplace_back("--first-scene");
-  if (drawn == Drawn::films_too) draw.emplace_back("--film");
+  if (drawn == ScenesDrawn::first_scene) draw.emplace_back("--first-scene");
+  if (drawn == ScenesDrawn::films_too) draw.emplace_back("--film");
   const Ended ended = run_program(draw, 600);
   if (ended.status != 0) return fmt::format("{} came to no end with your solver: {}", name, last_line(ended.err));
   fs::remove_all(to);

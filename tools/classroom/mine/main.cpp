@@ -117,17 +117,17 @@ bool check(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
   // What did not come to its end in a scene would not in the picture.
   if (!asked.no_sheet && made.outcome.problem.empty()) {
     const fs::path to = mine.path() / number;
-    const auto draw = [&](Drawn drawn, const std::string& files) {
+    const auto draw = [&](ScenesDrawn drawn, const std::string& files) {
       const std::string wrong = draw_mine(chapter.number, text, mine.path(), to, drawn);
       if (wrong.empty()) fmt::print("  Yours beside the chapter's: {}\n", (to / files).string());
       else fmt::print("  No picture was drawn: {}\n", wrong);
       std::fflush(stdout);
       return wrong.empty();
     };
-    const bool drawn = draw(Drawn::first_scene, "sheet.png, plot.png, numbers.md");
+    const bool drawn = draw(ScenesDrawn::first_scene, "sheet.png, plot.png, numbers.md");
     // Whoever still writes looks at one picture, and waits for it.
-    if (drawn && asked.film) draw(Drawn::films_too, "film.mp4, and the pictures of all its scenes");
-    else if (drawn && passed) draw(Drawn::all, "*.png: all scenes");
+    if (drawn && asked.film) draw(ScenesDrawn::films_too, "film.mp4, and the pictures of all its scenes");
+    else if (drawn && passed) draw(ScenesDrawn::all, "*.png: all scenes");
   }
   return passed;
 }
