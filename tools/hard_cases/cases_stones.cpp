@@ -55,7 +55,8 @@ void rubble(World& world) {
   for (int i = 0; i < 20; ++i) {
     std::vector<Vec3> points;
     for (int k = 0; k < 12; ++k) points.push_back(Real(0.4) * random.direction());
-    const Vec3 place{i % 2 == 0 ? -Real(0.4) : Real(0.4), Real(0.5) + Real(0.85) * static_cast<Real>(i / 4),
+    const int layer = i / 4;
+    const Vec3 place{i % 2 == 0 ? -Real(0.4) : Real(0.4), Real(0.5) + Real(0.85) * static_cast<Real>(layer),
                      i % 4 < 2 ? -Real(0.4) : Real(0.4)};
     world.add(hull(points, 100).at(place));
   }

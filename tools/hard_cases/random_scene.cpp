@@ -40,6 +40,7 @@ Body random_hull(Random& random, const Vec3& size, Real mass) {
     try {
       return hull(points, mass);
     } catch (const InvalidInput&) {
+      continue;
     }
   }
 }

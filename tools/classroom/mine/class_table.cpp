@@ -118,7 +118,8 @@ std::map<std::string, fs::path> students(const std::vector<fs::path>& given) {
   for (const fs::path& one : given) {
     try {
       all.emplace(students_name(one), one);
-    } catch (const InvalidInput&) {  // grade() has said so
+    } catch (const InvalidInput&) {
+      continue;  // grade() has said so
     }
   }
   return all;
