@@ -155,35 +155,28 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
        "overlap, undone without a speed",
        {"Begin from the solver of chapter 08. b is the bounce alone, or 0; each row keeps C = min(0, −depth + slop).",
         "moved(world, dt) is called once the bodies have moved. b' = max(0.2 min(0, C + h J V), −0.05 m)/h where C < "
-        "0, 0 "
-        "elsewhere. Set all velocities aside and to 0, all sums to 0, and sweep the normals ten times with b'.",
+        "0, 0 elsewhere. Set all velocities aside and to 0, all sums to 0, and sweep the normals ten times with b'.",
         "Then x += h v', and q += h/2 (0, w') q, normalised, with refresh_inertia(). Put the velocities back."}},
       {11,
        "32 substeps of one sweep",
        {"Begin from the solver of chapter 08. Nothing in `solve` changes: a step calls it more often, each time with "
-        "the dt "
-        "of a substep.",
+        "the dt of a substep.",
         "Override Plan plan(Real dt) const. It returns .detections = 32, so that contacts are detected in every "
-        "substep, "
-        "and .sweeps = 1."}},
+        "substep, and .sweeps = 1."}},
       {12,
        "contacts that are springs with dampers",
        {"Once a substep: ω = 2π min(240, 1/(8h)), the push-out rate k/(c + hk) = ω/(2ζ + hω), γ/K = 1/(hω(2ζ + hω)), ζ "
         "= 5.",
         "A normal with depth > 0 that does not bounce gets b = −rate · depth, γ = γ/K · K and 1/(K + γ). Where b would "
-        "be "
-        "below −3 m/s: b = −3 m/s, without γ. A row solves J V + b + γ Σλ = 0.",
+        "be below −3 m/s: b = −3 m/s, without γ. A row solves J V + b + γ Σλ = 0.",
         "moved(world, dt): carry every row, tangents too, to where the bodies are (their arms, M⁻¹ Jᵀ, K, the steps of "
-        "the "
-        "tangents); b is the bounce alone, γ = 0; one sweep more, and keep the impulses again."}},
+        "the tangents); b is the bounce alone, γ = 0; one sweep more, and keep the impulses again."}},
       {13,
        "joints: rows that pull, too",
        {"holds_joints() returns true. For each joint of world.joints: joint.ask(a, b, {world.time, dt}, equations), "
-        "with "
-        "world.body(joint.a) and world.body(joint.b), which also knows the_world.",
+        "with world.body(joint.a) and world.body(joint.b), which also knows the_world.",
         "A row for each equation: its Jacobian, b = bias + 0.2/dt · error, γ = softness, 1/(K + γ), limits dt · lo and "
-        "dt · "
-        "hi. Where n is 0, K has no 1/m. Solve these rows after the normals in each sweep.",
+        "dt · hi. Where n is 0, K has no 1/m. Solve these rows after the normals in each sweep.",
         "In moved, ask again. A row without softness gets the new Jacobian and b = bias alone; one with softness "
         "stays."}},
       {14,
@@ -191,11 +184,9 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
        {"joint.impulses: resize it to the number of the joint's equations. Before the sweeps, each row begins with "
         "world.impulse_scale(dt) times its number, and the bodies get it.",
         "Where softness is 0, keep 0.2/dt · error apart. Sweep without it, each time 20 passes over the joints; write "
-        "the "
-        "sums into joint.impulses; then add it to b, and solve the joints sweeps · 20 times more.",
+        "the sums into joint.impulses; then add it to b, and solve the joints sweeps · 20 times more.",
         "In moved, first bring each sum back to joint.impulses, bodies included; after the last sweep, write the sums "
-        "there "
-        "again."}},
+        "there again."}},
   };
   return all;
 }

@@ -209,8 +209,8 @@ int main(int argc, char** argv) {
   line.option(
       "CHAPTER", asked.words,
       "00 to 08 and 10 to 14, or its name; none: where you stand. Or body, touch, names: what stands below, from an "
-      "empty file. Or hard-cases [NAME...]: yours beside the stages in the "
-      "table of hard cases. Or race SCENE: its time and what is off, beside ours. Or study [MOTION...]: error "
+      "empty file. Or hard-cases [NAME...]: yours beside the stages in the table of hard cases. Or race SCENE: its "
+      "time and what is off, beside ours. Or study [MOTION...]: error "
       "against time, beside ours");
   line.flag("--hint", asked.hint, "One hint more each time");
   line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
