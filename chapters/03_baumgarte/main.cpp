@@ -96,7 +96,11 @@ int main(int argc, char** argv) {
     e.series("height over the ground", "mm", height);
     e.number("exit speed", "m/s", speed_upwards);
 
-    e.scene({.name = "an equality row follows d₀ (1−β)ᵏ", .fill = weightless, .seconds = Real(0.4), .pictures = false});
+    e.scene({.name = "an equality row follows d₀ (1−β)ᵏ",
+             .fill = weightless,
+             .seconds = Real(0.4),
+             .pictures = false,
+             .open = false});
     for (std::size_t i = 0; i < betas.size(); ++i) {
       const Real beta = betas[i];
       if (beta <= 0 || beta >= 1) continue;

@@ -154,7 +154,7 @@ int main(int argc, char** argv) {
            .camera = {middle * Vec3(7, 7, 14), {0, middle * Real(4.9), 0}, Real(0.68)},
            .instants = {8, 60},
            .key = "stack",
-           .caption = "The thin outlines are the boxes as they began. All three do the same number of sweeps: "
+           .caption = "The thin outlines are the boxes as they began. All do the same number of sweeps: "
                       "cold, the stack is falling after 8 s; warm, it stands for a minute; with each contact started "
                       "from the impulse of its neighbour it sways.",
            .start_shown = false,

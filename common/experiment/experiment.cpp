@@ -205,7 +205,7 @@ void Experiment::add_to_all_scenes(const std::string& name, const AnySolver& sol
   for (std::size_t act = 0; act < acts_.size(); ++act) {
     for (const Variant& variant : variants_)
       if (variant.scene == act) all.push_back(variant);
-    if (all.empty() || all.back().scene != act) continue;
+    if (!acts_[act].scene.open || all.empty() || all.back().scene != act) continue;
     Variant added = all.back();
     added.name = name;
     added.solver = DetectingAsOften(solver, added.solver ? added.plan(dt_).detections : 1);

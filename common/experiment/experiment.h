@@ -9,10 +9,10 @@
 ///     });
 ///   }
 ///
-/// leaves in OUT/my_experiment/: sheet.png (a row per variant, a column per instant; of each further scene sheet_KEY.png)
-/// and thumbnail.png, plot.png (plot_2.png and on, where there are more than four diagrams), metrics.csv (a row per variant
-/// and step) and numbers.md (the measured numbers beside what they should be); with --frames COUNT also
-/// SCENE_VARIANT/frame_0000.png and on.
+/// leaves in OUT/my_experiment/: sheet.png (a row per variant, a column per instant; of each further scene
+/// sheet_KEY.png) and thumbnail.png, start.png (the first scene that has pictures, at t = 0), plot.png (plot_2.png and
+/// on, where there are more than four diagrams), metrics.csv (a row per variant and step) and numbers.md (the measured
+/// numbers beside what they should be); with --frames COUNT also SCENE_VARIANT/frame_0000.png and on.
 #pragma once
 
 #include <deque>
@@ -195,6 +195,7 @@ class Experiment {
   void report(std::vector<Result>& results, const std::filesystem::path& folder) const;
   void draw_sheets(std::vector<Result>& results, const std::filesystem::path& folder) const;
   std::string sheet_file(std::size_t act) const;
+  bool is_first_with_pictures(std::size_t act) const;
   std::string frames_folder(const Variant& variant) const;
   void make_films(const std::filesystem::path& folder) const;
   std::string how_solved(std::size_t act) const;

@@ -6,6 +6,7 @@
 
 #include "pushback/common/experiment/experiment_parts.h"
 #include "pushback/common/experiment/film.h"
+#include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/picture_of.h"
 
 namespace pushback {
@@ -52,7 +53,16 @@ Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& s
                                   [&](const Variant& one) { return one.scene == variant_.scene; });
   if (first && scene_.start_shown && !scene_.strobe)
     result_.start = still(picture(start, 0), output.cell(scene_.cell_height));
+  if (first && of.is_first_with_pictures(variant_.scene) && of.mine_.empty()) {
+    Painter& painter = output.painter(scene_.strobe ? output.strip(scene_.strobe->height) : output.frame());
+    keep_picture(output.folder() / "start.png", painter.draw_still(picture(start, 0), of.passes_));
+  }
   take(start, 0);
+}
+
+bool Experiment::is_first_with_pictures(std::size_t act) const {
+  return acts_[act].scene.pictures && std::none_of(acts_.begin(), acts_.begin() + static_cast<std::ptrdiff_t>(act),
+                                                   [](const Act& one) { return one.scene.pictures; });
 }
 
 std::string Experiment::frames_folder(const Variant& variant) const {

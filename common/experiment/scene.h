@@ -60,6 +60,7 @@ struct Scene {
   std::optional<Raster> raster = {};  ///< under each row, or beside its picture where there is one only
   int cell_height = 0;                ///< pixels, of a cell 500 wide; 0: as --size has it, which is 281
   bool side_by_side = false;          ///< a column per variant and a row per instant: for at most three variants
+  bool open = true;  ///< whether a reader's own solver plays it, too: false where no contacts are solved
   /// The two that stand for all in the table of contents, by their places; by default the first and the last.
   std::optional<std::pair<std::size_t, std::size_t>> in_brief = {};
 };

@@ -212,8 +212,8 @@ TEST_CASE("a sheet for each scene that has pictures, and no frames unless asked 
   REQUIRE(run({"--size", "64x36", "--out", out.c_str()}) == 0);
   std::set<std::string> files;
   for (const auto& entry : fs::directory_iterator(folder)) files.insert(entry.path().filename().string());
-  CHECK(files == std::set<std::string>{"sheet.png", "sheet_tower.png", "thumbnail.png", "plot.png", "metrics.csv",
-                                       "numbers.md"});
+  CHECK(files == std::set<std::string>{"sheet.png", "sheet_tower.png", "thumbnail.png", "start.png", "plot.png",
+                                       "metrics.csv", "numbers.md"});
   for (const char* file : {"sheet.png", "sheet_tower.png"}) CHECK(read_png(folder / file).width == 1600);
   REQUIRE(run({"--size", "64x36", "--frames", "2", "--out", out.c_str()}) == 0);
   CHECK(fs::exists(folder / "a-ball_warm" / "frame_0001.png"));

@@ -83,6 +83,15 @@ cat >"$folder/README.md" <<END
 
 How fast does the ball leave?
 
+## The sheet
+
+![Sheet: a ball on the ground, and a ball that has left it](../../renders/$name/sheet.png)
+
+## The numbers
+
+<!-- numbers.md -->
+<!-- end -->
+
 ## The idea
 
 $(words)
@@ -96,15 +105,6 @@ $(words)
 \`\`\`cpp
     for (Row& row : step.rows) row.bias = speed;
 \`\`\`
-
-## The sheet
-
-![Sheet: a ball on the ground, and a ball that has left it](../../renders/$name/sheet.png)
-
-## The numbers
-
-<!-- numbers.md -->
-<!-- end -->
 
 ## Why it works
 

@@ -14,15 +14,15 @@ bool in_section(const std::string& line, std::initializer_list<const char*> name
   return std::any_of(names.begin(), names.end(), [&](const char* name) { return line == std::string("## ") + name; });
 }
 
-/// Words of prose that a reader meets who unfolds nothing: without tables, code, display formulas, pictures, comments, and
-/// the sections that one works through: what to build, to run, to solve. A formula in a line is one word.
-std::size_t words_of_main_path(const std::string& page) {
+/// Words of prose that a reader meets who unfolds nothing: without tables, code, display formulas, pictures and comments.
+/// `all`: also of the sections that one works through, what to build, to run, to solve. A formula in a line is one word.
+std::size_t words_of_main_path(const std::string& page, bool all = false) {
   std::size_t words = 0, folded = 0;
   bool code = false, formula = false, later = false, inside_picture = false;
   for (std::string line : lines_of(page)) {
     if (line.starts_with("```")) code = !code;
     if (code || line.starts_with("```")) continue;
-    if (line.starts_with("## ")) later = in_section(line, {"Build it", "Run it", "Exercises", "Sources"});
+    if (line.starts_with("## ")) later = !all && in_section(line, {"Build it", "Run it", "Exercises", "Sources"});
     if (contains(line, "<details>")) ++folded;
     const bool was_folded = folded > 0;
     if (contains(line, "</details>")) --folded;
@@ -53,6 +53,16 @@ std::size_t words_of_main_path(const std::string& page) {
   return words;
 }
 
+std::size_t tables_of_main_path(const std::string& page) {
+  std::size_t tables = 0, folded = 0;
+  for (const std::string& line : lines_of(page)) {
+    folded += contains(line, "<details>");
+    if (contains(line, "</details>")) --folded;
+    tables += folded == 0 && line.starts_with("| ---");
+  }
+  return tables;
+}
+
 }  // namespace
 
 TEST_CASE("words of the main path: prose that nobody has to unfold, and no more") {
@@ -64,9 +74,13 @@ TEST_CASE("words of the main path: prose that nobody has to unfold, and no more"
   CHECK(words_of_main_path("one\n<details><summary>S</summary>\nno no\n</details>\ntwo\n") == 2);
   CHECK(words_of_main_path("![a b\nc d](e.png)\none\n") == 1);
   CHECK(words_of_main_path("one\n## Exercises\nno no\n## What it costs\nthree\n") == 5);
+  CHECK(words_of_main_path("one\n## Exercises\nno no\n## What it costs\nthree\n", true) == 8);
+  CHECK(tables_of_main_path("| a |\n| --- |\n\n<details>\n| a |\n| --- |\n</details>\n") == 1);
 }
 
 namespace {
+
+const std::string first_readings = "12_z";  // up to here, a page is written for who has read no contact solver
 
 std::vector<std::string> all_chapters() {
   std::vector<std::string> all;
@@ -79,22 +93,36 @@ std::vector<std::string> all_chapters() {
 
 }  // namespace
 
-TEST_CASE("the main path of a chapter's page has at most 1,200 words") {
+TEST_CASE(
+    "the main path of a chapter's page has at most 1,200 words; of the trunk, 1,000 with all that one works through") {
   for (const std::string& chapter : all_chapters()) {
     INFO(chapter);
-    const std::size_t words = words_of_main_path(text_of(fs::path(SOURCE_DIR) / "chapters" / chapter / "README.md"));
-    CHECK(words <= 1200);
-    CHECK(words > 300);  // or the page is not what this reads it as
+    const std::string page = text_of(fs::path(SOURCE_DIR) / "chapters" / chapter / "README.md");
+    CHECK(words_of_main_path(page) <= 1200);
+    CHECK(words_of_main_path(page) > 300);  // or the page is not what this reads it as
+    if (chapter > first_readings) continue;
+    CHECK(words_of_main_path(page, true) <= 1000);
+    CHECK(tables_of_main_path(page) <= 2);
+    CHECK(contains(page.substr(0, page.find("## Your guess")), "/start.png)"));
   }
 }
 
 TEST_CASE(
     "a chapter's page has its headings in the order of all, and says what to build where it has a loop to compare "
     "with") {
-  const std::vector<std::string> all{
-      "## Your guess", "## The idea",    "## The equation", "## Build it",      "## The difference in code",
-      "## The sheet",  "## The numbers", "## Why it works", "## What it costs", "## What can go wrong",
-      "## Run it",     "## Exercises",   "## Sources"};
+  const std::vector<std::string> all{"## Your guess",
+                                     "## The sheet",
+                                     "## The numbers",
+                                     "## The idea",
+                                     "## The equation",
+                                     "## Build it",
+                                     "## The difference in code",
+                                     "## Why it works",
+                                     "## What it costs",
+                                     "## What can go wrong",
+                                     "## Run it",
+                                     "## Exercises",
+                                     "## Sources"};
   for (const std::string& chapter : all_chapters()) {
     INFO(chapter);
     std::vector<std::string> headings;

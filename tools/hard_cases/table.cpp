@@ -249,8 +249,11 @@ std::string table_md(const Table& table, const std::filesystem::path& folder) {
       "such "
       "as 29/30: so many of 30 starts pass, and all would have to; without a count, none does.\n";
   if (table.chapters > 0) md += "\n## One more feature in each chapter\n\n" + rows_of(table, 0, table.chapters, folder);
-  if (table.chapters < table.stages.size())
-    md += "\n## What came after\n\n" + rows_of(table, table.chapters, table.stages.size(), folder);
+  if (table.chapters < table.stages.size()) {
+    std::string heading = table.others;
+    heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
+    md += "\n## " + heading + "\n\n" + rows_of(table, table.chapters, table.stages.size(), folder);
+  }
   md += "\n## What is asked of each\n\n";
   for (const HardCase& hard_case : table.cases) {
     md += fmt::format("- **{}** (`{}`): {}. {}.\n", hard_case.title, hard_case.name, hard_case.stresses,

@@ -9,10 +9,12 @@
 namespace pushback {
 
 struct Table {
-  std::vector<HardCase> cases;    ///< the rows
-  std::vector<Stage> stages;      ///< the columns, in the order of stages()
-  std::size_t chapters = 0;       ///< how many of the columns, the first ones, are a chapter each
-  std::vector<Outcome> outcomes;  ///< a row after the other
+  std::vector<HardCase> cases;  ///< the rows
+  std::vector<Stage> stages;    ///< the columns, in the order of stages()
+  std::size_t chapters = 0;     ///< how many of the columns, the first ones, are a chapter each
+  std::string asks = "Which feature keeps which hard case stable?";
+  std::string others = "what came after";  ///< what the columns are that are no chapter
+  std::vector<Outcome> outcomes;           ///< a row after the other
 
   const Outcome& at(std::size_t row, std::size_t column) const { return outcomes[row * stages.size() + column]; }
   bool passed(std::size_t row, std::size_t column) const { return at(row, column).passed(cases[row]); }
@@ -56,7 +58,7 @@ std::string table_csv(const Table& table);
 /// Back from it: what is then written and drawn is the same. Throws InvalidInput where it is no such table, or of other cases,
 /// stages or criteria than there are.
 Table read_table_csv(const std::string& text, const std::vector<Stage>& stages = table_stages());
-/// For GitHub: a row a case, a column a stage, the chapters and what came after in a table each; below them what every case
+/// For GitHub: a row a case, a column a stage, the chapters and the others in a table each; below them what every case
 /// stresses and what is asked of it. `folder`: where the page will be, for its links to the chapters.
 std::string table_md(const Table& table, const std::filesystem::path& folder);
 /// case, stage, ms_per_step: the only file that differs from run to run.

@@ -42,10 +42,10 @@ class Drawing {
   }
 
   Image draw() {
-    write_text(image_, "Which feature keeps which hard case stable?", margin, 58, 44, dark, Align::left, true);
+    write_text(image_, table_.asks, margin, 58, 44, dark, Align::left, true);
     write_text(image_, "A row is a case, a column a solver.", margin, 98, text, grey);
     draw_group("one more feature in each chapter", 0, table_.chapters);
-    draw_group("what came after", table_.chapters, table_.stages.size());
+    draw_group(table_.others, table_.chapters, table_.stages.size());
     for (std::size_t column = 0; column < table_.stages.size(); ++column) draw_head(column);
     write_text(image_, fmt::format("pass, of {}", table_.cases.size()), margin, rows_y_ - 10, text, grey);
     for (std::size_t row = 0; row < table_.cases.size(); ++row) draw_row(row);

@@ -14,11 +14,13 @@
 #include "pushback/chapters/06_friction/flat.h"
 #include "pushback/chapters/07_warm_start/flat.h"
 #include "pushback/chapters/08_friction_cone/flat.h"
+#include "pushback/chapters/09_impacts/flat.h"
 #include "pushback/chapters/10_position_correction/flat.h"
 #include "pushback/chapters/11_substeps/flat.h"
 #include "pushback/chapters/12_soft_contacts/flat.h"
 #include "pushback/chapters/13_joints/flat.h"
 #include "pushback/chapters/14_joints_under_load/flat.h"
+#include "pushback/chapters/21_detected_once/flat.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
@@ -44,11 +46,13 @@ const WholeSolver& plain(int chapter) {
                                                 {6, whole_solver<flat_06::FlatSolver>()},
                                                 {7, whole_solver<flat_07::FlatSolver>()},
                                                 {8, whole_solver<flat_08::FlatSolver>()},
+                                                {9, whole_solver<flat_09::FlatSolver>()},
                                                 {10, whole_solver<flat_10::FlatSolver>()},
                                                 {11, whole_solver<flat_11::FlatSolver>()},
                                                 {12, whole_solver<flat_12::FlatSolver>()},
                                                 {13, whole_solver<flat_13::FlatSolver>()},
-                                                {14, whole_solver<flat_14::FlatSolver>()}};
+                                                {14, whole_solver<flat_14::FlatSolver>()},
+                                                {21, whole_solver<flat_21::FlatSolver>()}};
   return loops.at(chapter);
 }
 
@@ -151,6 +155,16 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
         "Both take steps of the same size 1/k: k is the larger eigenvalue of the 2 × 2 matrix (k₁₁ k₁₂; k₁₂ k₂₂) of "
         "the two tangents, k₁₂ the speed along t₂ that an impulse of 1 N s along t₁ makes.",
         "k = (k₁₁ + k₂₂)/2 + hypot((k₁₁ − k₂₂)/2, k₁₂)."}},
+      {9,
+       "bounces as if from the surface, solved until nothing changes",
+       {"Begin from the solver of chapter 08. Where a row has u = −v_n⁻ > 0.1 m/s and e > 0, its bounce is no longer e "
+        "u: h "
+        "a = max(0, v_n⁻ − J V), read before any impulse, is what this step's forces have added to the approach.",
+        "S = u²/2 − a d + h a u/2, with the depth d. Where S > 0, b = h a/2 − √((h a/2)² + 2 (e² S + a d)), whatever "
+        "the "
+        "push-out asks for. Elsewhere the push-out stays.",
+        "In each sweep, after the normals and before friction: if anything bounces, solve all normals again and again, "
+        "until no J V changes by more than a millionth of the fastest bounce, at most a thousand times."}},
       {10,
        "overlap, undone without a speed",
        {"Begin from the solver of chapter 08. b is the bounce alone, or 0; each row keeps C = min(0, −depth + slop).",
@@ -187,6 +201,29 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
         "the sums into joint.impulses; then add it to b, and solve the joints sweeps · 20 times more.",
         "In moved, first bring each sum back to joint.impulses, bodies included; after the last sweep, write the sums "
         "there again."}},
+      {21,
+       "contacts detected once, and followed through 32 substeps",
+       {"Begin from the solver of chapter 14. Plan: .substeps = 32, .sweeps = 1, .margin = {.least = 0.02, .ahead = "
+        "dt}. Rows and "
+        "initial guess are made in detected(world, h), once in a step; solve begins each row with the impulse that it "
+        "has, and "
+        "applies it. A guess: pushed = max(0, impulse · n), and what is along the surface is scaled back to μ pushed.",
+        "In moved, add h v and h ω to what each body has moved. C = C₀ + n·(X_B − X_A) + (r_B × n)·Θ_B − (r_A × "
+        "n)·Θ_A. In "
+        "solve, C > 0: b = C/h, rigid; if it can bounce and C > 0.1 m/s · h, no row yet. C ≤ 0: chapter 12's spring "
+        "with "
+        "−C "
+        "for the depth. In moved, the relaxing sweep has b = max(b, 0), or the bounce. Carry only rows of bodies that "
+        "pass "
+        "each other by more than 1 mm/s, and then C₀ such that C stays.",
+        "A bounce, where u = −v_n⁻ > 0.1 m/s, e > 0 and C − h u < 0: ha = max(0, v_n⁻ − J V), a = ha/h, S = max(0, "
+        "u²/2 + a C + "
+        "ha u/2), C⁺ = max(0, C), way = e (h √(2 S) − C⁺) − C⁺, b = −way/h, bounce = −(ha/2 + √max(0, ha²/4 + 2 (e² S "
+        "− a (C + "
+        "way)))). Solve normals as in chapter 09. The next substep begins with what this one began with.",
+        "In done: c.depth = −C, c.impulse the sum over the substeps of n and tangents, c.last_impulse that of the last "
+        "one. Erase "
+        "contacts with depth < 0 and no impulse."}},
   };
   return all;
 }

@@ -99,6 +99,8 @@ Table joined(const std::vector<Column>& columns) {
   all.cases = ours.cases;
   for (const std::size_t i : taken) all.stages.push_back(ours.stages[i]);
   all.chapters = all.stages.size();
+  all.asks = "Whose solver keeps which hard case stable?";
+  all.others = "the class";
   for (const Column& column : columns) {
     if (!column.table) continue;
     all.stages.push_back(column.table->stages[1]);

@@ -11,14 +11,11 @@ namespace pushback {
 
 namespace fs = std::filesystem;
 
-std::string draw_mine(int chapter, const std::string& text, const fs::path& folder, const fs::path& to,
-                      ScenesDrawn drawn) {
+std::string draw_mine(int chapter, const fs::path& library, const fs::path& to, ScenesDrawn drawn) {
   const std::string name = folder_of(chapter);
   const fs::path program = program_beside(name);
   if (!fs::exists(program)) return fmt::format("the program that draws it is not built: {}", program.string());
   const ScratchFolder scratch;
-  const fs::path library = scratch.path / "solver.so";
-  if (const std::string wrong = make_library(text, folder, library); !wrong.empty()) return wrong;
   // Of a picture that one waits for: what is worked out beside the scenes has no variant of the reader's, and soft shadows
   // need more passes than the eye needs to compare.
   std::vector<std::string> draw{program, "--mine", library, "--out", scratch.path, "--no-study", "--passes", "4"};

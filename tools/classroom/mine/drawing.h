@@ -9,10 +9,9 @@ namespace pushback {
 /// The first scene is there in a few seconds; each further one takes a second or more.
 enum class ScenesDrawn { first_scene, all, films_too };
 
-/// Fills `to` with sheet.png, plot.png and numbers.md (and films) of the chapter's program, in which the solver in `text`
-/// plays each scene with the sweeps and the step of the last variant. Headers in `folder` are found by the text. Returns what
-/// went wrong, in words; empty: nothing.
-std::string draw_mine(int chapter, const std::string& text, const std::filesystem::path& folder,
-                      const std::filesystem::path& to, ScenesDrawn drawn);
+/// Fills `to` with sheet.png, plot.png and numbers.md (and films) of the chapter's program, in which the solver in `library`
+/// plays each scene with the sweeps and the step of the last variant. Returns what went wrong, in words; empty: nothing.
+std::string draw_mine(int chapter, const std::filesystem::path& library, const std::filesystem::path& to,
+                      ScenesDrawn drawn);
 
 }  // namespace pushback

@@ -1,6 +1,7 @@
 /// ./course mine: a solver of the reader's own, one file that grows from chapter to chapter.
 #include <algorithm>
 #include <functional>
+#include <future>
 #include <random>
 #include <thread>
 
@@ -11,6 +12,7 @@
 #include "pushback/tools/classroom/mine/below_command.h"
 #include "pushback/tools/classroom/mine/chapters.h"
 #include "pushback/tools/classroom/mine/drawing.h"
+#include "pushback/tools/classroom/mine/library.h"
 #include "pushback/tools/classroom/mine/my_file.h"
 #include "pushback/tools/classroom/mine/open_ended.h"
 #include "pushback/tools/classroom/mine/verdict.h"
@@ -32,19 +34,22 @@ struct Asked {
 
 void list(const MyFolder& mine) {
   const ChapterOfMine* next = nullptr;
+  bool any_broken = false;
   for (const ChapterOfMine& chapter : chapters_of_mine()) {
     const MyFolder::State state = mine.state(chapter.number);
     if (!next && state != MyFolder::State::passed) next = &chapter;
+    any_broken = any_broken || state == MyFolder::State::broken;
     const char* stands = state == MyFolder::State::passed   ? "passed"
                          : state == MyFolder::State::broken ? "broken"
                          : next == &chapter                 ? "next"
                                                             : "";
     fmt::print("  {}  {:<7} {}\n", two_digits(chapter.number), stands, chapter.title);
   }
+  if (any_broken) fmt::print("broken: it had passed, and did not when it was checked last\n");
   if (next)
     fmt::print("next: chapters/{}/README.md, then {}, then ./course mine {}\n", folder_of(next->number),
                mine.file().string(), two_digits(next->number));
-  else fmt::print("all are passed: ./course mine 14 --diff shows the plain loop beside yours\n");
+  else fmt::print("all are passed: ./course mine 21 --diff shows the plain loop beside yours\n");
 }
 
 std::string capital(std::string words) {
@@ -102,6 +107,12 @@ bool check(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
   const std::string number = two_digits(chapter.number), text = mine.text();
   fmt::print("{}: {}\n", number, chapter.title);
   const std::uint64_t seed = asked.seed != 0 ? asked.seed : std::random_device{}();
+  // The picture's library is compiled beside the verdict's program: whoever saves waits for both.
+  const ScratchFolder scratch;
+  const fs::path library = scratch.path / "solver.so";
+  std::future<std::string> compiled;
+  if (!asked.no_sheet)
+    compiled = std::async(std::launch::async, [&] { return make_library(text, mine.path(), library); });
   const VerdictOfMine made = verdict_of_mine(chapter.number, text, mine.path(), seed);
   print_checks(chapter, made);
   const std::vector<std::string> printed = lines_of(made.outcome.printed);
@@ -116,9 +127,10 @@ bool check(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
   std::fflush(stdout);  // the picture takes a moment
   // What did not come to its end in a scene would not in the picture.
   if (!asked.no_sheet && made.outcome.problem.empty()) {
+    const std::string uncompiled = compiled.get();
     const fs::path to = mine.path() / number;
     const auto draw = [&](ScenesDrawn drawn, const std::string& files) {
-      const std::string wrong = draw_mine(chapter.number, text, mine.path(), to, drawn);
+      const std::string wrong = uncompiled.empty() ? draw_mine(chapter.number, library, to, drawn) : uncompiled;
       if (wrong.empty()) fmt::print("  Yours beside the chapter's: {}\n", (to / files).string());
       else fmt::print("  No picture was drawn: {}\n", wrong);
       std::fflush(stdout);
@@ -208,7 +220,7 @@ int main(int argc, char** argv) {
   CommandLine line("A solver of your own: one file that grows from chapter to chapter.", "./course mine");
   line.option(
       "CHAPTER", asked.words,
-      "00 to 08 and 10 to 14, or its name; none: where you stand. Or body, touch, names: what stands below, from an "
+      "00 to 14 and 21, or its name; none: where you stand. Or body, touch, names: what stands below, from an "
       "empty file. Or hard-cases [NAME...]: yours beside the stages in the table of hard cases. Or race SCENE: its "
       "time and what is off, beside ours. Or study [MOTION...]: error "
       "against time, beside ours");

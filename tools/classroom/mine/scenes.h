@@ -34,8 +34,10 @@ const std::vector<CheckOfChapter>& checks_of_chapters();
 /// The chapter whose solver this one begins from; of 00, -1.
 int predecessor(int chapter);
 
-std::vector<CheckOfChapter> checks_of_corrections();  ///< 10
-std::vector<CheckOfChapter> checks_of_substeps();     ///< 11 and 12
-std::vector<CheckOfChapter> checks_of_joints();       ///< 13 and 14
+std::vector<CheckOfChapter> checks_of_impacts();        ///< 09
+std::vector<CheckOfChapter> checks_of_corrections();    ///< 10
+std::vector<CheckOfChapter> checks_of_substeps();       ///< 11 and 12
+std::vector<CheckOfChapter> checks_of_joints();         ///< 13 and 14
+std::vector<CheckOfChapter> checks_of_detected_once();  ///< 21
 
 }  // namespace pushback

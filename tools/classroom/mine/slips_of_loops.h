@@ -22,10 +22,12 @@ std::vector<SlipOfLoop> slips_of_loop_02();
 std::vector<SlipOfLoop> slips_of_loop_06();
 std::vector<SlipOfLoop> slips_of_loop_07();
 std::vector<SlipOfLoop> slips_of_loop_08();
+std::vector<SlipOfLoop> slips_of_loop_09();
 std::vector<SlipOfLoop> slips_of_loop_10();
 std::vector<SlipOfLoop> slips_of_loop_11();
 std::vector<SlipOfLoop> slips_of_loop_12();
 std::vector<SlipOfLoop> slips_of_loop_13();
 std::vector<SlipOfLoop> slips_of_loop_14();
+std::vector<SlipOfLoop> slips_of_loop_21();
 
 }  // namespace pushback

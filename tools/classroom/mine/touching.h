@@ -242,4 +242,37 @@ struct Falling : Pair {
   }
 };
 
+inline const std::vector<Quantity> of_a_fall{{"the points at which your bodies touch part with", "m/s", exact},
+                                             {"the body that fell leaves with", "m/s", exact},
+                                             {"the body that fell turns with", "rad/s", exact},
+                                             {"your contact keeps an impulse along its normal of", "N s", exact}};
+
+inline Numbers numbers_of_fall(const Falling& pair) {
+  const Body& fell = pair.world.bodies[1];
+  return {pair.parting(), fell.velocity.norm(), fell.angular_velocity.norm(), pair.pushed()};
+}
+
+inline constexpr Real dt = Real(1) / 60;
+
+/// A smooth ball over the ground, which it touches in one point: no order of rows changes a number.
+struct Ball {
+  World world;
+  Real radius;
+
+  /// `gap`: m, between both; negative: it has sunk in. `speed`: m/s, downwards.
+  Ball(Random& random, Real gap, Real speed) : radius(random.between(Real(0.3), Real(0.8))) {
+    world.add(ground());
+    Body ball = sphere(radius, random.over_decades(1, 10));
+    world.add(ball.at({0, radius + gap, 0}).moving({0, -speed, 0}).rough(0));
+  }
+  Body& body() { return world.bodies[1]; }
+  /// mm
+  Real height() const { return 1000 * (world.bodies[1].position.y() - radius); }
+  /// What its contact keeps, N s.
+  Real pushed() const { return world.contacts.empty() ? 0 : world.contacts[0].impulse.y(); }
+  void step(StepSolver& solver, int steps) {
+    for (int i = 0; i < steps; ++i) world.step(solver, dt);
+  }
+};
+
 }  // namespace pushback::touching
