@@ -72,21 +72,22 @@ struct Exercise {
   std::vector<Line> checks;
   Played right;
   std::vector<Known> mistakes;
-  std::string name = {};    ///< of its file: 03_baumgarte, 03_baumgarte_transfer; from its folder
+  std::string name = {};    ///< of its file: 03_baumgarte, 15_limits_motors_springs_transfer; from its folder
   std::string folder = {};  ///< chapters/03_baumgarte/exercise
   std::string object = {};  ///< of a teacher's own, and of a whole solver: what a student's program is linked with
   /// Of a whole solver alone, whose file is solver.h with headers beside it: what is compiled behind the student's text, which
   /// keeps the numbers of its lines.
   std::string behind = {};
+  bool in_page = false;  ///< the chapter's page has the answer
 
-  /// The use of an idea where the page does not.
+  /// The second exercise of a chapter, whose first one rebuilds what the page shows.
   bool transfer() const { return !own() && name.ends_with("_transfer"); }
   /// A solver of the student's own.
   bool whole() const { return !behind.empty(); }
   /// In no chapter's folder: of a teacher, or a whole solver.
   bool own() const { return !object.empty(); }
   /// What is in no page. A whole solver is graded where it is asked for.
-  bool graded() const { return transfer() || (own() && !whole()); }
+  bool graded() const { return !in_page && !whole(); }
 };
 
 /// `recorded`: for a check, by its number from 0 on, what follows its quantities.
@@ -101,6 +102,16 @@ Exercise exercise_of(std::string title, std::vector<std::string> hints, const st
   for (const auto& check : checks) made.checks.push_back({check.says, check.points, check.quantities, {}});
   for (const auto& [check, what] : recorded) made.checks.at(check).recorded = what;
   for (auto& mistake : mistakes) made.mistakes.push_back({mistake.name, mistake.hint, played(mistake.answer)});
+  return made;
+}
+
+/// The same of a rebuild, in which students write what the chapter's page shows.
+template <class Answer>
+Exercise rebuild_of(std::string title, std::vector<std::string> hints, const std::vector<Check<Answer>>& checks,
+                    const Answer& right, std::vector<Mistake<Answer>> mistakes,
+                    const std::map<std::size_t, Recorded>& recorded = {}) {
+  Exercise made = exercise_of<Answer>(std::move(title), std::move(hints), checks, right, std::move(mistakes), recorded);
+  made.in_page = true;
   return made;
 }
 

@@ -11,9 +11,9 @@ using namespace pushback;
 
 namespace {
 
-const Exercise& example() {  // 02, whose gap is the body of a function
+const Exercise& example() {  // 03, whose gap is the body of a function
   static const std::vector<Exercise> all = all_exercises();
-  return exercise_named(all, "02");
+  return exercise_named(all, "03");
 }
 
 /// What is wrong, in which line, and words that have to be said of it.
@@ -47,49 +47,50 @@ TEST_CASE("a file that does not compile: its own line and plain words for what b
   const std::size_t first = line_of_todo(stub);
   const std::size_t last = lines_of(stub).size();  // with the closing brace of the namespace
   for (const Broken& broken : std::vector<Broken>{
-           {"  const Real sum = row.speed()\n  row.apply(sum);\n", first, "a semicolon is missing"},
-           {"  row.apply(row.speed())\n", first, "a semicolon is missing"},
-           {"  for (int i = 0; i < 3; ++i {\n    row.apply(0);\n  }\n", first, "this ( is never closed"},
+           {"  const Real sum = normal.speed()\n  normal.apply(sum);\n", first, "a semicolon is missing"},
+           {"  normal.apply(normal.speed())\n", first, "a semicolon is missing"},
+           {"  for (int i = 0; i < 3; ++i {\n    normal.apply(0);\n  }\n", first, "this ( is never closed"},
            {"  for (\n", first, "this ( is never closed"},
-           {"  row.apply(0;\n", first, "this ( is never closed"},
-           {"  if (row.impulse > 0 {\n    row.apply(0);\n  }\n", first, "this ( is never closed"},
-           {"  if (row.impulse > 0) {\n    row.apply(0);\n", first, "this { is never closed"},
-           {"  row.apply(0);\n  }\n", first + 1, "this } closes nothing"},
-           {"    row.apply(0);\n    }\n", first + 1, "this } closes nothing"},
-           {"  row.apply(0));\n", first, "this ) closes nothing"},
-           {"  const Real f[3] = {0, 1, 2;\n  row.apply(f[0]);\n", first, "this { is never closed"},
-           {"#if 1\n  row.apply(0);\n", first, "#if"},
+           {"  normal.apply(0;\n", first, "this ( is never closed"},
+           {"  if (normal.impulse > 0 {\n    normal.apply(0);\n  }\n", first, "this ( is never closed"},
+           {"  if (normal.impulse > 0) {\n    normal.apply(0);\n", first, "this { is never closed"},
+           {"  normal.apply(0);\n  }\n", first + 1, "this } closes nothing"},
+           {"    normal.apply(0);\n    }\n", first + 1, "this } closes nothing"},
+           {"  normal.apply(0));\n", first, "this ) closes nothing"},
+           {"  const Real f[3] = {0, 1, 2;\n  normal.apply(f[0]);\n", first, "this { is never closed"},
+           {"#if 1\n  normal.apply(0);\n", first, "#if"},
            {"#ifdef MINE\n", first, "#if"},
-           {"  const char* name = \"row;\n", first, "this text is never closed"},
+           {"  const char* name = \"normal;\n", first, "this text is never closed"},
            {"  /* no end\n", first, "this comment is never closed"},
-           {"  row.apply(sum);\n", first, "nothing here has the name 'sum'"},
-           {"  row.impulze = 0;\n", first, "has nothing called 'impulze'"},
-           {"  row.aply(0);\n", first, "has nothing called 'aply'"},
-           {"  row.apply(row.speed);\n", first, "it needs brackets ()"},
-           {"  row.apply(row.impulse());\n", first, "is no function"},
-           {"  row.apply();\n", first, "too many, too few"},
-           {"  row.apply(1, 2);\n", first, "too many, too few"},
-           {"  row.apply(std::max(0, row.impulse));\n", first, "write Real(0)"},
-           {"  const Real sum = 0;\n  sum += row.speed();\n", first + 1, "what is const cannot be changed"},
-           {"  const Vec3 v = row.speed() + Vec3::Zero();\n  row.apply(v.x());\n", first, "do not go together"},
-           {"  const Real sum = Vec3(1, 2, 3);\n  row.apply(sum);\n", first,
+           {"  normal.apply(sum);\n", first, "nothing here has the name 'sum'"},
+           {"  normal.impulze = 0;\n", first, "has nothing called 'impulze'"},
+           {"  normal.aply(0);\n", first, "has nothing called 'aply'"},
+           {"  normal.apply(normal.speed);\n", first, "it needs brackets ()"},
+           {"  normal.apply(normal.impulse());\n", first, "is no function"},
+           {"  normal.apply();\n", first, "too many, too few"},
+           {"  normal.apply(1, 2);\n", first, "too many, too few"},
+           {"  normal.apply(std::max(0, normal.impulse));\n", first, "write Real(0)"},
+           {"  const Real sum = 0;\n  sum += normal.speed();\n", first + 1, "what is const cannot be changed"},
+           {"  const Vec3 v = normal.speed() + Vec3::Zero();\n  normal.apply(v.x());\n", first, "do not go together"},
+           {"  const Real sum = Vec3(1, 2, 3);\n  normal.apply(sum);\n", first,
             "a value of one kind stands where another"},
-           {"  real sum = 0;\n  row.apply(sum);\n", first, "nothing here has the name 'real'"},
-           {"  if (row.impulse > 0);\n    row.apply(0);\n  else\n    row.apply(1);\n", first + 2, "else"},
-           {"  row.speed() = 0;\n", first, "has to be a variable"},
-           {"  row->apply(0);\n", first, "a dot is needed"},
-           {"  row.impulse.x = 0;\n", first, "a plain number, and has no parts"},
-           {"  row.apply(row.impulse ^ 2);\n", first, "x * x is a square"},
-           {"  row.apply(row.impulse *);\n", first, "missing"},
-           {"  Real sum = 0;\n  Real sum = 1;\n  row.apply(sum);\n", first + 1, "declared twice"},
-           {"  return row.impulse;\n", first, "gives nothing back"},
-           {"  const Real f = row.apply(0);\n", first, "gives no value back"},
-           {"  row.apply(row.impulse \xe2\x80\x93 1);\n", first, "a letter that C++ does not know"},
-           {"  row.apply(std::squareroot(2));\n", first, "std has nothing called 'squareroot'"},
-           {"  auto f = [](Real x) { return x * row.impulse; };\n  row.apply(f(1));\n", first, "begin it with [&]"},
+           {"  real sum = 0;\n  normal.apply(sum);\n", first, "nothing here has the name 'real'"},
+           {"  if (normal.impulse > 0);\n    normal.apply(0);\n  else\n    normal.apply(1);\n", first + 2, "else"},
+           {"  normal.speed() = 0;\n", first, "has to be a variable"},
+           {"  normal->apply(0);\n", first, "a dot is needed"},
+           {"  normal.impulse.x = 0;\n", first, "a plain number, and has no parts"},
+           {"  normal.apply(normal.impulse ^ 2);\n", first, "x * x is a square"},
+           {"  normal.apply(normal.impulse *);\n", first, "missing"},
+           {"  Real sum = 0;\n  Real sum = 1;\n  normal.apply(sum);\n", first + 1, "declared twice"},
+           {"  return normal.impulse;\n", first, "gives nothing back"},
+           {"  const Real f = normal.apply(0);\n", first, "gives no value back"},
+           {"  normal.apply(normal.impulse \xe2\x80\x93 1);\n", first, "a letter that C++ does not know"},
+           {"  normal.apply(std::squareroot(2));\n", first, "std has nothing called 'squareroot'"},
+           {"  auto f = [](Real x) { return x * normal.impulse; };\n  normal.apply(f(1));\n", first,
+            "begin it with [&]"},
            {"  break;\n", first, "for loops"},
-           {"  row.impulse[0] = 1;\n", first, "is no list"},
-           {"  const Mat3 m = Vec3::Zero();\n  row.apply(m(0, 0));\n", first, "different shapes"},
+           {"  normal.impulse[0] = 1;\n", first, "is no list"},
+           {"  const Mat3 m = Vec3::Zero();\n  normal.apply(m(0, 0));\n", first, "different shapes"},
        })
     says(filled_in(example(), broken.lines), broken);
 
@@ -98,23 +99,24 @@ TEST_CASE("a file that does not compile: its own line and plain words for what b
     REQUIRE(contains(text, from));
     return text.replace(text.find(from), from.size(), to);
   };
-  const std::string last_line = "inline const exercise_02::Answer answer{solve};", end = "}  // namespace student";
+  const std::string last_line = "inline const exercise_03::Answer answer{push_out};", end = "}  // namespace student",
+                    unused = "(void)normal, (void)beta, (void)cap, (void)h;";
   says(replaced(last_line, ""), {"", last, "what your answer is"});
   says(replaced(last_line, last_line.substr(0, last_line.size() - 1)), {"", last - 2, "a semicolon is missing"});
   says(replaced(end, ""), {"", 6, "this { is never closed"});
   says(replaced(last_line + "\n\n" + end, "}\n" + last_line.substr(0, last_line.size() - 1)),
        {"", last - 1, "in braces { } that have ended"});
-  says(replaced("#include \"pushback/chapters/02_clamping", "int nothing\n#include \"pushback/chapters/02_clamping"),
+  says(replaced("#include \"pushback/chapters/03_baumgarte", "int nothing\n#include \"pushback/chapters/03_baumgarte"),
        {"", 4, "a semicolon or a } is missing"});
-  says(replaced("#include \"pushback/chapters/02_clamping",
-                "#include \"my.h\"\n#include \"pushback/chapters/02_clamping"),
+  says(replaced("#include \"pushback/chapters/03_baumgarte",
+                "#include \"my.h\"\n#include \"pushback/chapters/03_baumgarte"),
        {"", 4, "there is no file my.h here"});
   says(replaced("namespace student", "Real helper(Real x);\nnamespace student"), {"", 6, "nothing here has the name"});
-  says(replaced("inline void solve", "Real helper(Real x);\n\ninline void solve")
-           .replace(replaced("inline void solve", "Real helper(Real x);\n\ninline void solve").find("(void)row;"), 10,
-                    "row.apply(helper(1));"),
+  says(replaced("inline void push_out", "Real helper(Real x);\n\ninline void push_out")
+           .replace(replaced("inline void push_out", "Real helper(Real x);\n\ninline void push_out").find(unused),
+                    unused.size(), "normal.apply(helper(1));"),
        {"", first - 1, "declared but never defined"});
-  says(replaced("answer{solve}", "answer{3}"), {"", last - 2, "a value of one kind"});
+  says(replaced("answer{push_out}", "answer{3}"), {"", last - 2, "a value of one kind"});
 }
 
 TEST_CASE("what g++ says and what clang++ says of the same slip has the same words") {

@@ -163,7 +163,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> names;
   std::uint64_t others = 0;
   CommandLine line("Says how true the hints of the exercises are.", "./course exercise --quality");
-  line.option("EXERCISE", names, "Those to look at, such as 03-transfer; all by default");
+  line.option("EXERCISE", names, "Those to look at, such as 15-transfer; all by default");
   line.option("--seed", others, "Other random numbers in all scenes");
   int failures = 0;
   const int status = line.run(argc, argv, [&] {

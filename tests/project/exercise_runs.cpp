@@ -10,14 +10,12 @@ using namespace pushback;
 
 namespace {
 
-const Exercise& example() {  // 02, whose gap is the body of a function
+const Exercise& example() {  // 03, whose gap is the body of a function
   static const std::vector<Exercise> all = all_exercises();
-  return exercise_named(all, "02");
+  return exercise_named(all, "03");
 }
 
-constexpr const char* right =
-    "const Real sum = std::max(Real(0), row.impulse - row.effective_mass * (row.speed() + row.bias));\n"
-    "row.apply(sum - row.impulse);\nrow.impulse = sum;\n";
+constexpr const char* right = "normal.bias = std::min(normal.bias, std::max(-cap, beta / h * normal.separation));\n";
 
 Verdict verdict_on_lines(const std::string& lines, const Sandbox* sandbox = nullptr) {
   return verdict_on(example(), filled_in(example(), lines), 1, sandbox, {.seconds = 3, .megabytes = 512});
@@ -45,13 +43,13 @@ TEST_CASE("what is right passes, whatever it prints") {
 }
 
 TEST_CASE("an endless loop, NaN, a crash, too much memory, an exception, an exit: each has its words") {
-  fails_as(verdict_on_lines("while (row.impulse == 0) row.apply(0);\n"), "time", "a loop that never ends");
-  fails_as(verdict_on_lines("row.apply(std::sqrt(-1 - row.effective_mass));\n"), "not a number", "NaN");
-  fails_as(verdict_on_lines("*reinterpret_cast<volatile int*>(row.owner) = 1;\n"), "crash",
+  fails_as(verdict_on_lines("while (normal.impulse == 0) normal.apply(0);\n"), "time", "a loop that never ends");
+  fails_as(verdict_on_lines("normal.apply(std::sqrt(-1 - normal.effective_mass));\n"), "not a number", "NaN");
+  fails_as(verdict_on_lines("*reinterpret_cast<volatile int*>(normal.owner) = 1;\n"), "crash",
            "memory that is not its own");
   fails_as(verdict_with_helper(
                "#include <vector>\ninline std::vector<double>& kept() { static std::vector<double> all; return all; }",
-               "for (;;) kept().resize(2 * kept().size() + 1000, row.impulse);\n"),
+               "for (;;) kept().resize(2 * kept().size() + 1000, normal.impulse);\n"),
            "memory", "more than 512 MB");
   fails_as(verdict_with_helper("#include <stdexcept>", "throw std::runtime_error(\"no idea\");\n"), "exception",
            "no idea");
@@ -61,7 +59,7 @@ TEST_CASE("an endless loop, NaN, a crash, too much memory, an exception, an exit
                                "for (;;) std::puts(\"and another thing that goes on and on and on\");\n"),
            "files", "more than 64 MB");
   fails_as(verdict_with_helper("inline int deep(int n) { return n == -1 ? 0 : 1 + deep(n + 1) % 7; }",
-                               "if (deep(1) > 3) row.apply(1);\n"),
+                               "if (deep(1) > 3) normal.apply(1);\n"),
            "crash", "memory that is not its own");
 }
 
@@ -84,16 +82,16 @@ TEST_CASE("to answer in the place of the program that asks is no pass") {
            lines + "}) std::cout << word << ' ' << line << std::endl;\n  _exit(0);\n  return 0;\n}(); }";
   };
   fails_as(verdict_with_helper(forged("\"end\""), right), "exit", "before it had given all numbers");
-  fails_as(verdict_with_helper(forged("\"check 4\", \"end\""), right), "exit", "before it had given all numbers");
+  fails_as(verdict_with_helper(forged("\"check 3\", \"end\""), right), "exit", "before it had given all numbers");
   CHECK_FALSE(
       verdict_with_helper(
           forged("\"check 0\", \"numbers 0\", \"numbers\", \"numbers 0 0 0 0 0 0\", \"check 99999999999999999999\", "
                  "\"check -1\", \"check\", \"nonsense\", \"numbers 1e999 nan x\", \"end\""),
           right)
           .passed());
-  fails_as(
-      verdict_with_helper(forged("\"check 0\", \"numbers 0 0\", \"numbers 0 0\", \"numbers 0 0\", \"end\""), right),
-      "nothing kept", "its row keeps an impulse of 0 N s where ");
+  fails_as(verdict_with_helper(forged("\"check 0\", \"numbers 0 0 0\", \"numbers 0 0 0\", \"numbers 0 0 0\", \"end\""),
+                               right),
+           "max for min or sign of the push-out or sign of the cap", "your shallow ball leaves with 0 m/s where ");
 }
 
 TEST_CASE("whatever is said of bodies changes no verdict, and no more of it is kept than a picture takes") {
@@ -128,7 +126,7 @@ inline bool say_nonsense() {
     write_text_file(file, text.insert(text.find("namespace student"), helper));
     return attempt(example(), file, 1, nullptr, {.seconds = 3, .megabytes = 512});
   };
-  const std::string wrong = "row.apply(-row.effective_mass * row.speed());\n";
+  const std::string wrong = "normal.apply(-normal.effective_mass * normal.speed());\n";
   for (const std::string& lines : {std::string(right), wrong}) {
     const Attempt quiet = sent(lines), loud = sent("static const bool said = say_nonsense();\n(void)said;\n" + lines);
     const Verdict verdict = judge(example(), 1, loud);
@@ -148,11 +146,11 @@ inline bool say_nonsense() {
 TEST_CASE("to ask for what is right, or to play the scenes with it, is no pass") {
   const std::string plays = "\nNumbers play(std::size_t check, Random& random, const Answer&) { return ";
   for (const std::string& stolen :
-       {"namespace pushback::exercise_02 { Exercise exercise();" + plays + "exercise().right(check, random); } }",
-        "namespace pushback::exercise_02 { Exercise stolen() __asm__(\"_ZN8pushback11exercise_028exerciseEv\");" +
+       {"namespace pushback::exercise_03 { Exercise exercise();" + plays + "exercise().right(check, random); } }",
+        "namespace pushback::exercise_03 { Exercise stolen() __asm__(\"_ZN8pushback11exercise_038exerciseEv\");" +
             plays + "stolen().right(check, random); } }",
-        std::string("namespace pushback::exercise_02 { Exercise exercise(); }\n"
-                    "namespace { const pushback::Exercise known = pushback::exercise_02::exercise(); }")})
+        std::string("namespace pushback::exercise_03 { Exercise exercise(); }\n"
+                    "namespace { const pushback::Exercise known = pushback::exercise_03::exercise(); }")})
     fails_as(verdict_with_helper(stolen, "\n"), "does not compile", "declared but never defined");
 }
 
@@ -188,15 +186,16 @@ TEST_CASE("in the sandbox there is no answer to be read, nothing to be written o
     if (fs::exists(fs::path("/usr/bin") / compiler))
       CHECK(run_program(sandbox.around({compiler, "--version"}, folder.path, {}), 10).status == 0);
   CHECK(verdict_on_lines(right, &sandbox).passed());
-  fails_as(verdict_on_lines("while (row.impulse == 0) row.apply(0);\n", &sandbox), "time", "a loop that never ends");
-  fails_as(verdict_on_lines("*reinterpret_cast<volatile int*>(row.owner) = 1;\n", &sandbox), "crash",
+  fails_as(verdict_on_lines("while (normal.impulse == 0) normal.apply(0);\n", &sandbox), "time",
+           "a loop that never ends");
+  fails_as(verdict_on_lines("*reinterpret_cast<volatile int*>(normal.owner) = 1;\n", &sandbox), "crash",
            "memory that is not its own");
-  const std::string tests = SOURCE_DIR "/tests/02_clamping/exercise/rebuild.txt",
-                    checks = SOURCE_DIR "/tools/classroom/checks/02_clamping.cpp";
+  const std::string tests = SOURCE_DIR "/tests/03_baumgarte/exercise/answers.txt",
+                    checks = SOURCE_DIR "/tools/classroom/checks/03_baumgarte.cpp";
   REQUIRE(fs::exists(tests));
   REQUIRE(fs::exists(checks));
   for (const std::string& file :
-       {tests, checks, std::string("pushback/tools/classroom/checks/02_clamping.cpp"), std::string("/etc/passwd")})
+       {tests, checks, std::string("pushback/tools/classroom/checks/03_baumgarte.cpp"), std::string("/etc/passwd")})
     fails_as(verdict_with_helper("#include \"" + file + "\"", right, &sandbox), "does not compile", "there is no file");
   // It throws where it could do what it should not: so to pass is to have been kept from it.
   const std::string helper =
@@ -256,13 +255,13 @@ TEST_CASE("in the sandbox there is no answer to be read, nothing to be written o
 }
 
 TEST_CASE("a file that does not compile gets the first error in plain words, with its line") {
-  fails_as(verdict_on_lines("row.impulse = 0\n"), "does not compile", "a semicolon is missing");
-  fails_as(verdict_on_lines("row.impulse = 0\n"), "does not compile", "    row.impulse = 0");
-  fails_as(verdict_on_lines("row.impuls = 0;\n"), "does not compile", "has nothing called 'impuls'");
+  fails_as(verdict_on_lines("normal.impulse = 0\n"), "does not compile", "a semicolon is missing");
+  fails_as(verdict_on_lines("normal.impulse = 0\n"), "does not compile", "    normal.impulse = 0");
+  fails_as(verdict_on_lines("normal.impuls = 0;\n"), "does not compile", "has nothing called 'impuls'");
   fails_as(verdict_on_lines("sum = 0;\n"), "does not compile", "nothing here has the name 'sum'");
-  fails_as(verdict_on_lines("if (row.impulse < 0) {\n"), "does not compile",
+  fails_as(verdict_on_lines("if (normal.impulse < 0) {\n"), "does not compile",
            "this { is never closed: each { needs a }.");
-  fails_as(verdict_on_lines("row.impulse = row.n;\n"), "does not compile", "another kind");
+  fails_as(verdict_on_lines("normal.impulse = normal.n;\n"), "does not compile", "another kind");
   fails_as(verdict_on_lines("extern void helper();\nhelper();\n"), "does not compile", "declared but never defined");
   fails_as(verdict_on(example(), "#pragma once\n", 1), "does not compile", "the last line of the file is missing");
   fails_as(verdict_with_helper("#include \"mine.h\"", right), "does not compile", "there is no file mine.h here");

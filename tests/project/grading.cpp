@@ -15,7 +15,7 @@ namespace {
 
 const Exercise& capped() {
   static const std::vector<Exercise> all = all_exercises();
-  return exercise_named(all, "03-transfer");
+  return exercise_named(all, "03");
 }
 
 /// A class of four: one right, one without a cap, one with a link to the first, one with nothing.
@@ -26,19 +26,18 @@ struct Class {
     write("anna", "normal.bias = std::min(normal.bias, std::max(-cap, beta / h * normal.separation));\n");
     write("ben & co", "normal.bias = std::min(normal.bias, beta / h * normal.separation);\n");
     fs::create_directories(scratch / "carl");
-    fs::create_symlink(scratch / "anna/03_baumgarte_transfer.h", scratch / "carl/03_baumgarte_transfer.h");
+    fs::create_symlink(scratch / "anna/03_baumgarte.h", scratch / "carl/03_baumgarte.h");
     fs::create_directories(scratch / "dora");
     for (const std::string name : {"anna", "ben & co", "carl", "dora"})
       folders += "'" + (scratch / name).string() + "' ";
   }
   void write(const std::string& name, const std::string& lines) {
     fs::create_directories(scratch / name);
-    write_text_file(scratch / name / "03_baumgarte_transfer.h", filled_in(capped(), lines));
+    write_text_file(scratch / name / "03_baumgarte.h", filled_in(capped(), lines));
   }
   Ended grade(const std::string& more) {
-    return call_program(
-        GRADE_PROGRAM,
-        folders + "--exercises 03-transfer --no-sandbox --out " + (scratch / "out").string() + " " + more, 120);
+    return call_program(GRADE_PROGRAM,
+                        folders + "--exercises 03 --no-sandbox --out " + (scratch / "out").string() + " " + more, 120);
   }
 };
 
@@ -48,41 +47,40 @@ TEST_CASE("a class is graded: a table, JSON and JUnit XML, and again, only what 
   Class all;
   const Ended first = all.grade("--jobs 2");
   CHECK(first.status == 0);
-  CHECK(contains(first.out, "anna        6 of 6  03-transfer 6/6\n"));
-  CHECK(contains(first.out, "ben & co    4 of 6  03-transfer 4/6 (cap forgotten)\n"));
-  CHECK(contains(first.out, "carl        0 of 6  03-transfer 0/6 (not handed in)\n"));
-  CHECK(contains(first.out, "dora        0 of 6  03-transfer 0/6 (not handed in)\n"));
+  CHECK(contains(first.out, "anna        6 of 6  03 6/6\n"));
+  CHECK(contains(first.out, "ben & co    4 of 6  03 4/6 (cap forgotten)\n"));
+  CHECK(contains(first.out, "carl        0 of 6  03 0/6 (not handed in)\n"));
+  CHECK(contains(first.out, "dora        0 of 6  03 0/6 (not handed in)\n"));
   const std::string json = text_of(all.scratch / "out/results.json"), xml = text_of(all.scratch / "out/results.xml");
   CHECK(contains(json, "\"mistake\": \"cap forgotten\""));
   CHECK(contains(xml, "<testsuite name=\"anna\" tests=\"4\" failures=\"0\">"));
   CHECK(contains(xml, "<testsuite name=\"ben &amp; co\" tests=\"4\" failures=\"1\">"));
   CHECK(contains(xml, "<failure message=\"your ball, which is more than a metre deep, leaves with"));
   for (const std::string name : {"anna", "ben & co", "carl"})
-    CHECK(fs::exists(all.scratch / ("out/sheets/" + name + "/03_baumgarte_transfer.png")) == (name != "carl"));
+    CHECK(fs::exists(all.scratch / ("out/sheets/" + name + "/03_baumgarte.png")) == (name != "carl"));
   const Ended second = all.grade("");
   CHECK(second.err.empty());
   CHECK(second.out == first.out);
   all.write("dora", "normal.bias += 0\n");
   const Ended third = all.grade("");
   CHECK(third.err == "graded: dora\n");
-  CHECK(contains(third.out, "03-transfer 0/6 (does not compile)"));
-  write_text_file(all.scratch / "points",
-                  "# all on the cap\n03-transfer 1 0\n03-transfer 2 10  # the cap\n03-transfer 3 0\n03-transfer 4 0\n");
+  CHECK(contains(third.out, "03 0/6 (does not compile)"));
+  write_text_file(all.scratch / "points", "# all on the cap\n03 1 0\n03 2 10  # the cap\n03 3 0\n03 4 0\n");
   const Ended fourth = all.grade("--points " + (all.scratch / "points").string());
-  CHECK(contains(fourth.out, "anna       10 of 10  03-transfer 10/10\n"));
+  CHECK(contains(fourth.out, "anna       10 of 10  03 10/10\n"));
   CHECK(contains(fourth.out, "ben & co    0 of 10"));
 }
 
 namespace {
 
-/// What students get for it in all transfers that are named, by their names.
+/// What students get for it in all graded exercises that are named, by their names.
 void earn_nothing(const std::string& options, const std::map<std::string, std::string>& of_students) {
   const Scratch scratch;
   std::string folders;
   for (const auto& [student, line] : of_students) {
     fs::create_directories(scratch / student);
     for (const Exercise& exercise : all_exercises()) {
-      if (!exercise.transfer()) continue;
+      if (!exercise.graded()) continue;
       std::string text = read_text_file(stub_of(exercise));
       text.insert(text.rfind('\n', text.find("TODO")) + 1, line);
       write_text_file(scratch / student / (exercise.name + ".h"), text);
@@ -97,8 +95,9 @@ void earn_nothing(const std::string& options, const std::map<std::string, std::s
   std::size_t none = 0;
   for (std::size_t at = 0; (at = json.find("\"points\": 0,", at)) != std::string::npos; ++at) ++none;
   const std::vector<Exercise> all = all_exercises();
-  const auto transfers = std::count_if(all.begin(), all.end(), [](const Exercise& one) { return one.transfer(); });
-  const std::size_t graded = contains(options, "--exercises") ? 1 : static_cast<std::size_t>(transfers);
+  const auto of_all = std::count_if(all.begin(), all.end(), [](const Exercise& one) { return one.graded(); });
+  CHECK(of_all == 12);
+  const std::size_t graded = contains(options, "--exercises") ? 1 : static_cast<std::size_t>(of_all);
   CHECK(none == of_students.size() * graded);
   CHECK_FALSE(contains(json, "\"passed\": true"));
   CHECK_FALSE(contains(json, "does not compile"));
@@ -108,12 +107,12 @@ const std::map<std::string, std::string> with_a_line{{"copy", "static constexpr 
 
 }  // namespace
 
-TEST_CASE("who does nothing earns nothing, in all transfers") {
+TEST_CASE("who does nothing earns nothing, in all graded exercises") {
   earn_nothing("", {{"gap", ""}, {"comment", "// I do not know\n"}});
-  earn_nothing(" --exercises 03-transfer", with_a_line);
+  earn_nothing(" --exercises 03", with_a_line);
 }
 
-TEST_CASE("who writes what changes nothing earns nothing, in all transfers", "[checked]") {
+TEST_CASE("who writes what changes nothing earns nothing, in all graded exercises", "[checked]") {
   earn_nothing(" --jobs 2", with_a_line);
 }
 
@@ -240,7 +239,7 @@ TEST_CASE(
       "mkdir -p a/b/c; cp anna/* a/b/c; zip -qr in/buried.zip a; tar -cf in/buried2.tar a\n"
       "mkdir 'back\\slash'; cp anna/* 'back\\slash'; tar --no-unquote -cf in/escaped.tar 'back\\slash'\n"
       "mkdir twice; cp -r anna twice/a; cp -r anna twice/b; zip -qr in/twice.zip twice; tar -cf in/twice2.tar twice\n"
-      "mkdir large; truncate -s 3G large/03_baumgarte_transfer.h; tar -Scf in/large.tar large; tar -czf in/large2.tgz "
+      "mkdir large; truncate -s 3G large/03_baumgarte.h; tar -Scf in/large.tar large; tar -czf in/large2.tgz "
       "-S large\n"
       "mkdir many; cd many; touch $(seq 1500); cd ..; zip -qr in/many.zip many; tar -cf in/many2.tar many\n"
       "printf junk >in/junk.zip; printf junk >in/junk2.tar.gz; cd anna; zip -q -P secret ../in/secret.zip *");
@@ -258,17 +257,16 @@ TEST_CASE(
       said = said || (line.starts_with(student + " ") && contains(line, as));
     CHECK(said);
   };
-  for (const std::string right : {"flat", "deep", "deep2", "plain"}) graded(right, "03-transfer 6/6");
-  graded("ben", "03-transfer 4/6 (cap forgotten)");
-  for (const std::string none : {"link", "link2", "link3", "buried", "buried2"})
-    graded(none, "03-transfer 0/6 (not handed in)");
+  for (const std::string right : {"flat", "deep", "deep2", "plain"}) graded(right, "03 6/6");
+  graded("ben", "03 4/6 (cap forgotten)");
+  for (const std::string none : {"link", "link2", "link3", "buried", "buried2"}) graded(none, "03 0/6 (not handed in)");
   for (const std::string bad : {"dots", "absolute", "escaped", "twice", "twice2", "large", "large2", "many", "many2",
                                 "junk", "junk2", "secret"})
-    graded(bad, "03-transfer 0/6 (archive)");
+    graded(bad, "03 0/6 (archive)");
   const std::string json = text_of(all.scratch / "out/results.json");
   CHECK(contains(json, "leads out of its folder"));
   CHECK(contains(json, "it has 1501 entries, at most 1000 are taken"));
-  CHECK(contains(json, "there are 2 files 03_baumgarte_transfer.h in it"));
+  CHECK(contains(json, "there are 2 files 03_baumgarte.h in it"));
   CHECK(contains(json, "is larger than 1 MB"));
   CHECK(contains(json, "it cannot be read (unzip: "));
   CHECK(contains(json, "it cannot be read (tar: "));
@@ -278,7 +276,7 @@ TEST_CASE(
         before);
   CHECK(call_program(GRADE_PROGRAM,
                      (all.scratch / "anna").string() + " " + (all.scratch / "in/flat.zip").string() + " " +
-                         (all.scratch / "anna/03_baumgarte_transfer.h").string() + options,
+                         (all.scratch / "anna/03_baumgarte.h").string() + options,
                      120)
             .status == 0);
 }
@@ -293,8 +291,8 @@ TEST_CASE("a file among the folders of a class is named, and the others are grad
   CHECK(ended.status == 0);
   CHECK(
       contains(ended.err, "not graded: '" + (all.scratch / "points.txt").string() + "' is no folder, and no archive"));
-  CHECK(contains(ended.out, "anna        6 of 6  03-transfer 6/6\n"));
-  CHECK(contains(ended.out, "-rf         0 of 6  03-transfer 0/6 (not handed in)\n"));
+  CHECK(contains(ended.out, "anna        6 of 6  03 6/6\n"));
+  CHECK(contains(ended.out, "-rf         0 of 6  03 0/6 (not handed in)\n"));
   CHECK_FALSE(fs::exists(all.scratch / "out/students/points.txt.json"));
   const Ended alone = call_program(
       GRADE_PROGRAM, (all.scratch / "points.txt").string() + " --no-sandbox --out " + (all.scratch / "none").string());
@@ -304,7 +302,7 @@ TEST_CASE("a file among the folders of a class is named, and the others are grad
 
 TEST_CASE("a folder whose files are in another one, or too large, has handed in nothing") {
   Class all;
-  const fs::path name = "03_baumgarte_transfer.h", linked = all.scratch / "linked", large = all.scratch / "large";
+  const fs::path name = "03_baumgarte.h", linked = all.scratch / "linked", large = all.scratch / "large";
   fs::create_directories(linked);
   fs::create_directory_symlink(all.scratch / "anna", linked / "exercises");
   fs::create_directories(large);
@@ -312,8 +310,8 @@ TEST_CASE("a folder whose files are in another one, or too large, has handed in 
   for (const fs::path& folder : {linked, large}) all.folders += "'" + folder.string() + "' ";
   const Ended ended = all.grade("--no-sheet");
   CHECK(contains(ended.out, "anna        6 of 6"));
-  CHECK(contains(ended.out, "large       0 of 6  03-transfer 0/6 (not handed in)\n"));
-  CHECK(contains(ended.out, "linked      0 of 6  03-transfer 0/6 (not handed in)\n"));
+  CHECK(contains(ended.out, "large       0 of 6  03 0/6 (not handed in)\n"));
+  CHECK(contains(ended.out, "linked      0 of 6  03 0/6 (not handed in)\n"));
 }
 
 TEST_CASE("a result under other limits is another result") {
@@ -335,8 +333,7 @@ TEST_CASE("what cannot be graded is refused, and nothing is left behind") {
     CHECK(ended.status == 2);
     CHECK(contains(ended.err, "--shard is '" + shard + "'"));
   }
-  for (const std::string line :
-       {"03-transfer 5 1", "03-transfer 0 1", "03-transfer 1 -1", "03-transfer 1", "99 1 1", "03-transfer 1 1 1"}) {
+  for (const std::string line : {"03 5 1", "03 0 1", "03 1 -1", "03 1", "99 1 1", "03 1 1 1"}) {
     write_text_file(all.scratch / "points", "\n" + line + "\n");
     CHECK(all.grade("--points " + (all.scratch / "points").string()).status == 2);
   }
@@ -358,15 +355,18 @@ TEST_CASE("without a sandbox nothing is graded, unless that is said") {
 TEST_CASE("a handout has tasks and gaps, and neither answers nor checks, and its points can be edited") {
   const Scratch scratch;
   const std::string folder = (scratch / "handout").string();
-  const Ended ended = call_program(HANDOUT_PROGRAM, folder + " --with 03,03-transfer,04 --without 04");
+  const Ended ended = call_program(HANDOUT_PROGRAM, folder + " --with 03,15-transfer,04 --without 04");
   CHECK(ended.status == 0);
+  const std::string broken = "15_limits_motors_springs_transfer";
   std::set<std::string> files;
   for (const auto& entry : fs::directory_iterator(folder)) files.insert(entry.path().filename().string());
-  CHECK(files == std::set<std::string>{"03_baumgarte.h", "03_baumgarte.md", "03_baumgarte_transfer.h",
-                                       "03_baumgarte_transfer.md", "CMakeLists.txt", "README.md"});
-  const std::string gap = text_of(scratch / "handout/03_baumgarte_transfer.h");
-  CHECK(untouched(gap, read_text_file(stub_of(capped()))));
-  CHECK(contains(gap, "The task is 03_baumgarte_transfer.md."));
+  CHECK(files == std::set<std::string>{"03_baumgarte.h", "03_baumgarte.md", broken + ".h", broken + ".md",
+                                       "CMakeLists.txt", "README.md"});
+  for (const std::string& name : {std::string("03_baumgarte"), broken}) {
+    const std::string gap = text_of(scratch / ("handout/" + name + ".h"));
+    CHECK(untouched(gap, read_text_file(stub_of(exercise_named(all_exercises(), name)))));
+    CHECK(contains(gap, "The task is " + name + ".md."));
+  }
   const std::string task = text_of(scratch / "handout/03_baumgarte.md"),
                     how_to = text_of(scratch / "handout/README.md");
   CHECK(contains(task, "    ./course exercise 03 --in PATH/TO/handout --hint "));
@@ -392,10 +392,9 @@ TEST_CASE("what was handed out is what is graded") {
         GRADE_PROGRAM,
         all.folders + "--no-sandbox --no-sheet --points " + points + " --out " + (all.scratch / "out").string(), 120);
   };
-  CHECK(contains(handed_out("03,03-transfer").out, "anna        6 of 6  03-transfer 6/6\n"));
-  CHECK(contains(handed_out("03-transfer,04-transfer").out,
-                 "anna        6 of 13  03-transfer 6/6  04-transfer 0/7 (not handed in)\n"));
-  const Ended none = handed_out("03");
+  CHECK(contains(handed_out("03,15").out, "anna        6 of 6  03 6/6\n"));
+  CHECK(contains(handed_out("03,04").out, "anna        6 of 13  03 6/6  04 0/7 (not handed in)\n"));
+  const Ended none = handed_out("15");
   CHECK(none.status == 2);
   CHECK(contains(none.err, "handout.points' names no exercise that is graded"));
 }

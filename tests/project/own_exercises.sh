@@ -37,16 +37,17 @@ says "next: pushback-exercise 0"
 says_not "✗"
 cp mine/02_clamping.h stub
 gap() { sed '/TODO/,/TODO ends/c\'"$1" stub >mine/02_clamping.h; }
-gap 'row.apply(-row.effective_mass * row.speed())'
+gap 'rows[0].apply(-rows[0].effective_mass * rows[0].speed())'
 no_verdict
 says "It does not compile" && says "semicolon"
-gap 'row.impulse += std::max(Real(0), -row.effective_mass * (row.speed() + row.bias)); row.apply(std::max(Real(0), -row.effective_mass * (row.speed() + row.bias)));'
+least='const Real least = -force * h / static_cast<Real>(rows.size());'
+gap "$least"' for (Row\& row : rows) { const Real lambda = std::max(least, -row.effective_mass * (row.speed() + row.bias)); row.impulse += lambda; row.apply(lambda); }'
 no_verdict
-says "02           begun" && [[ ${output##*begun} == *"it looks as if each correction were clamped"* ]] || wrong "the verdict is not the last" "$output"
+says "02           begun" && [[ ${output##*begun} == *"it looks as if each correction were limited"* ]] || wrong "the verdict is not the last" "$output"
 [[ $(grep -c begun <<<"$output") == 1 ]] || wrong "untouched files are begun" "$output"
-says "it looks as if each correction were clamped" && says "One hint more: pushback-exercise 02 --hint"
+says "it looks as if each correction were limited" && says "One hint more: pushback-exercise 02 --hint"
 [[ -s mine/02_clamping.png ]] || wrong "there is no picture"
-gap 'const Real sum = std::max(Real(0), row.impulse - row.effective_mass * (row.speed() + row.bias)); row.apply(sum - row.impulse); row.impulse = sum;'
+gap "$least"' for (Row\& row : rows) { const Real sum = std::max(least, row.impulse - row.effective_mass * (row.speed() + row.bias)); row.apply(sum - row.impulse); row.impulse = sum; }'
 verdict
 says "Solved."
 verdict

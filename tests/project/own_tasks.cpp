@@ -50,7 +50,7 @@ TEST_CASE("an exercise of one's own is listed, checked, handed out and graded be
   const Ended listed = call_program(EXERCISE_PROGRAM, anna + tasks.with, 120);
   CHECK(contains(listed.err, "compiling the task brake"));
   CHECK(contains(listed.out, "  brake        begun   own: a brake of bounded strength (3 points)\n"));
-  CHECK(contains(listed.out, "  03-transfer "));
+  CHECK(contains(listed.out, "  15-transfer "));
   const Ended wrong = call_program(EXERCISE_PROGRAM, "brake" + anna + tasks.with, 120);
   CHECK(wrong.err.empty());
   CHECK(wrong.status == 1);

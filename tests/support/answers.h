@@ -37,7 +37,7 @@ struct WrittenAnswer {
 inline std::vector<WrittenAnswer> written_answers(const Exercise& exercise, const std::filesystem::path& tests) {
   const std::filesystem::path file =
       tests / std::filesystem::path(exercise.folder).lexically_relative("chapters").begin()->string() / "exercise" /
-      (exercise.transfer() ? "transfer.txt" : "rebuild.txt");
+      (exercise.transfer() ? "transfer.txt" : "answers.txt");
   std::vector<WrittenAnswer> answers;
   for (const std::string& line : lines_of(read_text_file(file))) {
     if (line.starts_with("== ")) answers.push_back({line.substr(3), ""});

@@ -46,14 +46,12 @@ function described({ file, part, chapter, live, parent, address, root, title, he
   const numbered = html.replace(/(<h1[^>]*>)(\d\d) /, '$1<span class="number">$2</span> ');
   const page = { file, part, chapter, live, parent, address, root, title, html: numbered };
   const [, number, name = title] = /^(\d\d) (.*)$/.exec(page.title) ?? [];
-  const task = { "exercise/task.md": "Write it yourself", "exercise/transfer/task.md": "Use it elsewhere" }[
-    path.posix.relative(path.posix.dirname(parent ?? "."), file)
-  ];
+  const task = /^Exercise \d\d(?:, transfer)?: (.*)$/.exec(title)?.[1];
   return {
     ...page,
     layout: "page.njk",
     number,
-    name: file === "README.md" ? "Front page" : (task ?? name),
+    name: file === "README.md" ? "Front page" : (task ? `Exercise: ${task}` : name),
     label: task ? "Exercise" : parent ? "Table" : "",
     sort: chapter ? "chapter" : file === "README.md" ? "front" : "",
     hasTitle: headings.some(({ level }) => level === 1),

@@ -1,4 +1,4 @@
-/// Every exercise, by chapter, the rebuild before the transfer.
+/// Every exercise, by chapter; a transfer stands behind the rebuild of its chapter.
 #pragma once
 
 #include "pushback/common/exercise/exercise.h"

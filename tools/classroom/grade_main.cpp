@@ -41,14 +41,13 @@ int main(int argc, char** argv) {
   std::vector<std::string> words;
   std::string points, tasks, shard = "1/1";
   bool no_sandbox = false, no_sheet = false, hard_cases = false;
-  CommandLine line(
-      "Grades what students have handed in: a folder or an archive each, with files as 03_baumgarte_transfer.h.",
-      "./course grade");
+  CommandLine line("Grades what students have handed in: a folder or an archive each, with files as 03_baumgarte.h.",
+                   "./course grade");
   line.option("FOLDER", grading.given,
               "For each student a folder, or an archive of one (.zip, .tar.gz), named after the student")
       .required();
   line.option("--exercises", words,
-              "03-transfer,04,mine-06: these, instead of all transfer exercises and all of your own, as far as "
+              "03,15-transfer,mine-06: these, instead of all that no page answers and all of your own, as far as "
               "--points names them")
       .split_at_commas();
   line.option("--points", points, "A file with the points of each check, as ./course handout writes it");

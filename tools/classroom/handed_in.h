@@ -12,7 +12,7 @@ namespace pushback {
 /// Of the student: that of the folder, or of the archive without its ending. Throws InvalidInput where it is neither.
 std::string students_name(const std::filesystem::path& given);
 
-/// 03_baumgarte_transfer.h; solver.h.
+/// 03_baumgarte.h; solver.h.
 std::string file_of(const Exercise& exercise);
 
 class HandedIn {

@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
       "Writes tasks and files with gaps into a folder, and the points of each check; no answers, no checks.",
       "./course handout");
   line.option("FOLDER", folder, "A new folder").required();
-  line.option("--with", with, "02,03,03-transfer: these; all by default").split_at_commas();
+  line.option("--with", with, "02,03,15-transfer: these; all by default").split_at_commas();
   line.option("--without", without, "04: all but these").split_at_commas();
   line.option("--mine", mine,
               "06: the points of a solver of the student's own, up to this chapter, for files mine/solver.h");

@@ -156,7 +156,7 @@ void show_hints(const Exercise& exercise, StudentFiles& files) {
 int main(int argc, char** argv) {
   Asked asked;
   CommandLine line("Exercises that check themselves.", kit().call());
-  line.option("EXERCISE", asked.words, "03, or 03-transfer; none: all are listed").at_most_once();
+  line.option("EXERCISE", asked.words, "03, or 15-transfer; none: all are listed").at_most_once();
   line.flag("--hint", asked.hint, "One hint more each time");
   line.flag("--reset", asked.reset, "The file as it was; yours is kept, with .old at its end, then .old2, ...");
   line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
@@ -167,7 +167,7 @@ int main(int argc, char** argv) {
   line.option("--tasks", asked.tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
   line.option("--new", asked.own_folder,
               "Make a folder of your own, which needs nothing but an installed Pushback: its build says the verdict");
-  line.option("--with", asked.with, "02,03,03-transfer: these in that folder; all by default").split_at_commas();
+  line.option("--with", asked.with, "02,03,15-transfer: these in that folder; all by default").split_at_commas();
   line.option("--without", asked.without, "04: all but these").split_at_commas();
   bool passed = true;
   const int status = line.run(argc, argv, [&] {

@@ -8,10 +8,10 @@
 
 namespace pushback {
 
-/// 03, 03-transfer: as typed.
+/// 03, 15-transfer: as typed.
 std::string short_name(const Exercise& exercise);
-/// The one that a word asks for: 03, 3, baumgarte, 03_baumgarte, each with -transfer or _transfer for the transfer. Throws
-/// InvalidInput, naming all there are.
+/// The one that a word asks for: 03, 3, baumgarte, 03_baumgarte; with -transfer or _transfer for the second one of a chapter.
+/// Throws InvalidInput, naming all there are.
 const Exercise& exercise_named(const std::vector<Exercise>& all, const std::string& word);
 /// Where the task and the file with the gap are.
 std::filesystem::path task_of(const Exercise& exercise);

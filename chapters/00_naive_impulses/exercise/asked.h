@@ -7,7 +7,7 @@
 namespace pushback::exercise_00 {
 
 struct Answer {
-  std::function<void(World& world, Contact& contact)> impact;  ///< changes the velocities of its two bodies
+  std::function<void(Body& bat, const Vec3& pivot, Body& ball, const Contact& contact)> hit;
 };
 
 Numbers play(std::size_t check, Random& random, const Answer& answer);

@@ -1,13 +1,13 @@
 /// What exercise 01 asks for.
 #pragma once
 
+#include "pushback/chapters/01_velocity_constraint/row.h"
 #include "pushback/common/exercise/exercise.h"
-#include "pushback/common/world/world.h"
 
 namespace pushback::exercise_01 {
 
 struct Answer {
-  std::function<void(World& world, int sweeps)> solve;  ///< changes the velocities of what touches
+  std::function<void(Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps)> hold;
 };
 
 Numbers play(std::size_t check, Random& random, const Answer& answer);

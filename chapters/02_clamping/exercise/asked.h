@@ -7,7 +7,7 @@
 namespace pushback::exercise_02 {
 
 struct Answer {
-  void (*solve)(Row& row);  ///< a contact's row, once
+  void (*sweep)(Rows& rows, Real force, Real h);
 };
 
 Numbers play(std::size_t check, Random& random, const Answer& answer);

@@ -1,4 +1,4 @@
-/// Exercise 02: accumulate, clamp, apply the difference. The task is chapters/02_clamping/exercise/task.md.
+/// Exercise 02: a magnet that holds up to F. The task is chapters/02_clamping/exercise/task.md.
 #pragma once
 
 #include "pushback/chapters/02_clamping/exercise/asked.h"
@@ -7,19 +7,22 @@ namespace student {
 
 using namespace pushback;
 
-/// Solves the row of one contact as if no other existed. Called for each row in turn, over and over.
+/// One sweep over the rows of a magnet: the normals of all points at which it touches. Called over and over.
 ///
-/// You read   row.speed()         J V, m/s: how fast the bodies separate now
-///            row.bias            b, m/s
-///            row.effective_mass  1 / K, kg
-/// and keep   row.impulse         the sum of this row's impulses in this step, N s: 0 as the step begins
-/// and call   row.apply(lambda)   V += M^-1 J^T lambda: changes the velocities of both bodies
-inline void solve(Row& row) {
-  // TODO the new sum, clamped (the equation of the page); then what of it has not been applied yet
-  (void)row;  // take this line out
+/// `force` is F, N: so much the whole magnet holds, and each of its points an equal part. `h` is the length of the step, s.
+///
+/// You read   rows.size()         how many points there are: for (Row& row : rows)
+/// of a row   speed()             J V, m/s: how fast the bodies separate now
+///            bias                b, m/s
+///            effective_mass      1 / K, kg
+/// and keep   impulse             the sum of this row's impulses in this step, N s: 0 as the step begins
+/// and call   apply(lambda)       V += M^-1 J^T lambda: changes the velocities of both bodies
+inline void sweep(Rows& rows, Real force, Real h) {
+  // TODO of each row the new sum, and the interval in which it has to stay; then its part that is not applied yet
+  (void)rows, (void)force, (void)h;  // take this line out
   // TODO ends
 }
 
-inline const exercise_02::Answer answer{solve};
+inline const exercise_02::Answer answer{sweep};
 
 }  // namespace student

@@ -1,13 +1,13 @@
 /// What exercise 04 asks for.
 #pragma once
 
-#include "pushback/chapters/01_velocity_constraint/any_effect.h"
+#include "pushback/chapters/01_velocity_constraint/row.h"
 #include "pushback/common/exercise/exercise.h"
 
 namespace pushback::exercise_04 {
 
 struct Answer {
-  AnyEffect allowance;
+  void (*set_bias)(Row& normal, Real beta, Real slop, Real h);
 };
 
 Numbers play(std::size_t check, Random& random, const Answer& answer);

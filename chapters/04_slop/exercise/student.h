@@ -1,4 +1,4 @@
-/// Exercise 04: slop. The task is chapters/04_slop/exercise/task.md.
+/// Exercise 04: a margin that keeps points which are still apart. The task is chapters/04_slop/exercise/task.md.
 #pragma once
 
 #include "pushback/chapters/04_slop/exercise/asked.h"
@@ -7,20 +7,17 @@ namespace student {
 
 using namespace pushback;
 
-/// A little overlap is left alone, so that contacts survive.
+/// The bias of a contact point, for a step of h seconds. The point may be of bodies that are still apart: it is a contact as
+/// soon as they are closer than the margin.
 ///
-/// You read and change   step.rows[i].separation   C, m: negative where the bodies overlap. Whatever makes a bias of C
-///                                                 finds what you leave there.
-struct Allowance : Effect {
-  Real slop = Real(0.005);  // m
+/// You read   normal.separation   C, m: positive where the bodies are apart, negative where they overlap
+/// and set    normal.bias         b, m/s: 0 as this is called. The row makes J V + b >= 0, and only ever pushes
+inline void set_bias(Row& normal, Real beta, Real slop, Real h) {
+  // TODO apart: the bodies may close the gap within this step, and no more. Overlapping: the bias of chapter 04
+  (void)normal, (void)beta, (void)slop, (void)h;  // take this line out
+  // TODO ends
+}
 
-  void adjust_separation(StepContext& step) {
-    // TODO for each of the step.contacts.size() normal rows: the separation that counts (the equation of the page)
-    (void)step;  // take this line out
-    // TODO ends
-  }
-};
-
-inline const exercise_04::Answer answer{Allowance{}};
+inline const exercise_04::Answer answer{set_bias};
 
 }  // namespace student

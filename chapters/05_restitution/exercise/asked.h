@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/any_effect.h"
+#include "pushback/chapters/05_restitution/restitution.h"
 #include "pushback/common/exercise/exercise.h"
 
 namespace pushback::exercise_05 {

@@ -1,4 +1,4 @@
-/// Exercise 05: the bias of a bounce. The task is chapters/05_restitution/exercise/task.md.
+/// Exercise 05: a restitution that falls with the speed. The task is chapters/05_restitution/exercise/task.md.
 #pragma once
 
 #include "pushback/chapters/05_restitution/exercise/asked.h"
@@ -7,25 +7,23 @@ namespace student {
 
 using namespace pushback;
 
-/// Newton's rule: two bodies separate e times as fast as they approached.
+/// A bounce of bodies that yield where they are hit hard. Up to the yield speed e is that of the contact, above it e falls.
 ///
-/// You read   step.contacts.size()          how many contacts there are; step.rows[i] is the normal row of step.contacts[i]
-///            step.world.bodies_of(contact)  its bodies A and B:   const auto [a, b] = step.world.bodies_of(contact);
-/// of a contact   point, m;   normal, from A to B;   restitution, e
-/// of a body      position, m;   velocity_before, angular_velocity_before: as the step began
-///                velocity, angular_velocity: this step's gravity is in them already
-/// and set        step.rows[i].bias   b, m/s: minus the wanted separating speed; the push-out may have set it
-struct Bounce : Effect {
+/// You read   step.contacts.size()                how many contacts there are; step.rows[i] is the row of step.contacts[i]
+///            approach_speed(step.world, contact)  v_n before the step, m/s: negative while the bodies approach
+/// of a contact   restitution                     e of slow impacts, 0 to 1
+/// and set        step.rows[i].bias               b, m/s: minus the wanted separating speed; the push-out may have set it
+struct YieldingBounce : Effect {
   Real threshold = Real(0.1);  // m/s; what arrives more slowly does not bounce
+  Real yield = 2;              // m/s
 
   void build(StepContext& step) {
-    // TODO for each normal row: the approach speed v_n of the two points that touch, and the bias by Newton's rule; of
-    // two wishes, the one for more speed stays
+    // TODO for each normal row: the e of this impact, by the law of the task; then the bias as in chapter 05
     (void)step;  // take this line out
     // TODO ends
   }
 };
 
-inline const exercise_05::Answer answer{Bounce{}};
+inline const exercise_05::Answer answer{YieldingBounce{}};
 
 }  // namespace student

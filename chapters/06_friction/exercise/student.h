@@ -1,4 +1,4 @@
-/// Exercise 06: two tangent rows and their bound. The task is chapters/06_friction/exercise/task.md.
+/// Exercise 06: a conveyor belt, and rolling resistance. The task is chapters/06_friction/exercise/task.md.
 #pragma once
 
 #include "pushback/chapters/06_friction/exercise/asked.h"
@@ -7,27 +7,22 @@ namespace student {
 
 using namespace pushback;
 
-/// Friction holds the contact point still, as far as the normal impulse lets it.
+/// Called for each of the two tangents t of a contact, in each sweep, after the normals.
 ///
-/// Of a contact   step.contacts[i]     point, normal, friction (μ of the pair)
-///                step.rows[i]         its normal's row; step.rows[i].impulse is Σλn, N s, in this very sweep
-///                tangents_of(normal)  two tangents: const auto [tangent1, tangent2] = tangents_of(...);
-/// A new row      step.rows.emplace_back(step.world, step.contacts[i], direction, i);  It may move all rows in memory.
-/// Of any row     speed() (J V, m/s), effective_mass (1 / K, kg), impulse (Σλ, N s)
-/// and you call   row.reach(total)     brings Σλ to `total`, but no further than row.lo and row.hi
-struct Rubbing : Effect {
-  std::size_t first = 0;  // which row is the first tangent's, if you want to keep that
-
-  // TODO build: two rows a contact. sweep, called in each sweep after the normals: each within its bound, J V = 0
-  void build(StepContext& step) {
-    (void)step;  // take this line out
-  }
-  void sweep(StepContext& step) {
-    (void)step;  // take this line out
-  }
+/// You read   normal.impulse      Σλn of this contact, N s
+///            surfaces.mu, .lever (m), .belt_a, .belt_b (m/s, world axes)
+/// You solve  slip                the row along t:  speed() is (v_B - v_A) · t at the contact point, of the bodies, m/s
+///            roll                the row about t:  speed() is (w_B - w_A) · t, rad/s; its impulses are in N m s
+/// each with  n                   t, of slip alone
+///            effective_mass      1 / K
+///            impulse             Σλ of this step
+///            reach(total)        brings Σλ to `total`, but no further than lo and hi
+inline void rub(const Row& normal, Row& slip, Row& roll, const exercise_06::Surfaces& surfaces) {
+  // TODO friction against the slip of the surfaces, belts and all; rolling resistance against the turn
+  (void)normal, (void)slip, (void)roll, (void)surfaces;  // take this line out
   // TODO ends
-};
+}
 
-inline const exercise_06::Answer answer{Rubbing{}};
+inline const exercise_06::Answer answer{rub};
 
 }  // namespace student

@@ -1,13 +1,27 @@
 /// What exercise 07 asks for.
 #pragma once
 
-#include "pushback/chapters/01_velocity_constraint/any_effect.h"
+#include "pushback/chapters/01_velocity_constraint/row.h"
 #include "pushback/common/exercise/exercise.h"
 
 namespace pushback::exercise_07 {
 
+/// What is known of a contact point.
+struct Remembered {
+  ContactId id;
+  Vec3 impulse = Vec3::Zero();  ///< N s, world axes: what the solver last applied there
+  Real dt = 0;                  ///< s, the length of the step in which it did
+  Real age = 0;                 ///< s, since that step
+};
+using Memory = std::vector<Remembered>;
+
+/// s: for so long a point is remembered that no longer touches.
+inline constexpr Real lasts = Real(0.1);
+
 struct Answer {
-  AnyEffect warm_start;
+  Vec3 (*guess)(const Memory& memory, const ContactId& id, Real dt);
+  void (*keep)(Memory& memory, const Contacts& contacts, Real dt);
+  void (*put_elsewhere)(Memory& memory, std::uint32_t body);
 };
 
 Numbers play(std::size_t check, Random& random, const Answer& answer);

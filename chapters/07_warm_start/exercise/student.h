@@ -1,4 +1,5 @@
-/// Exercise 07: match two lists by id, rescale, project, apply. The task is chapters/07_warm_start/exercise/task.md.
+/// Exercise 07: a memory for steps of changing length, and for bodies that are put elsewhere.
+/// The task is chapters/07_warm_start/exercise/task.md.
 #pragma once
 
 #include "pushback/chapters/07_warm_start/exercise/asked.h"
@@ -6,25 +7,31 @@
 namespace student {
 
 using namespace pushback;
+using namespace pushback::exercise_07;
 
-/// The step starts from the impulses of the step before.
-///
-/// You read   step.rows                    all rows, normals and tangents; of each row
-///              row.owner                    the index of its contact in step.contacts
-///              row.n                        its direction, unit, world axes
-///            step.contacts[i].id          names the point: the same in two steps. Compare ids by ==
-///            step.world.contacts_before   the contacts of the step before: a list of its own, each with
-///              .id, .impulse                the impulse that it had as a vector in world axes, N s
-///            step.dt, step.world.dt_before  s: the lengths of this step and of the one before
-/// and call   row.reach(total)             brings Σλ of the row to `total` and applies to the bodies what is new of it
-struct Remembering : Effect {
-  void start(StepContext& step) {
-    // TODO for each row: the old contact of the same id, if there is one; from its impulse, the row's first sum
-    (void)step;  // take this line out
-    // TODO ends
-  }
-};
+/// Memory is a std::vector<Remembered>. Of each point you may keep
+///   id        its name: body_a, body_b, feature; compare ids by ==
+///   impulse   N s, world axes; a Contact has it under the same name once its step is solved
+///   dt, age   s: see the task
+/// std::erase_if(memory, [&](const Remembered& one) { return ...; }) takes out those for which that is true.
 
-inline const exercise_07::Answer answer{Remembering{}};
+// TODO guess: the same force, for this step. keep: what has just acted, and who is too old. put_elsewhere: whose points go
+
+/// Before a step of dt: the impulse that this point is to start with. Zero for a point that is not known.
+inline Vec3 guess(const Memory& memory, const ContactId& id, Real dt) {
+  (void)memory, (void)id, (void)dt;  // take this line out
+  return Vec3::Zero();
+}
+/// After a step of dt: `contacts` are all that touched in it.
+inline void keep(Memory& memory, const Contacts& contacts, Real dt) {
+  (void)memory, (void)contacts, (void)dt;  // take this line out
+}
+/// Between two steps: the body with this index has been put elsewhere.
+inline void put_elsewhere(Memory& memory, std::uint32_t body) {
+  (void)memory, (void)body;  // take this line out
+}
+// TODO ends
+
+inline const Answer answer{guess, keep, put_elsewhere};
 
 }  // namespace student

@@ -6,8 +6,14 @@
 
 namespace pushback::exercise_08 {
 
+struct Skate {
+  Real k12;  ///< 1/kg: what an impulse along the blade adds to the slip across it
+  Real mu_along, mu_across;
+  Real normal;  ///< the sum of the normal impulses, N s
+};
+
 struct Answer {
-  void (*solve)(Row& one, Row& two, Real k12, Real bound);  ///< both tangents of a contact, once
+  void (*solve)(Row& along, Row& across, const Skate& skate);  ///< both tangents of a contact, once
 };
 
 Numbers play(std::size_t check, Random& random, const Answer& answer);

@@ -1,4 +1,4 @@
-/// Exercise 08: the tangents' step that is exact at its fixed point. The task is chapters/08_friction_cone/exercise/task.md.
+/// Exercise 08: a skate. The task is chapters/08_friction_cone/exercise/task.md.
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/exercise/asked.h"
@@ -6,18 +6,20 @@
 namespace student {
 
 using namespace pushback;
+using exercise_08::Skate;
 
-/// Solves both tangents of one contact. Called in each sweep, after the normal.
+/// Solves both tangents of a skate's contact, one along its blade and one across it. Called 300 times.
 ///
-/// You read   one.speed(), two.speed()   u, m/s: how fast the point slips along each tangent now
-///            one.effective_mass         1 / k11, kg; and two.effective_mass 1 / k22
-///            k12                        1/kg: what an impulse of 1 N s along one tangent adds to the slip along the other
-///            bound                      mu times the sum of the normal impulses, N s: the radius of the disc
-///            one.impulse, two.impulse   the sums of this step so far, N s
-/// and call   one.reach(sum)             the sum becomes `sum`, and both bodies get the difference; and two.reach
-inline void solve(Row& one, Row& two, Real k12, Real bound) {
-  // TODO the block's larger eigenvalue; both sums, moved against the slip; their projection to the disc
-  (void)one, (void)two, (void)k12, (void)bound;  // take this line out
+/// You read   along.speed(), across.speed()   u, m/s: how fast the skate slips in each direction now
+///            along.effective_mass            1 / k11, kg; and across.effective_mass 1 / k22
+///            skate.k12                       1/kg: what couples the two
+///            skate.mu_along, mu_across       the coefficients of friction
+///            skate.normal                    the sum of the normal impulses, N s
+///            along.impulse, across.impulse   the sums of this step so far, N s
+/// and call   along.reach(sum)                the sum becomes `sum`, and both bodies get the difference; and across.reach
+inline void solve(Row& along, Row& across, const Skate& skate) {
+  // TODO both sums, moved against the slip and projected, so that at the fixed point the law of the task holds
+  (void)along, (void)across, (void)skate;  // take this line out
   // TODO ends
 }
 

@@ -2,12 +2,20 @@
 #pragma once
 
 #include "pushback/common/exercise/exercise.h"
-#include "pushback/common/world/world.h"
+#include "pushback/common/world/joint.h"
 
 namespace pushback::exercise_13 {
 
+/// A rail in the shape of a ring, which A carries, and the slider on it, a point of B.
+struct RoundRail {
+  Vec3 centre;  ///< Q, m, A's axes, from A's centre of mass
+  Vec3 axis;    ///< m, unit, A's axes: the rail lies in the plane across it
+  Real radius;  ///< R, m
+  Vec3 slider;  ///< P, m, B's axes, from B's centre of mass
+};
+
 struct Answer {
-  std::function<Joint(const World& world, int a, int b, const Vec3& anchor, const Vec3& axis)> hinge;
+  void (*ask)(const RoundRail& rail, const Body& a, const Body& b, Equations& equations);
 };
 
 Numbers play(std::size_t check, Random& random, const Answer& answer);

@@ -1,7 +1,4 @@
-#include <tuple>
-
 #include "pushback/chapters/00_naive_impulses/exercise/asked.h"
-#include "pushback/chapters/00_naive_impulses/exercise/touching.h"
 #include "pushback/chapters/00_naive_impulses/naive.h"
 #include "pushback/common/exercise/shown.h"
 #include "pushback/common/world/measure.h"
@@ -10,376 +7,347 @@ namespace pushback::exercise_00 {
 
 namespace {
 
-using Spin = TwoBars::Spin;
-using Axes = TwoBars::Axes;
+enum class Pivot { on_the_axis, beside_it };
 
-/// The ends separate (`way` = 1) or meet (-1) by their spins, and the centres the other way round, half as fast. The end of B
-/// alone goes the other way than the ends do: what it does says nothing of the pair.
-TwoBars spun_bars(Random& random, Real way, Real e) {
-  TwoBars bars(random, 0, e, Spin::some, Axes::turned);
-  if (way * bars.separates() < 0)
-    for (Body& bar : bars.world.bodies) bar.angular_velocity *= -1;
-  const Vec3 n = bars.contact().normal;
-  bars.world.bodies[1].velocity -= bars.separates() / 2 * n;
-  const Real end_of_b = n.dot(bars.world.bodies[1].velocity_at(bars.contact().point));
-  const Vec3 both = -(bars.separates() / 2 + end_of_b) * n;
-  for (Body& bar : bars.world.bodies) bar.velocity += both;
-  return bars;
-}
+/// A bat and a ball that touch.
+struct Game {
+  World world;
+  Vec3 pivot;            ///< m
+  Real sweet_spot, tip;  ///< m from the pivot, along the bat
 
-/// The impact of two bodies.
-void meet(Touching& touching, const Answer& answer, const std::vector<std::size_t>& quantities = {}) {
-  answer.impact(touching.world, touching.contact());
-  show(touching.world, quantities);
-}
+  /// The ball moves along n, away from the bat, at `leaving`, m/s; towards the bat where that is negative.
+  Game(Random& random, Real leaving, Real restitution, Real swing = 0, Pivot where = Pivot::on_the_axis) {
+    world.gravity.setZero();
+    const Vec3 half{random.between(Real(0.4), Real(0.5)), random.between(Real(0.02), Real(0.03)),
+                    random.between(Real(0.04), Real(0.06))};
+    const Quat turn = random.orientation();
+    n_ = turn * Vec3::UnitY();
+    along_ = turn * Vec3::UnitX();
+    thick_ = half.y();
+    pivot = random.vector(1);
+    if (where == Pivot::beside_it)
+      aside_ = turn * Vec3(0, random.between(Real(0.05), Real(0.1)), random.between(Real(0.1), Real(0.15)));
+    const Real centre = half.x() * random.between(Real(0.8), Real(0.95));
+    tip = centre + half.x();
+    sweet_spot = centre + (half.x() * half.x() + half.y() * half.y()) / (3 * centre);
+    Body bat = box(half, random.between(Real(0.6), Real(1.2))).at(pivot + centre * along_ + aside_);
+    bat.orientation = turn;
+    bat.spinning(turn * Vec3(random.between(-1, 1), random.between(-1, 1), swing));
+    if (swing == 0) bat.angular_velocity.setZero();
+    bat.moving(bat.angular_velocity.cross(bat.position - pivot));
+    world.add(bat);
+    world.bodies[0].refresh_inertia();
+    const auto pin = [middle = pivot, half_length = Vec3(turn * Vec3(0, 0, Real(0.15)))](const Body&, const Body&) {
+      return std::vector<Vec3>{middle - half_length, middle + half_length};
+    };
+    world.joints.push_back({.name = "a pivot", .a = the_world, .b = 0, .ask = {}, .line = pin});  // only to be seen
+    const Vec3 sideways = random.vector(1);
+    world.add(sphere(radius, random.between(Real(0.15), Real(0.4)))
+                  .moving(sideways + (leaving - n_.dot(sideways)) * n_)
+                  .spinning(random.vector(5)));
+    world.contacts = {{.normal = n_, .restitution = restitution, .id = {0, 1, 0}}};
+    touch_at(tip * random.between(Real(0.75), Real(0.95)));
+  }
+
+  void touch_at(Real from_the_pivot) {
+    world.contacts[0].point = pivot + from_the_pivot * along_ + aside_ + thick_ * n_;
+    world.bodies[1].position = world.contacts[0].point + radius * n_;
+  }
+  /// The impulse that the hand had to give, N s.
+  Real play(const Answer& answer, const std::vector<std::size_t>& quantities = {}) {
+    const Vec3 before = momentum(world);
+    answer.hit(world.bodies[0], pivot, world.bodies[1], world.contacts[0]);
+    show(world, quantities);
+    return (momentum(world) - before).norm();
+  }
+  Real pivots_speed() const { return world.bodies[0].velocity_at(pivot).norm(); }
+  Real spin() const { return world.bodies[0].angular_velocity.norm(); }
+  Real separates() const { return separating_speed(world, world.contacts[0]); }
+
+ private:
+  static constexpr Real radius = Real(0.04);
+  Vec3 n_, along_, aside_ = Vec3::Zero();  // the last: from the axis through the pivot to the bat's own
+  Real thick_;
+};
 
 std::vector<Check<Answer>> checks() {
   return {
-      {"two balls that meet head on fly apart e times as fast as they met",
-       1,
-       {{"your ball A leaves with", "m/s", 1e-6}, {"your ball B leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Real e = random.between(Real(0.3), Real(0.8));
-         TwoBalls balls(random, -random.between(3, 5), e);
-         meet(balls, answer);
-         return {balls.along_n(0), balls.along_n(1)};
-       }},
-      {"the ends of two bars separate e times as fast as they met, and the bars turn",
-       1,
-       {{"your bars separate with", "m/s", 1e-6},
-        {"your bar A turns with", "rad/s", 1e-6},
-        {"your bar B turns with", "rad/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Real e = random.between(Real(0.3), Real(0.8));
-         TwoBars bars(random, -random.between(3, 5), e);
-         meet(bars, answer);
-         return {bars.separates(), bars.spin(0), bars.spin(1)};
-       }},
-      {"at e = 1 bars that spin keep their energy",
+      {"a ball rebounds from a bat at rest, and the pivot stays where it is",
        2,
-       {{"your bars, which spin before they meet, separate with", "m/s", 1e-6},
-        {"their energy has grown by", "J", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         TwoBars bars(random, -random.between(3, 5), 1, Spin::some);
-         const Real before = kinetic_energy(bars.world);
-         meet(bars, answer);
-         return {bars.separates(), kinetic_energy(bars.world) - before};
-       }},
-      {"the ends of bars that lie askew separate e times as fast as they met",
-       1,
-       {{"your bars, which lie askew, separate with", "m/s", 1e-6},
-        {"your bar A, which lies askew, spins on with", "rad/s", 1e-6},
-        {"your bar B, which lies askew, spins on with", "rad/s", 1e-6},
-        {"your bars, whose ends meet though their centres part, separate with", "m/s", 1e-6}},
+       {{"the pivot of your bat moves with", "m/s", 1e-8},
+        {"your ball separates from the bat with", "m/s", 1e-6},
+        {"your bat turns with", "rad/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real e = random.between(Real(0.3), Real(0.8));
-         TwoBars bars(random, -random.between(3, 5), e, Spin::some, Axes::turned);
-         meet(bars, answer, {0, 1, 2});
-         TwoBars spun = spun_bars(random, -1, e);
-         meet(spun, answer, {3});
-         return {bars.separates(), bars.spin(0), bars.spin(1), spun.separates()};
+         Game game(random, -random.between(6, 9), e);
+         game.play(answer);
+         return {game.pivots_speed(), game.separates(), game.spin()};
        }},
-      {"bodies that separate by themselves get no impulse",
-       1,
-       {{"your bars, which were separating by themselves, separate with", "m/s", 1e-6},
-        {"your bars, whose ends part though their centres meet, separate with", "m/s", 1e-6}},
+      {"at e = 1 a bat that swings and its ball keep their energy",
+       2,
+       {{"your ball, met by a bat that swings, separates from it with", "m/s", 1e-6},
+        {"the energy of both has grown by", "J", 1e-5},
+        {"the energy of a ball and a bat whose pivot is beside its axis has grown by", "J", 1e-5},
+        {"your bat, whose pivot is beside its axis, turns with", "rad/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         Game game(random, -random.between(6, 9), 1, random.between(5, 8));
+         const Real before = kinetic_energy(game.world);
+         game.play(answer, {0, 1});
+         Game crooked(random, -random.between(6, 9), 1, random.between(5, 8), Pivot::beside_it);
+         const Real crooked_before = kinetic_energy(crooked.world);
+         crooked.play(answer, {2, 3});
+         return {game.separates(), kinetic_energy(game.world) - before, kinetic_energy(crooked.world) - crooked_before,
+                 crooked.spin()};
+       }},
+      {"a hand at the pivot feels nothing of a ball at the sweet spot, and much of one at the tip",
+       2,
+       {{"of a ball at the sweet spot the hand feels", "N s", 1e-6},
+        {"of a ball at the tip the hand feels", "N s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Real e = random.between(Real(0.3), Real(0.8));
-         TwoBars bars(random, random.between(3, 5), e, Spin::some, Axes::turned);
-         meet(bars, answer, {0});
-         TwoBars spun = spun_bars(random, 1, e);
-         meet(spun, answer, {1});
-         return {bars.separates(), spun.separates()};
+         Game game(random, -random.between(6, 9), e);
+         Game other = game;
+         game.touch_at(game.sweet_spot);
+         other.touch_at(other.tip);
+         const Real at_the_sweet_spot = game.play(answer, {0});
+         return {at_the_sweet_spot, other.play(answer, {1})};
+       }},
+      {"a ball that flies away by itself is let go",
+       1,
+       {{"your ball, which was flying away by itself, separates from the bat with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real e = random.between(Real(0.3), Real(0.8));
+         Game game(random, random.between(30, 40), e, random.between(5, 8));
+         game.play(answer);
+         return {game.separates()};
        }},
   };
 }
 
-void right(World& world, Contact& contact) {
-  apply_impulse(world, contact, pair_impulse(world, contact));
-}
-
-/// The terms of the formula.
+/// The terms of the solution; a mistake changes one of them.
 struct Terms {
-  const Body &a, &b;
-  Vec3 n, ra_n, rb_n;
-  Real e, centres, spin_a, spin_b;  // m/s: the parts of v_n
-  Real masses, turn_a, turn_b;      // 1/kg: the parts of K
-  Real v_n() const { return centres + spin_a + spin_b; }
-  Real K() const { return masses + turn_a + turn_b; }
-  Real K(const Mat3& inverse_a, const Mat3& inverse_b) const {
-    return masses + ra_n.dot(inverse_a * ra_n) + rb_n.dot(inverse_b * rb_n);
+  Vec3 d, r;         // m, from the pivot: to the centre of mass, to the point
+  Vec3 arm;          // m, of the impulse
+  Mat3 inertia;      // kg m^2, of the bat
+  Real speed;        // m/s, v_n
+  Real masses;       // 1/kg, the part of K that turns nothing
+  Real gained = -1;  // how often the bat's turn gets the moment of f n
+  Vec3 velocity;     // m/s, of the bat's centre of mass as it was
+
+  Terms(const Body& bat, const Vec3& pivot, const Body& ball, const Contact& c)
+      : d(bat.position - pivot),
+        r(c.point - pivot),
+        arm(r),
+        inertia(about_centre(bat) + steiner(bat, d)),
+        speed(c.normal.dot(ball.velocity_at(c.point) - bat.velocity_at(c.point))),
+        masses(ball.inverse_mass),
+        velocity(bat.velocity) {}
+
+  static Mat3 about_centre(const Body& bat) { return bat.inverse_inertia.inverse(); }
+  static Mat3 steiner(const Body& bat, const Vec3& d) {
+    return (d.squaredNorm() * Mat3::Identity() - d * d.transpose()) / bat.inverse_mass;
   }
-
-  Terms(const World& world, const Contact& c) : Terms(world.bodies_of(c), c) {}
-
- private:
-  Terms(const std::pair<const Body&, const Body&>& bodies, const Contact& c)
-      : a(bodies.first),
-        b(bodies.second),
-        n(c.normal),
-        ra_n((c.point - a.position).cross(c.normal)),
-        rb_n((c.point - b.position).cross(c.normal)),
-        e(c.restitution),
-        centres(c.normal.dot(b.velocity - a.velocity)),
-        spin_a(-a.angular_velocity.dot(ra_n)),
-        spin_b(b.angular_velocity.dot(rb_n)),
-        masses(a.inverse_mass + b.inverse_mass),
-        turn_a(ra_n.dot(a.inverse_inertia * ra_n)),
-        turn_b(rb_n.dot(b.inverse_inertia * rb_n)) {}
+  /// The impulse, N s, applied to the ball and to the bat's turn. The bat's centre follows.
+  Real apply(Body& bat, Body& ball, const Contact& c) const {
+    const Vec3 arm_n = arm.cross(c.normal), turn = inertia.inverse() * arm_n;
+    const Real f = -(1 + c.restitution) * speed / (masses + arm_n.dot(turn));
+    ball.velocity += ball.inverse_mass * f * c.normal;
+    bat.angular_velocity += gained * f * turn;
+    bat.velocity = bat.angular_velocity.cross(d);
+    return f;
+  }
 };
 
-/// Another impulse, where the points approach.
-template <class Impulse>
-Answer with_impulse(Impulse impulse) {
-  return {[impulse](World& world, Contact& c) {
-    if (separating_speed(world, c) < 0) apply_impulse(world, c, impulse(Terms(world, c)));
+void right(Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+  const Terms terms(bat, pivot, ball, c);
+  if (terms.speed < 0) terms.apply(bat, ball, c);
+}
+
+template <class Change>
+Answer changed(Change change) {
+  return {[change](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+    Terms terms(bat, pivot, ball, c);
+    change(terms, bat, ball, c);
+    if (terms.speed < 0) terms.apply(bat, ball, c);
   }};
 }
 
-/// The impulse of another pair than this one.
-template <class Impulse>
-Answer with_every_impulse(Impulse impulse) {
-  return {[impulse](World& world, Contact& c) { apply_impulse(world, c, impulse(Terms(world, c))); }};
-}
-
-/// The right impulse, f n, applied in another way: to each body with its arm and with the sign that it has for it.
-template <class Apply>
-Answer applied(Apply apply) {
-  return {[apply](World& world, Contact& c) {
-    const Vec3 impulse = pair_impulse(world, c) * c.normal;
-    const auto [a, b] = world.bodies_of(c);
-    apply(a, c.point - a.position, impulse, Real(-1));
-    apply(b, c.point - b.position, impulse, Real(1));
+/// And then the velocity of the bat's centre is not that of the turn.
+template <class Velocity>
+Answer with_velocity(Velocity velocity) {
+  return {[velocity](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+    const Terms terms(bat, pivot, ball, c);
+    if (terms.speed >= 0) return;
+    const Vec3 impulse = terms.apply(bat, ball, c) * c.normal;
+    bat.velocity = terms.velocity + velocity(bat, impulse);
   }};
 }
 
-/// A and B turn as if they had these inertias.
-template <class Inertias>
-Answer turned_by(Inertias inertias) {
-  return {[inertias](World& world, Contact& c) {
-    const Vec3 impulse = pair_impulse(world, c) * c.normal;
-    const auto [a, b] = world.bodies_of(c);
-    const auto [of_a, of_b] = inertias(a.inverse_inertia, b.inverse_inertia);
-    a.velocity -= a.inverse_mass * impulse;
-    a.angular_velocity -= of_a * (c.point - a.position).cross(impulse);
-    b.velocity += b.inverse_mass * impulse;
-    b.angular_velocity += of_b * (c.point - b.position).cross(impulse);
-  }};
-}
-
-/// The whole impact, as if they had these inertias.
-template <class Inertias>
-Answer with_inertias(Inertias inertias) {
-  return {[inertias](World& world, Contact& c) {
-    World other = world;
-    const auto [a, b] = other.bodies_of(c);
-    std::tie(a.inverse_inertia, b.inverse_inertia) = inertias(Mat3(a.inverse_inertia), Mat3(b.inverse_inertia));
-    right(other, c);
-    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-      world.bodies[i].velocity = other.bodies[i].velocity;
-      world.bodies[i].angular_velocity = other.bodies[i].angular_velocity;
-    }
-  }};
-}
-
-using Inertias = std::pair<Mat3, Mat3>;
-Inertias both_of_a(const Mat3& a, const Mat3&) {
-  return {a, a};
-}
-Inertias both_of_b(const Mat3&, const Mat3& b) {
-  return {b, b};
-}
-Inertias exchanged(const Mat3& a, const Mat3& b) {
-  return {b, a};
-}
-
-Mat3 in_body_axes(const Body& body) {
-  return body.principal_inverse_inertia.asDiagonal();
+/// As the chapter has it.
+void of_free_bodies(Body& bat, Body& ball, Contact c) {
+  World world;
+  world.bodies = {bat, ball};
+  c.id = {0, 1, 0};
+  apply_impulse(world, c, pair_impulse(world, c));
+  bat = world.bodies[0];
+  ball = world.bodies[1];
 }
 
 std::vector<Mistake<Answer>> mistakes() {
-  const std::string nothing =
-      "it looks as if nothing were applied. v_B += f n / m_B, ω_B += I_B⁻¹ (r_B × f n), and on A the opposite.";
-  const std::string linear =
-      "it looks as if (1+e) multiplied the speed of the centres alone. It belongs to the speed of the points, all of "
-      "v_n. Momentum is conserved whatever f is, so only the energy shows it.";
-  const std::string spin =
-      "it looks as if a spin counted with the wrong sign. A point r from the centre moves with v + ω × r; r × ω is the "
-      "opposite. And A's velocity is subtracted, its spin as well.";
-  const std::string axes =
-      "it looks as if the inertia were that of body axes. Once a body is turned, its moments are about other axes than "
-      "those of the world: inverse_inertia is turned already, principal_inverse_inertia is not.";
-  const std::string turned_round =
-      "it looks as if n, or the sign of v_n, were turned round. n leads from A to B, and v_n = n · (v of B - v of A) "
-      "is negative where the two approach. Only then is there an impulse, and f is positive.";
-  const std::string one_turns =
-      "it looks as if K had the turn of one body alone. The impulse turns both, and each makes the point give way more "
-      "easily: (r × n) · I⁻¹ (r × n) of A and of B.";
-  const std::string one_in_K =
-      "it looks as if K knew one of the bodies alone. The impulse moves both of them: K is the sum of 1/m and (r × n) "
-      "· I⁻¹ (r × n) of A and of B.";
-  const std::string one_in_v =
-      "it looks as if v_n were the speed of one of the points. Both may move: v_n is that of B's point minus that of "
-      "A's, along n.";
-  const std::string one_pushed =
-      "it looks as if one body alone had felt the impulse, so that momentum came out of nothing. B gets f n, and A the "
-      "opposite.";
-  const std::string one_turned =
-      "it looks as if the impulse turned one body alone. It acts beside the centre of mass of both: each gets the "
-      "moment r × f n of its own arm, A with a minus.";
-  const std::string inertia_of =
-      "it looks as if one body had the inertia of the other. Each resists its turn by its own: I_A⁻¹ with r_A × n, "
-      "I_B⁻¹ with r_B × n.";
+  const std::string wall =
+      "it looks as if the bat were as hard to turn as a wall. It gives way: K has the bat's turn about the pivot as "
+      "well.";
+  const std::string factor =
+      "it looks as if the factor of the impulse were another than 1 + e. It takes v_n / K to stop the two, and e of it "
+      "more to send them back.";
+  const std::string from_the_origin =
+      "it looks as if an arm led from the origin of the world. The bat turns about its pivot: d and r lead from there.";
+  const std::string scalar =
+      "it looks as if the bat were equally hard to turn about every axis. Its inertia is a matrix: by I_P⁻¹ (r × n) it "
+      "also begins to turn about other axes than r × n.";
+  const auto away = [](const Vec3& n, const Terms& t) { return Vec3(t.r.cross(n).normalized()); };
   return {
-      {"not applied", nothing, {[](World&, Contact&) {}}},
-      {"(1+e)²",
-       "it looks as if (1+e) were there twice. Once gives them e times the speed at which they met: f = -(1+e) v_n / "
-       "K.",
-       with_impulse([](const Terms& t) { return -(1 + t.e) * (1 + t.e) * t.v_n() / t.K(); })},
-      {"1-e",
-       "it looks as if e were subtracted from 1. It takes one v_n / K to stop the two, and e of it more to send them "
-       "back: 1 + e.",
-       with_impulse([](const Terms& t) { return -(1 - t.e) * t.v_n() / t.K(); })},
-      {"multiplied by K",
-       "it looks as if v_n were multiplied by K. K is the speed that a newton second makes: divide by it.",
-       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() * t.K(); })},
-      {"K without the turn of one body", one_turns,
-       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / (t.masses + t.turn_a); })},
-      {"K without the turn of one body", one_turns,
-       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / (t.masses + t.turn_b); })},
-      {"K of one body", one_in_K,
-       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / (t.a.inverse_mass + t.turn_a); })},
-      {"K of one body", one_in_K,
-       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / (t.b.inverse_mass + t.turn_b); })},
-      {"one body's inertia for both", inertia_of, with_impulse([](const Terms& t) {
-         return -(1 + t.e) * t.v_n() / t.K(t.a.inverse_inertia, t.a.inverse_inertia);
+      {"d dᵀ forgotten",
+       "it looks as if Steiner's term were m |d|² about every axis. About an axis along d the centre of mass does not "
+       "move at all: the term is m (|d|² 1 - d dᵀ).",
+       changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
+         t.inertia = Terms::about_centre(bat) + t.d.squaredNorm() / bat.inverse_mass * Mat3::Identity();
        })},
-      {"one body's inertia for both", inertia_of, with_impulse([](const Terms& t) {
-         return -(1 + t.e) * t.v_n() / t.K(t.b.inverse_inertia, t.b.inverse_inertia);
+      {"sign of d dᵀ",
+       "it looks as if d dᵀ were added. Along d the centre of mass has no arm, so this part is taken off: m (|d|² 1 - "
+       "d dᵀ).",
+       changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
+         t.inertia += 2 / bat.inverse_mass * t.d * t.d.transpose();
        })},
-      {"one body's inertia for both", inertia_of, turned_by(both_of_a)},
-      {"one body's inertia for both", inertia_of, turned_by(both_of_b)},
-      {"one body's inertia for both", inertia_of, with_inertias(both_of_a)},
-      {"one body's inertia for both", inertia_of, with_inertias(both_of_b)},
-      {"inertias exchanged", inertia_of, with_inertias(exchanged)},
-      {"v_n of one point", one_in_v, with_every_impulse([](const Terms& t) {
-         const Real v_n = -t.a.velocity.dot(t.n) + t.spin_a;
-         return v_n < 0 ? -(1 + t.e) * v_n / t.K() : 0;
+      {"one number for the inertia", scalar, changed([away](Terms& t, const Body&, const Body&, const Contact& c) {
+         const Vec3 axis = away(c.normal, t);
+         t.inertia = axis.dot(t.inertia * axis) * Mat3::Identity();
        })},
-      {"v_n of one point", one_in_v, with_every_impulse([](const Terms& t) {
-         const Real v_n = t.b.velocity.dot(t.n) + t.spin_b;
-         return v_n < 0 ? -(1 + t.e) * v_n / t.K() : 0;
+      {"one number for the inertia", scalar, changed([away](Terms& t, const Body&, const Body&, const Contact& c) {
+         const Vec3 axis = away(c.normal, t);
+         t.inertia = Mat3::Identity() / axis.dot(t.inertia.inverse() * axis);
        })},
-      {"one body pushed", one_pushed, applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
-         if (sign < 0) return;
-         body.velocity += body.inverse_mass * impulse;
-         body.angular_velocity += body.inverse_inertia * r.cross(impulse);
+      {"one number for the inertia", scalar, changed([](Terms& t, const Body&, const Body&, const Contact&) {
+         t.inertia = t.inertia.trace() / 3 * Mat3::Identity();
        })},
-      {"one body pushed", one_pushed, applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
-         if (sign > 0) return;
-         body.velocity -= body.inverse_mass * impulse;
-         body.angular_velocity -= body.inverse_inertia * r.cross(impulse);
+      {"an arm from the origin", from_the_origin, changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
+         t.inertia = Terms::about_centre(bat) + Terms::steiner(bat, bat.position);
        })},
-      {"one body turned", one_turned, applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
-         body.velocity += sign * body.inverse_mass * impulse;
-         if (sign > 0) body.angular_velocity += body.inverse_inertia * r.cross(impulse);
+      {"an arm from the origin", from_the_origin, changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
+         t.inertia = Terms::about_centre(bat) + Terms::steiner(bat, bat.position);
+         t.d = bat.position;
        })},
-      {"one body turned", one_turned, applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
-         body.velocity += sign * body.inverse_mass * impulse;
-         if (sign < 0) body.angular_velocity -= body.inverse_inertia * r.cross(impulse);
+      {"an arm from the origin", from_the_origin,
+       changed([](Terms& t, const Body& bat, const Body& ball, const Contact& c) {
+         t.arm = c.point;
+         t.speed = c.normal.dot(ball.velocity - bat.angular_velocity.cross(c.point));
        })},
-      {"the centres decide",
-       "it looks as if the centres decided whether there is an impulse. The points touch: an impulse is needed where "
-       "they approach, spins included, and none where they part.",
-       with_every_impulse([](const Terms& t) { return t.centres < 0 ? -(1 + t.e) * t.v_n() / t.K() : 0; })},
-      {"pushed apart once more",
-       "it looks as if bodies that separate by themselves were pushed on, as by |v_n|. Where v_n is not negative there "
-       "is no impulse.",
-       with_every_impulse([](const Terms& t) { return (1 + t.e) * std::abs(t.v_n()) / t.K(); })},
-      {"e left out",
-       "it looks as if e were left out. 1/K stops the two; (1+e)/K makes them separate again, e times as fast as they "
-       "met.",
-       with_impulse([](const Terms& t) { return -t.v_n() / t.K(); })},
-      {"e for 1+e",
-       "it looks as if the impulse were e times the one that stops the two. It takes one to stop them, and e of it "
-       "more to send them back: 1 + e.",
-       with_impulse([](const Terms& t) { return -t.e * t.v_n() / t.K(); })},
-      {"both pushed the same way",
-       "it looks as if A and B got the same impulse. Action and reaction are opposite: what B gains in momentum, A "
-       "loses.",
-       applied([](Body& body, const Vec3& r, const Vec3& impulse, Real) {
-         body.velocity += body.inverse_mass * impulse;
-         body.angular_velocity += body.inverse_inertia * r.cross(impulse);
+      {"(1+e)²", factor,
+       changed([](Terms& t, const Body&, const Body&, const Contact& c) { t.speed *= 1 + c.restitution; })},
+      {"e left out", factor,
+       changed([](Terms& t, const Body&, const Body&, const Contact& c) { t.speed /= 1 + c.restitution; })},
+      {"e for 1+e", factor, changed([](Terms& t, const Body&, const Body&, const Contact& c) {
+         t.speed *= c.restitution / (1 + c.restitution);
        })},
-      {"both pushed the same way",
-       "it looks as if the centres of A and B got the same impulse. Action and reaction are opposite: what B gains in "
-       "momentum, A loses.",
-       applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
-         body.velocity += body.inverse_mass * impulse;
-         body.angular_velocity += sign * body.inverse_inertia * r.cross(impulse);
-       })},
-      {"K of the masses alone",
-       "it looks as if K had only the masses in it. A body that is hit beside its centre also turns away, so at the "
-       "point it gives way more easily than its mass says.",
-       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / t.masses; })},
-      {"no turn",
-       "it looks as if the impulse changed no spin. It acts at the point, not at the centre of mass: r × f n is its "
-       "moment.",
-       applied([](Body& body, const Vec3&, const Vec3& impulse, Real sign) {
-         body.velocity += sign * body.inverse_mass * impulse;
-       })},
-      {"turned the wrong way",
-       "it looks as if the impulse turned a body the wrong way. The moment is r × f n, not f n × r, and on A it is the "
-       "opposite, as the impulse is.",
-       applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
-         body.velocity += sign * body.inverse_mass * impulse;
-         body.angular_velocity -= sign * body.inverse_inertia * r.cross(impulse);
-       })},
-      {"turned the wrong way",
-       "it looks as if the impulse turned A the wrong way. A gets -f n, so its moment is the opposite, too.",
-       applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
-         body.velocity += sign * body.inverse_mass * impulse;
-         body.angular_velocity += body.inverse_inertia * r.cross(impulse);
-       })},
-      {"(1+e) on the linear part only", linear,
-       with_impulse([](const Terms& t) { return -((1 + t.e) * t.centres + t.spin_a + t.spin_b) / t.K(); })},
-      {"(1+e) on the linear part only", linear,
-       with_impulse([](const Terms& t) { return (-(1 + t.e) * t.centres + t.spin_a + t.spin_b) / t.K(); })},
-      {"sign of the spin", spin,
-       with_impulse([](const Terms& t) { return -(1 + t.e) * (t.centres - t.spin_a - t.spin_b) / t.K(); })},
-      {"sign of the spin", spin,
-       with_impulse([](const Terms& t) { return -(1 + t.e) * (t.centres - t.spin_a + t.spin_b) / t.K(); })},
-      {"spin left out",
-       "it looks as if v_n were the speed of the centres. It is that of the points that touch: v + ω × r.",
-       with_impulse([](const Terms& t) { return -(1 + t.e) * t.centres / t.K(); })},
-      {"inertia in body axes", axes,
-       with_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / t.K(in_body_axes(t.a), in_body_axes(t.b)); })},
-      {"inertia in body axes", axes, applied([](Body& body, const Vec3& r, const Vec3& impulse, Real sign) {
-         body.velocity += sign * body.inverse_mass * impulse;
-         body.angular_velocity += sign * in_body_axes(body) * r.cross(impulse);
-       })},
-      {"inertia in body axes", axes, {[](World& world, Contact& c) {
-         World other = world;
-         for (Body& body : other.bodies) body.inverse_inertia = in_body_axes(body);
-         right(other, c);
-         for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-           world.bodies[i].velocity = other.bodies[i].velocity;
-           world.bodies[i].angular_velocity = other.bodies[i].angular_velocity;
-         }
+      {"one of the two pushed",
+       "it looks as if one of bat and ball had felt nothing. The ball gets f n, and the bat the opposite, which turns "
+       "it.",
+       {[](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+         const Body before = bat;
+         right(bat, pivot, ball, c);
+         bat.velocity = before.velocity;
+         bat.angular_velocity = before.angular_velocity;
        }}},
-      {"n turned round", turned_round, with_every_impulse([](const Terms& t) {
-         return t.v_n() > 0 ? (1 + t.e) * t.v_n() / t.K() : 0;  // v_n = n . (v_A - v_B)
+      {"one of the two pushed",
+       "it looks as if one of bat and ball had felt nothing. The ball gets f n, and the bat the opposite, which turns "
+       "it.",
+       {[](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+         const Vec3 before = ball.velocity;
+         right(bat, pivot, ball, c);
+         ball.velocity = before;
+       }}},
+      {"pushed away once more",
+       "it looks as if a ball that leaves by itself were pushed on, as by |v_n|. Where v_n is not negative there is no "
+       "impulse.",
+       {[](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+         Terms terms(bat, pivot, ball, c);
+         terms.speed = -std::abs(terms.speed);
+         terms.apply(bat, ball, c);
+       }}},
+      {"a free bat",
+       "it looks as if the bat were hit as a free body. Something holds its pivot, and gives an impulse as well. The "
+       "bat can only turn about the pivot.",
+       {[](Body& bat, const Vec3&, Body& ball, const Contact& c) { of_free_bodies(bat, ball, c); }}},
+      {"a free bat, put back on its pivot",
+       "it looks as if the bat were hit as a free body, and its centre of mass put right afterwards. The impulse at "
+       "the pivot acts during the impact, and changes the turn as well.",
+       {[](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+         of_free_bodies(bat, ball, c);
+         bat.velocity = bat.angular_velocity.cross(bat.position - pivot);
+       }}},
+      {"the centre of mass moved by f n / m",
+       "it looks as if the bat's centre of mass moved by f n / m, as that of a free body. The impulse at the pivot "
+       "moves it, too; it follows the turn, v = ω × d.",
+       with_velocity([](const Body& bat, const Vec3& impulse) { return Vec3(-bat.inverse_mass * impulse); })},
+      {"the centre of mass left behind",
+       "it looks as if the bat's centre of mass kept its velocity while the bat began to turn. It is a point of the "
+       "bat and follows the turn, v = ω × d.",
+       with_velocity([](const Body&, const Vec3&) { return Vec3(Vec3::Zero()); })},
+      {"the bat's mass in K",
+       "it looks as if K had the bat's 1/m in it, too. The bat cannot give way as a whole, its pivot is held. It only "
+       "turns, and its mass is in the inertia about the pivot.",
+       changed([](Terms& t, const Body& bat, const Body&, const Contact&) { t.masses += bat.inverse_mass; })},
+      {"Steiner's term forgotten",
+       "it looks as if the inertia were that about the centre of mass. About the pivot the bat is harder to turn: its "
+       "centre of mass has to move, too. Steiner's theorem.",
+       changed([](Terms& t, const Body& bat, const Body&, const Contact&) { t.inertia = Terms::about_centre(bat); })},
+      {"Steiner's term of the wrong arm",
+       "it looks as if Steiner's term had the distance from the pivot to the ball. It has that to the centre of mass: "
+       "this is the mass that moves along.",
+       changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
+         t.inertia = Terms::about_centre(bat) + Terms::steiner(bat, t.r);
        })},
-      {"n turned round", turned_round, with_every_impulse([](const Terms& t) {
-         return t.v_n() > 0 ? -(1 + t.e) * t.v_n() / t.K() : 0;  // the test of its sign, or all of n
+      {"the arm from the centre of mass",
+       "it looks as if the arm r led from the centre of mass. The bat turns about the pivot, so its moments are about "
+       "the pivot.",
+       changed([](Terms& t, const Body&, const Body&, const Contact&) { t.arm = t.r - t.d; })},
+      {"inertia in body axes",
+       "it looks as if the inertia were that of body axes. The bat lies askew: inverse_inertia is turned already, "
+       "principal_inverse_inertia is not.",
+       changed([](Terms& t, const Body& bat, const Body&, const Contact&) {
+         t.inertia = Mat3(bat.principal_inverse_inertia.cwiseInverse().asDiagonal()) + Terms::steiner(bat, t.d);
        })},
-      {"n turned round", turned_round,
-       with_impulse([](const Terms& t) { return (1 + t.e) * t.v_n() / t.K(); })},  // f = (1 + e) v_n / K
-      {"n turned round", turned_round, with_every_impulse([](const Terms& t) { return (1 + t.e) * t.v_n() / t.K(); })},
-      {"separating bodies are held",
-       "it looks as if they got an impulse all the same. A contact cannot pull: where v_n is not negative, there is "
-       "none.",
-       with_every_impulse([](const Terms& t) { return -(1 + t.e) * t.v_n() / t.K(); })},
+      {"a bat like a wall", wall, {[](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+         const Real speed = Terms(bat, pivot, ball, c).speed;
+         if (speed < 0) ball.velocity -= (1 + c.restitution) * speed * c.normal;
+       }}},
+      {"a bat like a wall", wall, {[](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+         const Terms terms(bat, pivot, ball, c);
+         if (terms.speed >= 0) return;
+         const Vec3 velocity = ball.velocity - (1 + c.restitution) * terms.speed * c.normal;
+         const Vec3 impulse = (velocity - ball.velocity) / ball.inverse_mass;
+         ball.velocity = velocity;
+         bat.angular_velocity -= terms.inertia.inverse() * terms.r.cross(impulse);
+         bat.velocity = bat.angular_velocity.cross(terms.d);
+       }}},
+      {"turned the wrong way",
+       "it looks as if the bat turned towards the ball. The ball gets f n, the bat the opposite.",
+       changed([](Terms& t, const Body&, const Body&, const Contact&) { t.gained = 1; })},
+      {"swing left out",
+       "it looks as if the bat's own motion did not count. v_n is the speed at which the points separate, and that of "
+       "the bat moves.",
+       changed(
+           [](Terms& t, const Body&, const Body& ball, const Contact& c) { t.speed = c.normal.dot(ball.velocity); })},
+      {"swing about the centre of mass",
+       "it looks as if the bat's point moved with ω × r, r from the centre of mass. The bat swings about its pivot.",
+       changed([](Terms& t, const Body& bat, const Body& ball, const Contact& c) {
+         t.speed = c.normal.dot(ball.velocity - bat.angular_velocity.cross(t.r - t.d));
+       })},
+      {"a leaving ball is held",
+       "it looks as if the bat pulled at a ball that was leaving. Where v_n is not negative, there is no impulse.",
+       {[](Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
+         Terms(bat, pivot, ball, c).apply(bat, ball, c);
+       }}},
   };
 }
 
@@ -390,14 +358,15 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>("the impulse of a pair",
-                             {"A point that is r from a body's centre of mass moves with v + ω × r. v_n is how fast "
-                              "the point of B moves away from that of A, along n.",
-                              "K says by how much v_n grows for each newton second: 1/m for each body, and (r × n) · "
-                              "I⁻¹ (r × n) for its turn.",
-                              "f = -(1+e) v_n / K where v_n is negative, and none where it is not. Then v_B += f n / "
-                              "m_B, ω_B += I_B⁻¹ (r_B × f n), and the same on A with -f."},
-                             checks(), {right}, mistakes());
+  return exercise_of<Answer>(
+      "a bat that turns about a pivot",
+      {"The bat has no motion but its turn about the pivot. Its point r from the pivot moves with ω × r, and a newton "
+       "second there changes ω by I_P⁻¹ (r × n), with the inertia I_P about the pivot.",
+       "Steiner's theorem: I_P = I + m (|d|² 1 - d dᵀ), where I = bat.inverse_inertia.inverse() and d leads from the "
+       "pivot to the centre of mass.",
+       "So K has 1/m of the ball alone, and (r × n) · I_P⁻¹ (r × n) of the bat, with r from the pivot. The ball does "
+       "not begin to spin: n leads to its centre. Last, bat.velocity = ω × d."},
+      checks(), {right}, mistakes());
 }
 
 }  // namespace pushback::exercise_00

@@ -1,360 +1,283 @@
-#include "pushback/chapters/00_naive_impulses/exercise/touching.h"
 #include "pushback/chapters/01_velocity_constraint/exercise/asked.h"
-#include "pushback/chapters/01_velocity_constraint/solver.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/exercise/shown.h"
+#include "pushback/common/world/measure.h"
 
 namespace pushback::exercise_01 {
 
 namespace {
 
-using exercise_00::TwoBalls;
-using exercise_00::TwoBars;
-using Spin = TwoBars::Spin;
-using Axes = TwoBars::Axes;
+/// A body whose ring is caught by a rail.
+struct Ride {
+  Body body;
+  Vec3 ring, rail;
+  Vec3 rails_velocity = Vec3::Zero();
 
-constexpr Real e = Real(0.5);  // no row of this chapter asks for it
+  void play(const Answer& answer, const std::vector<std::size_t>& quantities = {}) {
+    answer.hold(body, ring, rail, rails_velocity, 24);
+    show(with_rail(), quantities);
+  }
+  /// m/s, of the ring across the rail.
+  Real leaves() const {
+    const Vec3 velocity = body.velocity_at(ring) - rails_velocity;
+    return (velocity - rail.dot(velocity) * rail).norm();
+  }
+  Real along() const { return rail.dot(body.velocity); }  ///< m/s, of the centre of mass
+  /// N m s, about the place where the ring is.
+  Vec3 angular_momentum() const {
+    return spin_momentum(body) + (body.position - ring).cross(body.velocity / body.inverse_mass);
+  }
 
-void solve(World& world, int sweeps, const Answer& answer) {
-  answer.solve(world, sweeps);
-  show(world);
+ private:
+  /// Only to be seen.
+  World with_rail() const {
+    World world;
+    world.add(body);
+    const auto line = [from = Vec3(ring - rail), to = Vec3(ring + rail)](const Body&, const Body&) {
+      return std::vector<Vec3>{from, to};
+    };
+    world.joints.push_back({.name = "a ring on a rail", .a = the_world, .b = 0, .ask = {}, .line = line});
+    return world;
+  }
+};
+
+Ride ball(Random& random) {
+  Body made = sphere(random.between(Real(0.2), Real(0.4)), random.between(5, 20)).moving(random.vector(4));
+  return {made, Vec3::Zero(), random.direction()};
+}
+
+/// Somewhere. The ring is beside its centre, along the bar and a little across it.
+Ride bar(Random& random, bool askew) {
+  const Vec3 half{random.between(Real(0.5), Real(0.8)), random.between(Real(0.2), Real(0.25)),
+                  random.between(Real(0.26), Real(0.3))};
+  const Vec3 ring{half.x() * random.between(Real(0.5), Real(0.65)), random.between(Real(0.05), Real(0.15)),
+                  random.between(Real(0.05), Real(0.15))};
+  Body made = box(half, random.between(5, 20)).moving(random.vector(4)).spinning(random.vector(3));
+  if (askew) made.orientation = random.orientation();
+  made.refresh_inertia();
+  made.position = random.vector(1);
+  return {made, made.position + made.orientation * ring, random.direction()};
 }
 
 std::vector<Check<Answer>> checks() {
   return {
-      {"two balls that meet head on go on together",
+      {"a ball with the ring at its centre keeps its speed along the rail, and no other",
        1,
-       {{"your ball A goes on with", "m/s", 1e-6}, {"your ball B goes on with", "m/s", 1e-6}},
+       {{"your ball leaves the rail with", "m/s", 1e-6},
+        {"your ball goes along the rail with", "m/s", 1e-5},
+        {"your ball, sent the other way, leaves the rail with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         TwoBalls balls(random, -random.between(3, 5), e);
-         solve(balls.world, 1, answer);
-         return {balls.along_n(0), balls.along_n(1)};
+         Ride ride = ball(random), back = ride;
+         back.body.velocity *= -1;
+         ride.play(answer, {0, 1});
+         back.play(answer, {2});
+         return {ride.leaves(), ride.along(), back.leaves()};
        }},
-      {"balls that were leaving go on together, too: JV = 0 holds them",
-       1,
-       {{"your ball A, which was leaving B, goes on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         TwoBalls balls(random, random.between(3, 5), e);
-         solve(balls.world, 1, answer);
-         return {balls.along_n(0)};
-       }},
-      {"points on the ends of two bars keep their distance, and the bars turn",
+      {"the ring of a bar stays on the rail, and the bar swings",
        2,
-       {{"the points of your bars separate with", "m/s", 1e-6},
-        {"your bar A turns with", "rad/s", 1e-6},
-        {"your bar B turns with", "rad/s", 1e-6}},
+       {{"the ring of your bar leaves the rail with", "m/s", 1e-6},
+        {"the centre of your bar goes along the rail with", "m/s", 1e-5},
+        {"the angular momentum of your bar about its ring has changed by", "N m s", 1e-5}},
        [](Random& random, const Answer& answer) -> Numbers {
-         TwoBars bars(random, -random.between(3, 5), e, Spin::some);
-         solve(bars.world, 1, answer);
-         return {bars.separates(), bars.spin(0), bars.spin(1)};
+         Ride ride = bar(random, false);
+         const Vec3 before = ride.angular_momentum();
+         ride.play(answer);
+         return {ride.leaves(), ride.along(), (ride.angular_momentum() - before).norm()};
        }},
-      {"the same holds for bars that lie askew",
+      {"the same holds for a bar that lies askew",
        1,
-       {{"the points of your bars, which lie askew, separate with", "m/s", 1e-6},
-        {"your bar A, which lies askew, turns with", "rad/s", 1e-6},
-        {"your bar B, which lies askew, turns with", "rad/s", 1e-6}},
+       {{"the ring of your bar, which lies askew, leaves the rail with", "m/s", 1e-6},
+        {"the angular momentum of your bar, which lies askew, has changed about its ring by", "N m s", 1e-5},
+        {"your bar, which lies askew, turns with", "rad/s", 1e-5}},
        [](Random& random, const Answer& answer) -> Numbers {
-         TwoBars bars(random, -random.between(3, 5), e, Spin::some, Axes::turned);
-         solve(bars.world, 1, answer);
-         return {bars.separates(), bars.spin(0), bars.spin(1)};
+         Ride ride = bar(random, true);
+         const Vec3 before = ride.angular_momentum();
+         ride.play(answer);
+         return {ride.leaves(), (ride.angular_momentum() - before).norm(), ride.body.angular_velocity.norm()};
        }},
-      {"a column that lands on its four corners stops within twenty sweeps",
+      {"a rail that moves takes the ring along, but not along itself",
        2,
-       {{"after twenty sweeps your column moves up with", "m/s", 1e-6},
-        {"your column turns with", "rad/s", 1e-6},
-        {"your column slides on with", "m/s", 1e-6}},
+       {{"the ring of your bar leaves the moving rail with", "m/s", 1e-6},
+        {"the centre of your bar goes along the moving rail with", "m/s", 1e-5},
+        {"your bar on the moving rail turns with", "rad/s", 1e-5}},
        [](Random& random, const Answer& answer) -> Numbers {
-         World world;
-         const Real width = random.between(Real(0.26), Real(0.28)), height = random.between(Real(0.7), Real(0.75));
-         world.add(ground());
-         world.add(box({width, height, width}, random.between(50, 150))
-                       .at({0, height - Real(0.001), 0})
-                       .moving({random.between(1, 2), -random.between(2, 4), 0})
-                       .bouncy(e));
-         world.find_contacts();
-         solve(world, 20, answer);
-         const Body& column = world.bodies[1];
-         return {column.velocity.y(), column.angular_velocity.norm(), column.velocity.x()};
+         Ride ride = bar(random, true);
+         ride.rails_velocity = random.vector(4);
+         ride.play(answer);
+         return {ride.leaves(), ride.along(), ride.body.angular_velocity.norm()};
        }},
   };
 }
 
-/// What a mistake makes of a row in one visit.
-template <class Visit>
-Answer visiting(Visit visit) {
-  return {[visit](World& world, int sweeps) {
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      for (std::size_t i = 0; i < world.contacts.size(); ++i) {
-        Row row(world, world.contacts[i], world.contacts[i].normal, i);
-        visit(row);
-      }
-    }
-  }};
+/// One row of a body alone, as it stands in the solution; a mistake changes it.
+struct RailRow {
+  Body& body;
+  Vec3 n, r_n;  // J
+  Vec3 dv, dw;  // M^-1 J^T
+  Real K, b;
+  Real speed;  // J V
+
+  RailRow(Body& held, const Vec3& direction, const Vec3& r, const Vec3& rails_velocity)
+      : body(held), n(direction), r_n(r.cross(direction)), b(-direction.dot(rails_velocity)) {
+    weigh(held.inverse_inertia);
+  }
+  void weigh(const Mat3& inverse_inertia) {
+    dv = body.inverse_mass * n;
+    dw = inverse_inertia * r_n;
+    K = body.inverse_mass + r_n.dot(dw);
+    speed = n.dot(body.velocity) + r_n.dot(body.angular_velocity);
+  }
+  void solve() {
+    const Real lambda = -(speed + b) / K;
+    body.velocity += lambda * dv;
+    body.angular_velocity += lambda * dw;
+  }
+};
+
+enum class Directions { across, first, second, along, all };
+
+std::vector<Vec3> directions_of(const Vec3& rail, Directions which) {
+  const auto [t1, t2] = tangents_of(rail);
+  switch (which) {
+    case Directions::first:
+      return {t1};
+    case Directions::second:
+      return {t2};
+    case Directions::along:
+      return {rail};
+    case Directions::all:
+      return {t1, t2, rail};
+    default:
+      return {t1, t2};
+  }
 }
 
-/// What would make J V = 0 if it were `speed`.
-void stop(Row& row, Real speed) {
-  row.apply(-row.effective_mass * speed);
+template <class Change>
+Answer changed(Change change, Directions which = Directions::across, int most = 24) {
+  return {
+      [change, which, most](Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
+        for (int sweep = 0; sweep < std::min(sweeps, most); ++sweep) {
+          for (const Vec3& n : directions_of(rail, which)) {
+            RailRow row(body, n, ring - body.position, rails_velocity);
+            change(row);
+            row.solve();
+          }
+        }
+      }};
 }
 
-Mat3 in_body_axes(const Body& body) {
-  return body.principal_inverse_inertia.asDiagonal();
-}
-
-void right(World& world, int sweeps) {
-  Solver<> solver;
-  solver.solve(world, 1, sweeps);
-}
+void nothing(RailRow&) {}
 
 std::vector<Mistake<Answer>> mistakes() {
+  const std::string few =
+      "it looks as if one direction across the rail were still free. Two directions are at right angles to a rail; "
+      "each needs a row.";
   const std::string order =
-      "it looks as if the torque were n × r, or the speed of a point r × ω. It is r × n and ω × r: an impulse on the "
-      "left of the centre, upwards, turns a body clockwise.";
-  const std::string arm =
-      "it looks as if A's arm had the wrong sign. r_A leads from A's centre of mass to the point, and in J it stands "
-      "with a minus, as A's n does: A's motion is subtracted, and A gets the opposite impulse.";
+      "it looks as if the torque were n × r, or the speed of the ring r × ω. It is r × n and ω × r, with r from the "
+      "centre of mass to the ring.";
   const std::string axes =
-      "it looks as if the inertia were that of body axes. Once a body is turned, its moments are about other axes than "
-      "those of the world: inverse_inertia is turned already, principal_inverse_inertia is not.";
-  const std::string held =
-      "it looks as if your contact only pushed. That is what a contact should do, and chapter 02 makes it so. Here the "
-      "row is an equality, JV = 0: it also pulls, and λ may be negative.";
-  const std::string old =
-      "it looks as if each row used the velocities of before the sweep. Four rows then push against the same fall, "
-      "each as if it were alone. A row has to see what those before it have done.";
-  const std::string one_turns =
-      "it looks as if K had the turn of one body alone. The impulse turns both, and each makes the point give way more "
-      "easily: (r × n) · I⁻¹ (r × n) of A and of B.";
-  const std::string one_in_K =
-      "it looks as if K knew one of the bodies alone. The impulse moves both of them: K = J M⁻¹ Jᵀ has four parts.";
-  const std::string one_in_J =
-      "it looks as if J had one of the bodies alone. Both points may move: J V is the speed of B's minus that of A's.";
-  const std::string one_spin =
-      "it looks as if the spin of one body were left out of J V. Its point moves by it, too: -(r_A × n) · ω_A + (r_B × "
-      "n) · ω_B.";
-  const std::string one_moved =
-      "it looks as if one body alone had felt the impulse, so that momentum came out of nothing. M⁻¹ Jᵀ λ changes the "
-      "velocities of both.";
-  const std::string one_turned =
-      "it looks as if the impulse turned one body alone. It acts beside the centre of mass of both: each gets the "
-      "moment of its own arm.";
-  const std::string inertia_of =
-      "it looks as if one body had the inertia of the other. Each resists its turn by its own: I_A⁻¹ with r_A × n, "
-      "I_B⁻¹ with r_B × n.";
-  const std::string some =
-      "it looks as if some contacts were left out. All four corners carry the column: in each sweep, each has its "
-      "turn.";
-  const auto weighed = [](Row& row, Real K) { row.effective_mass = 1 / K; };
-  const auto turn = [](const Body& body, const Mat3& inverse_inertia, const Vec3& lever) {
-    return body.movable() ? lever.dot(inverse_inertia * lever) : Real(0);
-  };
-  const auto turned = [weighed](Row& row, const Body& of_a, const Body& of_b) {
-    row.dwa = -(of_a.inverse_inertia * row.ra_n);
-    row.dwb = of_b.inverse_inertia * row.rb_n;
-    weighed(row, row.a->inverse_mass + row.b->inverse_mass + row.ra_n.dot(of_a.inverse_inertia * row.ra_n) +
-                     row.rb_n.dot(of_b.inverse_inertia * row.rb_n));
-  };
-  const auto first_contacts = [](std::size_t most) {
-    return Answer{[most](World& world, int sweeps) {
-      for (int sweep = 0; sweep < sweeps; ++sweep) {
-        for (std::size_t i = 0; i < std::min(most, world.contacts.size()); ++i)
-          Row(world, world.contacts[i], world.contacts[i].normal, i).solve();
-      }
-    }};
-  };
+      "it looks as if the inertia were that of body axes. The bar lies askew: inverse_inertia is turned already, "
+      "principal_inverse_inertia is not.";
+  const std::string moment =
+      "it looks as if what holds the ring turned nothing. It acts at the ring, so it has no moment about the ring, but "
+      "it has one about the centre of mass.";
+  const std::string along =
+      "it looks as if the rail took the body along with it. There is no friction: only the part of u across the rail "
+      "is felt.";
   return {
-      {"K without the turn of one body", one_turns, visiting([weighed, turn](Row& row) {
-         weighed(row, row.a->inverse_mass + row.b->inverse_mass + turn(*row.a, row.a->inverse_inertia, row.ra_n));
-         row.solve();
+      {"r from the origin",
+       "it looks as if r led from the origin of the world to the ring. An arm begins at the centre of mass.",
+       changed([](RailRow& row) {
+         row.r_n += row.body.position.cross(row.n);
+         row.weigh(row.body.inverse_inertia);
        })},
-      {"K without the turn of one body", one_turns, visiting([weighed, turn](Row& row) {
-         weighed(row, row.a->inverse_mass + row.b->inverse_mass + turn(*row.b, row.b->inverse_inertia, row.rb_n));
-         row.solve();
-       })},
-      {"K of one body", one_in_K, visiting([weighed](Row& row) {
-         weighed(row, row.a->inverse_mass + row.ra_n.dot(row.a->inverse_inertia * row.ra_n));
-         row.solve();
-       })},
-      {"K of one body", one_in_K, visiting([weighed](Row& row) {
-         weighed(row, row.b->inverse_mass + row.rb_n.dot(row.b->inverse_inertia * row.rb_n));
-         row.solve();
-       })},
-      {"one body's inertia for both", inertia_of, visiting([weighed](Row& row) {
-         weighed(row, row.a->inverse_mass + row.b->inverse_mass + row.ra_n.dot(row.a->inverse_inertia * row.ra_n) +
-                          row.rb_n.dot(row.a->inverse_inertia * row.rb_n));
-         row.solve();
-       })},
-      {"one body's inertia for both", inertia_of, visiting([weighed](Row& row) {
-         weighed(row, row.a->inverse_mass + row.b->inverse_mass + row.ra_n.dot(row.b->inverse_inertia * row.ra_n) +
-                          row.rb_n.dot(row.b->inverse_inertia * row.rb_n));
-         row.solve();
-       })},
-      {"one body's inertia for both", inertia_of, visiting([turned](Row& row) {
-         turned(row, *row.a, *row.a);
-         row.solve();
-       })},
-      {"one body's inertia for both", inertia_of, visiting([turned](Row& row) {
-         turned(row, *row.b, *row.b);
-         row.solve();
-       })},
-      {"J of one body", one_in_J,
-       visiting([](Row& row) { stop(row, -row.n.dot(row.a->velocity) - row.ra_n.dot(row.a->angular_velocity)); })},
-      {"J of one body", one_in_J,
-       visiting([](Row& row) { stop(row, row.n.dot(row.b->velocity) + row.rb_n.dot(row.b->angular_velocity)); })},
-      {"J of one body", one_in_J, visiting([weighed](Row& row) {
-         weighed(row, row.a->inverse_mass + row.ra_n.dot(row.a->inverse_inertia * row.ra_n));
-         row.dvb = row.dwb = Vec3::Zero();
-         stop(row, -row.n.dot(row.a->velocity) - row.ra_n.dot(row.a->angular_velocity));
-       })},
-      {"J of one body", one_in_J, visiting([weighed](Row& row) {
-         weighed(row, row.b->inverse_mass + row.rb_n.dot(row.b->inverse_inertia * row.rb_n));
-         row.dva = row.dwa = Vec3::Zero();
-         stop(row, row.n.dot(row.b->velocity) + row.rb_n.dot(row.b->angular_velocity));
-       })},
-      {"one body's spin left out", one_spin,
-       visiting([](Row& row) { stop(row, row.speed() + row.ra_n.dot(row.a->angular_velocity)); })},
-      {"one body's spin left out", one_spin,
-       visiting([](Row& row) { stop(row, row.speed() - row.rb_n.dot(row.b->angular_velocity)); })},
-      {"one body moved", one_moved, visiting([](Row& row) {
-         row.dva = row.dwa = Vec3::Zero();
-         stop(row, row.speed());
-       })},
-      {"one body moved", one_moved, visiting([](Row& row) {
-         row.dvb = row.dwb = Vec3::Zero();
-         stop(row, row.speed());
-       })},
-      {"one body turned", one_turned, visiting([](Row& row) {
-         row.dwa.setZero();
-         stop(row, row.speed());
-       })},
-      {"one body turned", one_turned, visiting([](Row& row) {
-         row.dwb.setZero();
-         stop(row, row.speed());
-       })},
-      {"contacts left out", some, first_contacts(1)},
-      {"contacts left out", some, first_contacts(2)},
-      {"contacts left out", some, first_contacts(3)},
-      {"not applied", "it looks as if no velocity changed. V += M⁻¹ Jᵀ λ, for both bodies.", visiting([](Row&) {})},
-      {"sign of λ", "it looks as if λ had the wrong sign. It has to undo JV, so λ = -JV / K.",
-       visiting([](Row& row) { stop(row, -row.speed()); })},
-      {"multiplied by K",
-       "it looks as if JV were multiplied by K, or by the masses' inverses. K is the speed that a newton second makes; "
-       "divide by it.",
-       visiting([](Row& row) { row.apply(-row.speed() / row.effective_mass); })},
-      {"both pushed the same way",
-       "it looks as if A and B got the same impulse. The first half of J has a minus: what B gains in momentum, A "
-       "loses.",
-       visiting([](Row& row) {
-         row.dva = -row.dva;
-         row.dwa = -row.dwa;
-         stop(row, row.speed());
-       })},
-      {"a bounce",
-       "it looks as if e were in it. Here b = 0: the points are to keep their distance. Bounces come in chapter 05.",
-       visiting([](Row& row) { stop(row, (1 + e) * row.speed()); })},
-      {"only a push", held, visiting([](Row& row) { stop(row, std::min(Real(0), row.speed())); })},
-      {"only a push", held, {[](World& world, int sweeps) {
-         Rows rows;
-         for (std::size_t i = 0; i < world.contacts.size(); ++i) {
-           rows.emplace_back(world, world.contacts[i], world.contacts[i].normal, i);
-           rows.back().lo = 0;
-         }
+      {"taken along by the rail",
+       along,
+       {[](Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
+         body.velocity += rail.dot(rails_velocity) * rail;
+         changed(nothing).hold(body, ring, rail, rails_velocity, sweeps);
+       }}},
+      {"taken along by the rail",
+       along,
+       {[](Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
+         body.velocity -= rails_velocity;
+         changed(nothing).hold(body, ring, rail, Vec3::Zero(), sweeps);
+       }}},
+      {"only a push",
+       "it looks as if a row could only push. A ring is held from both sides: λ may be negative.",
+       {[](Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
          for (int sweep = 0; sweep < sweeps; ++sweep)
-           for (Row& row : rows) row.solve();
-       }}},
-      {"n × r for r × n", order, visiting([](Row& row) {
-         row.ra_n = -row.ra_n;
-         row.rb_n = -row.rb_n;
-         row.weigh();
-         row.solve();
-       })},
-      {"n × r for r × n", order, visiting([](Row& row) {
-         const Real speed = row.speed();
-         row.dwa = -row.dwa;
-         row.dwb = -row.dwb;
-         stop(row, speed);
-       })},
-      {"n × r for r × n", order, visiting([](Row& row) {
-         row.ra_n = -row.ra_n;
-         row.rb_n = -row.rb_n;
-         stop(row, row.speed());
-       })},
-      {"sign of A's arm", arm, visiting([](Row& row) {
-         row.ra_n = -row.ra_n;
-         row.weigh();
-         row.solve();
-       })},
-      {"sign of A's arm", arm, visiting([](Row& row) {
-         row.ra_n = -row.ra_n;
-         stop(row, row.speed());
-       })},
-      {"sign of A's arm", arm, visiting([](Row& row) {
-         row.dwa = -row.dwa;
-         stop(row, row.speed());
-       })},
-      {"speed of the centres",
-       "it looks as if JV were the speed of the centres. It is that of the points: the spins are in V, and (r × n) in "
-       "J.",
-       visiting([](Row& row) { stop(row, row.n.dot(row.b->velocity - row.a->velocity)); })},
-      {"K of the masses alone",
-       "it looks as if K had only the masses in it. An impulse beside the centre turns the body as well, and the point "
-       "gives way more easily than the mass says: (r × n) · I⁻¹ (r × n), for each body.",
-       visiting([](Row& row) {
-         row.effective_mass = 1 / (row.a->inverse_mass + row.b->inverse_mass);
-         row.solve();
-       })},
-      {"no turn",
-       "it looks as if the impulse changed no spin. It acts at the point, not at the centre: ω changes by I⁻¹ (r × n) "
-       "λ.",
-       visiting([](Row& row) {
-         row.dwa.setZero();
-         row.dwb.setZero();
-         row.solve();
-       })},
-      {"inertia not turned", axes, visiting([](Row& row) {
-         row.dwa = -in_body_axes(*row.a) * row.ra_n;
-         row.dwb = in_body_axes(*row.b) * row.rb_n;
-         row.solve();
-       })},
-      {"inertia not turned", axes, visiting([](Row& row) {
-         const Mat3 a = in_body_axes(*row.a), b = in_body_axes(*row.b);
-         row.effective_mass =
-             1 / (row.a->inverse_mass + row.b->inverse_mass + row.ra_n.dot(a * row.ra_n) + row.rb_n.dot(b * row.rb_n));
-         row.solve();
-       })},
-      {"inertia not turned", axes, visiting([](Row& row) {
-         row.dwa = -in_body_axes(*row.a) * row.ra_n;
-         row.dwb = in_body_axes(*row.b) * row.rb_n;
-         row.effective_mass =
-             1 / (row.a->inverse_mass + row.b->inverse_mass + row.rb_n.dot(row.dwb) - row.ra_n.dot(row.dwa));
-         row.solve();
-       })},
-      {"velocities of before the sweep", old, {[](World& world, int sweeps) {
-         for (int sweep = 0; sweep < sweeps; ++sweep) {
-           std::vector<Real> speeds;
-           for (const Contact& contact : world.contacts) speeds.push_back(separating_speed(world, contact));
-           for (std::size_t i = 0; i < speeds.size(); ++i) {
-             Row row(world, world.contacts[i], world.contacts[i].normal, i);
-             stop(row, speeds[i]);
+           for (const Vec3& n : directions_of(rail, Directions::across)) {
+             RailRow row(body, n, ring - body.position, rails_velocity);
+             if (row.speed + row.b < 0) row.solve();
            }
-         }
        }}},
-      {"velocities of before the step",
-       "it looks as if JV were computed once, before the first sweep. Then every sweep pushes against the same fall "
+      {"sign of λ", "it looks as if λ had the wrong sign. It has to undo J V + b: λ = -(J V + b) / K.",
+       changed([](RailRow& row) { row.K = -row.K; })},
+      {"multiplied by K",
+       "it looks as if J V + b were multiplied by K. K is the speed that a newton second makes: divide by it.",
+       changed([](RailRow& row) { row.K = 1 / row.K; })},
+      {"held along the rail",
+       "it looks as if the rail's own direction were the forbidden one. Along the rail the ring is free; n is at right "
+       "angles to it.",
+       changed(nothing, Directions::along)},
+      {"held in all directions",
+       "it looks as if the ring were nailed to its place. A rail without friction gives no impulse along itself.",
+       changed(nothing, Directions::all)},
+      {"one row only", few, changed(nothing, Directions::first)},
+      {"one row only", few, changed(nothing, Directions::second)},
+      {"the centre on the rail",
+       "it looks as if the centre of mass were held, not the ring. J V is the speed of the ring, v + ω × r.",
+       {[](Body& body, const Vec3&, const Vec3& rail, const Vec3& rails_velocity, int) {
+         const Vec3 velocity = body.velocity - rails_velocity;
+         body.velocity -= velocity - rail.dot(velocity) * rail;
+       }}},
+      {"the centre on the rail",
+       "it looks as if JV had no ω in it. The rail holds the ring, not the centre of mass: its speed is that of v + ω "
+       "× r.",
+       changed([](RailRow& row) { row.speed = row.n.dot(row.body.velocity); })},
+      {"no turn", moment, changed([](RailRow& row) {
+         row.dw.setZero();
+         row.K = row.body.inverse_mass;
+       })},
+      {"no turn", moment, changed([](RailRow& row) { row.dw.setZero(); })},
+      {"K of the mass alone",
+       "it looks as if K had only the mass in it. The ring also gives way because the bar turns: (r × n) · I⁻¹ (r × "
+       "n). Without it each impulse is too large, and the next has more to undo.",
+       changed([](RailRow& row) { row.K = row.body.inverse_mass; })},
+      {"n × r for r × n", order, changed([](RailRow& row) {
+         row.r_n = -row.r_n;
+         row.weigh(row.body.inverse_inertia);
+       })},
+      {"n × r for r × n", order, changed([](RailRow& row) { row.dw = -row.dw; })},
+      {"n × r for r × n", order, changed([](RailRow& row) {
+         row.speed = row.n.dot(row.body.velocity) - row.r_n.dot(row.body.angular_velocity);
+       })},
+      {"velocities of before the first sweep",
+       "it looks as if JV were computed once, before the first sweep. Then every sweep pushes against the same speed "
        "again. JV is computed anew before each impulse.",
-       {[](World& world, int sweeps) {
-         std::vector<Real> speeds;
-         for (const Contact& contact : world.contacts) speeds.push_back(separating_speed(world, contact));
-         for (int sweep = 0; sweep < sweeps; ++sweep) {
-           for (std::size_t i = 0; i < speeds.size(); ++i) {
-             Row row(world, world.contacts[i], world.contacts[i].normal, i);
-             stop(row, speeds[i]);
-           }
-         }
+       {[](Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
+         std::vector<RailRow> rows;
+         for (const Vec3& n : directions_of(rail, Directions::across))
+           rows.emplace_back(body, n, ring - body.position, rails_velocity);
+         for (int sweep = 0; sweep < sweeps; ++sweep)
+           for (RailRow& row : rows) row.solve();
        }}},
       {"one sweep",
-       "it looks as if the rows were solved once. Each row disturbs those before it, less in each sweep: go over all "
-       "rows `sweeps` times.",
-       {[](World& world, int) { right(world, 1); }}},
+       "it looks as if the rows were solved once. Where the ring is not at the centre of mass, the second row moves "
+       "the ring along the first: solve them in turn, over and over.",
+       changed(nothing, Directions::across, 1)},
+      {"inertia not turned", axes,
+       changed([](RailRow& row) { row.dw = Mat3(row.body.principal_inverse_inertia.asDiagonal()) * row.r_n; })},
+      {"inertia not turned", axes,
+       changed([](RailRow& row) { row.weigh(row.body.principal_inverse_inertia.asDiagonal()); })},
+      {"b forgotten",
+       "it looks as if the rail were at rest. The ring has to move across the rail as the rail does: b = -n · u, with "
+       "the rail's velocity u.",
+       changed([](RailRow& row) { row.b = 0; })},
+      {"sign of b",
+       "it looks as if b had the wrong sign. JV + b = 0 asks for the speed -b along n; the rail has n · u.",
+       changed([](RailRow& row) { row.b = -row.b; })},
   };
 }
 
@@ -366,13 +289,13 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 
 Exercise exercise() {
   return exercise_of<Answer>(
-      "a row, its J and K, and how an impulse is applied",
-      {"J V is the speed at which the point of B moves away from that of A: n · (v_B - v_A) + (r_B × n) · ω_B - (r_A × "
-       "n) · ω_A, with r from each centre of mass to the point.",
-       "K is the change of J V by an impulse of 1 N s: 1/m_A + 1/m_B + (r_A × n) · I_A⁻¹ (r_A × n) + (r_B × n) · I_B⁻¹ "
-       "(r_B × n). Then λ = -J V / K.",
-       "v_B += λ n / m_B, ω_B += I_B⁻¹ (r_B × n) λ; on A the same with a minus. Do it at once, before the next row."},
-      checks(), {right}, mistakes());
+      "a body on a rail",
+      {"Two rows: one for each direction n at right angles to the rail, which are the two of tangents_of(rail). J V is "
+       "the speed of the ring along n, n · v + (r × n) · ω.",
+       "K = 1/m + (r × n) · I⁻¹ (r × n), with r from the centre of mass to the ring. Nothing of the rail is in it.",
+       "The ring is to have the rail's speed along n, n · u. The row makes J V = -b, so b = -n · u. Compute J V anew "
+       "before each impulse."},
+      checks(), changed(nothing), mistakes());
 }
 
 }  // namespace pushback::exercise_01

@@ -1,107 +1,129 @@
 #include "pushback/chapters/02_clamping/exercise/asked.h"
 #include "pushback/common/exercise/shown.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback::exercise_02 {
 
 namespace {
 
-/// The rows of what touches in this world, each solved `sweeps` times by the answer.
-Rows solved(World& world, const Answer& answer, int sweeps, Real bias = 0,
-            const std::vector<std::size_t>& quantities = {}) {
-  world.find_contacts();
+/// What one step does to a magnet on the ground, which is iron.
+struct Magnet {
+  World world;
   Rows rows;
-  for (std::size_t i = 0; i < world.contacts.size(); ++i) {
-    rows.emplace_back(world, world.contacts[i], world.contacts[i].normal, i);
-    rows.back().bias = bias;
+  Real force, h;
+
+  /// A ball, which touches at one point, moves upwards with `share` of the speed from which the magnet can just stop it.
+  static Magnet ball(Random& random, Real share) {
+    return {random, sphere(Real(0.5), random.between(5, 20)).at({0, Real(0.499), 0}), share};
   }
-  for (int sweep = 0; sweep < sweeps; ++sweep)
-    for (Row& row : rows) answer.solve(row);
-  for (std::size_t i = 0; i < rows.size(); ++i) world.contacts[i].impulse = rows[i].impulse * rows[i].n;
-  show(world, quantities);
-  return rows;
-}
+  /// The column of the page, which touches at four.
+  static Magnet column(Random& random, Real share) {
+    const Real width = random.between(Real(0.22), Real(0.28)), height = random.between(Real(0.75), Real(0.9));
+    return {random, box({width, height, width}, random.between(50, 150)).at({0, height - Real(0.001), 0}), share};
+  }
 
-Real sum_of(const Rows& rows) {
-  Real sum = 0;
-  for (const Row& row : rows) sum += row.impulse;
-  return sum;
-}
+  Body& body() { return world.bodies[1]; }
+  /// m/s, from which the magnet can just stop the body in this step.
+  Real can_stop() { return force * h * body().inverse_mass; }
+  void play(const Answer& answer, const std::vector<std::size_t>& quantities = {}, Real bias = 0) {
+    for (Row& row : rows) row.bias = bias;
+    for (int sweep = 0; sweep < 100; ++sweep) answer.sweep(rows, force, h);
+    for (std::size_t i = 0; i < std::min(rows.size(), world.contacts.size()); ++i)
+      world.contacts[i].impulse = rows[i].impulse * rows[i].n;
+    show(world, quantities);
+  }
+  Real upwards() { return body().velocity.y(); }
+  Real impulse() const {
+    Real sum = 0;
+    for (const Row& row : rows) sum += row.impulse;
+    return sum;
+  }
+  Real least_impulse() const {
+    Real least = std::numeric_limits<Real>::infinity();
+    for (const Row& row : rows) least = std::min(least, row.impulse);
+    return least;
+  }
 
-/// A ball that touches the ground and moves up or down: its speed after ten sweeps, and the impulse that was kept.
-struct Ball {
-  Real speed, impulse;
-  Ball(Real mass, Real upwards, const Answer& answer, Real bias = 0, const std::vector<std::size_t>& quantities = {}) {
-    World world;
+  Magnet(const Magnet&) = delete;
+
+ private:
+  Magnet(Random& random, const Body& made, Real share)
+      : force(random.between(40, 80) / made.inverse_mass), h(1 / random.between(50, 80)) {
     world.add(ground());
-    world.add(sphere(Real(0.5), mass).at({0, Real(0.499), 0}).moving({0, upwards, 0}));
-    impulse = sum_of(solved(world, answer, 10, bias, quantities));
-    speed = world.bodies[1].velocity.y();
+    world.add(made);
+    body().velocity.y() = share * can_stop();
+    world.find_contacts();
+    for (std::size_t i = 0; i < world.contacts.size(); ++i)
+      rows.emplace_back(world, world.contacts[i], world.contacts[i].normal, i);
   }
 };
 
-/// The column of the page, 1 mm in the ground.
-World column(Random& random) {
-  World world;
-  const Real width = random.between(Real(0.22), Real(0.28)), height = random.between(Real(0.75), Real(0.9));
-  world.add(ground());
-  world.add(box({width, height, width}, random.between(50, 150)).at({0, height - Real(0.001), 0}));
-  return world;
-}
-
 std::vector<Check<Answer>> checks() {
   return {
-      {"a ball that lands stops",
+      {"a ball that the magnet can hold stays",
        1,
-       {{"your ball, which lands alone on one point, leaves with", "m/s", 1e-6},
-        {"its row keeps an impulse of", "N s", 1e-6}},
+       {{"your ball, which the magnet can hold, leaves with", "m/s", 1e-6},
+        {"the row of your ball keeps an impulse of", "N s", 1e-4}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const Real mass = random.between(5, 20), fall = random.between(1, 5);
-         const Ball ball(mass, -fall, answer);
-         return {ball.speed, ball.impulse};
+         Magnet ball = Magnet::ball(random, random.between(Real(0.3), Real(0.9)));
+         ball.play(answer);
+         return {ball.upwards(), ball.impulse()};
        }},
-      {"a ball that leaves is not held back, nor pushed",
-       1,
-       {{"your ball, which was leaving by itself, leaves with", "m/s", 1e-6},
-        {"its row keeps an impulse of", "N s", 1e-6}},
+      {"a ball that is too fast leaves, slower by F h / m",
+       2,
+       {{"your ball, which is too fast for the magnet, leaves with", "m/s", 1e-6},
+        {"your ball, which is shot off the magnet, leaves with", "m/s", 1e-6},
+        {"the row of the shot ball keeps an impulse of", "N s", 1e-4}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const Real mass = random.between(5, 20), leaves = random.between(1, 5);
-         const Ball ball(mass, leaves, answer);
-         return {ball.speed, ball.impulse};
+         Magnet ball = Magnet::ball(random, random.between(Real(1.5), 4));
+         Magnet shot = Magnet::ball(random, random.between(150, 300));
+         ball.play(answer, {0});
+         shot.play(answer, {1, 2});
+         return {ball.upwards(), shot.upwards(), shot.impulse()};
+       }},
+      {"a ball that lands is stopped, however hard",
+       1,
+       {{"your ball, which lands on the magnet, leaves with", "m/s", 1e-6},
+        {"the row of your ball keeps an impulse of", "N s", 1e-4},
+        {"your column, which lands flat and hard, leaves with", "m/s", 1e-6},
+        {"your column, which lands flat and hard, turns with", "rad/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         Magnet ball = Magnet::ball(random, -random.between(Real(1.5), 4));
+         Magnet column = Magnet::column(random, -random.between(8, 12));
+         ball.play(answer, {0, 1});
+         column.play(answer, {2, 3});
+         return {ball.upwards(), ball.impulse(), column.upwards(), column.body().angular_velocity.norm()};
        }},
       {"b is minus the speed that is wanted",
        1,
-       {{"your ball, of which b asks a separating speed, leaves with", "m/s", 1e-6},
-        {"your ball, which b lets come nearer, goes on with", "m/s", 1e-6}},
+       {{"your ball, of which b asks a separating speed, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const Real mass = random.between(5, 20), fall = random.between(1, 5), wanted = random.between(1, 3);
-         const Real slower = random.between(Real(0.2), Real(0.8)) * fall;
-         return {Ball(mass, -fall, answer, -wanted, {0}).speed, Ball(mass, -fall, answer, slower, {1}).speed};
+         Magnet ball = Magnet::ball(random, random.between(Real(0.4), Real(0.9)));
+         ball.play(answer, {}, -random.between(Real(0.1), Real(0.3)) * ball.can_stop());
+         return {ball.upwards()};
        }},
-      {"a column that lands flat comes to rest",
+      {"the four points of a column hold F together",
        2,
-       {{"your column leaves with", "m/s", 1e-6},
-        {"your column turns with", "rad/s", 1e-6},
-        {"the impulses of its four rows add up to", "N s", 1e-4}},
+       {{"your column, which is too fast for four points, leaves with", "m/s", 1e-6},
+        {"your column, which four points can hold, leaves with", "m/s", 1e-6},
+        {"the impulses of the latter's four rows add up to", "N s", 1e-4}},
        [](Random& random, const Answer& answer) -> Numbers {
-         World world = column(random);
-         Body& body = world.bodies[1];
-         body.velocity.y() = -random.between(2, 4);
-         const Real sum = sum_of(solved(world, answer, 60));
-         return {body.velocity.y(), body.angular_velocity.norm(), sum};
+         Magnet fast = Magnet::column(random, random.between(Real(1.3), 3));
+         Magnet slow = Magnet::column(random, random.between(Real(0.3), Real(0.7)));
+         fast.play(answer, {0});
+         slow.play(answer, {1, 2});
+         return {fast.upwards(), slow.upwards(), slow.impulse()};
        }},
-      {"a column that turns is pushed on one side, and let go on the other",
-       2,
-       {{"your column leaves with", "m/s", 1e-6},
+      {"a column that lands turning is pushed on one side, and held on the other",
+       1,
+       {{"your column, which lands turning, leaves with", "m/s", 1e-6},
         {"your column turns on with", "rad/s", 1e-6},
         {"the least impulse of its four rows is", "N s", 1e-4}},
        [](Random& random, const Answer& answer) -> Numbers {
-         World world = column(random);
-         Body& body = world.bodies[1];
-         body.velocity.y() = -random.between(Real(0.8), Real(1.2));
-         body.angular_velocity.z() = random.between(5, 7);
-         Real least = std::numeric_limits<Real>::infinity();
-         for (const Row& row : solved(world, answer, 60)) least = std::min(least, row.impulse);
-         return {body.velocity.y(), body.angular_velocity.z(), least};
+         Magnet column = Magnet::column(random, -random.between(1, 2));
+         column.body().angular_velocity.z() = random.between(8, 12) * column.can_stop();
+         column.play(answer);
+         return {column.upwards(), column.body().angular_velocity.z(), column.least_impulse()};
        }},
   };
 }
@@ -110,136 +132,137 @@ Real wanted(const Row& row) {
   return row.impulse - row.effective_mass * (row.speed() + row.bias);
 }
 
-void right(Row& row) {
-  const Real sum = std::max(Real(0), wanted(row));
+/// What each of the points can pull in a step, N s.
+Real pull(const Rows& rows, Real force, Real h) {
+  return force * h / static_cast<Real>(rows.size());
+}
+
+void reach(Row& row, Real sum) {
   row.apply(sum - row.impulse);
   row.impulse = sum;
 }
 
+void right(Rows& rows, Real force, Real h) {
+  for (Row& row : rows) reach(row, std::max(-pull(rows, force, h), wanted(row)));
+}
+
 std::vector<Mistake<Answer>> mistakes() {
-  const std::string cut_off =
-      "it looks as if a b of one sign did not count. A negative b asks for a separating speed, and a positive b lets "
-      "the bodies come nearer at up to that speed: the row solves J V + b = 0 for both.";
+  const std::string lets_go =
+      "it looks as if the magnet let go at once of what it cannot hold. It still pulls with all of F and slows it "
+      "down.";
+  const std::string points =
+      "it looks as if some points were left out. The magnet holds at all n of them, each with F/n.";
   return {
-      {"each correction clamped",
-       "it looks as if each correction were clamped, not their sum. A correction that is negative takes back a push "
-       "that was too large; without it nothing ever does.",
-       {[](Row& row) {
-         const Real lambda = std::max(Real(0), -row.effective_mass * (row.speed() + row.bias));
-         row.impulse += lambda;
-         row.apply(lambda);
+      {"no magnet",
+       "it looks as if nothing pulled. The sum may be negative, down to what the magnet can give.",
+       {[](Rows& rows, Real, Real) {
+         for (Row& row : rows) reach(row, std::max(Real(0), wanted(row)));
+       }}},
+      {"glue",
+       "it looks as if the magnet held whatever comes. It can give F for h seconds, and no more.",
+       {[](Rows& rows, Real, Real) {
+         for (Row& row : rows) reach(row, wanted(row));
+       }}},
+      {"h forgotten",
+       "it looks as if the impulse were compared with the force. A force of F gives F h newton seconds in a step.",
+       {[](Rows& rows, Real force, Real) {
+         for (Row& row : rows) reach(row, std::max(-pull(rows, force, 1), wanted(row)));
+       }}},
+      {"sign of F",
+       "it looks as if the magnet pushed with F, or more. A pull is a negative impulse: the sum is at least -F h.",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) reach(row, std::max(pull(rows, force, h), wanted(row)));
+       }}},
+      {"each correction limited",
+       "it looks as if each correction were limited, not their sum. A magnet that pulls with F h again in each of a "
+       "hundred sweeps holds a hundred times its force.",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) reach(row, row.impulse + std::max(-pull(rows, force, h), wanted(row) - row.impulse));
+       }}},
+      {"the push limited as well",
+       "it looks as if the push had a limit, too. F is the most that the magnet pulls; iron that is landed on pushes "
+       "back as hard as it takes.",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) reach(row, std::clamp(wanted(row), -pull(rows, force, h), pull(rows, force, h)));
+       }}},
+      {"the old sum limited",
+       "it looks as if the old sum were limited, and the correction added after that. Then the sum itself may pull by "
+       "any amount: limit the new sum, max(-F h / n, Σλ + λ).",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) reach(row, std::max(-pull(rows, force, h), row.impulse) + wanted(row) - row.impulse);
+       }}},
+      {"a limit on what is applied",
+       "it looks as if what is applied at a time were limited as well. A push that was too large is taken back whole, "
+       "however large: only the sum is limited.",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) {
+           const Real sum = std::max(-pull(rows, force, h), wanted(row));
+           row.apply(std::max(-pull(rows, force, h), sum - row.impulse));
+           row.impulse = sum;
+         }
+       }}},
+      {"points left out", points, {[](Rows& rows, Real force, Real h) {
+         reach(rows[0], std::max(-pull(rows, force, h), wanted(rows[0])));
+       }}},
+      {"points left out", points, {[](Rows& rows, Real force, Real h) {
+         for (std::size_t i = 0; i < std::min<std::size_t>(2, rows.size()); ++i)
+           reach(rows[i], std::max(-pull(rows, force, h), wanted(rows[i])));
+       }}},
+      {"always four points",
+       "it looks as if F were always shared by four points. A ball touches at one: n is rows.size().",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) reach(row, std::max(-force * h / 4, wanted(row)));
+       }}},
+      {"sign of b",
+       "it looks as if b had the wrong sign. The row solves J V + b = 0, so the wanted speed is -b.",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows)
+           reach(row, std::max(-pull(rows, force, h), row.impulse - row.effective_mass * (row.speed() - row.bias)));
+       }}},
+      {"lets go", lets_go, {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) reach(row, wanted(row) < -pull(rows, force, h) ? 0 : wanted(row));
+       }}},
+      {"F at each point",
+       "it looks as if each of the four points held F. The magnet has F in all, and each point an equal part.",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) reach(row, std::max(-force * h, wanted(row)));
+       }}},
+      {"always pulled",
+       "it looks as if the magnet pulled with F beside what the row wants. The row already has what it takes to reach "
+       "J V + b = 0; F is only how far its sum may go.",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) reach(row, std::max(Real(0), wanted(row)) - pull(rows, force, h));
        }}},
       {"the sum applied",
        "it looks as if the whole sum were applied each time. The bodies have had the old sum already: apply the "
        "difference.",
-       {[](Row& row) {
-         row.impulse = std::max(Real(0), wanted(row));
-         row.apply(row.impulse);
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) {
+           row.impulse = std::max(-pull(rows, force, h), wanted(row));
+           row.apply(row.impulse);
+         }
        }}},
-      {"stored unclamped",
-       "it looks as if the row kept the sum from before it was clamped. The next sweep then takes a pull for granted "
+      {"stored unlimited",
+       "it looks as if the row kept the sum from before it was limited. The next sweep then takes a pull for granted "
        "that no body has felt.",
-       {[](Row& row) {
-         const Real sum = wanted(row);
-         row.apply(std::max(Real(0), sum) - row.impulse);
-         row.impulse = sum;
-       }}},
-      {"stored unclamped",
-       "it looks as if the row kept the sum from before it was clamped. What is kept has to be what the bodies have "
-       "felt.",
-       {[](Row& row) {
-         const Real sum = wanted(row);
-         row.apply(std::max(Real(0), sum) - std::max(Real(0), row.impulse));
-         row.impulse = sum;
-       }}},
-      {"not clamped",
-       "it looks as if nothing were clamped. The ground pulls at what wants to leave, and it has no glue.",
-       {[](Row& row) {
-         const Real sum = wanted(row);
-         row.apply(sum - row.impulse);
-         row.impulse = sum;
-       }}},
-      {"the old sum clamped",
-       "it looks as if the old sum were clamped, and the correction added after that. What is then kept and applied "
-       "may be negative, a pull: clamp the new sum, max(0, Σλ + λ).",
-       {[](Row& row) {
-         const Real sum = std::max(Real(0), row.impulse) + wanted(row) - row.impulse;
-         row.apply(sum - row.impulse);
-         row.impulse = sum;
-       }}},
-      {"an upper limit for the lower one",
-       "it looks as if the sum were kept below 0, by min. A contact pushes and never pulls: 0 is the least that the "
-       "sum may be.",
-       {[](Row& row) {
-         const Real sum = std::min(Real(0), wanted(row));
-         row.apply(sum - row.impulse);
-         row.impulse = sum;
-       }}},
-      {"the correction applied as it was",
-       "it looks as if only the kept sum were clamped, and the bodies got the whole correction. They get what the "
-       "clamped sum differs from the old one.",
-       {[](Row& row) {
-         const Real sum = wanted(row);
-         row.apply(sum - row.impulse);
-         row.impulse = std::max(Real(0), sum);
-       }}},
-      {"the correction kept",
-       "it looks as if the last correction were kept in the place of the sum. row.impulse is the sum of all of them.",
-       {[](Row& row) {
-         const Real correction = std::max(Real(0), wanted(row) - row.impulse);
-         row.apply(correction - row.impulse);
-         row.impulse = correction;
-       }}},
-      {"the difference turned round",
-       "it looks as if the new sum were taken from the old one. The bodies get what is new: the new sum minus the old.",
-       {[](Row& row) {
-         const Real sum = std::max(Real(0), wanted(row));
-         row.apply(row.impulse - sum);
-         row.impulse = sum;
-       }}},
-      {"K for 1/K",
-       "it looks as if J V + b were divided by row.effective_mass, or not multiplied by it. The effective mass is 1/K, "
-       "in kg: times a speed it is an impulse.",
-       {[](Row& row) {
-         const Real sum = std::max(Real(0), row.impulse - (row.speed() + row.bias) / row.effective_mass);
-         row.apply(sum - row.impulse);
-         row.impulse = sum;
-       }}},
-      {"K for 1/K",
-       "it looks as if J V + b were divided by row.effective_mass, or not multiplied by it. The effective mass is 1/K, "
-       "in kg: times a speed it is an impulse.",
-       {[](Row& row) {
-         const Real sum = std::max(Real(0), row.impulse - (row.speed() + row.bias));
-         row.apply(sum - row.impulse);
-         row.impulse = sum;
-       }}},
-      {"b cut off", cut_off, {[](Row& row) {
-         const Real b = std::min(Real(0), row.bias);
-         const Real sum = std::max(Real(0), row.impulse - row.effective_mass * (row.speed() + b));
-         row.apply(sum - row.impulse);
-         row.impulse = sum;
-       }}},
-      {"b cut off", cut_off, {[](Row& row) {
-         const Real b = std::max(Real(0), row.bias);
-         const Real sum = std::max(Real(0), row.impulse - row.effective_mass * (row.speed() + b));
-         row.apply(sum - row.impulse);
-         row.impulse = sum;
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) {
+           const Real sum = wanted(row);
+           row.apply(std::max(-pull(rows, force, h), sum) - row.impulse);
+           row.impulse = sum;
+         }
        }}},
       {"nothing kept",
        "it looks as if the sum began anew in each sweep: row.impulse is never written, or set back to 0. Without the "
-       "sum of the whole step nobody knows how much of a push can be taken back.",
-       {[](Row& row) { row.apply(std::max(Real(0), wanted(row)) - row.impulse); }}},
-      {"b left out", "it looks as if b were left out. The row solves J V + b = 0.", {[](Row& row) {
-         const Real sum = std::max(Real(0), row.impulse - row.effective_mass * row.speed());
-         row.apply(sum - row.impulse);
-         row.impulse = sum;
+       "sum nobody knows how much has been pulled already.",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows) row.apply(std::max(-pull(rows, force, h), wanted(row)) - row.impulse);
        }}},
-      {"sign of b",
-       "it looks as if b had the wrong sign. The row solves J V + b = 0, so the wanted speed is -b.",
-       {[](Row& row) {
-         const Real sum = std::max(Real(0), row.impulse - row.effective_mass * (row.speed() - row.bias));
-         row.apply(sum - row.impulse);
-         row.impulse = sum;
+      {"b left out",
+       "it looks as if b were left out. The row solves J V + b = 0.",
+       {[](Rows& rows, Real force, Real h) {
+         for (Row& row : rows)
+           reach(row, std::max(-pull(rows, force, h), row.impulse - row.effective_mass * row.speed()));
        }}},
   };
 }
@@ -251,13 +274,13 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
-      "accumulate, clamp, apply the difference",
-      {"If no other row existed, the row would want the sum Σλ - (J V + b) / K. Compute that first.",
-       "A contact pushes and never pulls, over the whole step: the sum is at least 0.",
-       "The bodies have already had row.impulse. What they get now is the new sum minus the old one: row.apply(new - "
-       "old). Then row.impulse becomes the new sum."},
-      checks(), {right}, mistakes());
+  return exercise_of<Answer>("a magnet that holds up to F",
+                             {"Chapter 02 keeps the sum of each row in [0, ∞). Only one end of that interval changes.",
+                              "An impulse is compared with impulses. Which impulse can the magnet give in h seconds, "
+                              "and which part of it one of its points?",
+                              "The sum is at least -F h / n for a magnet of n points. Clamp it, apply what it differs "
+                              "from the old one, keep it."},
+                             checks(), {right}, mistakes());
 }
 
 }  // namespace pushback::exercise_02

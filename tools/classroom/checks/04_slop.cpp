@@ -1,180 +1,215 @@
+#include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/04_slop/exercise/asked.h"
-#include "pushback/chapters/04_slop/slop.h"
 #include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_04 {
 
 namespace {
 
-constexpr Real slop = Slop{}.slop;
-
-using Pushing = Solver<Clamping, Baumgarte, AnyEffect>;
-
-/// A ball so deep in the ground, under gravity; others may lie beside it. Steps are long enough for gravity to slow it as fast as
-/// the push-out does: it does not fly past the slop.
-struct Ball {
-  World world;
-  Real radius, h;
-
-  Ball(Random& random, Real depth) : radius(random.between(Real(0.3), Real(0.5))), h(1 / random.between(70, 110)) {
-    world.add(ground());
-    add(random.between(5, 20), depth);
-  }
-  void add(Real mass, Real depth) {
-    world.add(sphere(radius, mass).at({2 * static_cast<Real>(world.bodies.size()), radius - depth, 0}));
-  }
-  /// mm
-  Real depth() const { return 1000 * (radius - world.bodies[1].position.y()); }
-  /// mm, at the start and after each step.
-  Numbers depths(const Answer& answer, int steps) {
-    auto solver = with_effect<Pushing>(answer.allowance);
-    Numbers found{depth()};
-    for (int step = 0; step < steps; ++step) {
-      world.step(solver, h, 4);
-      show(world);
-      found.push_back(depth());
-    }
-    return found;
+struct Margin : Effect {
+  Answer answer{};
+  Real beta = Real(0.2), slop = Real(0.005);
+  void build(StepContext& step) {
+    for (Row& row : step.rows) answer.set_bias(row, beta, slop, step.dt);
   }
 };
 
-/// Its depth after thirty steps, then at the start and after each.
-Numbers thirty_steps(Ball ball, const Answer& answer) {
-  const Numbers depths = ball.depths(answer, 30);
-  return with_record({depths.back()}, depths);
-}
+/// What a step has to do with, made of random numbers.
+struct Setting {
+  Real h, beta, slop, gap;  // s, 1, m, m
+  explicit Setting(Random& random)
+      : h(1 / random.between(20, 60)),
+        beta(random.between(Real(0.1), Real(0.25))),
+        slop(random.between(Real(0.003), Real(0.006))),
+        gap(random.between(Real(0.002), Real(0.008))) {}
+
+  void solve(World& world, const Answer& answer, int sweeps, const std::vector<std::size_t>& quantities = {}) const {
+    Solver<Clamping, Margin> solver;
+    static_cast<Margin&>(solver) = {{}, answer, beta, slop};
+    solver.solve(world, h, sweeps);
+    show(world, quantities);
+  }
+  /// A ball without weight, so far above the ground (m) and so fast upwards (m/s): its speed after the step's solver.
+  Real ball(Real separation, Real speed, const Answer& answer, const std::vector<std::size_t>& quantities = {}) const {
+    World world;
+    world.add(ground());
+    world.add(sphere(Real(0.3), 10).at({0, Real(0.3) + separation, 0}).moving({0, speed, 0}));
+    world.contacts = {{.normal = {0, 1, 0}, .depth = -separation, .id = {0, 1, 0}}};
+    solve(world, answer, 1, quantities);
+    return world.bodies[1].velocity.y();
+  }
+};
 
 std::vector<Check<Answer>> checks() {
   return {
-      {"a deep ball comes up at β (d − slop) / h",
-       1,
+      {"what does not reach the ground in this step goes its way",
+       2,
+       {{"your ball, which will not reach the ground in this step, goes on with", "m/s", 1e-6},
+        {"your ball, which is above the ground and leaving, goes on with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Setting at(random);
+         const Real just_reaches = at.gap / at.h;
+         return {at.ball(at.gap, -just_reaches * random.between(Real(0.4), Real(0.8)), answer, {0}),
+                 at.ball(at.gap, just_reaches * random.between(Real(0.1), Real(0.5)), answer, {1})};
+       }},
+      {"what would pass the surface in this step ends on it",
+       2,
+       {{"your fast ball moves on with", "m/s", 1e-6},
+        {"after the step your fast ball is above the ground by", "mm", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Setting at(random);
+         const Real speed = at.ball(at.gap, -at.gap / at.h * random.between(4, 8), answer);
+         return {speed, 1000 * (at.gap + at.h * speed)};
+       }},
+      {"what overlaps stays where it is up to the slop, and comes up at β (d − slop) / h beyond",
+       2,
        {{"your deep ball comes up with", "m/s", 1e-6},
-        {"your second deep ball, beside it, comes up with", "m/s", 1e-6},
-        {"your third deep ball comes up with", "m/s", 1e-6}},
+        {"your ball, which is less deep than the slop and sinking, moves on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         Ball balls(random, random.between(Real(0.012), Real(0.02)));
-         for (int i = 0; i < 2; ++i) balls.add(random.between(5, 20), random.between(Real(0.012), Real(0.02)));
-         balls.depths(answer, 1);
-         const auto& bodies = balls.world.bodies;
-         return {bodies[1].velocity.y(), bodies[2].velocity.y(), bodies[3].velocity.y()};
+         const Setting at(random);
+         const Real deep = at.slop * random.between(2, 4), shallow = at.slop * random.between(Real(0.3), Real(0.7));
+         return {at.ball(-deep, 0, answer, {0}), at.ball(-shallow, -random.between(2, 3), answer, {1})};
        }},
-      {"a ball that is less deep than the slop stays where it is",
+      {"a box that touches with one edge comes down on the other",
        1,
-       {{"after thirty steps your shallow ball is deep by", "mm", 1e-6}},
+       {{"your box, which has touched with one edge, turns with", "rad/s", 1e-6},
+        {"after the step its other edge is above the ground by", "mm", 1e-5}},
        [](Random& random, const Answer& answer) -> Numbers {
-         return thirty_steps(Ball(random, random.between(Real(0.001), Real(0.0025))), answer);
-       }},
-      {"a deep ball ends at the slop",
-       1,
-       {{"after thirty steps your deep ball is deep by", "mm", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         return thirty_steps(Ball(random, random.between(Real(0.012), Real(0.02))), answer);
+         const Setting at(random);
+         const Real half = random.between(Real(0.3), Real(0.5));
+         World world;
+         world.add(ground());
+         world.add(box(Vec3::Constant(half), random.between(50, 150))
+                       .at({0, half, 0})
+                       .moving({0, -at.gap / at.h * random.between(2, 3), 0}));
+         const Vec3 up{0, 1, 0};
+         world.contacts = {{.point = {-half, 0, 0}, .normal = up, .depth = -at.gap, .id = {0, 1, 0}},
+                           {.point = {half, 0, 0}, .normal = up, .depth = 0, .id = {0, 1, 1}}};
+         at.solve(world, answer, 100);
+         return {world.bodies[1].angular_velocity.z(),
+                 1000 * (at.gap + at.h * separating_speed(world, world.contacts[0]))};
        }},
   };
 }
 
-/// A mistake is what it makes of C.
-template <class Separation>
-struct Mistaken : Effect {
-  Separation separation;
-  void adjust_separation(StepContext& step) {
-    for (std::size_t i = 0; i < step.contacts.size(); ++i)
-      step.rows[i].separation = separation(step.rows[i].separation);
-  }
-};
-template <class Separation>
-Answer mistaken(Separation separation) {
-  return {Mistaken<Separation>{{}, separation}};
+Real of_chapter_04(Real c, Real beta, Real slop, Real h) {
+  return beta / h * std::min(Real(0), c + slop);
 }
 
-struct OfTheFirst : Effect {
-  void adjust_separation(StepContext& step) {
-    if (!step.contacts.empty()) step.rows[0].separation = std::min(Real(0), step.rows[0].separation + slop);
-  }
-};
-struct TimesSixtyH : Effect {
-  void adjust_separation(StepContext& step) {
-    for (std::size_t i = 0; i < step.contacts.size(); ++i)
-      step.rows[i].separation = std::min(Real(0), step.rows[i].separation + 60 * step.dt * slop);
-  }
-};
-
-struct TimesH : Effect {
-  void adjust_separation(StepContext& step) {
-    for (std::size_t i = 0; i < step.contacts.size(); ++i)
-      step.rows[i].separation = std::min(Real(0), step.rows[i].separation + step.dt * slop);
-  }
-};
-/// C of the first step, for good.
-struct OfTheFirstStep : Effect {
-  std::vector<Real> first;
-  void adjust_separation(StepContext& step) {
-    for (std::size_t i = first.size(); i < step.contacts.size(); ++i)
-      first.push_back(std::min(Real(0), step.rows[i].separation + slop));
-    for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].separation = first[i];
-  }
-};
-/// C of the first contact, for all.
-struct OneForAll : Effect {
-  void adjust_separation(StepContext& step) {
-    const Real counts = step.contacts.empty() ? 0 : std::min(Real(0), step.rows[0].separation + slop);
-    for (std::size_t i = 0; i < step.contacts.size(); ++i) step.rows[i].separation = counts;
-  }
-};
+void right(Row& row, Real beta, Real slop, Real h) {
+  const Real c = row.separation;
+  row.bias = c > 0 ? c / h : of_chapter_04(c, beta, slop, h);
+}
 
 std::vector<Mistake<Answer>> mistakes() {
-  const std::string nothing =
-      "it looks as if nothing were left to push out. C is negative where bodies overlap, and what is pushed out is "
-      "what is negative: of 0 and C + slop, the lesser.";
+  const std::string hovers =
+      "it looks as if b were 0 while the bodies are apart. J V + b >= 0 with b = 0 forbids every approach: the body "
+      "stops in mid-air. A positive b lets it come nearer.";
+  const std::string slop_on_gap =
+      "it looks as if the slop were added to the gap. The body then passes the surface and stops as deep as the slop: "
+      "of bodies that are apart, nothing is to be left.";
   return {
-      {"dead zone",
-       "it looks as if the slop were a dead zone: all of C where it is deeper, nothing where it is not. Then what is "
-       "pressed past the slop is kicked back at β slop / h. What counts is how much deeper it is, C + slop.",
-       mistaken([](Real c) { return c > -slop ? 0 : c; })},
-      {"sign",
-       "it looks as if the slop had the wrong sign. C is negative where bodies overlap, so C + slop is the lesser "
-       "overlap.",
-       mistaken([](Real c) { return std::min(Real(0), c - slop); })},
-      {"nothing to push out", nothing, mistaken([](Real c) { return std::max(Real(0), c + slop); })},
-      {"the depth for C",
-       "it looks as if the depth d were taken for C. C = -d: what is pushed out is a negative C, so with d - slop deep "
-       "balls stay and shallow ones are pushed out.",
-       mistaken([](Real c) { return std::min(Real(0), -c - slop); })},
-      {"shallow ones as they were",
-       "it looks as if C stayed as it is where the overlap is less than the slop. It still is an overlap that the bias "
-       "takes away: there, nothing counts, and C becomes 0.",
-       mistaken([](Real c) { return c < -slop ? c + slop : c; })},
+      {"stops in mid-air", hovers, {[](Row& row, Real beta, Real slop, Real h) {
+         row.bias = of_chapter_04(row.separation, beta, slop, h);
+       }}},
+      {"the part β of the gap",
+       "it looks as if the bodies might close the part β of the gap only. β is to take an overlap away gently; an "
+       "approach through air needs no gentleness, and it would slow down everything that comes near.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? beta / h * c : of_chapter_04(c, beta, slop, h);
+       }}},
+      {"1/h forgotten",
+       "it looks as if 1/h were forgotten. C is a distance. To close it within one step, the speed is C / h.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? c : of_chapter_04(c, beta, slop, h);
+       }}},
+      {"a push on points that are apart",
+       "it looks as if points that are apart were pushed farther apart. b is minus the separating speed: with b > 0 "
+       "the bodies may approach with b.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? -c / h : of_chapter_04(c, beta, slop, h);
+       }}},
+      {"slop on the gap", slop_on_gap, {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? (c + slop) / h : of_chapter_04(c, beta, slop, h);
+       }}},
+      {"slop on the gap", slop_on_gap, {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation + slop;
+         row.bias = c > 0 ? c / h : beta / h * c;
+       }}},
+      {"let through",
+       "it looks as if the row of a point that is apart did nothing. The body passes the surface within this step, and "
+       "the next finds it deep in the ground.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         row.bias = of_chapter_04(row.separation, beta, slop, h);
+         if (row.separation > 0) row.hi = 0;
+       }}},
+      {"min left out",
+       "it looks as if it were β/h (C + slop) everywhere. Where C + slop is positive, this lets a body sink as deep as "
+       "the slop, and slows it down where it is apart.",
+       {[](Row& row, Real beta, Real slop, Real h) { row.bias = beta / h * (row.separation + slop); }}},
+      {"the whole overlap at once",
+       "it looks as if β were forgotten. A gap may be closed within one step; an overlap is to go by the part β a "
+       "step, or it throws the body out.",
+       {[](Row& row, Real, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? c / h : std::min(Real(0), c + slop) / h;
+       }}},
       {"no slop",
-       "it looks as if there were no slop: C is as it was when the bias is made of it. Is it row.separation that you "
-       "set?",
-       mistaken([](Real c) { return c; })},
-      {"the first contact alone",
-       "it looks as if only the first contact had a slop. Each of the first step.contacts.size() rows has a C of its "
-       "own.",
-       {OfTheFirst{}}},
-      {"a slop that depends on the step",
-       "it looks as if the slop were multiplied by 60 h. It is a length, and the same in steps of every length.",
-       {TimesSixtyH{}}},
-      {"slop times h",
-       "it looks as if the slop were multiplied by h, so almost nothing is left of it. It is a length: C + slop, in "
-       "steps of every length.",
-       {TimesH{}}},
-      {"the depth of the first step",
-       "it looks as if C were that of the first step for good. A ball that comes up is less deep in each step: read "
-       "row.separation in each, or it is pushed on past the slop.",
-       {OfTheFirstStep{}}},
-      {"one C for all",
-       "it looks as if all contacts had the C of the first. Each ball has a depth of its own: row.separation of its "
-       "own row.",
-       {OneForAll{}}},
-      {"at least the slop",
-       "it looks as if every overlap counted as the slop, at least or at most. What counts is how much deeper it is "
-       "than the slop.",
-       mistaken([](Real c) { return std::min(c, -slop); })},
-      {"at least the slop",
-       "it looks as if every overlap counted as the slop, at least or at most. What counts is how much deeper it is "
-       "than the slop.",
-       mistaken([](Real c) { return std::max(c, -slop); })},
+       "it looks as if there were no slop. The margin keeps points that are apart; an overlap up to the slop still is "
+       "to be left alone.",
+       {[](Row& row, Real beta, Real, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? c / h : beta / h * c;
+       }}},
+      {"dead zone",
+       "it looks as if the slop were a dead zone: nothing up to it, all of the overlap beyond. What counts is how much "
+       "deeper it is, C + slop.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? c / h : c < -slop ? beta / h * c : 0;
+       }}},
+      {"1/h forgotten in the overlap",
+       "it looks as if 1/h were forgotten where bodies overlap. C is a distance; to take the part β of it away in one "
+       "step, the speed is β C / h.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? c / h : beta * std::min(Real(0), c + slop);
+       }}},
+      {"slop taken off the gap",
+       "it looks as if the slop were taken off the gap. The body then stops above the surface, or is pushed away from "
+       "it: of bodies that are apart, the whole gap may be closed.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? (c - slop) / h : of_chapter_04(c, beta, slop, h);
+       }}},
+      {"sign of the slop",
+       "it looks as if the slop had the wrong sign. C is negative where bodies overlap, so C + slop is the lesser "
+       "overlap, and what is less deep than the slop is left alone.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > 0 ? c / h : beta / h * std::min(Real(0), c - slop);
+       }}},
+      {"shallow ones pushed out",
+       "it looks as if an overlap less than the slop were closed as a gap is, within one step. C is negative there: C "
+       "/ h throws the body out. Up to the slop, an overlap is left alone.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         const Real c = row.separation;
+         row.bias = c > -slop ? c / h : beta / h * (c + slop);
+       }}},
+      {"it pulls",
+       "it looks as if the row pulled. A body that leaves, or is too slow to reach the surface, feels nothing: a "
+       "contact only pushes, and its sum is not below 0.",
+       {[](Row& row, Real beta, Real slop, Real h) {
+         right(row, beta, slop, h);
+         row.lo = -std::numeric_limits<Real>::infinity();
+       }}},
+      {"overlap left in",
+       "it looks as if b were 0 at every overlap. What is deeper than the slop is to come up.",
+       {[](Row& row, Real, Real, Real h) { row.bias = std::max(Real(0), row.separation / h); }}},
   };
 }
 
@@ -186,12 +221,13 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 
 Exercise exercise() {
   return exercise_of<Answer>(
-      "slop",
-      {"A depth d up to the slop does not count. Of a greater one, only d - slop does.",
-       "In C = -d: the separation that counts is C + slop, as long as that is negative.",
-       "row.separation = min(0, C + slop), for each of the first step.contacts.size() rows."},
-      checks(), {Slop{}}, mistakes(),
-      {{1, {"depth of your shallow ball", "mm", "step"}}, {2, {"depth of your deep ball", "mm", "step"}}});
+      "a margin that keeps points which are still apart",
+      {"J V >= -b: with b = 0 the bodies may not come nearer at all. Which b allows an approach, a positive or a "
+       "negative one?",
+       "A body that is C above the ground and comes with the speed v is at C - h v after the step. Which v brings it "
+       "to 0?",
+       "That is two cases. The first has neither β nor the slop in it, the second is the bias of chapter 04."},
+      checks(), {right}, mistakes());
 }
 
 }  // namespace pushback::exercise_04

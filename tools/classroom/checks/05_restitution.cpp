@@ -1,10 +1,11 @@
 #include "pushback/chapters/05_restitution/exercise/asked.h"
-#include "pushback/chapters/05_restitution/restitution.h"
 #include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_05 {
 
 namespace {
+
+constexpr Real threshold = Real(0.1), yield = 2;  // m/s
 
 /// What the push-out has asked for.
 struct Asking : Effect {
@@ -16,51 +17,91 @@ struct Asking : Effect {
 
 using Bouncing = Solver<Clamping, Asking, AnyEffect>;
 
-/// A ball that touches the ground and moves up or down.
+/// A ball that lands.
 struct Ball {
-  Real e, upwards;  // of 0 ... 1; m/s
-  Real gravity = 0, h = Real(1) / 60, asked = 0, slides = 0;
+  Real e, arrives;  // of slow impacts, of 0 ... 1; m/s
+  Real slides = 0, gravity = 0, h = Real(1) / 60, asked = 0;
 
-  /// Its speed after the step, m/s.
+  /// Its speed upwards after the step, m/s.
   Real solved(const Answer& answer, std::size_t quantity = 0) const {
     World world;
     world.gravity = {0, -gravity, 0};
     world.add(ground());
-    world.add(sphere(Real(0.3), 10).at({0, Real(0.299), 0}).moving({slides, upwards, 0}).bouncy(e));
+    world.add(sphere(Real(0.3), 10).at({0, Real(0.299), 0}).moving({slides, -arrives, 0}).bouncy(e));
     auto solver = with_effect<Bouncing>(answer.bounce);
     solver.speed = asked;
     world.step(solver, h, 1);
     show(world, {quantity});
     return world.bodies[1].velocity.y();
   }
+  /// Of its kinetic energy.
+  Real kept(const Answer& answer) const {
+    const Real speed = solved(answer) / arrives;
+    return speed * speed;
+  }
 };
 
 /// A ball of which gravity adds 0.15 to 0.25 m/s in a step, which is more than the threshold.
-Ball heavy(Random& random, Real e, Real upwards) {
-  return {e, upwards, World::g, 1 / random.between(40, 65)};
+Ball heavy(Random& random, Real e, Real arrives) {
+  return {e, arrives, 0, World::g, 1 / random.between(40, 65)};
+}
+
+Real some_e(Random& random) {
+  return random.between(Real(0.7), Real(0.9));
+}
+
+/// The first is too slow to bounce, the second lands slowly on a ground that is bouncier than it is. Its speed upwards, m/s.
+Real second_of_two(Random& random, const Answer& answer) {
+  World world;
+  world.gravity.setZero();
+  world.add(ground().bouncy(some_e(random)));
+  for (const bool first : {true, false}) {
+    const Real arrives = first ? random.between(Real(0.03), Real(0.09)) : yield * random.between(Real(0.6), Real(0.9));
+    Body ball = sphere(Real(0.3), 10);
+    ball.at({first ? Real(0) : Real(1), Real(0.299), 0}).moving({0, -arrives, 0});
+    world.add(ball.bouncy(first ? Real(0.8) : random.between(Real(0.3), Real(0.5))));
+  }
+  auto solver = with_effect<Bouncing>(answer.bounce);
+  world.step(solver, Real(1) / 60, 1);
+  show(world, {2});
+  return world.bodies[2].velocity.y();
 }
 
 std::vector<Check<Answer>> checks() {
   return {
-      {"a ball leaves e times as fast as it arrives",
-       1,
-       {{"your ball leaves with", "m/s", 1e-6}},
+      {"a slow impact has the restitution of its contact, and gains no energy",
+       2,
+       {{"of each joule your slow ball keeps", "J", 1e-6},
+        {"your ball, which lands a little more slowly than the yield speed, leaves with", "m/s", 1e-6},
+        {"your second of two balls, whose ground is bouncier than it is, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const Real e = random.between(Real(0.3), Real(0.9)), arrives = random.between(1, 5);
-         return {Ball{e, -arrives}.solved(answer)};
+         const Ball slow{some_e(random), random.between(Real(0.16), Real(0.4))},
+             less{some_e(random), yield * random.between(Real(0.6), Real(0.9))};
+         return {slow.kept(answer), less.solved(answer, 1), second_of_two(random, answer)};
+       }},
+      {"above the yield speed e falls with the fourth root of the speed",
+       2,
+       {{"your fast ball leaves with", "m/s", 1e-6}, {"your very fast ball leaves with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Ball fast{some_e(random), random.between(4, 8)}, faster{some_e(random), random.between(20, 40)};
+         return {fast.solved(answer, 0), faster.solved(answer, 1)};
        }},
       {"this step's gravity is no part of the approach",
        2,
-       {{"your ball, which gravity accelerates as it lands, leaves with", "m/s", 1e-6},
+       {{"your fast ball, which gravity accelerates as it lands, leaves with", "m/s", 1e-6},
         {"your ball, which lies still, leaves with", "m/s", 1e-6},
-        {"your ball, which was leaving by itself, goes on with", "m/s", 1e-6},
         {"your ball, which lands more slowly than the threshold but for gravity, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const Real e = random.between(Real(0.8), Real(0.95));
-         const Ball lands = heavy(random, e, -random.between(1, 5)), rests = heavy(random, e, 0),
-                    leaves = heavy(random, e, random.between(Real(0.4), Real(0.6))),
-                    creeps = heavy(random, e, -random.between(Real(0.04), Real(0.09)));
-         return {lands.solved(answer, 0), rests.solved(answer, 1), leaves.solved(answer, 2), creeps.solved(answer, 3)};
+         const Ball lands = heavy(random, some_e(random), random.between(4, 8)),
+                    rests = heavy(random, some_e(random), 0),
+                    creeps = heavy(random, some_e(random), random.between(Real(0.04), Real(0.09)));
+         return {lands.solved(answer, 0), rests.solved(answer, 1), creeps.solved(answer, 2)};
+       }},
+      {"only the motion along the normal counts",
+       1,
+       {{"your ball, which slides fast and lands gently, leaves with", "m/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         return {Ball{some_e(random), random.between(Real(0.5), Real(0.9)), random.between(6, 12)}.solved(answer)};
        }},
       {"of the bounce and the push-out, the one for more speed stays",
        2,
@@ -68,10 +109,10 @@ std::vector<Check<Answer>> checks() {
         {"your ball, which bounces faster than it is pushed out, leaves with", "m/s", 1e-6},
         {"your ball, which is too slow to bounce and is pushed out, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         Ball more{random.between(Real(0.3), Real(0.9)), -random.between(1, 5)}, less = more;
-         more.asked = -more.e * more.upwards * random.between(Real(1.3), 2);
-         less.asked = -less.e * less.upwards * random.between(Real(0.2), Real(0.7));
-         Ball slow{more.e, -random.between(Real(0.03), Real(0.09))};
+         Ball more{some_e(random), random.between(4, 8)}, less{some_e(random), random.between(4, 8)};
+         more.asked = more.arrives * random.between(Real(1.2), 2);
+         less.asked = less.arrives * random.between(Real(0.05), Real(0.2));
+         Ball slow{some_e(random), random.between(Real(0.03), Real(0.09))};
          slow.asked = random.between(Real(0.3), Real(0.6));
          return {more.solved(answer, 0), less.solved(answer, 1), slow.solved(answer, 2)};
        }},
@@ -81,84 +122,29 @@ std::vector<Check<Answer>> checks() {
         {"your ball, which slides fast and arrives more slowly than the threshold, leaves with", "m/s", 1e-6},
         {"your ball, which arrives a little faster than the threshold, leaves with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const Real e = random.between(Real(0.2), Real(0.45));
-         const Ball slow{e, -random.between(Real(0.03), Real(0.09))}, fast{e, -random.between(Real(0.12), Real(0.2))};
+         const Ball slow{some_e(random), random.between(Real(0.03), Real(0.09))},
+             faster{some_e(random), threshold * random.between(Real(1.02), Real(1.1))};  // whose e v is below it
          Ball sliding = slow;
          sliding.slides = random.between(2, 4);
-         return {slow.solved(answer, 0), sliding.solved(answer, 1), fast.solved(answer, 2)};
-       }},
-      {"each contact bounces by its own e, that of both its bodies",
-       2,
-       {{"your first ball, which is bouncier than its ground, leaves with", "m/s", 1e-6},
-        {"your second ball, whose ground is bouncier than it is, leaves with", "m/s", 1e-6},
-        {"your third ball, which is too slow to bounce, leaves with", "m/s", 1e-6},
-        {"your fourth ball, which is as bouncy as the first, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         World world;
-         world.gravity.setZero();
-         const Real of_ground = random.between(Real(0.4), Real(0.6)), more = random.between(Real(0.75), Real(0.95)),
-                    less = random.between(Real(0.1), Real(0.3));
-         world.add(ground().bouncy(of_ground));
-         const auto add = [&](Real arrives, Real e) {
-           const Real x = static_cast<Real>(world.bodies.size());
-           world.add(sphere(Real(0.3), 10).at({x, Real(0.299), 0}).moving({0, -arrives, 0}).bouncy(e));
-         };
-         add(random.between(1, 5), more);
-         add(random.between(1, 5), less);
-         add(random.between(Real(0.03), Real(0.09)), more);
-         add(random.between(1, 5), more);
-         auto solver = with_effect<Bouncing>(answer.bounce);
-         world.step(solver, Real(1) / 60, 1);
-         show(world);
-         Numbers speeds;
-         for (std::size_t ball = 1; ball <= 4; ++ball) speeds.push_back(world.bodies[ball].velocity.y());
-         return speeds;
-       }},
-      {"of two boxes that turn, the points that touch bounce",
-       2,
-       {{"the points at which your boxes meet separate with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         // Each moves and turns towards the other, somewhere in space. A force and a torque have acted in this step already.
-         World world;
-         const Real half = random.between(Real(0.3), Real(0.5)), e = random.between(Real(0.3), Real(0.9));
-         const Real aside_a = half * random.between(Real(0.4), Real(0.8)), turn_a = random.between(2, 3);
-         const Real aside_b = half * random.between(Real(0.4), Real(0.8)), turn_b = random.between(2, 3);
-         const Real up = random.between(Real(0.5), 1), down = random.between(2, 3);
-         const Real tilt = random.between(Real(0.4), Real(0.8)), heading = random.between(0, 2 * pi);
-         const Vec3 axis(std::cos(heading), 0, std::sin(heading)), place = random.vector(2);
-         const Quat turned(Eigen::AngleAxis<Real>(tilt, axis));
-         const auto cube = [&](Real x, Real y, Real velocity, Real turn) {
-           Body made = box(Vec3::Constant(half), random.between(5, 20));
-           return made.at(place + turned * Vec3(x, y, 0))
-               .turned(tilt, axis)
-               .moving(turned * Vec3(0, velocity, 0))
-               .spinning(turned * Vec3(0, 0, turn));
-         };
-         world.add(cube(aside_a, -half, up, -turn_a));
-         world.add(cube(-aside_b, half, -down, -turn_b));
-         world.contacts = {{.point = place, .normal = turned * Vec3(0, 1, 0), .restitution = e, .id = {0, 1, 0}}};
-         for (Body& body : world.bodies) {
-           keep_velocity(body);
-           body.velocity += turned * Vec3(0, -random.between(Real(0.1), Real(0.2)), 0);
-           body.angular_velocity *= random.between(Real(1.1), Real(1.2));
-         }
-         with_effect<Bouncing>(answer.bounce).solve(world, Real(1) / 60, 1);
-         show(world);
-         return {separating_speed(world, world.contacts[0])};
+         return {slow.solved(answer, 0), sliding.solved(answer, 1), faster.solved(answer, 2)};
        }},
   };
 }
 
-constexpr Real threshold = Restitution{}.threshold;
+/// A bounce is which speed is that of the approach, on which speed e depends, by which law, and what it makes of b.
+struct Bounce : Effect {
+  using Speed = Real (*)(const StepContext&, const Row&, const Contact&);  // m/s
+  Speed approach, impact;  // the first is negative where bodies approach
+  Real (*law)(Real e, Real speed);
+  Real (*bias)(Real b, Real bounce);  // `bounce`: e v_n
+  Real limit = threshold;
 
-/// A mistake is which speed it takes, and what it makes of b, of e and of that speed.
-struct Mistaken : Effect {
-  Real (*speed)(const StepContext&, const Row&, const Contact&);
-  Real (*bias)(Real b, Real e, Real v);
   void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       Row& row = step.rows[i];
-      row.bias = bias(row.bias, step.contacts[i].restitution, speed(step, row, step.contacts[i]));
+      const Contact& at = step.contacts[i];
+      const Real v = approach(step, row, at);
+      if (v < -limit) row.bias = bias(row.bias, law(at.restitution, std::abs(impact(step, row, at))) * v);
     }
   }
 };
@@ -166,45 +152,51 @@ struct Mistaken : Effect {
 Real before(const StepContext& step, const Row&, const Contact& at) {
   return approach_speed(step.world, at);
 }
-Real larger(Real b, Real e, Real v) {
-  return v < -threshold ? std::min(b, e * v) : b;
+Real falling(Real e, Real speed) {
+  return e * std::min(Real(1), std::pow(yield / speed, Real(0.25)));
 }
-Answer mistaken(Real (*speed)(const StepContext&, const Row&, const Contact&)) {
-  return {Mistaken{{}, speed, larger}};
+Real larger(Real b, Real bounce) {
+  return std::min(b, bounce);
 }
-Answer mistaken(Real (*bias)(Real b, Real e, Real v)) {
-  return {Mistaken{{}, before, bias}};
+const Bounce right{{}, before, before, falling, larger};
+
+Answer with_law(Real (*law)(Real e, Real speed)) {
+  return {Bounce{{}, before, before, law, larger}};
+}
+Answer with_bias(Real (*bias)(Real b, Real bounce)) {
+  return {Bounce{{}, before, before, falling, bias}};
 }
 
-/// Of B's point against A's, before the step, m/s.
-Vec3 velocity_before(const StepContext& step, const Contact& at) {
-  const auto [a, b] = step.world.bodies_of(at);
-  return b.velocity_before + b.angular_velocity_before.cross(at.point - b.position) - a.velocity_before -
-         a.angular_velocity_before.cross(at.point - a.position);
+Real bounce_of(const StepContext& step, std::size_t i) {
+  const Real v = approach_speed(step.world, step.contacts[i]);
+  return falling(step.contacts[i].restitution, std::abs(v)) * v;
 }
-Real whole_speed(const StepContext& step, const Contact& at) {
-  return velocity_before(step, at).norm();
-}
-
-/// Which e it makes of those of the bodies.
+/// B's e.
 struct OwnE : Effect {
-  Real (*e)(Real of_a, Real of_b);
-  void build(StepContext& step) {
-    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
-      const auto [a, b] = step.world.bodies_of(step.contacts[i]);
-      Row& row = step.rows[i];
-      row.bias = larger(row.bias, e(a.restitution, b.restitution), before(step, row, step.contacts[i]));
-    }
-  }
-};
-/// Where it ends its loop.
-struct Ending : Effect {
-  bool (*ends)(std::size_t i, Real v);
   void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       const Real v = approach_speed(step.world, step.contacts[i]);
-      if (ends(i, v)) return;
-      step.rows[i].bias = larger(step.rows[i].bias, step.contacts[i].restitution, v);
+      const Real e = step.world.bodies_of(step.contacts[i]).second.restitution;
+      if (v < -threshold) step.rows[i].bias = std::min(step.rows[i].bias, falling(e, std::abs(v)) * v);
+    }
+  }
+};
+/// Ends at the first contact that is too slow.
+struct Ending : Effect {
+  void build(StepContext& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      if (approach_speed(step.world, step.contacts[i]) >= -threshold) return;
+      step.rows[i].bias = std::min(step.rows[i].bias, bounce_of(step, i));
+    }
+  }
+};
+/// b is 0 where nothing bounces.
+struct TakingAway : Effect {
+  Real (*bias)(Real b, Real bounce) = larger;
+  void build(StepContext& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      const bool bounces = approach_speed(step.world, step.contacts[i]) < -threshold;
+      step.rows[i].bias = bounces ? bias(step.rows[i].bias, bounce_of(step, i)) : 0;
     }
   }
 };
@@ -212,157 +204,122 @@ struct Ending : Effect {
 struct ByThreshold : Effect {
   Real (*speed)(const StepContext&, const Row&, const Contact&);
   void build(StepContext& step) {
-    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
-      Row& row = step.rows[i];
-      const Contact& at = step.contacts[i];
-      if (speed(step, row, at) < -threshold)
-        row.bias = std::min(row.bias, at.restitution * approach_speed(step.world, at));
-    }
+    for (std::size_t i = 0; i < step.contacts.size(); ++i)
+      if (speed(step, step.rows[i], step.contacts[i]) < -threshold)
+        step.rows[i].bias = std::min(step.rows[i].bias, bounce_of(step, i));
   }
 };
 
 std::vector<Mistake<Answer>> mistakes() {
-  const std::string of_bodies =
-      "it looks as if e were made of the bodies' own values. A contact has the e of its pair, and that is the one with "
-      "which its points separate: step.contacts[i].restitution.";
-  const std::string sign =
-      "it looks as if the bounce had the wrong sign. v_n is negative while bodies approach, and the b that asks for a "
-      "separating speed is negative, too: b = e v_n, where v_n < -threshold.";
+  const std::string power =
+      "it looks as if e fell by another power of the speed. Sixteen times the yield speed halves e.";
+  const Bounce::Speed with_gravity = [](const StepContext&, const Row& row, const Contact&) { return row.speed(); };
+  const Bounce::Speed in_all = [](const StepContext& step, const Row&, const Contact& at) {
+    const auto [a, b] = step.world.bodies_of(at);
+    return (b.velocity_before - a.velocity_before).norm();
+  };
   return {
+      {"the yield speed forgotten",
+       "it looks as if e fell with v to the power of -1/4 in m/s, whatever the yield speed. At v = v_y both laws "
+       "agree, so it is v / v_y that counts: e = e_0 (v_y / v)^(1/4).",
+       with_law([](Real e, Real speed) { return e * std::min(Real(1), std::pow(speed, Real(-0.25))); })},
+      {"the yield speed forgotten",
+       "it looks as if e fell with v to the power of -1/4 in m/s, whatever the yield speed. At v = v_y both laws "
+       "agree, so it is v / v_y that counts: e = e_0 (v_y / v)^(1/4).",
+       with_law([](Real e, Real speed) { return speed > yield ? e * std::pow(speed, Real(-0.25)) : e; })},
+      {"what exceeds the yield speed",
+       "it looks as if e fell with the part of the speed that exceeds v_y. The law is of the whole speed, and both "
+       "laws agree at v = v_y: e = e_0 (v_y / v)^(1/4).",
+       with_law([](Real e, Real speed) { return speed > yield ? e * std::pow(1 + speed - yield, Real(-0.25)) : e; })},
+      {"what exceeds the yield speed",
+       "it looks as if e fell with the part of the speed that exceeds v_y. The law is of the whole speed, and both "
+       "laws agree at v = v_y: e = e_0 (v_y / v)^(1/4).",
+       with_law([](Real e, Real speed) { return speed > yield ? e * std::pow(speed - yield, Real(-0.25)) : e; })},
+      {"the factor alone",
+       "it looks as if e_0 were left out. Above the yield speed e falls from that of the contact: e = e_0 (v_y / "
+       "v)^(1/4).",
+       with_law([](Real e, Real speed) { return speed > yield ? std::pow(yield / speed, Real(0.25)) : e; })},
+      {"not limited",
+       "it looks as if the law for fast impacts were used for slow ones, too. There e is above 1: the ball leaves "
+       "faster than it came, and each bounce makes energy.",
+       with_law([](Real e, Real speed) { return e * std::pow(yield / speed, Real(0.25)); })},
+      {"limited at 1",
+       "it looks as if e were limited at 1. That gains no energy, but loses none either: up to the yield speed, e is "
+       "that of the contact.",
+       with_law([](Real e, Real speed) { return std::min(Real(1), e * std::pow(yield / speed, Real(0.25))); })},
+      {"the greater of the two laws",
+       "it looks as if the greater of the two laws were taken. Then slow impacts gain energy and fast ones do not "
+       "yield: take the lesser.",
+       with_law([](Real e, Real speed) { return e * std::max(Real(1), std::pow(yield / speed, Real(0.25))); })},
+      {"e does not fall",
+       "it looks as if e did not fall. Two reasons are hard to see in C++: 1 / 4 is a division of whole numbers, which "
+       "gives 0, and the root of a negative number is none. v_n is negative while bodies approach.",
+       with_law([](Real e, Real) { return e; })},
+      {"grows with the speed",
+       "it looks as if e grew with the speed. A negative exponent turns the fraction round: v_y / v, less than 1 for "
+       "fast impacts.",
+       with_law([](Real e, Real speed) { return e * std::min(Real(1), std::pow(speed / yield, Real(0.25))); })},
+      {"grows with the speed",
+       "it looks as if e grew with the speed. A negative exponent turns the fraction round: v_y / v, less than 1 for "
+       "fast impacts.",
+       with_law([](Real e, Real speed) { return e * std::max(Real(1), std::pow(speed / yield, Real(0.25))); })},
+      {"another power", power, with_law([](Real e, Real speed) { return e * std::min(Real(1), yield / speed); })},
+      {"another power", power,
+       with_law([](Real e, Real speed) { return e * std::min(Real(1), std::sqrt(yield / speed)); })},
+      {"another power", power,
+       with_law([](Real e, Real speed) { return e * std::min(Real(1), std::pow(yield / speed, Real(4))); })},
       {"gravity counted in",
        "it looks as if the approach were measured after this step's gravity. The ball has not fallen by this gravity "
-       "yet: a ball at rest then bounces off the ground by itself, and with e = 1 each bounce gains g h. Measure with "
-       "velocity_before.",
-       mistaken([](const StepContext&, const Row& row, const Contact&) { return row.speed(); })},
+       "yet: a ball at rest then bounces off the ground by itself, which gains energy.",
+       {Bounce{{}, with_gravity, with_gravity, falling, larger}}},
+      {"sliding counted in",
+       "it looks as if e depended on the whole velocity. How fast the ball slides along the ground does not press into "
+       "it: take the speed along the normal.",
+       {Bounce{{}, before, in_all, falling, larger}}},
       {"sum with the push-out",
        "it looks as if bounce and push-out were added up. Each is a least speed, and the larger satisfies both. Their "
        "sum gains energy in every bounce.",
-       mistaken([](Real b, Real e, Real v) { return v < -threshold ? b + e * v : b; })},
-      {"no threshold",
-       "it looks as if there were no threshold. The bounces of a body that comes to rest then never end, each slower "
-       "than the one before. The threshold ends them.",
-       mistaken([](Real b, Real e, Real v) { return std::min(b, e * v); })},
+       with_bias([](Real b, Real bounce) { return b + bounce; })},
       {"max for min",
        "it looks as if the greater b were kept, by max. b is minus a speed: of two wishes, the lesser b is the one for "
        "more speed.",
-       mistaken([](Real b, Real e, Real v) { return v < -threshold ? std::max(b, e * v) : b; })},
-      {"overwritten",
-       "it looks as if b were simply overwritten. The push-out had asked for more speed: keep the lesser b, by min.",
-       mistaken([](Real, Real e, Real v) { return v < -threshold ? e * v : 0; })},
-      {"overwritten",
-       "it looks as if b were simply overwritten. The push-out had asked for more speed: keep the lesser b, by min.",
-       mistaken([](Real b, Real e, Real v) { return v < -threshold ? e * v : b; })},
-      {"sign", sign, mistaken([](Real b, Real e, Real v) { return v < -threshold ? std::min(b, -e * v) : b; })},
-      {"sign", sign, mistaken([](Real b, Real e, Real v) { return v < -threshold ? -e * v : b; })},
-      {"1 + e for e",
-       "it looks as if b were (1 + e) v_n. The factor 1 + e belongs to an impulse, which first has to stop the "
-       "approach. The row does that by itself: b asks only for the speed afterwards, e v_n.",
-       mistaken([](Real b, Real e, Real v) { return v < -threshold ? std::min(b, (1 + e) * v) : b; })},
-      {"(1 + e)² for e",
-       "it looks as if b were (1 + e)² v_n. The factor 1 + e belongs to an impulse, which first has to stop the "
-       "approach. The row does that by itself: b asks only for the speed afterwards, e v_n.",
-       mistaken([](Real b, Real e, Real v) { return v < -threshold ? std::min(b, (1 + e) * (1 + e) * v) : b; })},
-      {"e squared",
-       "it looks as if b were e² v_n. e is the ratio of the two speeds; its square is that of the energies.",
-       mistaken([](Real b, Real e, Real v) { return v < -threshold ? std::min(b, e * e * v) : b; })},
-      {"e of the bodies", of_bodies, {OwnE{{}, [](Real a, Real) { return a; }}}},
-      {"e of the bodies", of_bodies, {OwnE{{}, [](Real, Real b) { return b; }}}},
-      {"e of the bodies", of_bodies, {OwnE{{}, [](Real a, Real b) { return (a + b) / 2; }}}},
-      {"e of the bodies", of_bodies, {OwnE{{}, [](Real a, Real b) { return a * b; }}}},
+       with_bias([](Real b, Real bounce) { return std::max(b, bounce); })},
+      {"e of the bodies",
+       "it looks as if e_0 were that of one body. A contact has the e of its pair, step.contacts[i].restitution.",
+       {OwnE{}}},
       {"the first contact alone",
-       "it looks as if only the first contact could bounce. Each of the step.contacts.size() rows has an approach "
-       "speed and an e of its own.",
-       {Ending{{}, [](std::size_t i, Real) { return i > 0; }}}},
-      {"the loop ends early",
-       "it looks as if nobody bounced after the first contact that is too slow for it. Such a contact is to be passed "
-       "over (continue), and those after it have their own approach (return or break ends them all).",
-       {Ending{{}, [](std::size_t, Real v) { return v >= -threshold; }}}},
+       "it looks as if the loop ended at the first contact, or at the first that is too slow. Each of the "
+       "step.contacts.size() rows has an approach of its own: what does not bounce is to be passed over.",
+       {Ending{}}},
       {"the push-out taken away",
        "it looks as if b became 0 where nothing bounces. What is too slow to bounce still has to be pushed out: there, "
        "b stays as it is.",
-       mistaken([](Real b, Real e, Real v) { return v < -threshold ? std::min(b, e * v) : 0; })},
-      {"threshold with gravity",
-       "it looks as if the threshold were compared with a speed that has this step's gravity in it. A body that creeps "
-       "then bounces, since gravity adds g h to every contact in every step: compare v_n of velocity_before.",
-       {ByThreshold{{}, [](const StepContext&, const Row& row, const Contact&) { return row.speed(); }}}},
-      {"threshold on the whole speed",
-       "it looks as if the threshold were compared with the whole speed. How fast a body slides along does not press "
-       "it on: the approach is the part along the normal, v_n.",
-       {ByThreshold{{},
-                    [](const StepContext& step, const Row&, const Contact& at) { return -whole_speed(step, at); }}}},
-      {"the whole speed",
-       "it looks as if the length of the velocity were taken for the approach. A length has no sign, so what leaves "
-       "bounces as well, and what slides along counts too: v_n is the part along the normal.",
-       mistaken([](const StepContext& step, const Row&, const Contact& at) { return -whole_speed(step, at); })},
-      {"along y",
-       "it looks as if v_n were the part of the velocity along y. A normal may point anywhere: take the part along the "
-       "contact's own, by dot(at.normal).",
-       mistaken([](const StepContext& step, const Row&, const Contact& at) { return velocity_before(step, at).y(); })},
-      {"this step's turn counted in",
-       "it looks as if the turn were measured after this step's torques. Like the velocity, it counts as the step "
-       "began: angular_velocity_before.",
-       mistaken([](const StepContext& step, const Row&, const Contact& at) {
-         const auto [a, b] = step.world.bodies_of(at);
-         return (b.velocity_before + b.angular_velocity.cross(at.point - b.position) - a.velocity_before -
-                 a.angular_velocity.cross(at.point - a.position))
-             .dot(at.normal);
-       })},
-      {"r × ω for ω × r",
-       "it looks as if the cross product had its factors the other way round. A point at r moves with ω × r; r × ω is "
-       "minus that, as if both bodies turned backwards.",
-       mistaken([](const StepContext& step, const Row&, const Contact& at) {
-         const auto [a, b] = step.world.bodies_of(at);
-         return (b.velocity_before - b.angular_velocity_before.cross(at.point - b.position) - a.velocity_before +
-                 a.angular_velocity_before.cross(at.point - a.position))
-             .dot(at.normal);
-       })},
-      {"the arm from the origin",
-       "it looks as if r led from the origin of the world to the contact. A body turns about its own centre: r = point "
-       "- position.",
-       mistaken([](const StepContext& step, const Row&, const Contact& at) {
-         const auto [a, b] = step.world.bodies_of(at);
-         return (b.velocity_before + b.angular_velocity_before.cross(at.point) - a.velocity_before -
-                 a.angular_velocity_before.cross(at.point))
-             .dot(at.normal);
-       })},
-      {"e forgotten",
-       "it looks as if e were forgotten. The bodies separate e times as fast as they approached; without e nothing "
-       "ever comes to rest.",
-       mistaken([](Real b, Real, Real v) { return v < -threshold ? std::min(b, v) : b; })},
-      {"a push on what leaves",
-       "it looks as if |v_n| were taken. A ball that leaves has v_n > 0. It has nothing to bounce off, yet the ground "
-       "pushes it on.",
-       mistaken([](Real b, Real e, Real v) { return std::abs(v) > threshold ? std::min(b, -e * std::abs(v)) : b; })},
-      {"A and B swapped",
-       "it looks as if A and B were swapped in v_n. The normal points from A to B, so bodies approach where (v_B - "
-       "v_A) . n is negative. With the other sign a ball that lands is not seen, and one that leaves bounces.",
-       mistaken(
-           [](const StepContext& step, const Row&, const Contact& at) { return -approach_speed(step.world, at); })},
+       {TakingAway{}}},
       {"threshold on the departure",
        "it looks as if the threshold were compared with e v_n. It is for the speed of the approach, v_n.",
-       mistaken([](Real b, Real e, Real v) { return e * v < -threshold ? std::min(b, e * v) : b; })},
-      {"threshold taken off",
-       "it looks as if the threshold were taken off the speed, as slop is off a depth. It only says who bounces: who "
-       "does leaves with the whole of e v_n.",
-       mistaken([](Real b, Real e, Real v) { return std::min(b, e * std::min(Real(0), v + threshold)); })},
-      {"only slow ones bounce",
-       "it looks as if only those bounced that are slower than the threshold. v_n is negative: faster than the "
-       "threshold is v_n < -threshold.",
-       mistaken([](Real b, Real e, Real v) { return v > -threshold ? std::min(b, e * v) : b; })},
-      {"turning left out",
-       "it looks as if the velocities of the centres were taken. The points that touch also move with ω × r as their "
-       "bodies turn.",
-       mistaken([](const StepContext& step, const Row&, const Contact& at) {
-         const auto [a, b] = step.world.bodies_of(at);
-         return (b.velocity_before - a.velocity_before).dot(at.normal);
-       })},
-      {"A left out",
-       "it looks as if only B moved. The ground does not, but other bodies do: v_n is the velocity of B's point minus "
-       "that of A's.",
-       mistaken([](const StepContext& step, const Row&, const Contact& at) {
-         const Body& b = step.world.bodies_of(at).second;
-         return (b.velocity_before + b.angular_velocity_before.cross(at.point - b.position)).dot(at.normal);
-       })},
+       {ByThreshold{{},
+                    [](const StepContext& step, const Row&, const Contact& at) {
+                      const Real v = approach_speed(step.world, at);
+                      return falling(at.restitution, std::abs(v)) * v;
+                    }}}},
+      {"threshold with gravity",
+       "it looks as if the threshold were compared with a speed that has this step's gravity in it. A body that creeps "
+       "then bounces, since gravity adds g h to every contact in every step: compare v_n of before the step.",
+       {ByThreshold{{}, [](const StepContext&, const Row& row, const Contact&) { return row.speed(); }}}},
+      {"overwritten",
+       "it looks as if b were simply overwritten. The push-out had asked for more speed: keep the lesser b, by min.",
+       {TakingAway{{}, [](Real, Real bounce) { return bounce; }}}},
+      {"overwritten",
+       "it looks as if b were simply overwritten. The push-out had asked for more speed: keep the lesser b, by min.",
+       with_bias([](Real, Real bounce) { return bounce; })},
+      {"sign",
+       "it looks as if the bounce had the wrong sign. v_n is negative while bodies approach, and the b that asks for a "
+       "separating speed is negative, too: b = e v_n.",
+       with_bias([](Real b, Real bounce) { return std::min(b, -bounce); })},
+      {"no threshold",
+       "it looks as if there were no threshold. The bounces of a body that comes to rest then never end, each slower "
+       "than the one before. The threshold ends them.",
+       {Bounce{{}, before, before, falling, larger, 0}}},
   };
 }
 
@@ -374,13 +331,13 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 
 Exercise exercise() {
   return exercise_of<Answer>(
-      "the bias of a bounce",
-      {"A point at r from the centre of its body moves with v + ω × r: angular_velocity_before.cross(r) in code. v_n "
-       "is how fast B's point moves along the normal, minus how fast A's does.",
-       "The row makes the separating speed -b. Newton's rule wants -e v_n. So b = e v_n, which is negative while the "
-       "bodies approach.",
-       "Only where v_n < -threshold. There the new b is the lesser of the old one and e v_n: std::min."},
-      checks(), {Restitution{}}, mistakes());
+      "a restitution that falls with the speed",
+      {"Two laws agree at v = v_y, where e = e_0, and one is proportional to v to the power of -1/4. Which power of "
+       "v_y / v is that?",
+       "Below the yield speed this law gives more than e_0, above it less. Which of the two laws is right is a min or "
+       "a max.",
+       "The rest is chapter 05's: where v_n < -threshold, b becomes the lesser of the old b and e v_n, with your e."},
+      checks(), {right}, mistakes());
 }
 
 }  // namespace pushback::exercise_05

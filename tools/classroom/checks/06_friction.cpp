@@ -1,464 +1,334 @@
+#include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/06_friction/exercise/asked.h"
-#include "pushback/chapters/06_friction/friction.h"
 #include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_06 {
 
 namespace {
 
-using Sliding = Solver<Clamping, AnyEffect>;
-
-/// `body` touches a plane in the one point `height` below its centre, and arrives. Such a contact's rows do not disturb each
-/// other: one sweep is exact.
-void touch(World& world, const Body& body, Real height, const Vec3& velocity, Real mu,
-           const Vec3& normal = Vec3::UnitY()) {
-  constexpr Real of_ground = Real(0.8);
-  if (world.bodies.empty()) world.add(half_space(normal).rough(of_ground));
-  Body placed = body;
-  const Vec3 point(2 * static_cast<Real>(world.bodies.size() - 1), 0, 0);  // beside the one before
-  const int index = world.add(placed.at(point + height * normal).moving(velocity).rough(mu * mu / of_ground));
-  world.contacts.push_back(
-      {.point = point, .normal = normal, .friction = mu, .id = {0, static_cast<std::uint32_t>(index), 0}});
-}
-Body ball(Random& random) {
-  const Real radius = random.between(Real(0.2), Real(0.5)), mass = random.between(5, 20);
-  return sphere(radius, mass);
-}
-void touch(World& world, const Body& ball, const Vec3& velocity, Real mu) {
-  touch(world, ball, std::get<Sphere>(ball.shape).radius, velocity, mu);
-}
-
-Real random_step(Random& random) {
-  return 1 / random.between(50, 240);
-}
-
-void solve(World& world, Random& random, int sweeps, const Answer& answer,
-           const std::vector<std::size_t>& quantities = {}) {
-  auto solver = with_effect<Sliding>(answer.friction);
-  solver.solve(world, random_step(random), sweeps);
-  show(world, quantities);
-}
-
-/// A ball too fast for its friction: what it loses of its velocity in a step of four sweeps, m/s.
-Vec3 lost_by_ball(Random& random, const Vec3& heading, const Answer& answer,
-                  const std::vector<std::size_t>& quantities) {
-  const Real speed = random.between(30, 40), arrival = random.between(1, 2), mu = random.between(Real(0.4), Real(0.6));
-  World world;
-  const Vec3 velocity = speed * heading - arrival * Vec3::UnitY();
-  touch(world, ball(random), velocity, mu);
-  solve(world, random, 4, answer, quantities);
-  return velocity - world.bodies[1].velocity;
-}
-
-/// A box on two feet that are so near to each other that what brakes one brakes both: the first has to take some of its friction
-/// back. How fast the faster of them slips on, m/s.
-Real slip_of_two_feet(Random& random, const Answer& answer) {
-  const Real wide = random.between(Real(0.4), Real(0.6)), foot = wide * random.between(Real(0.2), Real(0.3));
-  const Real speed = random.between(1, 2), mu = random.between(2, 3);  // no bound holds it back
-  World world;
-  touch(world, box({wide, wide, wide}, random.between(50, 150)), wide, {speed, -6 * speed, speed}, mu);
-  world.contacts.push_back(world.contacts[0]);
-  world.contacts[0].point = {-foot, 0, 0};
-  world.contacts[1].point = {foot, 0, 0};
-  world.contacts[1].id.feature = 1;
-  solve(world, random, 300, answer);
-  Real fastest = 0;
-  for (const Contact& at : world.contacts) {
-    const Vec3 slip = world.bodies[1].velocity_at(at.point);
-    fastest = std::max(fastest, std::hypot(slip.x(), slip.z()));
+struct Rubbing : Effect {
+  Answer answer{};
+  Surfaces surfaces{};
+  void build(StepContext& step) {
+    for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+      const auto [a, b] = step.world.bodies_of(step.contacts[i]);
+      const auto [tangent1, tangent2] = tangents_of(step.contacts[i].normal);
+      for (const Vec3& tangent : {tangent1, tangent2}) {
+        step.rows.emplace_back(step.world, step.contacts[i], tangent, i);
+        step.rows.emplace_back(a, b, Jacobian::about(tangent), i);
+      }
+    }
   }
-  return fastest;
+  void sweep(StepContext& step) {
+    for (std::size_t k = step.contacts.size(); k < step.rows.size(); k += 2)
+      answer.rub(step.rows[step.rows[k].owner], step.rows[k], step.rows[k + 1], surfaces);
+  }
+};
+
+/// A ball on a floor that may be a belt.
+struct Ball {
+  Real radius, mass;
+  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
+  bool floor_first = true;  ///< whether the floor is A
+  int sweeps = 4;           ///< it is exact after one, unless it slips and turns at once
+
+  explicit Ball(Random& random) : radius(random.between(Real(0.2), Real(0.5))), mass(random.between(5, 20)) {}
+
+  /// After the step.
+  Body solved(const Surfaces& surfaces, const Answer& answer, const std::vector<std::size_t>& quantities = {}) const {
+    World world;
+    if (floor_first) world.add(ground());
+    const int ball = world.add(sphere(radius, mass).at({0, radius, 0}).moving(velocity).spinning(spin));
+    if (!floor_first) world.add(ground());
+    world.contacts = {{.normal = {0, floor_first ? Real(1) : Real(-1), 0}, .id = {0, 1, 0}}};
+    Solver<Clamping, Rubbing> solver;
+    static_cast<Rubbing&>(solver) = {{}, answer, surfaces};
+    solver.solve(world, Real(1) / 60, sweeps);
+    // Only to be seen: what slips does so against the belt.
+    world.bodies[floor_first ? 0 : 1].velocity = floor_first ? surfaces.belt_a : surfaces.belt_b;
+    show(world, quantities);
+    return world.body(ball);
+  }
+};
+
+Vec3 random_belt(Random& random) {
+  const Real along = random.between(1, 2), across = random.between(Real(0.4), Real(0.8));
+  return {along, 0, across};
 }
 
 std::vector<Check<Answer>> checks() {
   return {
-      {"a ball that is pressed on hard enough ends rolling",
+      {"a ball that is put on a belt is taken along, and rolls on it",
        1,
-       {{"your ball, which should end rolling, goes on along x with", "m/s", 1e-6},
-        {"your ball, which should end rolling, goes on along z with", "m/s", 1e-6}},
+       {{"your ball on a belt sets off along x with", "m/s", 1e-6},
+        {"your ball on a belt sets off along z with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const Real speed = random.between(1, 2), across = random.between(Real(0.4), Real(0.8));
-         const Real mu = random.between(Real(0.5), Real(0.8));
-         World world;
-         touch(world, ball(random), {speed, -3 * speed, across * speed}, mu);
-         solve(world, random, 3, answer);
-         return {world.bodies[1].velocity.x(), world.bodies[1].velocity.z()};
+         Ball ball(random);
+         ball.velocity.y() = -random.between(6, 8);
+         const Surfaces surfaces{.mu = random.between(Real(0.5), Real(0.8)), .lever = 0, .belt_a = random_belt(random)};
+         const Vec3 after = ball.solved(surfaces, answer).velocity;
+         return {after.x(), after.z()};
        }},
-      {"a box that stands on one foot: the foot sticks, whichever way it slid",
-       2,
-       {{"the foot of your box slips on along x with", "m/s", 1e-6},
-        {"the foot of your box slips on along z with", "m/s", 1e-6},
-        {"your box goes on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Real speed = random.between(1, 2), across = random.between(Real(0.4), Real(0.8));
-         const Real wide = random.between(Real(0.5), Real(0.7)), high = random.between(Real(0.4), Real(0.6)),
-                    narrow = random.between(Real(0.15), Real(0.25)), mu = random.between(Real(0.5), Real(0.8));
-         World world;
-         touch(world, box({wide, high, narrow}, random.between(50, 150)), high, {speed, -3 * speed, across * speed},
-               mu);
-         solve(world, random, 1, answer);
-         const Body& box = world.bodies[1];
-         const Vec3 slip = box.velocity_at(Vec3::Zero());
-         return {slip.x(), slip.z(), box.velocity.norm()};
-       }},
-      {"a ball that is too fast slides on, and loses μ Σλn / m",
-       2,
-       {{"your ball, which slides to the right, is braked by", "m/s", 1e-6},
-        {"your ball, which slides to the left, is braked by", "m/s", 1e-6},
-        {"your ball, which slides aslant, is braked along x by", "m/s", 1e-6},
-        {"your ball, which slides aslant, is braked along z by", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Real right = lost_by_ball(random, Vec3::UnitX(), answer, {0}).x();
-         const Real left = -lost_by_ball(random, -Vec3::UnitX(), answer, {1}).x();
-         const Vec3 aslant = lost_by_ball(random, {Real(0.8), 0, Real(0.6)}, answer, {2, 3});
-         return {right, left, aslant.x(), aslant.z()};
-       }},
-      {"a ball slips down a slope, g (sin θ − μ cos θ) h faster each step",
+      {"a ball is taken along, whichever of the two bodies is the conveyor",
        1,
-       {{"your ball, which slips down a slope, starts with", "m/s", 1e-6},
-        {"your ball, which crosses a slope, is braked along the first tangent by", "m/s", 1e-6},
-        {"your ball, which crosses a slope, is braked along the second tangent by", "m/s", 1e-6}},
+       {{"your ball on a belt that is body B sets off along x with", "m/s", 1e-6},
+        {"your ball on a belt that is body B sets off along z with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         const Real theta = random.between(Real(0.6), Real(0.8)), h = random_step(random);
-         const Real mu = random.between(Real(0.5), Real(0.8)) * Real(2) / 7 * std::tan(theta);  // it rolls from 1 on
-         const Body body = ball(random);
-         World world;
-         touch(world, body, std::get<Sphere>(body.shape).radius, h * world.gravity, mu,
-               {-std::sin(theta), std::cos(theta), 0});
-         with_effect<Sliding>(answer.friction).solve(world, h, 4);
-         show(world, {0});
-         const Real slips = -world.bodies[1].velocity.dot(Vec3(std::cos(theta), std::sin(theta), 0));
-         const Real lean = random.between(Real(0.4), Real(0.6)), aside = random.between(Real(0.2), Real(0.3));
-         const Vec3 normal = Vec3(lean, 1, aside).normalized();
-         const auto [tangent1, tangent2] = tangents_of(normal);
-         const Real speed = random.between(30, 40), arrival = random.between(1, 2);
-         const Vec3 crossing = speed * tangent1 - Real(0.7) * speed * tangent2 - arrival * normal;
-         World other;
-         touch(other, body, std::get<Sphere>(body.shape).radius, crossing, random.between(Real(0.4), Real(0.6)),
-               normal);
-         solve(other, random, 4, answer, {1, 2});
-         const Vec3 lost = crossing - other.bodies[1].velocity;
-         return {slips, lost.dot(tangent1), -lost.dot(tangent2)};
+         Ball ball(random);
+         ball.velocity.y() = -random.between(6, 8);
+         ball.floor_first = false;
+         const Surfaces surfaces{.mu = random.between(Real(0.5), Real(0.8)), .lever = 0, .belt_b = random_belt(random)};
+         const Vec3 after = ball.solved(surfaces, answer).velocity;
+         return {after.x(), after.z()};
        }},
-      {"of two balls, each is braked by its own push on the ground",
-       1,
-       {{"your first ball, which is pressed on less, is braked along x by", "m/s", 1e-6},
-        {"your first ball, which is pressed on less, is braked along z by", "m/s", 1e-6},
-        {"your second ball, which is pressed on more, is braked along x by", "m/s", 1e-6},
-        {"your second ball, which is pressed on more, is braked along z by", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         World world;
-         std::vector<Vec3> velocity;
-         for (const Real least : {Real(1), Real(2)}) {
-           const Real speed = random.between(30, 40), arrival = random.between(least, least + Real(0.5));
-           const Real mu = random.between(Real(0.4), Real(0.6));
-           velocity.emplace_back(speed, -arrival, speed / 2);
-           touch(world, ball(random), velocity.back(), mu);
-         }
-         solve(world, random, 4, answer);
-         const Vec3 first = velocity[0] - world.bodies[1].velocity, second = velocity[1] - world.bodies[2].velocity;
-         return {first.x(), first.z(), second.x(), second.z()};
-       }},
-      {"a box that comes down on a corner: friction and push act on each other, and end in agreement",
+      {"a belt that is too fast slips away under the ball, which gains μ Σλn / m",
        2,
-       {{"your box, which slides on its rear corner, is braked along x by", "m/s", 1e-6},
-        {"your box, which slides on its rear corner, is braked along z by", "m/s", 1e-6},
-        {"your box, which slides on its front corner, is braked along x by", "m/s", 1e-6},
-        {"your box, which slides on its front corner, is braked along z by", "m/s", 1e-6},
-        {"your box, which stands on two feet that should stick, slips on with", "m/s", 1e-6}},
+       {{"your ball, which the belt leaves behind, gains", "m/s", 1e-6},
+        {"your ball, which comes along faster than its belt, is braked by", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
-         Numbers braked;
-         for (const Real forward : {Real(1), Real(-1)}) {  // where its centre is
-           const Real wide = random.between(Real(0.4), Real(0.6)), high = random.between(Real(0.4), Real(0.6));
-           const Real speed = random.between(30, 40), arrival = random.between(1, 2);
-           const Real mu = random.between(Real(0.3), Real(0.4));
-           const Vec3 velocity(speed, -arrival, speed / 2);
-           World world;
-           touch(world, box({wide, high, wide}, random.between(50, 150)), high, velocity, mu);
-           world.bodies[1].position += forward * Vec3(wide, 0, wide / 2);
-           solve(world, random, 100, answer, {braked.size(), braked.size() + 1});
-           const Vec3 lost = velocity - world.bodies[1].velocity;
-           braked.insert(braked.end(), {lost.x(), lost.z()});
-         }
-         braked.push_back(slip_of_two_feet(random, answer));
-         return braked;
+         Ball slow(random);
+         slow.velocity.y() = -random.between(1, 2);
+         Ball fast = slow;
+         const Real belt = random.between(40, 50);
+         fast.velocity.x() = random.between(2, 3) * belt;
+         const Surfaces surfaces{
+             .mu = random.between(Real(0.4), Real(0.6)), .lever = 0, .belt_a = belt * Vec3::UnitX()};
+         return {slow.solved(surfaces, answer, {0}).velocity.x(),
+                 fast.velocity.x() - fast.solved(surfaces, answer, {1}).velocity.x()};
+       }},
+      {"where nothing rubs, a turn loses ϱ Σλn / I, and stops when it is less",
+       1,
+       {{"your ball, which turns fast on a smooth floor, turns more slowly by", "rad/s", 1e-6},
+        {"your ball, which turns slowly on a smooth floor, turns on with", "rad/s", 1e-6},
+        {"your ball, which turns slowly the other way, turns on with", "rad/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         Ball fast(random);
+         const Real arrival = random.between(1, 2);
+         const Real lever = random.between(Real(0.01), Real(0.02));
+         const Surfaces surfaces{.mu = 0, .lever = lever, .belt_a = random_belt(random)};  // which slips away under it
+         const Real most = surfaces.lever * arrival / (Real(0.4) * fast.radius * fast.radius);  // rad/s
+         fast.velocity.y() = -arrival;
+         Ball slow = fast;
+         fast.spin.x() = random.between(6, 9) * most;
+         slow.spin.x() = random.between(Real(0.4), Real(0.7)) * most;
+         Ball other_way = slow;
+         other_way.spin *= -1;
+         return {fast.spin.x() - fast.solved(surfaces, answer, {0}).angular_velocity.x(),
+                 slow.solved(surfaces, answer, {1}).angular_velocity.x(),
+                 other_way.solved(surfaces, answer, {2}).angular_velocity.x()};
+       }},
+      {"a ball that rolls is slowed by its rolling resistance, and keeps rolling",
+       2,
+       {{"your ball, which rolls, is slowed by", "m/s", 1e-6},
+        {"your ball, which rolls, is then turning with", "rad/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         Ball ball(random);
+         const Real speed = random.between(3, 6);
+         ball.velocity = {speed, -random.between(1, 2), 0};
+         ball.spin.z() = -speed / ball.radius;
+         ball.sweeps = 200;
+         const Real mu = random.between(Real(0.5), Real(0.8)), lever = random.between(Real(0.01), Real(0.02));
+         const Body after = ball.solved({.mu = mu, .lever = lever}, answer);
+         return {speed - after.velocity.x(), after.angular_velocity.z()};
+       }},
+      {"a ball that cannot roll is taken along by a belt as a box is",
+       1,
+       {{"your ball, whose belt does not let it turn, sets off with", "m/s", 1e-6},
+        {"your ball, whose belt does not let it turn, turns with", "rad/s", 1e-6}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         Ball ball(random);
+         const Real along = random.between(1, 2), across = random.between(Real(0.3), Real(0.4)) * along;
+         ball.velocity.y() = -random.between(6, 8);
+         ball.sweeps = 200;
+         const Surfaces surfaces{.mu = random.between(Real(0.5), Real(0.8)),
+                                 .lever = Real(1.2) * ball.radius,
+                                 .belt_a = {along, 0, across}};
+         const Body after = ball.solved(surfaces, answer);
+         return {after.velocity.norm(), after.angular_velocity.norm()};
        }},
   };
 }
 
-/// A mistake is what it does with the two tangents of a contact.
-template <class Solve>
-struct Mistaken : Friction {
-  Solve solve;
-  void sweep(StepContext& step) {
-    for (std::size_t i = first_; i < step.rows.size(); i += 2) solve(step, step.rows[i], step.rows[i + 1]);
-  }
-};
-template <class Solve>
-Answer mistaken(Solve solve) {
-  return {Mistaken<Solve>{{}, solve}};
+void hold(Row& row, Real speed, Real bound) {
+  row.lo = -bound;
+  row.hi = bound;
+  row.reach(row.impulse - row.effective_mass * speed);
+}
+void hold_each_correction(Row& row, Real speed, Real bound) {
+  row.reach(row.impulse + std::clamp(-row.effective_mass * speed, -bound, bound));
+}
+Real slip_of(const Row& slip, const Surfaces& surfaces) {
+  return slip.speed() + (surfaces.belt_b - surfaces.belt_a).dot(slip.n);
 }
 
-void within(Row& row, Real total, Real lo, Real hi) {
-  row.lo = lo;
-  row.hi = hi;
-  row.reach(total);
+void hold_slip(const Row& normal, Row& slip, const Surfaces& surfaces) {
+  hold(slip, slip_of(slip, surfaces), surfaces.mu * normal.impulse);
 }
-void within(Row& row, Real bound) {
-  within(row, row.wanted(), -bound, bound);
-}
-Real bound_of(const StepContext& step, const Row& tangent) {
-  return step.contacts[tangent.owner].friction * step.rows[tangent.owner].impulse;
+void hold_roll(const Row& normal, Row& roll, const Surfaces& surfaces) {
+  hold(roll, roll.speed(), surfaces.lever * normal.impulse);
 }
 
-/// ... with each of them, whatever the other.
-template <class Solve>
-Answer each_mistaken(Solve solve) {
-  return mistaken([solve](StepContext& step, Row& tangent1, Row& tangent2) {
-    for (Row* tangent : {&tangent1, &tangent2}) solve(step, *tangent, bound_of(step, *tangent));
-  });
+void right(const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+  hold_slip(normal, slip, surfaces);
+  hold_roll(normal, roll, surfaces);
+}
+
+/// A mistake in the slip's speed, the roll as it should be.
+template <auto speed_of>
+void with_slip(const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+  hold(slip, speed_of(slip, surfaces), surfaces.mu * normal.impulse);
+  hold_roll(normal, roll, surfaces);
+}
+/// A mistake in the roll's bound, the slip as it should be.
+template <auto bound_of>
+void with_roll_bound(const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+  hold_slip(normal, slip, surfaces);
+  hold(roll, roll.speed(), bound_of(normal, surfaces));
 }
 
 constexpr Real inf = std::numeric_limits<Real>::infinity();
 
-/// Which of the pushes of a normal bounds its tangents: in all that it has given before this sweep, what it gives in this
-/// one, and what it gave in the first.
-struct ByPush : Friction {
-  Real (*push)(Real before, Real now, Real first);
-  std::vector<Real> before = {}, first = {};
-  void build(StepContext& step) {
-    Friction::build(step);
-    before.assign(step.contacts.size(), 0);
-    first.clear();
-  }
-  void sweep(StepContext& step) {
-    for (std::size_t i = first.size(); i < step.contacts.size(); ++i) first.push_back(step.rows[i].impulse);
-    for (std::size_t k = first_; k < step.rows.size(); ++k) {
-      const std::size_t i = step.rows[k].owner;
-      within(step.rows[k], step.contacts[i].friction * push(before[i], step.rows[i].impulse - before[i], first[i]));
-    }
-    for (std::size_t i = 0; i < before.size(); ++i) before[i] = step.rows[i].impulse;
-  }
-};
-/// Along which tangents its rows lie.
-struct Along : Friction {
-  std::pair<Vec3, Vec3> (*tangents)(const Vec3& normal);
-  void build(StepContext& step) {
-    Friction::build(step);
-    for (std::size_t k = first_; k < step.rows.size(); k += 2) {
-      const Contact& at = step.contacts[step.rows[k].owner];
-      const auto [a, b] = step.world.bodies_of(at);
-      const auto [tangent1, tangent2] = tangents(at.normal);
-      for (const bool one : {true, false})
-        step.rows[one ? k : k + 1].Jacobian::operator=(Jacobian::along(one ? tangent1 : tangent2, a, b, at.point));
-      for (std::size_t row : {k, k + 1}) {
-        Row& tangent = step.rows[row];
-        tangent.weigh();
-        tangent.effective_mass = 1 / (tangent.n.dot(tangent.dvb - tangent.dva) + tangent.rb_n.dot(tangent.dwb) -
-                                      tangent.ra_n.dot(tangent.dwa));
-      }
-    }
-  }
-};
-
 std::vector<Mistake<Answer>> mistakes() {
-  const std::string one_k =
-      "it looks as if one effective mass served both tangents. A long box turns more easily about its length than "
-      "across it, so its foot gives way more easily along one tangent: each row has its own K.";
-  const std::string same_twice =
-      "it looks as if both rows of a contact lay along the same tangent: it brakes twice there, and not at all along "
-      "the other.";
+  const std::string each =
+      "it looks as if each correction were clamped, not their sum, or the sum began at 0 in each sweep. Every sweep "
+      "then adds the full bound once more.";
+  const std::string ends =
+      "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, whichever way "
+      "the surfaces slip. It is anything from minus the bound to the bound.";
+  const std::string one_sided =
+      "it looks as if the sum of a row could not be negative. A normal only pushes; what holds a slip or a turn acts "
+      "both ways, from minus the bound to the bound.";
   return {
-      {"μ m g",
-       "it looks as if the bound were μ m g. What bounds friction is the push on this contact: on a slope it is less "
-       "than the weight, in an impact far more. It is Σλn, of the normal's row.",
-       each_mistaken([](StepContext& step, Row& tangent, Real) {
-         within(tangent, step.contacts[tangent.owner].friction / tangent.b->inverse_mass * World::g * step.dt);
-       })},
-      {"each correction clamped",
-       "it looks as if each correction were clamped, not their sum, or the sum began at 0 in each sweep. Every sweep "
-       "then brakes by the full bound once more.",
-       each_mistaken([](StepContext&, Row& tangent, Real bound) {
-         const Real lambda = std::clamp(tangent.wanted() - tangent.impulse, -bound, bound);
-         tangent.reach(tangent.impulse + lambda);
-       })},
-      {"one-sided",
-       "it looks as if the sum of a tangent could not be negative. A normal only pushes; friction acts both ways along "
-       "its tangent, from -μ Σλn to μ Σλn.",
-       each_mistaken([](StepContext&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), 0, bound); })},
-      {"one-sided",
-       "it looks as if only one end of the interval were bounded. Friction that acts against the tangent is no "
-       "stronger than friction along it: from -μ Σλn to μ Σλn.",
-       each_mistaken([](StepContext&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), -inf, bound); })},
-      {"one K for both", one_k, mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
-         for (Row* tangent : {&tangent1, &tangent2}) {
-           const Real bound = bound_of(step, *tangent);
-           within(*tangent, tangent->impulse - tangent1.effective_mass * tangent->speed(), -bound, bound);
-         }
-       })},
-      {"one K for both", one_k, mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
-         for (Row* tangent : {&tangent1, &tangent2}) {
-           const Real bound = bound_of(step, *tangent);
-           within(*tangent, tangent->impulse - tangent2.effective_mass * tangent->speed(), -bound, bound);
-         }
-       })},
-      {"the normal's K",
-       "it looks as if the tangents were solved with the normal's effective mass, or as if nothing turned. Friction "
-       "turns the body, so along a tangent the contact point gives way more easily: each row has its own K.",
-       each_mistaken([](StepContext& step, Row& tangent, Real bound) {
-         within(tangent, tangent.impulse - step.rows[tangent.owner].effective_mass * tangent.speed(), -bound, bound);
-       })},
+      {"belt forgotten",
+       "it looks as if the belt stood still. What friction holds is the slip of the surfaces: that of the bodies, and "
+       "how the belt runs under it along t, which is slip.n (the normal's n has no part of it).",
+       {with_slip<[](const Row& slip, const Surfaces&) { return slip.speed(); }>}},
+      {"sign of the belt",
+       "it looks as if the belt ran the other way. The surface of A moves with v_A + belt_a, that of B with v_B + "
+       "belt_b; the slip is the second minus the first.",
+       {with_slip<[](const Row& slip, const Surfaces& surfaces) {
+         return slip.speed() + (surfaces.belt_a - surfaces.belt_b).dot(slip.n);
+       }>}},
+      {"belt of B as if it were A's",
+       "it looks as if a belt counted the same on A and on B. The slip is B's surface minus A's: the two belts have "
+       "opposite signs.",
+       {with_slip<[](const Row& slip, const Surfaces& surfaces) {
+         return slip.speed() - (surfaces.belt_a + surfaces.belt_b).dot(slip.n);
+       }>}},
+      {"belt of B forgotten",
+       "it looks as if only A could be a conveyor. Which body is A is decided by its index, not by what it is.",
+       {with_slip<[](const Row& slip, const Surfaces& surfaces) {
+         return slip.speed() - surfaces.belt_a.dot(slip.n);
+       }>}},
+      {"the belt's whole speed",
+       "it looks as if each tangent had the whole speed of the belt. A row has the part along its own t: belt · t.",
+       {with_slip<[](const Row& slip, const Surfaces& surfaces) {
+         return slip.speed() + surfaces.belt_b.norm() - surfaces.belt_a.norm();
+       }>}},
+      {"a belt faster in each sweep",
+       "it looks as if the belt got faster with each sweep. rub is called several times a step: what it adds to a bias "
+       "is added each time.",
+       {with_slip<[](Row& slip, const Surfaces& surfaces) {
+         slip.bias += (surfaces.belt_b - surfaces.belt_a).dot(slip.n);
+         return slip.speed() + slip.bias;
+       }>}},
       {"no bound",
-       "it looks as if nothing bounded the friction. What is not pressed on cannot be held: the sum stays within μ "
-       "Σλn.",
-       each_mistaken([](StepContext&, Row& tangent, Real) { tangent.solve(); })},
-      {"μ forgotten", "it looks as if the bound were Σλn. Friction is at most the part μ of the push.",
-       each_mistaken([](StepContext& step, Row& tangent, Real) { within(tangent, step.rows[tangent.owner].impulse); })},
-      {"the μ of one body",
-       "it looks as if the μ were that of one body. How rough a contact is depends on both: step.contacts[i].friction.",
-       each_mistaken([](StepContext& step, Row& tangent, Real) {
-         within(tangent, tangent.a->friction * step.rows[tangent.owner].impulse);
-       })},
-      {"the μ of one body",
-       "it looks as if the μ were that of one body. How rough a contact is depends on both: step.contacts[i].friction.",
-       each_mistaken([](StepContext& step, Row& tangent, Real) {
-         within(tangent, tangent.b->friction * step.rows[tangent.owner].impulse);
-       })},
-      {"times h", "it looks as if the bound were multiplied by h. Σλn is an impulse already, N s, and so is the bound.",
-       each_mistaken([](StepContext& step, Row& tangent, Real bound) { within(tangent, step.dt * bound); })},
-      {"sign", "it looks as if friction pushed along with the slip. The impulse that makes J V = 0 is -J V / K.",
-       each_mistaken([](StepContext&, Row& tangent, Real bound) {
-         within(tangent, tangent.impulse + tangent.effective_mass * tangent.speed(), -bound, bound);
-       })},
-      {"one tangent",
-       "it looks as if only one tangent were solved. A plane has two directions: along the other nothing brakes.",
-       mistaken([](StepContext& step, Row& tangent1, Row&) { within(tangent1, bound_of(step, tangent1)); })},
-      {"one tangent",
-       "it looks as if only one tangent were solved. A plane has two directions: along the other nothing brakes.",
-       mistaken([](StepContext& step, Row&, Row& tangent2) { within(tangent2, bound_of(step, tangent2)); })},
-      {"the same tangent twice", same_twice, mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
-         tangent2.place(tangent1);
-         for (Row* tangent : {&tangent1, &tangent2}) within(*tangent, bound_of(step, *tangent));
-       })},
-      {"the same tangent twice", same_twice, mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
-         tangent1.place(tangent2);
-         for (Row* tangent : {&tangent1, &tangent2}) within(*tangent, bound_of(step, *tangent));
-       })},
-      {"tangents of no unit length",
-       "it looks as if a tangent were no unit vector, or not at a right angle to the other. The bound is that of an "
-       "impulse along a unit vector: along a shorter one the same Σλt brakes less. tangents_of gives two unit vectors.",
-       {Along{{},
-              [](const Vec3& n) {
-                const Vec3 one = n.cross(Vec3::UnitX());
-                return std::pair<Vec3, Vec3>(one, n.cross(one));
-              }}}},
-      {"tangents of no unit length",
-       "it looks as if a tangent were no unit vector, or not at a right angle to the other. The bound is that of an "
-       "impulse along a unit vector: along a shorter one the same Σλt brakes less. tangents_of gives two unit vectors.",
-       {Along{{},
-              [](const Vec3& n) {
-                int flattest = 0;
-                n.cwiseAbs().minCoeff(&flattest);
-                const Vec3 axis = Vec3::Unit(flattest), one = axis - n.dot(axis) * n;
-                return std::pair<Vec3, Vec3>(one, n.cross(one));
-              }}}},
-      {"along the world's axes",
-       "it looks as if the rows lay along x and z of the world. On a slope these are no tangents: friction then pushes "
-       "into the ground or lifts off it. The tangents are those of the contact's own normal.",
-       {Along{{}, [](const Vec3&) { return std::pair<Vec3, Vec3>(Vec3::UnitX(), Vec3::UnitZ()); }}}},
-      {"other tangents",
-       "it looks as if the rows lay along other tangents than those of tangents_of. Each has the bound for itself, so "
-       "the pyramid turns with them, and friction with the pyramid.",
-       {Along{{},
-              [](const Vec3& n) {
-                const Vec3 one = n.cross(Vec3::UnitX()).normalized();
-                return std::pair<Vec3, Vec3>(one, n.cross(one));
-              }}}},
-      {"the push of this sweep alone",
-       "it looks as if the bound came from what the normal has added in this sweep alone. Σλn is its sum over the "
-       "sweeps of this step: once the normal adds nothing more, a bound of its change is 0, and friction is taken "
-       "back.",
-       {ByPush{{}, [](Real, Real now, Real) { return now; }}}},
-      {"the push of the sweep before",
-       "it looks as if the bound came from the sum that the normal had reached one sweep before. In the first sweep "
-       "that is 0, and nothing brakes: take the sum that it has reached in this very sweep, after it was solved.",
-       {ByPush{{}, [](Real before, Real, Real) { return before; }}}},
-      {"the push of the first sweep",
-       "it looks as if the bound stayed as it was in the first sweep. Friction turns the body, and the push of the "
-       "normal changes with that: the bound is made anew in each sweep, of Σλn as it is now.",
-       {ByPush{{}, [](Real, Real, Real first) { return first; }}}},
-      {"the largest push so far",
-       "it looks as if the bound could only grow. Where the normal takes back some of its push, friction has to "
-       "follow: the bound is that of Σλn as it is now.",
-       {ByPush{{}, [](Real before, Real now, Real first) { return std::max(first, before + now); }}}},
-      {"hi for lo",
-       "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, whichever "
-       "way the body slips. Friction is anything from -μ Σλn to μ Σλn.",
-       each_mistaken([](StepContext&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), bound, bound); })},
-      {"hi for lo",
-       "it looks as if lo and hi were the same, or swapped: the sum then sits at one end of the interval, whichever "
-       "way the body slips. Friction is anything from -μ Σλn to μ Σλn.",
-       each_mistaken([](StepContext&, Row& tangent, Real bound) { within(tangent, tangent.wanted(), bound, -bound); })},
-      {"the 1-norm",
-       "it looks as if both tangents together had the bound, as |Σλ1| + |Σλ2|. Here each tangent has the full bound "
-       "for itself.",
-       mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
-         const Real bound = bound_of(step, tangent1), wanted1 = tangent1.wanted(), wanted2 = tangent2.wanted();
-         const Real scale = std::min(Real(1), bound / (std::abs(wanted1) + std::abs(wanted2)));
-         tangent1.reach(scale * wanted1);
-         tangent2.reach(scale * wanted2);
-       })},
-      {"the mean of both μ",
-       "it looks as if μ were the mean of those of the bodies. How rough a contact is depends on both in another way: "
-       "step.contacts[i].friction is the μ of the pair.",
-       each_mistaken([](StepContext& step, Row& tangent, Real) {
-         within(tangent, (tangent.a->friction + tangent.b->friction) / 2 * step.rows[tangent.owner].impulse);
-       })},
-      {"the first contact alone",
-       "it looks as if only the first contact had friction. Each contact has two tangents, and all of them are solved "
-       "in each sweep.",
-       mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
-         if (tangent1.owner > 0) return;
-         for (Row* tangent : {&tangent1, &tangent2}) within(*tangent, bound_of(step, *tangent));
-       })},
-      {"the push of the first contact",
-       "it looks as if all tangents were bounded by the first contact's push. Each contact is pressed on by itself: "
-       "the last argument of a new row is the index of its contact, and rows[owner] then its normal's row.",
-       each_mistaken([](StepContext& step, Row& tangent, Real) {
-         within(tangent, step.contacts[0].friction * step.rows[0].impulse);
-       })},
-      {"the push of the first contact",
-       "it looks as if all tangents were bounded by the first contact's push. Each contact is pressed on by itself: "
-       "the last argument of a new row is the index of its contact, and rows[owner] then its normal's row.",
-       each_mistaken([](StepContext& step, Row& tangent, Real) {
-         within(tangent, step.contacts[tangent.owner].friction * step.rows[0].impulse);
-       })},
-      {"the push of another row",
-       "it looks as if the bound came from the wrong row. The k-th tangent's row is not of the k-th contact: the "
-       "normal's row is step.rows[tangent.owner].",
-       each_mistaken([](StepContext& step, Row& tangent, Real) {
-         const auto k = static_cast<std::size_t>(&tangent - step.rows.data()) - step.contacts.size();
-         within(tangent, step.contacts[tangent.owner].friction * step.rows[k].impulse);
-       })},
-      {"a disc",
-       "it looks as if both tangents together were bounded by a disc. That is nearer to Coulomb's law, and chapter 08 "
-       "does it. Here each tangent has the full bound for itself.",
-       mistaken([](StepContext& step, Row& tangent1, Row& tangent2) {
-         const Real bound = bound_of(step, tangent1), wanted1 = tangent1.wanted(), wanted2 = tangent2.wanted();
-         const Real scale = std::min(Real(1), bound / std::hypot(wanted1, wanted2));
-         tangent1.reach(scale * wanted1);
-         tangent2.reach(scale * wanted2);
-       })},
-      {"never taken back",
-       "it looks as if friction could only grow. Two feet of one box brake each other too: what the first has given "
-       "may be too much once the second has, and then it slips the other way, and has to take some back.",
-       each_mistaken([](StepContext&, Row& tangent, Real bound) {
-         if (tangent.impulse * tangent.speed() <= 0) within(tangent, bound);
-       })},
-      {"no friction",
-       "it looks as if nothing braked. Rows that are made and never solved do nothing. And a bound that is computed in "
-       "build is 0, as no normal has pushed yet; so is one of step.contacts[i].impulse, which is known after the step.",
-       each_mistaken([](StepContext&, Row&, Real) {})},
+       "it looks as if the belt could pull as hard as it likes. Friction is at most μ Σλn, of a belt as of a floor.",
+       {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         hold(slip, slip_of(slip, surfaces), inf);
+         hold_roll(normal, roll, surfaces);
+       }}},
+      {"each correction clamped", each, {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         hold_each_correction(slip, slip_of(slip, surfaces), surfaces.mu * normal.impulse);
+         hold_each_correction(roll, roll.speed(), surfaces.lever * normal.impulse);
+       }}},
+      {"each correction clamped", each, {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         hold_each_correction(slip, slip_of(slip, surfaces), surfaces.mu * normal.impulse);
+         hold_roll(normal, roll, surfaces);
+       }}},
+      {"each correction clamped", each, {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         hold_slip(normal, slip, surfaces);
+         hold_each_correction(roll, roll.speed(), surfaces.lever * normal.impulse);
+       }}},
+      {"one-sided", one_sided, {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         slip.lo = roll.lo = 0;
+         slip.hi = surfaces.mu * normal.impulse;
+         roll.hi = surfaces.lever * normal.impulse;
+         slip.reach(slip.impulse - slip.effective_mass * slip_of(slip, surfaces));
+         roll.reach(roll.wanted());
+       }}},
+      {"one-sided", one_sided, {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         hold_slip(normal, slip, surfaces);
+         roll.lo = 0;
+         roll.hi = surfaces.lever * normal.impulse;
+         roll.reach(roll.wanted());
+       }}},
+      {"hi for lo", ends, {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         slip.lo = slip.hi = surfaces.mu * normal.impulse;
+         roll.lo = roll.hi = surfaces.lever * normal.impulse;
+         slip.reach(slip.impulse - slip.effective_mass * slip_of(slip, surfaces));
+         roll.reach(roll.wanted());
+       }}},
+      {"hi for lo", ends, {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         slip.lo = surfaces.mu * normal.impulse;
+         slip.hi = -slip.lo;
+         roll.lo = surfaces.lever * normal.impulse;
+         roll.hi = -roll.lo;
+         slip.reach(slip.impulse - slip.effective_mass * slip_of(slip, surfaces));
+         roll.reach(roll.wanted());
+       }}},
+      {"slip forgotten",
+       "it looks as if nothing held the slip. Only friction takes a ball along: slip is solved as well, against the "
+       "slip of the surfaces.",
+       {[](const Row& normal, Row&, Row& roll, const Surfaces& surfaces) { hold_roll(normal, roll, surfaces); }}},
+      {"sign of the slip",
+       "it looks as if friction pushed along with the slip. The impulse that makes the slip of the surfaces 0 is minus "
+       "that slip times the effective mass.",
+       {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         hold(slip, -slip_of(slip, surfaces), surfaces.mu * normal.impulse);
+         hold_roll(normal, roll, surfaces);
+       }}},
+      {"μ forgotten",
+       "it looks as if the bound of the slip were Σλn. Friction is at most the part μ of the push.",
+       {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         hold(slip, slip_of(slip, surfaces), normal.impulse);
+         hold_roll(normal, roll, surfaces);
+       }}},
+      {"roll forgotten",
+       "it looks as if nothing held the turn. A row that is never solved does nothing.",
+       {[](const Row& normal, Row& slip, Row&, const Surfaces& surfaces) { hold_slip(normal, slip, surfaces); }}},
+      {"roll without bound",
+       "it looks as if no ball could turn. Rolling resistance is at most ϱ times the push on the ground.",
+       {with_roll_bound<[](const Row&, const Surfaces&) { return inf; }>}},
+      {"μ for ϱ",
+       "it looks as if the turn were held by μ Σλn. That is an impulse in N s; a turn is held by N m s, ϱ Σλn.",
+       {with_roll_bound<[](const Row& normal, const Surfaces& surfaces) { return surfaces.mu * normal.impulse; }>}},
+      {"μ times ϱ",
+       "it looks as if rolling resistance came from friction, with μ ϱ Σλn. The ground gives way under what presses on "
+       "it, rough or smooth: ϱ Σλn.",
+       {with_roll_bound<[](const Row& normal, const Surfaces& surfaces) {
+         return surfaces.mu * surfaces.lever * normal.impulse;
+       }>}},
+      {"ϱ times friction",
+       "it looks as if the turn's bound came from the friction impulse. The ground gives way under what presses on it: "
+       "ϱ times the sum of the normal.",
+       {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         hold_slip(normal, slip, surfaces);
+         hold(roll, roll.speed(), surfaces.lever * std::abs(slip.impulse));
+       }}},
+      {"sign of the roll",
+       "it looks as if rolling resistance drove the ball. It opposes the turn.",
+       {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         hold_slip(normal, slip, surfaces);
+         hold(roll, -roll.speed(), surfaces.lever * normal.impulse);
+       }}},
+      {"the belt turns",
+       "it looks as if the turn were to follow the belt. A belt runs straight: what rolls over it resists turning "
+       "against the conveyor, w_B - w_A alone.",
+       {[](const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
+         hold_slip(normal, slip, surfaces);
+         hold(roll, roll.speed() + (surfaces.belt_b - surfaces.belt_a).dot(slip.n), surfaces.lever * normal.impulse);
+       }}},
   };
 }
 
@@ -470,13 +340,13 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 
 Exercise exercise() {
   return exercise_of<Answer>(
-      "two tangent rows and their bound",
-      {"build: for each contact, tangents_of its normal, and one row along each. Do the new rows come after all "
-       "normals? Then you can find those of contact i again.",
-       "sweep: a tangent's row wants J V = 0, so the sum that it wants is impulse - effective_mass * speed().",
-       "sweep: the bound is contact.friction times the impulse of the contact's normal row. Set lo to minus the bound "
-       "and hi to the bound, and reach the wanted sum."},
-      checks(), {Friction{}}, mistakes());
+      "a conveyor belt, and rolling resistance",
+      {"How fast does the surface of A move at the contact point, if A moves with v_A and its belt runs over it?",
+       "The surfaces slip with slip.speed() plus B's belt minus A's, along t = slip.n. Friction makes that 0, within "
+       "its bound.",
+       "Rolling resistance makes roll.speed() 0, within its own bound: minus and plus surfaces.lever times "
+       "normal.impulse."},
+      checks(), {right}, mistakes());
 }
 
 }  // namespace pushback::exercise_06

@@ -239,7 +239,7 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return rebuild_of<Answer>(
       "a rope that can only pull",
       {"A row pulls where its impulse is above 0. Which sums does a rope allow that never pushes, and that a hand "
        "holds with F for h seconds?",

@@ -318,7 +318,7 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return rebuild_of<Answer>(
       "the residual by the natural map",
       {"Contact by contact: s is u with μ |u_t| added to its first number. Which point of the cone is nearest to x = r "
        "- s? If that is r itself, the contact is solved.",

@@ -354,7 +354,7 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return rebuild_of<Answer>(
       "one pivot",
       {"A basic variable has the value t(i, last), and falls by t(i, entering) for each 1 that the entering one grows. "
        "At which size of the entering one is it 0, and for which signs never?",

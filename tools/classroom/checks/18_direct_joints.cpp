@@ -213,7 +213,7 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return rebuild_of<Answer>(
       "the elimination of a chain",
       {"Row i of A λ = wanted: next[i-1]ᵀ λ_i-1 + own[i] λ_i + next[i] λ_i+1 = wanted[i]. At the free end there is no "
        "λ_i+1: solve for λ_i, and put that into row i - 1.",

@@ -294,13 +294,13 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>("the front of a diagram",
-                             {"Leave out first what has an infinite error: std::isfinite.",
-                              "Put the others in the order of their times; of equal times, the smaller error first. A "
-                              "std::pair of both compares so.",
-                              "Go through them in that order. Nobody who comes later is faster, so a setting belongs "
-                              "to the front exactly if its error is smaller than that of the last one that you took."},
-                             checks(), {study::front}, mistakes());
+  return rebuild_of<Answer>("the front of a diagram",
+                            {"Leave out first what has an infinite error: std::isfinite.",
+                             "Put the others in the order of their times; of equal times, the smaller error first. A "
+                             "std::pair of both compares so.",
+                             "Go through them in that order. Nobody who comes later is faster, so a setting belongs "
+                             "to the front exactly if its error is smaller than that of the last one that you took."},
+                            checks(), {study::front}, mistakes());
 }
 
 }  // namespace pushback::exercise_19

@@ -341,7 +341,7 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return rebuild_of<Answer>(
       "islands",
       {"Give each body a number, at first its own index. Bodies of one island are to end with the same number.",
        "For each contact and each joint of two movable bodies with different numbers: everybody who has the one number "

@@ -298,14 +298,14 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>("the separation of contacts that stay, and what their rows ask for",
-                             {"The point of B has moved by b.way + b.turn × found.arm_b, the point of A likewise. C "
-                              "grows by what B's moved more than A's, along found.n.",
-                              "What is apart, C > 0, may come nearer by all of C in this substep: b = C/h. What "
-                              "overlaps is pushed out: b = rate · C.",
-                              "In the relaxing pass a push-out, b < 0, becomes 0. A b > 0 stays as it was."},
-                             checks(), right, mistakes(),
-                             {{2, {"height of your ball", "mm", "substep after the third"}}});
+  return rebuild_of<Answer>("the separation of contacts that stay, and what their rows ask for",
+                            {"The point of B has moved by b.way + b.turn × found.arm_b, the point of A likewise. C "
+                             "grows by what B's moved more than A's, along found.n.",
+                             "What is apart, C > 0, may come nearer by all of C in this substep: b = C/h. What "
+                             "overlaps is pushed out: b = rate · C.",
+                             "In the relaxing pass a push-out, b < 0, becomes 0. A b > 0 stays as it was."},
+                            checks(), right, mistakes(),
+                            {{2, {"height of your ball", "mm", "substep after the third"}}});
 }
 
 }  // namespace pushback::exercise_21

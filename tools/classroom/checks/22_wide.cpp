@@ -227,7 +227,7 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return rebuild_of<Answer>(
       "pairs that may be solved side by side",
       {"Keep for each body which colours its pairs have so far: 64 bits are enough here.",
        "The colour of a pair is the first that neither of its bodies has; a body that cannot move never stands in the "

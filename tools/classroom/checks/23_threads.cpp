@@ -283,12 +283,12 @@ Numbers play(std::size_t check, Random& random, const Answer& answer) {
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>("a sweep by several threads",
-                             {"Go through the sets in their order, and keep the number of the first bundle of each.",
-                              "Of a set with n bundles, this thread has those from n who / count to before n (who + 1) "
-                              "/ count, counted from the first of the set.",
-                              "Then thread.wait_for_all(), in every set, also where this thread had nothing to do."},
-                             checks(), {right}, mistakes());
+  return rebuild_of<Answer>("a sweep by several threads",
+                            {"Go through the sets in their order, and keep the number of the first bundle of each.",
+                             "Of a set with n bundles, this thread has those from n who / count to before n (who + 1) "
+                             "/ count, counted from the first of the set.",
+                             "Then thread.wait_for_all(), in every set, also where this thread had nothing to do."},
+                            checks(), {right}, mistakes());
 }
 
 }  // namespace pushback::exercise_23
