@@ -95,7 +95,8 @@ void mark_errors(Picture& picture, const World& world, Real h, const Push& push)
     plank.position = should + Vec3(0, plank_height, 0);
     plank.orientation.setIdentity();
     add_outline(picture, plank, near_black_colour(), Real(1.2));
-    if ((is - should).norm() > plank_height) add_arrow(picture, should + above, is + above, linear({222, 0, 92}));
+    if (world.time > 0 && (is - should).norm() > plank_height)
+      add_arrow(picture, should + above, is + above, linear({222, 0, 92}));
   }
 }
 

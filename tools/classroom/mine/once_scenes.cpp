@@ -1,5 +1,5 @@
 /// 21: whole steps of balls, which touch in one point, and a guess for a normal that has turned.
-#include <algorithm>
+#include <cmath>
 
 #include "pushback/tools/classroom/mine/scenes.h"
 #include "pushback/tools/classroom/mine/touching.h"
@@ -83,14 +83,7 @@ Numbers pile_meets(Random& random, const WholeSolver& answer) {
     pile.world.bodies[i].moving(random.vector(3)).spinning(random.vector(3));
   pile.h = 1 / random.between(1900, 4000);
   pile.begin();
-  const Contacts all = pile.world.contacts;
   pile.substep(*answer.make(), to_the_end);
-  Contacts left = std::move(pile.world.contacts);
-  pile.world.contacts = all;
-  for (Contact& c : pile.world.contacts) {  // those that did not touch are no contacts any more
-    const auto its = std::find_if(left.begin(), left.end(), [&](const Contact& one) { return one.id == c.id; });
-    if (its != left.end()) c = *its;
-  }
   return numbers_of(pile);
 }
 
