@@ -99,8 +99,7 @@ int main(int argc, char** argv) {
                    add_outline(picture, Body(outline).at({apart.aside, apart.height - apart.fallen(time, h), 0}),
                                near_black_colour(), Real(1.8));
                  },
-             .cell_height = 460,
-             .side_by_side = true});
+             .cell_height = 460});
     e.variant("no constraint", NoSolver{}).expect("orange box falls", apart.fallen(Real(0.6), e.dt()));
     e.variant("J V = 0", Solver<>{}).expect("orange box falls", apart.fallen(Real(0.6), e.dt()));
     e.series_without_curves(

@@ -100,8 +100,7 @@ int main(int argc, char** argv) {
              .colours = {{body_ink(1), "μ = 0.8 tan θ"}, {body_ink(2), "1.05 tan θ"}, {body_ink(3), "1.5 tan θ"}},
              .start_shown = false,
              .marks = [slope](Picture& picture, const World&, Real time) { mark_slope(picture, slope, time); },
-             .cell_height = 420,
-             .side_by_side = true});
+             .cell_height = 420});
     const Real a = slope.acceleration(grip[0]);
     const Real steps = std::round(seconds / h);
     const auto should = [&](Variant& variant) {

@@ -82,8 +82,7 @@ int main(int argc, char** argv) {
              .key = "door",
              .caption = "The ball has hit the door. A hinge leaves the door one freedom; a weld leaves the two boxes, "
                         "which have been thrown, none.",
-             .cell_height = 400,
-             .side_by_side = true});
+             .cell_height = 400});
     World jointed;
     door_and_weld(jointed);
     e.variant("no joints", with_joint_beta<Jointed>(beta))

@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
              .fill = chain,
              .camera = {longer * Vec3(Real(0.6), -Real(2.6), Real(11.5)), {0, -longer * Real(3.15), 0}},
              .seconds = 4,
-             .instants = {0, 1, 4},
+             .instants = {4},
              .key = "chain",
              .caption =
                  "The weight should hang where the outline is, and never move. Grey bars mark the upper end of the "
@@ -81,8 +81,7 @@ int main(int argc, char** argv) {
                    add_line(picture, {Vec3::Zero(), {0, -length, 0}});
                    add_outline(picture, box(Vec3::Constant(weight_half), 1).at({0, -length - weight_half, 0}));
                  },
-             .cell_height = 560,
-             .side_by_side = true});
+             .cell_height = 560});
     e.variant("cold", with_joint_beta<Cold>(beta)).with_exactly(10);
     e.variant("warm", with_joint_beta<Warm>(beta)).with_exactly(10);
     e.variant("split impulse", with_joint_beta<JointedSolver>(beta)).with_exactly(10);
@@ -127,8 +126,7 @@ int main(int argc, char** argv) {
                    line.push_back(middle + half + front);
                    add_line(picture, line);
                  },
-             .cell_height = 440,
-             .side_by_side = true});
+             .cell_height = 440});
     e.variant("cold", with_joint_beta<Cold>(beta)).with_exactly(10).without_curves().expect("off the catenary", 0);
     in_tens().expect("off the catenary", 0);
     joints_off();

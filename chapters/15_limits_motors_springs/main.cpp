@@ -28,7 +28,7 @@ void bar_with_a_stop(Experiment& e, Real stop_at) {
            .fill = [stop_at](World& world) { bar_and_stop(world, stop_at); },
            .camera = {{Real(0.3), Real(-0.5), 6}, {0, Real(-0.68), 0}, Real(0.31)},
            .seconds = 3,
-           .instants = {0, Real(0.85), Real(1.15)},
+           .instants = {Real(1.15)},
            .key = "limit",
            .caption = "The bar may go along the thin line, up to the plate; a stop may push it back, but not hold it.",
            .marks =
@@ -41,7 +41,6 @@ void bar_with_a_stop(Experiment& e, Real stop_at) {
                  add_line(picture, line);
                  add_line(picture, {Vec3::Zero(), line.back()});
                },
-           .side_by_side = true,
            .in_brief = {{0, 1}}});
   e.variant("no limit", JointedSolver{});
   const auto stop = [stop_at](const World& world) { return stop_of_bar(world, stop_at); };
@@ -168,8 +167,7 @@ void ragdoll_on_a_bench(Experiment& e) {
            .key = "ragdoll",
            .caption = "The bench ends at the knees, and a knee cannot bend this way: the shins should stay up. "
                       "Without limits they hang.",
-           .cell_height = 340,
-           .side_by_side = true});
+           .cell_height = 340});
   e.variant("no limits", JointedSolver{}).changing(without_limits);
   e.variant("limits", JointedSolver{});
   World lying;

@@ -42,8 +42,7 @@ int main(int argc, char** argv) {
              until(of_stack.correction), until(of_stack.speed)),
          .start_shown = false,
          .marks = [gate](Picture& picture, const World&, Real) { gate.mark(picture); },
-         .cell_height = 500,
-         .side_by_side = true});
+         .cell_height = 500});
     const auto sweeping = [&](const std::string& rule, int sweeps) {
       e.variant(rule, Cold{}).with_exactly(sweeps).expect("sunk after 0.5 s", 0).expect("sunk after 2 s", 0);
     };

@@ -30,8 +30,7 @@ int main(int argc, char** argv) {
              "Thin lines: where the boxes should be. Which solver keeps the heavy one, the uppermost, from sinking?",
          .start_shown = false,
          .marks = [](Picture& picture, const World&, Real) { HeavyOnFour::mark(picture); },
-         .cell_height = 500,
-         .side_by_side = true});
+         .cell_height = 500});
     e.variant("10 sweeps", Cold{}).with_exactly(10).expect("sunk by", 0);
     e.variant("1000 sweeps", Cold{}).with_exactly(1000).expect("sunk by", 0);
     e.variant("direct contact solve", Direct{}).with_exactly(1).expect("sunk by", 0);

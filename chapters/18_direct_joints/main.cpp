@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
              .fill = chain,
              .camera = {{Real(0.6), -Real(2.3), Real(9.6)}, {0, -Real(2.6), 0}},
              .seconds = 2,
-             .instants = {0, Real(0.5), 2},
+             .instants = {Real(0.5)},
              .caption = "The load should hang where the outline is, and never move. Blue bars: where the chain begins, "
                         "and where the "
                         "load should end.",
@@ -38,8 +38,7 @@ int main(int argc, char** argv) {
                    constexpr Real half = LoadedChain::load_half;
                    add_outline(picture, box(Vec3::Constant(half), 1).at({0, -LoadedChain::length - half, 0}));
                  },
-             .cell_height = 560,
-             .side_by_side = true});
+             .cell_height = 560});
     e.variant("joints, 10 sweeps", Swept{}).with_exactly(10).expect("longest", 0);
     e.variant("joints, 100 sweeps", Swept{}).with_exactly(100).expect("longest", 0);
     e.variant("direct joint solve", Direct{}).with_exactly(1).expect("longest", 0);

@@ -81,13 +81,12 @@ int main(int argc, char** argv) {
              .fill = billiards.fill,
              .camera = {{Real(0.55), Real(3.3), Real(1)}, {Real(0.55), 0, 0}},
              .seconds = Real(0.6),
-             .instants = {Real(0.25), Real(0.5)},
+             .instants = {Real(0.5)},
              .key = "break",
              .caption = "Rings: where each ball should be. With which steps do the balls lie in their rings?",
              .start_shown = false,
              .marks = ghosts(of_balls),
-             .cell_height = 400,
-             .side_by_side = true});
+             .cell_height = 400});
     int colour = 0;
     for (const int steps : steps_of_balls)
       e.variant(counted(steps, "step") + " in 1/60 s", Substeps(Solver<Clamping, Restitution>{}, steps))
@@ -107,8 +106,7 @@ int main(int argc, char** argv) {
          .caption = "Thin line: the true chain. All three do 16 sweeps in 1/60 s; they differ in the number of steps.",
          .start_shown = false,
          .marks = ghosts(of_chain),
-         .cell_height = 500,
-         .side_by_side = true});
+         .cell_height = 500});
     colour = 0;
     for (const int steps : steps_of_chain)
       e.variant(counted(steps, "step") + " of " + counted(16 / steps, "sweep"), Substeps(Solver<Joints>{}, steps))

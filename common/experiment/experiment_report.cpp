@@ -236,7 +236,6 @@ std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& 
               .legend = {},
               .raster = scene.raster,
               .wide = scene.strobe.has_value(),
-              .side_by_side = scene.side_by_side,
               .rows = {}};
   Legend legend;
   for (Result& result : results) {

@@ -44,7 +44,7 @@ struct Scene {
   Real seconds = 2;  ///< how long it is watched
   std::vector<Real> instants =
       {};                ///< s, the columns of the sheet: of those after the start, the last three; empty: at
-                         ///< one third, at two thirds and at the end
+                         ///< one third, at two thirds and at the end. One: the variants stand beside each other
   bool pictures = true;  ///< false: only numbers and curves, for what an eye could not tell apart
   Drawn contacts = Drawn::impulses;
   Real arrow = 0;        ///< m to draw for an impulse of 1 N s; 0: as long as a body for what holds it against gravity
@@ -59,7 +59,6 @@ struct Scene {
   std::optional<Strobe> strobe = {};  ///< instead of the columns
   std::optional<Raster> raster = {};  ///< under each row, or beside its picture where there is one only
   int cell_height = 0;                ///< pixels, of a cell 500 wide; 0: as --size has it, which is 281
-  bool side_by_side = false;          ///< a column per variant and a row per instant: for at most three variants
   bool open = true;  ///< whether a reader's own solver plays it, too: false where no contacts are solved
   /// The two that stand for all in the table of contents, by their places; by default the first and the last.
   std::optional<std::pair<std::size_t, std::size_t>> in_brief = {};

@@ -19,6 +19,12 @@ int high(const Image& image, int wide) {
   return image.height * wide / image.width;
 }
 
+/// A row is a variant, and time goes to the right. Where each has a single picture, no row is needed.
+bool side_by_side(const Sheet& sheet) {
+  return !sheet.wide && !sheet.raster && sheet.rows.size() > 1 &&
+         std::all_of(sheet.rows.begin(), sheet.rows.end(), [](const SheetRow& row) { return row.cells.size() == 1; });
+}
+
 /// Draws from the top down. Whoever wants to know how high a sheet will be draws it on an image of one pixel.
 class Drawing {
  public:
@@ -26,7 +32,7 @@ class Drawing {
 
   int draw(const Sheet& sheet) {
     head(sheet);
-    if (sheet.side_by_side) columns(sheet);
+    if (side_by_side(sheet)) beside_each_other(sheet);
     else rows(sheet);
     return y_ + margin - 24;
   }
@@ -49,12 +55,12 @@ class Drawing {
   }
 
   /// A reader's own variant may be one too many: below the others it has a column, too.
-  void columns(const Sheet& sheet) {
+  void beside_each_other(const Sheet& sheet) {
     constexpr std::size_t most = 3;
     for (std::size_t first = 0; first < sheet.rows.size(); first += most)
-      columns(sheet, std::span(sheet.rows).subspan(first, std::min(most, sheet.rows.size() - first)));
+      beside_each_other(sheet, std::span(sheet.rows).subspan(first, std::min(most, sheet.rows.size() - first)));
   }
-  void columns(const Sheet& sheet, std::span<const SheetRow> rows) {
+  void beside_each_other(const Sheet& sheet, std::span<const SheetRow> rows) {
     fill_rectangle(image_, margin, y_, strip_width, 2, pale);
     const int top = y_ + 14;
     int lowest = top;
@@ -64,15 +70,10 @@ class Drawing {
       lowest = std::max(lowest, y_);
     }
     if (sheet.start && start_beside(sheet)) start(sheet, column(rows.size()), lowest);
-    for (std::size_t c = 0; c < rows.size(); ++c) {
-      const SheetRow& row = rows[c];
-      y_ = lowest;
-      for (std::size_t i = 0; i < row.cells.size(); ++i) {
-        cell(row.cells[i], column(c), y_, cell_width, row.cell_notes[i]);
-        y_ += high(row.cells[i], cell_width) + gap;
-      }
-    }
-    y_ += 24 - gap;
+    y_ = lowest;
+    for (std::size_t c = 0; c < rows.size(); ++c)
+      cell(rows[c].cells[0], column(c), y_, cell_width, rows[c].cell_notes[0]);
+    y_ += high(rows.front().cells[0], cell_width) + 24;
   }
 
   static int column(std::size_t index) { return margin + static_cast<int>(index) * (cell_width + gap); }
@@ -104,7 +105,7 @@ class Drawing {
   }
 
   /// Where two stand side by side, there is room beside them.
-  static bool start_beside(const Sheet& sheet) { return sheet.side_by_side && sheet.rows.size() < 3; }
+  static bool start_beside(const Sheet& sheet) { return side_by_side(sheet) && sheet.rows.size() < 3; }
 
   void start(const Sheet& sheet, int x, int y) {
     cell(*sheet.start, x, y, cell_width, sheet.rows.size() > 1 ? "t = 0: all start like this" : "t = 0", Align::right);

@@ -35,7 +35,6 @@ struct Sheet {
   std::vector<LegendEntry> legend;
   std::optional<Raster> raster;  ///< what the rows' are
   bool wide = false;             ///< the cells are strips
-  bool side_by_side = false;     ///< rows stand as columns, three beside each other
   std::vector<SheetRow> rows;
   std::pair<std::size_t, std::size_t> in_brief = {0, 0};  ///< the rows that the thumbnail shows
 };

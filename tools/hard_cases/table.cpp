@@ -194,7 +194,9 @@ std::string rows_of(const Table& table, std::size_t first, std::size_t end, cons
 }  // namespace
 
 Table empty_table(std::vector<HardCase> cases, std::vector<Stage> columns) {
-  Table table{std::move(cases), std::move(columns), 0, {}};
+  Table table;
+  table.cases = std::move(cases);
+  table.stages = std::move(columns);
   for (std::size_t i = 0; i < chapter_stages; ++i) {
     for (const Stage& stage : table.stages) table.chapters += stage.name == stages()[i].name ? 1 : 0;
   }
