@@ -12,9 +12,9 @@ int main(int argc, char** argv) {
              .fill = [](World& world) { stack(world, 10); },
              .camera = {{Real(16), Real(6), Real(8)}, {0, Real(4.7), Real(2.6)}, Real(0.64)},
              .seconds = 8,
+             .instants = {8},
              .caption = "The same boxes, the same three sweeps a step: only the right stack remembers its impulses.",
-             .cell_height = 560,
-             .side_by_side = true});
+             .cell_height = 560});
     e.variant("impulses forgotten", Substeps(Solver<Clamping, Baumgarte, Slop, Restitution, Friction>{}, 2, 3));
     e.variant("impulses remembered", Substeps(FullSolver{}, 2, 3));
     e.series("height of the top", "m", [](const World& world) { return world.bodies.back().position.y(); });
