@@ -51,7 +51,7 @@ function described({ file, part, chapter, live, parent, address, root, title, he
     ...page,
     layout: "page.njk",
     number,
-    name: file === "README.md" ? "Front page" : (task ? `Exercise: ${task}` : name),
+    name: file === "README.md" ? "Front page" : task ? `Exercise: ${task}` : name,
     label: task ? "Exercise" : parent ? "Table" : "",
     sort: chapter ? "chapter" : file === "README.md" ? "front" : "",
     hasTitle: headings.some(({ level }) => level === 1),
