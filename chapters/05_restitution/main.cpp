@@ -54,9 +54,9 @@ int main(int argc, char** argv) {
              .seconds = watched,
              .contacts = Drawn::points,
              .key = "strobe",
-             .caption = "Each line is where the ball's top should just arrive after a bounce. The row of a "
-                        "contact gets as its bias: the larger of bounce and push-out; their sum; the larger, of a "
-                        "bounce that counts in this step's gravity.",
+             .caption = "Each line is where the ball's top should just arrive after a bounce. The bias of a "
+                        "contact is, from above: the larger of bounce and push-out; their sum; the larger again, but "
+                        "the bounce counts in this step's gravity.",
              .marks =
                  [=](Picture& picture, const World&, Real time) {
                    for (int k = 0; ball.lands(k) < time; ++k) {

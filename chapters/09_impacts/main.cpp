@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
                         "row, whose arrows are the speeds after the impact.",
              .marks =
                  [towards_us](Picture& picture, const World& world, Real time) {
-                   add_speeds(picture, world, (time - towards_us.from) * towards_us.shift_per_second);
+                   if (time > 0) add_speeds(picture, world, (time - towards_us.from) * towards_us.shift_per_second);
                  },
              .strobe = towards_us});
     const auto apart = [gap](World& world) {

@@ -46,14 +46,14 @@ int main(int argc, char** argv) {
     };
     const auto kept = [&]() -> Variant& { return e.variant("detected once", once).with_exactly(1).coloured(1); };
 
-    const Strobe strobe{.every = Real(0.5), .shift_per_second = {4, 0, 0}, .from = 1, .height = 200};
+    const Strobe strobe{.every = Real(0.5), .shift_per_second = {3, 0, 0}, .from = 1, .height = 200};
     e.scene(
         {.name = "a cube rolls",
          .fill = cube,
-         .camera = {{Real(9.8), Real(1.3), 40}, {Real(9.8), Real(0.85), 0}, Real(0.0515)},
+         .camera = {{Real(6.7), Real(1.3), 40}, {Real(6.7), Real(0.85), 0}, Real(0.0515)},
          .seconds = Real(2.5),
          .contacts = Drawn::nothing,
-         .caption = "The cube every 0.5 s, from 1 s on, each time drawn 2 m farther to the right. Outlines: where "
+         .caption = "The cube every 0.5 s, from 1 s on, each time drawn 1.5 m farther to the right. Outlines: where "
                     "the cube of the "
                     "first row "
                     "is. Detected once, the cube falls behind.",

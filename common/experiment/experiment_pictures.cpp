@@ -54,8 +54,10 @@ Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& s
   if (first && scene_.start_shown && !scene_.strobe)
     result_.start = still(picture(start, 0), output.cell(scene_.cell_height));
   if (first && of.is_first_with_pictures(variant_.scene) && of.mine_.empty()) {
+    World filled;  // as the scene has it: a variant may change it
+    scene_.fill(filled);
     Painter& painter = output.painter(scene_.strobe ? output.strip(scene_.strobe->height) : output.frame());
-    keep_picture(output.folder() / "start.png", painter.draw_still(picture(start, 0), of.passes_));
+    keep_picture(output.folder() / "start.png", painter.draw_still(picture(filled, 0), of.passes_));
   }
   take(start, 0);
 }

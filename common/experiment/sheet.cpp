@@ -63,16 +63,17 @@ class Drawing {
   void beside_each_other(const Sheet& sheet, std::span<const SheetRow> rows) {
     fill_rectangle(image_, margin, y_, strip_width, 2, pale);
     const int top = y_ + 14;
+    const std::size_t from = start_beside(sheet) ? 1 : 0;  // time goes to the right
     int lowest = top;
     for (std::size_t c = 0; c < rows.size(); ++c) {
       y_ = top;
-      label(rows[c], column(c), cell_width, true);
+      label(rows[c], column(from + c), cell_width, true);
       lowest = std::max(lowest, y_);
     }
-    if (sheet.start && start_beside(sheet)) start(sheet, column(rows.size()), lowest);
     y_ = lowest;
+    if (from > 0) start(sheet, column(0), y_);
     for (std::size_t c = 0; c < rows.size(); ++c)
-      cell(rows[c].cells[0], column(c), y_, cell_width, rows[c].cell_notes[0]);
+      cell(rows[c].cells[0], column(from + c), y_, cell_width, rows[c].cell_notes[0]);
     y_ += high(rows.front().cells[0], cell_width) + 24;
   }
 
@@ -105,7 +106,7 @@ class Drawing {
   }
 
   /// Where two stand side by side, there is room beside them.
-  static bool start_beside(const Sheet& sheet) { return side_by_side(sheet) && sheet.rows.size() < 3; }
+  static bool start_beside(const Sheet& sheet) { return sheet.start && side_by_side(sheet) && sheet.rows.size() < 3; }
 
   void start(const Sheet& sheet, int x, int y) {
     cell(*sheet.start, x, y, cell_width, sheet.rows.size() > 1 ? "t = 0: all start like this" : "t = 0", Align::right);

@@ -122,6 +122,17 @@ TEST_CASE("variants with a single picture each stand beside each other") {
   CHECK(runs(image, y + 400, red).empty());
 }
 
+TEST_CASE("beside two variants stands the start, at the left, since time goes to the right") {
+  Sheet sheet = sheet_of(2);
+  for (SheetRow& row : sheet.rows) row.cells.resize(1);
+  const Image image = make_sheet(sheet);
+  const int y = line_with(image, 0, blue, 400);
+  REQUIRE(y > 0);
+  const int middle = y + 140;  // below the notes
+  CHECK(runs(image, middle, blue) == std::vector<std::pair<int, int>>{{40, 500}});
+  CHECK(runs(image, middle, red) == std::vector<std::pair<int, int>>{{550, 500}, {1060, 500}});
+}
+
 TEST_CASE("a fourth variant beside three, as a reader's own is, stands below them as a column") {
   Sheet sheet = sheet_of(4);
   for (SheetRow& row : sheet.rows) row.cells.resize(1);

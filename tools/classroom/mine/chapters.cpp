@@ -158,11 +158,9 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
       {9,
        "bounces as if from the surface, solved until nothing changes",
        {"Begin from the solver of chapter 08. Where a row has u = −v_n⁻ > 0.1 m/s and e > 0, its bounce is no longer e "
-        "u: h "
-        "a = max(0, v_n⁻ − J V), read before any impulse, is what this step's forces have added to the approach.",
+        "u: h a = max(0, v_n⁻ − J V), read before any impulse, is what this step's forces have added to the approach.",
         "S = u²/2 − a d + h a u/2, with the depth d. Where S > 0, b = h a/2 − √((h a/2)² + 2 (e² S + a d)), whatever "
-        "the "
-        "push-out asks for. Elsewhere the push-out stays.",
+        "the push-out asks for. Elsewhere the push-out stays.",
         "In each sweep, after the normals and before friction: if anything bounces, solve all normals again and again, "
         "until no J V changes by more than a millionth of the fastest bounce, at most a thousand times."}},
       {10,
@@ -204,26 +202,19 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
       {21,
        "contacts detected once, and followed through 32 substeps",
        {"Begin from the solver of chapter 14. Plan: .substeps = 32, .sweeps = 1, .margin = {.least = 0.02, .ahead = "
-        "dt}. Rows and "
-        "initial guess are made in detected(world, h), once in a step; solve begins each row with the impulse that it "
-        "has, and "
-        "applies it. A guess: pushed = max(0, impulse · n), and what is along the surface is scaled back to μ pushed.",
+        "dt}. Rows and initial guess are made in detected(world, h), once in a step; solve begins each row with the "
+        "impulse that it has, and applies it. A guess: pushed = max(0, impulse · n), and what is along the surface is "
+        "scaled back to μ pushed.",
         "In moved, add h v and h ω to what each body has moved. C = C₀ + n·(X_B − X_A) + (r_B × n)·Θ_B − (r_A × "
-        "n)·Θ_A. In "
-        "solve, C > 0: b = C/h, rigid; if it can bounce and C > 0.1 m/s · h, no row yet. C ≤ 0: chapter 12's spring "
-        "with "
-        "−C "
-        "for the depth. In moved, the relaxing sweep has b = max(b, 0), or the bounce. Carry only rows of bodies that "
-        "pass "
-        "each other by more than 1 mm/s, and then C₀ such that C stays.",
+        "n)·Θ_A. In solve, C > 0: b = C/h, rigid; if it can bounce and C > 0.1 m/s · h, no row yet. C ≤ 0: chapter "
+        "12's spring with −C for the depth. In moved, the relaxing sweep has b = max(b, 0), or the bounce. Carry only "
+        "rows of bodies that pass each other by more than 1 mm/s, and then C₀ such that C stays.",
         "A bounce, where u = −v_n⁻ > 0.1 m/s, e > 0 and C − h u < 0: ha = max(0, v_n⁻ − J V), a = ha/h, S = max(0, "
-        "u²/2 + a C + "
-        "ha u/2), C⁺ = max(0, C), way = e (h √(2 S) − C⁺) − C⁺, b = −way/h, bounce = −(ha/2 + √max(0, ha²/4 + 2 (e² S "
-        "− a (C + "
-        "way)))). Solve normals as in chapter 09. The next substep begins with what this one began with.",
+        "u²/2 + a C + ha u/2), C⁺ = max(0, C), way = e (h √(2 S) − C⁺) − C⁺, b = −way/h, bounce = −(ha/2 + √max(0, "
+        "ha²/4 + 2 (e² S − a (C + way)))). Solve normals as in chapter 09. The next substep begins with what this one "
+        "began with.",
         "In done: c.depth = −C, c.impulse the sum over the substeps of n and tangents, c.last_impulse that of the last "
-        "one. Erase "
-        "contacts with depth < 0 and no impulse."}},
+        "one. Erase contacts with depth < 0 and no impulse."}},
   };
   return all;
 }
