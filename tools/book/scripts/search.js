@@ -17,16 +17,23 @@
       document.head.append(element);
     });
 
+  /* Words are compared without accents, in small letters. */
+  const plain = (word) =>
+    word
+      .normalize("NFKD")
+      .replace(/[\u0300-\u036f]/g, "")
+      .toLowerCase();
+
+  /* A text so that a place in it is the same place in the text. */
+  const folded = (text) =>
+    [...text].map((letter) => (plain(letter).length === letter.length ? plain(letter) : letter)).join("");
+
   const load = () =>
     (index ??= Promise.all([script("minisearch.js"), script("search_index.js")]).then(() => {
       const search = new MiniSearch({
         fields: ["title", "page", "text"],
         storeFields: ["address", "title", "page", "text"],
-        processTerm: (term) =>
-          term
-            .normalize("NFKD")
-            .replace(/[\u0300-\u036f]/g, "")
-            .toLowerCase(),
+        processTerm: plain,
         searchOptions: {
           boost: { title: 4, page: 2 },
           prefix: (term) => term.length > 1,
@@ -38,9 +45,19 @@
       return search;
     }));
 
+  const placesOf = (text, terms) =>
+    terms.flatMap((term) => {
+      const places = [];
+      for (let at = text.indexOf(term); at >= 0; at = text.indexOf(term, at + term.length)) places.push({ at, term });
+      return places;
+    });
+
+  /* Some 150 characters that hold as many of the words as any; of several such places the first. */
   const excerpt = (text, terms) => {
-    const places = terms.map((term) => text.toLowerCase().indexOf(term)).filter((place) => place >= 0);
-    const first = places.length ? Math.min(...places) : 0;
+    const places = placesOf(folded(text), terms).sort((a, b) => a.at - b.at);
+    const within = ({ at }) => new Set(places.filter((p) => p.at >= at && p.at < at + 100).map((p) => p.term)).size;
+    const first =
+      places.reduce((best, place) => (!best || within(place) > within(best) ? place : best), undefined)?.at ?? 0;
     const start = first < 60 ? 0 : text.lastIndexOf(" ", first - 40) + 1;
     const end = start + 150 < text.length ? text.lastIndexOf(" ", start + 150) : text.length;
     return (start ? "… " : "") + text.slice(start, end) + (end < text.length ? " …" : "");
@@ -49,12 +66,14 @@
   const marked = (text, terms) => {
     const part = document.createDocumentFragment();
     const words = terms.map((term) => term.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")).sort((a, b) => b.length - a.length);
-    const pieces = words.length ? text.split(new RegExp(`(${words.join("|")})`, "i")) : [text];
-    pieces.forEach((piece, i) => {
-      const node = document.createElement(i % 2 ? "mark" : "span");
-      node.textContent = piece;
-      part.append(i % 2 ? node : piece);
-    });
+    let done = 0;
+    for (const { index, 0: word } of words.length ? folded(text).matchAll(new RegExp(words.join("|"), "g")) : []) {
+      const mark = document.createElement("mark");
+      mark.textContent = text.slice(index, index + word.length);
+      part.append(text.slice(done, index), mark);
+      done = index + word.length;
+    }
+    part.append(text.slice(done));
     return part;
   };
 
