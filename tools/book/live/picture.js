@@ -14,11 +14,12 @@
     return all;
   }
 
-  /** "β = 0, 0.2, d₀ = 0.06 m, h = 0.01667 s": all that can be set. */
+  /** "β = 0, 0.2, d₀ = 0.06 m, h = 0.01667 s": all that changes something in this scene. */
   live.parametersInWords = function (player) {
-    return player.engine.parameters
+    return player.controls.acting
       .map((parameter) => {
-        const { flag, symbol, unit, what } = parameter;
+        const { flag, symbol, unit } = parameter,
+          what = player.controls.inWords(parameter.what);
         const values = player.controls.own.get(flag) || player.controls.usual(parameter);
         if (values.length > 8) return "";
         return `${symbol || what} = ${values.map(shorter).join(", ")}${unit ? ` ${unit}` : ""}`;
