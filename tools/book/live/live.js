@@ -2,17 +2,6 @@
 // Finds a page's figures with data-chapter and puts the experiment itself in the place of the picture, once it is asked for.
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
-  const pieces = [
-    "engine.js",
-    "stage.js",
-    "curves.js",
-    "controls.js",
-    "strips.js",
-    "matrix.js",
-    "iterations.js",
-    "figure.js",
-    "picture.js",
-  ];
   const own = document.currentScript.src.replace(/[^/]*$/, "");
   const players = new Map();
 
@@ -29,15 +18,7 @@
   }
   let loaded = null;
   function load() {
-    loaded =
-      loaded ||
-      (async () => {
-        const style = document.createElement("link");
-        Object.assign(style, { rel: "stylesheet", href: `${own}uplot/uPlot.css` });
-        document.head.append(style);
-        await script(`${own}uplot/uPlot.js`).catch(() => {}); // without it there are no curves
-        for (const piece of pieces) await script(own + piece);
-      })();
+    loaded = loaded || script(`${own}pieces.js`);
     return loaded;
   }
 
