@@ -18,7 +18,9 @@ const root = path.resolve(values.root);
 const out = path.resolve(values.out ?? path.join(root, "build/book"));
 process.chdir(home); // Eleventy reads and copies relative to where it runs
 const compiled = "build/wasm/programs";
-const live = values.still ? [] : experimentsIn(compiled);
+const live = new Map();
+for (const name of values.still ? [] : experimentsIn(compiled))
+  live.set(name, await engineOf(`${compiled}/${name}.js`));
 const here = (...names) => path.relative(".", path.join(...names));
 
 let book;
@@ -28,8 +30,6 @@ try {
   console.error(error instanceof Problems ? error.message : error);
   process.exit(1);
 }
-for (const page of book.pages.filter(({ chapter, live: name }) => chapter && name))
-  page.description = (await engineOf(`${compiled}/${page.live}.js`)).description;
 const pages = pagesOf(book, root);
 fs.rmSync(out, { recursive: true, force: true });
 const eleventy = new Eleventy("tools/book", here(out), { quietMode: true, config });
@@ -95,7 +95,7 @@ function writeDerived() {
   for (const { kind, file } of book.pictures) {
     if (kind === "film") write(file.replace(/\.webp$/, "_still.webp"), stillOf(fs.readFileSync(path.join(root, file))));
   }
-  if (live.length) for (const { name, text } of liveFiles(compiled)) write(`live/${name}`, text);
+  if (live.size) for (const { name, text } of liveFiles(compiled)) write(`live/${name}`, text);
   const words = book.pages.flatMap(({ title: page, address, sections }) =>
     sections.map(({ id, title, text }) => ({
       address: id ? `${address}#${encodeURIComponent(id)}` : address,

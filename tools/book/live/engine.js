@@ -2,28 +2,6 @@
 // A chapter's program, which em++ made of its main.cpp: unpacked, and the calls of common/live/browser.cpp with JavaScript's values.
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
-  const scripts = new Map();
-
-  /** Loads a classic script once: it also works where a page is opened from a folder. */
-  live.loadScript = function (address) {
-    if (!scripts.has(address)) {
-      scripts.set(
-        address,
-        new Promise((resolve, reject) => {
-          const script = document.createElement("script");
-          script.src = address;
-          script.onload = resolve;
-          script.onerror = () => {
-            scripts.delete(address);
-            reject(new Error(`${address} could not be loaded`));
-          };
-          document.head.append(script);
-        }),
-      );
-    }
-    return scripts.get(address);
-  };
-
   async function unpacked(base64) {
     if (!self.DecompressionStream)
       throw new Error(

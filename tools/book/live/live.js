@@ -5,21 +5,31 @@
   const own = document.currentScript.src.replace(/[^/]*$/, "");
   const players = new Map();
 
-  function script(address) {
-    return new Promise((resolve, reject) => {
-      const element = document.createElement("script");
-      Object.assign(element, {
-        src: address,
-        onload: resolve,
-        onerror: () => reject(new Error(`${address} could not be loaded`)),
-      });
-      document.head.append(element);
-    });
-  }
-  let loaded = null;
-  function load() {
-    loaded = loaded || script(`${own}pieces.js`);
-    return loaded;
+  const scripts = new Map();
+  /** Loads a classic script once: it also works where a page is opened from a folder. */
+  live.loadScript = function (address) {
+    if (!scripts.has(address)) {
+      const load = (resolve, reject) => {
+        const element = document.createElement("script");
+        Object.assign(element, {
+          src: address,
+          onload: resolve,
+          onerror: () => {
+            scripts.delete(address);
+            reject(new Error(`${address} could not be loaded`));
+          },
+        });
+        document.head.append(element);
+      };
+      scripts.set(address, new Promise(load));
+    }
+    return scripts.get(address);
+  };
+  /** The pieces of a figure, and at the same time its program, which they unpack. */
+  async function load({ chapter, root }) {
+    const programs = [`${root}/live/programs/common.js`, `${root}/live/programs/${chapter}.js`];
+    for (const address of programs) live.loadScript(address).catch(() => {}); // said to who needs it
+    await live.loadScript(`${own}pieces.js`);
   }
 
   /** The answer that a page folds, if it asks for a guess. */
@@ -40,9 +50,9 @@
     said.textContent = "Loading …";
     for (const button of panel.querySelectorAll("button")) button.disabled = true;
     try {
-      await load();
-      const root = figure.dataset.root.replace(/\/$/, "");
-      const engine = await live.Engine.load(figure.dataset.chapter, root);
+      const { chapter, root } = figure.dataset;
+      await load({ chapter, root });
+      const engine = await live.Engine.load(chapter, root);
       const player = new live.Player(figure, engine, root, state);
       panel.remove();
       players.set(figure, player);
@@ -107,9 +117,26 @@
     figure.insertBefore(panel, figure.querySelector("figcaption"));
   }
 
+  /** What figures need comes as the first of them comes near the window; the small ones begin then. */
+  function whenNear(figures, small) {
+    const all = [...figures, ...small];
+    const near = new IntersectionObserver(
+      (seen) => {
+        if (!seen.some(({ isIntersecting }) => isIntersecting)) return;
+        near.disconnect();
+        window.PUSHBACK_LIVE_TEST.small = load(all[0].dataset)
+          .then(() => live.beginSmall(small))
+          .catch(() => []); // each figure says it when it is asked for
+      },
+      { rootMargin: "100%" },
+    );
+    for (const figure of all) near.observe(figure);
+  }
+
   function begin() {
     const figures = [...document.querySelectorAll("figure.live[data-chapter]")];
     for (const figure of figures) prepare(figure);
+    whenNear(figures, [...document.querySelectorAll("figure.small-live")]);
     const state = new URLSearchParams(location.hash.slice(1));
     const wanted = figures.find((figure) => figure.dataset.chapter === state.get("live"));
     if (!wanted) return;
