@@ -17,19 +17,24 @@ export function experimentsIn(folder) {
   return names.map((name) => name.slice(0, -5)).sort();
 }
 
+const first = ["engine.js", "small.js"]; // what plays, and small pictures: all that a page needs at first
+
 /// {name, text} of each file of the book's folder live/, with the experiments of a folder of programs.
 export function liveFiles(folder) {
+  const read = (name) => fs.readFileSync(path.join(own, name), "utf8");
   const all = (ending) =>
     fs
       .readdirSync(own)
-      .filter((name) => name.endsWith(ending) && name !== "live.js")
+      .filter((name) => name.endsWith(ending) && name !== "live.js" && !first.includes(name))
       .sort()
-      .map((name) => fs.readFileSync(path.join(own, name), "utf8"));
+      .map(read);
   const uPlot = (name) => fs.readFileSync(path.join(plots, name), "utf8");
+  // The first line counts for all that follow.
+  const together = (texts) => ['"use strict";', ...texts].join("\n");
   return [
-    { name: "live.js", text: fs.readFileSync(path.join(own, "live.js"), "utf8") },
-    // The first line counts for all that follow.
-    { name: "pieces.js", text: ['"use strict";', uPlot("uPlot.iife.min.js"), ...all(".js")].join("\n") },
+    { name: "live.js", text: read("live.js") },
+    { name: "engine.js", text: together(first.map(read)) },
+    { name: "pieces.js", text: together([uPlot("uPlot.iife.min.js"), ...all(".js")]) },
     { name: "live.css", text: [uPlot("uPlot.min.css"), ...all(".css")].join("\n") },
     ...programs(folder),
   ];

@@ -148,6 +148,9 @@ const keys = (list, name) => list.map((one) => one[name]).join(", ");
 /// In words, with three digits: "0.25 m".
 const valued = (value, unit) => `${Number(value.toPrecision(3))}${unit ? ` ${unit}` : ""}`;
 
+const symbol = (name, path) => `<svg class="${name}" viewBox="0 0 16 16" aria-hidden="true"><path d="${path}"/></svg>`;
+const symbols = symbol("go", "M4 2v12l10-6z") + symbol("rest", "M3 2h4v12H3zM9 2h4v12H9z");
+
 function figure(clip, page) {
   const { slider, words, names, aspect } = clip;
   const lanes =
@@ -162,7 +165,7 @@ function figure(clip, page) {
   return (
     `<figure class="small-live" data-chapter="${page.live}" data-root="${page.root}" data-clip="${escaped(JSON.stringify(clip))}">` +
     `<canvas role="img" aria-label="${escaped([words, ...names].join("; "))}" style="aspect-ratio: ${aspect}"></canvas>${lanes}` +
-    `<div class="small-controls"><button type="button" aria-label="Play: ${escaped(words)}" disabled></button>${set}</div>` +
+    `<div class="small-controls"><button type="button" aria-label="Play: ${escaped(words)}" disabled>${symbols}</button>${set}</div>` +
     `<figcaption>${escaped(words)}${clip.number ? '<output aria-live="off"></output>' : ""}</figcaption></figure>\n`
   );
 }

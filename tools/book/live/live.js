@@ -25,12 +25,14 @@
     }
     return scripts.get(address);
   };
-  /** The pieces of a figure, and at the same time its program, which they unpack. */
+  /** What plays a program, and at the same time the program. */
   async function load({ chapter, root }) {
     const programs = [`${root}/live/programs/common.js`, `${root}/live/programs/${chapter}.js`];
     for (const address of programs) live.loadScript(address).catch(() => {}); // said to who needs it
-    await live.loadScript(`${own}pieces.js`);
+    await live.loadScript(`${own}engine.js`);
   }
+  /** The rest of a large figure. */
+  const loadPieces = () => live.loadScript(`${own}pieces.js`);
 
   /** The answer that a page folds, if it asks for a guess. */
   function answer() {
@@ -51,7 +53,7 @@
     for (const button of panel.querySelectorAll("button")) button.disabled = true;
     try {
       const { chapter, root } = figure.dataset;
-      await load({ chapter, root });
+      await Promise.all([load({ chapter, root }), loadPieces()]);
       const engine = await live.Engine.load(chapter, root);
       const player = new live.Player(figure, engine, root, state);
       panel.remove();
@@ -117,20 +119,24 @@
     figure.insertBefore(panel, figure.querySelector("figcaption"));
   }
 
-  /** What figures need comes as the first of them comes near the window; the small ones begin then. */
+  /** What figures need comes as they come near the window; the small ones begin then, all of them with the first. */
   function whenNear(figures, small) {
-    const all = [...figures, ...small];
     const near = new IntersectionObserver(
       (seen) => {
-        if (!seen.some(({ isIntersecting }) => isIntersecting)) return;
-        near.disconnect();
-        window.PUSHBACK_LIVE_TEST.small = load(all[0].dataset)
-          .then(() => live.beginSmall(small))
-          .catch(() => []); // each figure says it when it is asked for
+        for (const { isIntersecting, target } of seen) {
+          if (!isIntersecting) continue;
+          near.unobserve(target);
+          const large = figures.includes(target);
+          const loaded = load(target.dataset).catch(() => {}); // said to who asks for it
+          if (large) loaded.then(loadPieces).catch(() => {});
+          if (!large)
+            window.PUSHBACK_LIVE_TEST.small =
+              window.PUSHBACK_LIVE_TEST.small || loaded.then(() => live.beginSmall(small));
+        }
       },
       { rootMargin: "100%" },
     );
-    for (const figure of all) near.observe(figure);
+    for (const figure of [...figures, ...small]) near.observe(figure);
   }
 
   function begin() {
@@ -152,6 +158,7 @@
     start: (figure = document.querySelector("figure.live[data-chapter]"), state = {}) => start(figure, state),
     player: (figure = document.querySelector("figure.live[data-chapter]")) => players.get(figure),
   };
-  if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", begin);
+  // As soon as the page is read: other scripts may take longer.
+  if (document.readyState === "loading") document.addEventListener("readystatechange", begin, { once: true });
   else begin();
 })();

@@ -3,7 +3,6 @@
 // one at a time; each picture keeps what it shows on a canvas of its own.
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
-  const { icon } = live.transport;
   const slice = 10; // ms of a frame for steps: what takes longer is played slower
   const slow = 25; // ms from frame to frame: what takes longer is drawn coarsely while it moves
 
@@ -170,7 +169,7 @@
       const doing = this.playing ? "Pause" : "Play";
       this.button.setAttribute("aria-label", `${doing}: ${this.clip.words}`);
       this.button.title = doing;
-      this.button.replaceChildren(icon(this.playing ? "pause" : "play"));
+      this.figure.classList.toggle("playing", this.playing);
     }
     say() {
       const { unit } = this.clip.slider;
@@ -230,12 +229,10 @@
 
   /** The small pictures of a page; where they cannot be drawn there are none. */
   live.beginSmall = async function (figures) {
-    if (!figures.length) return [];
     try {
       const { chapter, root } = figures[0].dataset;
       const workshop = new Workshop(await live.Engine.load(chapter, root));
-      const pictures = figures.map((figure) => new live.Small(figure, workshop));
-      return pictures;
+      return figures.map((figure) => new live.Small(figure, workshop));
     } catch (problem) {
       console.error(problem);
       for (const figure of figures) figure.hidden = true;
