@@ -97,8 +97,11 @@ test("what does not exist is refused, with the line", async () => {
 /// On the page: the picture of a figure, as text that differs where the pictures do; and how many colours it has.
 const seen = (figure) =>
   figure.evaluate((element) => {
-    const canvas = element.querySelector("canvas");
-    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    const { width, height } = element.querySelector("canvas");
+    const copy = Object.assign(document.createElement("canvas"), { width, height });
+    const pen = copy.getContext("2d", { willReadFrequently: true });
+    pen.drawImage(element.querySelector("canvas"), 0, 0);
+    const { data } = pen.getImageData(0, 0, width, height);
     const colours = new Set();
     let sum = 0;
     for (let i = 0; i < data.length; i += 4) {
