@@ -18,11 +18,8 @@
       this.canvas = document.createElement("canvas");
       Object.assign(this.canvas, { id: "pushback-small", hidden: true });
       document.body.append(this.canvas);
-      const open = () => {
-        const problem = engine.open(`#${this.canvas.id}`);
-        if (problem) throw new Error(problem);
-      };
-      open();
+      const open = () => engine.open(`#${this.canvas.id}`);
+      this.problem = open();
       this.canvas.addEventListener("webglcontextlost", (event) => {
         event.preventDefault();
         this.lost = true;
@@ -196,6 +193,8 @@
         engine.draw(lane, shown, from, 0, to - from, height);
       });
       this.pen.drawImage(workshop.canvas, 0, 0);
+      for (let lane = 1; lane < lanes.length; ++lane)
+        this.pen.clearRect(Math.round((lane * width) / lanes.length) - scale, 0, 2 * scale, height);
       this.drawn = engine.now;
       if (this.number) this.number.textContent = this.numbers();
       // What takes more than a frame comes as fast as it can.
@@ -232,11 +231,11 @@
     try {
       const { chapter, root } = figures[0].dataset;
       const workshop = new Workshop(await live.Engine.load(chapter, root));
-      return figures.map((figure) => new live.Small(figure, workshop));
+      if (!workshop.problem) return figures.map((figure) => new live.Small(figure, workshop));
     } catch (problem) {
       console.error(problem);
-      for (const figure of figures) figure.hidden = true;
-      return [];
     }
+    for (const figure of figures) figure.hidden = true;
+    return [];
   };
 })();
