@@ -1,5 +1,4 @@
-# add_to_page(NAME): the chapter's experiment as one script that a page loads, live/NAME.js.
-find_program(NODE node REQUIRED NO_CMAKE_FIND_ROOT_PATH)
+# add_to_page(NAME): the chapter's experiment as a page plays it: programs/NAME.wasm, and NAME.js, which loads that.
 set(calls description parameters values set choose scene lanes variant steps known now go_to camera grab pull let_go reach shift mishap
     played series reference number column cells sample hash body bodies open begin draw legend hold problem stored matrix iterate
     iteration iterated residuals impulses)
@@ -10,11 +9,4 @@ function(add_to_page name)
     -sALLOW_MEMORY_GROWTH=1 -sINITIAL_MEMORY=33554432 -sTOTAL_STACK=1048576 -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
     -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8,stackAlloc,stackSave,stackRestore
     "-sEXPORTED_FUNCTIONS=_main,$<JOIN:${calls},$<COMMA>>")
-  set(script ${PROJECT_BINARY_DIR}/live/${name}.js)
-  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/live)
-  set(pack ${PROJECT_SOURCE_DIR}/common/live/pack.js)
-  set(loader $<TARGET_FILE_DIR:${name}>/${name}.js)
-  add_custom_command(OUTPUT ${script} DEPENDS ${name} ${pack} VERBATIM
-    COMMAND ${NODE} ${pack} ${name} ${loader} $<TARGET_FILE_DIR:${name}>/${name}.wasm ${script})
-  add_custom_target(page_${name} ALL DEPENDS ${script})
 endfunction()

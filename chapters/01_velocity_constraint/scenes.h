@@ -10,7 +10,7 @@ struct DroppedBox {
 
   void operator()(World& world) const {
     slab(world);
-    world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5) + drop, 0}).coloured(0));
+    world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5) + drop, 0}).coloured(2));
   }
 };
 
@@ -21,7 +21,7 @@ struct LeavingBox {
 
   void operator()(World& world) const {
     slab(world);
-    world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, height, 0}).moving({0, speed, 0}).coloured(0));
+    world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, height, 0}).moving({0, speed, 0}).coloured(2));
   }
   /// m, if nothing holds it: its speed falls by g h in every step.
   Real highest_point(Real h) const {
@@ -44,7 +44,7 @@ struct DroppedAndUnderPlate {
     world.bodies.back().position.x() = -aside;
     world.add(
         box({Real(0.75), thickness / 2, Real(0.55)}, 1).fixed().at({aside, height + Real(0.49) + thickness / 2, 0}));
-    world.add(box(Vec3::Constant(Real(0.5)), 100).at({aside, height, 0}).coloured(3));
+    world.add(box(Vec3::Constant(Real(0.5)), 100).at({aside, height, 0}).coloured(4));
   }
   /// m, of a box that nothing holds: its speed grows by g h in each step.
   static Real fallen(Real time, Real h) {
@@ -66,7 +66,7 @@ struct DroppedAndThrown {
     world.add(box(Vec3::Constant(Real(0.5)), 100)
                   .at({aside, LeavingBox::height, 0})
                   .moving({0, thrown.speed, 0})
-                  .coloured(3));
+                  .coloured(4));
   }
 };
 

@@ -63,7 +63,7 @@ Curve error_after_sweeps(const LandingColumn& landing, const std::string& label,
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment e("02_clamping", "A contact must not pull: but what is it that is clamped?");
+  Experiment e("02_clamping", "A contact must not pull. Which quantity must not become negative?");
   LandingColumn landing;
   e.parameter({"--fall", "", "m", "How far the column falls before it lands", 0.05, 1}, &landing.fall);
   StackedColumns columns;
@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
          .camera = {{Real(0.5), Real(1.2), Real(5.6)}, {0, Real(1.1), 0}, Real(0.46)},
          .seconds = Real(1.2),
          .instants = {0, Real(0.2), Real(0.4), Real(0.6)},
-         .caption = "The blue column lands flat and should stand in its outline. The orange one turns as it lands and "
+         .caption = "The yellow column lands flat and should stand in its outline. The red one turns as it lands and "
                     "should tip over. Only the last row does both.",
          .marks = [](Picture& picture, const World&, Real) {
            add_outline(picture, box({Real(0.25), Real(0.8), Real(0.25)}, 1).at({-TwoLandings::aside, Real(0.8), 0}));

@@ -24,12 +24,12 @@ struct TwoLandings {
 
   void operator()(World& world) const {
     flat(world);
-    world.bodies.back().at({-aside, world.bodies.back().position.y(), 0}).coloured(0);
+    world.bodies.back().at({-aside, world.bodies.back().position.y(), 0}).coloured(2);
     world.add(box({Real(0.25), Real(0.8), Real(0.25)}, 100)
                   .at({aside, Real(0.799), 0})
                   .moving({0, -1, 0})
                   .spinning({0, 0, -6})
-                  .coloured(3));
+                  .coloured(4));
   }
 };
 

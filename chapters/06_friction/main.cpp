@@ -97,7 +97,9 @@ int main(int argc, char** argv) {
              .caption =
                  "Only the box in front, with μ = 0.8 tan θ, should slide, as far as to its outline. All three began "
                  "at the line across the slope. Distances: after 1.5 s.",
-             .colours = {{body_ink(1), "μ = 0.8 tan θ"}, {body_ink(2), "1.05 tan θ"}, {body_ink(3), "1.5 tan θ"}},
+             .colours = {{body_ink(colours[0]), "μ = 0.8 tan θ"},
+                         {body_ink(colours[1]), "1.05 tan θ"},
+                         {body_ink(colours[2]), "1.5 tan θ"}},
              .start_shown = false,
              .marks = [slope](Picture& picture, const World&, Real time) { mark_slope(picture, slope, time); },
              .cell_height = 420});
@@ -127,7 +129,7 @@ int main(int argc, char** argv) {
              .caption =
                  "All three boxes should stop on the arc. Each tangent has a bound of its own: while a box slips "
                  "along both, friction is 1.41 times as large as it should be. At 45° it does so to the end.",
-             .colours = {{body_ink(1), "0°"}, {body_ink(2), "22.5°"}, {body_ink(3), "45°"}},
+             .colours = {{body_ink(colours[0]), "0°"}, {body_ink(colours[1]), "22.5°"}, {body_ink(colours[2]), "45°"}},
              .start_shown = false,
              .marks = [=](Picture& picture, const World&, Real) { mark_stops(picture, start + stop); },
              .cell_height = 420});

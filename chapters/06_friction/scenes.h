@@ -15,6 +15,9 @@ inline Real own_friction(Real wanted) {
   return wanted * wanted;
 }
 
+/// Of three boxes side by side: mustard, brick and olive, which no curve and no marker has.
+inline constexpr std::array<int, 3> colours{2, 4, 5};
+
 /// Three boxes on one slope, mu below, just above, and far above tan(theta).
 inline const std::array<Real, 3> grip{Real(0.8), Real(1.05), Real(1.5)};
 struct BoxesOnSlope {
@@ -29,6 +32,7 @@ struct BoxesOnSlope {
       world.add(box({Real(0.4), Real(0.3), Real(0.4)}, 50)
                     .turned(theta, Vec3::UnitZ())
                     .at(begin)
+                    .coloured(colours[i])
                     .rough(own_friction(grip[i] * std::tan(theta))));
     }
   }
@@ -64,12 +68,13 @@ struct Push {
 
 inline void slide(World& world, const std::vector<Real>& headings, const Push& push = {}) {
   world.add(ground().rough(1));
-  for (const Real heading : headings) {
-    const Vec3 way{std::cos(heading), 0, -std::sin(heading)};
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const Vec3 way{std::cos(headings[i]), 0, -std::sin(headings[i])};
     world.add(box({Real(0.2), Real(0.1), Real(0.2)}, 20)
-                  .turned(heading, Vec3::UnitY())
+                  .turned(headings[i], Vec3::UnitY())
                   .at(way * start + Vec3(0, Real(0.09999), 0))
                   .moving(push.v0 * way)
+                  .coloured(colours[i % colours.size()])
                   .rough(own_friction(push.mu)));
   }
 }

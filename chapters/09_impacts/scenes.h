@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pushback/chapters/05_restitution/scenes.h"
-#include "pushback/common/experiment/marks.h"
+#include "pushback/common/render/palette.h"
 
 namespace pushback::impacts_scenes {
 
@@ -21,12 +21,14 @@ inline std::function<void(World&)> five_in_a_row(Real gap) {
   };
 }
 
-/// An arrow in front of each ball, 0.25 m for 1 m/s.   `shift`: m, by which the balls are drawn elsewhere
-inline void add_speeds(Picture& picture, const World& world, const Vec3& shift) {
+/// An arrow in front of each ball, 0.25 m for 1 m/s.
+inline void add_speeds(Picture& picture, const World& world) {
+  constexpr Real thickness = Real(0.07);  // m
   const Vec3 towards_us = (picture.camera.eye - picture.camera.target).normalized();
   for (const Body& ball : world.bodies) {
-    const Vec3 before = ball.position + shift + Real(1.2) * ball_radius * towards_us;
-    if (ball.velocity.norm() > Real(0.1)) add_arrow(picture, before, before + ball.velocity / 4);
+    const Vec3 before = ball.position + Real(1.2) * ball_radius * towards_us;
+    if (ball.velocity.norm() > Real(0.1))
+      picture.arrows.push_back({before, before + ball.velocity / 4, thickness, near_black_colour()});
   }
 }
 

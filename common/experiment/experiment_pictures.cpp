@@ -56,7 +56,12 @@ Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& s
   if (first && of.is_first_with_pictures(variant_.scene) && of.mine_.empty()) {
     World filled;  // as the scene has it: a variant may change it
     scene_.fill(filled);
-    Painter& painter = output.painter(scene_.strobe ? output.strip(scene_.strobe->height) : output.frame());
+    Output::Size size = scene_.strobe ? output.strip(scene_.strobe->height) : output.frame();
+    if (scene_.cell_height > 0 && !scene_.strobe) {  // or the sides of a wide scene are cut off
+      const auto [width, height] = output.cell(scene_.cell_height);
+      size.second = std::min(size.second, size.first * height / width);
+    }
+    Painter& painter = output.painter(size);
     keep_picture(output.folder() / "start.png", painter.draw_still(picture(filled, 0), of.passes_));
   }
   take(start, 0);

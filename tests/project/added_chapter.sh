@@ -79,9 +79,11 @@ words() { for _ in {1..60}; do printf 'The ball leaves the ground.\n'; done; }
 cat >"$folder/README.md" <<END
 # $number · Trial
 
+**How fast does the ball leave?**
+
 ## Your guess
 
-How fast does the ball leave?
+At 0, 1 or 2 m/s?
 
 ## The sheet
 

@@ -280,15 +280,15 @@ esac'
 stand_in chmod 'exec /bin/chmod "$@"'
 course book && expect 0 "  emscripten cmake" "cmake --build --preset wasm" "node tools/book/build.js" && expect_not "conflicts"
 rm -f "$scratch/bin/em++"
-CI=true course test --book live_page && expect 0 "  emscripten cmake" "--target page_04_slop wide" && expect_not "conflicts"
+CI=true course test --book live_page && expect 0 "  emscripten cmake" "--target 04_slop wide" && expect_not "conflicts"
 rm -f "$scratch/bin/"{em++,chmod}
 stand_in apt-get 'echo "apt-get $*"'
 stand_in em++ 'true'
 course test --book pages && expect 0 "1 tests/book/pages.mjs" && expect_not "cmake"
-course test --book && expect 0 "cmake --build --preset wasm" "--target page_04_slop wide" "1 tests/book/live_page.mjs tests/book/pages.mjs"
-mkdir -p "$scratch/home/build/wasm/live"
+course test --book && expect 0 "cmake --build --preset wasm" "--target 04_slop wide" "1 tests/book/live_page.mjs tests/book/pages.mjs"
+mkdir -p "$scratch/home/build/wasm/programs"
 course test --book && expect 0 "1 tests/book/live_page.mjs tests/book/pages.mjs" && expect_not "cmake"
-touch "$scratch/home/build/wasm/live/hard_cases.js"
+touch "$scratch/home/build/wasm/programs/hard_cases.wasm"
 course test --book && expect 0 "1 tests/book/live.mjs tests/book/live_page.mjs tests/book/pages.mjs"
 rm -r "$scratch/home/build/wasm"
 course book && expect 0 "cmake --preset wasm" "cmake --build --preset wasm" "node tools/book/build.js" && expect_not "still pictures"

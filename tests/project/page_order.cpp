@@ -1,5 +1,6 @@
 /// Each page of a chapter: its parts in one order, and no more words than are read in some minutes.
 #include <algorithm>
+#include <cstring>
 
 #include "tests/support/call.h"
 
@@ -105,6 +106,21 @@ TEST_CASE(
     CHECK(words_of_main_path(page, true) <= 1000);
     CHECK(tables_of_main_path(page) <= 2);
     CHECK(contains(page.substr(0, page.find("## Your guess")), "/start.png)"));
+  }
+}
+
+TEST_CASE("a page asks the question that stands on its sheet") {
+  for (const std::string& chapter : all_chapters()) {
+    INFO(chapter);
+    const fs::path folder = fs::path(SOURCE_DIR) / "chapters" / chapter;
+    const std::string source = text_of(folder / "main.cpp"), name = "\"" + chapter + "\", \"";
+    const auto begin = source.find(name) + name.size();
+    const std::string title = source.substr(begin, source.find('"', begin) - begin);
+    std::string question = lines_of(text_of(folder / "README.md")).at(2);
+    for (const auto& [formula, words] : {std::pair{"$JV = 0$", "J V = 0"}})
+      if (const auto at = question.find(formula); at != std::string::npos)
+        question.replace(at, std::strlen(formula), words);
+    CHECK(question == "**" + title + "**");
   }
 }
 

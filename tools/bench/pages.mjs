@@ -66,7 +66,7 @@ for (const name of chosen) {
   const { first, slowest } = await page.evaluate(measured);
   const kB = (list) => Math.round(list.reduce((sum, file) => sum + weight(file), 0) / 1000);
   const all = [...files].filter((file) => fs.existsSync(file));
-  const script = all.filter((file) => file.includes("/live/wasm/"));
+  const script = all.filter((file) => file.includes("/live/programs/"));
   console.log(
     `| ${name} | ${kB(all)} kB | ${kB(script)} kB | ${first.toFixed(0)} ms | ${slowest.ms.toFixed(0)} ms (${slowest.of} in ${slowest.scene}) | ${slowest.set.toFixed(0)} ms |`,
   );

@@ -9,8 +9,8 @@ import { includedBy, Sources } from "./sources.js";
 const copied = /\.(png|svg|webp|csv)$/;
 
 /// {pages, sources, folders, files, pictures}: `sources` are shown as pages of their own, `files` are copied as they are.
-/// `live`: the experiments that are there to be run.
-export function readBook(root, live = []) {
+/// `live`: the experiments that are there to be run, each an engine by its name.
+export function readBook(root, live = new Map()) {
   const reader = new Reader(root, live);
   for (const page of reader.pages) reader.read(page);
   reader.checkAnchors();
@@ -40,7 +40,9 @@ class Reader {
     this.pages = outline(root).map((page) => ({
       ...page,
       address: addressOf(page.file),
-      live: live.find((name) => name === page.experiment),
+      live: live.has(page.experiment) ? page.experiment : undefined,
+      engine: live.get(page.experiment),
+      description: page.chapter && live.get(page.experiment)?.description,
     }));
     this.#names = new Map(this.pages.map((page) => [page.file, page]));
   }

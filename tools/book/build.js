@@ -7,6 +7,7 @@ import { parseArgs } from "node:util";
 import Eleventy from "@11ty/eleventy";
 import { Problems, readBook, stillOf } from "./book.js";
 import { engineOf } from "./experiments.js";
+import { experimentsIn, liveFiles } from "./live_files.js";
 import { courseOf, pagesOf } from "./pages.js";
 
 const home = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
@@ -16,10 +17,10 @@ const { values } = parseArgs({
 const root = path.resolve(values.root);
 const out = path.resolve(values.out ?? path.join(root, "build/book"));
 process.chdir(home); // Eleventy reads and copies relative to where it runs
-const live =
-  values.still || !fs.existsSync("build/wasm/live")
-    ? []
-    : fs.readdirSync("build/wasm/live").map((name) => path.parse(name).name);
+const compiled = "build/wasm/programs";
+const live = new Map();
+for (const name of values.still ? [] : experimentsIn(compiled))
+  live.set(name, await engineOf(`${compiled}/${name}.js`));
 const here = (...names) => path.relative(".", path.join(...names));
 
 let book;
@@ -29,8 +30,6 @@ try {
   console.error(error instanceof Problems ? error.message : error);
   process.exit(1);
 }
-for (const page of book.pages.filter(({ chapter, live: name }) => chapter && name))
-  page.description = (await engineOf(`build/wasm/live/${page.live}.js`)).description;
 const pages = pagesOf(book, root);
 fs.rmSync(out, { recursive: true, force: true });
 const eleventy = new Eleventy("tools/book", here(out), { quietMode: true, config });
@@ -60,11 +59,6 @@ function config(eleventy) {
   copy("node_modules/minisearch/dist/umd/index.js", "assets/minisearch.js");
   for (const file of [...textFonts().files, ...katexFonts().map((name) => `node_modules/katex/dist/fonts/${name}`)])
     copy(file, `assets/fonts/${path.basename(file)}`);
-  if (!live.length) return;
-  copy("tools/book/live", "live");
-  copy("build/wasm/live", "live/wasm");
-  copy("node_modules/uplot/dist/uPlot.iife.min.js", "live/uplot/uPlot.js");
-  copy("node_modules/uplot/dist/uPlot.min.css", "live/uplot/uPlot.css");
 }
 
 /// The text faces: {style, files} of those alphabets that the pages use.
@@ -88,7 +82,8 @@ function katexFonts() {
   return fs.readdirSync("node_modules/katex/dist/fonts").filter((name) => name.endsWith(".woff2"));
 }
 
-/// What is made of other files: the style of formulas with the fonts that are there, stills of films, the words for the search.
+/// What is made of other files: the style of formulas with the fonts that are there, stills of films, experiments, the words for
+/// the search.
 function writeDerived() {
   const write = (file, text) => {
     fs.mkdirSync(path.dirname(path.join(out, file)), { recursive: true });
@@ -100,6 +95,7 @@ function writeDerived() {
   for (const { kind, file } of book.pictures) {
     if (kind === "film") write(file.replace(/\.webp$/, "_still.webp"), stillOf(fs.readFileSync(path.join(root, file))));
   }
+  if (live.size) for (const { name, text } of liveFiles(compiled)) write(`live/${name}`, text);
   const words = book.pages.flatMap(({ title: page, address, sections }) =>
     sections.map(({ id, title, text }) => ({
       address: id ? `${address}#${encodeURIComponent(id)}` : address,

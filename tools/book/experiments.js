@@ -6,12 +6,12 @@ import { fileURLToPath } from "node:url";
 
 const home = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 
-/// Of a script that em++ and common/live/pack.js have made: NAME.js.
+/// Of NAME.js, which em++ has made beside NAME.wasm.
 export async function engineOf(file) {
   // What a loader looks for in node, and a page's script in its window.
   Object.assign(globalThis, { self: globalThis, require: createRequire(import.meta.url), __dirname: home });
   await import(path.join(home, "tools/book/live/engine.js"));
-  (0, eval)(fs.readFileSync(file, "utf8"));
-  const { create, program } = globalThis.PUSHBACK_LIVE_CHAPTERS[path.parse(file).name];
-  return new globalThis.PushbackLive.Engine(await create({ wasmBinary: Buffer.from(program, "base64") }));
+  const create = new Function(`${fs.readFileSync(file, "utf8")}; return createPushbackLive;`)();
+  const module = new WebAssembly.Module(fs.readFileSync(file.replace(/\.js$/, ".wasm")));
+  return globalThis.PushbackLive.Engine.of({ create, module });
 }

@@ -5,10 +5,11 @@ import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { engineOf } from "./experiments.js";
+import { experimentsIn } from "./live_files.js";
 
 const home = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 const list = path.join(home, "tools/book/idle.json");
-const built = path.join(home, "build/wasm/live");
+const built = path.join(home, "build/wasm/programs");
 const most = 600; // steps that a pair is played
 const seen = 1e-4; // m: what moves by less is seen by nobody
 const drawn = 0.005; // of a curve's height: the same of a curve
@@ -17,12 +18,7 @@ const drawn = 0.005; // of a curve's height: the same of a curve
 export const idle = JSON.parse(fs.readFileSync(list, "utf8"));
 
 /// Those that can be asked for: the hard cases have no parameters of their own.
-export const played = () =>
-  fs
-    .readdirSync(built)
-    .map((name) => path.parse(name).name)
-    .filter((name) => /^\d\d_/.test(name))
-    .sort();
+export const played = () => experimentsIn(built).filter((name) => /^\d\d_/.test(name));
 
 /// Of one experiment.
 export async function idleIn(name) {

@@ -5,6 +5,7 @@ import MarkdownIt from "markdown-it";
 import mathSyntax from "@vscode/markdown-it-katex";
 import { linkCases } from "./cases.js";
 import { idle } from "./idle.js";
+import { smallPictures } from "./small.js";
 import { escaped, highlightedDifference, highlightedLines } from "./sources.js";
 
 const math = ["math_inline", "math_inline_block", "math_inline_bare_block", "math_block"];
@@ -65,6 +66,7 @@ function readPage({ tokens, env: page }) {
   figures(tokens, page);
   tables(tokens);
   linkCases(tokens, page);
+  smallPictures(tokens, page);
 }
 
 /// Whether the last line of a page names its neighbours and nothing else: the book has links of its own there.

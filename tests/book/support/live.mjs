@@ -5,19 +5,13 @@ import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { engineOf as engineIn } from "../../../tools/book/experiments.js";
 import { idle } from "../../../tools/book/idle.js";
+import { experimentsIn, liveFiles } from "../../../tools/book/live_files.js";
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../../..");
 const folder = path.join(root, "build/live_pages");
-export const built = path.join(root, process.env.PUSHBACK_WASM ?? "build/wasm/live");
+export const built = path.join(root, process.env.PUSHBACK_WASM ?? "build/wasm/programs");
 
-export const chapters = () =>
-  fs.existsSync(built)
-    ? fs
-        .readdirSync(built)
-        .filter((name) => name.endsWith(".js"))
-        .map((name) => name.slice(0, -3))
-        .sort()
-    : [];
+export const chapters = () => experimentsIn(built);
 
 /// A chapter's program in node, without a page.
 export const engineOf = (chapter) => engineIn(path.join(built, `${chapter}.js`));
@@ -27,16 +21,13 @@ function link(from, to) {
   fs.symlinkSync(from, to);
 }
 
+let files; // the same for all pages
+
 /// The address of a page with this chapter's figure. `guess`: it asks for one first.
 export function pageOf(chapter, { guess = false } = {}) {
   const live = path.join(folder, "live");
-  fs.mkdirSync(path.join(live, "uplot"), { recursive: true });
-  for (const name of fs.readdirSync(path.join(root, "tools/book/live")))
-    link(path.join(root, "tools/book/live", name), path.join(live, name));
-  link(built, path.join(live, "wasm"));
-  const plots = path.join(root, "node_modules/uplot/dist");
-  fs.copyFileSync(path.join(plots, "uPlot.iife.min.js"), path.join(live, "uplot/uPlot.js"));
-  fs.copyFileSync(path.join(plots, "uPlot.min.css"), path.join(live, "uplot/uPlot.css"));
+  fs.mkdirSync(path.join(live, "programs"), { recursive: true });
+  for (const { name, text } of (files ??= liveFiles(built))) fs.writeFileSync(path.join(live, name), text);
   link(path.join(root, "renders"), path.join(folder, "renders"));
   const asked = guess
     ? "<h2>Your guess</h2><p>How high does it jump?</p><details><summary>Answer</summary><p>631 mm.</p></details>"

@@ -1,42 +1,87 @@
 "use strict";
-// A chapter's program, which em++ made of its main.cpp: the calls of common/live/browser.cpp with JavaScript's values.
+// A chapter's program, which em++ made of its main.cpp: unpacked, and the calls of common/live/browser.cpp with JavaScript's values.
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
-  const scripts = new Map();
-
-  /** Loads a classic script once: it also works where a page is opened from a folder. */
-  live.loadScript = function (address) {
-    if (!scripts.has(address)) {
-      scripts.set(
-        address,
-        new Promise((resolve, reject) => {
-          const script = document.createElement("script");
-          script.src = address;
-          script.onload = resolve;
-          script.onerror = () => {
-            scripts.delete(address);
-            reject(new Error(`${address} could not be loaded`));
-          };
-          document.head.append(script);
-        }),
+  async function unpacked(base64) {
+    if (!self.DecompressionStream)
+      throw new Error(
+        "this browser cannot unpack it: Chrome and Edge can from 80 on, Firefox from 113, Safari from 16.4",
       );
-    }
-    return scripts.get(address);
-  };
-
-  function bytesOf(base64) {
     const text = atob(base64);
     const bytes = new Uint8Array(text.length);
     for (let i = 0; i < bytes.length; ++i) bytes[i] = text.charCodeAt(i);
-    return bytes;
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return new Uint8Array(await new Response(stream).arrayBuffer());
   }
 
+  /** The bytes of which tools/book/difference.js has stored what differs from others. */
+  live.joined = function (from, difference) {
+    let at = 0;
+    const number = () => {
+      let value = 0;
+      for (let place = 1; ; place *= 128) {
+        const byte = difference[at++];
+        value += (byte & 127) * place;
+        if (byte < 128) return value;
+      }
+    };
+    const parts = [];
+    let length = 0,
+      end = 0;
+    for (const last = number() + at; at < last;) {
+      const before = number(),
+        size = number(),
+        shift = number();
+      const place = end + (shift & 1 ? -(shift + 1) / 2 : shift / 2);
+      parts.push({ before, place, size });
+      end = place + size;
+      length += size;
+    }
+    const whole = new Uint8Array(length + difference.length - at);
+    let done = 0;
+    for (const { before, place, size } of parts) {
+      whole.set(difference.subarray(at, at + before), done);
+      whole.set(from.subarray(place, place + size), done + before);
+      at += before;
+      done += before + size;
+    }
+    whole.set(difference.subarray(at), done);
+    return whole;
+  };
+
+  let common = null;
+  const programs = new Map();
+  /** { create, module } of an experiment: its loader and its code, compiled. Loaded once, however many are played. */
+  live.program = function (name, root) {
+    if (!programs.has(name)) {
+      const load = async () => {
+        const script = (which) => live.loadScript(`${root}/live/programs/${which}.js`);
+        await Promise.all([script("common"), script(name)]);
+        const { loader, packed } = self.PUSHBACK_PROGRAMS[name];
+        common = common || unpacked(self.PUSHBACK_PROGRAMS.common.packed);
+        const bytes = live.joined(await common, await unpacked(packed));
+        const text = new TextDecoder().decode(bytes.subarray(0, loader));
+        return {
+          create: new Function(`${text}; return createPushbackLive;`)(),
+          module: await WebAssembly.compile(bytes.subarray(loader)),
+        };
+      };
+      programs.set(name, load());
+      programs.get(name).catch(() => programs.delete(name)); // the next time may be better
+    }
+    return programs.get(name);
+  };
+
   live.Engine = class {
-    static async load(chapter, root) {
-      await live.loadScript(`${root}/live/wasm/${chapter}.js`);
-      const made = self.PUSHBACK_LIVE_CHAPTERS[chapter];
-      made.bytes = made.bytes || bytesOf(made.program);
-      return new live.Engine(await made.create({ wasmBinary: made.bytes }));
+    static async load(name, root) {
+      return live.Engine.of(await live.program(name, root));
+    }
+    static async of({ create, module }) {
+      const instantiateWasm = (imports, done) => {
+        WebAssembly.instantiate(module, imports).then((instance) => done(instance, module));
+        return {};
+      };
+      return new live.Engine(await create({ instantiateWasm }));
     }
 
     constructor(module) {

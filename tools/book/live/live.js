@@ -2,44 +2,37 @@
 // Finds a page's figures with data-chapter and puts the experiment itself in the place of the picture, once it is asked for.
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
-  const pieces = [
-    "engine.js",
-    "stage.js",
-    "curves.js",
-    "controls.js",
-    "strips.js",
-    "matrix.js",
-    "iterations.js",
-    "figure.js",
-    "picture.js",
-  ];
   const own = document.currentScript.src.replace(/[^/]*$/, "");
   const players = new Map();
 
-  function script(address) {
-    return new Promise((resolve, reject) => {
-      const element = document.createElement("script");
-      Object.assign(element, {
-        src: address,
-        onload: resolve,
-        onerror: () => reject(new Error(`${address} could not be loaded`)),
-      });
-      document.head.append(element);
-    });
+  const scripts = new Map();
+  /** Loads a classic script once: it also works where a page is opened from a folder. */
+  live.loadScript = function (address) {
+    if (!scripts.has(address)) {
+      const load = (resolve, reject) => {
+        const element = document.createElement("script");
+        Object.assign(element, {
+          src: address,
+          onload: resolve,
+          onerror: () => {
+            scripts.delete(address);
+            reject(new Error(`${address} could not be loaded`));
+          },
+        });
+        document.head.append(element);
+      };
+      scripts.set(address, new Promise(load));
+    }
+    return scripts.get(address);
+  };
+  /** What plays a program, and at the same time the program. */
+  async function load({ chapter, root }) {
+    const programs = [`${root}/live/programs/common.js`, `${root}/live/programs/${chapter}.js`];
+    for (const address of programs) live.loadScript(address).catch(() => {}); // said to who needs it
+    await live.loadScript(`${own}engine.js`);
   }
-  let loaded = null;
-  function load() {
-    loaded =
-      loaded ||
-      (async () => {
-        const style = document.createElement("link");
-        Object.assign(style, { rel: "stylesheet", href: `${own}uplot/uPlot.css` });
-        document.head.append(style);
-        await script(`${own}uplot/uPlot.js`).catch(() => {}); // without it there are no curves
-        for (const piece of pieces) await script(own + piece);
-      })();
-    return loaded;
-  }
+  /** The rest of a large figure. */
+  const loadPieces = () => live.loadScript(`${own}pieces.js`);
 
   function make(tag, properties, ...children) {
     const element = Object.assign(document.createElement(tag), properties);
@@ -142,9 +135,9 @@
     const buttons = [panel, asked].flatMap((one) => [...(one?.querySelectorAll("button:enabled") ?? [])]);
     for (const button of buttons) button.disabled = true;
     try {
-      await load();
-      const root = figure.dataset.root.replace(/\/$/, "");
-      const engine = await live.Engine.load(figure.dataset.chapter, root);
+      const { chapter, root } = figure.dataset;
+      await Promise.all([load({ chapter, root }), loadPieces()]);
+      const engine = await live.Engine.load(chapter, root);
       const player = new live.Player(figure, engine, root, state);
       panel.remove();
       asked?.remove();
@@ -182,9 +175,30 @@
     figure.insertBefore(panel, figure.querySelector("figcaption"));
   }
 
+  /** What figures need comes as they come near the window; the small ones begin then, all of them with the first. */
+  function whenNear(figures, small) {
+    const near = new IntersectionObserver(
+      (seen) => {
+        for (const { isIntersecting, target } of seen) {
+          if (!isIntersecting) continue;
+          near.unobserve(target);
+          const large = figures.includes(target);
+          const loaded = load(target.dataset).catch(() => {}); // said to who asks for it
+          if (large) loaded.then(loadPieces).catch(() => {});
+          if (!large)
+            window.PUSHBACK_LIVE_TEST.small =
+              window.PUSHBACK_LIVE_TEST.small || loaded.then(() => live.beginSmall(small));
+        }
+      },
+      { rootMargin: "100%" },
+    );
+    for (const figure of [...figures, ...small]) near.observe(figure);
+  }
+
   function begin() {
     const figures = [...document.querySelectorAll("figure.live[data-chapter]")];
     for (const figure of figures) prepare(figure);
+    whenNear(figures, [...document.querySelectorAll("figure.small-live")]);
     const state = new URLSearchParams(location.hash.slice(1));
     const wanted = figures.find((figure) => figure.dataset.chapter === state.get("live"));
     if (!wanted) return;
@@ -201,6 +215,7 @@
     start: (figure = document.querySelector("figure.live[data-chapter]"), state = {}) => start(figure, state),
     player: (figure = document.querySelector("figure.live[data-chapter]")) => players.get(figure),
   };
-  if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", begin);
+  // As soon as the page is read: other scripts may take longer.
+  if (document.readyState === "loading") document.addEventListener("readystatechange", begin, { once: true });
   else begin();
 })();

@@ -98,17 +98,16 @@ Numbers deep(Random& random, const WholeSolver& answer) {
   Pair pair(random, slow(random));
   pair.h = long_step(random);
   pair.contact().depth = random.between(Real(0.01), Real(0.05));
-  return solved(pair, answer, few(random));
+  return solved(pair, answer, 1 + few(random));  // a bias of the first sweep alone is taken away by the second
 }
 
 Numbers deeper(Random& random, const WholeSolver& answer) {
   Pair pair(random, slow(random));
   pair.h = long_step(random);
-  const int sweeps = few(random);
   Pair other = pair;
   pair.contact().depth = random.between(Real(0.01), Real(0.03));
   other.contact().depth = pair.contact().depth + Real(0.01);
-  const Real less = solved(pair, answer, sweeps)[0], more = solved(other, answer, sweeps)[0];
+  const Real less = solved(pair, answer, 1)[0], more = solved(other, answer, 1)[0];  // whatever later sweeps see
   return {more - less};
 }
 
@@ -278,13 +277,27 @@ Numbers lumps_slide(Random& random, const WholeSolver& answer) {
 
 // ---- 07 --------------------------------------------------------------------------------------------------------------
 
+/// Makes the pair rub, and slide with its tangents (`sign` 1) or against them (-1).
+void rub(ManyBalls& balls, Contact& c, Real sign) {
+  const auto [a, b] = balls.world.bodies_of(c);
+  Vec3 slip = b.velocity_at(c.point) - a.velocity_at(c.point);
+  slip -= slip.dot(c.normal) * c.normal;
+  const auto [tangent1, tangent2] = tangents_of(c.normal);
+  if (sign * slip.dot(tangent1 + tangent2) < 0) b.velocity -= 2 * slip;
+  if (c.friction == 0) c.friction = Real(0.25);
+}
+
 /// A first step of four pairs that touch; in the second, without a sweep, one is gone and another one is new; in the third
-/// that one is back.
+/// that one is back. Of the two that are there all the time one has a positive impulse along its tangent, one a negative one.
 Numbers remembered(Random& random, const WholeSolver& answer) {
   ManyBalls balls(random);
+  const std::size_t late = random.below(2), early = 2 + random.below(2);
+  rub(balls, balls.world.contacts[1 - late], -1);
+  rub(balls, balls.world.contacts[5 - early], 1);
+  balls.begin();
   Contacts all = balls.world.contacts, first = all, second = all, third = all;
-  first.erase(first.begin() + static_cast<std::ptrdiff_t>(random.below(2)));
-  second.erase(second.begin() + 2 + static_cast<std::ptrdiff_t>(random.below(2)));
+  first.erase(first.begin() + static_cast<std::ptrdiff_t>(late));
+  second.erase(second.begin() + static_cast<std::ptrdiff_t>(early));
   const auto solver = answer.make();
   balls.world.contacts = first;
   balls.solve(*solver, 2);

@@ -1,0 +1,241 @@
+"use strict";
+// Small pictures beside a sentence: a clip of one scene, with one slider. One engine and one WebGL canvas play and draw all of a page,
+// one at a time; each picture keeps what it shows on a canvas of its own.
+(function () {
+  const live = (self.PushbackLive = self.PushbackLive || {});
+  const slice = 10; // ms of a frame for steps: what takes longer is played slower
+  const slow = 25; // ms from frame to frame: what takes longer is drawn coarsely while it moves
+
+  const minus = (a, b) => a.map((x, i) => x - b[i]);
+  const plus = (a, b, k = 1) => a.map((x, i) => x + k * b[i]);
+
+  class Workshop {
+    constructor(engine) {
+      this.engine = engine;
+      this.shown = null; // the picture whose clip the engine plays
+      this.playing = null;
+      this.pictures = [];
+      this.canvas = document.createElement("canvas");
+      Object.assign(this.canvas, { id: "pushback-small", hidden: true });
+      document.body.append(this.canvas);
+      const open = () => engine.open(`#${this.canvas.id}`);
+      this.problem = open();
+      this.canvas.addEventListener("webglcontextlost", (event) => {
+        event.preventDefault();
+        this.lost = true;
+        this.playing?.pause();
+      });
+      this.canvas.addEventListener("webglcontextrestored", () => {
+        open();
+        this.lost = false;
+        for (const picture of this.pictures) if (picture.drawn !== null) picture.draw();
+      });
+    }
+
+    /** The next one in sight that has not been seen yet begins by itself, unless nothing should. */
+    next() {
+      if (this.playing || matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+      this.pictures.find(({ inSight, begun }) => inSight && !begun)?.play();
+    }
+  }
+
+  live.Small = class {
+    constructor(figure, workshop) {
+      Object.assign(this, { figure, workshop, clip: JSON.parse(figure.dataset.clip) });
+      this.engine = workshop.engine;
+      this.canvas = figure.querySelector("canvas");
+      this.pen = this.canvas.getContext("2d");
+      this.button = figure.querySelector("button");
+      this.slider = figure.querySelector("input");
+      this.value = figure.querySelector("label output");
+      this.number = figure.querySelector("figcaption output");
+      this.time = 0; // s, of the clip
+      this.drawn = null; // the step that is seen
+      this.begun = false;
+      this.inSight = false;
+      this.coarse = false;
+      this.button.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
+      this.slider?.addEventListener("input", () => this.slide());
+      this.listen();
+      this.label();
+      for (const control of [this.button, this.slider]) if (control) control.disabled = false;
+      workshop.pictures.push(this);
+    }
+
+    get playing() {
+      return this.workshop.playing === this;
+    }
+    get steps() {
+      return Math.min(this.engine.steps, Math.round(this.clip.seconds / this.engine.dt));
+    }
+    get step() {
+      return Math.min(this.steps, Math.round(this.time / this.engine.dt));
+    }
+
+    /** Pauses out of sight, and goes on when it is seen again. */
+    listen() {
+      new IntersectionObserver(
+        ([{ isIntersecting, intersectionRatio }]) => {
+          const seen = isIntersecting && intersectionRatio > 0.6;
+          if (seen === this.inSight) return;
+          this.inSight = seen;
+          if (!seen) {
+            this.left = this.playing;
+            if (this.left) this.pause();
+          } else if (this.left) this.play();
+          else this.workshop.next();
+        },
+        { threshold: [0, 0.6, 0.8] },
+      ).observe(this.canvas);
+      new ResizeObserver(() => this.draw()).observe(this.canvas);
+    }
+
+    /** The slider's value. */
+    get chosen() {
+      const { from, step, at, value } = this.clip.slider,
+        notch = Number(this.slider.value);
+      return notch === at ? value : Number((from + notch * step).toPrecision(9));
+    }
+
+    // ---- the engine
+    /** The engine plays this clip, as far as `time`, or as far as it comes. */
+    take(milliseconds = slice) {
+      const { engine, workshop, clip } = this;
+      if (workshop.shown !== this) {
+        const before = workshop.shown;
+        workshop.shown = this;
+        if (before && workshop.playing === before) before.pause();
+        this.set();
+        engine.choose(clip.scene, clip.places);
+      }
+      if (engine.now !== this.step) engine.goTo(this.step, milliseconds);
+    }
+    set() {
+      const { slider, assignments } = this.clip;
+      const own = slider ? [`${slider.flag}=${this.chosen}`] : [];
+      const problem = this.engine.set([assignments, ...own].filter(Boolean).join(";"));
+      if (problem) throw new Error(problem);
+    }
+
+    // ---- what somebody does
+    play() {
+      const { workshop } = this;
+      if (workshop.lost) return;
+      workshop.playing?.pause();
+      if (this.step >= this.steps) this.time = 0;
+      this.begun = true;
+      this.take();
+      workshop.playing = this;
+      this.label();
+      this.before = null;
+      requestAnimationFrame((now) => this.frame(now));
+    }
+    pause() {
+      this.workshop.playing = null;
+      this.coarse = false;
+      this.label();
+      this.draw();
+    }
+    /** With the new value at the same instant; at the end of the clip where it has not begun yet. */
+    slide() {
+      if (!this.begun) this.time = this.clip.seconds;
+      this.begun = true;
+      this.say();
+      if (this.workshop.shown === this) this.set();
+      this.draw();
+    }
+    frame(now) {
+      if (!this.playing) return;
+      const passed = this.before === null ? 0 : now - this.before;
+      this.before = now;
+      this.coarse = this.coarse || (passed > slow && this.late);
+      this.late = passed > slow;
+      this.time = Math.min(this.clip.seconds, this.time + Math.min(passed, 100) / 1000 / this.clip.slow);
+      const reached = this.engine.now;
+      if (this.step !== this.drawn) this.draw();
+      if (this.engine.now < this.step) this.time = Math.max(this.engine.now, reached) * this.engine.dt;
+      if (this.step < this.steps) requestAnimationFrame((then) => this.frame(then));
+      else {
+        this.pause();
+        this.workshop.next();
+      }
+    }
+
+    // ---- what is seen
+    label() {
+      const doing = this.playing ? "Pause" : "Play";
+      this.button.setAttribute("aria-label", `${doing}: ${this.clip.words}`);
+      this.button.title = doing;
+      this.figure.classList.toggle("playing", this.playing);
+    }
+    say() {
+      const { unit } = this.clip.slider;
+      const text = `${Number(this.chosen.toPrecision(3))}${unit ? ` ${unit}` : ""}`;
+      this.value.textContent = text;
+      this.slider.setAttribute("aria-valuetext", text);
+    }
+    draw() {
+      const { engine, workshop, canvas, clip } = this;
+      const scale = Math.min(2, Math.max(1, window.devicePixelRatio || 1)),
+        width = Math.round(scale * canvas.clientWidth),
+        height = Math.round(scale * canvas.clientHeight);
+      if (!width || !height || workshop.lost) return;
+      this.take();
+      for (const one of [canvas, workshop.canvas])
+        if (one.width !== width || one.height !== height) Object.assign(one, { width, height });
+      const { scene, lanes } = engine;
+      const shown = (scene.contacts ? 1 : 0) | (scene.impulses ? 2 : 0) | 4 | (this.coarse ? 8 : 0);
+      engine.look(this.camera(width / lanes.length / height));
+      engine.begin();
+      lanes.forEach(({ lane }) => {
+        const from = Math.round((lane * width) / lanes.length),
+          to = Math.round(((lane + 1) * width) / lanes.length);
+        engine.draw(lane, shown, from, 0, to - from, height);
+      });
+      this.pen.drawImage(workshop.canvas, 0, 0);
+      for (let lane = 1; lane < lanes.length; ++lane)
+        this.pen.clearRect(Math.round((lane * width) / lanes.length) - scale, 0, 2 * scale, height);
+      this.drawn = engine.now;
+      if (this.number) this.number.textContent = this.numbers();
+      // What takes more than a frame comes as fast as it can.
+      if (!this.playing && engine.now !== this.step) requestAnimationFrame(() => this.draw());
+    }
+    numbers() {
+      const { engine, clip } = this;
+      const all = engine.lanes.map(({ lane }) => engine.number(lane, clip.number.which)[0]);
+      const { name } = engine.scene.numbers[clip.number.which];
+      return `${name}: ${engine.now ? all.join(" | ") : "–"}`;
+    }
+    /** As far to both sides as the scene shows; what goes across a picture is looked at from near by. */
+    camera(aspect) {
+      const { engine, clip } = this;
+      const { camera, strobe, aspect: whole } = engine.scene;
+      const away = minus(camera.eye, camera.target);
+      let { target } = camera,
+        distance = Math.hypot(...away),
+        half = Math.tan(camera.field_of_view / 2);
+      if (strobe) {
+        const { centre, radius } = engine.reach();
+        target = plus(plus(centre, engine.shift()), [0, 0.15 * radius, 0]);
+        half = 0.25;
+        distance = ((1.5 * radius) / half) * Math.max(1, 1.3 / aspect);
+      } else if (aspect < whole) half *= whole / aspect;
+      half /= clip.zoom;
+      const eye = plus(target, away, distance / Math.hypot(...away));
+      return { eye, target, fieldOfView: 2 * Math.atan(half) };
+    }
+  };
+
+  /** The small pictures of a page; where they cannot be drawn there are none. */
+  live.beginSmall = async function (figures) {
+    try {
+      const { chapter, root } = figures[0].dataset;
+      const workshop = new Workshop(await live.Engine.load(chapter, root));
+      if (!workshop.problem) return figures.map((figure) => new live.Small(figure, workshop));
+    } catch (problem) {
+      console.error(problem);
+    }
+    for (const figure of figures) figure.hidden = true;
+    return [];
+  };
+})();
