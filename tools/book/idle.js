@@ -145,5 +145,6 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
     console.log(`${name}: ${JSON.stringify(now[name])}, ${((performance.now() - began) / 1000).toFixed(1)} s`);
   }
   const sorted = Object.fromEntries(Object.entries(now).sort());
-  if (words.includes("--write")) fs.writeFileSync(list, `${JSON.stringify(sorted, null, 2)}\n`);
+  const lines = Object.entries(sorted).map(([name, flags]) => `  "${name}": ${JSON.stringify(flags)}`);
+  if (words.includes("--write")) fs.writeFileSync(list, `{\n${lines.join(",\n")}\n}\n`);
 }
