@@ -203,7 +203,7 @@ test("a slider is answered by a picture after two slices of steps at most, howev
         if (stage.drawing) ++waiting;
         draw();
       };
-      const slider = document.querySelector('.pb-sliders [data-flag="--sweeps"] input[type="range"]');
+      const slider = document.querySelector('.pb-sliders [data-flag="--beta"] input[type="range"]');
       const move = () => {
         slider.value = Number(slider.value) + 9;
         slider.dispatchEvent(new Event("input"));
