@@ -187,6 +187,7 @@ TEST_CASE("every figure on a page that names its cell of the table is that cell'
     std::string renewed;
     std::size_t copied = 0;
     for (std::sregex_iterator mark(text.begin(), text.end(), comment), end; mark != end; ++mark) {
+      if ((*mark)[1].str().rfind(" live: ", 0) == 0) continue;  // a picture of the book
       const std::vector<std::string> parts = parts_of((*mark)[1]);
       if (parts.size() == 1 && parts[0] != "cases" && parts[0] != "cases in words") continue;  // of a generated table
       const std::string figure = figure_of(parts);
