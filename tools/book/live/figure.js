@@ -178,7 +178,7 @@
         strips = make("div", { className: "pb-strips" }),
         iterations = make("section", { className: "pb-iterations" });
       const none = () => {};
-      this.furtherCurves = fold("Further curves", () => this.curves.resize(), strips, furtherPlots);
+      this.furtherCurves = fold("Further curves", () => this.curves.resize(), furtherPlots);
       this.furtherSliders = fold("Further parameters", none, furtherSliders);
       this.measured = fold("What was measured", none, this.numbers);
       const bench = make(
@@ -186,6 +186,7 @@
         {},
         this.view,
         this.deck,
+        strips,
         this.furtherSliders,
         this.measured,
         this.furtherCurves,
@@ -324,7 +325,7 @@
       this.stage.begin();
       this.curves.begin(engine);
       this.strips.begin(engine);
-      this.furtherCurves.hidden = !this.curves.further && !scene.raster;
+      this.furtherCurves.hidden = !this.curves.further;
       this.measured.hidden = !scene.numbers.length;
       this.read = null;
     }

@@ -15,7 +15,7 @@
   const head = 26; // CSS pixels over each pane, for the variant's name
   const gutter = 10; // CSS pixels between panes
   const narrow = 480; // CSS pixels: what is less has room for one variant
-  const least = 110; // CSS pixels of a pane's height
+  const least = 84; // CSS pixels of a pane's height
   const hold = 250; // ms that a finger rests before it takes hold of a body: a swipe scrolls or turns
   const slack = 8; // CSS pixels that a finger that rests may move
 
@@ -110,6 +110,10 @@
     }
 
     // ---- panes
+    /** CSS pixels over each pane: a tab has the name already. */
+    get head() {
+      return this.tabbed ? 0 : head;
+    }
     /** Rectangles, CSS pixels from the upper left corner, one a lane; of a wipe one for both; one for all where it is narrow. */
     arrange() {
       const { lanes, scene } = this.player.engine;
@@ -124,7 +128,7 @@
       for (let columns = 1; columns <= count; ++columns) {
         const wide = (width - gutter * (columns - 1)) / columns,
           rows = Math.ceil(count / columns),
-          high = Math.min(wide / aspect, this.room / rows - head);
+          high = Math.min(wide / aspect, this.room / rows - this.head);
         if (!best || high > best.high + 1) best = { columns, rows, wide, high };
       }
       const { columns, rows, wide } = best,
@@ -132,11 +136,11 @@
       this.panes = seen.map(({ lane }, i) => {
         const at = wiping ? 0 : i;
         const left = Math.round((at % columns) * (wide + gutter)),
-          top = Math.floor(at / columns) * (high + head) + head;
+          top = Math.floor(at / columns) * (high + this.head) + this.head;
         const right = Math.round((at % columns) * (wide + gutter) + wide);
         return { lane, left, top, width: right - left, height: high };
       });
-      this.size = { width, height: rows * (high + head) };
+      this.size = { width, height: rows * (high + this.head) };
       const scale = clamp(window.devicePixelRatio || 1, 1, 2) * (this.coarse ? coarseness : 1);
       const [w, h] = [Math.round(scale * width), Math.round(scale * this.size.height)];
       if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
@@ -244,9 +248,16 @@
       this.labels.replaceChildren(
         ...wanted.map(({ pane, name, colour, marker, mishap }) => {
           const [part, from] = this.wiping ? [0.5, pane.lane / 2] : [1, 0];
-          const label = within("pb-label", pane.left + from * pane.width, pane.top - head, part * pane.width, head);
+          const label = within(
+            "pb-label",
+            pane.left + from * pane.width,
+            pane.top - this.head,
+            part * pane.width,
+            head,
+          );
           label.style.textAlign = from ? "right" : "left";
-          label.append(inColour(marker, colour), mishap ? `${name}: ${mishap}` : name);
+          if (!this.tabbed) label.append(inColour(marker, colour), mishap ? `${name}: ${mishap}` : name);
+          else label.append(mishap); // the tab has the name
           return label;
         }),
         ...this.panes
