@@ -18,6 +18,7 @@ async function running(chapter, options = {}, address = pageOf(chapter)) {
   await page.goto(address);
   await page.evaluate(async () => {
     window.player = await window.PUSHBACK_LIVE_TEST.start();
+    for (const fold of document.querySelectorAll(".pb-fold")) fold.open = true;
   });
   return page;
 }
@@ -202,7 +203,7 @@ test("a slider is answered by a picture after two slices of steps at most, howev
         if (stage.drawing) ++waiting;
         draw();
       };
-      const slider = document.querySelector('.pb-sliders [data-flag="--sweeps"] input[type="range"]');
+      const slider = document.querySelector('.pb-sliders [data-flag="--beta"] input[type="range"]');
       const move = () => {
         slider.value = Number(slider.value) + 9;
         slider.dispatchEvent(new Event("input"));
@@ -431,9 +432,12 @@ test("curves: one a variant, a line at the instant, and a click goes there", asy
 test("a page that asks for a guess waits for it, or for 'show me'", async () => {
   const page = await newPage(browser, still);
   await page.goto(pageOf("03_baumgarte", { guess: true }));
-  assert.ok(await page.getByRole("button", { name: "Run it" }).isDisabled());
-  await page.getByRole("textbox", { name: "Your guess" }).fill("half a metre");
-  await page.getByRole("button", { name: "Run it" }).click();
+  const there = page.getByRole("button", { name: "Guess, then run it" }),
+    here = page.getByRole("button", { name: "Run it", exact: true });
+  assert.ok((await there.isDisabled()) && (await here.isDisabled()));
+  await page.getByRole("textbox", { name: "Your guess" }).first().fill("half a metre");
+  assert.ok(await here.isEnabled()); // the guess holds at both places
+  await there.click();
   await page.waitForFunction(() => window.PUSHBACK_LIVE_TEST.player());
   await page.getByText("Your guess: half a metre").waitFor();
   await page.reload();

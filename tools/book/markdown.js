@@ -4,6 +4,7 @@ import katex from "katex";
 import MarkdownIt from "markdown-it";
 import mathSyntax from "@vscode/markdown-it-katex";
 import { linkCases } from "./cases.js";
+import { idle } from "./idle.js";
 import { smallPictures } from "./small.js";
 import { escaped, highlightedDifference, highlightedLines } from "./sources.js";
 
@@ -180,6 +181,7 @@ function figures(tokens, page) {
       tokens[i].attrSet("class", `live ${kind}`);
       tokens[i].attrSet("data-chapter", live);
       tokens[i].attrSet("data-root", page.root);
+      tokens[i].attrSet("data-idle", JSON.stringify(idle[live] ?? {}));
       live = false;
     }
     const caption = tokens[i + 3]?.type === "paragraph_open" && inItalics(tokens[i + 4]);

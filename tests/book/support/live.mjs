@@ -4,6 +4,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { engineOf as engineIn } from "../../../tools/book/experiments.js";
+import { idle } from "../../../tools/book/idle.js";
 import { experimentsIn, liveFiles } from "../../../tools/book/live_files.js";
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../../..");
@@ -40,7 +41,7 @@ export function pageOf(chapter, { guess = false } = {}) {
 <style>:root { color-scheme: light dark; } body { max-width: 46rem; margin: 1rem auto; padding: 0 1rem; font: 16px/1.5 sans-serif; } img { max-width: 100%; }</style>
 <link rel="stylesheet" href="live/live.css"><script src="live/live.js" defer></script></head>
 <body><h1>${chapter}</h1>${asked}
-<figure class="live sheet" data-chapter="${chapter}" data-root="."><img src="renders/${chapter}/${still}" alt="The sheet"></figure></body></html>`,
+<figure class="live sheet" data-chapter="${chapter}" data-root="." data-idle='${JSON.stringify(idle[chapter] ?? {})}'><img src="renders/${chapter}/${still}" alt="The sheet"></figure></body></html>`,
   );
   return `file://${folder}/${name}`;
 }

@@ -49,14 +49,30 @@
   }
 
   const mostSliders = 6;
+  const beforeOnesEyes = 2; // parameters that stand below the picture, with as many sliders as leave room for it
+  const mostBeforeOnesEyes = 4;
 
   live.Controls = class {
-    /** `set(assignments)`: of what is not as it is by default. */
-    constructor(element, engine, set) {
-      this.element = element;
-      this.engine = engine;
-      this.set = set;
+    /**
+     * `places`: where the sliders stand that come first, where the further ones, and what folds these. `idle`: of each flag the
+     * scenes in which it changes nothing. `set(assignments)`: of what is not as it is by default.
+     */
+    constructor(places, engine, idle, set) {
+      Object.assign(this, { places, engine, idle, set });
       this.build();
+    }
+
+    /** Those that change something in this scene. */
+    get acting() {
+      const { parameters, sceneIndex } = this.engine;
+      return parameters.filter(({ flag }) => !this.idle[flag]?.includes(sceneIndex));
+    }
+    /** A label in which no flag of the command line is named. */
+    inWords(text) {
+      return text.replace(/--[a-z-]+/g, (flag) => {
+        const { symbol, what } = this.engine.parameters.find((one) => one.flag === flag) ?? {};
+        return symbol || what?.toLowerCase() || flag;
+      });
     }
 
     get assignments() {
@@ -73,9 +89,25 @@
         const now = values[flag];
         if (now.length && JSON.stringify(now) !== JSON.stringify(usual)) this.own.set(flag, now);
       }
-      live.keepingFocus(this.element, () =>
-        this.element.replaceChildren(...parameters.map((parameter) => this.row(parameter))),
-      );
+      const { first, further, fold } = this.places,
+        { acting } = this;
+      let count = 0,
+        sliders = 0;
+      for (const parameter of acting.slice(0, beforeOnesEyes)) {
+        sliders += (this.own.get(parameter.flag) || this.usual(parameter)).length;
+        if (count === 0 || sliders <= mostBeforeOnesEyes) ++count;
+      }
+      const rows = acting.map((parameter) => this.row(parameter));
+      const still = parameters.filter((parameter) => !acting.includes(parameter)).map(({ what }) => this.inWords(what));
+      live.keepingFocus(first, () => first.replaceChildren(...rows.slice(0, count)));
+      live.keepingFocus(further, () => {
+        further.replaceChildren(...rows.slice(count));
+        if (still.length)
+          further.append(
+            make("p", { className: "pb-idle", textContent: `Without effect in this scene: ${still.join("; ")}.` }),
+          );
+      });
+      fold.hidden = !further.childElementCount;
     }
 
     /** What a parameter is where nobody has set it: of the time and the sweeps what scene and variant say. */
@@ -87,10 +119,10 @@
     }
 
     row(parameter) {
-      const { flag, symbol, unit, what } = parameter;
+      const { flag, symbol, unit } = parameter,
+        what = this.inWords(parameter.what);
       const now = this.own.get(flag) || this.usual(parameter);
       const list = parameter.default.length > 1;
-      const name = `${this.engine.description.name}${flag}`;
       const title = make("span", { className: "pb-what" });
       if (symbol) title.append(make("i", { textContent: symbol }), "  ");
       title.append(what);
@@ -128,7 +160,7 @@
         );
         return row;
       }
-      now.forEach((value, i) => row.append(this.slider(parameter, now, i, list, name, unit, what)));
+      now.forEach((value, i) => row.append(this.slider(parameter, now, i, list, unit, what)));
       if (list && now.length < mostSliders) {
         row.append(
           make("button", {
@@ -151,7 +183,7 @@
       return parameter.most;
     }
 
-    slider(parameter, now, i, list, name, unit, what) {
+    slider(parameter, now, i, list, unit, what) {
       const { least, most, whole } = parameter,
         scale = new Scale(parameter);
       const label = list ? `${what}, ${i + 1} of ${now.length}` : what;
@@ -216,8 +248,11 @@
       if (values === null) this.own.delete(parameter.flag);
       else this.own.set(parameter.flag, values);
       this.set(this.assignments, done);
-      const row = this.element.querySelector(`[data-flag="${parameter.flag}"] .pb-head button`);
-      if (row) row.hidden = !this.own.has(parameter.flag);
+      const flag = `[data-flag="${parameter.flag}"]`;
+      for (const place of [this.places.first, this.places.further]) {
+        const reset = place.querySelector(`${flag} .pb-head button`);
+        if (reset) reset.hidden = !this.own.has(parameter.flag);
+      }
     }
   };
 })();

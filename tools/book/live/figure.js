@@ -34,6 +34,25 @@
 
   live.transport = { icon, button };
 
+  /** A caption says "the last row" where a sheet has a row for each variant: here its name. */
+  live.captionOf = function ({ caption, variants }) {
+    const places = { first: 0, second: 1, third: 2, last: variants.length - 1 };
+    return caption.replace(/\bthe (first|second|third|last) row\b(?! of)/g, (all, which) => {
+      const variant = variants[places[which]];
+      return variant ? `“${variant.name}”` : all;
+    });
+  };
+  /** s: when a number is what its name says, "drift after 60 s". */
+  const due = (name) => Number(/\b(?:after|to) ([\d.]+) s\b/.exec(name)?.[1] ?? 0);
+
+  /** What is folded until somebody asks for it. `opened`: called then. */
+  function fold(title, opened, ...children) {
+    const summary = make("summary", { textContent: title });
+    const details = make("details", { className: "pb-fold" }, summary, ...children);
+    details.addEventListener("toggle", () => details.open && opened());
+    return details;
+  }
+
   live.Player = class {
     /** In `figure`, whose picture goes while this runs. `state`: of an address, as `state` gives it. */
     constructor(figure, engine, root, state = {}) {
@@ -53,6 +72,7 @@
       this.stage.follow = state.follow ?? (engine.scene.strobe && this.stage.element.clientWidth < 560);
       this.begin();
       this.tell(this.problem);
+      this.fit();
       this.seek(state.step || 0);
     }
 
@@ -66,6 +86,8 @@
       });
       this.caption = make("p", { className: "pb-caption" });
       const stage = make("div", { className: "pb-stage" });
+      this.view = make("div", { className: "pb-view" });
+      this.deck = make("div", { className: "pb-deck" });
       this.legend = make("ul", { className: "pb-legend", "aria-label": "What dots, arrows and colours mean" });
       this.playButton = button("play", "Play", () => this.toggle());
       this.line = make("input", {
@@ -149,10 +171,27 @@
         }),
       );
       this.numbers = make("div", { className: "pb-numbers" });
-      const sliders = make("div", { className: "pb-sliders", role: "group", "aria-label": "Parameters" });
+      const sliders = make("div", { className: "pb-sliders", role: "group", "aria-label": "Parameters" }),
+        furtherSliders = make("div", { className: "pb-sliders", role: "group", "aria-label": "Further parameters" });
       const plots = make("div", { className: "pb-plots" }),
+        furtherPlots = make("div", { className: "pb-plots" }),
         strips = make("div", { className: "pb-strips" }),
         iterations = make("section", { className: "pb-iterations" });
+      const none = () => {};
+      this.furtherCurves = fold("Further curves", () => this.curves.resize(), furtherPlots);
+      this.furtherSliders = fold("Further parameters", none, furtherSliders);
+      this.measured = fold("What was measured", none, this.numbers);
+      const bench = make(
+        "div",
+        {},
+        this.view,
+        this.deck,
+        strips,
+        this.furtherSliders,
+        this.measured,
+        this.furtherCurves,
+        fold("What is drawn", none, look),
+      );
       this.said = make("p", { className: "pb-said", role: "status", "aria-live": "polite" });
       this.link = make("button", {
         type: "button",
@@ -176,7 +215,7 @@
           make("summary", { textContent: "mouse, touch and keys" }),
           make("p", {
             textContent:
-              "Pull a body: it hangs on a spring, in every variant. Beside the bodies, dragging turns the camera; with Shift or the right button it moves it; the wheel zooms once the picture has been clicked; two fingers zoom and move. Keys, when the picture has the focus: space plays, comma and full stop go one step back and on, Home and End to the ends, the arrows turn the camera, plus and minus zoom, 0 puts it back, C shows contact points, I impulses.",
+              "Pull a body: it hangs on a spring, in every variant; with a finger, rest on it for a moment first. Beside the bodies, dragging turns the camera; with Shift or the right button it moves it; the wheel zooms once the picture has been clicked; two fingers zoom and move. Keys, when the picture has the focus: space plays, comma and full stop go one step back and on, Home and End to the ends, the arrows turn the camera, plus and minus zoom, 0 puts it back, C shows contact points, I impulses.",
           }),
         ),
       );
@@ -189,32 +228,76 @@
         ),
         this.caption,
         this.alert,
-        stage,
-        transport,
-        look,
-        this.legend,
-        this.numbers,
-        sliders,
-        strips,
-        plots,
+        bench,
         iterations,
         foot,
         this.said,
       );
+      this.view.append(stage, transport);
+      this.deck.append(sliders, plots, this.legend);
       this.figure.insertBefore(this.root_, this.figure.querySelector(":scope > figcaption"));
       this.figure.classList.add("pb-running");
       this.stage = new live.Stage(this, stage);
-      this.curves = new live.Curves(plots, (step) => this.go(step));
+      this.curves = new live.Curves(plots, furtherPlots, (step) => this.go(step));
       this.strips = new live.Strips(strips, (step) => this.go(step));
-      this.controls = new live.Controls(sliders, this.engine, (assignments, done) => this.set(assignments, done));
+      this.controls = new live.Controls(
+        { first: sliders, further: furtherSliders, fold: this.furtherSliders },
+        this.engine,
+        JSON.parse(this.figure.dataset.idle ?? "{}"),
+        (assignments, done) => this.set(assignments, done),
+      );
       this.iterations = new live.Iterations(iterations, this.engine, () => this.remember());
       this.stage.canvas.addEventListener("keydown", (event) => this.key(event));
       this.watch = new ResizeObserver(() => {
         this.curves.resize();
         this.iterations.resize();
-        this.changed();
+        this.fit();
       });
-      this.watch.observe(stage);
+      for (const element of [this.root_, this.deck]) this.watch.observe(element);
+      addEventListener("resize", () => this.fit());
+      new IntersectionObserver(([{ isIntersecting }]) => this.see(isIntersecting)).observe(this.view);
+      // Canvases are drawn in the colours that the page has at that moment.
+      const recolour = () => {
+        this.curves.recolour();
+        this.iterations.recolour();
+      };
+      document.documentElement.addEventListener("theme", recolour);
+      matchMedia("(prefers-color-scheme: dark)").addEventListener("change", recolour);
+    }
+
+    // ---- the window
+    /** On a telephone the picture stays above what is scrolled. */
+    get narrow() {
+      return this.root_.clientWidth < live.Stage.narrow;
+    }
+    get barred() {
+      return parseFloat(getComputedStyle(document.documentElement).scrollPaddingTop) || 0;
+    }
+    /** The picture is as high as leaves room for what changes it, and for the curve of what comes of it. */
+    fit() {
+      const { stage, view, deck, root_ } = this,
+        own = stage.element.offsetHeight;
+      const rest = this.narrow
+        ? view.offsetHeight - own + deck.offsetHeight
+        : deck.getBoundingClientRect().bottom - root_.getBoundingClientRect().top - own;
+      stage.room = Math.max(240, Math.min(0.72 * innerHeight, innerHeight - this.barred - rest - 8));
+      stage.arrange();
+      stage.label();
+      this.changed();
+    }
+    /** Into the window, and the keys go to it. */
+    bringIntoView() {
+      const whole = this.deck.getBoundingClientRect().bottom - this.root_.getBoundingClientRect().top;
+      (this.narrow || whole > innerHeight - this.barred ? this.view : this.root_).scrollIntoView();
+      this.stage.canvas.focus({ preventScroll: true });
+    }
+    /** What leaves the window waits until it is back. */
+    see(inSight) {
+      if (inSight && this.waits) this.play();
+      else if (!inSight && this.playing && !this.held) {
+        this.pause();
+        this.waits = true;
+      }
     }
 
     /** The scene that is chosen, from its start. */
@@ -225,7 +308,7 @@
         ...engine.description.scenes.map(({ name }) => make("option", { textContent: name })),
       );
       this.scenes.selectedIndex = engine.sceneIndex;
-      this.caption.textContent = scene.caption;
+      this.caption.textContent = live.captionOf(scene);
       this.caption.hidden = !scene.caption;
       this.line.max = engine.steps;
       this.listVariants();
@@ -239,8 +322,11 @@
       this.speeds.value = this.speed;
       this.slow.clear();
       this.listNumbers();
+      this.stage.begin();
       this.curves.begin(engine);
       this.strips.begin(engine);
+      this.furtherCurves.hidden = !this.curves.further;
+      this.measured.hidden = !scene.numbers.length;
       this.read = null;
     }
 
@@ -253,6 +339,7 @@
       const { engine } = this,
         shown = new Set(engine.lanes.map(({ place }) => place)),
         { variants } = engine.scene;
+      this.variants.hidden = variants.length < 2;
       live.keepingFocus(this.variants, () => {
         this.variants.replaceChildren(
           make("legend", { textContent: variants.length > 4 ? "Variants, up to four" : "Variants" }),
@@ -322,12 +409,13 @@
     play() {
       if (this.engine.now >= this.engine.steps) this.seek(0);
       this.playing = true;
+      this.waits = false;
       this.before = performance.now();
       this.owed = 0;
       this.changed();
     }
     pause() {
-      this.playing = false;
+      this.playing = this.waits = false;
       this.release();
       this.remember();
       this.changed();
@@ -335,7 +423,7 @@
       this.say();
     }
     go(step) {
-      this.playing = false;
+      this.playing = this.waits = false;
       this.seek(step);
       this.remember();
     }
@@ -360,7 +448,7 @@
       this.remember();
     }
     chooseScene(scene) {
-      this.playing = false;
+      this.playing = this.waits = false;
       this.tell(this.engine.choose(scene, this.shownIn(scene)));
       this.stage.camera.reset();
       this.speed = null;
@@ -484,7 +572,10 @@
           const reached = engine.goTo(this.target, 20);
           this.owed = reached < this.target ? 0 : this.owed - steps;
           this.target = reached;
-          if (reached >= engine.steps) this.pause();
+          if (reached >= engine.steps) {
+            this.pause();
+            this.compare();
+          }
         }
       } else if (engine.now !== this.target) {
         engine.goTo(this.target, this.slice);
@@ -543,14 +634,25 @@
       const lanes = engine.lanes.map(({ name: one }) => one).join("; ");
       this.stage.canvas.setAttribute(
         "aria-label",
-        `${engine.scene.name}, at ${time.toFixed(2)} s. From left to right and from the top: ${lanes}.`,
+        [
+          `${engine.scene.name}, at ${time.toFixed(2)} s.`,
+          this.stage.tabbed
+            ? `${engine.lanes[this.stage.tab].name}.`
+            : `From left to right and from the top: ${lanes}.`,
+          this.stage.outside ? `Outside of the picture: ${this.stage.outside}.` : "",
+        ].join(" "),
       );
     }
     /** What takes long is worked out when nothing moves. */
     measure() {
       const { engine } = this;
       for (const { cell, lane, which } of this.cells) {
-        const key = `${lane} ${which}`;
+        const key = `${lane} ${which}`,
+          from = due(engine.scene.numbers[which].name);
+        if (engine.now * engine.dt < from - engine.dt / 2) {
+          cell.replaceChildren(`from ${from} s on`);
+          continue;
+        }
         if (this.playing && this.slow.has(key)) continue;
         const began = performance.now();
         const [is, should] = engine.number(lane, which);
@@ -576,8 +678,28 @@
     }
 
     // ---- words
-    guess(text) {
-      this.caption.before(make("p", { className: "pb-guessed", textContent: `Your guess: ${text}` }));
+    /** What was guessed, and the answer that the page folds: beside each other, once it has been played. */
+    guess(text, answer) {
+      this.guessed = { text, answer };
+      if (!this.playing) this.compare();
+    }
+    compare() {
+      if (!this.guessed) return;
+      const { text, answer } = this.guessed;
+      this.guessed = null;
+      answer.open = true;
+      answer.before(make("p", { className: "pb-guessed", textContent: `Your guess: ${text}` }));
+      const copy = answer.cloneNode(true);
+      copy.querySelector("summary").remove();
+      for (const element of copy.querySelectorAll("[id]")) element.removeAttribute("id");
+      const both = make(
+        "details",
+        { className: "pb-fold pb-compare", open: true },
+        make("summary", { textContent: "Your guess and the answer" }),
+        make("div", {}, make("p", { className: "pb-guessed", textContent: text }), make("div", {}, ...copy.childNodes)),
+      );
+      this.view.after(both);
+      this.fit();
     }
     tell(problem) {
       this.alert.textContent = problem;

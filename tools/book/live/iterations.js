@@ -200,26 +200,13 @@
       if (!window.uPlot) return;
       const { problem } = this.engine,
         style = getComputedStyle(this.plotIn.parentElement),
-        ink = style.color;
+        ink = () => style.color;
       const axis = {
-        ...live.axisIn(style),
+        ...live.axisIn(this.plotIn.parentElement),
+        splits: live.powers(8),
+        values: live.inWords,
         filter: (_, all) => all, // uPlot would leave out all but the decades
       };
-      // Powers of ten, eight at most, from the highest down.
-      const powers = (_, which, low, high) => {
-        const last = Math.floor(Math.log10(high) + 1e-9),
-          first = Math.ceil(Math.log10(low) - 1e-9),
-          stride = Math.ceil((last - first + 1) / 8);
-        return Array.from(
-          { length: Math.floor((last - first) / stride) + 1 },
-          (_, i) => 10 ** (last - i * stride),
-        ).reverse();
-      };
-      const inWords = (_, all) =>
-        all.map((value) => {
-          const exponent = Math.round(Math.log10(value));
-          return Math.abs(exponent) < 4 ? String(Number(value.toPrecision(1))) : `1e${exponent}`;
-        });
       this.plot = new window.uPlot(
         {
           title: problem.measure,
@@ -234,8 +221,8 @@
             },
           },
           axes: [
-            { ...axis, label: "iterations", size: 34, splits: powers, values: inWords },
-            { ...axis, size: 58, splits: powers, values: inWords },
+            { ...axis, label: "iterations", size: 34 },
+            { ...axis, size: 58 },
           ],
           series: [
             {},
@@ -253,7 +240,7 @@
           ],
           legend: { show: false }, // the table has it
           cursor: { y: false, drag: { x: false, y: false } },
-          hooks: { draw: [(plot) => live.lineAt(plot, Math.max(1, this.engine.iteration), ink)] },
+          hooks: { draw: [(plot) => live.lineAt(plot, Math.max(1, this.engine.iteration), ink())] },
         },
         this.data(problem.methods.map(() => [1])),
         this.plotIn,
@@ -267,6 +254,11 @@
       over.addEventListener("pointermove", (event) => {
         if (event.buttons & 1) point(event);
       });
+    }
+    recolour() {
+      if (this.element.hidden || !this.engine.problem) return;
+      this.plot?.redraw(false);
+      this.picture.draw(this.picture.impulses || []);
     }
     resize() {
       if (this.element.hidden || !this.engine.problem) return;

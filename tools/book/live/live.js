@@ -34,29 +34,113 @@
   /** The rest of a large figure. */
   const loadPieces = () => live.loadScript(`${own}pieces.js`);
 
-  /** The answer that a page folds, if it asks for a guess. */
-  function answer() {
+  function make(tag, properties, ...children) {
+    const element = Object.assign(document.createElement(tag), properties);
+    element.append(...children);
+    return element;
+  }
+
+  /** What a page asks for a guess: the answer that it folds, and the list of choices before that, if there is one. */
+  function question() {
     const heading = [...document.querySelectorAll("h2, h3")].find((one) => /^\s*your guess/i.test(one.textContent));
-    if (!heading) return null;
-    for (let next = heading.nextElementSibling; next && !/^H[12]$/.test(next.tagName); next = next.nextElementSibling) {
-      const found = next.matches("details") ? next : next.querySelector("details");
-      if (found) return found;
+    let choices = null;
+    for (
+      let next = heading?.nextElementSibling;
+      next && !/^H[12]$/.test(next.tagName);
+      next = next.nextElementSibling
+    ) {
+      const answer = next.matches("details") ? next : next.querySelector("details");
+      if (answer) return answer.open ? null : { answer, choices };
+      if (next.matches("ul")) choices = next;
     }
     return null;
+  }
+  /** The words of a choice: of a formula each sign once, of a picture its description. */
+  function wordsOf(choice) {
+    const copy = choice.cloneNode(true);
+    for (const twice of copy.querySelectorAll(".katex-mathml annotation, .katex-html")) twice.remove();
+    for (const picture of copy.querySelectorAll("img")) picture.replaceWith(picture.alt);
+    return copy.textContent.replace(/\s+/g, " ").trim();
+  }
+
+  /**
+   * The guess is made where the page asks for it, or at the figure; `run(guess)` plays then. Where the page lists choices, one of them
+   * is taken.
+   */
+  function ask({ answer, choices }, figure, run) {
+    const runs = [],
+      texts = [];
+    let guess = "";
+    const take = (text) => {
+      guess = text;
+      for (const button of runs) button.disabled = !guess;
+      for (const input of texts) if (input.value.trim() !== guess) input.value = guess;
+    };
+    const form = (id, label) => {
+      const made = make("form", { className: "pb-start" });
+      made.addEventListener("submit", (event) => {
+        event.preventDefault();
+        if (guess) run(guess);
+      });
+      if (!choices) {
+        const input = make("input", { type: "text", placeholder: "in a few words", className: "pb-guess", id });
+        input.addEventListener("input", () => take(input.value.trim()));
+        texts.push(input);
+        made.append(make("label", { htmlFor: id, textContent: "Your guess: " }), input);
+      }
+      const button = make("button", { className: "pb-run", textContent: label, disabled: true });
+      runs.push(button);
+      made.append(button);
+      return made;
+    };
+    const name = `pb-guess-${figure.dataset.chapter}`;
+    const there = form(`${name}-asked`, "Guess, then run it"),
+      here = form(name, "Run it");
+    if (choices) {
+      const all = make("fieldset", { className: "pb-choices" });
+      all.append(make("legend", { textContent: "Your guess" }));
+      for (const choice of choices.children) {
+        const radio = make("input", { type: "radio", name, value: wordsOf(choice) });
+        radio.addEventListener("change", () => take(radio.value));
+        all.append(make("label", {}, radio, make("span", {}, ...choice.childNodes)));
+      }
+      choices.remove();
+      there.prepend(all);
+      here.prepend(
+        make("a", {
+          href: "#",
+          textContent: "Make a guess",
+          onclick: (event) => {
+            event.preventDefault();
+            all.scrollIntoView({ block: "center" });
+            all.querySelector("input").focus({ preventScroll: true });
+          },
+        }),
+      );
+    }
+    there.classList.add("pb-asked");
+    answer.before(there);
+    here.append(
+      make("button", { type: "button", className: "pb-run", textContent: "Show me", onclick: () => run("") }),
+    );
+    return here;
   }
 
   async function start(figure, state) {
     if (players.has(figure)) return players.get(figure);
-    const panel = figure.querySelector(".pb-start");
+    const panel = figure.querySelector(".pb-panel"),
+      asked = document.querySelector(".pb-asked");
     const said = figure.querySelector(".pb-start-said");
     said.textContent = "Loading …";
-    for (const button of panel.querySelectorAll("button")) button.disabled = true;
+    const buttons = [panel, asked].flatMap((one) => [...(one?.querySelectorAll("button:enabled") ?? [])]);
+    for (const button of buttons) button.disabled = true;
     try {
       const { chapter, root } = figure.dataset;
       await Promise.all([load({ chapter, root }), loadPieces()]);
       const engine = await live.Engine.load(chapter, root);
       const player = new live.Player(figure, engine, root, state);
       panel.remove();
+      asked?.remove();
       players.set(figure, player);
       const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
       if (!state.of && !still) player.play();
@@ -64,58 +148,30 @@
       return player;
     } catch (problem) {
       console.error(problem);
-      for (const button of panel.querySelectorAll("button")) button.disabled = false;
+      for (const button of buttons) button.disabled = false;
       said.textContent = `The experiment cannot be run here: ${problem.message}`;
       return null;
     }
   }
 
   function prepare(figure) {
-    const folded = answer();
-    const panel = document.createElement("div");
-    panel.className = "pb-start";
-    const button = (text, act) => {
-      const made = document.createElement("button");
-      Object.assign(made, { type: "button", textContent: text, className: "pb-run" });
-      made.addEventListener("click", act);
-      return made;
+    const asked = question();
+    const run = async (guess) => {
+      const player = await start(figure, {});
+      if (!player) return;
+      player.bringIntoView();
+      if (guess) player.guess(guess, asked.answer);
     };
-    const said = document.createElement("p");
-    said.className = "pb-start-said";
+    const panel = make("div", { className: "pb-panel" });
+    const said = make("p", { className: "pb-start-said" });
     said.setAttribute("role", "status");
-    if (folded && !folded.open) {
-      const guess = document.createElement("input");
-      Object.assign(guess, {
-        type: "text",
-        placeholder: "in a few words",
-        className: "pb-guess",
-        id: `pb-guess-${figure.dataset.chapter}`,
-      });
-      const label = document.createElement("label");
-      label.htmlFor = guess.id;
-      label.textContent = "Your guess: ";
-      const run = async (text) => {
-        const player = await start(figure, {});
-        if (player && text) player.guess(text);
-      };
-      const guessed = button("Run it", () => run(guess.value.trim()));
-      guessed.disabled = true;
-      guess.addEventListener("input", () => {
-        guessed.disabled = !guess.value.trim();
-      });
-      guess.addEventListener("keydown", (event) => {
-        if (event.key === "Enter" && guess.value.trim()) run(guess.value.trim());
-      });
-      panel.append(
-        label,
-        guess,
-        guessed,
-        button("Show me", () => run("")),
+    const button = () =>
+      make(
+        "div",
+        { className: "pb-start" },
+        make("button", { type: "button", className: "pb-run", textContent: "Run it here", onclick: () => run("") }),
       );
-    } else {
-      panel.append(button("Run it here", () => start(figure, {})));
-    }
-    panel.append(said);
+    panel.append(asked ? ask(asked, figure, run) : button(), said);
     figure.insertBefore(panel, figure.querySelector("figcaption"));
   }
 
@@ -147,8 +203,9 @@
     const wanted = figures.find((figure) => figure.dataset.chapter === state.get("live"));
     if (!wanted) return;
     start(wanted, { of: state }).then((player) => {
-      const part = state.has("problem") || state.has("iteration") ? player?.iterations.element : null;
-      (part ?? wanted).scrollIntoView();
+      if (state.has("problem") || state.has("iteration")) player?.iterations.element.scrollIntoView();
+      else if (player) player.bringIntoView();
+      else wanted.scrollIntoView();
     });
   }
 

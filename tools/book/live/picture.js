@@ -14,11 +14,12 @@
     return all;
   }
 
-  /** "β = 0, 0.2, d₀ = 0.06 m, h = 0.01667 s": all that can be set. */
+  /** "β = 0, 0.2, d₀ = 0.06 m, h = 0.01667 s": all that changes something in this scene. */
   live.parametersInWords = function (player) {
-    return player.engine.parameters
+    return player.controls.acting
       .map((parameter) => {
-        const { flag, symbol, unit, what } = parameter;
+        const { flag, symbol, unit } = parameter,
+          what = player.controls.inWords(parameter.what);
         const values = player.controls.own.get(flag) || player.controls.usual(parameter);
         if (values.length > 8) return "";
         return `${symbol || what} = ${values.map(shorter).join(", ")}${unit ? ` ${unit}` : ""}`;
@@ -57,22 +58,25 @@
     text(engine.description.question, 20, "#1c202a", "bold");
     text(`${engine.scene.name}, t = ${(engine.now * engine.dt).toFixed(3)} s`, 14);
     gap(8);
+    const named = ({ marker, name }) => `${marker} ${name}`;
+    if (stage.tabbed) text(named(engine.lanes[stage.tab]), 13, engine.lanes[stage.tab].colour, "bold");
     parts.push({
       height: stage.canvas.height,
       draw: (y) => {
         if (stage.problem) return;
         pen.drawImage(stage.canvas, margin, y);
+        if (stage.tabbed) return;
         pen.font = font(13, "bold");
         stage.panes.forEach((pane) => {
-          const { name, colour, marker } = engine.lanes[pane.lane];
+          const lane = engine.lanes[pane.lane];
           const right = stage.wiping && pane.lane === 1,
-            label = `${marker} ${name}`;
+            label = named(lane);
           const width = pen.measureText(label).width + 12 * k;
           const x = margin + k * pane.left + (right ? k * pane.width - width : 0),
             top = y + k * (pane.top - live.Stage.head);
           pen.fillStyle = "#ffffff";
           pen.fillRect(x, top, right ? width : k * pane.width, k * live.Stage.head);
-          pen.fillStyle = colour;
+          pen.fillStyle = lane.colour;
           pen.fillText(label, x, top + 18 * k);
         });
       },

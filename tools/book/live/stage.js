@@ -13,6 +13,11 @@
   const slow = 60; // ms: a picture that takes longer is drawn coarsely while a slider moves
   const coarseness = 0.4; // of its pixels along each side
   const head = 26; // CSS pixels over each pane, for the variant's name
+  const gutter = 10; // CSS pixels between panes
+  const narrow = 480; // CSS pixels: what is less has room for one variant
+  const least = 84; // CSS pixels of a pane's height
+  const hold = 250; // ms that a finger rests before it takes hold of a body: a swipe scrolls or turns
+  const slack = 8; // CSS pixels that a finger that rests may move
 
   /** A camera that goes about its target. Angles in rad; `distance` and `pan` as factors of the scene's own distance. */
   class Camera {
@@ -59,6 +64,8 @@
       this.element = element;
       this.camera = new Camera();
       this.follow = false;
+      this.tab = 0; // the lane that is seen where there is room for one
+      this.room = 0.72 * window.innerHeight; // CSS pixels of height
       this.cost = 0; // ms, of a whole picture, as far as that is known
       this.coarse = false;
       this.drawing = false; // whether the graphics still work on the picture that they were given
@@ -68,8 +75,9 @@
       this.canvas.className = "pb-canvas";
       this.canvas.tabIndex = 0;
       this.canvas.setAttribute("role", "img");
-      this.labels = document.createElement("div");
-      this.labels.className = "pb-labels";
+      this.tabs = live.make("div", { className: "pb-tabs", role: "tablist", "aria-label": "Variant that is seen" });
+      this.labels = live.make("div", { className: "pb-labels" });
+      this.edges = live.make("div", { className: "pb-labels", "aria-hidden": "true" });
       this.divider = document.createElement("input");
       Object.assign(this.divider, {
         type: "range",
@@ -84,40 +92,55 @@
         this.wipe = this.divider.value / 1000;
         player.changed();
       });
-      element.append(this.canvas, this.labels, this.divider);
+      element.append(this.canvas, this.labels, this.edges, this.divider);
+      element.before(this.tabs);
       this.problem = player.engine.open(`#${this.canvas.id}`);
       this.listen();
     }
 
+    /** Of the scene as it begins: where the bodies are. */
+    begin() {
+      const { engine } = this.player;
+      this.starts = engine.lanes.map(({ lane }) => this.positions(lane));
+      this.tab = Math.min(this.tab, engine.lanes.length - 1);
+    }
+    positions(lane) {
+      const { engine } = this.player;
+      return Array.from({ length: engine.bodies(lane) }, (_, body) => engine.body(lane, body).position);
+    }
+
     // ---- panes
-    /** Rectangles, CSS pixels from the upper left corner, one a lane; of a wipe one for both. */
+    /** CSS pixels over each pane: a tab has the name already. */
+    get head() {
+      return this.tabbed ? 0 : head;
+    }
+    /** Rectangles, CSS pixels from the upper left corner, one a lane; of a wipe one for both; one for all where it is narrow. */
     arrange() {
-      const lanes = this.player.engine.lanes,
-        scene = this.player.engine.scene;
+      const { lanes, scene } = this.player.engine;
       const width = this.element.clientWidth || 640;
       const wiping = this.wipe !== null && lanes.length === 2;
-      const count = wiping ? 1 : lanes.length;
+      this.tabbed = width < narrow && lanes.length > 1 && !wiping;
+      const seen = this.tabbed ? [lanes[this.tab]] : lanes;
+      const count = wiping ? 1 : seen.length;
       const aspect = scene.strobe && this.follow ? 1.6 : scene.aspect;
-      const narrowest = Math.min(width, 230);
-      let columns = Math.max(1, Math.min(count, Math.floor(width / narrowest)));
-      if (count === 4 && columns === 3) columns = 2;
-      if (aspect > 2.2) columns = 1;
-      else if (aspect > 1.4 && count > 1) columns = Math.min(columns, 2);
-      if (count === 3 && columns === 2 && aspect > 1.4) columns = width >= 3 * narrowest ? 3 : 1;
-      const wide = width / columns;
-      const rows = Math.ceil(count / columns);
-      const most = Math.max(200, 0.72 * window.innerHeight) / rows;
-      const high = Math.round(
-        clamp(wide / Math.min(aspect, Math.max(wide / 110, 1)), Math.min(110, most), Math.max(most, 110)),
-      );
-      this.panes = lanes.map((lane, i) => {
+      // In as many columns as show the bodies largest.
+      let best = null;
+      for (let columns = 1; columns <= count; ++columns) {
+        const wide = (width - gutter * (columns - 1)) / columns,
+          rows = Math.ceil(count / columns),
+          high = Math.min(wide / aspect, this.room / rows - this.head);
+        if (!best || high > best.high + 1) best = { columns, rows, wide, high };
+      }
+      const { columns, rows, wide } = best,
+        high = Math.round(Math.max(least, best.high));
+      this.panes = seen.map(({ lane }, i) => {
         const at = wiping ? 0 : i;
-        const left = Math.round((at % columns) * wide),
-          top = Math.floor(at / columns) * (high + head) + head;
-        const right = Math.round(((at % columns) + 1) * wide);
-        return { lane: i, left, top, width: right - left, height: high };
+        const left = Math.round((at % columns) * (wide + gutter)),
+          top = Math.floor(at / columns) * (high + this.head) + this.head;
+        const right = Math.round((at % columns) * (wide + gutter) + wide);
+        return { lane, left, top, width: right - left, height: high };
       });
-      this.size = { width, height: rows * (high + head) };
+      this.size = { width, height: rows * (high + this.head) };
       const scale = clamp(window.devicePixelRatio || 1, 1, 2) * (this.coarse ? coarseness : 1);
       const [w, h] = [Math.round(scale * width), Math.round(scale * this.size.height)];
       if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
@@ -150,6 +173,7 @@
     draw() {
       this.arrange();
       this.label();
+      this.markEdges();
       if (this.problem) return;
       const { engine } = this.player,
         shown = this.player.shown | (this.coarse ? 8 : 0);
@@ -197,32 +221,134 @@
     }
 
     label() {
-      const lanes = this.player.engine.lanes;
+      const { lanes } = this.player.engine,
+        { make } = live;
       const wanted = this.panes.map((pane) => {
         const { name, colour, marker } = lanes[pane.lane];
         return { pane, name, colour, marker, mishap: this.player.engine.mishap(pane.lane) };
       });
-      const key = JSON.stringify([wanted, this.wiping, this.size]);
+      const key = JSON.stringify([wanted, this.wiping && this.wipe, this.size, this.tabbed && lanes.length]);
       if (key === this.labelled) return;
       this.labelled = key;
+      const within = (className, left, top, width, height) => {
+        const element = make("div", { className });
+        Object.assign(element.style, {
+          left: `${left}px`,
+          top: `${top}px`,
+          width: `${width}px`,
+          height: `${height}px`,
+        });
+        return element;
+      };
+      const inColour = (marker, colour) => {
+        const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
+        mark.style.color = colour;
+        return mark;
+      };
       this.labels.replaceChildren(
         ...wanted.map(({ pane, name, colour, marker, mishap }) => {
-          const label = document.createElement("div");
-          label.className = "pb-label";
           const [part, from] = this.wiping ? [0.5, pane.lane / 2] : [1, 0];
-          label.style.top = `${pane.top - head}px`;
-          label.style.left = `${pane.left + from * pane.width}px`;
-          label.style.width = `${part * pane.width}px`;
-          label.style.height = `${head}px`;
+          const label = within(
+            "pb-label",
+            pane.left + from * pane.width,
+            pane.top - this.head,
+            part * pane.width,
+            head,
+          );
           label.style.textAlign = from ? "right" : "left";
-          const mark = document.createElement("span");
-          mark.textContent = `${marker} `;
-          mark.style.color = colour;
-          mark.setAttribute("aria-hidden", "true");
-          label.append(mark, mishap ? `${name}: ${mishap}` : name);
+          if (!this.tabbed) label.append(inColour(marker, colour), mishap ? `${name}: ${mishap}` : name);
+          else label.append(mishap); // the tab has the name
           return label;
         }),
+        ...this.panes
+          .filter(({ left }) => left > 0)
+          .map(({ left, top, height }) => within("pb-gutter", left - gutter, top - head, gutter, height + head)),
       );
+      if (this.wiping) {
+        const { left, top, width, height } = this.panes[0];
+        this.labels.append(within("pb-wipe", left + this.wipe * width - 1, top, 2, height));
+      }
+      this.tabs.hidden = !this.tabbed;
+      live.keepingFocus(this.tabs, () =>
+        this.tabs.replaceChildren(
+          ...(this.tabbed ? lanes : []).map(({ lane, name, colour, marker }) =>
+            make(
+              "button",
+              {
+                type: "button",
+                role: "tab",
+                tabIndex: lane === this.tab ? 0 : -1,
+                "aria-selected": lane === this.tab,
+                "aria-controls": this.canvas.id,
+                "aria-label": name,
+                onclick: () => this.show(lane),
+                onkeydown: (event) => {
+                  const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+                  if (!by) return;
+                  event.preventDefault();
+                  this.show((lane + by + lanes.length) % lanes.length);
+                  this.tabs.children[this.tab].focus();
+                },
+              },
+              inColour(marker, colour),
+              name,
+            ),
+          ),
+        ),
+      );
+    }
+    /** Where there is room for one variant: this one. */
+    show(lane) {
+      this.tab = lane;
+      this.arrange();
+      this.label();
+      this.player.changed();
+    }
+
+    /** Bodies that have moved out of a pane: a mark at its edge, where they are. */
+    markEdges() {
+      const { engine } = this.player,
+        marks = [];
+      this.outside = 0;
+      if (engine.scene.magnified === 1) for (const pane of this.panes) marks.push(...this.outsideOf(pane));
+      const key = JSON.stringify(marks);
+      if (key === this.marked) return;
+      this.marked = key;
+      this.edges.replaceChildren(
+        ...marks.map(([x, y, angle]) => {
+          const mark = live.make("div", { className: "pb-edge" });
+          mark.style.transform = `translate(${x}px, ${y}px) rotate(${angle}deg)`;
+          return mark;
+        }),
+      );
+    }
+    outsideOf(pane) {
+      const { engine } = this.player,
+        { eye, target, fieldOfView } = this.cameraFor(pane),
+        shift = engine.shift();
+      const away = unit(minus(eye, target)),
+        right = unit(cross([0, 1, 0], away)),
+        up = cross(away, right);
+      const half = Math.tan(fieldOfView / 2),
+        start = this.starts[pane.lane],
+        dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+      const marks = new Map();
+      this.positions(pane.lane).forEach((position, body) => {
+        if (length(minus(position, start[body])) < 1e-9) return;
+        const from = minus(plus(position, shift), eye),
+          ahead = -dot(from, away);
+        if (ahead <= 0) return;
+        const x = (dot(from, right) / ahead / half) * (pane.height / pane.width),
+          y = dot(from, up) / ahead / half;
+        if (Math.max(Math.abs(x), Math.abs(y)) <= 1) return;
+        ++this.outside;
+        const margin = 9, // CSS pixels
+          at = (share, from, size) => Math.round(from + clamp((size * (1 + share)) / 2, margin, size - margin));
+        const angle = Math.abs(x) > Math.abs(y) ? (x > 0 ? 0 : 180) : y > 0 ? -90 : 90;
+        const mark = [at(x, pane.left, pane.width), at(-y, pane.top, pane.height), angle];
+        marks.set(mark.map((one) => Math.round(one / 12)).join(), mark); // those of a heap are one
+      });
+      return [...marks.values()];
     }
 
     // ---- pointer
@@ -257,23 +383,32 @@
       let action = null,
         held = null;
       canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+      const take = (x, y, around) => {
+        held = this.player.grabbing ? this.grabAt(x, y, around) : null;
+        if (!held) return;
+        action = "pull";
+        this.player.grabbed();
+      };
+      let resting = 0,
+        began = null;
+      canvas.addEventListener("blur", () => (this.clicked = false));
       canvas.addEventListener("pointerdown", (event) => {
         if (this.problem) return;
+        this.clicked = true;
         const [x, y] = this.place(event);
         fingers.set(event.pointerId, [x, y]);
         canvas.setPointerCapture(event.pointerId);
+        clearTimeout(resting);
         if (fingers.size > 1) {
           this.player.release();
           action = "pinch";
-          return;
-        }
-        action = event.button === 2 || event.shiftKey ? "pan" : "orbit";
-        if (action === "orbit" && this.player.grabbing) {
-          held = this.grabAt(x, y, event.pointerType === "touch" ? 14 : 0);
-          if (held) {
-            action = "pull";
-            this.player.grabbed();
-          }
+        } else if (event.pointerType === "touch") {
+          action = "rest";
+          began = [x, y];
+          resting = setTimeout(() => take(x, y, 14), hold);
+        } else {
+          action = event.button === 2 || event.shiftKey ? "pan" : "orbit";
+          if (action === "orbit") take(x, y, 0);
         }
       });
       canvas.addEventListener("pointermove", (event) => {
@@ -282,6 +417,10 @@
         if (!before) return;
         const [dx, dy] = [x - before[0], y - before[1]];
         const high = this.panes[0].height;
+        if (action === "rest" && Math.hypot(x - began[0], y - began[1]) > slack) {
+          clearTimeout(resting);
+          action = Math.abs(x - began[0]) > Math.abs(y - began[1]) ? "turn" : "scroll";
+        }
         if (action === "pinch") {
           const other = [...fingers].find(([id]) => id !== event.pointerId);
           if (other) {
@@ -294,13 +433,16 @@
           this.player.engine.pull(held.width / held.height, ...this.spot(held, x, y));
         } else if (action === "pan") {
           this.camera.panBy(-dx / high, dy / high);
-        } else {
+        } else if (action === "orbit") {
           this.camera.orbit(-dx * 0.008, dy * 0.008);
+        } else if (action === "turn") {
+          this.camera.orbit(-dx * 0.008, 0);
         }
         fingers.set(event.pointerId, [x, y]);
         this.player.changed();
       });
       const end = (event) => {
+        clearTimeout(resting);
         fingers.delete(event.pointerId);
         if (action === "pull") this.player.release();
         if (fingers.size === 0) action = null;
@@ -319,7 +461,7 @@
       canvas.addEventListener(
         "wheel",
         (event) => {
-          if (document.activeElement !== canvas && !event.ctrlKey) return;
+          if (!this.clicked && !event.ctrlKey) return; // a page that is scrolled past the picture goes on
           event.preventDefault();
           this.camera.zoomBy(Math.exp(event.deltaY * 0.0012));
           this.player.changed();
@@ -340,4 +482,5 @@
   };
   live.Stage.count = 0;
   live.Stage.head = head;
+  live.Stage.narrow = narrow;
 })();
