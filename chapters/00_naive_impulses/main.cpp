@@ -99,7 +99,8 @@ int main(int argc, char** argv) {
                      add_outline(picture, box({Real(0.5), tall / 2, Real(0.5)}, 1).at({0, tall / 2, 0}),
                                  near_black_colour(), Real(1.5));
                  },
-             .cell_height = 500});
+             .cell_height = 500,
+             .guess = Guess{{0, 1}, true}});
     two_takes(e);
     e.series("height of the topmost box", "m", top);
     e.number("jitter", "m/s", jitter);

@@ -99,7 +99,8 @@ int main(int argc, char** argv) {
                    add_outline(picture, Body(outline).at({apart.aside, apart.height - apart.fallen(time, h), 0}),
                                near_black_colour(), Real(1.8));
                  },
-             .cell_height = 460});
+             .cell_height = 460,
+             .guess = Guess{{0, 1}, true}});
     for (Variant* variant : {&e.variant("no constraint", NoSolver{}), &e.variant("J V = 0", Solver<>{})})
       variant->expect("red box falls", apart.fallen(Real(0.6), e.dt())).expect("yellow box sinks", 0);
     e.series_without_curves(

@@ -84,7 +84,8 @@ int main(int argc, char** argv) {
                     "should tip over. Only the last row does both.",
          .marks = [](Picture& picture, const World&, Real) {
            add_outline(picture, box({Real(0.25), Real(0.8), Real(0.25)}, 1).at({-TwoLandings::aside, Real(0.8), 0}));
-         }});
+         },
+         .guess = Guess{{0, 1, 2}}});
     three_ways(e.sweeps());
     e.series("speed upwards", "m/s", upwards);
     e.number("rebound speed", "m/s", rebound);

@@ -66,7 +66,8 @@ int main(int argc, char** argv) {
                    }
                  },
              .strobe = Strobe{.every = Real(1) / 15, .shift_per_second = pace * Vec3::UnitX(), .height = 360},
-             .in_brief = {{0, 1}}});
+             .in_brief = {{0, 1}},
+             .guess = Guess{{0, 1, 2}}});
     for (Variant* variant : {&e.variant("bounce or push-out", larger).coloured(0),
                              &e.variant("bounce + push-out", added), &e.variant("gravity counted in", with_gravity)}) {
       for (int k = 1; k <= 3; ++k) variant->expect(fmt::format("apex {}", k), ball.apex(k));

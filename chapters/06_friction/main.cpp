@@ -102,7 +102,8 @@ int main(int argc, char** argv) {
                          {body_ink(colours[2]), "1.5 tan θ"}},
              .start_shown = false,
              .marks = [slope](Picture& picture, const World&, Real time) { mark_slope(picture, slope, time); },
-             .cell_height = 420});
+             .cell_height = 420,
+             .guess = Guess{{0, 1, 2}}});
     const Real a = slope.acceleration(grip[0]);
     const Real steps = std::round(seconds / h);
     const auto should = [&](Variant& variant) {

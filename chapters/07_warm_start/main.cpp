@@ -160,7 +160,8 @@ int main(int argc, char** argv) {
            .start_shown = false,
            .marks = AsBegan(stacked),
            .cell_height = 520,
-           .in_brief = {{0, 1}}});
+           .in_brief = {{0, 1}},
+           .guess = Guess{{0, 1, 2}}});
     e.variant("cold", InTwoSteps(Cold{})).with_sweeps(5).coloured(0);
     e.variant("warm", InTwoSteps(FullSolver{})).with_sweeps(5).coloured(1);
     e.variant("warm, wrong ids", InTwoSteps(wrong_ids)).with_sweeps(5).coloured(2);

@@ -77,7 +77,8 @@ int main(int argc, char** argv) {
                  [](Picture& picture, const World& world, Real time) {
                    if (time > 0) add_speeds(picture, world);
                  },
-             .cell_height = 140});
+             .cell_height = 140,
+             .guess = Guess{{1, 2}}});
     const auto apart = [gap](World& world) {
       world.bodies.clear();
       five_in_a_row(gap)(world);

@@ -105,7 +105,8 @@ void twelve_boxes_come_apart(Experiment& e, const Ways& by) {
                  for (const Body& stands : twelve_boxes(1))
                    add_outline(picture, stands, near_black_colour(), Real(1.5));
                },
-           .cell_height = 440});
+           .cell_height = 440,
+           .guess = Guess{{0, 1}, true}});
   all_three(e, by);
   heap();
   e.scene({.name = "the same twelve, β = 1", .fill = boxes_in_each_other, .seconds = 3, .pictures = false});

@@ -35,7 +35,8 @@ int main(int argc, char** argv) {
              .magnified = 5,
              .marks = [where_it_stood](Picture& picture, const World&,
                                        Real) { add_outline(picture, where_it_stood, near_black_colour(), Real(0.8)); },
-             .cell_height = 960});
+             .cell_height = 960,
+             .guess = Guess{{0, 1, 2}}});
     watch_stack(e);
     sweeping(10).coloured(0);
     if (count != 10) sweeping(count).coloured(1);

@@ -93,7 +93,8 @@ int main(int argc, char** argv) {
                           .until = Real(7.25),
                           .marks = [rests](Picture& picture,
                                            const World&) { add_line(picture, rests, near_black_colour(), Real(1.2)); }},
-         .in_brief = {{0, 0}}});
+         .in_brief = {{0, 0}},
+         .guess = Guess{{0, 1}}});
     watch_stack(e);
     hard();
     soft().expect("overlap at the end", overlap_of_stack(tall));

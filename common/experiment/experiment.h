@@ -10,9 +10,10 @@
 ///   }
 ///
 /// leaves in OUT/my_experiment/: sheet.png (a row per variant, a column per instant; of each further scene
-/// sheet_KEY.png) and thumbnail.png, start.png (the first scene that has pictures, at t = 0), plot.png (plot_2.png and
-/// on, where there are more than four diagrams), metrics.csv (a row per variant and step) and numbers.md (the measured
-/// numbers beside what they should be); with --frames COUNT also SCENE_VARIANT/frame_0000.png and on.
+/// sheet_KEY.png) and thumbnail.png, start.png (the first scene that has pictures, at t = 0), guess_1.png and on where
+/// it has a Guess, plot.png (plot_2.png and on, where there are more than four diagrams), metrics.csv (a row per variant
+/// and step) and numbers.md (the measured numbers beside what they should be); with --frames COUNT also
+/// SCENE_VARIANT/frame_0000.png and on.
 #pragma once
 
 #include <deque>

@@ -194,7 +194,14 @@ void Experiment::draw_sheets(std::vector<Result>& results, const fs::path& folde
     if (!sheet) continue;
     const fs::path file = folder / sheet_file(a);
     keep_picture(file, make_sheet(*sheet));
-    if (file.filename() == "sheet.png") keep_picture(folder / "thumbnail.png", make_thumbnail(*sheet));
+    if (file.filename() == "sheet.png") {
+      keep_picture(folder / "thumbnail.png", make_thumbnail(*sheet));
+      const std::optional<Guess>& guess = acts_[a].scene.guess;
+      const std::vector<Image> guessed =
+          guess && only_.empty() && mine_.empty() ? make_guess(*sheet, *guess) : std::vector<Image>{};
+      for (std::size_t i = 0; i < guessed.size(); ++i)
+        keep_picture(folder / fmt::format("guess_{}.png", i + 1), guessed[i]);
+    }
     drawn.insert(file);
     fmt::print("\n{}", file.string());
   }

@@ -37,6 +37,12 @@ struct Raster {
 /// What a picture shows of the contacts.
 enum class Drawn { nothing, points, impulses };
 
+/// Pictures that a page shows before its sheet, without saying whose they are: which is which?
+struct Guess {
+  std::vector<std::size_t> among;  ///< the last pictures of these variants, by their places
+  bool start = false;              ///< and what all of them begin with; not in a strobe picture
+};
+
 struct Scene {
   std::string name;                  ///< a few words
   std::function<void(World&)> fill;  ///< puts the bodies into an empty world
@@ -62,6 +68,7 @@ struct Scene {
   bool open = true;  ///< whether a reader's own solver plays it, too: false where no contacts are solved
   /// The two that stand for all in the table of contents, by their places; by default the first and the last.
   std::optional<std::pair<std::size_t, std::size_t>> in_brief = {};
+  std::optional<Guess> guess = {};  ///< guess_1.png and on, of the first scene that has pictures
 };
 
 }  // namespace pushback

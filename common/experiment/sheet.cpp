@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <random>
 #include <span>
 
 #include "pushback/common/experiment/sheet_raster.h"
@@ -204,6 +206,31 @@ Image make_thumbnail(const Sheet& sheet) {
   paste(one != other ? first.back() : first.front(), thumbnail, 0, 0, width, thumbnail.height);
   paste(last, thumbnail, width + between, 0, width, thumbnail.height);
   return thumbnail;
+}
+
+std::vector<std::size_t> guess_order(const std::string& name, std::size_t count) {
+  std::minstd_rand random(std::accumulate(name.begin(), name.end(), 1U, [](unsigned sum, char letter) {
+    return 31 * sum + static_cast<unsigned char>(letter);
+  }));
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+  return order;
+}
+
+std::vector<Image> make_guess(const Sheet& sheet, const Guess& guess) {
+  std::vector<const Image*> all;
+  for (const std::size_t place : guess.among) {
+    if (place < sheet.rows.size()) all.push_back(&sheet.rows[place].cells.back());  // parameters may leave some out
+  }
+  if (guess.start && sheet.start) all.push_back(&*sheet.start);
+  std::vector<Image> mixed;
+  for (const std::size_t which : guess_order(sheet.scene, all.size())) {
+    const Image& image = *all[which];
+    const int wide = sheet.wide ? 640 : std::min(320, 240 * image.width / image.height);
+    mixed.push_back(resized(image, wide, high(image, wide)));
+  }
+  return mixed;
 }
 
 }  // namespace pushback

@@ -45,4 +45,10 @@ Image make_sheet(const Sheet& sheet);
 /// picture; of strips the second one's.
 Image make_thumbnail(const Sheet& sheet);
 
+/// Small, in the order of guess_order; of those that the sheet has.
+std::vector<Image> make_guess(const Sheet& sheet, const Guess& guess);
+
+/// How `count` pictures are mixed: which of them stands at each place. Always the same for the same name.
+std::vector<std::size_t> guess_order(const std::string& name, std::size_t count);
+
 }  // namespace pushback

@@ -139,3 +139,33 @@ test("an axis is named in the colour of the theme, also where the theme changes 
   assert.ok(night.light > night.dark, JSON.stringify(night));
   await page.close();
 });
+
+test("a guess among pictures: taken by the keyboard, seen beside the answer once it has been played", async () => {
+  const page = await newPage(browser, { reducedMotion: "reduce", ...laptop });
+  await page.goto(address("chapters/03_baumgarte/index.html"));
+  const guessed = page.getByRole("group", { name: "Your guess" });
+  assert.equal(await guessed.getByRole("radio").count(), 4);
+  assert.equal(await guessed.getByRole("img").count(), 4);
+  const run = page.getByRole("button", { name: "Guess, then run it" });
+  assert.ok(await run.isDisabled());
+  await guessed.getByRole("radio").first().focus();
+  await page.keyboard.press("ArrowDown");
+  assert.ok(
+    await guessed
+      .getByRole("radio", { name: /stays a|hops/ })
+      .first()
+      .isChecked(),
+  );
+  await guessed.getByRole("img").nth(2).click(); // a picture is its own label
+  assert.ok(await guessed.getByRole("radio").nth(2).isChecked());
+  await run.click();
+  await page.waitForFunction(() => (window.player = window.PUSHBACK_LIVE_TEST.player()));
+  const compared = page.locator(".pb-compare");
+  await compared.waitFor();
+  assert.match(await compared.getByRole("img").getAttribute("src"), /guess_3\.png$/);
+  assert.match(await compared.innerText(), /β = 1 is picture 1/);
+  assert.ok(await page.getByText("Your guess: picture 3: The box comes up").isVisible());
+  assert.ok((await hidden(page, ".pb-deck input[type=range]")) <= 1, "its slider is out of sight");
+  assert.deepEqual(page.wrong, []);
+  await page.close();
+});

@@ -1,7 +1,10 @@
 /// Each page of a chapter: its parts in one order, and no more words than are read in some minutes.
 #include <algorithm>
 #include <cstring>
+#include <regex>
+#include <sstream>
 
+#include "pushback/common/experiment/sheet.h"
 #include "tests/support/call.h"
 
 /// The root of the sources, as seen from the working directory of the tests.
@@ -34,7 +37,7 @@ std::size_t words_of_main_path(const std::string& page, bool all = false) {
       formula = !closes;
       continue;
     }
-    if (line.starts_with("![")) inside_picture = true;
+    if (line.starts_with("![") || line.find(". ![") == 1) inside_picture = true;
     if (inside_picture) {
       inside_picture = !line.ends_with(")");
       continue;
@@ -74,6 +77,7 @@ TEST_CASE("words of the main path: prose that nobody has to unfold, and no more"
   CHECK(words_of_main_path("$$a =\n b ,$$\n\nwhere b\n") == 2);
   CHECK(words_of_main_path("one\n<details><summary>S</summary>\nno no\n</details>\ntwo\n") == 2);
   CHECK(words_of_main_path("![a b\nc d](e.png)\none\n") == 1);
+  CHECK(words_of_main_path("1. ![a b](e.png)\n2. ![c d](f.png)\none\n") == 1);
   CHECK(words_of_main_path("one\n## Exercises\nno no\n## What it costs\nthree\n") == 5);
   CHECK(words_of_main_path("one\n## Exercises\nno no\n## What it costs\nthree\n", true) == 8);
   CHECK(tables_of_main_path("| a |\n| --- |\n\n<details>\n| a |\n| --- |\n</details>\n") == 1);
@@ -107,6 +111,87 @@ TEST_CASE(
     CHECK(tables_of_main_path(page) <= 2);
     CHECK(contains(page.substr(0, page.find("## Your guess")), "/start.png)"));
   }
+}
+
+namespace {
+
+/// A table of numbers.md: its scene, and the names of its variants, with and without their sweeps.
+struct Table {
+  std::string scene;
+  std::vector<std::string> variants;
+};
+
+std::vector<Table> tables_of(const std::string& numbers) {
+  std::vector<Table> tables;
+  bool heading = true;
+  for (const std::string& line : lines_of(numbers)) {
+    if (!line.starts_with("| ")) {
+      heading = true;
+    } else if (!line.starts_with("| ---")) {
+      const std::string cell = line.substr(2, line.find(" |") - 2);
+      if (heading) tables.push_back({cell, {}});
+      else tables.back().variants.push_back(cell.substr(cell.find(' ') + 1));
+      heading = false;
+    }
+  }
+  return tables;
+}
+
+/// What the answer of a guess has to say of picture `place`, in small letters; of a variant with or without its sweeps.
+std::string said_of(const Table& table, const std::vector<std::size_t>& among, std::size_t which, std::size_t place,
+                    bool sweeps) {
+  if (which >= among.size()) return "picture " + std::to_string(place) + " is the start";
+  if (among[which] >= table.variants.size()) return "no such variant";
+  std::string name = table.variants[among[which]];
+  if (!sweeps) name = std::regex_replace(name, std::regex(", \\d+ sweeps?$"), "");
+  return "*" + name + "* is picture " + std::to_string(place);
+}
+
+std::string in_a_line(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::regex_replace(text, std::regex("\\s+"), " ");
+}
+
+}  // namespace
+
+TEST_CASE("a guess among pictures: the page shows all of them, and its answer names the variant of each") {
+  std::size_t asked = 0;
+  for (const std::string& chapter : all_chapters()) {
+    INFO(chapter);
+    const fs::path root = SOURCE_DIR;
+    const std::string source = text_of(root / "chapters" / chapter / "main.cpp");
+    std::smatch found;
+    if (!std::regex_search(source, found, std::regex(R"(Guess\{\{([\d, ]+)\}(, true)?\})"))) continue;
+    ++asked;
+    std::vector<std::size_t> among;
+    std::istringstream places(found[1]);
+    for (std::string place; std::getline(places, place, ',');) among.push_back(std::stoul(place));
+    const std::size_t count = among.size() + found[2].matched;
+    const std::string page = text_of(root / "chapters" / chapter / "README.md");
+    const std::size_t begin = page.find("## Your guess"), answer = page.find("<details>", begin);
+    for (std::size_t place = 1; place <= count; ++place) {
+      const std::string name = "renders/" + chapter + "/guess_" + std::to_string(place) + ".png";
+      const std::size_t at = page.find(std::to_string(place) + ". ![", begin);
+      CHECK(at < answer);
+      CHECK(page.find("](../../" + name + ")", at) < answer);
+      CHECK(fs::exists(root / name));
+    }
+    CHECK_FALSE(fs::exists(root / "renders" / chapter / ("guess_" + std::to_string(count + 1) + ".png")));
+    const std::string said = in_a_line(page.substr(answer, page.find("</details>", answer) - answer));
+    const std::vector<Table> tables = tables_of(text_of(root / "renders" / chapter / "numbers.md"));
+    CHECK(std::any_of(tables.begin(), tables.end(), [&](const Table& table) {
+      const std::vector<std::size_t> order = pushback::guess_order(table.scene, count);
+      for (std::size_t place = 0; place < count; ++place) {
+        const auto says = [&](bool sweeps) {
+          return contains(said, in_a_line(said_of(table, among, order[place], place + 1, sweeps)));
+        };
+        if (!says(true) && !says(false)) return false;
+      }
+      return true;
+    }));
+  }
+  CHECK(asked >= 12);
 }
 
 TEST_CASE("a page asks the question that stands on its sheet") {

@@ -679,13 +679,13 @@
 
     // ---- words
     /** What was guessed, and the answer that the page folds: beside each other, once it has been played. */
-    guess(text, answer) {
-      this.guessed = { text, answer };
+    guess({ text, picture }, answer) {
+      this.guessed = { text, picture, answer };
       if (!this.playing) this.compare();
     }
     compare() {
       if (!this.guessed) return;
-      const { text, answer } = this.guessed;
+      const { text, picture, answer } = this.guessed;
       this.guessed = null;
       answer.open = true;
       answer.before(make("p", { className: "pb-guessed", textContent: `Your guess: ${text}` }));
@@ -696,7 +696,12 @@
         "details",
         { className: "pb-fold pb-compare", open: true },
         make("summary", { textContent: "Your guess and the answer" }),
-        make("div", {}, make("p", { className: "pb-guessed", textContent: text }), make("div", {}, ...copy.childNodes)),
+        make(
+          "div",
+          {},
+          make("p", { className: "pb-guessed" }, ...(picture ? [picture, `${text.split(":")[0]}`] : [text])),
+          make("div", {}, ...copy.childNodes),
+        ),
       );
       this.view.after(both);
       this.fit();

@@ -51,15 +51,15 @@
     ) {
       const answer = next.matches("details") ? next : next.querySelector("details");
       if (answer) return answer.open ? null : { answer, choices };
-      if (next.matches("ul")) choices = next;
+      if (next.matches("ul, ol")) choices = next;
     }
     return null;
   }
-  /** The words of a choice: of a formula each sign once, of a picture its description. */
-  function wordsOf(choice) {
+  /** The words of a choice: of a formula each sign once, of a picture its number and what is said of it. */
+  function wordsOf(choice, place) {
     const copy = choice.cloneNode(true);
     for (const twice of copy.querySelectorAll(".katex-mathml annotation, .katex-html")) twice.remove();
-    for (const picture of copy.querySelectorAll("img")) picture.replaceWith(picture.alt);
+    for (const picture of copy.querySelectorAll("img")) picture.replaceWith(`picture ${place + 1}: ${picture.alt}`);
     return copy.textContent.replace(/\s+/g, " ").trim();
   }
 
@@ -70,9 +70,11 @@
   function ask({ answer, choices }, figure, run) {
     const runs = [],
       texts = [];
-    let guess = "";
-    const take = (text) => {
+    let guess = "",
+      picture = null;
+    const take = (text, seen = null) => {
       guess = text;
+      picture = seen;
       for (const button of runs) button.disabled = !guess;
       for (const input of texts) if (input.value.trim() !== guess) input.value = guess;
     };
@@ -80,7 +82,7 @@
       const made = make("form", { className: "pb-start" });
       made.addEventListener("submit", (event) => {
         event.preventDefault();
-        if (guess) run(guess);
+        if (guess) run({ text: guess, picture });
       });
       if (!choices) {
         const input = make("input", { type: "text", placeholder: "in a few words", className: "pb-guess", id });
@@ -99,11 +101,18 @@
     if (choices) {
       const all = make("fieldset", { className: "pb-choices" });
       all.append(make("legend", { textContent: "Your guess" }));
-      for (const choice of choices.children) {
-        const radio = make("input", { type: "radio", name, value: wordsOf(choice) });
-        radio.addEventListener("change", () => take(radio.value));
-        all.append(make("label", {}, radio, make("span", {}, ...choice.childNodes)));
-      }
+      const pictures = choices.querySelectorAll("img");
+      if (pictures.length) all.classList.add("pb-pictures");
+      if ([...pictures].some((one) => one.getAttribute("width") > 3 * one.getAttribute("height")))
+        all.classList.add("pb-strips-of-pictures");
+      [...choices.children].forEach((choice, place) => {
+        const radio = make("input", { type: "radio", name, value: wordsOf(choice, place) });
+        const image = choice.querySelector("img");
+        radio.addEventListener("change", () => take(radio.value, image?.cloneNode()));
+        const number = image ? [make("b", { textContent: place + 1, "aria-hidden": "true" })] : [];
+        const seen = image ? [image] : choice.childNodes; // without the link that enlarges it: a click is a choice
+        all.append(make("label", {}, radio, ...number, make("span", {}, ...seen)));
+      });
       choices.remove();
       there.prepend(all);
       here.prepend(
@@ -121,7 +130,7 @@
     there.classList.add("pb-asked");
     answer.before(there);
     here.append(
-      make("button", { type: "button", className: "pb-run", textContent: "Show me", onclick: () => run("") }),
+      make("button", { type: "button", className: "pb-run", textContent: "Show me", onclick: () => run(null) }),
     );
     return here;
   }
@@ -169,7 +178,7 @@
       make(
         "div",
         { className: "pb-start" },
-        make("button", { type: "button", className: "pb-run", textContent: "Run it here", onclick: () => run("") }),
+        make("button", { type: "button", className: "pb-run", textContent: "Run it here", onclick: () => run(null) }),
       );
     panel.append(asked ? ask(asked, figure, run) : button(), said);
     figure.insertBefore(panel, figure.querySelector("figcaption"));

@@ -140,6 +140,8 @@
         const right = Math.round((at % columns) * (wide + gutter) + wide);
         return { lane, left, top, width: right - left, height: high };
       });
+      const empty = rows * columns - count; // panes of the last row
+      this.empty = empty && { left: this.panes.at(-1).left + this.panes.at(-1).width, top: this.panes.at(-1).top };
       this.size = { width, height: rows * (high + this.head) };
       const scale = clamp(window.devicePixelRatio || 1, 1, 2) * (this.coarse ? coarseness : 1);
       const [w, h] = [Math.round(scale * width), Math.round(scale * this.size.height)];
@@ -264,6 +266,12 @@
           .filter(({ left }) => left > 0)
           .map(({ left, top, height }) => within("pb-gutter", left - gutter, top - head, gutter, height + head)),
       );
+      if (this.empty) {
+        const { left, top } = this.empty;
+        this.labels.append(
+          within("pb-gutter", left, top - this.head, this.size.width - left, this.size.height - top + this.head),
+        );
+      }
       if (this.wiping) {
         const { left, top, width, height } = this.panes[0];
         this.labels.append(within("pb-wipe", left + this.wipe * width - 1, top, 2, height));
