@@ -76,6 +76,20 @@ test("the command names what is wrong, ends with 1, and writes nothing", () => {
   assert.equal(fs.existsSync(path.join(folder, "build")), false);
 });
 
+test("an address of a host or of a repository that is none is refused", () => {
+  for (const option of ["--address", "--repository"])
+    for (const value of ["book.org", 'https://a.org/"x', "file:///tmp"]) {
+      const run = spawnSync(process.execPath, [path.join(root, "tools/book/build.js"), option, value], {
+        encoding: "utf8",
+      });
+      assert.equal(run.status, 2);
+      assert.equal(
+        run.stderr,
+        `${option}: '${value}' is not allowed: an address that begins with https:// or http:// is\n`,
+      );
+    }
+});
+
 test("links lead to pages, to sources and to folders of sources", () => {
   const html = htmlOf("See [a](../../README.md#a-part) [b](one.h) [c](more) [d](#01-one)");
   const targets = [...html.matchAll(/href="([^"]*)"/g)].map(([, target]) => target);

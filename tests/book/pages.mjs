@@ -131,12 +131,55 @@ test("the search finds a word in the text, a letter of a formula, and leads ther
   await page.keyboard.press("ArrowDown");
   await page.keyboard.press("Enter");
   await page.waitForURL(first);
+  for (const [question, file] of [
+    ["why does my stack fall", "docs/symptoms.html"],
+    ["sinking", "docs/symptoms.html"],
+    ["XPBD", "docs/symptoms.html"],
+    ["jittering", "04_slop/index.html"],
+    ["heavy box qqqq", "12_soft_contacts/index.html"], // no page has all of these words
+  ]) {
+    await page.fill("#search", question);
+    await page.waitForFunction(
+      (wanted) => [...document.querySelectorAll(".found li a")].slice(0, 10).some(({ href }) => href.includes(wanted)),
+      file,
+      { timeout: 10000 },
+    );
+  }
   await page.fill("#search", "qqqq");
   await page.waitForFunction(() => document.querySelector(".found .count").textContent.includes("Nothing"));
   await page.keyboard.press("Escape");
   assert.equal(await page.isVisible(".found"), false);
   assert.deepEqual(page.wrong, []);
   await page.close();
+});
+
+test("an address that is none, in any folder of a host: a page in the book's looks, whose links lead back", async () => {
+  const server = await serve(path.dirname(folder)); // the book is a folder of that host
+  const home = `http://127.0.0.1:${server.address().port}/${path.basename(folder)}/`;
+  const page = await newPage(browser);
+  const missing = html("404.html");
+  for (const away of ["nosuch.html", "chapters/99_none/index.html", "docs/figures/nosuch/a.html?b#c"]) {
+    await page.route(home + away.replace(/#.*/, ""), (route) =>
+      route.fulfill({ status: 404, contentType: "text/html; charset=utf-8", body: missing }),
+    );
+    await page.goto(home + away);
+    assert.equal(await page.locator("h1").innerText(), "There is no such page");
+    assert.equal(
+      await page
+        .locator("article a")
+        .first()
+        .evaluate((link) => link.href),
+      `${home}index.html`,
+    );
+    await page.locator("article a").first().click();
+    await page.waitForURL(`${home}index.html`);
+  }
+  assert.deepEqual(
+    page.wrong.filter((text) => !/404/.test(text)),
+    [],
+  );
+  await page.close();
+  server.close();
 });
 
 test("dark as the system has it, or as the switch says, on the next page, too", async () => {

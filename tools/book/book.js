@@ -170,6 +170,7 @@ class Reader {
 function kindOf(file) {
   const name = path.posix.basename(file);
   if (name.startsWith("sheet")) return "sheet";
+  if (name.startsWith("guess")) return "guess";
   if (name.endsWith(".svg")) return "drawing";
   if (name.endsWith(".webp")) return "film";
   return name.startsWith("thumbnail") ? "thumbnail" : "plot";

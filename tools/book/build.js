@@ -1,5 +1,8 @@
-/// Builds the book: node tools/book/build.js [--root FOLDER] [--out FOLDER] [--still]. Eleventy lays the pages out, writes them, and
-/// copies files. A page whose experiment is compiled for the browser can run it, unless the book is to be still.
+/// Builds the book: node tools/book/build.js [--root FOLDER] [--out FOLDER] [--still] [--address URL] [--repository URL]. Eleventy lays
+/// the pages out, writes them, and copies files. A page whose experiment is compiled for the browser can run it, unless the book is to
+/// be still. `--address`: where it will be published, for the picture of a link that somebody shares. `--repository`: what every
+/// page links to; by default where this repository was cloned from, where that is an address for browsers.
+import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -12,8 +15,18 @@ import { courseOf, pagesOf } from "./pages.js";
 
 const home = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 const { values } = parseArgs({
-  options: { root: { type: "string", default: home }, out: { type: "string" }, still: { type: "boolean" } },
+  options: {
+    root: { type: "string", default: home },
+    out: { type: "string" },
+    still: { type: "boolean" },
+    address: { type: "string" },
+    repository: { type: "string" },
+  },
 });
+const site = {
+  address: webAddress("address", values.address),
+  repository: webAddress("repository", values.repository ?? clonedFrom()),
+};
 const root = path.resolve(values.root);
 const out = path.resolve(values.out ?? path.join(root, "build/book"));
 process.chdir(home); // Eleventy reads and copies relative to where it runs
@@ -37,12 +50,29 @@ await eleventy.write();
 writeDerived();
 console.log(`${pages.filter(({ sort }) => sort !== "source").length} pages, ${book.sources.length} sources`);
 
+/// Without a slash at its end. One that is no address ends the program.
+function webAddress(option, value) {
+  if (value && !/^https?:\/\/[^\s"'<>]+$/.test(value)) {
+    console.error(`--${option}: '${value}' is not allowed: an address that begins with https:// or http:// is`);
+    process.exit(2);
+  }
+  return value?.replace(/\/+$/, "");
+}
+
+function clonedFrom() {
+  const { stdout } = spawnSync("git", ["config", "--get", "remote.origin.url"], { cwd: home, encoding: "utf8" });
+  const [, host, name] =
+    /^(?:https:\/\/|(?:ssh:\/\/)?git@)([\w.-]+)[/:]([\w./-]+?)(?:\.git)?\s*$/.exec(stdout ?? "") ?? [];
+  return name && `https://${host}/${name}`;
+}
+
 function config(eleventy) {
   eleventy.setIncludesDirectory("layouts");
   eleventy.setTemplateFormats("html"); // what is added below
   eleventy.ignores.add("tools/book/live/**");
   eleventy.setUseGitIgnore(false);
   eleventy.addGlobalData("course", courseOf(pages));
+  eleventy.addGlobalData("site", site);
   for (const entry of pages) {
     const { html, layout, address: permalink } = entry;
     delete entry.html;

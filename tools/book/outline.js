@@ -4,6 +4,7 @@ import path from "node:path";
 
 /// The pages of docs/ in the order of the course; one that is not named here comes last.
 const further = [
+  "symptoms",
   "notation",
   "hard_cases",
   "accuracy_and_time",

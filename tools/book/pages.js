@@ -5,7 +5,7 @@ import { escaped, sourceLines } from "./sources.js";
 
 /// All pages of the book with their neighbours, the gallery behind the first two parts, sources and folders of sources.
 export function pagesOf(book, root) {
-  const pages = book.pages.map(described);
+  const pages = book.pages.map((page) => ({ ...described(page), picture: seenOf(page, book) }));
   pages.splice(
     pages.findLastIndex((page) => page.part === "Chapters" || page.part === "Exercises") + 1,
     0,
@@ -20,7 +20,27 @@ export function pagesOf(book, root) {
     page.before = short(at > 0 && read[at - 1]);
     page.after = short(at >= 0 && read[at + 1]);
   }
-  return [...pages, ...sourcePages(book, root)];
+  return [...pages, missing, ...sourcePages(book, root)];
+}
+
+/// What a host shows for an address that is none. It stands in for any folder, so its links begin at a base that it finds itself.
+const missing = {
+  file: "404.html",
+  address: "404.html",
+  layout: "page.njk",
+  title: "There is no such page",
+  name: "There is no such page",
+  sort: "missing",
+  root: ".",
+  contents: [],
+  html: `<p>It may have moved. Search for it above, or begin at the <a href="index.html">front page</a>, in the
+<a href="gallery.html">gallery</a>, or with <a href="docs/symptoms.html">what you see</a>.</p>`,
+};
+
+/// The picture of a link to a page: its sheet, or the front page's film, as it begins.
+function seenOf({ file }, { pictures }) {
+  const sheet = pictures.find(({ page, kind }) => page.file === file && kind === "sheet");
+  return sheet?.file ?? pictures.find(({ kind }) => kind === "film")?.file.replace(/\.webp$/, "_still.webp");
 }
 
 /// As much of a page as a link to it shows.
@@ -57,8 +77,16 @@ function described({ file, part, chapter, live, parent, address, root, title, he
     hasTitle: headings.some(({ level }) => level === 1),
     hasFormulas: html.includes('class="katex"'),
     contents: headings.filter(({ level }) => level === 2),
-    question: chapter && sections[0].text.trim().split(/(?<=\?) /)[0],
+    description: beginning(sections.find(({ text }) => text.trim())?.text ?? title),
   };
+}
+
+/// Whole sentences, some 200 characters of them: what is said where a page is linked.
+function beginning(text) {
+  const plain = text.replace(/\s+/g, " ").trim();
+  if (plain.length <= 200) return plain;
+  const whole = plain.slice(0, 200).replace(/^(.*[.?!]) .*$/, "$1");
+  return whole.length < 200 ? whole : plain.slice(0, 200).replace(/ \S*$/, " …");
 }
 
 const parts = [

@@ -23,12 +23,12 @@ export async function serve(folder, port = 0) {
     let file = path.join(folder, path.posix.normalize(decodeURIComponent(pathname)));
     if (pathname.endsWith("/")) file = path.join(file, "index.html");
     fs.readFile(file, (error, content) => {
-      const type = types[path.extname(file)] ?? "application/octet-stream";
-      response.writeHead(error ? 404 : 200, {
-        "Content-Type": error ? "text/plain" : `${type}; charset=utf-8`,
-        "Cache-Control": "no-store",
-      });
-      response.end(error ? "There is no such page.\n" : content);
+      const type = (!error && types[path.extname(file)]) || (error ? types[".html"] : "application/octet-stream");
+      response.writeHead(error ? 404 : 200, { "Content-Type": `${type}; charset=utf-8`, "Cache-Control": "no-store" });
+      if (!error) return response.end(content);
+      fs.readFile(path.join(folder, "404.html"), (none, page) =>
+        response.end(none ? "There is no such page.\n" : page),
+      );
     });
   });
   await new Promise((resolve, reject) => server.once("error", reject).listen(port, "127.0.0.1", resolve));

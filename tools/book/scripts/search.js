@@ -24,6 +24,13 @@
       .replace(/[\u0300-\u036f]/g, "")
       .toLowerCase();
 
+  /* Of a word and its forms the same beginning: of "sinks", "sinking" and "sink" "sink". */
+  const stem = (word) => plain(word).replace(/(?<=.{4})(ing|ed|es|e)$|(?<=.{3}[^s])s$/, "");
+  /* What a question has besides what is asked for. */
+  const little = new Set(
+    "a an and are can do does how i in is it my not of on or so the then to what when which why".split(" "),
+  );
+
   /* A text so that a place in it is the same place in the text. */
   const folded = (text) =>
     [...text].map((letter) => (plain(letter).length === letter.length ? plain(letter) : letter)).join("");
@@ -33,7 +40,7 @@
       const search = new MiniSearch({
         fields: ["title", "page", "text"],
         storeFields: ["address", "title", "page", "text"],
-        processTerm: plain,
+        processTerm: stem,
         searchOptions: {
           boost: { title: 4, page: 2 },
           prefix: (term) => term.length > 1,
@@ -82,7 +89,10 @@
     if (!words) return void (found.hidden = true);
     const search = await load();
     if (input.value.trim() !== words) return; // more has been typed meanwhile
-    const results = search.search(words);
+    const terms = words.split(/[\s,.;:?!]+/);
+    const asked = terms.filter((term) => !little.has(plain(term))).join(" ") || words;
+    const all = search.search(asked);
+    const results = all.length ? all : search.search(asked, { combineWith: "OR" });
     count.textContent =
       results.length === 0
         ? `Nothing was found for “${words}”.`
