@@ -74,18 +74,20 @@ int main(int argc, char** argv) {
       e.variant("each correction ≥ 0", Solver<ClampingEachCorrection>{}).with_sweeps(sweeps);
       e.variant("their sum ≥ 0", Solver<Clamping>{}).with_sweeps(sweeps);
     };
-    e.scene(
-        {.name = "one column lands flat, one lands turning",
-         .fill = TwoLandings{landing},
-         .camera = {{Real(0.5), Real(1.2), Real(5.6)}, {0, Real(1.1), 0}, Real(0.46)},
-         .seconds = Real(1.2),
-         .instants = {0, Real(0.2), Real(0.4), Real(0.6)},
-         .caption = "The yellow column lands flat and should stand in its outline. The red one turns as it lands and "
-                    "should tip over. Only the last row does both.",
-         .marks = [](Picture& picture, const World&, Real) {
-           add_outline(picture, box({Real(0.25), Real(0.8), Real(0.25)}, 1).at({-TwoLandings::aside, Real(0.8), 0}));
-         },
-         .guess = Guess{{0, 1, 2}}});
+    e.scene({.name = "one column lands flat, one lands turning",
+             .fill = TwoLandings{landing},
+             .camera = {{Real(0.5), Real(1.2), Real(5.6)}, {0, Real(1.1), 0}, Real(0.46)},
+             .seconds = Real(1.2),
+             .instants = {0, Real(0.2), Real(0.4), Real(0.6)},
+             .caption =
+                 "The yellow column lands flat and should stand in its outline. The red one turns as it lands and "
+                 "should tip over. Only the last row does both.",
+             .marks =
+                 [](Picture& picture, const World&, Real) {
+                   add_outline(picture,
+                               box({Real(0.25), Real(0.8), Real(0.25)}, 1).at({-TwoLandings::aside, Real(0.8), 0}));
+                 },
+             .guess = Guess{{0, 1, 2}}});
     three_ways(e.sweeps());
     e.series("speed upwards", "m/s", upwards);
     e.number("rebound speed", "m/s", rebound);

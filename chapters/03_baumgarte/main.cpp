@@ -67,8 +67,8 @@ int main(int argc, char** argv) {
              .caption = "One box, from left to right. It should come to rest on the thick line. The thin lines, 200 mm "
                         "apart, show how far it is thrown.",
              .marks = [](Picture& picture, const World&, Real) { add_ruler(picture); },
-             .strobe = Strobe{
-                 .every = Real(0.05), .shift_per_second = {Real(11.5), 0, 0}, .height = 340, .until = Real(0.4)},
+             .strobe =
+                 Strobe{.every = Real(0.05), .shift_per_second = {Real(11.5), 0, 0}, .height = 340, .until = Real(0.4)},
              .guess = Guess{{0, 1, 2, 3}}});
     for (std::size_t i = 0; i < betas.size(); ++i) {
       e.variant(fmt::format("β = {}", betas[i]), with_beta<Solver<Clamping, Baumgarte>>(betas[i]))
