@@ -148,10 +148,11 @@ int main(int argc, char** argv) {
     const std::string tall = "a stack of " + spelled(boxes);
     const auto stacked = [boxes](World& world) { stack(world, boxes); };
     const Real middle = static_cast<Real>(boxes) / 10;
+    const Camera of_stack{middle * Vec3(7, 7, 14), {0, middle * Real(4.9), 0}, Real(0.68)};
 
     scene({.name = tall + " in steps of h/2",
            .fill = stacked,
-           .camera = {middle * Vec3(7, 7, 14), {0, middle * Real(4.9), 0}, Real(0.68)},
+           .camera = of_stack,
            .instants = {60},
            .key = "stack",
            .caption = "The thin outlines are the boxes as they began. All do the same number of sweeps: "
@@ -183,7 +184,7 @@ int main(int argc, char** argv) {
     e.variant("warm, wrong ids", InTwoSteps(wrong_ids)).with_sweeps(2).coloured(2);
 
     // What falls although it is started warm, and what of it is to blame.
-    scene({.name = tall + " in steps of h", .fill = stacked, .pictures = false});
+    scene({.name = tall + " in steps of h", .fill = stacked, .camera = of_stack, .pictures = false});
     e.variant("cold", Cold{}).coloured(0);
     e.variant("warm", FullSolver{}).coloured(1);
     e.variant("warm, 20 sweeps", FullSolver{}).with_exactly(20).coloured(2);
@@ -191,6 +192,7 @@ int main(int argc, char** argv) {
     e.variant("warm, without push-out", with<FullSolver>(0, Real(0.005))).coloured(4);
     scene({.name = fmt::format("the same, begun {:.3g} mm in each other", 1000 * depth),
            .fill = begun_in_each_other(boxes, depth),
+           .camera = of_stack,
            .pictures = false});
     e.variant("warm", FullSolver{}).coloured(1);
 

@@ -21,9 +21,10 @@ bool in_section(const std::string& line, std::initializer_list<const char*> name
 /// Words of prose that a reader meets who unfolds nothing: without tables, code, display formulas, pictures and comments.
 /// `all`: also of the sections that one works through, what to build, to run, to solve. A formula in a line is one word.
 std::size_t words_of_main_path(const std::string& page, bool all = false) {
+  static const std::regex mark("<!--[^>]*-->");
   std::size_t words = 0, folded = 0;
   bool code = false, formula = false, later = false, inside_picture = false;
-  for (std::string line : lines_of(page)) {
+  for (std::string line : lines_of(std::regex_replace(page, mark, ""))) {
     if (line.starts_with("```")) code = !code;
     if (code || line.starts_with("```")) continue;
     if (line.starts_with("## ")) later = !all && in_section(line, {"Build it", "Run it", "Exercises", "Sources"});
@@ -42,7 +43,7 @@ std::size_t words_of_main_path(const std::string& page, bool all = false) {
       inside_picture = !line.ends_with(")");
       continue;
     }
-    if (line.starts_with("|") || line.starts_with("<!--")) continue;
+    if (line.starts_with("|")) continue;
     bool word = false, in_formula = false;
     for (const char c : line + " ") {
       if (c == '$') in_formula = !in_formula;
@@ -73,6 +74,7 @@ TEST_CASE("words of the main path: prose that nobody has to unfold, and no more"
   CHECK(words_of_main_path("# A title\n\ntwo words\n") == 4);
   CHECK(words_of_main_path("one $a + b$ two, - three\n") == 4);
   CHECK(words_of_main_path("one\n```cpp\nint i;\n```\ntwo\n| a | b |\n<!-- no.md -->\n") == 2);
+  CHECK(words_of_main_path("it rises <!-- set: scene=\"a b\"\n at=\"1\" -->to 2 m<!-- /set -->.\n") == 5);
   CHECK(words_of_main_path("one\n$$a = b$$\ntwo\n$$a\n= b$$\nthree\n") == 3);
   CHECK(words_of_main_path("$$a =\n b ,$$\n\nwhere b\n") == 2);
   CHECK(words_of_main_path("one\n<details><summary>S</summary>\nno no\n</details>\ntwo\n") == 2);

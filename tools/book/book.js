@@ -2,6 +2,7 @@
 import fs from "node:fs";
 import path from "node:path";
 import { imageSize } from "image-size";
+import { challengesOf } from "./challenges.js";
 import { markdown } from "./markdown.js";
 import { addressOf, outline, relative, toRoot } from "./outline.js";
 import { includedBy, Sources } from "./sources.js";
@@ -44,6 +45,9 @@ class Reader {
       engine: live.get(page.experiment),
       description: page.chapter && live.get(page.experiment)?.description,
     }));
+    this.challenged = challengesOf(root, live, (line, text) =>
+      this.problems.push(`docs/challenges.md:${line}: ${text}`),
+    );
     this.#names = new Map(this.pages.map((page) => [page.file, page]));
   }
 
@@ -51,6 +55,7 @@ class Reader {
     page.text = fs.readFileSync(path.join(this.root, page.file), "utf8");
     page.title ??= /^# (.*)$/m.exec(page.text)?.[1] ?? page.file;
     page.root = toRoot(page.address);
+    page.challenged = this.challenged;
     page.played = this.pages.find((one) => one.live === "hard_cases");
     page.problem = (line, text) => this.problems.push(`${page.file}:${line}: ${text}`);
     page.target = (address, line) => this.#target(page, address, line);

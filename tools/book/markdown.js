@@ -4,7 +4,9 @@ import katex from "katex";
 import MarkdownIt from "markdown-it";
 import mathSyntax from "@vscode/markdown-it-katex";
 import { linkCases } from "./cases.js";
+import { linkChallenges } from "./challenges.js";
 import { idle } from "./idle.js";
+import { settingSentences } from "./set.js";
 import { smallPictures } from "./small.js";
 import { escaped, highlightedDifference, highlightedLines } from "./sources.js";
 
@@ -67,6 +69,8 @@ function readPage({ tokens, env: page }) {
   tables(tokens);
   linkCases(tokens, page);
   smallPictures(tokens, page);
+  settingSentences(tokens, page);
+  linkChallenges(tokens, page);
 }
 
 /// Whether the last line of a page names its neighbours and nothing else: the book has links of its own there.
@@ -182,6 +186,8 @@ function figures(tokens, page) {
       tokens[i].attrSet("data-chapter", live);
       tokens[i].attrSet("data-root", page.root);
       tokens[i].attrSet("data-idle", JSON.stringify(idle[live] ?? {}));
+      const challenges = page.challenged?.get(live)?.map(({ best, ...rest }) => rest);
+      if (page.chapter && challenges) tokens[i].attrSet("data-challenges", JSON.stringify(challenges));
       live = false;
     }
     const caption = tokens[i + 3]?.type === "paragraph_open" && inItalics(tokens[i + 4]);

@@ -5,6 +5,7 @@ import path from "node:path";
 /// The pages of docs/ in the order of the course; one that is not named here comes last.
 const further = [
   "symptoms",
+  "challenges",
   "notation",
   "hard_cases",
   "accuracy_and_time",
@@ -35,7 +36,7 @@ export function outline(root) {
   const pages = [];
   const add = (part, file, more) => has(file) && pages.push({ file, part, ...more });
 
-  add("Start", "README.md");
+  add("Start", "README.md", { experiment: "07_warm_start" }); // what its film shows
   add("Start", "docs/before_you_start.md");
   for (const page of names("docs/from_an_empty_file").filter((name) => name.endsWith(".md")))
     add("Start", `docs/from_an_empty_file/${page}`);

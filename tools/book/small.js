@@ -17,9 +17,9 @@ import { escaped } from "./sources.js";
 const known = "scene variants values slider label from to step seconds slow number says words aspect zoom".split(" ");
 
 /// What a mark asks for, as text by its names; null where the HTML is no mark.
-export function markIn(html) {
-  const [, text] = /^<!-- live: (.*?) *-->\s*$/s.exec(html) ?? [];
-  if (text === undefined) return null;
+export function markIn(html, kind = "live") {
+  const [, of, text] = /^<!-- (\w+): (.*?) *-->\s*$/s.exec(html) ?? [];
+  if (of !== kind) return null;
   const asked = {};
   const rest = text.replace(/(\w+)="([^"]*)"/g, (all, name, value) => {
     asked[name] = value;
@@ -58,39 +58,10 @@ export function smallPictures(tokens, page) {
 
 /// All that a page has to be told of a mark. Throws with what does not exist.
 export function clipOf({ asked, rest }, engine) {
-  const refuse = (text) => {
-    throw new Error(text);
-  };
-  if (rest) refuse(`it has the form name="value": ${rest}`);
-  for (const name of Object.keys(asked)) if (!known.includes(name)) refuse(`nothing is called ${name}`);
-  const number = (name, usual) => {
-    if (asked[name] === undefined) return usual;
-    return valueOf(asked[name]) ?? refuse(`${name} is no number`);
-  };
-  const own = new Map();
-  for (const assignment of (asked.values ?? "").split(/\s+/).filter(Boolean)) {
-    const [name, value] = assignment.split("=");
-    own.set(`--${name}`, valueOf(value) ?? refuse(`${assignment} is no number`));
-  }
-  const assignments = () => [...own].map(([flag, value]) => `${flag}=${value}`).join(";");
-  const set = () => {
-    const problem = engine.set(assignments());
-    if (problem) refuse(problem);
-  };
-  set();
-  const index = engine.description.scenes.findIndex(({ key }) => key === asked.scene);
-  if (index < 0) refuse(`there is no scene ${asked.scene}; there are ${keys(engine.description.scenes, "key")}`);
-  engine.choose(index, [0]);
-  const { scene } = engine;
-  const places = (asked.variants ?? scene.variants[0].name).split("|").map((name) => {
-    const place = scene.variants.findIndex((variant) => variant.name === name);
-    return place < 0 ? refuse(`there is no variant ${name}; there are ${keys(scene.variants, "name")}`) : place;
-  });
-  if (places.length > 2) refuse("more than two variants");
-  const which = scene.numbers.findIndex(({ name }) => name === asked.number);
-  if (asked.number !== undefined && which < 0)
-    refuse(`there is no number ${asked.number}; there are ${keys(scene.numbers, "name")}`);
-  if (asked.says !== undefined && which < 0) refuse("it says a number, and shows none");
+  const { index, scene, places, which, number, own, set, assignments } = chosenBy(
+    { asked, rest, known, most: 2 },
+    engine,
+  );
   const seconds = number("seconds", scene.steps * engine.dt);
   if (!(seconds > 0)) refuse("its seconds are not above 0");
   let slider = null;
@@ -136,8 +107,47 @@ export function clipOf({ asked, rest }, engine) {
   };
 }
 
+/// What a mark says of scene, variants, values and a number of it, each as the engine knows it; the engine is set so.
+export function chosenBy({ asked, rest, known, most }, engine) {
+  if (rest) refuse(`it has the form name="value": ${rest}`);
+  for (const name of Object.keys(asked)) if (!known.includes(name)) refuse(`nothing is called ${name}`);
+  const number = (name, usual) => {
+    if (asked[name] === undefined) return usual;
+    return valueOf(asked[name]) ?? refuse(`${name} is no number`);
+  };
+  const own = new Map();
+  for (const assignment of (asked.values ?? "").split(/\s+/).filter(Boolean)) {
+    const [name, value] = assignment.split("=");
+    own.set(`--${name}`, valueOf(value) ?? refuse(`${assignment} is no number`));
+  }
+  const assignments = () => [...own].map(([flag, value]) => `${flag}=${value}`).join(";");
+  const set = () => {
+    const problem = engine.set(assignments());
+    if (problem) refuse(problem);
+  };
+  set();
+  const index = engine.description.scenes.findIndex(({ key }) => key === asked.scene);
+  if (index < 0) refuse(`there is no scene ${asked.scene}; there are ${keys(engine.description.scenes, "key")}`);
+  engine.choose(index, [0]);
+  const { scene } = engine;
+  const places = (asked.variants ?? scene.variants[0].name).split("|").map((name) => {
+    const place = scene.variants.findIndex((variant) => variant.name === name);
+    return place < 0 ? refuse(`there is no variant ${name}; there are ${keys(scene.variants, "name")}`) : place;
+  });
+  if (places.length > most) refuse(`more than ${["no", "one", "two", "three", "four"][most]} variants`);
+  const which = scene.numbers.findIndex(({ name }) => name === asked.number);
+  if (asked.number !== undefined && which < 0)
+    refuse(`there is no number ${asked.number}; there are ${keys(scene.numbers, "name")}`);
+  if (asked.says !== undefined && which < 0) refuse("it says a number, and shows none");
+  return { index, scene, places, which, number, own, set, assignments };
+}
+
+function refuse(text) {
+  throw new Error(text);
+}
+
 /// "0.5" or "1/60"; undefined where it is neither.
-function valueOf(text = "") {
+export function valueOf(text = "") {
   const [, above, below = 1] = /^(-?[\d.]+)(?:\/(\d+))?$/.exec(text) ?? [];
   const value = Number(above) / Number(below);
   return Number.isFinite(value) ? value : undefined;

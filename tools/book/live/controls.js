@@ -62,10 +62,11 @@
       this.build();
     }
 
-    /** Those that change something in this scene. */
+    /** Those that change something in this scene; `only`: those that a challenge leaves to whom it asks. */
     get acting() {
       const { parameters, sceneIndex } = this.engine;
-      return parameters.filter(({ flag }) => !this.idle[flag]?.includes(sceneIndex));
+      const may = ({ flag }) => (this.only ? this.only.includes(flag) : !this.idle[flag]?.includes(sceneIndex));
+      return parameters.filter(may);
     }
     /** A label in which no flag of the command line is named. */
     inWords(text) {
@@ -102,7 +103,7 @@
       live.keepingFocus(first, () => first.replaceChildren(...rows.slice(0, count)));
       live.keepingFocus(further, () => {
         further.replaceChildren(...rows.slice(count));
-        if (still.length)
+        if (still.length && !this.only)
           further.append(
             make("p", { className: "pb-idle", textContent: `Without effect in this scene: ${still.join("; ")}.` }),
           );

@@ -67,13 +67,73 @@
       this.take(state);
       this.build();
       this.iterations.begin(state.problem, state.iteration);
-      if (state.view) Object.assign(this.stage.camera, state.view);
-      this.stage.wipe = state.wipe ?? null;
-      this.stage.follow = state.follow ?? (engine.scene.strobe && this.stage.element.clientWidth < 560);
+      this.arrive(state);
+    }
+    /** What was taken of an address is drawn. */
+    arrive(state) {
+      const { stage, engine } = this;
+      if (state.view) Object.assign(stage.camera, state.view);
+      stage.wipe = state.wipe ?? null;
+      stage.follow = state.follow ?? (engine.scene.strobe && stage.element.clientWidth < 560);
       this.begin();
+      this.challenged();
       this.tell(this.problem);
       this.fit();
       this.seek(state.step || 0);
+    }
+    /** What the address has taken up, with its own parameters; or nothing any more. */
+    challenged() {
+      const { challenge } = this;
+      const leave = () => {
+        this.challenge = null;
+        this.challenged();
+        this.listVariants();
+        this.fit();
+        this.remember();
+      };
+      this.task.hidden = !challenge;
+      this.scenes.parentElement.hidden = this.caption.hidden = Boolean(challenge);
+      this.controls.only = challenge?.free;
+      this.controls.build();
+      this.panel = challenge && new live.ChallengePanel(this.task, this, challenge, leave);
+    }
+    /** At once; what was pulled is forgotten. */
+    playToEnd() {
+      this.playing = this.waits = false;
+      if (this.pulled) this.again(() => this.engine.set(this.controls.assignments));
+      this.seek(this.engine.steps);
+      this.remember();
+    }
+    /** What words of the page ask for, in the place of what is played; `link` holds the words, and leads back to them. */
+    showFor(link) {
+      const state = { of: new URLSearchParams(link.hash.slice(1)) };
+      this.playing = this.waits = false;
+      this.release();
+      this.engine.set("");
+      this.speed = this.challenge = null;
+      this.take(state);
+      this.stage.camera.reset();
+      delete state.follow;
+      this.arrive(state);
+      this.returnTo(link, state.step);
+    }
+    /** Played from the start, where the words name no instant. */
+    returnTo(link, step) {
+      this.sentence.replaceChildren(
+        `“${link.textContent.trim()}” `,
+        make("button", {
+          type: "button",
+          className: "pb-small",
+          textContent: "back to the sentence",
+          onclick: () => {
+            link.scrollIntoView({ block: "center" });
+            link.focus({ preventScroll: true });
+          },
+        }),
+      );
+      this.sentence.hidden = false;
+      if (!step && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.play();
+      this.remember();
     }
 
     // ---- the page
@@ -85,6 +145,8 @@
         onchange: () => this.chooseScene(this.scenes.selectedIndex),
       });
       this.caption = make("p", { className: "pb-caption" });
+      this.sentence = make("p", { className: "pb-caption pb-sentence", hidden: true });
+      this.task = make("section", { className: "pb-challenge", "aria-label": "Challenge", hidden: true });
       const stage = make("div", { className: "pb-stage" });
       this.view = make("div", { className: "pb-view" });
       this.deck = make("div", { className: "pb-deck" });
@@ -226,6 +288,7 @@
           make("label", { className: "pb-scene" }, "Scene ", this.scenes),
           this.variants,
         ),
+        this.task,
         this.caption,
         this.alert,
         bench,
@@ -233,7 +296,7 @@
         foot,
         this.said,
       );
-      this.view.append(stage, transport);
+      this.view.append(this.sentence, stage, transport);
       this.deck.append(sliders, plots, this.legend);
       this.figure.insertBefore(this.root_, this.figure.querySelector(":scope > figcaption"));
       this.figure.classList.add("pb-running");
@@ -309,7 +372,8 @@
       );
       this.scenes.selectedIndex = engine.sceneIndex;
       this.caption.textContent = live.captionOf(scene);
-      this.caption.hidden = !scene.caption;
+      this.caption.hidden = !scene.caption || Boolean(this.challenge);
+      this.pulled = false;
       this.line.max = engine.steps;
       this.listVariants();
       this.followLabel.hidden = !scene.strobe;
@@ -339,7 +403,7 @@
       const { engine } = this,
         shown = new Set(engine.lanes.map(({ place }) => place)),
         { variants } = engine.scene;
-      this.variants.hidden = variants.length < 2;
+      this.variants.hidden = variants.length < 2 || Boolean(this.challenge);
       live.keepingFocus(this.variants, () => {
         this.variants.replaceChildren(
           make("legend", { textContent: variants.length > 4 ? "Variants, up to four" : "Variants" }),
@@ -510,7 +574,7 @@
     }
     /** The time goes on, and farther than the scene's own where it was about to end. */
     grabbed() {
-      this.held = true;
+      this.held = this.pulled = true;
       this.target = this.engine.now;
       this.line.max = this.engine.steps;
       this.curves.begin(this.engine);
@@ -646,6 +710,7 @@
     /** What takes long is worked out when nothing moves. */
     measure() {
       const { engine } = this;
+      this.panel?.update(engine.now, this.pulled);
       for (const { cell, lane, which } of this.cells) {
         const key = `${lane} ${which}`,
           from = due(engine.scene.numbers[which].name);
@@ -734,6 +799,7 @@
         { camera } = stage;
       const state = new URLSearchParams();
       state.set("live", engine.description.name);
+      if (this.challenge) state.set("challenge", this.challenge.key);
       state.set("scene", engine.scene.key);
       const places = engine.lanes.map(({ place }) => place);
       if (
@@ -778,6 +844,12 @@
           scene < 0 ? engine.sceneIndex : scene,
           (list("show") || [0, 1, 2, 3]).filter((place) => place >= 0 && place < 32),
         );
+      const challenges = JSON.parse(this.figure.dataset.challenges ?? "[]");
+      const taken = challenges.find(({ key }) => key === from.get("challenge"));
+      if (taken) {
+        this.challenge = new live.Challenge(taken, engine);
+        this.problem = this.challenge.begin(new Map(own.map((one) => one.split("="))));
+      }
       this.shownOf(engine.scene);
       if (from.has("see")) this.shown = Number(from.get("see")) & 7;
       if (speeds.includes(Number(from.get("pace")))) this.speed = Number(from.get("pace"));

@@ -184,6 +184,22 @@
     figure.insertBefore(panel, figure.querySelector("figcaption"));
   }
 
+  /** Words that set a figure: it shows what they say. */
+  function follow(figures) {
+    document.addEventListener("click", async (event) => {
+      const link = event.target.closest?.("a.sets");
+      if (!link || event.ctrlKey || event.metaKey || event.shiftKey || event.button) return;
+      const chapter = new URLSearchParams(link.hash.slice(1)).get("live");
+      const figure = figures.find((one) => one.dataset.chapter === chapter);
+      if (!figure) return;
+      event.preventDefault();
+      const player = players.get(figure) ?? (await start(figure, { of: new URLSearchParams() }));
+      if (!player) return figure.scrollIntoView();
+      player.showFor(link);
+      player.bringIntoView();
+    });
+  }
+
   /** What figures need comes as they come near the window; the small ones begin then, all of them with the first. */
   function whenNear(figures, small) {
     const near = new IntersectionObserver(
@@ -207,6 +223,7 @@
   function begin() {
     const figures = [...document.querySelectorAll("figure.live[data-chapter]")];
     for (const figure of figures) prepare(figure);
+    follow(figures);
     whenNear(figures, [...document.querySelectorAll("figure.small-live")]);
     const state = new URLSearchParams(location.hash.slice(1));
     const wanted = figures.find((figure) => figure.dataset.chapter === state.get("live"));
