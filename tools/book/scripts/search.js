@@ -46,6 +46,9 @@
           prefix: (term) => term.length > 1,
           fuzzy: (term) => (term.length > 4 ? 0.2 : false),
           combineWith: "AND",
+          // The page that is written in the words of who asks comes first; challenges explain nothing.
+          boostDocument: (id, term, { address }) =>
+            address.startsWith("docs/symptoms") ? 4 : address.startsWith("docs/challenges") ? 0.2 : 1,
         },
       });
       search.addAll(window.PUSHBACK_SEARCH);
