@@ -56,6 +56,13 @@ test("broken links, anchors, pictures, formulas and quoted code are refused with
   refused("![](../../docs/figures/one.svg)", 3, "the picture ../../docs/figures/one.svg has no alternative text");
   refused("one\n\n$$\\frac{a}$$", 5, "the formula $\\frac{a}$ is none: ");
   refused("one $\\nosuch$", 3, "the formula $\\nosuch$ is none: ");
+  refused('one <!-- set: scene="x" -->two', 3, 'a mark "set" has its words, and then <!-- /set -->');
+  refused("one <!-- /set -->two", 3, 'a mark "set" has its words, and then <!-- /set -->');
+  refused(
+    'one\n<!-- set: scene="x" -->two<!-- /set -->',
+    4,
+    'a mark "set" that begins a line ends the paragraph: a word has to stand before it',
+  );
   refused("it costs $5", 3, "a dollar sign that belongs to no formula: it costs $5");
   refused("```cpp\nstruct Clamping {\n  int most = 0;\n```", 3, "this code stands in no source: struct Clamping {");
   refused("true[^1]\n\n[^1]: not quite", 3, "the book has no footnotes");
@@ -171,4 +178,8 @@ test("the still of a film is its first picture", () => {
 
 test("the list of packages holds no address", () => {
   assert.doesNotMatch(fs.readFileSync(path.join(root, "tools/book/package-lock.json"), "utf8"), /"[a-z+]+:\/\//);
+});
+
+test("words that set a figure are words where no experiment is compiled", () => {
+  assert.equal(htmlOf('one <!-- set: scene="x" -->two<!-- /set --> three'), "<p>one two three</p>\n");
 });

@@ -22,6 +22,12 @@ async function loadAll() {
 before(async () => (browser = await launch()));
 after(() => browser.close());
 
+test("the whole book is below 30 MB", () => {
+  const files = fs.readdirSync(folder, { recursive: true }).map((name) => fs.statSync(path.join(folder, name)));
+  const bytes = files.reduce((sum, file) => sum + (file.isFile() ? file.size : 0), 0);
+  assert.ok(bytes < 30e6, `${bytes} bytes`);
+});
+
 test("every link and every picture of every page, sources among them, is there, with its anchor", () => {
   const ids = new Map(
     all.map((page) => [page, new Set([...html(page).matchAll(/ id="([^"]*)"/g)].map(([, id]) => id))]),
