@@ -26,7 +26,7 @@ struct WarmJoints : Joints {
   template <class Use>
   void each_row(StepContext& step, const Use& use) {
     for (std::size_t i = 0, n = 0; i < joint_rows_.size(); ++i) {
-      Row& row = joint_rows_[i];
+      JointRow& row = joint_rows_[i];
       n = i > 0 && row.owner == joint_rows_[i - 1].owner ? n + 1 : 0;
       use(row, step.world.joints[row.owner].impulses, n);
     }

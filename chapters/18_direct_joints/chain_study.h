@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/common/world/situations.h"
 
@@ -28,7 +29,7 @@ struct ChainSolved {
       left;            ///< after each sweep: the largest speed that a link is wrong by, of the largest at the start
   double at_once = 0;  ///< the largest |JV + b| that one solve leaves, of the largest before
   std::size_t rows = 0;
-  Eigen::Index numbers = 0;  ///< in L, apart from 0 and the diagonal
+  std::size_t numbers = 0;  ///< in L, apart from 0 and the diagonal
 };
 
 /// The first step of a chain, from nothing; swept until it is right to 1e-4, or `most` times.
@@ -45,11 +46,9 @@ inline ChainSolved solve_chain(int count, Real h, int most) {
   const Vector before = speeds_of(rows());
   at_once.solve(exact, h, 1);
 
-  const Eigen::SparseMatrix<double> a = matrix_of(rows());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(a);
   ChainSolved chain;
   chain.rows = at_once.joint_rows().size();
-  chain.numbers = factors.matrixL().nestedExpression().nonZeros();
+  chain.numbers = at_once.matrix().numbers();
   chain.at_once = speeds_of(rows()).cwiseAbs().maxCoeff() / before.cwiseAbs().maxCoeff();
 
   const auto error = [&] {

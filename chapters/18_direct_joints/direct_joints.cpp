@@ -4,64 +4,68 @@
 
 namespace pushback {
 
-namespace {
-
-using Eigen::Index;
-using Symmetric = Eigen::SparseMatrix<double>;
-using Places = std::vector<std::size_t>;
-
-Symmetric matrix_of(const JointRows& rows, const Places& places) {
-  Rows chosen;
-  std::vector<Real> softness;
-  for (const std::size_t place : places) {
-    chosen.push_back(rows[place]);
-    softness.push_back(rows[place].softness);
-  }
-  return pushback::matrix_of(chosen, softness);
+/// Which joints there are, and which of their rows with limits are between them. Returns whether A may be another than before.
+bool DirectJoints::guess(StepContext& step) {
+  bool soft = false;
+  held_.clear();
+  taken_before_.swap(taken_);
+  taken_.clear();
+  const World& world = step.world;
+  const Real scale = world.impulse_scale(step.dt);
+  each_row(step, [&](const JointRow& row, const std::vector<Real>& impulses, std::size_t n) {
+    const Joint& joint = world.joints[row.owner];
+    const auto index = [](int body, const Body& its) { return its.movable() ? body : JointMatrix::none; };
+    if (n == 0) held_.push_back({index(joint.a, *row.a), index(joint.b, *row.b), 0});
+    ++held_.back().rows;
+    const Real before = n < impulses.size() ? scale * impulses[n] : 0;
+    taken_.push_back(row.lo < before && before < row.hi);
+    soft |= row.softness != 0;
+  });
+  return soft || taken_ != taken_before_;
 }
 
-/// Of the rows at `places`, those that ask for something that the ones before them do not hold already.
-Places independent(const JointRows& rows, const Places& places) {
-  Symmetric a = matrix_of(rows, places);
-  const Vector diagonal = a.diagonal();
-  // No pivot may be 0, or rounding would be divided by rounding. What is added is far below the pivots that are kept.
-  const double little = std::pow(static_cast<double>(DirectJoints::least_pivot), 1.5);
-  for (Index i = 0; i < a.rows(); ++i) a.coeffRef(i, i) *= 1 + little;
-  const Eigen::SimplicialLDLT<Symmetric> factors(a);
-  Places kept;
-  if (factors.info() != Eigen::Success) return kept;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto row = static_cast<Index>(i);
-    const Index permuted = factors.permutationP().indices()[row];
-    if (factors.vectorD()[permuted] > static_cast<double>(DirectJoints::least_pivot) * diagonal[row])
-      kept.push_back(places[i]);
-  }
-  return kept;
+/// What is held at a limit begins there.
+void DirectJoints::start(StepContext& step) {
+  const Real scale = step.world.impulse_scale(step.dt);
+  std::size_t i = 0;
+  each_row(step, [&](Row& row, const std::vector<Real>& impulses, std::size_t n) {
+    if (!taken_[i++]) row.reach(n < impulses.size() ? scale * impulses[n] : 0);
+  });
 }
 
-}  // namespace
-
-void DirectJoints::factor() {
-  at_once_.clear();
-  for (std::size_t i = 0; i < joint_rows_.size(); ++i)
-    if (!limited(joint_rows_[i]) && std::isfinite(joint_rows_[i].effective_mass)) at_once_.push_back(i);
-  at_once_ = independent(joint_rows_, at_once_);
-  if (at_once_.empty()) return;
-  factors_ = std::make_shared<const Eigen::SimplicialLDLT<Symmetric>>(matrix_of(joint_rows_, at_once_));
-  if (factors_->info() != Eigen::Success) at_once_.clear();  // D was left unfinished: not to be read
+void DirectJoints::sweep(StepContext&) {
+  for (int round = 0; round < most_rounds; ++round) {
+    solve_at_once();
+    if (!change_what_is_taken()) return;
+    matrix_.factor(joint_rows_, held_, taken_);
+  }
+  for (JointRow& row : joint_rows_)
+    if (limited(row) && std::isfinite(row.effective_mass)) row.solve();
+  solve_at_once();
 }
 
 void DirectJoints::solve_at_once() {
-  if (at_once_.empty()) return;
-  Vector error(static_cast<Index>(at_once_.size()));
-  for (std::size_t i = 0; i < at_once_.size(); ++i) {
-    error[static_cast<Index>(i)] = static_cast<double>(joint_rows_[at_once_[i]].speed_error());
+  change_.clear();
+  for (const JointRow& row : joint_rows_) change_.push_back(static_cast<double>(-row.speed_error()));
+  matrix_.solve(change_);
+  for (std::size_t i = 0; i < joint_rows_.size(); ++i)
+    if (matrix_.counts(i)) joint_rows_[i].reach(joint_rows_[i].impulse + static_cast<Real>(change_[i]));
+}
+
+/// Whether the limits that act are others than was guessed.
+bool DirectJoints::change_what_is_taken() {
+  bool changed = false;
+  for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
+    const JointRow& row = joint_rows_[i];
+    if (!limited(row) || !std::isfinite(row.effective_mass)) continue;
+    const bool within = taken_[i]               ? row.lo < row.impulse && row.impulse < row.hi
+                        : row.impulse == row.lo ? row.wanted() > row.lo
+                                                : row.wanted() < row.hi;
+    if (within == static_cast<bool>(taken_[i])) continue;
+    taken_[i] = within;
+    changed = true;
   }
-  const Vector change = factors_->solve(-error);
-  for (std::size_t i = 0; i < at_once_.size(); ++i) {
-    JointRow& row = joint_rows_[at_once_[i]];
-    row.reach(row.impulse + static_cast<Real>(change[static_cast<Index>(i)]));
-  }
+  return changed;
 }
 
 }  // namespace pushback

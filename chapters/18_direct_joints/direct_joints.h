@@ -1,50 +1,53 @@
 /// All joints of a step solved at once, instead of one row after the other.
 #pragma once
 
-#include <Eigen/SparseCholesky>
-#include <memory>
-
-#include "pushback/chapters/13_joints/joints.h"
-#include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/chapters/14_joints_under_load/warm_joints.h"
+#include "pushback/chapters/18_direct_joints/joint_matrix.h"
 
 namespace pushback {
 
-/// In the place of Joints. The rows without limits are one linear system, in every sweep for the velocities as they are then:
+/// In the place of Joints. All rows are one linear system, in every sweep for the velocities as they are then:
 ///
-///   A lambda = -(J V + b),   A = J M^-1 J^T + gamma = L D L^T, sparse, made once a step
+///   A lambda = -(J V + b),   A = J M^-1 J^T + Gamma = L D L^T, in blocks, made once a step
 ///
-/// Without contacts and limits one sweep is all. With them, the two take turns; named last in the solver's list, joints have
-/// the last word. Nothing is remembered, so what beta feeds back cannot build up. Rows with limits are swept as in Joints, and
-/// all rows in a step in which A cannot be factored.
+/// A row with limits takes part while its impulse is between them. Where it would leave them it is held at the limit, where it
+/// would come back it takes part again, and the system is solved anew without it or with it: the one solution that keeps all
+/// limits, mostly in two or three rounds. What acted in the step before is the first guess, and all that is remembered, so
+/// what beta feeds back cannot build up.
 ///
-/// Joints may ask for the same thing twice, and A is singular then. 1 / D_i is the mass that row i feels while the rows before
-/// it hold, 1 / A_ii what it feels alone. A row that feels 1 / least_pivot times as much gets no impulse: the others hold it.
-struct DirectJoints : Joints {
-  static constexpr Real least_pivot = Real(std::numeric_limits<Real>::digits > 24 ? 1e-8 : 3e-4);  ///< of D_i / A_ii
+/// Without contacts one sweep is all. With them, the two take turns; named last in the solver's list, joints have the last word.
+struct DirectJoints : WarmJoints {
+  int most_rounds = 20;  ///< of guesses which limits act, in a sweep; after them the rows with limits are swept
 
+  void check(StepContext& step) {
+    if (most_rounds < 1)
+      throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
+    WarmJoints::check(step);
+  }
   void build(StepContext& step) {
-    Joints::build(step);
-    factor();
+    const bool lie_as_before = placed_;  // as in update_geometry
+    WarmJoints::build(step);
+    if (guess(step) || !lie_as_before) matrix_.factor(joint_rows_, held_, taken_);
   }
-  void sweep(StepContext&) {
-    for (JointRow& row : joint_rows_)
-      if (limited(row) || (at_once_.empty() && std::isfinite(row.effective_mass))) row.solve();
-    solve_at_once();
-  }
+  void start(StepContext& step);
+  void sweep(StepContext&);
   void update_geometry(StepContext& step) {
-    Joints::update_geometry(step);
-    factor();
+    WarmJoints::update_geometry(step);
+    matrix_.factor(joint_rows_, held_, taken_);
   }
-  /// Indices in joint_rows() of the rows that are solved at once. Of those without limits, the missing ones are held by others.
-  const std::vector<std::size_t>& rows_at_once() const { return at_once_; }
+  /// Of this step: which rows are solved at once. Of those that are not, others hold what some ask for, and limits hold the rest.
+  const JointMatrix& matrix() const { return matrix_; }
 
  private:
   static bool limited(const Row& row) { return std::isfinite(row.lo) || std::isfinite(row.hi); }
-  void factor();
+  bool guess(StepContext& step);
   void solve_at_once();
+  bool change_what_is_taken();
 
-  std::vector<std::size_t> at_once_;
-  std::shared_ptr<const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> factors_;  // made anew, so copies may share
+  JointMatrix matrix_;
+  std::vector<JointMatrix::Held> held_;
+  std::vector<char> taken_, taken_before_;  // of each row
+  std::vector<double> change_;
 };
 
 }  // namespace pushback

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/common/experiment/iterated_problem.h"
 

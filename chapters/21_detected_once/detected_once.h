@@ -21,7 +21,6 @@ struct SubsteppingSolver : StepSolver {
   Real precision = Real(1e-6);     ///< to which normals are solved while something bounces, of the fastest bounce,
   int most_rounds = 100;           ///< or until they have been solved so often
   SoftContacts spring;             ///< chapter 12's: hertz, damping ratio, fastest push-out
-  SteadyJoints joints;
 
   bool holds_joints() const override { return true; }
   void check(World& world, Real h) override {
@@ -34,17 +33,15 @@ struct SubsteppingSolver : StepSolver {
       throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
     StepContext step = joints_step(world, h);
     spring.check(step);
-    joints.check(step);
   }
   Plan plan(Real dt) const override {
     return {.substeps = substeps, .sweeps = 1, .margin = {.least = margin, .ahead = dt}};
   }
 
  protected:
-  /// Of the joints' rows.
-  Solved of_joints() const {
-    Solved sum{static_cast<int>(joints.joint_rows().size()), 0};
-    for (const JointRow& row : joints.joint_rows()) sum.residual = std::max(sum.residual, row.error());
+  static Solved solved_of(const JointRows& rows) {
+    Solved sum{static_cast<int>(rows.size()), 0};
+    for (const JointRow& row : rows) sum.residual = std::max(sum.residual, row.error());
     return sum;
   }
   /// Joints have rows of their own, made anew in each substep; of the contacts they know nothing.
@@ -88,6 +85,13 @@ struct SubsteppingSolver : StepSolver {
 /// Between steps it remembers nothing: what it starts from stands in the world's contacts and joints.
 class DetectedOnce : public SubsteppingSolver {
  public:
+  SteadyJoints joints;
+
+  void check(World& world, Real h) override {
+    SubsteppingSolver::check(world, h);
+    StepContext step = joints_step(world, h);
+    joints.check(step);
+  }
   /// Once in a step: the rows, and the impulses that they start from.
   void detected(World& world, Real h) override {
     measured_.reset();
@@ -191,7 +195,7 @@ class DetectedOnce : public SubsteppingSolver {
   }
 
   Solved measure() const {
-    Solved all = of_joints();
+    Solved all = solved_of(joints.joint_rows());
     all.rows += 3 * static_cast<int>(contacts_.size());
     for (const KeptContact& contact : contacts_) all.residual = std::max(all.residual, contact.error());
     return all;

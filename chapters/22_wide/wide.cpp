@@ -108,8 +108,8 @@ Passes<Scalar> passes_of_this_processor(int lanes) {
   return plain_passes<Scalar>(lanes > 0 ? lanes : sizeof(Scalar) == 4 ? 4 : 1);  // what SSE2 is faster with
 }
 
-template <class Scalar>
-std::size_t Wide<Scalar>::place_of(World& world, std::size_t body) {
+template <class Scalar, class JointEffect>
+std::size_t Wide<Scalar, JointEffect>::place_of(World& world, std::size_t body) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   if (places_.empty()) places_.assign(world.bodies.size(), none);
   if (places_[body] == none) {
@@ -119,8 +119,8 @@ std::size_t Wide<Scalar>::place_of(World& world, std::size_t body) {
   return places_[body];
 }
 
-template <class Scalar>
-void Wide<Scalar>::detected(World& world, Real h) {
+template <class Scalar, class JointEffect>
+void Wide<Scalar, JointEffect>::detected(World& world, Real h) {
   const NoDenormals none;
   at_work_ = &(crew ? *crew : alone()).of_bodies(world.bodies.size());
   measured_.reset();
@@ -145,8 +145,8 @@ void Wide<Scalar>::detected(World& world, Real h) {
 }
 
 /// Which pairs are in which bundle, and where its contacts are.
-template <class Scalar>
-void Wide<Scalar>::lay_out(const Sets& sets) {
+template <class Scalar, class JointEffect>
+void Wide<Scalar, JointEffect>::lay_out(const Sets& sets) {
   bundles_.clear();
   packed_.clear();
   ends_.clear();
@@ -166,8 +166,8 @@ void Wide<Scalar>::lay_out(const Sets& sets) {
 }
 
 /// Up to eight pairs side by side: what their rows are made of.
-template <class Scalar>
-void Wide<Scalar>::pack(const World& world, std::size_t at, std::span<const PairOfBodies> pairs) {
+template <class Scalar, class JointEffect>
+void Wide<Scalar, JointEffect>::pack(const World& world, std::size_t at, std::span<const PairOfBodies> pairs) {
   const int nobody = static_cast<int>(bodies_.size()) - 1;
   Bundle<Scalar>& bundle = bundles_[at];
   std::fill(bundle.a, bundle.a + lanes_of_bundle, nobody);
@@ -217,8 +217,8 @@ void Wide<Scalar>::pack(const World& world, std::size_t at, std::span<const Pair
   }
 }
 
-template <class Scalar>
-Bundles<Scalar> Wide<Scalar>::bundles(std::size_t begin, std::size_t end) {
+template <class Scalar, class JointEffect>
+Bundles<Scalar> Wide<Scalar, JointEffect>::bundles(std::size_t begin, std::size_t end) {
   return {bundles_.data() + begin,
           static_cast<int>(end - begin),
           points_.data(),
@@ -232,23 +232,23 @@ Bundles<Scalar> Wide<Scalar>::bundles(std::size_t begin, std::size_t end) {
 }
 
 /// `act(i)` for each of the bodies that touch. It changes nothing of any other.
-template <class Scalar>
+template <class Scalar, class JointEffect>
 template <class Act>
-void Wide<Scalar>::each_body(const Act& act) {
+void Wide<Scalar, JointEffect>::each_body(const Act& act) {
   at_work_->each(bodies_.size(), 256, [&](Part part) {
     for (std::size_t i = part.begin; i < part.end; ++i) act(i);
   });
 }
 /// `act(begin, end)` for parts of all bundles: it changes no body. Returns the largest of what it returns.
-template <class Scalar>
+template <class Scalar, class JointEffect>
 template <class Act>
-Scalar Wide<Scalar>::each_bundle(const Act& act) {
+Scalar Wide<Scalar, JointEffect>::each_bundle(const Act& act) {
   return largest_in(0, bundles_.size(), act);
 }
 /// The same for the bundles of one set after the other: it changes the bodies of its bundles, and nobody else's.
-template <class Scalar>
+template <class Scalar, class JointEffect>
 template <class Act>
-Scalar Wide<Scalar>::set_by_set(const Act& act) {
+Scalar Wide<Scalar, JointEffect>::set_by_set(const Act& act) {
   Scalar largest = 0;
   std::size_t begin = 0;
   for (const std::size_t end : ends_) {
@@ -257,9 +257,9 @@ Scalar Wide<Scalar>::set_by_set(const Act& act) {
   }
   return largest;
 }
-template <class Scalar>
+template <class Scalar, class JointEffect>
 template <class Act>
-Scalar Wide<Scalar>::largest_in(std::size_t begin, std::size_t end, const Act& act) {
+Scalar Wide<Scalar, JointEffect>::largest_in(std::size_t begin, std::size_t end, const Act& act) {
   const std::size_t items = end - begin;
   largest_.assign(at_work_->parts(items, least_bundles), 0);
   at_work_->each(items, least_bundles, [&](Part part) {
@@ -269,8 +269,8 @@ Scalar Wide<Scalar>::largest_in(std::size_t begin, std::size_t end, const Act& a
   return *std::max_element(largest_.begin(), largest_.end());
 }
 
-template <class Scalar>
-void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
+template <class Scalar, class JointEffect>
+void Wide<Scalar, JointEffect>::solve(World& world, Real h, int sweeps) {
   const NoDenormals none;
   StepContext step = joints_step(world, h);
   joints.build(step);
@@ -299,8 +299,8 @@ void Wide<Scalar>::solve(World& world, Real h, int sweeps) {
 }
 
 /// Eight at a time of those that turn.
-template <class Scalar>
-void Wide<Scalar>::integrate_positions(World& world, Real h) {
+template <class Scalar, class JointEffect>
+void Wide<Scalar, JointEffect>::integrate_positions(World& world, Real h) {
   at_work_->each(world.bodies.size(), 256, [&](Part part) {
     TurningBodies eight(turning);
     for (std::size_t i = part.begin; i < part.end; ++i) {
@@ -312,8 +312,8 @@ void Wide<Scalar>::integrate_positions(World& world, Real h) {
   });
 }
 
-template <class Scalar>
-void Wide<Scalar>::moved(World& world, Real h) {
+template <class Scalar, class JointEffect>
+void Wide<Scalar, JointEffect>::moved(World& world, Real h) {
   const NoDenormals none;
   each_body([&](std::size_t i) {
     const Vec3 &v = bodies_[i]->velocity, &w = bodies_[i]->angular_velocity;
@@ -332,8 +332,8 @@ void Wide<Scalar>::moved(World& world, Real h) {
 
 /// Rows are carried along with bodies that pass each other fast enough. Two bodies with a relative speed of `carried_from` are not
 /// both slower than half of that, so where all bodies are, there is nothing to do.
-template <class Scalar>
-void Wide<Scalar>::carry() {
+template <class Scalar, class JointEffect>
+void Wide<Scalar, JointEffect>::carry() {
   const Real least = carried_from * carried_from / 4;
   if (std::none_of(bodies_.begin(), bodies_.end(),
                    [least](const Body* b) { return b->velocity.squaredNorm() >= least; }))
@@ -350,8 +350,8 @@ void Wide<Scalar>::carry() {
 
 /// Velocities are copied into lanes, and only what the contacts have added is copied back: the velocity of a body on which no
 /// contact acts keeps its bits.
-template <class Scalar>
-void Wide<Scalar>::sweep(StepContext& step, void (*friction_pass)(const Bundles<Scalar>&)) {
+template <class Scalar, class JointEffect>
+void Wide<Scalar, JointEffect>::sweep(StepContext& step, void (*friction_pass)(const Bundles<Scalar>&)) {
   joints.sweep(step);
   each_body([&](std::size_t i) { put(bodies_[i]->velocity, bodies_[i]->angular_velocity, now_[i]); });
   solve_normals_until_solved([this] {
@@ -374,14 +374,14 @@ void Wide<Scalar>::sweep(StepContext& step, void (*friction_pass)(const Bundles<
 }
 
 /// An impact is over in one substep: the next one starts from the impulses that it started from.
-template <class Scalar>
-void Wide<Scalar>::forget_impacts() {
+template <class Scalar, class JointEffect>
+void Wide<Scalar, JointEffect>::forget_impacts() {
   if (fastest_ > 0) set_by_set([&](std::size_t begin, std::size_t end) { passes.restore(bundles(begin, end)); });
   fastest_ = 0;
 }
 
-template <class Scalar>
-void Wide<Scalar>::done(World& world) {
+template <class Scalar, class JointEffect>
+void Wide<Scalar, JointEffect>::done(World& world) {
   if (fastest_ > 0) measured_ = measure();  // an impact's impulses are about to be forgotten
   forget_impacts();
   at_work_->each(where_.size(), 256, [&](Part part) {
@@ -391,8 +391,8 @@ void Wide<Scalar>::done(World& world) {
 }
 
 /// Writes the impulses, the depth and the state of the i-th contact.
-template <class Scalar>
-void Wide<Scalar>::write_back(Contact& contact, std::size_t i) const {
+template <class Scalar, class JointEffect>
+void Wide<Scalar, JointEffect>::write_back(Contact& contact, std::size_t i) const {
   const auto [b, c, lane] = where_[i];
   const Bundle<Scalar>& bundle = bundles_[b];
   const WideContact<Scalar>& wide = contacts_[c];
@@ -412,9 +412,9 @@ void Wide<Scalar>::write_back(Contact& contact, std::size_t i) const {
 }
 
 /// Of each row by how much another sweep would change the speed along it: KeptContact::error of chapter 21.
-template <class Scalar>
-Solved Wide<Scalar>::measure() const {
-  Solved all = of_joints();
+template <class Scalar, class JointEffect>
+Solved Wide<Scalar, JointEffect>::measure() const {
+  Solved all = solved_of(joints.joint_rows());
   all.rows += 3 * static_cast<int>(where_.size());
   for (const Place& place : where_) {
     const std::size_t lane = place.lane;
@@ -445,5 +445,7 @@ template Passes<float> passes_of_this_processor(int lanes);
 template Passes<double> passes_of_this_processor(int lanes);
 template class Wide<float>;
 template class Wide<double>;
+template class Wide<float, SteadyJoints>;
+template class Wide<double, SteadyJoints>;
 
 }  // namespace pushback

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "pushback/chapters/18_direct_joints/split_direct_joints.h"
 #include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/22_wide/bundle.h"
 #include "pushback/chapters/22_wide/colours.h"
@@ -18,9 +19,10 @@ template <class Scalar>
 Passes<Scalar> passes_of_this_processor(int lanes = 0);
 
 /// Rows and impulses are of the type Scalar, whatever Real is; positions are Real. Defined for float and double.
-template <class Scalar>
+template <class Scalar, class JointEffect = SplitDirectJoints>
 class Wide : public SubsteppingSolver {
  public:
+  JointEffect joints;
   Passes<Scalar> passes = passes_of_this_processor<Scalar>();
   Passes<Real> turning = passes_of_this_processor<Real>();  ///< of bodies
   /// The order in which pairs are solved; each set at once.
@@ -33,6 +35,11 @@ class Wide : public SubsteppingSolver {
     plan.moves_bodies = true;  // and reads I^-1 of the pairs that are carried alone
     plan.workers = crew ? crew.get() : &alone();
     return plan;
+  }
+  void check(World& world, Real h) override {
+    SubsteppingSolver::check(world, h);
+    StepContext step = joints_step(world, h);
+    joints.check(step);
   }
   void detected(World& world, Real h) override;
   void solve(World& world, Real h, int sweeps) override;

@@ -74,7 +74,7 @@ TEST_CASE("joints at once: fifty links and a thousand times the mass of one, aft
   world.begin_step(h);
   AtOnce solver;
   solver.solve(world, h, 0);
-  CHECK(solver.rows_at_once().size() == solver.joint_rows().size());
+  CHECK(solver.matrix().rows_that_count() == solver.joint_rows().size());
   const Real before = largest_error(solver);
   solver.solve(world, h, 1);
   INFO(largest_error(solver) << " of " << before);
@@ -142,7 +142,7 @@ TEST_CASE("joints at once: four bars say three things twice, and those rows are 
   Swept swept;
   one.step(at_once, h, 1);
   CHECK(at_once.joint_rows().size() == 20);
-  CHECK(at_once.rows_at_once().size() == 17);
+  CHECK(at_once.matrix().rows_that_count() == 17);
   CHECK(largest_error(at_once) < (in_double ? Real(1e-11) : Real(1e-3)));  // of all twenty
   other.step(swept, h, 20000);
   CHECK(apart(one, other) < (in_double ? Real(1e-10) : Real(1e-3)));
@@ -152,7 +152,7 @@ TEST_CASE("joints at once: four bars say three things twice, and those rows are 
     other.step(swept, h, 1000);
     off = std::max(off, largest_joint_error(one));
     off_swept = std::max(off_swept, largest_joint_error(other));
-    REQUIRE(at_once.rows_at_once().size() == 17);
+    REQUIRE(at_once.matrix().rows_that_count() == 17);
   }
   INFO(off << " m, swept " << off_swept << " m");
   CHECK(off < Real(1.01) * off_swept);
@@ -168,7 +168,7 @@ TEST_CASE("joints at once: a bridge, whose planks hold each other twice over, an
     world.step(solver, h, 10);
     off = std::max(off, largest_joint_error(world));
     REQUIRE(largest_error(solver) < (in_double ? Real(1e-6) : Real(1e-2)));
-    REQUIRE(solver.rows_at_once().size() <= 168 - 17);  // in each gap one row says what others have said
+    REQUIRE(solver.matrix().rows_that_count() <= 168 - 17);  // in each gap one row says what others have said
   }
   INFO("off by up to " << off << " m");
   CHECK(off < Real(0.02));
@@ -239,7 +239,7 @@ TEST_CASE("joints at once: what a body cannot feel is not asked of it") {
   AtOnce solver;
   for (int step = 0; step < 10; ++step) world.step(solver, h, 1);
   CHECK(solver.joint_rows().size() == 5);
-  CHECK(solver.rows_at_once().size() == 3);
+  CHECK(solver.matrix().rows_that_count() == 3);
   CHECK((world.bodies[0].position - Vec3(1, 0, 0)).norm() < Real(1e-12));
 }
 

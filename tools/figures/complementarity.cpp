@@ -116,7 +116,7 @@ std::string two_points() {
     svg.text(to(0, tick) + Place(-12, 5), fmt::format("{}", tick), {at_right, 14, hue::grey});
   }
   svg.text(to(right, 0) + Place(0, 52), "$Σλ_1$, in units of $mv$", {at_right, 16});
-  svg.text(to(0, 0) + Place(0, 52), "iteration, row: $Σλ_1$, $Σλ_2$", {.size = 15});
+  svg.text(to(0, 0) + Place(0, 52), "sweep, row: $Σλ_1$, $Σλ_2$", {.size = 15});
   svg.text(to(0, top) + Place(-24, -14), "$Σλ_2$", {at_left, 17});
 
   // K11 s1 + K12 s2 = 1 and the other way round.
