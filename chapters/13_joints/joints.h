@@ -23,27 +23,19 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
   }
   void build(StepContext& step) {
     if (asked_.size() != acting(step.world)) ask(step);  // somebody woke; or nobody has called `check`
-    if (!placed_) joint_rows_.clear();
-    std::size_t i = 0;
+    joint_rows_.clear();
+    auto equation = equations_.begin();
     for (const Asked& asked : asked_) {
       const Joint& joint = step.world.joints[asked.joint];
-      for (; i < asked.end; ++i) {
-        const Equation& equation = equations_[i];
-        const auto made = [&] {
-          return JointRow(step.world.body(joint.a), step.world.body(joint.b), equation.jacobian, asked.joint,
-                          equation.softness);
-        };
-        if (!placed_) joint_rows_.push_back(made());
-        else if (equation.softness != 0) joint_rows_[i] = made();
-        JointRow& row = joint_rows_[i];
-        row.impulse = 0;
-        row.separation = equation.error;
-        row.bias = equation.bias + beta / step.dt * equation.error;
-        row.lo = step.dt * equation.lo;
-        row.hi = step.dt * equation.hi;
+      for (; equation != equations_.begin() + asked.end; ++equation) {
+        JointRow& row = joint_rows_.emplace_back(step.world.body(joint.a), step.world.body(joint.b), equation->jacobian,
+                                                 asked.joint, equation->softness);
+        row.separation = equation->error;
+        row.bias = equation->bias + beta / step.dt * equation->error;
+        row.lo = step.dt * equation->lo;
+        row.hi = step.dt * equation->hi;
       }
     }
-    placed_ = false;
     asked_.clear();  // those equations are used up
   }
   void sweep(StepContext&) {
@@ -51,8 +43,8 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
     rows_solved += joint_rows_.size();
   }
   /// Only under a solver that relaxes (chapter 12): the same equations where the bodies are now, and C is not fed back.
-  /// Springs stay as they were: the speed that they add is wanted. The next substep begins where this one ends, so it uses the same
-  /// equations again.
+  /// Springs stay as they were: the speed that they add is wanted. The next substep begins where the bodies are now, and uses what was
+  /// asked here.
   void update_geometry(StepContext& step) {
     ask(step);
     for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
@@ -61,42 +53,43 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
       row.place(equations_[i].jacobian);
       row.bias = equations_[i].bias;
     }
-    placed_ = true;
   }
+  /// From now on, some of the joints alone: true for each that is solved. Empty: all.
+  void only(const std::vector<bool>& which) { only_ = which; }
   /// Those of the latest step; Row::owner is the index of the joint.
   const JointRows& joint_rows() const { return joint_rows_; }
 
  protected:
   JointRows joint_rows_;
-  bool placed_ = false;  // the rows lie where the equations say that are asked; but for springs
 
  private:
   struct Asked {
     std::size_t joint;
-    std::size_t end;  // of its equations
+    std::ptrdiff_t end;  // of its equations
   };
-  static bool acts(const World& world, const Joint& joint) {
+  bool acts(const World& world, const Joint& joint) const {
     const auto moves = [](const Body& body) { return body.movable() && !body.asleep; };
+    if (!only_.empty() && !only_[static_cast<std::size_t>(&joint - world.joints.data())]) return false;
     return moves(world.body(joint.a)) || moves(world.body(joint.b));
   }
-  static std::size_t acting(const World& world) {
+  std::size_t acting(const World& world) const {
     return static_cast<std::size_t>(std::count_if(world.joints.begin(), world.joints.end(),
                                                   [&](const Joint& joint) { return acts(world, joint); }));
   }
   void ask(const StepContext& step) {
     asked_.clear();
     equations_.clear();
-    placed_ = false;
     for (std::size_t i = 0; i < step.world.joints.size(); ++i) {
       const Joint& joint = step.world.joints[i];
       if (!acts(step.world, joint)) continue;
       joint.ask(step.world.body(joint.a), step.world.body(joint.b), {step.world.time, step.dt}, equations_);
-      asked_.push_back({i, equations_.size()});
+      asked_.push_back({i, std::ssize(equations_)});
     }
   }
 
   std::vector<Asked> asked_;
   Equations equations_;
+  std::vector<bool> only_;
 };
 
 }  // namespace pushback

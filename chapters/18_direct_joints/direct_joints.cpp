@@ -34,38 +34,51 @@ void DirectJoints::start(StepContext& step) {
 }
 
 void DirectJoints::sweep(StepContext&) {
+  std::size_t fewest = joint_rows_.size() + 1;
+  int patience = 0;
   for (int round = 0; round < most_rounds; ++round) {
     solve_at_once();
-    if (!change_what_is_taken()) return;
+    find_wrong();
+    if (wrong_.size() < fewest) fewest = wrong_.size(), patience = 3;
+    else if (patience > 0) --patience;
+    else wrong_.resize(1);
+    for (const std::size_t i : wrong_) taken_[i] = !taken_[i];
+    for (JointRow& row : joint_rows_)
+      if (limited(row)) row.reach(row.impulse);
+    if (wrong_.empty()) return;
     matrix_.factor(joint_rows_, held_, taken_);
   }
   for (JointRow& row : joint_rows_)
     if (limited(row) && std::isfinite(row.effective_mass)) row.solve();
-  solve_at_once();
 }
 
+/// Also where that goes beyond a limit.
 void DirectJoints::solve_at_once() {
   change_.clear();
   for (const JointRow& row : joint_rows_) change_.push_back(static_cast<double>(-row.speed_error()));
   matrix_.solve(change_);
-  for (std::size_t i = 0; i < joint_rows_.size(); ++i)
-    if (matrix_.counts(i)) joint_rows_[i].reach(joint_rows_[i].impulse + static_cast<Real>(change_[i]));
+  for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
+    if (!matrix_.counts(i)) continue;
+    const Real lambda = static_cast<Real>(change_[i]);
+    joint_rows_[i].impulse += lambda;
+    joint_rows_[i].apply(lambda);
+  }
 }
 
-/// Whether the limits that act are others than was guessed.
-bool DirectJoints::change_what_is_taken() {
-  bool changed = false;
+/// Rows with limits that are on the wrong side of one by more than rounding.
+void DirectJoints::find_wrong() {
+  constexpr Real rounding = 1024 * std::numeric_limits<Real>::epsilon();  // m/s
+  wrong_.clear();
   for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
     const JointRow& row = joint_rows_[i];
     if (!limited(row) || !std::isfinite(row.effective_mass)) continue;
-    const bool within = taken_[i]               ? row.lo < row.impulse && row.impulse < row.hi
-                        : row.impulse == row.lo ? row.wanted() > row.lo
-                                                : row.wanted() < row.hi;
-    if (within == static_cast<bool>(taken_[i])) continue;
-    taken_[i] = within;
-    changed = true;
+    const Real little = rounding * row.effective_mass, total = taken_[i] ? row.impulse : row.wanted();
+    const bool below = total<row.lo - little, above = total> row.hi + little;
+    const bool wrong = taken_[i]               ? below || above
+                       : row.impulse == row.lo ? total > row.lo + little
+                                               : total < row.hi - little;
+    if (wrong) wrong_.push_back(i);
   }
-  return changed;
 }
 
 }  // namespace pushback

@@ -17,23 +17,24 @@ namespace pushback {
 ///
 /// Without contacts one sweep is all. With them, the two take turns; named last in the solver's list, joints have the last word.
 struct DirectJoints : WarmJoints {
-  int most_rounds = 20;  ///< of guesses which limits act, in a sweep; after them the rows with limits are swept
+  int most_rounds = 50;  ///< of guesses which limits act, in a sweep; after them the rows with limits are swept once
 
   void check(StepContext& step) {
     if (most_rounds < 1)
       throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
     WarmJoints::check(step);
+    lie_as_factored_ = false;
   }
   void build(StepContext& step) {
-    const bool lie_as_before = placed_;  // as in update_geometry
     WarmJoints::build(step);
-    if (guess(step) || !lie_as_before) matrix_.factor(joint_rows_, held_, taken_);
+    if (guess(step) || !lie_as_factored_) matrix_.factor(joint_rows_, held_, taken_);
   }
   void start(StepContext& step);
   void sweep(StepContext&);
   void update_geometry(StepContext& step) {
     WarmJoints::update_geometry(step);
     matrix_.factor(joint_rows_, held_, taken_);
+    lie_as_factored_ = true;
   }
   /// Of this step: which rows are solved at once. Of those that are not, others hold what some ask for, and limits hold the rest.
   const JointMatrix& matrix() const { return matrix_; }
@@ -42,12 +43,14 @@ struct DirectJoints : WarmJoints {
   static bool limited(const Row& row) { return std::isfinite(row.lo) || std::isfinite(row.hi); }
   bool guess(StepContext& step);
   void solve_at_once();
-  bool change_what_is_taken();
+  void find_wrong();
 
   JointMatrix matrix_;
+  bool lie_as_factored_ = false;  // the bodies, in the substep that comes next
   std::vector<JointMatrix::Held> held_;
   std::vector<char> taken_, taken_before_;  // of each row
   std::vector<double> change_;
+  std::vector<std::size_t> wrong_;  // rows
 };
 
 }  // namespace pushback

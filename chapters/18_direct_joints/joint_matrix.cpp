@@ -3,7 +3,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
-#include <numeric>
+#include <set>
 
 namespace pushback {
 
@@ -57,6 +57,7 @@ std::vector<int> outward(const std::vector<Held>& joints) {
   const JointsOfBodies held(joints);
   std::vector<char> seen(joints.size(), false), reached(held.count(), false);
   std::vector<int> order;
+  std::set<std::pair<int, int>> pairs;
   const auto grow_from = [&](int root) {
     std::size_t next = order.size();
     seen[static_cast<std::size_t>(root)] = true;
@@ -78,7 +79,8 @@ std::vector<int> outward(const std::vector<Held>& joints) {
           order.push_back(other);
         }
       }
-      if (news < ends - (first ? 0 : 1)) return false;  // both of its bodies had been reached
+      const bool beside_another = !pairs.insert(std::minmax({joint.a, joint.b})).second;
+      if (news < ends - (first ? 0 : 1) && !beside_another) return false;  // both of its bodies had been reached
     }
     return true;
   };
@@ -177,7 +179,8 @@ void JointMatrix::analyse(const std::vector<Held>& joints) {
   const auto values_at = [&](int of_row, int of_column) {
     const Column& column = columns_[static_cast<std::size_t>(of_column)];
     if (of_row == of_column) return column.values;
-    const auto begin = blocks_.begin() + std::ptrdiff_t(column.begin), end = blocks_.begin() + std::ptrdiff_t(column.end);
+    const auto begin = blocks_.begin() + std::ptrdiff_t(column.begin),
+               end = blocks_.begin() + std::ptrdiff_t(column.end);
     return std::find_if(begin, end, [of_row](const Block& block) { return block.joint == of_row; })->values;
   };
   for (std::size_t i = 0; i < count; ++i) {
@@ -200,8 +203,7 @@ void JointMatrix::analyse(const std::vector<Held>& joints) {
   std::size_t largest = 0;
   for (const Column& column : columns_) {
     std::size_t below = 0;
-    for (std::size_t at = column.begin; at < column.end; ++at)
-      below += std::size_t(column.rows * rows_of(blocks_[at]));
+    for (std::size_t at = column.begin; at < column.end; ++at) below += std::size_t(column.rows * rows_of(blocks_[at]));
     largest = std::max(largest, below);
   }
   before_.resize(largest);

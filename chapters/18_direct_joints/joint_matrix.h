@@ -21,21 +21,23 @@ namespace pushback {
 class JointMatrix {
  public:
   static constexpr Real least_pivot = Real(std::numeric_limits<Real>::digits > 24 ? 1e-8 : 3e-4);  ///< of D_i / A_ii
+  static constexpr int none = -1;
 
-  /// Makes A of the rows, and L and D of it. `bodies` are indices of bodies. Rows with the same owner stand together. A row that
-  /// is not `taken` is as if it were not there.
+  /// What a joint holds: two bodies by their indices, `none` for one that cannot move, and with how many rows.
   struct Held {
-    int a, b;  ///< indices of its bodies; none where it cannot move
-    int rows;
+    int a, b, rows;
     bool operator==(const Held&) const = default;
   };
-  static constexpr int none = -1;
+  /// Makes A of the rows, and L and D of A. `rows` are those of the first joint, then those of the second, and so on. A row that is not
+  /// `taken` is as if it were not there.
   void factor(const JointRows& rows, const std::vector<Held>& joints, const std::vector<char>& taken);
   /// A x = b, for the rows that count; 0 for the others. x is b at first.
   void solve(std::span<double> x) const;
-  /// Whether a row got a place in D: it was taken, and says what none before it has said.
+  /// Whether a row is solved: it was taken, and asks for what none before it has asked for.
   bool counts(std::size_t row) const { return inverse_pivots_[row] != 0; }
-  std::size_t rows_that_count() const { return inverse_pivots_.size() - std::size_t(std::count(inverse_pivots_.begin(), inverse_pivots_.end(), 0.0)); }
+  std::size_t rows_that_count() const {
+    return inverse_pivots_.size() - std::size_t(std::count(inverse_pivots_.begin(), inverse_pivots_.end(), 0.0));
+  }
   /// Blocks of L below its diagonal.
   std::size_t blocks() const { return blocks_.size(); }
   /// Numbers of L below its diagonal that may differ from 0.
@@ -50,7 +52,7 @@ class JointMatrix {
     int rows;
     std::size_t first, values;  // of its rows; of its block on the diagonal, in values_
     std::size_t begin, end;     // of its blocks
-    std::size_t updates;        // of the blocks that its elimination changes: where they stand, by pairs of its own
+    std::size_t updates;        // in updates_: of each pair of its blocks, the values that its elimination changes
   };
   struct Shared {  // what two joints have in common
     int row, column;

@@ -7,21 +7,16 @@ namespace pushback {
 
 /// In the place of SteadyJoints. Contacts and joints take turns, so contacts would answer a push that closes the gaps of
 /// joints, and joints that answer. So the sweeps solve J V + b = 0; once they are done the system is solved once more with (beta / h) C,
-/// which has the last word before the bodies move. Once they have moved that push is taken back (chapter 14), and the joints are
-/// solved where they are now.
+/// which has the last word before the bodies move. Once they have moved, the joints are solved where they are now. That takes
+/// the push back but for the part that has turned with the bodies, which makes up for what their turn costs: (w h)^2 / 2 of the speed.
 struct SplitDirectJoints : DirectJoints {
   void build(StepContext& step) {
     DirectJoints::build(step);
     for (JointRow& row : joint_rows_) row.bias -= push(row, step.dt);
   }
   void finish(StepContext& step) {
-    remember(step);
     for (JointRow& row : joint_rows_) row.bias += push(row, step.dt);
     sweep(step);
-  }
-  void report(StepContext&) {}
-  void update_geometry(StepContext& step) {
-    DirectJoints::update_geometry(step);
   }
 
  private:

@@ -5,8 +5,8 @@
 
 namespace pushback {
 
-/// Soft contacts, a friction cone, simultaneous impacts, warm start, joints with limits and motors; 32 substeps, for which contacts
-/// are detected once.
+/// Soft contacts, a friction cone, simultaneous impacts, warm start; joints, limits and motors solved directly; 32 substeps, for which
+/// contacts are detected once.
 ///
 ///   Recommended solver;
 ///   world.step(solver, 1.0 / 60);

@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 
-#include "pushback/chapters/18_direct_joints/split_direct_joints.h"
+#include "pushback/chapters/18_direct_joints/trees_directly.h"
 #include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/22_wide/bundle.h"
 #include "pushback/chapters/22_wide/colours.h"
@@ -19,7 +19,7 @@ template <class Scalar>
 Passes<Scalar> passes_of_this_processor(int lanes = 0);
 
 /// Rows and impulses are of the type Scalar, whatever Real is; positions are Real. Defined for float and double.
-template <class Scalar, class JointEffect = SplitDirectJoints>
+template <class Scalar, class JointEffect = TreesDirectly>
 class Wide : public SubsteppingSolver {
  public:
   JointEffect joints;

@@ -58,7 +58,8 @@ const std::vector<NamedSolver>& all_solvers() {
           "18 direct joint solve", "12 soft contacts with all joints solved directly in each sweep, without a guess"),
       named<DetectedOnce>("21 detected once",
                           "14 joints 20 times with a friction cone, contacts detected and rows built once in a step"),
-      named<Recommended>("22 wide", "21 detected once, contacts solved eight pairs of bodies at a time: recommended"),
+      named<Recommended>(
+          "22 wide", "21 detected once, contacts solved eight pairs of bodies at a time, joints directly: recommended"),
       named<Substeps<SteadyJointedSolver>>(
           "all together",
           "soft contacts, a friction cone, simultaneous impacts, a scaled guess; 32 substeps "
