@@ -14,7 +14,7 @@ bool DirectJoints::guess(StepContext& step) {
   const Real scale = world.impulse_scale(step.dt);
   each_row(step, [&](const JointRow& row, const std::vector<Real>& impulses, std::size_t n) {
     const Joint& joint = world.joints[row.owner];
-    const auto index = [](int body, const Body& its) { return its.movable() ? body : JointMatrix::none; };
+    const auto index = [](int body, const Body& its) { return its.movable() ? body : not_moving; };
     if (n == 0) held_.push_back({index(joint.a, *row.a), index(joint.b, *row.b), 0});
     ++held_.back().rows;
     const Real before = n < impulses.size() ? scale * impulses[n] : 0;

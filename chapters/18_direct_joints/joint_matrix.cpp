@@ -3,7 +3,6 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
-#include <set>
 
 namespace pushback {
 
@@ -11,85 +10,32 @@ namespace {
 
 using Held = JointMatrix::Held;
 
-/// Of each body that moves, the joints that hold it.
-class JointsOfBodies {
- public:
-  explicit JointsOfBodies(const std::vector<Held>& joints) {
-    for (const Held& joint : joints)
-      for (const int body : {joint.a, joint.b})
-        if (body != JointMatrix::none) bodies_.push_back(body);
-    std::sort(bodies_.begin(), bodies_.end());
-    bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
-    joints_.resize(bodies_.size());
-    for (std::size_t i = 0; i < joints.size(); ++i)
-      for (const int body : {joints[i].a, joints[i].b})
-        if (body != JointMatrix::none) joints_[place(body)].push_back(static_cast<int>(i));
-  }
-  std::size_t place(int body) const {
-    return static_cast<std::size_t>(std::lower_bound(bodies_.begin(), bodies_.end(), body) - bodies_.begin());
-  }
-  std::size_t count() const { return bodies_.size(); }
-  const std::vector<int>& at(std::size_t place) const { return joints_[place]; }
-
- private:
-  std::vector<int> bodies_;  // ascending
-  std::vector<std::vector<int>> joints_;
-};
-
-/// Neighbours of each joint: those that hold one of its bodies. Ascending.
-std::vector<std::vector<int>> neighbours_of(const std::vector<Held>& joints) {
-  const JointsOfBodies held(joints);
-  std::vector<std::vector<int>> all(joints.size());
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    for (const int body : {joints[i].a, joints[i].b}) {
-      if (body == JointMatrix::none) continue;
-      for (const int other : held.at(held.place(body)))
-        if (other != static_cast<int>(i)) all[i].push_back(other);
-    }
-    std::sort(all[i].begin(), all[i].end());
-    all[i].erase(std::unique(all[i].begin(), all[i].end()), all[i].end());
-  }
+std::vector<JoinedBodies> bodies_of(const std::vector<Held>& joints) {
+  std::vector<JoinedBodies> all;
+  for (const Held& joint : joints) all.push_back(std::minmax({joint.a, joint.b}));
   return all;
 }
 
-/// From what each tree hangs from outward, one tree after the other. Empty if there is a loop.
-std::vector<int> outward(const std::vector<Held>& joints) {
-  const JointsOfBodies held(joints);
-  std::vector<char> seen(joints.size(), false), reached(held.count(), false);
-  std::vector<int> order;
-  std::set<std::pair<int, int>> pairs;
-  const auto grow_from = [&](int root) {
-    std::size_t next = order.size();
-    seen[static_cast<std::size_t>(root)] = true;
-    order.push_back(root);
-    bool first = true;
-    for (; next < order.size(); ++next, first = false) {
-      const Held& joint = joints[static_cast<std::size_t>(order[next])];
-      int news = 0, ends = 0;
-      for (const int body : {joint.a, joint.b}) {
-        if (body == JointMatrix::none) continue;
-        ++ends;
-        const std::size_t place = held.place(body);
-        if (reached[place]) continue;
-        ++news;
-        reached[place] = true;
-        for (const int other : held.at(place)) {
-          if (seen[static_cast<std::size_t>(other)]) continue;
-          seen[static_cast<std::size_t>(other)] = true;
-          order.push_back(other);
-        }
-      }
-      const bool beside_another = !pairs.insert(std::minmax({joint.a, joint.b})).second;
-      if (news < ends - (first ? 0 : 1) && !beside_another) return false;  // both of its bodies had been reached
-    }
-    return true;
-  };
-  for (const bool at_the_world : {true, false})
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      const bool fixed = joints[i].a == JointMatrix::none || joints[i].b == JointMatrix::none;
-      if (!seen[i] && fixed == at_the_world && !grow_from(static_cast<int>(i))) return {};
-    }
-  return order;
+/// What hangs from a joint is eliminated before it. Where there are loops, an approximate minimum degree.
+std::vector<int> order_of_elimination(const std::vector<JoinedBodies>& joints) {
+  const std::vector<bool> in = in_loops(joints);
+  if (std::find(in.begin(), in.end(), true) == in.end()) {
+    std::vector<int> order = outward(joints);
+    std::reverse(order.begin(), order.end());
+    return order;
+  }
+  const int count = static_cast<int>(joints.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto neighbours = neighbours_of(joints);
+  for (int i = 0; i < count; ++i) {
+    entries.emplace_back(i, i, 1);
+    for (const int j : neighbours[static_cast<std::size_t>(i)]) entries.emplace_back(i, j, 1);
+  }
+  Eigen::SparseMatrix<double> pattern(count, count);
+  pattern.setFromTriplets(entries.begin(), entries.end());
+  Eigen::AMDOrdering<int>::PermutationType permutation;
+  Eigen::AMDOrdering<int>()(pattern, permutation);
+  return {permutation.indices().data(), permutation.indices().data() + count};
 }
 
 /// `act(n)`, with n a constant where it is 3, as for a ball and socket: the loops of the most frequent joint are unrolled.
@@ -112,30 +58,10 @@ struct OfBody {
 
 }  // namespace
 
-std::vector<int> JointMatrix::order_of_elimination(const std::vector<Held>& joints) const {
-  std::vector<int> order = outward(joints);
-  if (!order.empty() || joints.empty()) {
-    std::reverse(order.begin(), order.end());
-    return order;
-  }
-  const int count = static_cast<int>(joints.size());
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto neighbours = neighbours_of(joints);
-  for (int i = 0; i < count; ++i) {
-    entries.emplace_back(i, i, 1);
-    for (const int j : neighbours[static_cast<std::size_t>(i)]) entries.emplace_back(i, j, 1);
-  }
-  Eigen::SparseMatrix<double> pattern(count, count);
-  pattern.setFromTriplets(entries.begin(), entries.end());
-  Eigen::AMDOrdering<int>::PermutationType permutation;
-  Eigen::AMDOrdering<int>()(pattern, permutation);
-  order.assign(permutation.indices().data(), permutation.indices().data() + count);
-  return order;
-}
-
 void JointMatrix::analyse(const std::vector<Held>& joints) {
   joints_ = joints;
-  order_ = order_of_elimination(joints);
+  const std::vector<JoinedBodies> bodies = bodies_of(joints);
+  order_ = order_of_elimination(bodies);
   const std::size_t count = joints.size();
   std::vector<int> position(count);
   for (std::size_t k = 0; k < count; ++k) position[static_cast<std::size_t>(order_[k])] = static_cast<int>(k);
@@ -144,7 +70,7 @@ void JointMatrix::analyse(const std::vector<Held>& joints) {
   };
 
   // The joints that the elimination of each one changes: its later neighbours, and those of the ones that hung from it.
-  const auto neighbours = neighbours_of(joints);
+  const auto neighbours = neighbours_of(bodies);
   std::vector<std::vector<int>> changed(count);
   for (const int joint : order_) {
     auto& own = changed[static_cast<std::size_t>(joint)];
@@ -188,13 +114,8 @@ void JointMatrix::analyse(const std::vector<Held>& joints) {
     for (auto p = changed[i].begin(); p != changed[i].end(); ++p)
       for (auto q = p; q != changed[i].end(); ++q) updates_.push_back(values_at(*q, *p));
   }
-  const JointsOfBodies held(joints);
-  for (std::size_t place = 0; place < held.count(); ++place) {
-    const std::vector<int>& here = held.at(place);
-    const auto is_b = [&](int joint) {
-      const Held& its = joints[static_cast<std::size_t>(joint)];
-      return its.b != none && held.place(its.b) == place;
-    };
+  for (const auto& [body, here] : joints_of(bodies)) {
+    const auto is_b = [&, which = body](int joint) { return joints[static_cast<std::size_t>(joint)].b == which; };
     for (const int i : here)
       for (const int j : here)
         if (i == j || later(j, i)) shared_.push_back({i, j, is_b(i), is_b(j), values_at(i, j)});

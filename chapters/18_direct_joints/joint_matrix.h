@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pushback/chapters/13_joints/joint_row.h"
+#include "pushback/chapters/18_direct_joints/joint_graph.h"
 
 namespace pushback {
 
@@ -21,9 +22,8 @@ namespace pushback {
 class JointMatrix {
  public:
   static constexpr Real least_pivot = Real(std::numeric_limits<Real>::digits > 24 ? 1e-8 : 3e-4);  ///< of D_i / A_ii
-  static constexpr int none = -1;
 
-  /// What a joint holds: two bodies by their indices, `none` for one that cannot move, and with how many rows.
+  /// What a joint holds: two bodies by their indices, `not_moving` for one that cannot move, and with how many rows.
   struct Held {
     int a, b, rows;
     bool operator==(const Held&) const = default;
@@ -61,7 +61,6 @@ class JointMatrix {
   };
   int rows_of(const Block& block) const { return columns_[static_cast<std::size_t>(block.joint)].rows; }
   void analyse(const std::vector<Held>& joints);
-  std::vector<int> order_of_elimination(const std::vector<Held>& joints) const;
   void assemble(const JointRows& rows);
   void eliminate(const Column& column, const std::vector<char>& taken);
 

@@ -55,8 +55,8 @@ struct TreesDirectly : Effect, HoldsJoints, UpdatesGeometry {
   }
   void share_out(const World& world);
 
-  std::vector<std::pair<int, int>> pairs_;  // of each joint, the bodies that move
-  std::vector<bool> in_trees_, in_loops_;   // each joint
+  std::vector<JoinedBodies> bodies_;       // of each joint
+  std::vector<bool> in_trees_, in_loops_;  // each joint
 };
 
 }  // namespace pushback

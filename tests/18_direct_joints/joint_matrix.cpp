@@ -93,7 +93,7 @@ struct Asked {
     std::size_t pairs = 0;
     for (std::size_t i = 0; i < joints.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
-        const auto same = [](int a, int b) { return a != JointMatrix::none && a == b; };
+        const auto same = [](int a, int b) { return a != not_moving && a == b; };
         pairs += same(joints[i].a, joints[j].a) || same(joints[i].a, joints[j].b) || same(joints[i].b, joints[j].a) ||
                  same(joints[i].b, joints[j].b);
       }
