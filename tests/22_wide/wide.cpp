@@ -7,6 +7,8 @@
 #include "pushback/chapters/11_substeps/scenes.h"
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/13_joints/hinge.h"
+#include "pushback/chapters/13_joints/study.h"
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
 #include "pushback/chapters/21_detected_once/study.h"
 #include "pushback/chapters/22_wide/recommended.h"
 #include "pushback/common/bodies/random.h"
@@ -282,6 +284,30 @@ TEST_CASE("wide: what a torque turns, by hand or by a force, turns in the bits o
       wide.step(of_wide, h);
       REQUIRE(hash_of(one_by_one) == hash_of(wide));
     }
+  }
+}
+
+TEST_CASE(
+    "wide: ten links that swing a hundredfold mass stretch by less than 0.1 mm in two substeps, and by h^2 in more") {
+  const auto stretch = [](int substeps) {
+    World world;
+    motion_named("chain").begin(world);
+    Wide<double> solver;
+    solver.substeps = substeps;
+    Real most = 0;
+    for (int step = 0; step < 120; ++step) {
+      world.step(solver, h);
+      most = std::max(most, joints_scenes::largest_joint_error(world));
+    }
+    return most;
+  };
+  Real before = 0;
+  for (const int substeps : {2, 4, 8, 16}) {
+    const Real now = stretch(substeps);
+    INFO(substeps << " substeps: " << 1000 * now << " mm");
+    CHECK(now < Real(1e-4));
+    if (in_double && before > 0) CHECK(before / now == Approx(4).epsilon(0.1));
+    before = now;
   }
 }
 
