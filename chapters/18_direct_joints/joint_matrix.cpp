@@ -182,7 +182,7 @@ void JointMatrix::eliminate(const Column& column, const std::vector<char>& taken
         for (int c = 0; c < n; ++c) block[c] = before[c] * inverse[c];
       }
     }
-    const std::size_t* target = &updates_[column.updates];
+    const std::size_t* target = updates_.data() + column.updates;
     const double* of_p = before_.data();
     for (std::size_t p = column.begin; p < column.end; ++p) {
       const double* of_q = of_p;
