@@ -33,6 +33,8 @@ void DirectJoints::start(StepContext& step) {
   });
 }
 
+/// Block principal pivoting: all wrong rows change sides while they get fewer; after three rounds in which they do not, one alone.
+/// Júdice and Pires, "A block principal pivoting algorithm for large-scale strictly monotone LCPs", 1994.
 void DirectJoints::sweep(StepContext&) {
   std::size_t fewest = joint_rows_.size() + 1;
   int patience = 0;
@@ -73,7 +75,8 @@ void DirectJoints::find_wrong() {
     const JointRow& row = joint_rows_[i];
     if (!limited(row) || !std::isfinite(row.effective_mass)) continue;
     const Real little = rounding * row.effective_mass, total = taken_[i] ? row.impulse : row.wanted();
-    const bool below = total<row.lo - little, above = total> row.hi + little;
+    const bool below = total < row.lo - little;
+    const bool above = total > row.hi + little;
     const bool wrong = taken_[i]               ? below || above
                        : row.impulse == row.lo ? total > row.lo + little
                                                : total < row.hi - little;

@@ -12,7 +12,7 @@ namespace pushback {
 ///
 /// A row with limits takes part while its impulse is between them. Where it would leave them it is held at the limit, where it
 /// would come back it takes part again, and the system is solved anew without it or with it: the one solution that keeps all
-/// limits, mostly in two or three rounds. What acted in the step before is the first guess, and all that is remembered, so
+/// limits (an active set), mostly in two or three rounds. What acted in the step before is the first guess, and all that is remembered, so
 /// what beta feeds back cannot build up.
 ///
 /// Without contacts one sweep is all. With them, the two take turns; named last in the solver's list, joints have the last word.
