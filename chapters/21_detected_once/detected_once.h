@@ -14,28 +14,35 @@ namespace pushback {
 /// The settings of a solver that divides its steps, and its plan: one sweep a substep, and a margin ahead of which contacts
 /// are detected, so that bodies that come to touch within the step have rows.
 struct SubsteppingSolver : StepSolver {
-  int substeps = 32;
+  int substeps = 32;               ///< of each step; or of one as long as `per`: then longer ones have more, shorter ones
+  Real per = 0;                    ///< fewer, so that contacts are as stiff in all of them, s; 0: of each step
   Real margin = Real(0.02);        ///< m: beside what a pair may come nearer in a step
   Real threshold = Real(0.1);      ///< m/s; what arrives slower does not bounce
   Real carried_from = Real(1e-3);  ///< m/s; bodies that pass each other slower keep their rows as they were detected
   Real precision = Real(1e-6);     ///< to which normals are solved while something bounces, of the fastest bounce,
   int most_rounds = 100;           ///< or until they have been solved so often
+  Real abrupt = Real(0.5);         ///< m/s; or in any substep, until no pass changes a speed by more than that
   SoftContacts spring;             ///< chapter 12's: hertz, damping ratio, fastest push-out
 
   bool holds_joints() const override { return true; }
   void check(World& world, Real h) override {
     if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
+    require_not_negative("length of the step that substeps are of", per);
     require_not_negative("margin", margin);
     require_not_negative("threshold", threshold);
     require_not_negative("carried_from", carried_from);
     require_not_negative("precision", precision);
+    require_positive("abrupt", abrupt);
     if (most_rounds < 1)
       throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
     StepContext step = joints_step(world, h);
     spring.check(step);
   }
   Plan plan(Real dt) const override {
-    return {.substeps = substeps, .sweeps = 1, .margin = {.least = margin, .ahead = dt}};
+    const Real parts = per > 0 ? static_cast<Real>(substeps) * dt / per * (1 - rounding) : static_cast<Real>(substeps);
+    return {.substeps = std::max(1, static_cast<int>(std::ceil(parts))),
+            .sweeps = 1,
+            .margin = {.least = margin, .ahead = dt}};
   }
 
  protected:
@@ -47,7 +54,7 @@ struct SubsteppingSolver : StepSolver {
   /// Joints have rows of their own, made anew in each substep; of the contacts they know nothing.
   StepContext joints_step(World& world, Real h) { return {world, world.contacts, no_rows_, h}; }
   PushOut push_out(Real h) const {
-    const Real w = spring.angular_frequency(h), damping = 2 * spring.damping_ratio + h * w;
+    const Real w = spring.angular_frequency(per > 0 ? per / static_cast<Real>(substeps) : h), damping = 2 * spring.damping_ratio + h * w;
     return {w / damping, 1 / (h * w * damping), spring.fastest_push_out, threshold};
   }
   /// `act(i, p)` for each contact that the step before had: p, N s, is what it is to start from.
@@ -64,19 +71,20 @@ struct SubsteppingSolver : StepSolver {
       act(i, scale * old->impulse);
     }
   }
-  /// `pass()` goes over the normals and says by how much it changed a speed, m/s. Once; in a substep in which something bounces as
-  /// often as it takes, as in chapter 09.
+  /// `pass()` goes over the normals and says by how much it changed a speed, m/s. Once; as often as it takes, as in chapter 09,
+  /// where something bounces, or a body loses what pressed on it.
   template <class Pass>
   void solve_normals_until_solved(const Pass& pass) const {
     Real change = pass();
-    if (fastest_ == 0) return;
-    for (int round = 1; round < most_rounds && change > precision * fastest_; ++round) change = pass();
+    const Real enough = fastest_ > 0 ? precision * fastest_ : abrupt;
+    for (int round = 1; round < most_rounds && change > enough; ++round) change = pass();
   }
 
   std::vector<bool> known_;  // of each contact: whether the step before had it
   Real fastest_ = 0;         // of what bounces in this substep, m/s; 0: nothing
 
  private:
+  static constexpr Real rounding = Real(1e-5);  // so much longer may a step be by chance
   Rows no_rows_;
 };
 

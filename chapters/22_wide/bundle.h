@@ -49,6 +49,7 @@ struct Bundle {
   EightSymmetric<Real> inverse_inertia_a, inverse_inertia_b;  ///< I^-1, world axes
   EightVectors<Real> n, tangent1, tangent2;
   EightVectors<Real> carried;  ///< what B had moved past A when the rows were placed, m
+  Eight<Real> carried_from;    ///< pairs that pass each other so fast, or faster, are carried: squared, m^2/s^2
   int first, end;              ///< of its contacts in their list: as many as the pair with the most points has
 };
 
@@ -99,7 +100,7 @@ struct Passes {
   int lanes;
   void (*prepare)(const Bundles<Real>&);
   Real (*prepare_substep)(const Bundles<Real>&, const WidePushOut<Real>&);  ///< returns the fastest bounce, m/s
-  void (*carry)(const Bundles<Real>&, Real carried_from);
+  void (*carry)(const Bundles<Real>&);
   void (*relax)(const Bundles<Real>&);
   Real (*solve_normals)(const Bundles<Real>&);           ///< all normals; returns by how much it changed a speed, m/s
   void (*solve_friction)(const Bundles<Real>&);          ///< all tangents

@@ -227,13 +227,13 @@ Lanes carry_row(WideRow<Real>& row, const Vec<Lanes>& n, const Carrying<Lanes>& 
   return pair.levers.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
 }
 
-/// The rows of all pairs that pass each other so fast, m/s, or faster: KeptContact::carry of chapter 21.
+/// The rows of all pairs that pass each other fast enough: KeptContact::carry of chapter 21.
 template <class Lanes, class Real>
-void carry_along(const Bundles<Real>& all, Real carried_from) {
+void carry_along(const Bundles<Real>& all) {
   each_bundle<Lanes>(all, [&](Bundle<Real>& bundle, int at) {
     const Pairs<Lanes> now(bundle, all.now, at);
     const Vec<Lanes> passing = now.b.v - now.a.v;
-    const auto fast = dot(passing, passing) >= carried_from * carried_from;
+    const auto fast = dot(passing, passing) >= load<Lanes>(bundle.carried_from, at);
     if (none_of(fast)) return;
     const Pairs<Lanes> moved(bundle, all.moved, at);
     Pairs<Lanes> given(bundle, all.given, at);

@@ -1,6 +1,7 @@
 #include "pushback/chapters/22_wide/wide.h"
 
 #include <algorithm>
+#include <limits>
 
 #if defined(__SSE__) && !defined(__EMSCRIPTEN__)
 #include <xmmintrin.h>
@@ -135,6 +136,9 @@ void Wide<Scalar, JointEffect>::detected(World& world, Real h) {
   where_.resize(world.contacts.size());
   bouncy_ =
       std::any_of(world.contacts.begin(), world.contacts.end(), [](const Contact& c) { return c.restitution > 0; });
+  floats_ = floating(world);
+  something_floats_ = std::any_of(bodies_.begin(), bodies_.end() - 1,
+                                  [this](const Body* b) { return floats_[static_cast<std::size_t>(b->index)]; });
   guesses_.assign(world.contacts.size(), Vec3::Zero());
   start_from_last_step(world, h, [this](std::size_t i, const Vec3& impulse) { guesses_[i] = impulse; });
   lay_out(sets);
@@ -173,6 +177,7 @@ void Wide<Scalar, JointEffect>::pack(const World& world, std::size_t at, std::sp
   std::fill(bundle.a, bundle.a + lanes_of_bundle, nobody);
   std::fill(bundle.b, bundle.b + lanes_of_bundle, nobody);
   bundle.carried = {};
+  std::fill_n(bundle.carried_from.of, lanes_of_bundle, std::numeric_limits<Scalar>::infinity());
   const std::size_t begin = static_cast<std::size_t>(bundle.first);
   for (int c = bundle.first; c < bundle.end; ++c) {  // what is not written below, or by passes.prepare
     WideContact<Scalar>& contact = contacts_[static_cast<std::size_t>(c)];
@@ -196,6 +201,11 @@ void Wide<Scalar, JointEffect>::pack(const World& world, std::size_t at, std::sp
     put(of_pair.normal, bundle.n, lane);
     put(tangent1, bundle.tangent1, lane);
     put(tangent2, bundle.tangent2, lane);
+    const Real from = floats_[static_cast<std::size_t>(of_pair.id.body_a)] ||
+                              floats_[static_cast<std::size_t>(of_pair.id.body_b)]
+                          ? 0
+                          : carried_from;
+    bundle.carried_from.of[lane] = static_cast<Scalar>(from * from);
     for (std::size_t point = 0; point < pair.count; ++point) {
       const std::size_t index = pair.first + point;
       const Contact& found = world.contacts[index];
@@ -331,21 +341,18 @@ void Wide<Scalar, JointEffect>::moved(World& world, Real h) {
 }
 
 /// Rows are carried along with bodies that pass each other fast enough. Two bodies with a relative speed of `carried_from` are not
-/// both slower than half of that, so where all bodies are, there is nothing to do.
+/// both slower than half of that, so where nothing floats and all bodies are, there is nothing to do.
 template <class Scalar, class JointEffect>
 void Wide<Scalar, JointEffect>::carry() {
   const Real least = carried_from * carried_from / 4;
-  if (std::none_of(bodies_.begin(), bodies_.end(),
-                   [least](const Body* b) { return b->velocity.squaredNorm() >= least; }))
-    return;
+  const auto fast = [least](const Body* b) { return b->velocity.squaredNorm() >= least; };
+  if (!something_floats_ && std::none_of(bodies_.begin(), bodies_.end(), fast)) return;
   each_body([&](std::size_t i) {
     bodies_[i]->refresh_inertia();
     put(bodies_[i]->velocity, bodies_[i]->angular_velocity, now_[i]);
     inertias_[i] = inertia_of<Scalar>(bodies_[i]->inverse_inertia);
   });
-  set_by_set([&](std::size_t begin, std::size_t end) {
-    passes.carry(bundles(begin, end), static_cast<Scalar>(carried_from));
-  });
+  set_by_set([&](std::size_t begin, std::size_t end) { passes.carry(bundles(begin, end)); });
 }
 
 /// Velocities are copied into lanes, and only what the contacts have added is copied back: the velocity of a body on which no

@@ -11,6 +11,7 @@
 #include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/22_wide/bundle.h"
 #include "pushback/chapters/22_wide/colours.h"
+#include "pushback/chapters/22_wide/floating.h"
 
 namespace pushback {
 
@@ -19,6 +20,8 @@ template <class Scalar>
 Passes<Scalar> passes_of_this_processor(int lanes = 0);
 
 /// Rows and impulses are of the type Scalar, whatever Real is; positions are Real. Defined for float and double.
+///
+/// What floats keeps its angular momentum: there pairs are carried however slowly they pass each other.
 template <class Scalar, class JointEffect = TreesDirectly>
 class Wide : public SubsteppingSolver {
  public:
@@ -30,6 +33,7 @@ class Wide : public SubsteppingSolver {
   /// Who does the bundles of a set, and what else falls into parts; null: this one alone.
   std::shared_ptr<Workers> crew;
 
+  Wide() { per = Real(1) / 60; }
   Plan plan(Real dt) const override {
     Plan plan = SubsteppingSolver::plan(dt);
     plan.moves_bodies = true;  // and reads I^-1 of the pairs that are carried alone
@@ -88,6 +92,8 @@ class Wide : public SubsteppingSolver {
   std::vector<Scalar> largest_;               // of each part of a pass, what it returned
   std::optional<Solved> measured_;            // before the impulses of an impact were forgotten
   bool bouncy_ = false;                       // whether any contact is
+  std::vector<bool> floats_;                  // of each body of the world; and whether one that touches does:
+  bool something_floats_ = false;
   std::vector<Vec3> guesses_;                 // what it starts from, N s
 };
 
