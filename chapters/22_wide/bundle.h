@@ -31,6 +31,7 @@ struct WideRow {
 template <class Real>
 struct WidePoint {
   EightVectors<Real> arm_a, arm_b;  ///< m, from the centres of mass
+  Eight<Real> gap;                  ///< C_0, m
   Eight<Real> present;              ///< 1; or 0 where a pair has fewer points
 };
 /// A point of contact of each pair: a KeptContact of chapter 21.
@@ -48,9 +49,15 @@ struct Bundle {
   Eight<Real> inverse_mass_a, inverse_mass_b, friction;
   EightSymmetric<Real> inverse_inertia_a, inverse_inertia_b;  ///< I^-1, world axes
   EightVectors<Real> n, tangent1, tangent2;
-  EightVectors<Real> carried;  ///< what B had moved past A when the rows were placed, m
-  Eight<Real> carried_from;    ///< pairs that pass each other so fast, or faster, are carried: squared, m^2/s^2
-  int first, end;              ///< of its contacts in their list: as many as the pair with the most points has
+  EightVectors<Real> found_n, found_tangent1, found_tangent2;  ///< as detected
+  Eight<Real> on_a, on_b,
+      between;  ///< 1: n turns with A; with B; is the direction from core to core. Else rows are carried
+  Eight<Real> radius_a, radius_b;  ///< m: so far is the surface of a round body from its core
+  Eight<Real> reach_a, reach_b;    ///< m, the longest arm
+  EightVectors<Real> carried;      ///< what B had moved past A when the rows were carried last, m
+  Eight<Real>
+      placed_from;  ///< the rows of pairs that pass each other or turn so fast are placed anew: squared, m^2/s^2
+  int first, end;   ///< of its contacts in their list: as many as the pair with the most points has
 };
 
 /// v and w of a body, or x and theta: in m/s and rad/s, or m and rad; and two numbers that are nothing.
@@ -100,7 +107,7 @@ struct Passes {
   int lanes;
   void (*prepare)(const Bundles<Real>&);
   Real (*prepare_substep)(const Bundles<Real>&, const WidePushOut<Real>&);  ///< returns the fastest bounce, m/s
-  void (*carry)(const Bundles<Real>&);
+  void (*along)(const Bundles<Real>&);
   void (*relax)(const Bundles<Real>&);
   Real (*solve_normals)(const Bundles<Real>&);           ///< all normals; returns by how much it changed a speed, m/s
   void (*solve_friction)(const Bundles<Real>&);          ///< all tangents

@@ -5,103 +5,10 @@
 
 #include <algorithm>
 
-#include "pushback/chapters/22_wide/motions.h"
-#include "pushback/chapters/22_wide/turn.h"
+#include "pushback/chapters/22_wide/along.h"
 
 namespace pushback {
 namespace {
-
-/// J and M^-1 J^T of a row, of as many pairs as there are lanes.
-template <class Lanes>
-struct LanesOfRow {
-  Vec<Lanes> n, ra_n, rb_n, dwa, dwb;
-  template <class Real>
-  [[gnu::always_inline]] LanesOfRow(const EightVectors<Real>& direction, const WideRow<Real>& row, int at)
-      : n(load<Lanes>(direction, at)),
-        ra_n(load<Lanes>(row.ra_n, at)),
-        rb_n(load<Lanes>(row.rb_n, at)),
-        dwa(load<Lanes>(row.dwa, at)),
-        dwb(load<Lanes>(row.dwb, at)) {}
-};
-
-/// As many pairs of bodies, copied side by side. Inlined in any case: what is in memory instead of a register takes a third longer.
-template <class Lanes>
-struct Pairs {
-  Motions<Lanes> a, b;
-  Lanes inverse_mass_a, inverse_mass_b;
-
-  template <class Real>
-  [[gnu::always_inline]] Pairs(const Bundle<Real>& bundle, const Twist<Real>* bodies, int at)
-      : a(fetch<Lanes>(bundle.a + at, bodies)),
-        b(fetch<Lanes>(bundle.b + at, bodies)),
-        inverse_mass_a(load<Lanes>(bundle.inverse_mass_a, at)),
-        inverse_mass_b(load<Lanes>(bundle.inverse_mass_b, at)) {}
-  /// J V; of displacements: in m.
-  [[gnu::always_inline]] Lanes along(const LanesOfRow<Lanes>& row) const {
-    return dot(row.n, b.v - a.v) + (dot(row.rb_n, b.w) - dot(row.ra_n, a.w));
-  }
-  /// V += M^-1 J^T lambda.
-  [[gnu::always_inline]] void apply(const Lanes& lambda, const LanesOfRow<Lanes>& row) {
-    a.v = a.v - (inverse_mass_a * lambda) * row.n;
-    b.v = b.v + (inverse_mass_b * lambda) * row.n;
-    a.w = a.w - lambda * row.dwa;
-    b.w = b.w + lambda * row.dwb;
-  }
-  template <class Real>
-  [[gnu::always_inline]] void put_back(const Bundle<Real>& bundle, Twist<Real>* bodies, int at) const {
-    put(a, bundle.a + at, bundle.inverse_mass_a.of + at, bodies);
-    put(b, bundle.b + at, bundle.inverse_mass_b.of + at, bodies);
-  }
-};
-
-/// I^-1 of these bodies as they lie now.
-template <class Lanes, class Real>
-Symmetric<Lanes> fetch(const int* which, const Inertia<Real>* inertias) {
-  const auto each = [&](int number) { return Lanes([&](int i) { return inertias[which[i]].of[number]; }); };
-  return {each(0), each(1), each(2), each(3), each(4), each(5)};
-}
-
-/// `act(bundle, at)` for each bundle, in the order of the list; lanes from `at` on.
-template <class Lanes, class Real, class Act>
-void each_bundle(const Bundles<Real>& all, const Act& act) {
-  for (int i = 0; i < all.count; ++i)
-    for (int at = 0; at < lanes_of_bundle; at += int(Lanes::size())) act(all.bundles[i], at);
-}
-
-/// What the two bodies of a pair have to do with any row of theirs.
-template <class Lanes>
-struct Levers {
-  Vec<Lanes> arm_a, arm_b;
-  Symmetric<Lanes> inverse_inertia_a, inverse_inertia_b;
-  Lanes inverse_masses;
-};
-/// J and M^-1 J^T of a row along `n`. Returns K, 1/kg.
-template <class Lanes, class Real>
-Lanes make_row(WideRow<Real>& row, const Vec<Lanes>& n, const Levers<Lanes>& levers, int at) {
-  const Vec<Lanes> ra_n = cross(levers.arm_a, n), rb_n = cross(levers.arm_b, n);
-  const Vec<Lanes> dwa = levers.inverse_inertia_a * ra_n, dwb = levers.inverse_inertia_b * rb_n;
-  store(ra_n, row.ra_n, at);
-  store(rb_n, row.rb_n, at);
-  store(dwa, row.dwa, at);
-  store(dwb, row.dwb, at);
-  return levers.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
-}
-
-/// 1 / k, kg, of both tangents: k is the larger eigenvalue (chapter 08).
-template <class Lanes>
-Lanes step_of(const LanesOfRow<Lanes>& tangent1, const LanesOfRow<Lanes>& tangent2, const Lanes& k11,
-              const Lanes& k22) {
-  const Lanes k12 = dot(tangent2.rb_n, tangent1.dwb) + dot(tangent2.ra_n, tangent1.dwa), half = (k11 - k22) / 2;
-  return 1 / ((k11 + k22) / 2 + sqrt(half * half + k12 * k12));
-}
-/// What the impulses of a contact give its pair, `times` over.
-template <class Lanes, class Real>
-void give(Pairs<Lanes>& given, const Bundle<Real>& bundle, const WideContact<Real>& contact, const Lanes& times,
-          int at) {
-  given.apply(times * load<Lanes>(contact.normal.impulse, at), {bundle.n, contact.normal, at});
-  given.apply(times * load<Lanes>(contact.tangent1.impulse, at), {bundle.tangent1, contact.tangent1, at});
-  given.apply(times * load<Lanes>(contact.tangent2.impulse, at), {bundle.tangent2, contact.tangent2, at});
-}
 
 /// Once in a step: the rows, and what the impulses that they start from give the bodies.
 template <class Lanes, class Real>
@@ -195,76 +102,6 @@ Real prepare_substep(const Bundles<Real>& all, const WidePushOut<Real>& push_out
     }
   });
   return fastest;
-}
-
-/// What carrying a row needs to know of its pair.
-template <class Lanes>
-struct Carrying {
-  Pairs<Lanes> now;
-  Vec<Lanes> way;                  // by which B has moved past A since the rows were placed; 0 where they stay
-  typename Lanes::mask_type fast;  // where they do not
-  Levers<Lanes> levers;
-};
-/// A row of bodies that have moved past each other: one point for both again, chapter 12. What its impulse gives them is `given`.
-/// Returns K.
-template <class Lanes, class Real>
-Lanes carry_row(WideRow<Real>& row, const Vec<Lanes>& n, const Carrying<Lanes>& pair, Pairs<Lanes>& given, int at) {
-  const Vec<Lanes> m = cross(pair.way, n);
-  const Lanes of_a = abs(dot(m, pair.now.a.w)), of_b = abs(dot(m, pair.now.b.w)), both = of_a + of_b;
-  Lanes s = pair.now.inverse_mass_b / pair.levers.inverse_masses;
-  where(both > 0, s) = of_b / both;
-  const Vec<Lanes> ra_n = load<Lanes>(row.ra_n, at) + s * m, rb_n = load<Lanes>(row.rb_n, at) - (1 - s) * m;
-  const Vec<Lanes> old_dwa = load<Lanes>(row.dwa, at), old_dwb = load<Lanes>(row.dwb, at);
-  const Vec<Lanes> dwa = either(pair.fast, pair.levers.inverse_inertia_a * ra_n, old_dwa);
-  const Vec<Lanes> dwb = either(pair.fast, pair.levers.inverse_inertia_b * rb_n, old_dwb);
-  const Lanes impulse = load<Lanes>(row.impulse, at);
-  given.a.w = given.a.w - impulse * (dwa - old_dwa);
-  given.b.w = given.b.w + impulse * (dwb - old_dwb);
-  store(ra_n, row.ra_n, at);
-  store(rb_n, row.rb_n, at);
-  store(dwa, row.dwa, at);
-  store(dwb, row.dwb, at);
-  return pair.levers.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
-}
-
-/// The rows of all pairs that pass each other fast enough: KeptContact::carry of chapter 21.
-template <class Lanes, class Real>
-void carry_along(const Bundles<Real>& all) {
-  each_bundle<Lanes>(all, [&](Bundle<Real>& bundle, int at) {
-    const Pairs<Lanes> now(bundle, all.now, at);
-    const Vec<Lanes> passing = now.b.v - now.a.v;
-    const auto fast = dot(passing, passing) >= load<Lanes>(bundle.carried_from, at);
-    if (none_of(fast)) return;
-    const Pairs<Lanes> moved(bundle, all.moved, at);
-    Pairs<Lanes> given(bundle, all.given, at);
-    const Vec<Lanes> before = load<Lanes>(bundle.carried, at), apart = either(fast, moved.b.v - moved.a.v, before);
-    const Carrying<Lanes> pair{now,
-                               apart - before,
-                               fast,
-                               {.arm_a = {},
-                                .arm_b = {},
-                                .inverse_inertia_a = fetch<Lanes>(bundle.a + at, all.inertias),
-                                .inverse_inertia_b = fetch<Lanes>(bundle.b + at, all.inertias),
-                                .inverse_masses = now.inverse_mass_a + now.inverse_mass_b}};
-    for (int c = bundle.first; c < bundle.end; ++c) {
-      WideContact<Real>& contact = all.contacts[c];
-      const Lanes C = moved.along({bundle.n, contact.normal, at});
-      const Lanes K = carry_row(contact.normal, load<Lanes>(bundle.n, at), pair, given, at);
-      const Lanes k11 = carry_row(contact.tangent1, load<Lanes>(bundle.tangent1, at), pair, given, at);
-      const Lanes k22 = carry_row(contact.tangent2, load<Lanes>(bundle.tangent2, at), pair, given, at);
-      const Lanes change = C - moved.along({bundle.n, contact.normal, at});  // as near as they were
-      store(Lanes(load<Lanes>(contact.found, at) + change), contact.found, at);
-      Lanes mass = load<Lanes>(contact.rigid_mass, at), step_size = load<Lanes>(contact.step_size, at);
-      const auto here = fast && mass > 0;
-      where(here, mass) = 1 / K;
-      where(here, step_size) =
-          step_of({bundle.tangent1, contact.tangent1, at}, {bundle.tangent2, contact.tangent2, at}, k11, k22);
-      store(mass, contact.rigid_mass, at);
-      store(step_size, contact.step_size, at);
-    }
-    given.put_back(bundle, all.given, at);
-    store(apart, bundle.carried, at);
-  });
 }
 
 template <class Lanes, class Real>
@@ -404,7 +241,7 @@ Passes<Real> passes_of(const char* processor) {
           width,
           prepare<Lanes, Real>,
           prepare_substep<Lanes, Real>,
-          carry_along<Lanes, Real>,
+          along<Lanes, Real>,
           relax<Lanes, Real>,
           solve_normals<Lanes, Real>,
           solve_friction<Lanes, Real>,

@@ -136,6 +136,12 @@ void Wide<Scalar, JointEffect>::detected(World& world, Real h) {
   where_.resize(world.contacts.size());
   bouncy_ =
       std::any_of(world.contacts.begin(), world.contacts.end(), [](const Contact& c) { return c.restitution > 0; });
+  reaches_.assign(bodies_.size(), 0);
+  for (const Contact& contact : world.contacts)
+    for (const std::uint32_t body : {contact.id.body_a, contact.id.body_b}) {
+      Real& reach = reaches_[places_[body]];
+      reach = std::max(reach, (contact.point - world.bodies[body].position).norm());
+    }
   floats_ = floating(world);
   something_floats_ = std::any_of(bodies_.begin(), bodies_.end() - 1,
                                   [this](const Body* b) { return floats_[static_cast<std::size_t>(b->index)]; });
@@ -177,7 +183,9 @@ void Wide<Scalar, JointEffect>::pack(const World& world, std::size_t at, std::sp
   std::fill(bundle.a, bundle.a + lanes_of_bundle, nobody);
   std::fill(bundle.b, bundle.b + lanes_of_bundle, nobody);
   bundle.carried = {};
-  std::fill_n(bundle.carried_from.of, lanes_of_bundle, std::numeric_limits<Scalar>::infinity());
+  bundle.on_a = bundle.on_b = bundle.between = {};
+  bundle.radius_a = bundle.radius_b = bundle.reach_a = bundle.reach_b = {};
+  std::fill_n(bundle.placed_from.of, lanes_of_bundle, std::numeric_limits<Scalar>::infinity());
   const std::size_t begin = static_cast<std::size_t>(bundle.first);
   for (int c = bundle.first; c < bundle.end; ++c) {  // what is not written below, or by passes.prepare
     WideContact<Scalar>& contact = contacts_[static_cast<std::size_t>(c)];
@@ -201,11 +209,27 @@ void Wide<Scalar, JointEffect>::pack(const World& world, std::size_t at, std::sp
     put(of_pair.normal, bundle.n, lane);
     put(tangent1, bundle.tangent1, lane);
     put(tangent2, bundle.tangent2, lane);
-    const Real from = floats_[static_cast<std::size_t>(of_pair.id.body_a)] ||
-                              floats_[static_cast<std::size_t>(of_pair.id.body_b)]
-                          ? 0
-                          : carried_from;
-    bundle.carried_from.of[lane] = static_cast<Scalar>(from * from);
+    put(of_pair.normal, bundle.found_n, lane);
+    put(tangent1, bundle.found_tangent1, lane);
+    put(tangent2, bundle.found_tangent2, lane);
+    Real reach_a = 0, reach_b = 0;
+    for (std::size_t point = pair.first; point < pair.first + pair.count; ++point) {
+      reach_a = std::max(reach_a, (world.contacts[point].point - a.position).norm());
+      reach_b = std::max(reach_b, (world.contacts[point].point - b.position).norm());
+    }
+    bundle.reach_a.of[lane] = static_cast<Scalar>(reach_a);
+    bundle.reach_b.of[lane] = static_cast<Scalar>(reach_b);
+    const Rides rides = what_it_rides_on(a, b, of_pair.normal, reach_a, reach_b);
+    bundle.on_a.of[lane] = rides == Rides::on_a;
+    bundle.on_b.of[lane] = rides == Rides::on_b;
+    bundle.between.of[lane] = rides == Rides::between;
+    bundle.radius_a.of[lane] = static_cast<Scalar>(radius_of(a));
+    bundle.radius_b.of[lane] = static_cast<Scalar>(radius_of(b));
+    const Real from =
+        floats_[static_cast<std::size_t>(of_pair.id.body_a)] || floats_[static_cast<std::size_t>(of_pair.id.body_b)]
+            ? 0
+            : carried_from;
+    bundle.placed_from.of[lane] = static_cast<Scalar>(from * from);
     for (std::size_t point = 0; point < pair.count; ++point) {
       const std::size_t index = pair.first + point;
       const Contact& found = world.contacts[index];
@@ -214,6 +238,7 @@ void Wide<Scalar, JointEffect>::pack(const World& world, std::size_t at, std::sp
       WideContact<Scalar>& wide = contacts_[begin + point];
       put(Vec3(found.point - a.position), where.arm_a, lane);
       put(Vec3(found.point - b.position), where.arm_b, lane);
+      where.gap.of[lane] = static_cast<Scalar>(-found.depth);
       where.present.of[lane] = 1;
       wide.found.of[lane] = static_cast<Scalar>(-found.depth);
       wide.restitution.of[lane] = static_cast<Scalar>(found.restitution);
@@ -332,7 +357,7 @@ void Wide<Scalar, JointEffect>::moved(World& world, Real h) {
       moved_[i].of[3 + k] += static_cast<Scalar>(h * w[k]);
     }
   });
-  carry();
+  along();
   each_bundle([&](std::size_t begin, std::size_t end) { passes.relax(bundles(begin, end)); });
   StepContext step = joints_step(world, h);
   joints.update_geometry(step);
@@ -340,19 +365,21 @@ void Wide<Scalar, JointEffect>::moved(World& world, Real h) {
   joints.report(step);
 }
 
-/// Rows are carried along with bodies that pass each other fast enough. Two bodies with a relative speed of `carried_from` are not
-/// both slower than half of that, so where nothing floats and all bodies are, there is nothing to do.
+/// Rows of bodies that pass each other, or turn, fast enough are placed anew. Two bodies with a relative speed of `carried_from` are
+/// not both slower than half of that, so where nothing floats and all bodies are, there is nothing to do.
 template <class Scalar, class JointEffect>
-void Wide<Scalar, JointEffect>::carry() {
-  const Real least = carried_from * carried_from / 4;
-  const auto fast = [least](const Body* b) { return b->velocity.squaredNorm() >= least; };
-  if (!something_floats_ && std::none_of(bodies_.begin(), bodies_.end(), fast)) return;
+void Wide<Scalar, JointEffect>::along() {
+  const Real least = carried_from / 2;
+  bool fast = something_floats_;
+  for (std::size_t i = 0; i < bodies_.size() && !fast; ++i)
+    fast = bodies_[i]->velocity.norm() >= least || reaches_[i] * bodies_[i]->angular_velocity.norm() >= least;
+  if (!fast) return;
   each_body([&](std::size_t i) {
     bodies_[i]->refresh_inertia();
     put(bodies_[i]->velocity, bodies_[i]->angular_velocity, now_[i]);
     inertias_[i] = inertia_of<Scalar>(bodies_[i]->inverse_inertia);
   });
-  set_by_set([&](std::size_t begin, std::size_t end) { passes.carry(bundles(begin, end)); });
+  set_by_set([&](std::size_t begin, std::size_t end) { passes.along(bundles(begin, end)); });
 }
 
 /// Velocities are copied into lanes, and only what the contacts have added is copied back: the velocity of a body on which no
@@ -405,6 +432,7 @@ void Wide<Scalar, JointEffect>::write_back(Contact& contact, std::size_t i) cons
   const WideContact<Scalar>& wide = contacts_[c];
   const Vec3 n = vector_of(bundle.n, lane);
   const Twist<Scalar>&a_moved = moved_[std::size_t(bundle.a[lane])], &b_moved = moved_[std::size_t(bundle.b[lane])];
+  contact.normal = n;
   contact.depth = -static_cast<Real>(wide.found.of[lane]) - n.dot(linear(b_moved) - linear(a_moved)) -
                   vector_of(wide.normal.rb_n, lane).dot(angular(b_moved)) +
                   vector_of(wide.normal.ra_n, lane).dot(angular(a_moved));

@@ -12,6 +12,7 @@
 #include "pushback/chapters/22_wide/bundle.h"
 #include "pushback/chapters/22_wide/colours.h"
 #include "pushback/chapters/22_wide/floating.h"
+#include "pushback/chapters/22_wide/rides.h"
 
 namespace pushback {
 
@@ -21,7 +22,8 @@ Passes<Scalar> passes_of_this_processor(int lanes = 0);
 
 /// Rows and impulses are of the type Scalar, whatever Real is; positions are Real. Defined for float and double.
 ///
-/// What floats keeps its angular momentum: there pairs are carried however slowly they pass each other.
+/// Where the normal turns with a face, or lies between two round bodies, contacts ride: n, both arms and C follow the bodies in each
+/// substep. What floats keeps its angular momentum: there rows are placed anew however slowly a pair moves.
 template <class Scalar, class JointEffect = TreesDirectly>
 class Wide : public SubsteppingSolver {
  public:
@@ -73,7 +75,7 @@ class Wide : public SubsteppingSolver {
   template <class Act>
   Scalar largest_in(std::size_t begin, std::size_t end, const Act& act);
   void sweep(StepContext& step, void (*friction_pass)(const Bundles<Scalar>&));
-  void carry();
+  void along();
   void forget_impacts();
   Solved measure() const;
 
@@ -92,9 +94,10 @@ class Wide : public SubsteppingSolver {
   std::vector<Scalar> largest_;               // of each part of a pass, what it returned
   std::optional<Solved> measured_;            // before the impulses of an impact were forgotten
   bool bouncy_ = false;                       // whether any contact is
+  std::vector<Real> reaches_;                 // of bodies_: their longest arm, m
   std::vector<bool> floats_;                  // of each body of the world; and whether one that touches does:
   bool something_floats_ = false;
-  std::vector<Vec3> guesses_;                 // what it starts from, N s
+  std::vector<Vec3> guesses_;  // what it starts from, N s
 };
 
 }  // namespace pushback

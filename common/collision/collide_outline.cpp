@@ -7,6 +7,9 @@ namespace pushback {
 void reduce_to_four(Candidate* candidates, int count, Real clearly_deeper) {
   const auto by_name = [](const Candidate& p, const Candidate& q) { return p.feature < q.feature; };
   std::rotate(candidates, std::min_element(candidates, candidates + count, by_name), candidates + count);
+  // What touches comes before what is merely within a margin: a stone that loses a corner on which it stands rocks for ever.
+  const auto touches = [&](const Candidate& c) { return c.depth >= -clearly_deeper; };
+  const auto must_touch = std::min<std::ptrdiff_t>(4, std::count_if(candidates, candidates + count, touches));
   std::array<Candidate, 4> best{};
   const auto try_all = [&](int required) {
     Real largest = -1;
@@ -16,6 +19,7 @@ void reduce_to_four(Candidate* candidates, int count, Real clearly_deeper) {
           for (int l = k + 1; l < count; ++l) {
             if (required >= 0 && i != required && j != required && k != required && l != required) continue;
             const Candidate &p = candidates[i], &q = candidates[j], &r = candidates[k], &s = candidates[l];
+            if (touches(p) + touches(q) + touches(r) + touches(s) < must_touch) continue;
             const Real area = std::abs((r.u - p.u) * (s.v - q.v) - (r.v - p.v) * (s.u - q.u)) / 2;
             if (area > largest * Real(1.001)) {
               largest = area;

@@ -82,7 +82,8 @@ struct Candidate {
 
 /// Keeps the four of the candidates, which go round a convex outline, that span the largest quadrilateral: it has at
 /// least 2/pi of the outline's area, and depends on the outline alone, not on depths, which change as a stack breathes.
-/// But the deepest point must not get lost: if it is clearly deeper than those four, it has to be one of them.
+/// But the deepest point must not get lost: if it is clearly deeper than those four, it has to be one of them. And what is apart,
+/// by more than that, takes the place of nothing that touches.
 /// One choice is preferred to an earlier one only if it is clearly better. So that the order is the same in each step,
 /// the outline begins with the point of the lowest name. `count`: 4 at least.
 void reduce_to_four(Candidate* candidates, int count, Real clearly_deeper);
