@@ -14,15 +14,14 @@ namespace pushback {
 /// The settings of a solver that divides its steps, and its plan: one sweep a substep, and a margin ahead of which contacts
 /// are detected, so that bodies that come to touch within the step have rows.
 struct SubsteppingSolver : StepSolver {
-  int substeps = 32;               ///< of each step; or of one as long as `per`: then longer ones have more, shorter ones
-  Real per = 0;                    ///< fewer, so that contacts are as stiff in all of them, s; 0: of each step
-  Real margin = Real(0.02);        ///< m: beside what a pair may come nearer in a step
-  Real threshold = Real(0.1);      ///< m/s; what arrives slower does not bounce
-  Real carried_from = Real(1e-3);  ///< m/s; bodies that pass each other slower keep their rows as they were detected
-  Real precision = Real(1e-6);     ///< to which normals are solved while something bounces, of the fastest bounce,
-  int most_rounds = 100;           ///< or until they have been solved so often
-  Real abrupt = Real(0.5);         ///< m/s; or in any substep, until no pass changes a speed by more than that
-  SoftContacts spring;             ///< chapter 12's: hertz, damping ratio, fastest push-out
+  int substeps = 32;            ///< of each step; or of one as long as `per`: then longer ones have more, shorter ones
+  Real per = 0;                 ///< fewer, so that contacts are as stiff in all of them, s; 0: of each step
+  Real margin = Real(0.02);     ///< m: beside what a pair may come nearer in a step
+  Real threshold = Real(0.1);   ///< m/s; what arrives slower does not bounce
+  Real precision = Real(1e-6);  ///< to which normals are solved while something bounces, of the fastest bounce,
+  int most_rounds = 100;        ///< or until they have been solved so often
+  Real abrupt = Real(0.5);      ///< m/s; or in any substep, until no pass changes a speed by more than that
+  SoftContacts spring;          ///< chapter 12's: hertz, damping ratio, fastest push-out
 
   bool holds_joints() const override { return true; }
   void check(World& world, Real h) override {
@@ -30,7 +29,6 @@ struct SubsteppingSolver : StepSolver {
     require_not_negative("length of the step that substeps are of", per);
     require_not_negative("margin", margin);
     require_not_negative("threshold", threshold);
-    require_not_negative("carried_from", carried_from);
     require_not_negative("precision", precision);
     require_positive("abrupt", abrupt);
     if (most_rounds < 1)
@@ -54,7 +52,8 @@ struct SubsteppingSolver : StepSolver {
   /// Joints have rows of their own, made anew in each substep; of the contacts they know nothing.
   StepContext joints_step(World& world, Real h) { return {world, world.contacts, no_rows_, h}; }
   PushOut push_out(Real h) const {
-    const Real w = spring.angular_frequency(per > 0 ? per / static_cast<Real>(substeps) : h), damping = 2 * spring.damping_ratio + h * w;
+    const Real w = spring.angular_frequency(per > 0 ? per / static_cast<Real>(substeps) : h),
+               damping = 2 * spring.damping_ratio + h * w;
     return {w / damping, 1 / (h * w * damping), spring.fastest_push_out, threshold};
   }
   /// `act(i, p)` for each contact that the step before had: p, N s, is what it is to start from.
@@ -93,10 +92,12 @@ struct SubsteppingSolver : StepSolver {
 /// Between steps it remembers nothing: what it starts from stands in the world's contacts and joints.
 class DetectedOnce : public SubsteppingSolver {
  public:
+  Real carried_from = Real(1e-3);  ///< m/s; bodies that pass each other slower keep their rows as they were detected
   SteadyJoints joints;
 
   void check(World& world, Real h) override {
     SubsteppingSolver::check(world, h);
+    require_not_negative("carried_from", carried_from);
     StepContext step = joints_step(world, h);
     joints.check(step);
   }

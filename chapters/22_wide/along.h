@@ -62,7 +62,7 @@ Lanes carry(WideRow<Real>& row, const Vec<Lanes>& n, const Vec<Lanes>& way, cons
 template <class Lanes, class Real>
 void carry(const Bundles<Real>& all, Bundle<Real>& bundle, const typename Lanes::mask_type& placed,
            Placing<Lanes>& pairs, int at) {
-  const Vec<Lanes> apart = pairs.moved.b.v - pairs.moved.a.v, way = apart - load<Lanes>(bundle.carried, at);
+  const Vec<Lanes> way = pairs.moved.b.v - pairs.moved.a.v - load<Lanes>(bundle.placed_way, at);
   for (int c = bundle.first; c < bundle.end; ++c) {
     WideContact<Real>& contact = all.contacts[c];
     const Lanes C = load<Lanes>(contact.found, at) + pairs.moved.along({bundle.n, contact.normal, at});
@@ -71,7 +71,6 @@ void carry(const Bundles<Real>& all, Bundle<Real>& bundle, const typename Lanes:
     const Lanes k22 = carry(contact.tangent2, load<Lanes>(bundle.tangent2, at), way, placed, pairs, at);
     place(bundle, contact, placed, C, K, k11, k22, pairs, at);  // as near as they were
   }
-  keep(placed, apart, bundle.carried, at);
 }
 
 // ---- riding ------------------------------------------------------------------------------------------------------------
@@ -172,7 +171,8 @@ void ride(const Bundles<Real>& all, Bundle<Real>& bundle, const typename Lanes::
                              .found_n = load<Lanes>(bundle.found_n, at),
                              .radius_a = load<Lanes>(bundle.radius_a, at),
                              .radius_b = load<Lanes>(bundle.radius_b, at)};
-  for (int c = bundle.first; c < bundle.end; ++c) give(pairs.given, bundle, all.contacts[c], Lanes(-1), at);
+  const Lanes once = either(placed, Lanes(1), Lanes(0));  // a lane beside them keeps its bits
+  for (int c = bundle.first; c < bundle.end; ++c) give(pairs.given, bundle, all.contacts[c], Lanes(-once), at);
   const Orientation<Lanes> turn = riding.turn_of_normal(riding.found(all.points[bundle.first], at));
   keep(placed, rotated(turn, riding.found_n), bundle.n, at);
   keep(placed, rotated(turn, load<Lanes>(bundle.found_tangent1, at)), bundle.tangent1, at);
@@ -188,36 +188,40 @@ void ride(const Bundles<Real>& all, Bundle<Real>& bundle, const typename Lanes::
     const Lanes k11 = ride(contact.tangent1, tangent1, pairs.levers, placed, at);
     const Lanes k22 = ride(contact.tangent2, tangent2, pairs.levers, placed, at);
     place(bundle, contact, placed, point.C, K, k11, k22, pairs, at);
-    give(pairs.given, bundle, contact, Lanes(1), at);
+    give(pairs.given, bundle, contact, once, at);
   }
 }
 
 // ---- which ---------------------------------------------------------------------------------------------------------------
 
-/// After the bodies have moved: of pairs that pass each other or turn fast enough the rows are placed anew.
+/// After the bodies have moved: of pairs that have passed each other or turned far enough the rows are placed anew.
 template <class Lanes, class Real>
 void along(const Bundles<Real>& all) {
   each_bundle<Lanes>(all, [&](Bundle<Real>& bundle, int at) {
-    const Pairs<Lanes> now(bundle, all.now, at);
-    const Vec<Lanes> passing = now.b.v - now.a.v, turn_a = load<Lanes>(bundle.reach_a, at) * now.a.w,
-                     turn_b = load<Lanes>(bundle.reach_b, at) * now.b.w;
-    const Lanes from = load<Lanes>(bundle.placed_from, at);
-    const auto passes = dot(passing, passing) >= from,
-               turns = dot(turn_a, turn_a) >= from || dot(turn_b, turn_b) >= from;
+    const Pairs<Lanes> moved(bundle, all.moved, at);
+    const Vec<Lanes> way = moved.b.v - moved.a.v, passed = way - load<Lanes>(bundle.placed_way, at),
+                     turned_a = load<Lanes>(bundle.reach_a, at) * (moved.a.w - load<Lanes>(bundle.placed_turn_a, at)),
+                     turned_b = load<Lanes>(bundle.reach_b, at) * (moved.b.w - load<Lanes>(bundle.placed_turn_b, at));
+    const Lanes least = load<Lanes>(bundle.stays_within, at);
+    const auto passes = dot(passed, passed) >= least,
+               turns = dot(turned_a, turned_a) >= least || dot(turned_b, turned_b) >= least;
     const auto rides =
         load<Lanes>(bundle.on_a, at) + load<Lanes>(bundle.on_b, at) + load<Lanes>(bundle.between, at) > 0;
-    const auto carried = passes && !rides, ridden = (passes || turns) && rides;
-    if (none_of(carried || ridden)) return;
-    Placing<Lanes> pairs{.now = now,
-                         .moved = Pairs<Lanes>(bundle, all.moved, at),
+    const auto carried = passes && !rides, ridden = (passes || turns) && rides, placed = carried || ridden;
+    if (none_of(placed)) return;
+    Placing<Lanes> pairs{.now = Pairs<Lanes>(bundle, all.now, at),
+                         .moved = moved,
                          .given = Pairs<Lanes>(bundle, all.given, at),
                          .levers = {.arm_a = {},
                                     .arm_b = {},
                                     .inverse_inertia_a = fetch<Lanes>(bundle.a + at, all.inertias),
                                     .inverse_inertia_b = fetch<Lanes>(bundle.b + at, all.inertias),
-                                    .inverse_masses = now.inverse_mass_a + now.inverse_mass_b}};
+                                    .inverse_masses = moved.inverse_mass_a + moved.inverse_mass_b}};
     if (any_of(carried)) carry(all, bundle, carried, pairs, at);
     if (any_of(ridden)) ride(all, bundle, ridden, pairs, at);
+    keep(placed, way, bundle.placed_way, at);
+    keep(placed, moved.a.w, bundle.placed_turn_a, at);
+    keep(placed, moved.b.w, bundle.placed_turn_b, at);
     pairs.given.put_back(bundle, all.given, at);
   });
 }

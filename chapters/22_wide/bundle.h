@@ -54,10 +54,11 @@ struct Bundle {
       between;  ///< 1: n turns with A; with B; is the direction from core to core. Else rows are carried
   Eight<Real> radius_a, radius_b;  ///< m: so far is the surface of a round body from its core
   Eight<Real> reach_a, reach_b;    ///< m, the longest arm
-  EightVectors<Real> carried;      ///< what B had moved past A when the rows were carried last, m
-  Eight<Real>
-      placed_from;  ///< the rows of pairs that pass each other or turn so fast are placed anew: squared, m^2/s^2
-  int first, end;   ///< of its contacts in their list: as many as the pair with the most points has
+  EightVectors<Real> placed_way, placed_turn_a,
+      placed_turn_b;         ///< when the rows were placed: by which B had moved past A, m, and
+                             ///< by which each had turned, rad, since detection
+  Eight<Real> stays_within;  ///< m, squared: once a pair has moved or turned as far since, its rows are placed anew
+  int first, end;            ///< of its contacts in their list: as many as the pair with the most points has
 };
 
 /// v and w of a body, or x and theta: in m/s and rad/s, or m and rad; and two numbers that are nothing.

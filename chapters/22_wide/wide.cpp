@@ -136,12 +136,7 @@ void Wide<Scalar, JointEffect>::detected(World& world, Real h) {
   where_.resize(world.contacts.size());
   bouncy_ =
       std::any_of(world.contacts.begin(), world.contacts.end(), [](const Contact& c) { return c.restitution > 0; });
-  reaches_.assign(bodies_.size(), 0);
-  for (const Contact& contact : world.contacts)
-    for (const std::uint32_t body : {contact.id.body_a, contact.id.body_b}) {
-      Real& reach = reaches_[places_[body]];
-      reach = std::max(reach, (contact.point - world.bodies[body].position).norm());
-    }
+  measure_reaches(world);
   floats_ = floating(world);
   something_floats_ = std::any_of(bodies_.begin(), bodies_.end() - 1,
                                   [this](const Body* b) { return floats_[static_cast<std::size_t>(b->index)]; });
@@ -152,6 +147,20 @@ void Wide<Scalar, JointEffect>::detected(World& world, Real h) {
     for (std::size_t i = begin; i < end; ++i) pack(world, i, packed_[i]);
   });
   set_by_set([&](std::size_t begin, std::size_t end) { passes.prepare(bundles(begin, end)); });
+}
+
+template <class Scalar, class JointEffect>
+void Wide<Scalar, JointEffect>::measure_reaches(const World& world) {
+  reaches_.assign(bodies_.size(), 0);
+  for (const Contact& contact : world.contacts)
+    for (const std::uint32_t i : {contact.id.body_a, contact.id.body_b}) {
+      const Body& body = world.bodies[i];
+      Real& reach = reaches_[places_[i]];
+      reach = std::max(reach, (contact.point - body.position).norm());
+    }
+  shortest_reach_ = std::numeric_limits<Real>::infinity();
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    if (bodies_[i]->movable()) shortest_reach_ = std::min(shortest_reach_, reaches_[i]);
 }
 
 /// Which pairs are in which bundle, and where its contacts are.
@@ -182,10 +191,10 @@ void Wide<Scalar, JointEffect>::pack(const World& world, std::size_t at, std::sp
   Bundle<Scalar>& bundle = bundles_[at];
   std::fill(bundle.a, bundle.a + lanes_of_bundle, nobody);
   std::fill(bundle.b, bundle.b + lanes_of_bundle, nobody);
-  bundle.carried = {};
+  bundle.placed_way = bundle.placed_turn_a = bundle.placed_turn_b = {};
   bundle.on_a = bundle.on_b = bundle.between = {};
   bundle.radius_a = bundle.radius_b = bundle.reach_a = bundle.reach_b = {};
-  std::fill_n(bundle.placed_from.of, lanes_of_bundle, std::numeric_limits<Scalar>::infinity());
+  std::fill_n(bundle.stays_within.of, lanes_of_bundle, std::numeric_limits<Scalar>::infinity());
   const std::size_t begin = static_cast<std::size_t>(bundle.first);
   for (int c = bundle.first; c < bundle.end; ++c) {  // what is not written below, or by passes.prepare
     WideContact<Scalar>& contact = contacts_[static_cast<std::size_t>(c)];
@@ -212,11 +221,7 @@ void Wide<Scalar, JointEffect>::pack(const World& world, std::size_t at, std::sp
     put(of_pair.normal, bundle.found_n, lane);
     put(tangent1, bundle.found_tangent1, lane);
     put(tangent2, bundle.found_tangent2, lane);
-    Real reach_a = 0, reach_b = 0;
-    for (std::size_t point = pair.first; point < pair.first + pair.count; ++point) {
-      reach_a = std::max(reach_a, (world.contacts[point].point - a.position).norm());
-      reach_b = std::max(reach_b, (world.contacts[point].point - b.position).norm());
-    }
+    const Real reach_a = reaches_[pair.a], reach_b = reaches_[pair.b];
     bundle.reach_a.of[lane] = static_cast<Scalar>(reach_a);
     bundle.reach_b.of[lane] = static_cast<Scalar>(reach_b);
     const Rides rides = what_it_rides_on(a, b, of_pair.normal, reach_a, reach_b);
@@ -225,11 +230,10 @@ void Wide<Scalar, JointEffect>::pack(const World& world, std::size_t at, std::sp
     bundle.between.of[lane] = rides == Rides::between;
     bundle.radius_a.of[lane] = static_cast<Scalar>(radius_of(a));
     bundle.radius_b.of[lane] = static_cast<Scalar>(radius_of(b));
-    const Real from =
-        floats_[static_cast<std::size_t>(of_pair.id.body_a)] || floats_[static_cast<std::size_t>(of_pair.id.body_b)]
-            ? 0
-            : carried_from;
-    bundle.placed_from.of[lane] = static_cast<Scalar>(from * from);
+    const bool floats = floats_[std::size_t(a.movable() ? a.index : b.index)];
+    const Real shorter = !a.movable() ? reach_b : !b.movable() ? reach_a : std::min(reach_a, reach_b);
+    const Real within = floats ? 0 : stays_within * shorter;
+    bundle.stays_within.of[lane] = static_cast<Scalar>(within * within);
     for (std::size_t point = 0; point < pair.count; ++point) {
       const std::size_t index = pair.first + point;
       const Contact& found = world.contacts[index];
@@ -365,15 +369,15 @@ void Wide<Scalar, JointEffect>::moved(World& world, Real h) {
   joints.report(step);
 }
 
-/// Rows of bodies that pass each other, or turn, fast enough are placed anew. Two bodies with a relative speed of `carried_from` are
-/// not both slower than half of that, so where nothing floats and all bodies are, there is nothing to do.
+/// Rows of bodies that have passed each other, or turned, far enough are placed anew. Where nothing floats and no body has moved by
+/// half of what the first pair may, there is nothing to do.
 template <class Scalar, class JointEffect>
 void Wide<Scalar, JointEffect>::along() {
-  const Real least = carried_from / 2;
-  bool fast = something_floats_;
-  for (std::size_t i = 0; i < bodies_.size() && !fast; ++i)
-    fast = bodies_[i]->velocity.norm() >= least || reaches_[i] * bodies_[i]->angular_velocity.norm() >= least;
-  if (!fast) return;
+  const Real within = stays_within * shortest_reach_ / 2;
+  bool far = something_floats_;
+  for (std::size_t i = 0; i < bodies_.size() && !far; ++i)
+    far = linear(moved_[i]).norm() >= within || reaches_[i] * angular(moved_[i]).norm() >= within;
+  if (!far) return;
   each_body([&](std::size_t i) {
     bodies_[i]->refresh_inertia();
     put(bodies_[i]->velocity, bodies_[i]->angular_velocity, now_[i]);

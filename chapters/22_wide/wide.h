@@ -28,6 +28,7 @@ template <class Scalar, class JointEffect = TreesDirectly>
 class Wide : public SubsteppingSolver {
  public:
   JointEffect joints;
+  Real stays_within = Real(5e-3);  ///< of a pair's longest arm: it moves so far and keeps its rows
   Passes<Scalar> passes = passes_of_this_processor<Scalar>();
   Passes<Real> turning = passes_of_this_processor<Real>();  ///< of bodies
   /// The order in which pairs are solved; each set at once.
@@ -44,6 +45,7 @@ class Wide : public SubsteppingSolver {
   }
   void check(World& world, Real h) override {
     SubsteppingSolver::check(world, h);
+    require_not_negative("stays_within", stays_within);
     StepContext step = joints_step(world, h);
     joints.check(step);
   }
@@ -76,6 +78,7 @@ class Wide : public SubsteppingSolver {
   Scalar largest_in(std::size_t begin, std::size_t end, const Act& act);
   void sweep(StepContext& step, void (*friction_pass)(const Bundles<Scalar>&));
   void along();
+  void measure_reaches(const World& world);
   void forget_impacts();
   Solved measure() const;
 
@@ -94,8 +97,9 @@ class Wide : public SubsteppingSolver {
   std::vector<Scalar> largest_;               // of each part of a pass, what it returned
   std::optional<Solved> measured_;            // before the impulses of an impact were forgotten
   bool bouncy_ = false;                       // whether any contact is
-  std::vector<Real> reaches_;                 // of bodies_: their longest arm, m
-  std::vector<bool> floats_;                  // of each body of the world; and whether one that touches does:
+  std::vector<Real> reaches_;                 // of bodies_: their longest arm, m; and the shortest of those that move
+  Real shortest_reach_ = 0;
+  std::vector<bool> floats_;  // of each body of the world; and whether one that touches does:
   bool something_floats_ = false;
   std::vector<Vec3> guesses_;  // what it starts from, N s
 };
