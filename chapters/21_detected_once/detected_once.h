@@ -75,8 +75,9 @@ struct SubsteppingSolver : StepSolver {
   template <class Pass>
   void solve_normals_until_solved(const Pass& pass) const {
     Real change = pass();
-    const Real enough = fastest_ > 0 ? precision * fastest_ : abrupt;
-    for (int round = 1; round < most_rounds && change > enough; ++round) change = pass();
+    const bool bounces = fastest_ > 0;
+    const Real enough = bounces ? precision * fastest_ : abrupt, growing = 2 * change;
+    for (int round = 1; round < most_rounds && change > enough && (bounces || change < growing); ++round) change = pass();
   }
 
   std::vector<bool> known_;  // of each contact: whether the step before had it

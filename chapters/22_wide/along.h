@@ -126,7 +126,9 @@ struct Riding {
   Orientation<Lanes> turn_of_normal(const Found& point) const {
     const Vec<Lanes> line = (radius_a + radius_b + point.gap) * found_n + way + shifted(turn_b, point.core_b) -
                             shifted(turn_a, point.core_a);
-    const Vec<Lanes> n = (Lanes(1) / sqrt(dot(line, line))) * line;
+    const Lanes length = sqrt(dot(line, line));
+    const auto ahead = 2 * dot(line, found_n) > length;  // cores that pass through each other leave n where it was
+    const Vec<Lanes> n = either(ahead, (Lanes(1) / length) * line, found_n);
     return either(on_a, turn_a, either(on_b, turn_b, turn_between(found_n, n)));
   }
   struct Point {
@@ -200,14 +202,19 @@ void along(const Bundles<Real>& all) {
   each_bundle<Lanes>(all, [&](Bundle<Real>& bundle, int at) {
     const Pairs<Lanes> moved(bundle, all.moved, at);
     const Vec<Lanes> way = moved.b.v - moved.a.v, passed = way - load<Lanes>(bundle.placed_way, at),
-                     turned_a = load<Lanes>(bundle.reach_a, at) * (moved.a.w - load<Lanes>(bundle.placed_turn_a, at)),
-                     turned_b = load<Lanes>(bundle.reach_b, at) * (moved.b.w - load<Lanes>(bundle.placed_turn_b, at));
-    const Lanes least = load<Lanes>(bundle.stays_within, at);
+                     turned_a = moved.a.w - load<Lanes>(bundle.placed_turn_a, at),
+                     turned_b = moved.b.w - load<Lanes>(bundle.placed_turn_b, at);
+    const Lanes least = load<Lanes>(bundle.stays_within, at), reach_a = load<Lanes>(bundle.reach_a, at),
+                reach_b = load<Lanes>(bundle.reach_b, at), by_a = dot(turned_a, turned_a),
+                by_b = dot(turned_b, turned_b);
     const auto passes = dot(passed, passed) >= least,
-               turns = dot(turned_a, turned_a) >= least || dot(turned_b, turned_b) >= least;
+               turns = reach_a * reach_a * by_a >= least || reach_b * reach_b * by_b >= least;
+    // What turns on by so much at once, rad, squared, leaves its impulses: along directions as far from the old ones, they would throw it.
+    const Lanes at_once(typename Lanes::value_type(0.0625));
     const auto rides =
-        load<Lanes>(bundle.on_a, at) + load<Lanes>(bundle.on_b, at) + load<Lanes>(bundle.between, at) > 0;
-    const auto carried = passes && !rides, ridden = (passes || turns) && rides, placed = carried || ridden;
+        load<Lanes>(bundle.on_a, at) + load<Lanes>(bundle.on_b, at) + load<Lanes>(bundle.between, at) > 0 &&
+        by_a < at_once && by_b < at_once;
+    const auto placed = passes || turns, ridden = placed && rides, carried = placed && !rides;
     if (none_of(placed)) return;
     Placing<Lanes> pairs{.now = Pairs<Lanes>(bundle, all.now, at),
                          .moved = moved,

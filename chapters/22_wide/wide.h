@@ -28,7 +28,7 @@ template <class Scalar, class JointEffect = TreesDirectly>
 class Wide : public SubsteppingSolver {
  public:
   JointEffect joints;
-  Real stays_within = Real(5e-3);  ///< of a pair's longest arm: it moves so far and keeps its rows
+  Real stays_within = Real(1e-3);  ///< of a pair's longest arm: it moves so far and keeps its rows
   Passes<Scalar> passes = passes_of_this_processor<Scalar>();
   Passes<Real> turning = passes_of_this_processor<Real>();  ///< of bodies
   /// The order in which pairs are solved; each set at once.
