@@ -128,8 +128,8 @@ bool Sleep::someone_touched(World& world, const Margin& margin) {
   world.contacts.clear();
   const JoinedPairs joined(world.joints);
   for (const auto& [first, second] : pairs) {
-    if (joined.contain(first, second)) continue;
-    collide(world.bodies[std::size_t(first)], world.bodies[std::size_t(second)], world.contacts, margin);
+    const Body &a = world.bodies[std::size_t(first)], &b = world.bodies[std::size_t(second)];
+    if (may_touch(a, b) && !joined.contain(first, second)) collide(a, b, world.contacts, margin);
   }
   for (const int i : planes_) {  // moved like the driven ones; whom they touch is awake already
     if (moves(world.bodies[std::size_t(i)])) insert_ascending(simulated_, {i});

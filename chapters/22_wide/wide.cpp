@@ -344,6 +344,7 @@ void Wide<Scalar, JointEffect>::integrate_positions(World& world, Real h) {
     TurningBodies eight(turning);
     for (std::size_t i = part.begin; i < part.end; ++i) {
       Body& body = world.bodies[i];
+      if (body.conveys) continue;
       body.position += h * body.velocity;
       if (body.angular_velocity != Vec3::Zero()) eight.add(body, h);
     }

@@ -1,5 +1,8 @@
 #include "pushback/common/bodies/body.h"
 
+#include <cmath>
+#include <limits>
+
 #include "pushback/common/basics/input.h"
 #include "pushback/common/bodies/hull.h"
 
@@ -63,6 +66,53 @@ Body& Body::fixed() {
 
 Body& Body::coloured(int which) {
   colour = which;
+  return *this;
+}
+
+Body& Body::in_groups(std::uint32_t bits) {
+  groups = bits;
+  return *this;
+}
+
+Body& Body::touching(std::uint32_t bits) {
+  touches = bits;
+  return *this;
+}
+
+Body& Body::with_skin(Real thickness) {
+  require_not_negative("skin", thickness);
+  skin = thickness;
+  return *this;
+}
+
+Body& Body::conveying(const Vec3& surface_velocity) {
+  require_finite("surface velocity", surface_velocity);
+  velocity = surface_velocity;
+  conveys = true;
+  return *this;
+}
+
+Body& Body::moved_to(const Vec3& where, const Quat& to, Real dt, int substeps) {
+  if (movable() || conveys) {
+    throw InvalidInput(fmt::format("body to move by hand {}: an immovable one that does not convey is needed",
+                                   movable() ? "can move by itself" : "conveys"));
+  }
+  require_finite("place to move to", where);
+  require_finite("orientation's vector part", Vec3(to.vec()));
+  require_finite("orientation's scalar part", to.w());
+  require_positive("length of the orientation quaternion", to.norm());
+  require_positive("dt", dt);
+  if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
+  Quat turn = to.normalized() * orientation.conjugate();
+  if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
+  const Real sine = turn.vec().norm(), half_angle = std::atan2(sine, turn.w()) / static_cast<Real>(substeps);
+  if (!(half_angle < pi / 2 * (1 - 16 * std::numeric_limits<Real>::epsilon()))) {
+    throw InvalidInput(
+        fmt::format("turn of a body moved by hand is {} rad in one substep: less than pi is needed", 2 * half_angle));
+  }
+  velocity = (where - position) / dt;
+  angular_velocity.setZero();
+  if (sine > 0) angular_velocity = 2 * static_cast<Real>(substeps) / dt * std::tan(half_angle) / sine * turn.vec();
   return *this;
 }
 
@@ -166,6 +216,11 @@ void check(Body& body) {
   for (const Real entry : body.principal_inverse_inertia) require_not_negative("inverse inertia", entry);
   require_not_negative("friction", body.friction);
   require_between("restitution", body.restitution, 0, 1);
+  require_not_negative("skin", body.skin);
+  if (body.conveys && body.movable()) {
+    throw InvalidInput(fmt::format(
+        "inverse mass of a body that conveys is {}: it must be 0, only an immovable body conveys", body.inverse_mass));
+  }
   if (std::holds_alternative<HalfSpace>(body.shape) && body.movable()) {
     throw InvalidInput(
         fmt::format("inverse mass of a half-space is {}: it must be 0, a half-space never moves", body.inverse_mass));

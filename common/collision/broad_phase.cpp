@@ -37,8 +37,8 @@ Bounds bounds_of(const Body& body) {
   const Bounds reach = std::visit(Reach{body.orientation.toRotationMatrix()}, body.shape);
   // Rounded outwards: what touches exactly must not be lost here.
   const Vec3 farthest = body.position.cwiseAbs() + reach.high.cwiseMax(-reach.low);
-  const Vec3 rounding = 16 * std::numeric_limits<Real>::epsilon() * farthest;
-  return {body.position + reach.low - rounding, body.position + reach.high + rounding};
+  const Vec3 beyond = 16 * std::numeric_limits<Real>::epsilon() * farthest + Vec3::Constant(body.skin);
+  return {body.position + reach.low - beyond, body.position + reach.high + beyond};
 }
 
 Bounds bounds_of(const Body& body, const Margin& margin) {
@@ -178,7 +178,8 @@ std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const 
   for (const int half_space : half_spaces) {  // not swept: every body begins before a half-space ends
     const Body& plane = *bodies[std::size_t(half_space)];
     const Vec3 normal = plane.orientation * std::get<HalfSpace>(plane.shape).normal;
-    const Vec3 highest = plane.position + margin.ahead * std::max(Real(0), plane.velocity.dot(normal)) * normal;
+    const Real nearer = margin.ahead * std::max(Real(0), plane.velocity.dot(normal));
+    const Vec3 highest = plane.position + (nearer + plane.skin) * normal;
     for (const Entry& entry : entries) {
       if (entry.movable && reaches_into(entry.bounds, normal, highest)) {
         pairs.push_back(std::minmax(entry.index, half_space));

@@ -10,7 +10,7 @@
 
 namespace pushback {
 
-/// The smallest box along the world axes that holds a body's shape; infinite in every direction for a half-space.
+/// The smallest box along the world axes that holds a body's shape and skin; infinite in every direction for a half-space.
 struct Bounds {
   Vec3 low, high;  ///< m
   bool overlaps(const Bounds& other) const {

@@ -64,6 +64,14 @@ const Placed<Hull>& as_touched(const Placed<Hull>& h) {
   return h;
 }
 
+/// What has been found between two shapes, as their skins feel it: nearer by both, and midway between the two skins.
+void add_skins(Manifold& found, Real first, Real second) {
+  for (int i = 0; i < found.count; ++i) {
+    found.touches[i].depth += first + second;
+    found.touches[i].point += (first - second) / 2 * found.normal;
+  }
+}
+
 void append(const Body& a, const Body& b, const Manifold& found, bool swapped, Contacts& contacts) {
   const Vec3& origin = swapped ? b.position : a.position;
   for (int i = 0; i < found.count; ++i) {
@@ -84,6 +92,8 @@ void collide(const Body& a, const Body& b, Contacts& contacts, const Margin& mar
   const auto meet = [&]<class A, class B>(const A& shape_a, const B& shape_b) {
     Manifold found;
     found.margin = margin.of(a, b);
+    const bool skinned = a.skin > 0 || b.skin > 0;
+    if (skinned) found.margin += a.skin + b.skin;
     bool swapped = false;
     const auto try_order = [&found](const auto& first, const Body& p, const auto& second, const Body& q) {
       const Placed<std::decay_t<decltype(first)>> one{first, Vec3::Zero(), p.orientation.toRotationMatrix()};
@@ -97,6 +107,7 @@ void collide(const Body& a, const Body& b, Contacts& contacts, const Margin& mar
     };
     // There is one function for (box, sphere) and none for (sphere, box): then ask the other way round.
     if (!try_order(shape_a, a, shape_b, b)) swapped = try_order(shape_b, b, shape_a, a);
+    if (skinned) swapped ? add_skins(found, b.skin, a.skin) : add_skins(found, a.skin, b.skin);
     append(a, b, found, swapped, contacts);
   };
   std::visit(meet, a.shape, b.shape);

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "pushback/common/world/world.h"
+#include "pushback/common/world/query.h"
 
 namespace pushback {
 
@@ -13,15 +13,6 @@ struct Grab {
   Vec3 on_body;  ///< m, body axes from its centre of mass
   Vec3 hand;     ///< m, world axes
 };
-
-/// Where somebody looks to.
-struct Ray {
-  Vec3 from;       ///< m
-  Vec3 direction;  ///< unit
-};
-
-/// m along the ray to the body's surface; none where it passes by.
-std::optional<Real> distance_to(const Body& body, const Ray& ray);
 
 /// What the ray meets first, if that can move, and the point where it does so.
 std::optional<Grab> grab(const World& world, const Ray& ray);

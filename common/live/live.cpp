@@ -210,7 +210,7 @@ Ray Live::ray(const Camera& camera, Real aspect, Real x, Real y) const {
   const Vec3 ahead = (camera.target - camera.eye).normalized();
   const Vec3 right = ahead.cross(Vec3::UnitY()).normalized();
   const Real half = std::tan(camera.field_of_view / 2);
-  return {camera.eye - shift(), (ahead + half * (aspect * x * right + y * right.cross(ahead))).normalized()};
+  return {.origin = camera.eye - shift(), .direction = ahead + half * (aspect * x * right + y * right.cross(ahead))};
 }
 
 bool Live::grab_at(std::size_t lane, const Camera& camera, Real aspect, Real x, Real y) {
@@ -232,8 +232,8 @@ void Live::pull_to(const Camera& camera, Real aspect, Real x, Real y) {
   if (!held_) return;
   const Ray towards = ray(camera, aspect, x, y);
   const Vec3 ahead = (camera.target - camera.eye).normalized();
-  const Real depth = (held_->hand - towards.from).dot(ahead);
-  held_->hand = towards.from + depth / towards.direction.dot(ahead) * towards.direction;
+  const Real depth = (held_->hand - towards.origin).dot(ahead);
+  held_->hand = towards.origin + depth / towards.direction.dot(ahead) * towards.direction;
 }
 
 void Live::let_go() {

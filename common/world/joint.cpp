@@ -18,6 +18,11 @@ void check_joined(const World& world, const std::string& joint, int a, int b) {
                                    static_cast<int>(world.bodies.size()) - 1, the_world));
   }
   if (a == b) throw InvalidInput(fmt::format("{} joins body {} to itself: two different ones are needed", joint, a));
+  for (const int body : {a, b}) {
+    if (!body_of(world, body).conveys) continue;
+    throw InvalidInput(
+        fmt::format("{} holds body {}, which conveys: one that goes where its velocity points is needed", joint, body));
+  }
   if (!body_of(world, a).movable() && !body_of(world, b).movable()) {
     throw InvalidInput(fmt::format("{} joins bodies {} and {}, and neither can move: one has to", joint, a, b));
   }

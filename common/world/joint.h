@@ -52,7 +52,7 @@ struct Joint {
 /// World::body, for those who know the world by its name only.
 const Body& body_of(const World& world, int index);
 
-/// Throws InvalidInput unless a and b are two different bodies of the world, or one of them the_world, and one can move.
+/// Throws InvalidInput unless a and b are two different bodies, or one of them the_world, one can move, and none conveys.
 void check_joined(const World& world, const std::string& joint, int a, int b);
 
 /// Throws InvalidInput if there are any: for a solver that holds none.

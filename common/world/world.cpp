@@ -47,6 +47,7 @@ void integrate_velocity(Body& body, const Vec3& gravity, Real dt) {
 }
 
 void integrate_position(Body& body, Real dt) {
+  if (body.conveys) return;
   body.position += dt * body.velocity;
   if (body.angular_velocity != Vec3::Zero()) spin_freely(body, dt);
 }
@@ -67,8 +68,8 @@ void World::find_contacts(const Margin& margin, Workers& workers) {
     Contacts& into = part.index == 0 ? contacts : of_others[part.index - 1];
     for (std::size_t i = part.begin; i < part.end; ++i) {
       const auto& [first, second] = pairs[i];
-      if (joined.contain(first, second)) continue;
-      collide(bodies[static_cast<std::size_t>(first)], bodies[static_cast<std::size_t>(second)], into, margin);
+      const Body &a = bodies[static_cast<std::size_t>(first)], &b = bodies[static_cast<std::size_t>(second)];
+      if (may_touch(a, b) && !joined.contain(first, second)) collide(a, b, into, margin);
     }
   });
   for (const Contacts& found : of_others) contacts.insert(contacts.end(), found.begin(), found.end());

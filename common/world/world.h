@@ -91,7 +91,7 @@ void check_state(const Body& body);
 void keep_velocity(Body& body);
 /// v += h (g + F/m),  w += h I^-1 tau,  and F = tau = 0.
 void integrate_velocity(Body& body, const Vec3& gravity, Real dt);
-/// x += h v, and the turn; I^-1 in world axes stays behind until it is refreshed.
+/// x += h v, and the turn, unless the body conveys; I^-1 in world axes stays behind until it is refreshed.
 void integrate_position(Body& body, Real dt);
 /// x += h v, the turn, and I^-1.
 void move(Body& body, Real dt);

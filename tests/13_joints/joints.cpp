@@ -284,6 +284,9 @@ TEST_CASE("joints that cannot be are refused, by name") {
         "a distance holds body -2: a body from 0 to 1, or -1 for the world, is needed");
   CHECK(complaint([&] { ball_and_socket(fixed, the_world, 1, p); }) ==
         "a ball and socket joins bodies -1 and 1, and neither can move: one has to");
+  fixed.bodies[1].conveying({1, 0, 0});
+  CHECK(complaint([&] { ball_and_socket(fixed, 0, 1, p); }) ==
+        "a ball and socket holds body 1, which conveys: one that goes where its velocity points is needed");
   CHECK(complaint([&] { ball_and_socket(world, 0, 1, {0, nan, 0}); }) ==
         "anchor of a ball and socket is (0, nan, 0): three finite numbers are needed");
   CHECK(complaint([&] { hinge(world, 0, 1, p, Vec3::Zero()); }) ==

@@ -616,3 +616,73 @@ TEST_CASE("sleep: what cannot be simulated is refused, and nothing has moved") {
   CHECK(complaint([&] { piles.sleep().wake(piles.world, 1); }).empty());
   CHECK(piles.asleep() == second_pile);
 }
+
+TEST_CASE("sleep: who may not touch a pile wakes nobody in it, however deep he is in it, and who may does") {
+  for (const bool may : {false, true}) {
+    Dormitory dormitory(two_piles());
+    for (std::size_t i = 1; i <= 6; ++i) dormitory.world.bodies[i].in_groups(2);
+    dormitory.step_until_asleep({1, 2, 3, 4, 5, 6});
+    dormitory.world.add(sphere(Real(0.3), 10).at({-1, Real(0.5), 0}).moving({2, 0, 0}).rough(0).touching(may ? 3 : 1));
+    bool woke = false;
+    for (int i = 0; i < 60; ++i) {
+      dormitory.step();
+      woke = woke || dormitory.asleep().size() < 6;
+    }
+    CHECK(woke == may);
+    CHECK((std::abs(dormitory.world.bodies[7].position.x() - 1) < Real(0.01)) == !may);  // straight through it
+  }
+}
+
+TEST_CASE("sleep: bodies that may not touch each other are no island, though they are in one place") {
+  for (const bool may : {false, true}) {
+    World world;
+    world.add(ground());
+    world.add(cube().at({0, Real(0.499), 0}).in_groups(2));
+    world.add(cube().at({Real(0.999), Real(0.499), 0}).in_groups(4));
+    if (!may) world.bodies[1].touching(1);
+    Dormitory dormitory(world);
+    for (int i = 0; i < 120; ++i) {
+      dormitory.world.bodies[2].force = {0, 0, i % 2 == 0 ? Real(2e3) : Real(-2e3)};  // restless
+      dormitory.step();
+    }
+    CHECK(dormitory.asleep() == (may ? Bodies{} : Bodies{1}));
+  }
+}
+
+TEST_CASE(
+    "sleep: on a conveyor that runs nobody sleeps, even where he is held up, and on one that stands only until it "
+    "starts") {
+  World world;
+  world.add(box({5, 1, 1}, 1).fixed().at({0, -1, 0}));
+  world.add(cube().at({0, Real(0.499), 0}));
+  world.add(box({Real(0.1), 1, 1}, 1).fixed().at({Real(0.6), 1, 0}));  // he cannot get on
+  Dormitory dormitory(world);
+  dormitory.step_until_asleep({1});
+  dormitory.world.bodies[0].conveying({1, 0, 0});
+  dormitory.step(120);
+  CHECK(dormitory.asleep().empty());
+  CHECK(dormitory.world.bodies[1].position.x() < Real(0.01));
+  CHECK(dormitory.world.bodies[0].position == Vec3(0, -1, 0));
+  dormitory.world.bodies[0].conveying(Vec3::Zero());
+  dormitory.step_until_asleep({1});
+  dormitory.world.bodies[0].conveying({-1, 0, 0});
+  dormitory.step(60);
+  CHECK(dormitory.world.bodies[1].position.x() < Real(-0.5));
+}
+
+TEST_CASE("sleep: a lift that is moved by hand wakes whom it carries, and who has arrived sleeps again") {
+  World world;
+  world.add(box({1, 1, 1}, 1).fixed().at({0, -1, 0}));
+  world.add(cube().at({0, Real(0.499), 0}));
+  Dormitory dormitory(world);
+  dormitory.step_until_asleep({1});
+  Body& lift = dormitory.world.bodies[0];
+  for (int i = 1; i <= 60; ++i) {
+    lift.moved_to({0, -1 + Real(i) / 60, 0}, Quat::Identity(), h, 1);
+    dormitory.step();
+    CHECK(dormitory.asleep().empty());
+  }
+  lift.moved_to(lift.position, lift.orientation, h, 1);
+  dormitory.step_until_asleep({1});
+  CHECK(std::abs(dormitory.world.bodies[1].position.y() - Real(1.5)) < Real(0.01));
+}

@@ -114,20 +114,6 @@ TEST_CASE("nothing to hold: the ground, the air") {
   CHECK_FALSE(played.live.held());
 }
 
-TEST_CASE("a ray meets the surface of each shape where geometry says") {
-  const Ray ray{{-10, 0, 0}, {1, 0, 0}};
-  const Quat turn(Eigen::AngleAxis<Real>(pi / 4, Vec3::UnitY()));
-  CHECK(distance_to(sphere(2, 1), ray).value() == Approx(8).epsilon(1e-4));
-  CHECK(distance_to(box({1, 2, 1}, 1).turned(pi / 4, Vec3::UnitY()), ray).value() == Approx(10 - std::sqrt(2)));
-  CHECK(distance_to(capsule(1, 3, 1), ray).value() == Approx(9).epsilon(1e-4));
-  CHECK(distance_to(capsule(1, 3, 1).turned(pi / 2, Vec3::UnitZ()), ray).value() == Approx(6).epsilon(1e-4));
-  CHECK(distance_to(half_space({-1, 0, 0}).at({3, 0, 0}), ray).value() == Approx(13));
-  CHECK(distance_to(hull({{-1, -1, -1}, {1, -1, -1}, {0, -1, 1}, {0, 1, 0}}, 1).at({0, 0, 0}), ray).has_value());
-  for (const Body& missed : {sphere(2, 1).at({0, Real(2.01), 0}), box({1, 1, 1}, 1).at({0, Real(1.01), 0}),
-                             capsule(1, 1, 1).at({0, 0, Real(1.01)}), sphere(1, 1).at({-13, 0, 0})})
-    CHECK_FALSE(distance_to(missed, ray));
-}
-
 TEST_CASE("a body follows the hand, a heavy one as a light one does") {
   std::vector<Vec3> places;
   for (const Real mass : {Real(1), Real(1000)}) {

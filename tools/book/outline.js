@@ -6,6 +6,7 @@ import path from "node:path";
 const further = [
   "symptoms",
   "challenges",
+  "bodies_and_queries",
   "notation",
   "hard_cases",
   "accuracy_and_time",
