@@ -119,7 +119,7 @@ TEST_CASE("below that height a column sways as boxes on springs do, slower the h
 TEST_CASE("above it what it is bent by grows as fast as of boxes on springs, and it has the shape of a mast") {
   for (const auto& [count, boxes] : {std::pair{4, 18}, {4, 20}, {8, 29}, {8, 32}, {16, 52}}) {
     const Watched column(boxes, count, 5, 20, Real(0.5));
-    const std::size_t last = column.aside.size() - 1, second = std::lround(1 / h);
+    const std::size_t last = column.aside.size() - 1, second = static_cast<std::size_t>(std::lround(1 / h));
     REQUIRE(last > 3 * second);
     const Real measured = std::log(column.aside[last] / column.aside[last - second]);
     const Real wanted = std::sqrt(-square_of_sway(boxes, stiffness_of(count)));
