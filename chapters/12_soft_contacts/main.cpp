@@ -1,4 +1,5 @@
 #include "pushback/chapters/11_substeps/study.h"
+#include "pushback/chapters/12_soft_contacts/mast.h"
 #include "pushback/chapters/12_soft_contacts/scenes.h"
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/common/experiment/marks.h"
@@ -28,6 +29,64 @@ Real speed_out_of(const SoftContacts& spring, Real depth, Real h, Real seconds) 
 struct Unrelaxed : SoftSolver {
   void moved(World&, Real) override {}
 };
+
+/// Both edges of a mast that buckles, as far aside at its top as the column is.
+void add_mast(Picture& picture, const World& world) {
+  const Real height = static_cast<Real>(world.bodies.size() - 1);
+  const Real scale = world.bodies.back().position.x() / mast_shape(1 - Real(0.5) / height).aside;
+  for (const Real edge : {-Real(0.5), Real(0.5)}) {
+    std::vector<Vec3> line;
+    for (int i = 0; i <= 40; ++i) {
+      const Real up = static_cast<Real>(i) / 40;
+      const auto [aside, slope] = mast_shape(up);
+      line.push_back(Vec3(scale * aside + edge, height * up - edge * scale * slope / height, Real(0.55)));
+    }
+    add_line(picture, line, near_black_colour(), Real(1.2));
+  }
+}
+
+/// Whether a column that is bent by 10 mm is upright again within 10 s.
+bool comes_back(int boxes, int substeps, Real dt) {
+  Substeps<SoftSolver> solver({}, substeps);
+  World world;
+  BentColumn{boxes, solver.angular_frequency(dt / static_cast<Real>(substeps))}(world);
+  const auto top = [&world] { return world.bodies.back().position.x(); };
+  for (Real t = 0; t < 10 && top() > 0 && top() < Real(0.5); t += dt) world.step(solver, dt);
+  return top() <= 0;
+}
+
+/// Columns lower and higher than Greenhill's height, for some numbers of substeps: which of them stand.
+void study_heights(Experiment& e) {
+  Panel panel{.title = "how high a column stands",
+              .x_label = "substeps; springs of 7.5 Hz for each",
+              .y_label = "boxes",
+              .log_x = true,
+              .log_y = true,
+              .ticks_at_points = true};
+  Curve law{"Greenhill's law", {}, {}, "#000000"};
+  for (const int substeps : {4, 8, 16, 32}) {
+    const Real x = substeps, height = tallest_column(SoftContacts{}.angular_frequency(e.dt() / x));
+    law.x.push_back(x);
+    law.y.push_back(height);
+    const bool last = substeps == 32;  // one name for each colour
+    Curve stand{last ? "stands" : "", {}, {}, line_colour(1), Curve::Style::line_and_points};
+    Curve fall{last ? "falls" : "", {}, {}, line_colour(0), Curve::Style::line_and_points};
+    for (const Real part : {Real(0.8), Real(0.95), Real(1.05), Real(1.25)}) {
+      const Real boxes = std::round(part * height);
+      Curve& curve = comes_back(static_cast<int>(boxes), substeps, e.dt()) ? stand : fall;
+      curve.x.push_back(x);
+      curve.y.push_back(boxes);
+    }
+    e.remark(
+        fmt::format("{} substeps: Greenhill's law allows {:.1f} boxes. Of the columns that were bent, {:.0f} boxes "
+                    "come back and {:.0f} fall.",
+                    substeps, height, stand.y.empty() ? 0 : stand.y.back(), fall.y.empty() ? 0 : fall.y.front()));
+    panel.curves.push_back(stand);
+    panel.curves.push_back(fall);
+  }
+  panel.curves.push_back(law);
+  e.panel(panel);
+}
 
 }  // namespace
 
@@ -113,6 +172,37 @@ int main(int argc, char** argv) {
     number_drift(e);
     number_overlap(e);
 
+    const Real every = Real(0.75), apart = Real(0.45) * top;  // s; m, of one instant from the next
+    const Real half = Real(3.6) * apart;
+    e.scene({.name = "a column of " + spelled(tall) + ", bent by 10 mm",
+             .fill = [tall](World& world) { stack(world, tall); },
+             .camera = {{half, Real(0.08) * top, 20 * top}, {half, Real(0.51) * top, 0}, Real(0.0555)},
+             .seconds = 10,
+             .contacts = Drawn::nothing,
+             .key = "column",
+             .caption =
+                 "The column is drawn every 0.75 s from left to right. Thin lines: a mast that buckles under its "
+                 "own weight, as far aside at its top.",
+             .strobe = Strobe{.every = every,
+                              .shift_per_second = {apart / every, 0, 0},
+                              .from = 10 - 7 * every,
+                              .height = 440,
+                              .marks = add_mast}});
+    const Real stiffest = std::min(Real(60), 1 / (8 * h));
+    std::vector<Real> springs{std::min(Real(30), stiffest)};  // Hz
+    if (stiffest > springs[0]) springs.push_back(stiffest);
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+      SoftSolver solver;
+      solver.hertz = springs[i];
+      const BentColumn bent{tall, 2 * pi * springs[i]};
+      e.variant(fmt::format("{} substeps, {:.3g} Hz", count, springs[i]), Substeps(solver, count))
+          .with_exactly(1)
+          .changing([bent](World& world) { bent.bend(world); })
+          .coloured(static_cast<int>(i));
+    }
+    e.series("drift of the top", "mm", drift_in_mm, true);
+    e.number("drift of the top", "mm", [](const Run& run) { return drift_in_mm(run.world); });
+
     const FullSolver baumgarte;
     e.scene({.name = fmt::format("{:.3g} mm too deep, without gravity", 1000 * sunken.depth),
              .fill = sunken,
@@ -132,6 +222,7 @@ int main(int argc, char** argv) {
     e.number("exit speed", "m/s", [](const Run& run) { return run.series.at("speed").back(); });
 
     e.study([&e, tall] {
+      study_heights(e);
       const auto steps = [](const Budget& budget) { return budget.substeps; };
       const auto all_sweeps = [](const Budget& budget) { return budget.substeps * budget.sweeps; };
       const auto and_relaxing = [](const Budget& budget) { return budget.substeps * (budget.sweeps + 1); };
