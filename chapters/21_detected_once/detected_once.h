@@ -141,6 +141,7 @@ class DetectedOnce : public SubsteppingSolver {
   /// In each substep, once the bodies have moved: where they are now, and the relaxing pass.
   void moved(World& world, Real h) override {
     for (KeptBody& each : bodies_) {
+      if (each.body->conveys) continue;
       each.way += h * each.body->velocity;
       each.turn += h * each.body->angular_velocity;
     }

@@ -356,6 +356,7 @@ template <class Scalar, class JointEffect>
 void Wide<Scalar, JointEffect>::moved(World& world, Real h) {
   const NoDenormals none;
   each_body([&](std::size_t i) {
+    if (bodies_[i]->conveys) return;
     const Vec3 &v = bodies_[i]->velocity, &w = bodies_[i]->angular_velocity;
     for (int k = 0; k < 3; ++k) {
       moved_[i].of[k] += static_cast<Scalar>(h * v[k]);
