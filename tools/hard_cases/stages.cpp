@@ -47,6 +47,7 @@ class Doubled : public ForwardingSolver {
         return id == contact.id;
       };
       for (; copy != twice_.end() && is_of(copy->id); ++copy, stays = true) {
+        contact.normal = copy->normal;
         contact.depth = copy->depth;
         contact.impulse += copy->impulse;
         contact.last_impulse += copy->last_impulse;
