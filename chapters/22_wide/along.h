@@ -214,8 +214,11 @@ void along(const Bundles<Real>& all) {
     const auto rides =
         load<Lanes>(bundle.on_a, at) + load<Lanes>(bundle.on_b, at) + load<Lanes>(bundle.between, at) > 0 &&
         by_a < at_once && by_b < at_once;
-    const auto placed = passes || turns, ridden = placed && rides, carried = placed && !rides;
+    const auto placed = passes || turns;
     if (none_of(placed)) return;
+    Lanes bounce = 0;  // an impact is at one instant: the relaxing pass ends it along the n with which it began
+    for (int c = bundle.first; c < bundle.end; ++c) bounce = bounce + load<Lanes>(all.contacts[c].bounce, at);
+    const auto ridden = placed && rides && bounce >= 0, carried = placed && !ridden;
     Placing<Lanes> pairs{.now = Pairs<Lanes>(bundle, all.now, at),
                          .moved = moved,
                          .given = Pairs<Lanes>(bundle, all.given, at),

@@ -14,7 +14,7 @@ class Doubled : public ForwardingSolver {
  public:
   explicit Doubled(AnySolver solver) : solver_(std::move(solver)) {}
   void detected(World& world, Real h) override {
-    if (plan(h).substeps > 1)
+    if (plan(Real(1) / 60).substeps > 1)
       for (Contact& contact : twice_) contact.impulse = contact.last_impulse;
     world.contacts_before = twice_;
     twice_.clear();
