@@ -1,0 +1,32 @@
+/// Steps of fourth order, made of steps of second.
+#pragma once
+
+#include <array>
+
+#include "pushback/chapters/24_half_step/half_step.h"
+
+namespace pushback {
+
+/// A symmetric step of second order is off by e h^3 + O(h^5) of its own. Steps of p_i h in a row are off by (sum p_i^3) e h^3: with
+///
+///   sum p_i = 1,  sum p_i^3 = 0
+///
+/// that is gone, and what is left is of order 5 in a step: order 4. One p_i has to be negative, a step back in time. Friction and
+/// impacts have none; what holds joints and knows gravity has.   Yoshida, Phys. Lett. A 150, 1990; Suzuki, Phys. Lett. A 146, 1990.
+struct Yoshida {
+  static constexpr Real one = Real(1.3512071919596578);  // 1 / (2 - 2^(1/3))
+  static constexpr std::array<Real, 3> parts{one, 1 - 2 * one, one};
+};
+/// Longer, but none of its steps is longer than h: an error far smaller.
+struct Suzuki {
+  static constexpr Real one = Real(0.41449077179437571);  // 1 / (4 - 4^(1/3))
+  static constexpr std::array<Real, 5> parts{one, one, 1 - 4 * one, one, one};
+};
+
+template <class Composition>
+class Composed : public HalfStep {
+ protected:
+  std::span<const Real> parts() const override { return Composition::parts; }
+};
+
+}  // namespace pushback
