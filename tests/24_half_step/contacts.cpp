@@ -39,6 +39,15 @@ TEST_CASE("half step: a box slides down a slope exactly, and one that stops is o
   }
 }
 
+TEST_CASE("half step: the page's three lines") {
+  World world;
+  world.add(sphere(1, 1).at({0, 5, 0}));
+  HalfStep solver;
+  solver.substeps = 4;
+  world.step(solver, 1.0 / 60);
+  CHECK(world.bodies[0].position.y() == Approx(5 - g * h * h / 2).epsilon(1e-6));
+}
+
 TEST_CASE("half step: a ball slides, rolls, and is off by micrometres") {
   CHECK(error_of_contacts("rolling", 1) < (in_double ? 1.1e-6 : 1e-3));
 }
@@ -96,7 +105,7 @@ TEST_CASE("half step: friction stays in the cone, whichever way the box slides")
   }
 }
 
-TEST_CASE("half step: a ball bounces with e times its speed; when, is of first order") {
+TEST_CASE("half step: a ball bounces with e times its speed, and when it does is of first order") {
   const auto apex = [](int substeps) {
     World world;
     world.add(ground());
