@@ -52,6 +52,27 @@ TEST_CASE("half step: a ball slides, rolls, and is off by micrometres") {
   CHECK(error_of_contacts("rolling", 1) < (in_double ? 1.1e-6 : 1e-3));
 }
 
+TEST_CASE("half step: a ball slides down from a smooth ball, keeps its energy, and leaves it at 2/3 of the height") {
+  // It leaves where gravity no longer turns it: m v^2 / R = m g cos,  v^2 = 2 g R (cos_0 - cos)
+  constexpr Real apart = Real(1.5), start = Real(0.3);
+  World world;
+  world.add(sphere(1, 1).fixed().rough(0));
+  world.add(sphere(Real(0.5), 1).at({apart * std::sin(start), apart * std::cos(start), 0}).rough(0));
+  HalfStep step;
+  const Real begin = energy(world);
+  const Real leaves = apart * std::cos(start) * 2 / 3;
+  Real left = 0;
+  while (left == 0 && world.time < 2) {
+    world.step(step, h / 16);
+    const Vec3& place = world.bodies[1].position;
+    CHECK(std::abs(energy(world) - begin) < Real(2e-3));
+    if (world.contacts.empty() || world.contacts[0].impulse.isZero(0)) left = place.y();
+    if (place.y() > leaves + Real(0.1))
+      CHECK(std::abs(world.bodies[1].velocity.dot(place.normalized())) < 100 * rounding);
+  }
+  CHECK(left == Approx(leaves).epsilon(0.03));
+}
+
 TEST_CASE("half step: solved exactly, stacks rest where they began") {
   for (const int boxes : {1, 2, 5, 10}) {
     CAPTURE(boxes);
