@@ -197,6 +197,20 @@ TEST_CASE("half step: a throw is exact, and a spring is of second order and keep
   CHECK(v * v + (1 - s * s) * 100 * x * x == Approx((1 - s * s) * 100).epsilon(in_double ? 1e-11 : 1e-2));
 }
 
+TEST_CASE("half step: a force that depends on the velocity is of first order") {
+  if (!in_double) return;
+  CHECK(order({8, 16, 32, 64}, [](int substeps) {
+          World world;
+          world.gravity.setZero();
+          world.add(sphere(1, 1).moving({1, 0, 0}));
+          world.forces.push_back(drag(0, 2));
+          HalfStep step;
+          step.substeps = substeps;
+          for (int i = 0; i < 60; ++i) world.step(step, h);
+          return std::abs(world.bodies[0].velocity.x() - std::exp(Real(-2)));
+        }) == Approx(1).margin(0.1));
+}
+
 TEST_CASE("half step: a force by hand lasts for the step, and a torque turns") {
   World world;
   world.gravity.setZero();
