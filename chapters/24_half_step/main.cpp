@@ -1,6 +1,6 @@
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
-#include "pushback/chapters/24_half_step/scenes.h"
+#include "pushback/chapters/24_half_step/top.h"
 #include "pushback/chapters/24_half_step/study.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marks.h"

@@ -10,7 +10,7 @@
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
 #include "pushback/chapters/24_half_step/composition.h"
 #include "pushback/chapters/24_half_step/plain.h"
-#include "pushback/chapters/24_half_step/scenes.h"
+#include "pushback/chapters/24_half_step/top.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/any_solver.h"

@@ -1,4 +1,4 @@
-/// What swings, spins and hangs, with what is known of it.
+/// A top whose motion is known.
 #pragma once
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
