@@ -10,8 +10,8 @@ namespace pushback {
 
 namespace {
 
-/// x += h v, and the turn. A body that spins about one of its principal axes turns evenly: `spin_freely` would find that out by Newton's
-/// method, each time.
+/// x += h v, and the turn. A body that spins about one of its principal axes turns evenly: `spin_freely` would find that out
+/// by Newton's method, each time.
 void drift(Body& body, Real h) {
   body.position += h * body.velocity;
   if (body.angular_velocity == Vec3::Zero()) return;
@@ -115,7 +115,8 @@ void HalfStep::kick(World& world, Real h) const {
   }
 }
 
-/// False where Newton's method does not get there: then all is as it was. The rows are placed where the bodies are, before and after.
+/// False where Newton's method does not get there: then all is as it was. The rows are placed where the bodies are, before and
+/// after.
 bool HalfStep::step(World& world, Real h) {
   keep(world, begun_);
   kick(world, h / 2);

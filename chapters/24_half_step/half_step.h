@@ -18,13 +18,14 @@ namespace pushback {
 ///   v += M^-1 J(x)^T lambda                     so that J v = 0
 ///
 /// The position is a constraint of its own, so no error is fed back as a velocity: there is no beta. Backwards in time
-/// it is the same step. Forces are to depend on places and on time: one that depends on velocities, as drag does, is of first order.
+/// it is the same step. Forces are to depend on places and on time: one that depends on velocities, as drag does, is of first
+/// order.
 ///
 /// Contacts are held in both stages as well, see held_contacts.h. An impact within a step is of first order.
 ///
-/// Where Newton's method does not get there, the step is divided in two, and these again. Joints and contacts in the same world, sleeping bodies, and
-/// joints with limits, limited forces or springs are refused.
-/// Andersen, "Rattle", J. Comput. Phys. 1983; Hairer, Lubich, Wanner, Geometric Numerical Integration, VII.1.
+/// Where Newton's method does not get there, the step is divided in two, and these again. Refused are joints and contacts in the
+/// same world, sleeping bodies, and joints with limits, limited forces or springs.
+///   Andersen, "Rattle", J. Comput. Phys. 1983; Hairer, Lubich, Wanner, Geometric Numerical Integration, VII.1.
 class HalfStep : public StepSolver {
  public:
   int substeps = 1;                                                                   ///< of each step

@@ -10,7 +10,8 @@ namespace pushback {
 ///   positions     gap + h J v >= 0,  lambda >= 0      along J where the drift begins; what sticks has not slid when it ends
 ///   velocities    J v >= 0,          lambda >= 0      along J where the bodies are, for those that touch there
 ///
-/// with friction inside the cone in both. Where bodies have met in this step, faster than `threshold`, the second is J v >= -e v_n: v_n before the step.
+/// with friction inside the cone in both. Where bodies have met in this step, faster than `threshold`, the second is
+/// J v >= -e v_n, v_n before the step.
 class HeldContacts {
  public:
   Real threshold = Real(0.1);  ///< m/s; what arrives slower does not bounce

@@ -1,7 +1,7 @@
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
-#include "pushback/chapters/24_half_step/top.h"
 #include "pushback/chapters/24_half_step/study.h"
+#include "pushback/chapters/24_half_step/top.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marks.h"
 #include "pushback/common/render/palette.h"
@@ -106,10 +106,19 @@ int main(int argc, char** argv) {
                    add_ring(picture, fine->place(time), Vec3::UnitZ(), Real(0.3));
                  },
              .cell_height = 360});
-    e.variant("whole step", Whole{}).with_exactly(1).expect("energy at the end", 0).expect("energy off by up to", 0);
-    e.variant("half step", HalfStep{}).with_exactly(1).expect("energy at the end", 0).expect("energy off by up to", 0);
+    e.variant("whole step", Whole{})
+        .with_exactly(1)
+        .coloured(0)
+        .expect("energy at the end", 0)
+        .expect("energy off by up to", 0);
+    e.variant("half step", HalfStep{})
+        .with_exactly(1)
+        .coloured(1)
+        .expect("energy at the end", 0)
+        .expect("energy off by up to", 0);
     e.variant("order 4", Composed<Suzuki>{})
         .with_exactly(1)
+        .coloured(2)
         .expect("energy at the end", 0)
         .expect("energy off by up to", 0);
     World begin;
@@ -159,8 +168,8 @@ int main(int argc, char** argv) {
                .fill = [&motion](World& world) { motion.begin(world); },
                .seconds = static_cast<Real>(motion.seconds),
                .pictures = false});
-      e.variant("half step", in_substeps(1)).with_exactly(1);
-      e.variant("half step, 8 substeps", in_substeps(8)).with_exactly(1);
+      e.variant("half step", in_substeps(1)).with_exactly(1).coloured(1);
+      e.variant("half step, 8 substeps", in_substeps(8)).with_exactly(1).coloured(3);
       measure_error([&truth](const World& world) { return truth.error(world); }, false);
     }
 

@@ -37,7 +37,8 @@ inline void whole_step(Bob& bob, const Vec3& g, Real h) {
   bob.x *= bob.length / bob.x.norm();
 }
 
-/// The first wrong way: the average of the velocities before and after moves the ball, but what holds it is solved for one of them.
+/// The first wrong way: the average of the velocities before and after moves the ball, but what holds it is solved for one of
+/// them.
 inline void average_step(Bob& bob, const Vec3& g, Real h) {
   const Vec3 before = bob.v;
   bob.v += h * g;
