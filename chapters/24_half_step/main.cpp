@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
     };
 
     const Motion& pendulum = motion_named("pendulum");
-    const auto fine = std::make_shared<Fine>(pendulum);
+    static const auto fine = std::make_shared<const Fine>(pendulum);  // no parameter changes it
     e.scene({.name = "a ball on a pin, for a minute",
              .fill = [&pendulum](World& world) { pendulum.begin(world); },
              .camera = {{0, Real(-0.25), Real(2.2)}, {0, Real(-0.25), 0}},
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
              .caption = "Ring: where the ball should be. All three take one step in 1/60 s.",
              .start_shown = false,
              .marks =
-                 [fine](Picture& picture, const World& world, Real time) {
+                 [](Picture& picture, const World& world, Real time) {
                    add_line(picture, {Vec3::Zero(), world.bodies[0].position}, near_black_colour());
                    add_ring(picture, fine->place(time), Vec3::UnitZ(), Real(0.3));
                  },
@@ -125,9 +125,8 @@ int main(int argc, char** argv) {
     pendulum.begin(begin);
     const Real from = energy(begin);
     e.series("energy", "%", [from](const World& world) { return 100 * (energy(world) - from) / std::abs(from); });
-    e.series_without_curves("off", [fine](const World& world) {
-      return 1000 * (world.bodies[0].position - fine->place(world.time)).norm();
-    });
+    e.series_without_curves(
+        "off", [](const World& world) { return 1000 * (world.bodies[0].position - fine->place(world.time)).norm(); });
     e.number("energy at the end", "%", [](const Run& run) { return run.series.at("energy").back(); });
     e.number("energy off by up to", "%", [](const Run& run) { return largest_size(run.series.at("energy")); });
     e.number("largest error", "mm", [](const Run& run) { return largest_size(run.series.at("off")); });
