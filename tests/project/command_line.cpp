@@ -93,7 +93,8 @@ const std::map<std::string, std::vector<std::string>> own_options{
     {"20_only_what_is_needed", {"--still-for", "--place", "--speed", "--mass-ratio"}},
     {"21_detected_once", {"--substeps", "--margin", "--spin", "--speed", "--boxes", "--mass-ratio"}},
     {"22_wide", {"--substeps", "--base", "--boxes", "--square", "--mass-ratio"}},
-    {"23_threads", {"--substeps", "--base", "--threads"}}};
+    {"23_threads", {"--substeps", "--base", "--threads"}},
+    {"24_half_step", {"--substeps"}}};
 
 }  // namespace
 

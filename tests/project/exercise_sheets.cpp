@@ -85,7 +85,7 @@ bool is_without_bodies(const Exercise& exercise, std::size_t check) {
   static const std::map<std::string, std::set<std::size_t>> some{{"21_detected_once", {0, 1}}};
   static const std::set<std::string> all{
       "16_whole_problem", "17_direct_contacts", "19_accuracy_and_time", "19_accuracy_and_time_transfer",
-      "22_wide",          "23_threads"};
+      "22_wide",          "23_threads",         "24_half_step",         "24_half_step_transfer"};
   const auto found = some.find(exercise.name);
   return all.contains(exercise.name) || (found != some.end() && found->second.contains(check));
 }

@@ -110,3 +110,6 @@ TEST_CASE("the sheet of 22 looks as it did") {
 TEST_CASE("the sheet of 23 looks as it did") {
   compare("23_threads");
 }
+TEST_CASE("the sheet of 24 looks as it did") {
+  compare("24_half_step");
+}

@@ -1,17 +1,23 @@
-/// The program `motion_wide`: the solvers that detect contacts once in a step play chapter 19's motions.
+/// The program `motion_wide`: the solvers that divide each step themselves play chapter 19's motions.
 #include "pushback/chapters/22_wide/wide.h"
+#include "pushback/chapters/24_half_step/composition.h"
 #include "pushback/tools/study/play.h"
 
 using namespace pushback;
 
 namespace {
 
-/// A solver whose plan divides each step of 1/60 s.
 template <class ContactSolver>
-class DetectsOnce : public Player {
+constexpr bool is_half_step = std::derived_from<ContactSolver, HalfStep>;
+
+/// A solver that divides each step of 1/60 s.
+template <class ContactSolver>
+class Divides : public Player {
  public:
-  DetectsOnce(const Motion& motion, const Setting& setting)
-      : sweeps_(setting.sweeps), sweeps_all_(motion.pins.empty() || std::is_same_v<ContactSolver, DetectedOnce>) {
+  Divides(const Motion& motion, const Setting& setting)
+      : sweeps_(setting.sweeps),
+        sweeps_all_(!is_half_step<ContactSolver> &&
+                    (motion.pins.empty() || std::is_same_v<ContactSolver, DetectedOnce>)) {
     solver_.threshold = 0;  // bounces are compared at every speed
     motion.begin(world_);
   }
@@ -41,10 +47,14 @@ template <class ContactSolver>
 Method method(const std::string& name, const std::string& title) {
   return {.name = name,
           .title = title,
-          .plays = [](const Motion&) { return true; },
+          .plays =
+              [](const Motion& motion) {
+                return !motion.pins.empty() || !std::derived_from<ContactSolver, Composed<Suzuki>>;
+              },
           .begin = [](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            return std::make_unique<DetectsOnce<ContactSolver>>(motion, setting);
-          }};
+            return std::make_unique<Divides<ContactSolver>>(motion, setting);
+          },
+          .sweeps = !is_half_step<ContactSolver>};
 }
 
 }  // namespace
@@ -52,7 +62,9 @@ Method method(const std::string& name, const std::string& title) {
 int main(int argc, char** argv) {
   const std::vector<Method> methods{method<DetectedOnce>("once", "detected once"),
                                     method<Wide<double>>("wide", "detected once, wide"),
-                                    method<Wide<float>>("wide-float", "detected once, wide, rows in float")};
-  return play_program(argc, argv, "Plays a motion by the solvers that detect contacts once in 1/60 s.",
-                      fmt::format("Pushback, contacts detected once; {}", built_by()), methods);
+                                    method<Wide<float>>("wide-float", "detected once, wide, rows in float"),
+                                    method<HalfStep>("half-step", "kick, drift, kick"),
+                                    method<Composed<Suzuki>>("order-4", "five of these, of fourth order")};
+  return play_program(argc, argv, "Plays a motion by the solvers that divide each 1/60 s themselves.",
+                      fmt::format("Pushback, steps divided by the solver; {}", built_by()), methods);
 }

@@ -1,0 +1,17 @@
+/// What exercise 24 asks for.
+#pragma once
+
+#include "pushback/chapters/24_half_step/plain.h"
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_24 {
+
+using plain_24::Bob;
+
+struct Answer {
+  void (*step)(Bob& bob, const Vec3& g, Real h);
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_24

@@ -1,0 +1,20 @@
+/// What the transfer exercise 24 asks for.
+#pragma once
+
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_24_transfer {
+
+struct Judged {
+  double order = 0;   ///< p
+  double error = 0;   ///< of the best of the three, 0 or more
+  double better = 0;  ///< a result without that error
+};
+
+struct Answer {
+  Judged (*judge)(double whole, double half, double quarter);
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_24_transfer

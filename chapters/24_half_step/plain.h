@@ -1,0 +1,61 @@
+/// The step as a plain loop, for one ball on a rod; and the two wrong ways.
+#pragma once
+
+#include "pushback/common/basics/types.h"
+
+namespace pushback::plain_24 {
+
+/// 1 kg on a rod without mass, from the origin: |x| = length.
+struct Bob {
+  Vec3 x, v;    // m, m/s
+  Real length;  // m
+
+  Real off(const Vec3& at) const { return at.norm() - length; }  // C
+  Vec3 rod() const { return x.normalized(); }                    // J
+  void project() { v -= v.dot(rod()) * rod(); }                  // J v = 0
+};
+
+/// Newton's method, by impulses along `j`, until the rod is as long as it should be after h v.
+inline void hold(Bob& bob, const Vec3& j, Real h) {
+  for (int round = 0; round < 20; ++round) bob.v -= bob.off(bob.x + h * bob.v) / h * j;
+}
+
+/// Kick, drift, kick.
+inline void half_step(Bob& bob, const Vec3& g, Real h) {
+  bob.v += h / 2 * g;
+  hold(bob, bob.rod(), h);
+  bob.x += h * bob.v;
+  bob.v += h / 2 * g;
+  bob.project();
+}
+
+/// Chapter 11's order: the whole kick first, then v, then x += h v. Wrong by h/2.
+inline void whole_step(Bob& bob, const Vec3& g, Real h) {
+  bob.v += h * g;
+  bob.project();
+  bob.x += h * bob.v;
+  bob.x *= bob.length / bob.x.norm();
+}
+
+/// The first wrong way: the average of the velocities before and after moves the ball, but what holds it is solved for one of
+/// them.
+inline void average_step(Bob& bob, const Vec3& g, Real h) {
+  const Vec3 before = bob.v;
+  bob.v += h * g;
+  bob.project();
+  bob.x += h * (before + bob.v) / 2;
+  bob.x *= bob.length / bob.x.norm();
+  bob.project();
+}
+
+/// The second: kick, drift, kick, but the impulse that holds the length acts along the rod as it lies after the drift.
+inline void new_rod_step(Bob& bob, const Vec3& g, Real h) {
+  bob.v += h / 2 * g;
+  const Vec3 free = bob.x + h * bob.v;
+  bob.v -= bob.off(free) / h * free.normalized();
+  bob.x += h * bob.v;
+  bob.v += h / 2 * g;
+  bob.project();
+}
+
+}  // namespace pushback::plain_24

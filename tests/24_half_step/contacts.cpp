@@ -1,0 +1,200 @@
+/// Chapter 24: contacts in both stages.
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/common/bodies/random.h"
+#include "pushback/common/world/situations.h"
+#include "tests/24_half_step/order.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+
+using namespace pushback;
+
+namespace {
+
+/// The largest error of a motion of chapter 19, m.
+double error_of_contacts(const std::string& name, int substeps) {
+  const Motion& motion = motion_named(name);
+  World world;
+  motion.begin(world);
+  HalfStep step;
+  step.substeps = substeps;
+  step.threshold = 0;
+  double largest = 0;
+  for (const Places& places : motion.truth(motion.frames())) {
+    world.step(step, h);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      largest = std::max(largest, (world.bodies[i].position.cast<double>() - places[i]).norm());
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("half step: a box slides down a slope exactly, and one that stops is off by at most mu g h^2 / 8") {
+  CHECK(error_of_contacts("incline", 1) < (in_double ? 1e-10 : 1e-3));
+  CHECK(error_of_contacts("sliding", 1) < 1.7e-4);
+  if (!in_double) return;
+  for (const int substeps : {1, 2, 4, 8, 16}) {
+    const double step = 1.0 / (60 * substeps);
+    CHECK(error_of_contacts("sliding", substeps) < 0.5 * 9.81 * step * step / 8);
+  }
+}
+
+TEST_CASE("half step: the page's three lines") {
+  World world;
+  world.add(sphere(1, 1).at({0, 5, 0}));
+  HalfStep solver;
+  solver.substeps = 4;
+  world.step(solver, 1.0 / 60);
+  CHECK(world.bodies[0].position.y() == Approx(5 - g * h * h / 2).epsilon(1e-6));
+}
+
+TEST_CASE("half step: a ball slides, rolls, and is off by micrometres") {
+  CHECK(error_of_contacts("rolling", 1) < (in_double ? 1.1e-6 : 1e-3));
+}
+
+TEST_CASE("half step: a ball slides down from a smooth ball, keeps its energy, and leaves it at 2/3 of the height") {
+  // It leaves where gravity no longer turns it: m v^2 / R = m g cos,  v^2 = 2 g R (cos_0 - cos)
+  constexpr Real apart = Real(1.5), start = Real(0.3);
+  World world;
+  world.add(sphere(1, 1).fixed().rough(0));
+  world.add(sphere(Real(0.5), 1).at({apart * std::sin(start), apart * std::cos(start), 0}).rough(0));
+  HalfStep step;
+  const Real begin = energy(world);
+  const Real leaves = apart * std::cos(start) * 2 / 3;
+  Real left = 0;
+  while (left == 0 && world.time < 2) {
+    world.step(step, h / 16);
+    const Vec3& place = world.bodies[1].position;
+    CHECK(std::abs(energy(world) - begin) < Real(2e-3));
+    if (world.contacts.empty() || world.contacts[0].impulse.isZero(0)) left = place.y();
+    if (place.y() > leaves + Real(0.1))
+      CHECK(std::abs(world.bodies[1].velocity.dot(place.normalized())) < 100 * rounding);
+  }
+  CHECK(left == Approx(leaves).epsilon(0.03));
+}
+
+TEST_CASE("half step: solved exactly, stacks rest where they began") {
+  for (const int boxes : {1, 2, 5, 10}) {
+    CAPTURE(boxes);
+    World world;
+    stack(world, boxes);
+    const World begin = world;
+    HalfStep step;
+    for (int i = 0; i < 300; ++i) world.step(step, h);
+    for (std::size_t i = 0; i < world.bodies.size(); ++i)
+      CHECK((world.bodies[i].position - begin.bodies[i].position).norm() < (in_double ? Real(1e-11) : Real(1e-3)));
+  }
+  CHECK(error_of_contacts("heavy-on-light", 1) < (in_double ? 1e-11 : 1e-3));
+}
+
+TEST_CASE("half step: a resting contact bears half of the weight in each stage, and says so") {
+  World world;
+  world.add(ground());
+  world.add(box(Vec3::Constant(Real(0.5)), 10).at({0, Real(0.5), 0}));
+  HalfStep step;
+  for (const int substeps : {1, 4}) {
+    step.substeps = substeps;
+    for (int i = 0; i < 10; ++i) world.step(step, h);
+    Real sum = 0;
+    for (const Contact& contact : world.contacts) sum += contact.impulse.y();
+    CHECK(world.contacts.size() == 4);
+    CHECK(sum == Approx(10 * g * h).epsilon(in_double ? 1e-9 : 1e-3));
+    for (const Contact& contact : world.contacts) CHECK(contact.state == ContactState::sticking);
+    CHECK(step.solved().rows == 12);
+  }
+}
+
+TEST_CASE("half step: friction stays in the cone, whichever way the box slides") {
+  for (const Real heading : {Real(0), Real(0.3), pi / 4, Real(2)}) {
+    World world;
+    world.add(ground().rough(Real(0.5)));
+    const Vec3 ahead(std::cos(heading), 0, std::sin(heading));
+    world.add(box({Real(0.5), Real(0.2), Real(0.5)}, 3).at({0, Real(0.2), 0}).moving(4 * ahead).rough(Real(0.5)));
+    HalfStep step;
+    for (int i = 0; i < 30; ++i) {
+      world.step(step, h);
+      Vec3 sum = Vec3::Zero();
+      for (const Contact& contact : world.contacts) {
+        const Vec3 aside = contact.impulse - contact.impulse.y() * Vec3::UnitY();
+        CHECK(aside.norm() <= (Real(0.5) + 1000 * rounding) * contact.impulse.y() + rounding);
+        CHECK(contact.state == ContactState::sliding);
+        sum += contact.impulse;
+      }
+      CHECK((sum / (3 * h) - g * (Vec3::UnitY() - Real(0.5) * ahead)).norm() < 1000 * rounding);
+    }
+    CHECK((world.bodies[1].velocity - (4 - Real(0.5) * g / 2) * ahead).norm() < 1000 * rounding);
+  }
+}
+
+TEST_CASE("half step: a ball bounces with e times its speed, and when it does is of first order") {
+  const auto apex = [](int substeps) {
+    World world;
+    world.add(ground());
+    world.add(sphere(Real(0.5), 2).at({0, Real(1.5), 0}).bouncy(Real(0.8)));
+    HalfStep step;
+    step.substeps = substeps;
+    Real before = -1, highest = 0;
+    for (int i = 0; i < 55; ++i) {
+      world.step(step, h);
+      const Real v = world.bodies[1].velocity.y();
+      if (before < 0 && v > 0) CHECK(v <= Real(0.8) * std::sqrt(2 * g * (1 + Real(0.3) / static_cast<Real>(substeps))));
+      before = v;
+      if (i > 30) highest = std::max(highest, world.bodies[1].position.y() - Real(0.5));
+    }
+    return highest;
+  };
+  for (const int substeps : {1, 4, 16, 64})
+    CHECK(std::abs(apex(substeps) - Real(0.64)) < Real(0.13) / static_cast<Real>(substeps));
+  World slow;  // below the threshold nothing bounces
+  slow.add(ground());
+  slow.add(sphere(Real(0.5), 2).at({0, Real(0.5), 0}).bouncy(1).moving({0, Real(-0.05), 0}));
+  HalfStep step;
+  slow.step(step, h);
+  CHECK(slow.bodies[1].velocity.norm() < rounding);
+}
+
+TEST_CASE("half step: what overlaps comes out, and gains no speed by it") {
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 2).at({0, Real(0.49), 0}));
+  HalfStep step;
+  for (int i = 0; i < 60; ++i) {
+    world.step(step, h);
+    CHECK(world.bodies[1].velocity.norm() < rounding);
+  }
+  CHECK(std::abs(world.bodies[1].position.y() - Real(0.5)) < 10 * rounding);
+}
+
+TEST_CASE("half step: a heap of anything gains no energy") {
+  for (const std::uint64_t seed : {2U, 5U}) {
+    Random random(seed);
+    World world;
+    world.add(ground());
+    for (int i = 0; i < 6; ++i)
+      world.add(random.body(10).at({random.between(-1, 1), Real(1.5) + Real(2.2) * static_cast<Real>(i), 0}));
+    HalfStep step;
+    const Real begin = energy(world);
+    Real before = begin;
+    for (int i = 0; i < 180; ++i) {
+      world.step(step, h);
+      const Real now = energy(world);
+      CHECK(now - before < Real(1e-4) * begin);
+      before = now;
+    }
+    CHECK(before < begin / 2);
+  }
+}
+
+TEST_CASE("half step: contacts and joints together, and contacts under a composed step, are refused by name") {
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 1).at({0, Real(0.49), 0}));
+  Composed<Suzuki> composed;
+  const World before = world;
+  CHECK(complaint([&] { world.step(composed, h); }).find("composed step goes back in time") != std::string::npos);
+  CHECK(hash_of(world) == hash_of(before));
+  HalfStep step;
+  step.threshold = -1;
+  CHECK(complaint([&] { world.step(step, h); }).find("threshold") != std::string::npos);
+  CHECK(hash_of(world) == hash_of(before));
+}

@@ -1,0 +1,472 @@
+/// Chapter 24: the order of the step, what it conserves, and what it refuses.
+#include "pushback/chapters/13_joints/distance.h"
+#include "pushback/chapters/13_joints/hinge.h"
+#include "pushback/chapters/13_joints/weld.h"
+#include "pushback/chapters/15_limits_motors_springs/limits.h"
+#include "pushback/chapters/15_limits_motors_springs/motor.h"
+#include "pushback/chapters/15_limits_motors_springs/piston.h"
+#include "pushback/chapters/15_limits_motors_springs/spring.h"
+#include "pushback/chapters/19_accuracy_and_time/front.h"
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/chapters/24_half_step/composition.h"
+#include "pushback/chapters/24_half_step/plain.h"
+#include "pushback/chapters/24_half_step/top.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/bodies/random.h"
+#include "pushback/common/world/any_solver.h"
+#include "pushback/common/world/forces.h"
+#include "pushback/common/world/measure.h"
+#include "tests/24_half_step/order.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+#include "tests/support/joint_energy.h"
+#include "tests/support/yardstick.h"
+
+using namespace pushback;
+using namespace pushback::half_step_scenes;
+
+namespace {
+
+/// The largest error of a motion of chapter 19, m.
+template <class Step>
+double error_of_motion(const std::string& name, const std::vector<Places>& truth, int substeps) {
+  World world;
+  motion_named(name).begin(world);
+  auto step = exact<Step>(substeps);
+  double largest = 0;
+  for (const Places& places : truth) {
+    world.step(step, h);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      largest = std::max(largest, (world.bodies[i].position.cast<double>() - places[i]).norm());
+  }
+  return largest;
+}
+std::vector<Places> truth_of(const std::string& name) {
+  const Motion& motion = motion_named(name);
+  return motion.truth(motion.frames());
+}
+
+/// Of all joints of a world: the largest |C|, and the largest |J v|.
+struct Residuals {
+  Real position = 0, velocity = 0;
+};
+Residuals residuals(const World& world) {
+  Residuals largest;
+  Equations equations;
+  for (const Joint& joint : world.joints) {
+    const Body &a = world.body(joint.a), &b = world.body(joint.b);
+    equations.clear();
+    joint.ask(a, b, {world.time, h}, equations);
+    for (const Equation& equation : equations) {
+      const Jacobian& J = equation.jacobian;
+      const Real speed =
+          J.n.dot(b.velocity - a.velocity) + J.rb_n.dot(b.angular_velocity) - J.ra_n.dot(a.angular_velocity);
+      largest.position = std::max(largest.position, std::abs(equation.error));
+      largest.velocity = std::max(largest.velocity, std::abs(speed));
+    }
+  }
+  return largest;
+}
+
+/// Bodies of any inertia, pinned and hinged to each other.
+World tumbling_chain(int count) {
+  Random random(5);
+  World world;
+  Vec3 end = Vec3::Zero();
+  for (int link = 0; link < count; ++link) {
+    const Vec3 next = end + random.direction();
+    world.add(box({Real(0.1), Real(0.2), Real(0.3)}, random.between(1, 3))
+                  .oriented(random.orientation())
+                  .at((end + next) / 2));
+    world.joints.push_back(link % 2 == 0 ? ball_and_socket(world, link - 1, link, end)
+                                         : hinge(world, link - 1, link, end, random.direction()));
+    for (int before = 0; before < link - 1; ++before) {  // nobody collides: what is asked about here is joints
+      Joint apart = ball_and_socket(world, before, link, end);
+      apart.ask = [](const Body&, const Body&, const TimeStep&, Equations&) {};
+      world.joints.push_back(apart);
+    }
+    end = next;
+  }
+  return world;
+}
+
+Real farthest(const World& one, const World& other) {
+  Real largest = 0;
+  for (std::size_t i = 0; i < one.bodies.size(); ++i)
+    largest = std::max({largest, (one.bodies[i].position - other.bodies[i].position).norm(),
+                        one.bodies[i].orientation.angularDistance(other.bodies[i].orientation)});
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("half step: of second order, the pendulum and the chain") {
+  if (!in_double) return;  // floats end at about 0.2 mm
+  for (const std::string name : {"pendulum", "chain"}) {
+    CAPTURE(name);
+    const auto truth = truth_of(name);
+    const auto error_of = [&](int substeps) { return error_of_motion<HalfStep>(name, truth, substeps); };
+    CHECK(order({4, 8, 16, 32}, error_of) == Approx(2).margin(0.1));
+    CHECK(error_of(8) < (name == "chain" ? 6.1e-5 : 1.9e-5));
+  }
+}
+
+TEST_CASE("half step: composed, of fourth order") {
+  if (!in_double) return;
+  const auto pendulum = truth_of("pendulum"), chain = truth_of("chain");
+  CHECK(order({1, 2, 4, 8}, [&](int n) { return error_of_motion<Composed<Yoshida>>("pendulum", pendulum, n); }) ==
+        Approx(4).margin(0.1));
+  CHECK(order({1, 2, 4, 8}, [&](int n) { return error_of_motion<Composed<Suzuki>>("chain", chain, n); }) ==
+        Approx(4).margin(0.2));
+  CHECK(error_of_motion<Composed<Suzuki>>("chain", chain, 1) < 1.4e-4);
+  CHECK(error_of_motion<Composed<Suzuki>>("pendulum", pendulum, 1) < 3e-7);
+}
+
+TEST_CASE("half step: the parts of a composition add up, and their cubes cancel") {
+  const auto sums = [](const auto& parts, Real sum, Real cubes) {
+    for (const Real part : parts) sum += part, cubes += part * part * part;
+    CHECK(sum == Approx(1).epsilon(static_cast<double>(8 * eps)));
+    CHECK(std::abs(cubes) < 32 * eps);
+  };
+  sums(Yoshida::parts, 0, 0);
+  sums(Suzuki::parts, 0, 0);
+}
+
+TEST_CASE("half step: the plain loop is the same step, and each wrong way is of first order") {
+  const plain_24::Bob begin{{std::sin(pi / 3), -std::cos(pi / 3), 0}, Vec3::Zero(), 1};
+  const Vec3 down(0, -g, 0);
+  World world;
+  world.add(sphere(Real(0.1), 1).at(begin.x));
+  world.joints.push_back(distance(world, the_world, Vec3::Zero(), 0, begin.x));
+  HalfStep step = exact();
+  plain_24::Bob bob = begin;
+  for (int i = 0; i < 120; ++i) {
+    world.step(step, h);
+    plain_24::half_step(bob, down, h);
+  }
+  CHECK((world.bodies[0].position - bob.x).norm() < rounding);
+  CHECK((world.bodies[0].velocity - bob.v).norm() < rounding);
+
+  if (!in_double) return;
+  const auto truth = [] {
+    World reference;
+    reference.add(sphere(Real(0.1), 1).at({std::sin(pi / 3), -std::cos(pi / 3), 0}));
+    reference.joints.push_back(distance(reference, the_world, Vec3::Zero(), 0, reference.bodies[0].position));
+    auto fine = exact<Composed<Suzuki>>(8);
+    for (int i = 0; i < 120; ++i) reference.step(fine, h);
+    return reference.bodies[0].position;
+  }();
+  const auto order_of = [&](auto plain_step) {
+    return order({4, 8, 16, 32}, [&](int n) {
+      plain_24::Bob alone = begin;
+      for (int i = 0; i < 120 * n; ++i) plain_step(alone, down, h / static_cast<Real>(n));
+      return (alone.x - truth).norm();
+    });
+  };
+  CHECK(order_of(plain_24::half_step) == Approx(2).margin(0.1));
+  CHECK(order_of(plain_24::whole_step) == Approx(1).margin(0.1));
+  CHECK(order_of(plain_24::average_step) == Approx(1).margin(0.1));
+  CHECK(order_of(plain_24::new_rod_step) == Approx(1).margin(0.1));
+}
+
+TEST_CASE("half step: a throw is exact, and a spring is of second order and keeps its energy") {
+  World thrown;
+  thrown.add(sphere(1, 1).at({0, 5, 0}).moving({3, 4, 0}));
+  HalfStep step;
+  for (int i = 0; i < 60; ++i) thrown.step(step, h);
+  CHECK((thrown.bodies[0].position - Vec3(3, 9 - g / 2, 0)).norm() < 100 * eps);
+
+  const auto on_a_spring = [](int substeps, int steps) {
+    World world;
+    world.gravity.setZero();
+    world.add(sphere(1, 1).at({1, 0, 0}));
+    world.forces.push_back(spring(0, Vec3::Zero(), 100));  // 10 rad/s
+    HalfStep half;
+    half.substeps = substeps;
+    for (int i = 0; i < steps; ++i) world.step(half, h);
+    return world;
+  };
+  if (in_double) {
+    CHECK(order({2, 4, 8, 16}, [&](int n) {
+            return std::abs(on_a_spring(n, 60).bodies[0].position.x() - std::cos(Real(10)));
+          }) == Approx(2).margin(0.1));
+  }
+  // v^2 + (1 - (w h / 2)^2) w^2 x^2 is the same after each step, exactly.
+  const World later = on_a_spring(1, 3600);
+  const Real x = later.bodies[0].position.x(), v = later.bodies[0].velocity.x(), s = 10 * h / 2;
+  CHECK(v * v + (1 - s * s) * 100 * x * x == Approx((1 - s * s) * 100).epsilon(in_double ? 1e-11 : 1e-2));
+}
+
+TEST_CASE("half step: a force that depends on the velocity is of first order") {
+  if (!in_double) return;
+  CHECK(order({8, 16, 32, 64}, [](int substeps) {
+          World world;
+          world.gravity.setZero();
+          world.add(sphere(1, 1).moving({1, 0, 0}));
+          world.forces.push_back(drag(0, 2));
+          HalfStep step;
+          step.substeps = substeps;
+          for (int i = 0; i < 60; ++i) world.step(step, h);
+          return std::abs(world.bodies[0].velocity.x() - std::exp(Real(-2)));
+        }) == Approx(1).margin(0.1));
+}
+
+TEST_CASE("half step: a force by hand lasts for the step, and a torque turns") {
+  World world;
+  world.gravity.setZero();
+  world.add(sphere(1, 2));
+  HalfStep step;
+  step.substeps = 3;
+  for (int i = 0; i < 60; ++i) {
+    world.bodies[0].force = {4, 0, 0};
+    world.bodies[0].torque = {0, 0, 1};
+    world.step(step, h);
+  }
+  CHECK(world.bodies[0].position.x() == Approx(1).epsilon(100 * double(eps)));
+  CHECK(world.bodies[0].velocity.x() == Approx(2).epsilon(100 * double(eps)));
+  CHECK(world.bodies[0].angular_velocity.z() ==
+        Approx(world.bodies[0].principal_inverse_inertia.z()).epsilon(100 * double(eps)));
+  CHECK(world.bodies[0].force == Vec3::Zero());
+}
+
+TEST_CASE("half step: a free body keeps its momentum and its energy, and tumbles to second order") {
+  const auto tumbled = [](int substeps) {
+    World world;
+    world.gravity.setZero();
+    world.add(box({Real(0.1), Real(0.2), Real(0.4)}, 1).spinning({Real(0.1), 5, Real(0.1)}));
+    HalfStep step;
+    step.substeps = substeps;
+    for (int i = 0; i < 120; ++i) world.step(step, h);
+    return world;
+  };
+  World begin;
+  begin.add(box({Real(0.1), Real(0.2), Real(0.4)}, 1).spinning({Real(0.1), 5, Real(0.1)}));
+  const World later = tumbled(1);
+  CHECK((angular_momentum(later) - angular_momentum(begin)).norm() < rounding * angular_momentum(begin).norm());
+  CHECK(kinetic_energy(later) == Approx(kinetic_energy(begin)).epsilon(double(rounding)));
+  if (!in_double) return;
+  const World fine = tumbled(512);
+  CHECK(order({4, 8, 16, 32}, [&](int n) {
+          return tumbled(n).bodies[0].orientation.angularDistance(fine.bodies[0].orientation);
+        }) == Approx(2).margin(0.1));
+}
+
+TEST_CASE("half step: a top precesses as the closed form says") {
+  const Top top;
+  const auto off = [&](int substeps) {
+    World world;
+    top(world);
+    HalfStep step = exact(substeps);
+    Real largest = 0;
+    for (int i = 0; i < 120; ++i) {
+      world.step(step, h);
+      largest = std::max(largest, (world.bodies[0].position - Top::stem * top.axis(world.time)).norm());
+    }
+    return largest;
+  };
+  CAPTURE(top.spin());
+  CHECK(off(8) < (in_double ? Real(8e-5) : Real(1e-3)));
+  if (in_double) CHECK(order({4, 8, 16, 32}, off) == Approx(2).margin(0.1));
+}
+
+TEST_CASE("half step: joints hold after each step, and so do velocities") {
+  World world = tumbling_chain(6);
+  HalfStep step;
+  step.substeps = 4;
+  Residuals worst;
+  for (int i = 0; i < 240; ++i) {
+    world.step(step, h);
+    const Residuals now = residuals(world);
+    worst = {std::max(worst.position, now.position), std::max(worst.velocity, now.velocity)};
+  }
+  CHECK(worst.position <= step.tolerance);
+  CHECK(worst.velocity < rounding);
+  CHECK(step.solved().rows == 24);
+  CHECK(step.solved().residual <= step.tolerance * 4 / h);
+}
+
+TEST_CASE("half step: over a minute the energy swings, and does not drift") {
+  const auto check = [](World world, int substeps, Real swing, Real drift) {
+    HalfStep step = exact(substeps);
+    if (in_double) step.tolerance = Real(1e-12);
+    const Real before = energy(world);
+    Real farthest_off = 0, early = 0, late = 0;
+    for (int i = 0; i < 3600; ++i) {
+      world.step(step, h);
+      const Real off = energy(world) - before;
+      farthest_off = std::max(farthest_off, std::abs(off));
+      if (i < 600) early += off / 600;
+      if (i >= 3000) late += off / 600;
+    }
+    CAPTURE(before, early, late);
+    CHECK(farthest_off < swing);
+    CHECK(std::abs(late - early) < drift);
+  };
+  World pendulum, chain;
+  motion_named("pendulum").begin(pendulum);  // 147 J between its highest and its lowest place
+  check(pendulum, 1, Real(0.3), in_double ? Real(1e-3) : Real(0.5));
+  for (int i = 0; i < 3; ++i)
+    chain.add(box({Real(0.05), Real(0.25), Real(0.05)}, 1)
+                  .turned(pi / 2, Vec3::UnitZ())
+                  .at({Real(0.25) + Real(0.5) * static_cast<Real>(i), 0, 0}));
+  for (int i = 0; i < 3; ++i)
+    chain.joints.push_back(
+        ball_and_socket(chain, i == 0 ? the_world : i - 1, i, {Real(0.5) * static_cast<Real>(i), 0, 0}));
+  Joint apart = ball_and_socket(chain, 0, 2, Vec3::Zero());
+  apart.ask = [](const Body&, const Body&, const TimeStep&, Equations&) {};
+  chain.joints.push_back(apart);
+  check(chain, 8, in_double ? Real(0.06) : Real(0.3), in_double ? Real(1e-3) : Real(0.3));
+}
+
+TEST_CASE("half step: backwards it finds where it began") {
+  const World begin = tumbling_chain(5);
+  World world = begin;
+  HalfStep step = exact(4);
+  const auto go = [&] {
+    for (int i = 0; i < 30; ++i) world.step(step, h);
+    for (Body& body : world.bodies) body.velocity *= -1, body.angular_velocity *= -1;
+  };
+  go();
+  CHECK(farthest(world, begin) > Real(0.5));
+  go();
+  CHECK(farthest(world, begin) < (in_double ? Real(1e-9) : Real(0.1)));
+}
+
+TEST_CASE("half step: a rod whose length is a function of time is held to second order") {
+  const auto at_the_end = [](int substeps) {
+    World world;
+    world.add(sphere(Real(0.1), 1).at({1, 0, 0}).moving({Real(1.5), 0, 0}));
+    world.joints.push_back(
+        piston(world, the_world, Vec3::Zero(), 0, {1, 0, 0}, [](Real t) { return 1 + Real(0.5) * std::sin(3 * t); }));
+    HalfStep step = exact(substeps);
+    for (int i = 0; i < 60; ++i) world.step(step, h);
+    CHECK(world.bodies[0].position.norm() ==
+          Approx(1 + Real(0.5) * std::sin(Real(3))).epsilon(in_double ? 1e-10 : 1e-5));
+    const Real along = world.bodies[0].velocity.dot(world.bodies[0].position.normalized());
+    const Real of_substep = h / static_cast<Real>(substeps);
+    CHECK(std::abs(along - Real(1.5) * std::cos(Real(3))) < of_substep * of_substep + rounding);
+    return world.bodies[0].position;
+  };
+  if (!in_double) return;
+  const Vec3 fine = at_the_end(512);
+  CHECK(order({4, 8, 16, 32}, [&](int n) { return (at_the_end(n) - fine).norm(); }) == Approx(2).margin(0.1));
+}
+
+TEST_CASE("half step: a loop of four bars, with more rows than it needs") {
+  World world;
+  world.add(box({Real(0.1), Real(0.5), Real(0.1)}, 1).at({0, Real(0.5), 0}));
+  world.add(box({Real(0.5), Real(0.1), Real(0.1)}, 1).at({Real(0.5), 1, 0}));
+  world.add(box({Real(0.1), Real(0.5), Real(0.1)}, 1).at({1, Real(0.5), 1}));
+  const auto pin = [&world](int a, int b, const Vec3& at) {
+    world.joints.push_back(hinge(world, a, b, at, Vec3::UnitZ()));
+  };
+  pin(the_world, 0, {0, 0, 0});
+  pin(0, 1, {0, 1, 0});
+  pin(1, 2, {1, 1, 0});
+  pin(2, the_world, {1, 0, 0});
+  world.bodies[1].velocity = {1, 0, 0};
+  HalfStep step;
+  step.substeps = 4;
+  world.step(step, h);
+  const Real before = energy(world);
+  for (int i = 0; i < 300; ++i) world.step(step, h);
+  CHECK(residuals(world).position <= step.tolerance);
+  CHECK(energy(world) == Approx(before).epsilon(1e-2));
+}
+
+TEST_CASE("half step: a step that is too large is divided, or refused by name") {
+  World world;
+  motion_named("chain").begin(world);
+  HalfStep step;
+  int halvings = 0;
+  for (int i = 0; i < 60; ++i) {
+    world.step(step, h);
+    halvings += step.halvings();
+    REQUIRE(residuals(world).position <= step.tolerance);
+  }
+  CHECK(halvings > 0);
+
+  World same;
+  motion_named("chain").begin(same);
+  HalfStep undivided;
+  undivided.most_halvings = 0;
+  undivided.substeps = 8;  // where one of them fails, those before it are taken back
+  std::uint64_t before = 0;
+  const std::string said = complaint([&] {
+    for (int i = 0; i < 60; ++i) {
+      before = hash_of(same);
+      same.step(undivided, 8 * h);
+    }
+  });
+  CHECK(said.find("a ball and socket") != std::string::npos);
+  CHECK(said.find("more substeps") != std::string::npos);
+  CHECK(hash_of(same) == before);
+}
+
+TEST_CASE("half step: what it does not do is refused by name, and nothing has changed") {
+  const auto said = [](const std::function<void(World&)>& add, HalfStep step = {}) {
+    World world;
+    world.add(sphere(Real(0.2), 1).at({1, 0, 0}).moving({0, 1, 0}));
+    add(world);
+    const std::uint64_t before = hash_of(world);
+    const std::string what = complaint([&] { world.step(step, h); });
+    CHECK(hash_of(world) == before);
+    return what;
+  };
+  const auto has = [](const std::string& text, const std::string& part) {
+    INFO(text);
+    CHECK(text.find(part) != std::string::npos);
+  };
+  const auto join = [](auto make) { return [make](World& world) { world.joints.push_back(make(world)); }; };
+  has(said([](World& world) {
+        world.add(sphere(Real(0.2), 1).at({Real(1.1), 0, 0}));
+        world.joints.push_back(ball_and_socket(world, the_world, 0, Vec3::Zero()));
+      }),
+      "half steps hold joints or contacts, and not both");
+  has(said([](World& world) { world.bodies[0].asleep = true; }), "asleep");
+  has(said(join([](World& w) { return soft(ball_and_socket(w, the_world, 0, Vec3::Zero()), {2, 1}); })), "gives way");
+  has(said(join([](World& w) { return angle_limits(w, the_world, 0, Vec3::UnitZ(), -1, 1); })), "angle limits");
+  has(said(join([](World& w) { return motor_at_speed(w, the_world, 0, Vec3::UnitZ(), 1, 5); })), "a motor");
+  HalfStep wrong;
+  wrong.substeps = 0;
+  has(said([](World&) {}, wrong), "substeps");
+  wrong = {};
+  wrong.most_rounds = 0;
+  has(said([](World&) {}, wrong), "most_rounds");
+  wrong = {};
+  wrong.most_halvings = -1;
+  has(said([](World&) {}, wrong), "most_halvings");
+  wrong = {};
+  wrong.tolerance = 0;
+  has(said([](World&) {}, wrong), "tolerance");
+}
+
+TEST_CASE("half step: a copy of world and solver goes on in the same bits, and so does another solver") {
+  World world = tumbling_chain(4);
+  HalfStep step;
+  for (int i = 0; i < 20; ++i) world.step(step, h);
+  World copy = world, other = world;
+  AnySolver as_any(step);
+  HalfStep fresh;
+  for (int i = 0; i < 20; ++i) {
+    world.step(step, h);
+    copy.step(as_any, h);
+    other.step(fresh, h);
+  }
+  CHECK(hash_of(copy) == hash_of(world));
+  CHECK(hash_of(other) == hash_of(world));
+}
+
+TEST_CASE("half step: a joint knows what it bore") {
+  World world;
+  world.add(sphere(Real(0.2), 3).at({0, -1, 0}));
+  world.joints.push_back(ball_and_socket(world, the_world, 0, Vec3::Zero()));
+  for (const int substeps : {1, 4}) {
+    HalfStep step;
+    step.substeps = substeps;
+    for (int i = 0; i < 5; ++i) world.step(step, h);
+    REQUIRE(world.joints[0].impulses.size() == 3);
+    CHECK(world.joints[0].impulses[1] == Approx(3 * g * h).epsilon(in_double ? 1e-7 : 1e-3));
+    CHECK(world.bodies[0].velocity.norm() < 10 * eps);
+  }
+}
