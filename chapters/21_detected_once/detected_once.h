@@ -77,7 +77,8 @@ struct SubsteppingSolver : StepSolver {
     Real change = pass();
     const bool bounces = fastest_ > 0;
     const Real enough = bounces ? precision * fastest_ : abrupt, growing = 2 * change;
-    for (int round = 1; round < most_rounds && change > enough && (bounces || change < growing); ++round) change = pass();
+    for (int round = 1; round < most_rounds && change > enough && (bounces || change <= growing); ++round)
+      change = pass();
   }
 
   std::vector<bool> known_;  // of each contact: whether the step before had it

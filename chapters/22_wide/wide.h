@@ -28,7 +28,7 @@ template <class Scalar, class JointEffect = TreesDirectly>
 class Wide : public SubsteppingSolver {
  public:
   JointEffect joints;
-  Real stays_within = Real(1e-3);  ///< of a pair's longest arm: it moves so far and keeps its rows
+  Real stays_within = Real(1e-4);  ///< of a pair's longest arm: it moves so far and keeps its rows
   Passes<Scalar> passes = passes_of_this_processor<Scalar>();
   Passes<Real> turning = passes_of_this_processor<Real>();  ///< of bodies
   /// The order in which pairs are solved; each set at once.
@@ -36,7 +36,7 @@ class Wide : public SubsteppingSolver {
   /// Who does the bundles of a set, and what else falls into parts; null: this one alone.
   std::shared_ptr<Workers> crew;
 
-  Wide() { per = Real(1) / 60; if (getenv("STAY")) stays_within = atof(getenv("STAY")); if (getenv("ABR")) abrupt = atof(getenv("ABR")); }
+  Wide() { per = Real(1) / 60; }
   Plan plan(Real dt) const override {
     Plan plan = SubsteppingSolver::plan(dt);
     plan.moves_bodies = true;  // and reads I^-1 of the pairs that are carried alone

@@ -245,7 +245,7 @@ TEST_CASE("contract: the residual is what the sweeps leave") {
     INFO(name);
     AnySolver solver = solver_named(name).solver;
     World world = at_work(solver);
-    world.bodies[1].velocity.y() = -1;  // an impact on the lowest box
+    world.bodies[1].velocity.y() = Real(-0.4);  // an impact on the lowest box, slower than what repeats a pass
     std::vector<Real> residuals;
     for (const int sweeps : {0, 1, 400}) {
       AnySolver its_solver = solver;
