@@ -39,8 +39,8 @@ void place(const Bundle<Real>& bundle, WideContact<Real>& contact, const typenam
 
 /// A row of bodies that have moved past each other by `way`: one point for both again, chapter 12. Returns K.
 template <class Lanes, class Real>
-Lanes carry(WideRow<Real>& row, const Vec<Lanes>& n, const Vec<Lanes>& way, const typename Lanes::mask_type& placed,
-            Placing<Lanes>& pairs, int at) {
+Lanes carry_row(WideRow<Real>& row, const Vec<Lanes>& n, const Vec<Lanes>& way, const typename Lanes::mask_type& placed,
+                Placing<Lanes>& pairs, int at) {
   const Vec<Lanes> m = cross(way, n);
   const Lanes of_a = abs(dot(m, pairs.now.a.w)), of_b = abs(dot(m, pairs.now.b.w)), both = of_a + of_b;
   Lanes s = pairs.now.inverse_mass_b / pairs.levers.inverse_masses;
@@ -60,15 +60,15 @@ Lanes carry(WideRow<Real>& row, const Vec<Lanes>& n, const Vec<Lanes>& way, cons
 }
 /// KeptContact::carry of chapter 21.
 template <class Lanes, class Real>
-void carry(const Bundles<Real>& all, Bundle<Real>& bundle, const typename Lanes::mask_type& placed,
-           Placing<Lanes>& pairs, int at) {
+void carry_pair(const Bundles<Real>& all, Bundle<Real>& bundle, const typename Lanes::mask_type& placed,
+                Placing<Lanes>& pairs, int at) {
   const Vec<Lanes> way = pairs.moved.b.v - pairs.moved.a.v - load<Lanes>(bundle.placed_way, at);
   for (int c = bundle.first; c < bundle.end; ++c) {
     WideContact<Real>& contact = all.contacts[c];
     const Lanes C = load<Lanes>(contact.found, at) + pairs.moved.along({bundle.n, contact.normal, at});
-    const Lanes K = carry(contact.normal, load<Lanes>(bundle.n, at), way, placed, pairs, at);
-    const Lanes k11 = carry(contact.tangent1, load<Lanes>(bundle.tangent1, at), way, placed, pairs, at);
-    const Lanes k22 = carry(contact.tangent2, load<Lanes>(bundle.tangent2, at), way, placed, pairs, at);
+    const Lanes K = carry_row(contact.normal, load<Lanes>(bundle.n, at), way, placed, pairs, at);
+    const Lanes k11 = carry_row(contact.tangent1, load<Lanes>(bundle.tangent1, at), way, placed, pairs, at);
+    const Lanes k22 = carry_row(contact.tangent2, load<Lanes>(bundle.tangent2, at), way, placed, pairs, at);
     place(bundle, contact, placed, C, K, k11, k22, pairs, at);  // as near as they were
   }
 }
@@ -227,7 +227,7 @@ void along(const Bundles<Real>& all) {
                                     .inverse_inertia_a = fetch<Lanes>(bundle.a + at, all.inertias),
                                     .inverse_inertia_b = fetch<Lanes>(bundle.b + at, all.inertias),
                                     .inverse_masses = moved.inverse_mass_a + moved.inverse_mass_b}};
-    if (any_of(carried)) carry(all, bundle, carried, pairs, at);
+    if (any_of(carried)) carry_pair(all, bundle, carried, pairs, at);
     if (any_of(ridden)) ride(all, bundle, ridden, pairs, at);
     keep(placed, way, bundle.placed_way, at);
     keep(placed, moved.a.w, bundle.placed_turn_a, at);

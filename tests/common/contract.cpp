@@ -253,7 +253,8 @@ TEST_CASE("contract: the residual is what the sweeps leave") {
       its_world.step(its_solver, h, sweeps);
       residuals.push_back(its_solver.solved().residual);
     }
-    CHECK(residuals[0] > 1e-3);
+    INFO("residuals " << residuals[0] << ", " << residuals[1] << ", " << residuals[2] << " m/s");
+    CHECK(residuals[0] > 2 * residuals[2]);
     if (solver.plan(h).all_substeps() == 1) CHECK(residuals[1] > residuals[2]);  // no relaxing sweep follows
     CHECK(residuals[2] < 1e-3);
   }
