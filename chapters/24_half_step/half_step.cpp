@@ -13,6 +13,7 @@ namespace {
 /// x += h v, and the turn. A body that spins about one of its principal axes turns evenly: `spin_freely` would find that out
 /// by Newton's method, each time.
 void drift(Body& body, Real h) {
+  if (body.conveys) return;
   body.position += h * body.velocity;
   if (body.angular_velocity == Vec3::Zero()) return;
   const Vec3 spin = body.orientation.conjugate() * body.angular_velocity;

@@ -126,6 +126,19 @@ TEST_CASE("half step: friction stays in the cone, whichever way the box slides")
   }
 }
 
+TEST_CASE("half step: a conveyor stays where it is, and a box on it slips by v^2 / (2 mu g), then rides") {
+  World world;
+  world.add(box({8, Real(0.25), 2}, 1).fixed().at({0, -Real(0.25), 0}).conveying({2, 0, 0}));
+  world.add(box({Real(0.25), Real(0.25), Real(0.25)}, 10).at({-3, Real(0.25), 0}));
+  HalfStep step;
+  step.substeps = 4;
+  for (int i = 0; i < 60; ++i) world.step(step, h);
+  CHECK(world.bodies[0].position.x() == 0);
+  const Real slipped = 2 * world.time - (world.bodies[1].position.x() + 3);
+  CHECK(slipped == Approx(4 / (2 * Real(0.5) * World::g)).epsilon(1e-3));
+  CHECK(world.bodies[1].velocity.x() == Approx(2));
+}
+
 TEST_CASE("half step: a ball bounces with e times its speed, and when it does is of first order") {
   const auto apex = [](int substeps) {
     World world;
