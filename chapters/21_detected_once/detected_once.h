@@ -20,8 +20,8 @@ struct SubsteppingSolver : StepSolver {
   Real threshold = Real(0.1);   ///< m/s; what arrives slower does not bounce
   Real precision = Real(1e-6);  ///< to which normals are solved while something bounces, of the fastest bounce,
   int most_rounds = 100;        ///< or until they have been solved so often
-  Real abrupt = Real(0.5);      ///< m/s; or in any substep, until no pass changes a speed by more than that
-  SoftContacts spring;          ///< chapter 12's: hertz, damping ratio, fastest push-out
+  Real abrupt = std::numeric_limits<Real>::infinity();  ///< m/s; or until no pass changes a speed by more than that
+  SoftContacts spring;                                  ///< chapter 12's: hertz, damping ratio, fastest push-out
 
   bool holds_joints() const override { return true; }
   void check(World& world, Real h) override {
@@ -30,7 +30,7 @@ struct SubsteppingSolver : StepSolver {
     require_not_negative("margin", margin);
     require_not_negative("threshold", threshold);
     require_not_negative("precision", precision);
-    require_positive("abrupt", abrupt);
+    if (!(abrupt > 0)) throw InvalidInput(fmt::format("abrupt is {}: more than 0 is needed", abrupt));
     if (most_rounds < 1)
       throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
     StepContext step = joints_step(world, h);
@@ -38,7 +38,9 @@ struct SubsteppingSolver : StepSolver {
   }
   Plan plan(Real dt) const override {
     const Real parts = per > 0 ? static_cast<Real>(substeps) * dt / per * (1 - rounding) : static_cast<Real>(substeps);
-    return {.substeps = std::max(1, static_cast<int>(std::ceil(parts))),
+    const Real finite =
+        parts < most_substeps ? parts : most_substeps;  // whatever dt is: plan is asked before it is checked
+    return {.substeps = std::max(1, static_cast<int>(std::ceil(finite))),
             .sweeps = 1,
             .margin = {.least = margin, .ahead = dt}};
   }
@@ -85,7 +87,8 @@ struct SubsteppingSolver : StepSolver {
   Real fastest_ = 0;         // of what bounces in this substep, m/s; 0: nothing
 
  private:
-  static constexpr Real rounding = Real(1e-5);  // so much longer may a step be by chance
+  static constexpr Real rounding = Real(1e-5);      // so much longer may a step be by chance
+  static constexpr Real most_substeps = Real(1e6);  // of a step, by `per`
   Rows no_rows_;
 };
 

@@ -307,17 +307,14 @@ void FlatSolver::sweep(const Contacts& contacts, int sweeps) {
     for (int pass = 0; pass < passes; ++pass)
       for (Row& row : joints_) solve_alone(row);
     // 09: once; while something bounces, until an impact is solved: no later step corrects what is left of it.
-    // 21: and as long as a pass changes a speed abruptly, unless such changes grow.
-    Real first = 0;
-    for (int round = 0; round < most_rounds; ++round) {
-      Real change = 0;
+    Real change = inf;
+    for (int round = 0; round < (fastest_ > 0 ? most_rounds : 1) && change > precision * fastest_; ++round) {
+      change = 0;
       for (Row& row : normals_) {
         const Real before = row.impulse;
         solve_alone(row);
         change = std::max(change, std::abs(row.impulse - before) / row.rigid_mass);
       }
-      if (round == 0) first = change;
-      if (change <= (fastest_ > 0 ? precision * fastest_ : abrupt) || (fastest_ == 0 && change > first * 2)) break;
     }
     // 06: friction stops the slip, as far as the normal impulse lets it.
     // 08: the two sums together stay within a disc.   |(sum(lambda_1), sum(lambda_2))| <= mu sum(lambda_n)

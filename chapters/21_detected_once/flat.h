@@ -52,7 +52,6 @@ class FlatSolver : public StepSolver {
   int passes = 20;                 ///< 14: over the joints, in each sweep
   Real margin = Real(0.02);        ///< 21: m; contacts are detected so far ahead, and as far as a pair may come nearer
   Real carried_from = Real(1e-3);  ///< 21: m/s; bodies that pass each other slower keep their rows as they are
-  Real abrupt = Real(0.5);         ///< 21: m/s; passes over normals that change a speed by more are repeated
 
   bool holds_joints() const override { return true; }  ///< 13
   /// 11: many substeps of one sweep. 21: contacts are detected once for all of them.

@@ -36,7 +36,10 @@ class Wide : public SubsteppingSolver {
   /// Who does the bundles of a set, and what else falls into parts; null: this one alone.
   std::shared_ptr<Workers> crew;
 
-  Wide() { per = Real(1) / 60; }
+  Wide() {
+    per = Real(1) / 60;
+    abrupt = Real(0.5);
+  }
   Plan plan(Real dt) const override {
     Plan plan = SubsteppingSolver::plan(dt);
     plan.moves_bodies = true;  // and reads I^-1 of the pairs that are carried alone

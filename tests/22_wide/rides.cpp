@@ -225,6 +225,8 @@ TEST_CASE("wide: substeps are of 1/60 s, so that contacts are as stiff in a step
   CHECK(solver.plan(Real(1) / 30).substeps == 64);
   CHECK(solver.plan(Real(0.0101)).substeps == 20);
   CHECK(solver.plan(Real(1e-6)).substeps == 1);
+  CHECK(solver.plan(std::numeric_limits<Real>::infinity()).substeps == 1000000);
+  CHECK(solver.plan(std::numeric_limits<Real>::quiet_NaN()).substeps == 1000000);
   const auto depth_after = [](Real dt) {
     World world;
     stack(world, 3);

@@ -245,7 +245,7 @@ TEST_CASE("contract: the residual is what the sweeps leave") {
     INFO(name);
     AnySolver solver = solver_named(name).solver;
     World world = at_work(solver);
-    world.bodies[1].velocity.y() = Real(-0.4);  // an impact on the lowest box, slower than what repeats a pass
+    world.bodies[1].velocity.y() = -1;  // an impact on the lowest box
     std::vector<Real> residuals;
     for (const int sweeps : {0, 1, 400}) {
       AnySolver its_solver = solver;
@@ -253,8 +253,7 @@ TEST_CASE("contract: the residual is what the sweeps leave") {
       its_world.step(its_solver, h, sweeps);
       residuals.push_back(its_solver.solved().residual);
     }
-    INFO("residuals " << residuals[0] << ", " << residuals[1] << ", " << residuals[2] << " m/s");
-    CHECK(residuals[0] > 2 * residuals[2]);
+    CHECK(residuals[0] > 1e-3);
     if (solver.plan(h).all_substeps() == 1) CHECK(residuals[1] > residuals[2]);  // no relaxing sweep follows
     CHECK(residuals[2] < 1e-3);
   }
