@@ -1,7 +1,7 @@
 #include "pushback/chapters/05_restitution/restitution.h"
 #include "pushback/chapters/11_substeps/study.h"
 #include "pushback/chapters/13_joints/joints.h"
-#include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/chapters/19_accuracy_and_time/true_places.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marks.h"
 
@@ -10,42 +10,23 @@ using namespace pushback::substeps_scenes;
 
 namespace {
 
-/// Where every body belongs.
-struct Truth {
-  std::vector<Places> places;
-
-  explicit Truth(const Motion& motion) : places(motion.truth(motion.frames())) {}
-  /// Those of the latest whole frame that is over; none before the first.
-  const Places* at(Real time) const {
-    const auto frames = static_cast<std::ptrdiff_t>(std::floor(time * frames_per_second + Real(1e-3)));
-    return frames == 0 ? nullptr : &places[static_cast<std::size_t>(std::min(frames, std::ssize(places)) - 1)];
-  }
-  /// A ring where each ball belongs, a line along each link from pin to pin.
-  void mark(Picture& picture, const World& world, Real time) const {
-    const Places* found = at(time);
-    if (found == nullptr) return;
-    const Vec3 towards = (picture.camera.eye - picture.camera.target).normalized();
-    Vec3 pin = Vec3::Zero();
-    for (std::size_t i = 0; i < found->size(); ++i) {
-      const Vec3 place = (*found)[i].cast<Real>();
-      if (const auto* ball = std::get_if<Sphere>(&world.bodies[i].shape)) {
-        add_ring(picture, place, towards, ball->radius);
-      } else {
-        const Vec3 end = 2 * place - pin;
-        add_line(picture, {pin, end});
-        pin = end;
-      }
+/// A ring where each ball belongs, a line along each link from pin to pin.
+void mark(const TruePlaces& truth, Picture& picture, const World& world, Real time) {
+  const Places* found = truth.at(time);
+  if (found == nullptr) return;
+  const Vec3 towards = (picture.camera.eye - picture.camera.target).normalized();
+  Vec3 pin = Vec3::Zero();
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    const Vec3 place = (*found)[i].cast<Real>();
+    if (const auto* ball = std::get_if<Sphere>(&world.bodies[i].shape)) {
+      add_ring(picture, place, towards, ball->radius);
+    } else {
+      const Vec3 end = 2 * place - pin;
+      add_line(picture, {pin, end});
+      pin = end;
     }
   }
-  /// mm, of the body that is farthest from where it belongs.
-  Real error(const World& world) const {
-    double largest = 0;
-    if (const Places* found = at(world.time))
-      for (std::size_t i = 0; i < found->size(); ++i)
-        largest = std::max(largest, (world.bodies[i].position.cast<double>() - (*found)[i]).norm());
-    return static_cast<Real>(1000 * largest);
-  }
-};
+}
 
 }  // namespace
 
@@ -58,7 +39,7 @@ int main(int argc, char** argv) {
               &steps_of_chain);
   return e.run(argc, argv, [&] {
     constexpr Real least_drawn = Real(1e-3);  // mm
-    const auto measure_error = [&](const Truth& truth) {
+    const auto measure_error = [&](const TruePlaces& truth) {
       e.series(
           "largest error", "mm", [=](const World& world) { return std::max(truth.error(world), least_drawn); }, true);
       e.number("largest error", "mm", [=](const Run& run) {
@@ -71,12 +52,12 @@ int main(int argc, char** argv) {
       return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
     };
 
-    const auto ghosts = [](const Truth& truth) {
-      return [truth](Picture& picture, const World& world, Real time) { truth.mark(picture, world, time); };
+    const auto ghosts = [](const TruePlaces& truth) {
+      return [truth](Picture& picture, const World& world, Real time) { mark(truth, picture, world, time); };
     };
 
     const Motion& billiards = motion_named("break");
-    static const Truth of_balls(billiards);  // takes its time, and no parameter changes it
+    static const TruePlaces of_balls(billiards);  // takes its time, and no parameter changes it
     e.scene({.name = billiards.title,
              .fill = billiards.fill,
              .camera = {{Real(0.55), Real(3.3), Real(1)}, {Real(0.55), 0, 0}},
@@ -95,7 +76,7 @@ int main(int argc, char** argv) {
     measure_error(of_balls);
 
     const Motion& chain = motion_named("chain");
-    static const Truth of_chain(chain);
+    static const TruePlaces of_chain(chain);
     e.scene(
         {.name = chain.title,
          .fill = [&](World& world) { chain.begin(world); },

@@ -14,8 +14,8 @@ namespace pushback {
 /// The settings of a solver that divides its steps, and its plan: one sweep a substep, and a margin ahead of which contacts
 /// are detected, so that bodies that come to touch within the step have rows.
 struct SubsteppingSolver : StepSolver {
-  int substeps = 32;            ///< of each step; or of one as long as `per`: then longer ones have more, shorter ones
-  Real per = 0;                 ///< fewer, so that contacts are as stiff in all of them, s; 0: of each step
+  int substeps = 32;  ///< of a step of `per`: a longer one has more, a shorter one fewer, so contacts are as stiff
+  Real per = 0;       ///< s; 0: of every step, however long
   Real margin = Real(0.02);     ///< m: beside what a pair may come nearer in a step
   Real threshold = Real(0.1);   ///< m/s; what arrives slower does not bounce
   Real precision = Real(1e-6);  ///< to which normals are solved while something bounces, of the fastest bounce,
@@ -38,8 +38,8 @@ struct SubsteppingSolver : StepSolver {
   }
   Plan plan(Real dt) const override {
     const Real parts = per > 0 ? static_cast<Real>(substeps) * dt / per * (1 - rounding) : static_cast<Real>(substeps);
-    const Real finite =
-        parts < most_substeps ? parts : most_substeps;  // whatever dt is: plan is asked before it is checked
+    // Whatever dt is: plan is asked before dt is checked.
+    const Real finite = parts < most_substeps ? parts : most_substeps;
     return {.substeps = std::max(1, static_cast<int>(std::ceil(finite))),
             .sweeps = 1,
             .margin = {.least = margin, .ahead = dt}};
@@ -72,8 +72,8 @@ struct SubsteppingSolver : StepSolver {
       act(i, scale * old->impulse);
     }
   }
-  /// `pass()` goes over the normals and says by how much it changed a speed, m/s. Once; as often as it takes, as in chapter 09,
-  /// where something bounces, or a body loses what pressed on it.
+  /// `pass()` goes over the normals and says by how much it changed a speed, m/s. Once; where something bounces, as often as
+  /// it takes, as in chapter 09; and again after a pass that changes one by more than `abrupt`, unless such changes grow.
   template <class Pass>
   void solve_normals_until_solved(const Pass& pass) const {
     Real change = pass();

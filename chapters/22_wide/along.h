@@ -75,7 +75,7 @@ void carry_pair(const Bundles<Real>& all, Bundle<Real>& bundle, const typename L
 
 // ---- riding ------------------------------------------------------------------------------------------------------------
 
-/// A turn by the vector theta, rad, but for a twelfth of its third power.
+/// A turn about theta, rad, by 2 atan(|theta| / 2): that is |theta| but for |theta|^3 / 12.
 template <class Lanes>
 Orientation<Lanes> turn_by(const Vec<Lanes>& theta) {
   const Vec<Lanes> v = Lanes(typename Lanes::value_type(0.5)) * theta;
@@ -209,7 +209,7 @@ void along(const Bundles<Real>& all) {
                 by_b = dot(turned_b, turned_b);
     const auto passes = dot(passed, passed) >= least,
                turns = reach_a * reach_a * by_a >= least || reach_b * reach_b * by_b >= least;
-    // What turns on by so much at once, rad, squared, leaves its impulses: along directions as far from the old ones, they would throw it.
+    // Impulses that turned by more than this in one substep, rad, squared, would throw the bodies: such a pair is carried.
     const Lanes at_once(typename Lanes::value_type(0.0625));
     const auto rides =
         load<Lanes>(bundle.on_a, at) + load<Lanes>(bundle.on_b, at) + load<Lanes>(bundle.between, at) > 0 &&

@@ -52,7 +52,7 @@ struct Bundle {
   EightVectors<Real> found_n, found_tangent1, found_tangent2;  ///< as detected
   Eight<Real> on_a, on_b,
       between;  ///< 1: n turns with A; with B; is the direction from core to core. Else rows are carried
-  Eight<Real> radius_a, radius_b;  ///< m: so far is the surface of a round body from its core
+  Eight<Real> radius_a, radius_b;  ///< m: so far is what is touched, skin and all, from its core
   Eight<Real> reach_a, reach_b;    ///< m, the longest arm
   EightVectors<Real> placed_way, placed_turn_a,
       placed_turn_b;         ///< when the rows were placed: by which B had moved past A, m, and

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <variant>
 
 #include "pushback/common/collision/contact.h"
@@ -23,11 +24,12 @@ inline Real radius_of(const Body& body) {
 inline bool has_face(const Body& body, const Vec3& n) {
   if (std::holds_alternative<HalfSpace>(body.shape)) return true;  // which has no other
   const Vec3 on_body = body.orientation.conjugate() * n;
-  const auto along = [&on_body](const Vec3& normal) { return normal.dot(on_body) > 1 - Real(1e-9); };
-  if (std::holds_alternative<Box>(body.shape)) return on_body.cwiseAbs().maxCoeff() > 1 - Real(1e-9);
+  constexpr Real same = 1 - 64 * std::numeric_limits<Real>::epsilon();
+  if (std::holds_alternative<Box>(body.shape)) return on_body.cwiseAbs().maxCoeff() > same;
   const auto* hull = std::get_if<Hull>(&body.shape);
-  return hull != nullptr && std::any_of(hull->solid->faces.begin(), hull->solid->faces.end(),
-                                        [&along](const auto& face) { return along(face.normal); });
+  return hull != nullptr &&
+         std::any_of(hull->solid->faces.begin(), hull->solid->faces.end(),
+                     [&on_body](const Polyhedron::Face& face) { return face.normal.dot(on_body) > same; });
 }
 /// Of two faces that lie on each other, the one that nothing moves, or else the one with the longer arms, has the normal: corners
 /// of the smaller one lie on the larger. `reach`: the longest arm, m.

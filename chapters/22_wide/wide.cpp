@@ -127,7 +127,8 @@ void Wide<Scalar, JointEffect>::detected(World& world, Real h) {
   measured_.reset();
   bodies_.clear();
   places_.clear();
-  Sets sets = sets_of(touching_pairs(world.contacts), world);
+  const std::vector<PairOfBodies> touching = touching_pairs(world.contacts);
+  Sets sets = sets_of(touching, world);
   for (auto& set : sets)
     for (PairOfBodies& pair : set) pair.a = place_of(world, pair.a), pair.b = place_of(world, pair.b);
   bodies_.push_back(&world.body(the_world));
@@ -137,7 +138,7 @@ void Wide<Scalar, JointEffect>::detected(World& world, Real h) {
   bouncy_ =
       std::any_of(world.contacts.begin(), world.contacts.end(), [](const Contact& c) { return c.restitution > 0; });
   measure_reaches(world);
-  floats_ = floating(world);
+  floats_ = floating(touching, world);
   something_floats_ = std::any_of(bodies_.begin(), bodies_.end() - 1,
                                   [this](const Body* b) { return floats_[static_cast<std::size_t>(b->index)]; });
   guesses_.assign(world.contacts.size(), Vec3::Zero());
@@ -156,8 +157,9 @@ void Wide<Scalar, JointEffect>::measure_reaches(const World& world) {
     for (const std::uint32_t i : {contact.id.body_a, contact.id.body_b}) {
       const Body& body = world.bodies[i];
       Real& reach = reaches_[places_[i]];
-      reach = std::max(reach, (contact.point - body.position).norm());
+      reach = std::max(reach, (contact.point - body.position).squaredNorm());
     }
+  for (Real& reach : reaches_) reach = std::sqrt(reach);
   shortest_reach_ = std::numeric_limits<Real>::infinity();
   for (std::size_t i = 0; i < bodies_.size(); ++i)
     if (bodies_[i]->movable()) shortest_reach_ = std::min(shortest_reach_, reaches_[i]);
@@ -228,8 +230,8 @@ void Wide<Scalar, JointEffect>::pack(const World& world, std::size_t at, std::sp
     bundle.on_a.of[lane] = rides == Rides::on_a;
     bundle.on_b.of[lane] = rides == Rides::on_b;
     bundle.between.of[lane] = rides == Rides::between;
-    bundle.radius_a.of[lane] = static_cast<Scalar>(radius_of(a));
-    bundle.radius_b.of[lane] = static_cast<Scalar>(radius_of(b));
+    bundle.radius_a.of[lane] = static_cast<Scalar>(radius_of(a) + a.skin);
+    bundle.radius_b.of[lane] = static_cast<Scalar>(radius_of(b) + b.skin);
     const bool floats = floats_[std::size_t(a.movable() ? a.index : b.index)];
     const Real shorter = !a.movable() ? reach_b : !b.movable() ? reach_a : std::min(reach_a, reach_b);
     const Real within = floats ? 0 : stays_within * shorter;
@@ -363,7 +365,7 @@ void Wide<Scalar, JointEffect>::moved(World& world, Real h) {
       moved_[i].of[3 + k] += static_cast<Scalar>(h * w[k]);
     }
   });
-  along();
+  place_rows();
   each_bundle([&](std::size_t begin, std::size_t end) { passes.relax(bundles(begin, end)); });
   StepContext step = joints_step(world, h);
   joints.update_geometry(step);
@@ -374,7 +376,7 @@ void Wide<Scalar, JointEffect>::moved(World& world, Real h) {
 /// Rows of bodies that have passed each other, or turned, far enough are placed anew. Where nothing floats and no body has moved by
 /// half of what the first pair may, there is nothing to do.
 template <class Scalar, class JointEffect>
-void Wide<Scalar, JointEffect>::along() {
+void Wide<Scalar, JointEffect>::place_rows() {
   const Real within = stays_within * shortest_reach_ / 2;
   bool far = something_floats_;
   for (std::size_t i = 0; i < bodies_.size() && !far; ++i)

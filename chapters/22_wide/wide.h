@@ -42,7 +42,7 @@ class Wide : public SubsteppingSolver {
   }
   Plan plan(Real dt) const override {
     Plan plan = SubsteppingSolver::plan(dt);
-    plan.moves_bodies = true;  // and reads I^-1 of the pairs that are carried alone
+    plan.moves_bodies = true;  // and reads I^-1 only of pairs whose rows are placed anew
     plan.workers = crew ? crew.get() : &alone();
     return plan;
   }
@@ -80,7 +80,7 @@ class Wide : public SubsteppingSolver {
   template <class Act>
   Scalar largest_in(std::size_t begin, std::size_t end, const Act& act);
   void sweep(StepContext& step, void (*friction_pass)(const Bundles<Scalar>&));
-  void along();
+  void place_rows();
   void measure_reaches(const World& world);
   void forget_impacts();
   Solved measure() const;

@@ -1,5 +1,6 @@
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
+#include "pushback/chapters/19_accuracy_and_time/true_places.h"
 #include "pushback/chapters/24_half_step/study.h"
 #include "pushback/chapters/24_half_step/top.h"
 #include "pushback/common/experiment/experiment.h"
@@ -18,25 +19,6 @@ constexpr Real least_tolerance = std::numeric_limits<Real>::digits > 24 ? Real(1
 Real energy(const World& world) {
   return kinetic_energy(world) + potential_energy(world);
 }
-
-/// After each 1/60 s.
-struct Truth {
-  std::vector<Places> places;
-
-  explicit Truth(const Motion& motion) : places(motion.truth(motion.frames())) {}
-  const Places* at(Real time) const {
-    const auto frames = static_cast<std::ptrdiff_t>(std::floor(time * frames_per_second + Real(1e-3)));
-    return frames == 0 ? nullptr : &places[static_cast<std::size_t>(std::min(frames, std::ssize(places)) - 1)];
-  }
-  /// mm
-  Real error(const World& world) const {
-    double largest = 0;
-    if (const Places* found = at(world.time))
-      for (std::size_t i = 0; i < found->size(); ++i)
-        largest = std::max(largest, (world.bodies[i].position.cast<double>() - (*found)[i]).norm());
-    return static_cast<Real>(1000 * largest);
-  }
-};
 
 /// A pendulum as it truly swings: far finer than what is compared with it.
 class Fine {
@@ -91,6 +73,16 @@ int main(int argc, char** argv) {
       });
     };
 
+    const auto by_each_step = [&] {
+      e.variant(fmt::format("whole step, {} substeps", substeps), Substeps(Whole{}, substeps))
+          .with_exactly(1)
+          .coloured(0);
+      e.variant(fmt::format("half step, {} substeps", substeps), in_substeps(substeps)).with_exactly(1).coloured(1);
+      e.variant(fmt::format("order 4, {} substeps", substeps), in_substeps<Composed<Suzuki>>(substeps))
+          .with_exactly(1)
+          .coloured(2);
+    };
+
     const Motion& pendulum = motion_named("pendulum");
     static const auto fine = std::make_shared<const Fine>(pendulum);  // no parameter changes it
     e.scene({.name = "a ball on a pin, for a minute",
@@ -98,29 +90,21 @@ int main(int argc, char** argv) {
              .camera = {{0, Real(-0.25), Real(2.2)}, {0, Real(-0.25), 0}},
              .seconds = 60,
              .instants = {5, 20, 60},
-             .caption = "Ring: where the ball should be. All three take one step in 1/60 s.",
+             .caption = "Ring: where the ball should be. Dot: the pin. All three take one step in 1/60 s.",
              .start_shown = false,
              .marks =
                  [](Picture& picture, const World& world, Real time) {
                    add_line(picture, {Vec3::Zero(), world.bodies[0].position}, near_black_colour());
+                   add_ring(picture, Vec3::Zero(), Vec3::UnitZ(), Real(0.012), near_black_colour(), 8);
                    add_ring(picture, fine->place(time), Vec3::UnitZ(), Real(0.3));
                  },
              .cell_height = 360});
-    e.variant("whole step", Whole{})
-        .with_exactly(1)
-        .coloured(0)
-        .expect("energy at the end", 0)
-        .expect("energy off by up to", 0);
-    e.variant("half step", HalfStep{})
-        .with_exactly(1)
-        .coloured(1)
-        .expect("energy at the end", 0)
-        .expect("energy off by up to", 0);
-    e.variant("order 4", Composed<Suzuki>{})
-        .with_exactly(1)
-        .coloured(2)
-        .expect("energy at the end", 0)
-        .expect("energy off by up to", 0);
+    const auto keeps_its_energy = [](Variant& variant, int colour) {
+      variant.with_exactly(1).coloured(colour).expect("energy at the end", 0).expect("energy off by up to", 0);
+    };
+    keeps_its_energy(e.variant("whole step", Whole{}), 0);
+    keeps_its_energy(e.variant("half step", HalfStep{}), 1);
+    keeps_its_energy(e.variant("order 4", Composed<Suzuki>{}), 2);
     World begin;
     pendulum.begin(begin);
     const Real from = energy(begin);
@@ -132,27 +116,15 @@ int main(int argc, char** argv) {
     e.number("largest error", "mm", [](const Run& run) { return largest_size(run.series.at("off")); });
 
     const Motion& chain = motion_named("chain");
-    static const Truth of_chain(chain);  // takes its time, and no parameter changes it
+    static const TruePlaces of_chain(chain);  // takes its time, and no parameter changes it
     e.scene(
         {.name = chain.title, .fill = [&chain](World& world) { chain.begin(world); }, .seconds = 2, .pictures = false});
-    e.variant(fmt::format("whole step, {} substeps", substeps), Substeps(Whole{}, substeps))
-        .with_exactly(1)
-        .coloured(0);
-    e.variant(fmt::format("half step, {} substeps", substeps), in_substeps(substeps)).with_exactly(1).coloured(1);
-    e.variant(fmt::format("order 4, {} substeps", substeps), in_substeps<Composed<Suzuki>>(substeps))
-        .with_exactly(1)
-        .coloured(2);
+    by_each_step();
     measure_error([](const World& world) { return of_chain.error(world); }, true);
 
     const Top top;
     e.scene({.name = "a top on a pin", .fill = top, .seconds = 10, .pictures = false});
-    e.variant(fmt::format("whole step, {} substeps", substeps), Substeps(Whole{}, substeps))
-        .with_exactly(1)
-        .coloured(0);
-    e.variant(fmt::format("half step, {} substeps", substeps), in_substeps(substeps)).with_exactly(1).coloured(1);
-    e.variant(fmt::format("order 4, {} substeps", substeps), in_substeps<Composed<Suzuki>>(substeps))
-        .with_exactly(1)
-        .coloured(2);
+    by_each_step();
     measure_error(
         [top](const World& world) {
           return 1000 * (world.bodies[0].position - Top::stem * top.axis(world.time)).norm();
@@ -161,8 +133,8 @@ int main(int argc, char** argv) {
 
     for (const std::string name : {"sliding", "rolling", "stack-10", "bounce"}) {
       const Motion& motion = motion_named(name);
-      static std::map<std::string, Truth> truths;
-      const Truth& truth = truths.try_emplace(name, motion).first->second;
+      static std::map<std::string, TruePlaces> truths;
+      const TruePlaces& truth = truths.try_emplace(name, motion).first->second;
       e.scene({.name = motion.title,
                .fill = [&motion](World& world) { motion.begin(world); },
                .seconds = static_cast<Real>(motion.seconds),

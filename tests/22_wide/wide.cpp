@@ -240,7 +240,9 @@ TEST_CASE("wide: what bounces goes, to rounding, as if it were detected in each 
   for (World* world : {&in_each, &once}) {
     world->add(ground().bouncy(Real(0.7)));
     world->add(sphere(Real(0.5), 10).at({0, 3, 0}).bouncy(Real(0.7)));
-    world->add(sphere(Real(0.3), 2).at({3, 2, 0}).moving({1, 0, 0}).spinning({0, 0, 5}).bouncy(Real(0.9)));
+    const Body spinning = sphere(Real(0.3), 2).moving({1, 0, 0}).spinning({0, 0, 5}).bouncy(Real(0.9));
+    world->add(Body(spinning).at({3, 2, 0}));
+    world->add(Body(spinning).at({3, 2, 4}).with_skin(Real(0.05)));
   }
   Wide<double> of_each, of_once;
   for (int i = 0; i < 60; ++i) {

@@ -81,37 +81,32 @@ void drift_and_kick(Bob& bob, const Vec3& g, Real step) {
   bob.v += step / 2 * g;
 }
 
+constexpr auto whole_kick =
+    "it looks as if the whole kick came first. Then the drift takes a velocity from the end of the step, and is off by "
+    "g h²/2 in each.";
+constexpr auto new_rod =
+    "it looks as if the rod put the ball back along the line on which it lies after the drift, or moved the ball and "
+    "not its velocity: both come to the same. Backwards in time that would be another step: the impulse has to act "
+    "along the rod as it lies before, and to be in v.";
+constexpr auto only_speed =
+    "it looks as if only the speed along the rod were held, and not its length. Each step follows the tangent, and the "
+    "rod gets longer.";
+
 std::vector<Mistake<Answer>> mistakes() {
   return {
-      {"the whole kick first",
-       "it looks as if the whole kick came first. Then the drift takes a velocity from the end of the step, and is off "
-       "by g h²/2 in each.",
-       {[](Bob& bob, const Vec3& g, Real step) {
+      {"the whole kick first", whole_kick, {[](Bob& bob, const Vec3& g, Real step) {
          bob.v += step * g;
          plain_24::hold(bob, bob.rod(), step);
          bob.x += step * bob.v;
          bob.project();
        }}},
-      {"the whole kick first",
-       "it looks as if the whole kick came first. Then the drift takes a velocity from the end of the step, and is off "
-       "by g h²/2 in each.",
-       {plain_24::whole_step}},
+      {"the whole kick first", whole_kick, {plain_24::whole_step}},
       {"the average of velocities",
        "it looks as if the ball moved by the average of its velocities before and after. What holds it is then solved "
        "for one of the two, and the step is of first order.",
        {plain_24::average_step}},
-      {"along the new rod",
-       "it looks as if the rod put the ball back along the line on which it lies after the drift, or moved the ball "
-       "and "
-       "not its velocity: both come to the same. Backwards in time that would be another step: the impulse has to act "
-       "along the rod as it lies before, and to be in v.",
-       {plain_24::new_rod_step}},
-      {"along the new rod",
-       "it looks as if the rod put the ball back along the line on which it lies after the drift, or moved the ball "
-       "and "
-       "not its velocity: both come to the same. Backwards in time that would be another step: the impulse has to act "
-       "along the rod as it lies before, and to be in v.",
-       {[](Bob& bob, const Vec3& g, Real step) {
+      {"along the new rod", new_rod, {plain_24::new_rod_step}},
+      {"along the new rod", new_rod, {[](Bob& bob, const Vec3& g, Real step) {
          bob.v += step / 2 * g;
          bob.x += step * bob.v;
          bob.x *= bob.length / bob.x.norm();
@@ -127,18 +122,16 @@ std::vector<Mistake<Answer>> mistakes() {
          bob.project();
        }}},
       {"the velocity not projected",
-       "it looks as if the last line were missing. The rod turns in a step, and what the ball had across it is no "
-       "longer "
-       "across it.",
+       "it looks as if the last line were missing. The rod turns in a step, and what the ball had across it "
+       "is no longer across it.",
        {[](Bob& bob, const Vec3& g, Real step) {
          bob.v += step / 2 * g;
          plain_24::hold(bob, bob.rod(), step);
          drift_and_kick(bob, g, step);
        }}},
       {"projected before the second half",
-       "it looks as if the speed along the rod were taken away before the second half of the kick. That half has a "
-       "part "
-       "along the rod, too.",
+       "it looks as if the speed along the rod were taken away before the second half of the kick. That half "
+       "has a part along the rod, too.",
        {[](Bob& bob, const Vec3& g, Real step) {
          bob.v += step / 2 * g;
          plain_24::hold(bob, bob.rod(), step);
@@ -146,19 +139,13 @@ std::vector<Mistake<Answer>> mistakes() {
          bob.project();
          bob.v += step / 2 * g;
        }}},
-      {"the length not held",
-       "it looks as if only the speed along the rod were held, and not its length. Each step follows the tangent, and "
-       "the rod gets longer.",
-       {[](Bob& bob, const Vec3& g, Real step) {
+      {"the length not held", only_speed, {[](Bob& bob, const Vec3& g, Real step) {
          bob.v += step / 2 * g;
          bob.project();
          drift_and_kick(bob, g, step);
          bob.project();
        }}},
-      {"the length not held",
-       "it looks as if only the speed along the rod were held, and not its length. Each step follows the tangent, and "
-       "the rod gets longer.",
-       {[](Bob& bob, const Vec3& g, Real step) {
+      {"the length not held", only_speed, {[](Bob& bob, const Vec3& g, Real step) {
          bob.v += step / 2 * g;
          drift_and_kick(bob, g, step);
          bob.project();

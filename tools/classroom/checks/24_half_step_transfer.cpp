@@ -86,6 +86,8 @@ Judged right(double whole, double half, double quarter) {
   return from(half, quarter, p, std::exp2(p) - 1);
 }
 
+constexpr auto signed_error = "it looks as if the error had a sign. How far it is off is 0 or more.";
+
 std::vector<Mistake<Answer>> mistakes() {
   const std::string difference =
       "it looks as if the difference of the last two were taken for the error. They are both off: half is off by 2^p "
@@ -141,17 +143,13 @@ std::vector<Mistake<Answer>> mistakes() {
          judged.better = 2 * quarter - judged.better;
          return judged;
        }}},
-      {"a sign in the error",
-       "it looks as if the error had a sign. How far it is off is 0 or more.",
-       {[](double whole, double half, double quarter) {
+      {"a sign in the error", signed_error, {[](double whole, double half, double quarter) {
          const double p = order_in(whole, half, quarter);
          Judged judged = from(half, quarter, p, std::exp2(p) - 1);
          judged.error = quarter - judged.better;
          return judged;
        }}},
-      {"a sign in the error",
-       "it looks as if the error had a sign. How far it is off is 0 or more.",
-       {[](double whole, double half, double quarter) {
+      {"a sign in the error", signed_error, {[](double whole, double half, double quarter) {
          const double p = order_in(whole, half, quarter);
          Judged judged = from(half, quarter, p, std::exp2(p) - 1);
          judged.error = judged.better - quarter;

@@ -1,0 +1,31 @@
+/// A world beside the truth of its motion.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
+
+namespace pushback {
+
+/// Where every body of a motion belongs, after each frame.
+struct TruePlaces {
+  std::vector<Places> places;
+
+  explicit TruePlaces(const Motion& motion) : places(motion.truth(motion.frames())) {}
+  /// Those of the latest whole frame that is over; none before the first.
+  const Places* at(Real time) const {
+    const auto frames = static_cast<std::ptrdiff_t>(std::floor(time * frames_per_second + Real(1e-3)));
+    return frames == 0 ? nullptr : &places[static_cast<std::size_t>(std::min(frames, std::ssize(places)) - 1)];
+  }
+  /// mm, of the body that is farthest from where it belongs.
+  Real error(const World& world) const {
+    double largest = 0;
+    if (const Places* found = at(world.time))
+      for (std::size_t i = 0; i < found->size(); ++i)
+        largest = std::max(largest, (world.bodies[i].position.cast<double>() - (*found)[i]).norm());
+    return static_cast<Real>(1000 * largest);
+  }
+};
+
+}  // namespace pushback
