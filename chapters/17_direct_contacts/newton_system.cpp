@@ -147,7 +147,7 @@ class BetweenBodies : public NewtonSystem {
 
 }  // namespace
 
-SparseRows factor_of(World& world) {
+SparseRows factor_of(World& world, const Contacts& contacts) {
   std::vector<Matrix3d> root(world.bodies.size());  // R R^T = I^-1
   for (const Body& body : world.bodies)
     if (body.movable())
@@ -163,18 +163,22 @@ SparseRows factor_of(World& world) {
       entries.emplace_back(place, 6 * static_cast<int>(body.index) + 3 + i, turned[i]);
     }
   };
-  for (std::size_t c = 0; c < world.contacts.size(); ++c) {
-    const Tangents tangents = tangents_of(world.contacts[c].normal);
-    for (const Vec3& direction : {world.contacts[c].normal, tangents.tangent1, tangents.tangent2}) {
-      const Row row(world, world.contacts[c], direction, c);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Tangents tangents = tangents_of(contacts[c].normal);
+    for (const Vec3& direction : {contacts[c].normal, tangents.tangent1, tangents.tangent2}) {
+      const Row row(world, contacts[c], direction, c);
       add(*row.a, -row.n, -row.ra_n);
       add(*row.b, row.n, row.rb_n);
       ++place;
     }
   }
-  SparseRows b(3 * static_cast<Index>(world.contacts.size()), 6 * static_cast<Index>(world.bodies.size()));
+  SparseRows b(3 * static_cast<Index>(contacts.size()), 6 * static_cast<Index>(world.bodies.size()));
   b.setFromTriplets(entries.begin(), entries.end());
   return b;
+}
+
+SparseRows factor_of(World& world) {
+  return factor_of(world, world.contacts);
 }
 
 std::unique_ptr<NewtonSystem> newton_system(const SparseRows& w, const SparseRows& b) {

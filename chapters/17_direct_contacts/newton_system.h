@@ -10,12 +10,15 @@
 #include <vector>
 
 #include "pushback/chapters/16_whole_problem/contact_problem.h"
+#include "pushback/common/collision/contact.h"
 
 namespace pushback {
 
 class World;
 
-/// B of the contacts of a world, 3 n x 6 bodies, in the order of problem_of(world): each row is J M^-1/2, so W = B B^T.
+/// B of these contacts of a world, 3 n x 6 bodies, in the order of problem_of(world): each row is J M^-1/2, so W = B B^T.
+SparseRows factor_of(World& world, const Contacts& contacts);
+/// The same of all its contacts.
 SparseRows factor_of(World& world);
 
 /// A block of D with its inverse, which loses nothing although D is nearly singular where contacts stick.

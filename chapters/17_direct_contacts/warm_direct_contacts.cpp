@@ -59,7 +59,7 @@ void WarmDirectContacts::solve_as_large(StepContext& step) {
     if (relative_residual(problem, r_) <= too_far) return;
   }
   const SmoothedSolution smoothed =
-      solve_smoothed(problem, {.tolerance = tolerance, .work = work}, factor_of(step.world));
+      solve_smoothed(problem, {.tolerance = tolerance, .work = work}, factor_of(step.world, step.contacts));
   work -= smoothed.work;
   if (smoothed.residual < relative_residual(problem, r_)) r_ = smoothed.r;
   if (relative_residual(problem, r_) <= too_far) return;

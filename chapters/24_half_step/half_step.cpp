@@ -8,9 +8,7 @@
 
 namespace pushback {
 
-namespace {
-
-/// x += h v, and the turn. A body that spins about one of its principal axes turns evenly: `spin_freely` would find that out
+/// A body that spins about one of its principal axes turns evenly: `spin_freely` would find that out
 /// by Newton's method, each time.
 void drift(Body& body, Real h) {
   if (body.conveys) return;
@@ -22,8 +20,6 @@ void drift(Body& body, Real h) {
   if (inverse.minCoeff() > 0 && momentum.cross(spin) != Vec3::Zero()) spin_freely(body, h);
   else spin_evenly(body, h);
 }
-
-}  // namespace
 
 HalfStep::State::State(const Body& body)
     : velocity(body.velocity),
@@ -52,7 +48,15 @@ void HalfStep::give(World& world, const std::vector<State>& states) {
   for (std::size_t i = 0; i < states.size(); ++i) states[i].give(world.bodies[i]);
 }
 
-void HalfStep::check(World& world, Real /*h*/) {
+void HalfStep::set_as(const HalfStep& other) {
+  substeps = other.substeps;
+  tolerance = other.tolerance;
+  most_rounds = other.most_rounds;
+  threshold = other.threshold;
+  most_halvings = other.most_halvings;
+}
+
+void HalfStep::check_settings() const {
   if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
   if (most_rounds < 1)
     throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
@@ -60,10 +64,14 @@ void HalfStep::check(World& world, Real /*h*/) {
     throw InvalidInput(fmt::format("most_halvings is {}: a whole number, 0 or more, is needed", most_halvings));
   require_positive("tolerance", tolerance);
   require_not_negative("threshold", threshold);
+}
+
+void HalfStep::check(World& world, Real /*h*/) {
+  check_settings();
   contacts_.threshold = threshold;
   for (const Body& body : world.bodies)
     if (body.asleep) throw InvalidInput("a body is asleep: half steps do not let bodies sleep");
-  joints_.check(world);
+  joints_.check(world, parts().size() > 1);
   by_hand_.clear();
   const auto feels = [](const Body& body) { return body.force != Vec3::Zero() || body.torque != Vec3::Zero(); };
   if (std::none_of(world.bodies.begin(), world.bodies.end(), feels)) return;
@@ -71,20 +79,53 @@ void HalfStep::check(World& world, Real /*h*/) {
 }
 
 void HalfStep::detected(World& world, Real /*h*/) {
-  if (world.contacts.empty() || holds_contacts(world)) return;
-  const ContactId& id = world.contacts.front().id;
-  throw InvalidInput(fmt::format("bodies {} and {} touch: {}", id.body_a, id.body_b,
-                                 world.joints.empty() ? "a composed step goes back in time, and contacts do not"
-                                                      : "half steps hold joints or contacts, and not both"));
+  if (holds_contacts()) return;
+  const auto touches = [](const Contact& contact) { return contact.depth >= 0; };
+  const auto found = std::find_if(world.contacts.begin(), world.contacts.end(), touches);
+  if (found == world.contacts.end()) return;
+  throw InvalidInput(fmt::format("bodies {} and {} touch: a composed step goes back in time, and contacts do not",
+                                 found->id.body_a, found->id.body_b));
 }
 
-bool HalfStep::holds_contacts(const World& world) const {
-  return world.joints.empty() && parts().size() == 1;
+bool HalfStep::holds_contacts() const {
+  return parts().size() == 1;
+}
+
+/// Whether a stage is more than joints that hold, or contacts alone.
+bool HalfStep::holds_together() const {
+  return !joints_.linear() || (!joints_.empty() && !alone_);
 }
 
 /// As far as two bodies may come nearer in a drift.
-Margin HalfStep::margin(const World& world, Real h) {
-  return {.least = Real(1e-3) + h * h * world.gravity.norm(), .ahead = 2 * h};
+Margin HalfStep::margin(Real gravity, Real h) {
+  return {.least = Real(1e-3) + h * h * gravity, .ahead = 2 * h};
+}
+
+/// Of the whole step: where nothing is as near as that, its substeps need no detection of their own. That is all where the world's
+/// gravity is not larger.
+Plan HalfStep::plan(Real dt) const {
+  return {.sweeps = 1, .margin = holds_contacts() ? margin(World::g, dt) : Margin{}};
+}
+
+void HalfStep::begin_contacts(World& world, Real h) {
+  const Real gravity = world.gravity.norm();
+  if (gravity > World::g) world.find_contacts(margin(gravity, h));
+  alone_ = world.contacts.empty();
+  contacts_.begin(world);
+}
+
+void HalfStep::detect_contacts(World& world, Real h) {
+  world.find_contacts(margin(world.gravity.norm(), h));
+  contacts_.detected(world);
+}
+
+/// Whether a drift moves any body by more than rounding. Where it does not, contacts stay as they are.
+bool HalfStep::moves(const World& world, Real h) {
+  constexpr Real still = std::numeric_limits<Real>::digits > 24 ? Real(1e-13) : Real(1e-8);  // m or rad
+  return std::any_of(world.bodies.begin(), world.bodies.end(), [h](const Body& body) {
+    return !body.conveys &&
+           h * (body.velocity.cwiseAbs().maxCoeff() + body.angular_velocity.cwiseAbs().maxCoeff()) > still;
+  });
 }
 
 /// Where the bodies are.
@@ -103,16 +144,117 @@ void HalfStep::accelerate(World& world) {
   }
 }
 
+HalfStep::Acceleration HalfStep::acceleration(const World& world, std::size_t body) const {
+  if (!world.bodies[body].movable()) return {Vec3::Zero(), Vec3::Zero()};
+  return accelerations_.empty() ? Acceleration{world.gravity, Vec3::Zero()} : accelerations_[body];
+}
+
 void HalfStep::kick(World& world, Real h) const {
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     Body& body = world.bodies[i];
     if (!body.movable()) continue;
-    if (accelerations_.empty()) {
-      body.velocity += h * world.gravity;
-      continue;
+    const Acceleration& by = acceleration(world, i);
+    body.velocity += h * by.linear;
+    if (!accelerations_.empty()) body.angular_velocity += h * by.angular;
+  }
+}
+
+/// Joints, limits, motors and contacts: Newton's method, and where that does not get there, sweeps first. What is left at best comes
+/// from places, which are rounded, and become speeds when they are divided by h.
+bool HalfStep::solve_together(World& world, Real h) {
+  constexpr bool fine = std::numeric_limits<Real>::digits > 24;
+  constexpr double rounding = fine ? 1e-14 : 1e-7;                        // m
+  constexpr double well = fine ? 1e-8 : 1e-4, just = fine ? 1e-6 : 1e-3;  // m/s: what is accepted at once, and at last
+  Real fastest = 1;                                                       // m/s
+  for (const Body& body : world.bodies) fastest = std::max(fastest, body.velocity.cwiseAbs().maxCoeff());
+  const double enough = rounding * (100 * static_cast<double>(fastest) + 1 / std::abs(static_cast<double>(h)));
+  for (const int sweeps : {0, 20, 100, 500}) {
+    together_.sweep(sweeps);
+    if (together_.solve(world, enough) || together_.off() <= well) return true;
+  }
+  return together_.off() <= just;
+}
+
+/// The first stage, and the drift. False where it cannot be solved.
+bool HalfStep::press(World& world, Real h) {
+  const bool together = holds_together();
+  if (together) {
+    joints_.aim(world, time_, h);
+    if (!alone_) contacts_.begin_pressing(world, h);
+  } else if (!alone_) contacts_.press(world, h);
+  joints_.start(h);
+  const auto add_all = [&] {
+    together_.clear();
+    joints_.add_to(together_, false);
+    if (!alone_) contacts_.add_to(together_, world);
+  };
+  const auto let_law_find_out = [&] {
+    if (alone_) return false;
+    contacts_.take(world);
+    contacts_.find_out();
+    add_all();
+    return solve_together(world, h);
+  };
+  if (together) add_all();
+  keep(world, before_);
+  Real off = std::numeric_limits<Real>::infinity();
+  for (int round = 0;; ++round) {
+    for (Body& body : world.bodies) drift(body, h);
+    const Real off_before = off;
+    off = joints_.ask(world, time_ + h);
+    if (together && round == 0) {
+      off = std::numeric_limits<Real>::infinity();  // contacts and limits have not been asked yet
+    } else {
+      if (off <= tolerance) break;
+      // Each round leaves a part of what was off; where that is most of it, the step is too large.
+      if (round == most_rounds || !(off < off_before / 2)) return false;
     }
-    body.velocity += h * accelerations_[i].linear;
-    body.angular_velocity += h * accelerations_[i].angular;
+    give(world, before_);
+    if (together) {
+      joints_.aim_rigid(h);
+      if (!solve_together(world, h) && !let_law_find_out()) return false;
+      if (!alone_) contacts_.take(world);
+      while (!alone_ && contacts_.turns_back(world)) {
+        add_all();
+        if (!solve_together(world, h) && !let_law_find_out()) return false;
+        contacts_.take(world);
+      }
+    } else {
+      joints_.press(h);
+    }
+    keep(world, before_);
+    ++rounds_;
+  }
+  off_ = std::max(off_, off / std::abs(h));
+  joints_.pressed();
+  if (together && !alone_) {
+    contacts_.end_pressing(world, h);
+  }
+  return true;
+}
+
+/// The second stage.
+void HalfStep::project(World& world, Real h) {
+  if (!holds_together()) {
+    if (!alone_) contacts_.project(world, h);
+    joints_.project(h);
+    return;
+  }
+  joints_.settle(h);
+  joints_.start(h);
+  together_.clear();
+  joints_.add_to(together_, true);
+  if (!alone_) {
+    contacts_.begin_projecting(world, h);
+    contacts_.add_to(together_, world);
+  }
+  if (!solve_together(world, h))
+    throw InvalidInput(
+        fmt::format("joints and contacts together leave {} m/s: more substeps are needed", together_.off()));
+  joints_.projected(h);
+  if (!alone_) {
+    contacts_.take(world);
+    contacts_.end_projecting(world, h);
   }
 }
 
@@ -120,51 +262,38 @@ void HalfStep::kick(World& world, Real h) const {
 /// after.
 bool HalfStep::step(World& world, Real h) {
   keep(world, begun_);
+  if (!alone_) contacts_.look(world);
+  joints_.pull(world, h);
   kick(world, h / 2);
-  joints_.start(h);
-  const bool contacts = holds_contacts(world);
-  if (contacts) contacts_.press(world, h);
-  keep(world, before_);
-  Real off = std::numeric_limits<Real>::infinity();
-  for (int round = 0;; ++round) {
-    for (Body& body : world.bodies) drift(body, h);
-    const Real off_before = off;
-    off = joints_.ask(world, time_ + h);
-    if (off <= tolerance) break;
-    // Each round leaves a part of what was off; where that is most of it, the step is too large.
-    if (round == most_rounds || !(off < off_before / 2)) {
-      give(world, begun_);
-      joints_.take_back();
-      return false;
-    }
-    give(world, before_);
-    joints_.press(h);
-    keep(world, before_);
-    ++rounds_;
+  if (!press(world, h)) {
+    give(world, begun_);
+    return false;
   }
-  off_ = std::max(off_, off / std::abs(h));
+  const bool moved = moves(world, h);
   time_ += h;
   for (Body& body : world.bodies)
     if (body.angular_velocity != Vec3::Zero()) body.refresh_inertia();
   accelerate(world);
   kick(world, h / 2);
-  if (contacts) {
-    contacts_.detect(world, margin(world, h));
-    contacts_.project(world, h);
-  }
+  if (!alone_ && moved) detect_contacts(world, h);
   joints_.place(world, time_, h);
-  joints_.project(h);
+  joints_.pull_on(h);
+  project(world, h);
   return true;
 }
 
-void HalfStep::advance(World& world, Real h, int halvings) {
+void HalfStep::halve(World& world, Real h, int halvings) {
   if (step(world, h)) return;
   if (halvings == most_halvings)
     throw InvalidInput(fmt::format("{} cannot be held in {} steps of {} s: more substeps are needed",
                                    world.joints[joints_.worst()].name, 1 << halvings, h));
   ++halvings_;
-  advance(world, h / 2, halvings + 1);
-  advance(world, h / 2, halvings + 1);
+  halve(world, h / 2, halvings + 1);
+  halve(world, h / 2, halvings + 1);
+}
+
+void HalfStep::advance(World& world, Real h) {
+  halve(world, h, 0);
 }
 
 void HalfStep::solve(World& world, Real h, int /*sweeps*/) {
@@ -179,18 +308,19 @@ void HalfStep::solve(World& world, Real h, int /*sweeps*/) {
   accelerate(world);
   joints_.begin(world);
   const Real of_substep = h / static_cast<Real>(substeps);
-  if (holds_contacts(world)) contacts_.begin(world, margin(world, of_substep));
+  alone_ = true;
+  if (holds_contacts()) begin_contacts(world, h);
   joints_.place(world, time_, of_substep);
   try {
     for (int i = 0; i < substeps; ++i)
-      for (const Real part : parts()) advance(world, part * of_substep, 0);
+      for (const Real part : parts()) advance(world, part * of_substep);
   } catch (const InvalidInput&) {
     give(world, after_);
     for (Body& body : world.bodies) body.refresh_inertia();
     throw;
   }
   joints_.report(world);
-  if (holds_contacts(world)) contacts_.report(world);
+  if (!alone_) contacts_.report(world);
   keep(world, after_);
   for (Body& body : world.bodies) {
     body.velocity.setZero();

@@ -9,6 +9,9 @@
 
 namespace pushback {
 
+/// x += h v and the turn of h w, as a free body moves; I^-1 stays behind until it is refreshed.
+void drift(Body& body, Real h);
+
 /// In the place of a solver in World::step, of which it keeps the calls and not the order:
 ///
 ///   v += h/2 M^-1 f(x)                          half of the kick
@@ -21,10 +24,11 @@ namespace pushback {
 /// it is the same step. Forces are to depend on places and on time: one that depends on velocities, as drag does, is of first
 /// order.
 ///
-/// Contacts are held in both stages as well, see held_contacts.h. An impact within a step is of first order.
+/// Contacts are held in both stages as well, see held_contacts.h; so are limits, motors and springs, see held_joints.h. What
+/// cannot be solved by itself is solved together: newton_from_guess.h. An impact within a step is of first order.
 ///
-/// Where Newton's method does not get there, the step is divided in two, and these again. Refused are joints and contacts in the
-/// same world, sleeping bodies, and joints with limits, limited forces or springs.
+/// Where Newton's method does not get there, the step is divided in two, and these again. Refused are sleeping bodies, springs whose
+/// force has a limit or that swing too fast for h, and in a composed step all that does not run backwards.
 ///   Andersen, "Rattle", J. Comput. Phys. 1983; Hairer, Lubich, Wanner, Geometric Numerical Integration, VII.1.
 class HalfStep : public StepSolver {
  public:
@@ -34,7 +38,11 @@ class HalfStep : public StepSolver {
   Real threshold = Real(0.1);  ///< m/s; what arrives slower does not bounce
   int most_halvings = 8;       ///< before it is refused: InvalidInput
 
-  Plan plan(Real /*dt*/) const override { return {.sweeps = 1}; }
+  /// Settings alone, of those above.
+  void set_as(const HalfStep& other);
+  /// Throws InvalidInput if one of them cannot be used.
+  void check_settings() const;
+  Plan plan(Real dt) const override;
   bool holds_joints() const override { return true; }
   void check(World& world, Real h) override;
   void detected(World& world, Real h) override;
@@ -45,12 +53,27 @@ class HalfStep : public StepSolver {
   Solved solved() const override { return {joints_.rows() + contacts_.rows(), off_}; }
   /// In the latest step: how often one was divided in two.
   int halvings() const { return halvings_; }
-  /// In the latest step: of Newton's method, all together.
-  int rounds() const { return rounds_; }
+  /// In the latest step: of Newton's method, all together. None where what contacts bore before is what they bear.
+  int rounds() const { return rounds_ + contacts_.factored(); }
 
  protected:
   /// One after the other, in parts of a substep; they add up to 1. One that is negative goes back in time.
   virtual std::span<const Real> parts() const;
+  /// A part of a substep, as it is or in pieces of its own: each is a call of this one.
+  virtual void advance(World& world, Real h);
+
+  struct Acceleration {
+    Vec3 linear, angular;
+  };
+  bool holds_contacts() const;
+  /// World::contacts, where a step of h s begins, and where a drift of h s has ended.
+  virtual void begin_contacts(World& world, Real h);
+  virtual void detect_contacts(World& world, Real h);
+  /// By forces, where the bodies are, m/s^2 and rad/s^2.
+  Acceleration acceleration(const World& world, std::size_t body) const;
+
+  HeldContacts contacts_;
+  bool alone_ = true;  // nobody comes near anybody in the step: contacts are not even asked for
 
  private:
   struct State {
@@ -59,21 +82,22 @@ class HalfStep : public StepSolver {
     explicit State(const Body& body);
     void give(Body& body) const;
   };
-  struct Acceleration {
-    Vec3 linear, angular;
-  };
-  void advance(World& world, Real h, int halvings);
+  void halve(World& world, Real h, int halvings);
   bool step(World& world, Real h);
   void accelerate(World& world);
   void kick(World& world, Real h) const;
   static void keep(const World& world, std::vector<State>& states);
   static void give(World& world, const std::vector<State>& states);
 
-  bool holds_contacts(const World& world) const;
-  static Margin margin(const World& world, Real h);
+  bool holds_together() const;
+  bool press(World& world, Real h);
+  void project(World& world, Real h);
+  bool solve_together(World& world, Real h);
+  static Margin margin(Real gravity, Real h);
+  static bool moves(const World& world, Real h);
 
   HeldJoints joints_;
-  HeldContacts contacts_;
+  NewtonFromGuess together_;
   std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body; none where nobody has any
   std::vector<Acceleration> accelerations_;     // of each body, where it is; none where gravity is all
   std::vector<State> begun_;                    // the step

@@ -1,52 +1,112 @@
 /// Contacts in two stages: gaps are not to be below 0 after the drift, and speeds not when it is over.
 #pragma once
 
+#include <optional>
+
 #include "pushback/chapters/17_direct_contacts/warm_direct_contacts.h"
+#include "pushback/chapters/24_half_step/newton_from_guess.h"
+#include "pushback/common/collision/broad_phase.h"
 
 namespace pushback {
 
-/// All contacts solved directly (chapter 17), each stage from the impulses of the one before:
+/// Chapter 17's, for contacts that are to be solved as exactly as rounding lets them.
+WarmDirectContacts exact_direct_contacts();
+
+/// All contacts solved at once, in each stage from what they bore in the step before:
 ///
 ///   positions     gap + h J v >= 0,  lambda >= 0      along J where the drift begins; what sticks has not slid when it ends
 ///   velocities    J v >= 0,          lambda >= 0      along J where the bodies are, for those that touch there
 ///
 /// with friction inside the cone in both. Where bodies have met in this step, faster than `threshold`, the second is
 /// J v >= -e v_n, v_n before the step.
+///
+/// Sliding friction depends on a velocity. In the second stage it is against the slip that is left, in the first against the slip
+/// before the step, lambda (n - mu t): backwards in time each is the other, and the step is of second order where the slip turns,
+/// too. Where that would turn a contact back, it is to stick if it can.
+///
+/// What rests has the same impulses in all stages. So the guess is looked at before anything else, contact by contact, without
+/// rows: it is given to the bodies, and if every speed is then within the law, it is the solution. Impulses that stay the same do not
+/// hold a tall pile for ever: what rounding leaves grows. Then Newton's method makes it right to rounding again; from afar,
+/// chapter 17.
 class HeldContacts {
  public:
-  Real threshold = Real(0.1);  ///< m/s; what arrives slower does not bounce
+  /// m: a gap that is rounding
+  static constexpr Real touches = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-5);
 
-  HeldContacts();
-  /// Makes World::contacts anew. What each bore in the latest step comes from World::contacts_before.
-  void begin(World& world, const Margin& margin);
+  Real threshold = Real(0.1);  ///< m/s; what arrives slower does not bounce
+  /// Of these pairs alone, ascending, contacts are held; without, of all.
+  std::optional<std::vector<BodyPair>> only;
+
+  /// World::contacts are those where the bodies are. What each bore in the latest step comes from World::contacts_before.
+  void begin(const World& world);
+  /// How fast what touches approaches and slips, as a step begins.
+  void look(const World& world);
   /// The first stage. Throws InvalidInput where it cannot be solved.
   void press(World& world, Real h);
-  /// The contacts where the bodies are now, and which of them touch.
-  void detect(World& world, const Margin& margin);
+  /// World::contacts are those where the bodies are now.
+  void detected(const World& world);
   /// The second.
   void project(World& world, Real h);
+  /// What has acted at a contact of World::contacts between two steps: N s along its normal, its first and its second tangent. `look`
+  /// once all of it has.
+  void add(std::size_t contact, const Vec3& impulses) { known_[contact].total += impulses; }
+  /// Adds to the acceleration of each body, m/s^2, what it has from its contacts if they bear what they bore in the stage before.
+  void add_borne(const World& world, std::vector<Vec3>& accelerations) const;
+
+  // ---- together with joints: each stage in two parts, between which somebody else solves --------------------------
+  void begin_pressing(World& world, Real h);
+  void end_pressing(const World& world, Real h);
+  void begin_projecting(World& world, Real h);
+  void end_projecting(const World& world, Real h);
+  /// Rows of what takes part, from the guess, which the bodies have.
+  void add_to(NewtonFromGuess& newton, World& world);
+  /// What they came to.
+  void take(const World& world);
+  /// Whether some would now slide the other way: those are to stick, if they can. Rows have to be made anew.
+  bool turns_back(const World& world);
+  /// The law is to find out who slides, and where to. Rows have to be made anew.
+  void find_out();
+
   /// Contact::impulse: what acted since `begin`; and Contact::state.
   void report(World& world) const;
 
-  int rows() const { return static_cast<int>(rows_.size()); }
+  /// Matrices that were factored since `begin`. None where the guess was the solution.
+  int factored() const { return newton_.factored; }
+  int rows() const { return 3 * static_cast<int>(taking_.size()); }
 
  private:
   struct Known {  // of a contact, by its id
     ContactId id;
-    Vec3 borne = Vec3::Zero();  // N, in the stage before
-    Vec3 total = Vec3::Zero();  // N s, since `begin`
-    Real approach = 0;          // J v as the step began, m/s
-    bool pressed = false;       // in the first stage
+    Vec3 borne = Vec3::Zero();     // N, in both stages of the substep before
+    Vec3 pressing = Vec3::Zero();  // N s, in the first stage
+    Vec3 total = Vec3::Zero();     // N s, since `begin`: along the normal and both tangents of each stage
+    Vec3 last = Vec3::Zero();      // N s, in the second
+    Real approach = 0;             // J v as the step began, m/s
+    Vec3 slip = Vec3::Zero();      // u_t then, m/s
+    bool pressed = false;          // in the first stage
   };
-  void look(const World& world);
-  void place(World& world);
-  void solve(World& world, Real h);
+  struct Taking {  // part in a stage
+    std::size_t contact;
+    Real bias;     // b of its normal, m/s
+    Vec3 impulse;  // N s
+    Vec3 slides;   // unit: against it friction acts. 0 where the law is to find out
 
-  WarmDirectContacts direct_;
-  Contacts touching_;  // that take part in a stage
+    bool sliding() const { return !slides.isZero(0); }
+  };
+  bool holds(const ContactId& id) const;
+  void give_guess(World& world, Real h);
+  double off(const World& world) const;
+  void place(World& world);
+  void solve_rows(World& world, Real h);
+  void solve_from_afar(World& world, Real h);
+
+  WarmDirectContacts direct_ = exact_direct_contacts();
+  NewtonFromGuess newton_;
+  std::vector<Taking> taking_;
+  double unit_ = 1;    // |q|, m/s
+  Contacts touching_;  // those of taking_
   Rows rows_;
   std::vector<Known> known_, known_before_;  // of World::contacts, ascending
-  std::vector<std::size_t> which_;           // of each of touching_, its place there
 };
 
 }  // namespace pushback

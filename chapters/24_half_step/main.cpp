@@ -1,6 +1,7 @@
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/19_accuracy_and_time/true_places.h"
+#include "pushback/chapters/24_half_step/on_floor.h"
 #include "pushback/chapters/24_half_step/study.h"
 #include "pushback/chapters/24_half_step/top.h"
 #include "pushback/common/experiment/experiment.h"
@@ -143,6 +144,15 @@ int main(int argc, char** argv) {
       e.variant("half step, 8 substeps", in_substeps(8)).with_exactly(1).coloured(3);
       measure_error([&truth](const World& world) { return truth.error(world); }, false);
     }
+
+    const OnFloor round{Real(0.2)};
+    e.scene(
+        {.name = "a ball on a rod slides round on a floor", .fill = round, .seconds = Real(0.5), .pictures = false});
+    e.variant("half step", in_substeps(1)).with_exactly(1).coloured(1);
+    e.variant("half step, 8 substeps", in_substeps(8)).with_exactly(1).coloured(3);
+    measure_error(
+        [round](const World& world) { return 1000 * (world.bodies[1].position - round.place(world.time)).norm(); },
+        false);
 
     e.study([&e, &chain] {
       const auto truth = places_of_bob(composed_step, 64);

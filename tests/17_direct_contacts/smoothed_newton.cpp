@@ -48,6 +48,15 @@ TEST_CASE("W is B B^T, whatever the bodies' sides and turns") {
   }
 }
 
+TEST_CASE("the B of some contacts has their rows alone") {
+  Frame frame([](World& world) { pyramid(world, 4); });
+  World& world = frame.world;
+  const Contacts some(world.contacts.begin() + 5, world.contacts.begin() + 20);
+  const SparseRows b = factor_of(world, some), all = factor_of(world);
+  REQUIRE(b.rows() == 45);
+  CHECK(SparseRows(b - all.middleRows(15, 45)).norm() == 0);
+}
+
 TEST_CASE("systems between bodies and between contacts lead to the same speeds") {
   for (void (*fill)(World&) : {+[](World& world) { pyramid(world, 6); }, thrown}) {
     Frame frame(fill);

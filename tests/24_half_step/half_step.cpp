@@ -418,15 +418,24 @@ TEST_CASE("half step: what it does not do is refused by name, and nothing has ch
     CHECK(text.find(part) != std::string::npos);
   };
   const auto join = [](auto make) { return [make](World& world) { world.joints.push_back(make(world)); }; };
-  has(said([](World& world) {
-        world.add(sphere(Real(0.2), 1).at({Real(1.1), 0, 0}));
-        world.joints.push_back(ball_and_socket(world, the_world, 0, Vec3::Zero()));
-      }),
-      "half steps hold joints or contacts, and not both");
   has(said([](World& world) { world.bodies[0].asleep = true; }), "asleep");
-  has(said(join([](World& w) { return soft(ball_and_socket(w, the_world, 0, Vec3::Zero()), {2, 1}); })), "gives way");
-  has(said(join([](World& w) { return angle_limits(w, the_world, 0, Vec3::UnitZ(), -1, 1); })), "angle limits");
-  has(said(join([](World& w) { return motor_at_speed(w, the_world, 0, Vec3::UnitZ(), 1, 5); })), "a motor");
+  const auto soft_limits = [](World& w) { return soft(angle_limits(w, the_world, 0, Vec3::UnitZ(), -1, 1), {2, 1}); };
+  has(said(join(soft_limits)), "whose force has a limit");
+  has(said(join([](World& w) { return soft(ball_and_socket(w, the_world, 0, Vec3::Zero()), {30, 1}); })),
+      "more substeps");
+  const auto composed = [](auto make) {
+    World world;
+    world.add(sphere(Real(0.2), 1).at({1, 0, 0}).moving({0, 1, 0}));
+    world.joints.push_back(make(world));
+    Composed<Suzuki> step;
+    const std::uint64_t before = hash_of(world);
+    const std::string what = complaint([&] { world.step(step, h); });
+    CHECK(hash_of(world) == before);
+    return what;
+  };
+  has(composed([](World& w) { return soft(ball_and_socket(w, the_world, 0, Vec3::Zero()), {2, 1}); }), "that damps");
+  has(composed([](World& w) { return angle_limits(w, the_world, 0, Vec3::UnitZ(), -1, 1); }), "angle limits");
+  has(composed([](World& w) { return motor_at_speed(w, the_world, 0, Vec3::UnitZ(), 1, 5); }), "a motor");
   HalfStep wrong;
   wrong.substeps = 0;
   has(said([](World&) {}, wrong), "substeps");

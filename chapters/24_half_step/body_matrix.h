@@ -1,0 +1,54 @@
+/// A matrix of blocks, a row and a column of blocks for each body.
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+namespace pushback {
+
+/// A = L U in blocks of 6 x 6, for six velocities a body: two bodies share a block where something acts between them. L and U have
+/// some blocks more, as few as an approximate minimum degree makes them: between bodies there are far fewer of them than between
+/// contacts. The order is found once, and stays while the same bodies share blocks.
+class BodyMatrix {
+ public:
+  using Block = Eigen::Matrix<double, 6, 6>;
+  using Six = Eigen::Matrix<double, 6, 1>;
+  using Pairs = std::vector<std::pair<int, int>>;
+
+  /// A = 1. `pairs`: the places of those that share a block, each below `bodies`, the lower one first.
+  void begin(int bodies, const Pairs& pairs);
+  /// To the block in the row of one body and the column of another: itself, or one of its pairs.
+  void add(int row, int column, const Block& block);
+  /// There are no pivots between bodies. False where a block on the diagonal is singular.
+  bool factor();
+  /// A x = b, after `factor`. x is b at first.
+  void solve(std::vector<Six>& x) const;
+
+ private:
+  struct Entry {  // a block below the diagonal and its mirror image: of an eliminated body and one that comes later
+    int later;
+    Block lower = Block::Zero(), upper = Block::Zero();
+  };
+  struct Column {
+    std::size_t begin, end;  // in entries_
+    std::size_t updates;     // in updates_: of each pair of its entries, the entry that its elimination changes
+    Block diagonal;          // after `factor` its inverse
+  };
+  void analyse(int bodies, const Pairs& pairs);
+  bool earlier(int one, int other) const {
+    return position_[static_cast<std::size_t>(one)] < position_[static_cast<std::size_t>(other)];
+  }
+  Entry& entry_of(int one, int other);
+  Column& column_of(int body) { return columns_[static_cast<std::size_t>(body)]; }
+  const Column& column_of(int body) const { return columns_[static_cast<std::size_t>(body)]; }
+
+  Pairs pairs_;                // what it was analysed for
+  std::vector<int> order_;     // of elimination
+  std::vector<int> position_;  // of each body, there
+  std::vector<Column> columns_;
+  std::vector<Entry> entries_;
+  std::vector<std::size_t> updates_;
+};
+
+}  // namespace pushback

@@ -1,0 +1,310 @@
+/// Chapter 24: joints, limits, motors and contacts in one stage; springs.
+#include "pushback/chapters/13_joints/hinge.h"
+#include "pushback/chapters/13_joints/weld.h"
+#include "pushback/chapters/15_limits_motors_springs/cart.h"
+#include "pushback/chapters/15_limits_motors_springs/limits.h"
+#include "pushback/chapters/15_limits_motors_springs/piston.h"
+#include "pushback/chapters/15_limits_motors_springs/spring.h"
+#include "pushback/chapters/24_half_step/on_floor.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/bodies/random.h"
+#include "pushback/common/world/measure.h"
+#include "tests/24_half_step/order.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+
+using namespace pushback;
+
+namespace {
+
+Real error_on_floor(const half_step_scenes::OnFloor& round, int substeps) {
+  World world;
+  round(world);
+  HalfStep step = exact(substeps);
+  Real largest = 0;
+  for (int i = 0; i < 30; ++i) {
+    world.step(step, h);
+    largest = std::max(largest, (world.bodies[1].position - round.place(world.time)).norm());
+  }
+  return largest;
+}
+
+/// The largest |C| of what holds rigidly.
+Real parted(const World& world) {
+  Real largest = 0;
+  Equations equations;
+  for (const Joint& joint : world.joints)
+    joint.ask(world.body(joint.a), world.body(joint.b), {world.time, h}, equations);
+  for (const Equation& equation : equations)
+    if (!std::isfinite(equation.hi) && !std::isfinite(equation.lo))
+      largest = std::max(largest, std::abs(equation.error));
+  return largest;
+}
+Real deepest(World world) {
+  world.find_contacts();
+  Real depth = 0;
+  for (const Contact& contact : world.contacts) depth = std::max(depth, contact.depth);
+  return depth;
+}
+
+/// Two rods of 1 m with balls at their ends, let go beside a wall without friction.
+World at_a_wall(Real restitution) {
+  World world;
+  world.add(half_space(Vec3::UnitX()).fixed().at({Real(-0.4), 0, 0}).rough(0));
+  Vec3 end = Vec3::Zero();
+  for (const Real angle : {Real(1), Real(1.3)}) {
+    const Vec3 next = end + Vec3(std::sin(angle), -std::cos(angle), 0);
+    const int ball = world.add(sphere(Real(0.1), 1).at(next).rough(0).bouncy(restitution));
+    world.joints.push_back(distance(world, ball == 1 ? the_world : ball - 1, end, ball, next));
+    end = next;
+  }
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("half step: a bob on a rod slides round on a floor, of second order, with friction and without") {
+  for (const Real mu : {Real(0), Real(0.2)}) {
+    CAPTURE(mu);
+    const half_step_scenes::OnFloor round{mu};
+    CHECK(error_on_floor(round, 4) < 1e-3);
+    if (in_double)
+      CHECK(order({4, 8, 16, 32}, [&](int n) { return error_on_floor(round, n); }) == Approx(2).margin(0.1));
+  }
+}
+
+TEST_CASE("half step: a double pendulum that hits a wall stays outside, whole, and gains no energy") {
+  for (const int substeps : {1, 4}) {
+    World world = at_a_wall(0);
+    HalfStep step;
+    step.substeps = substeps;
+    const Real begin = energy(world);
+    Real highest = begin;
+    bool touched = false;
+    for (int i = 0; i < 300; ++i) {
+      world.step(step, h);
+      highest = std::max(highest, energy(world));
+      CHECK(parted(world) <= step.tolerance);
+      CHECK(deepest(world) < 1e-4);
+      for (const Contact& contact : world.contacts) touched |= !contact.impulse.isZero(0);
+    }
+    CHECK(touched);
+    CHECK(highest < begin + Real(0.1) / static_cast<Real>(substeps * substeps));
+    CHECK(energy(world) < begin - 1);
+  }
+}
+
+TEST_CASE("half step: one that bounces off the wall has its energy again, the better the shorter the steps") {
+  const auto off = [](int substeps) {
+    World world = at_a_wall(1);
+    HalfStep step;
+    step.substeps = substeps;
+    step.threshold = 0;
+    const Real begin = energy(world);
+    for (int i = 0; i < 60; ++i) world.step(step, h);
+    return std::abs(energy(world) - begin);
+  };
+  CHECK(off(64) < Real(0.05));
+  CHECK(off(64) < off(4));
+}
+
+TEST_CASE("half step: two boxes that are welded rest as one, and slide as far as one") {
+  World rest;
+  rest.add(ground());
+  for (const Real x : {Real(-0.5), Real(0.5)}) rest.add(box(Vec3::Constant(Real(0.5)), 3).at({x, Real(0.5), 0}));
+  rest.joints.push_back(weld(rest, 1, 2, {0, Real(0.5), 0}));
+  World slide = rest;
+  const World begin = rest;
+  HalfStep step;
+  for (int i = 0; i < 300; ++i) rest.step(step, h);
+  for (std::size_t i = 1; i < rest.bodies.size(); ++i) {
+    CHECK((rest.bodies[i].position - begin.bodies[i].position).norm() < rounding);
+    CHECK(rest.bodies[i].orientation.angularDistance(begin.bodies[i].orientation) < rounding);
+  }
+  Real carried = 0;
+  for (const Contact& contact : rest.contacts) carried += contact.impulse.y();
+  CHECK(carried == Approx(6 * g * h).epsilon(in_double ? 1e-9 : 1e-3));
+
+  for (Body& body : slide.bodies)
+    if (body.movable()) body.velocity = {4, 0, 0};
+  step.substeps = 4;
+  for (int i = 0; i < 120; ++i) slide.step(step, h);
+  const Real mu = Real(0.5), of_substep = h / 4;  // as far as v^2 / (2 mu g), exactly until the step in which it stops
+  CHECK(std::abs(slide.bodies[1].position.x() + Real(0.5) - 16 / (2 * mu * g)) <=
+        mu * g * of_substep * of_substep / 8 + rounding);
+  CHECK(slide.bodies[1].velocity.norm() < rounding);
+}
+
+TEST_CASE("half step: chains that are dropped onto the ground stay whole, do not sink, and come to rest") {
+  for (const unsigned seed : {3U, 8U, 12U, 16U}) {
+    CAPTURE(seed);
+    Random random(seed);
+    World world;
+    world.add(ground());
+    Vec3 end(0, 1, 0);
+    for (int link = 1; link <= 4; ++link) {
+      const Vec3 next = end + Real(0.6) * random.direction().cwiseProduct(Vec3(1, Real(0.3), 1)).normalized();
+      world.add(box({Real(0.1), Real(0.15), Real(0.1)}, random.between(1, 3))
+                    .oriented(random.orientation())
+                    .at((end + next) / 2));
+      if (link > 1 && seed != 3) world.joints.push_back(ball_and_socket(world, link - 1, link, end));
+      if (link > 1 && seed == 3) {  // hinges with limits
+        const Vec3 axis = random.direction();
+        world.joints.push_back(hinge(world, link - 1, link, end, axis));
+        world.joints.push_back(angle_limits(world, link - 1, link, axis, Real(-0.5), Real(0.5)));
+      }
+      end = next;
+    }
+    REQUIRE(deepest(world) == 0);
+    HalfStep step;
+    step.substeps = 2;
+    const Real begin = energy(world);
+    Real before = begin;
+    for (int i = 0; i < 300; ++i) {
+      world.step(step, h);
+      CHECK(parted(world) <= step.tolerance);
+      CHECK(deepest(world) < 1e-3);
+      CHECK(energy(world) - before < Real(1e-3) * begin);
+      before = energy(world);
+    }
+    CHECK(kinetic_energy(world) < 1e-3 * begin);
+  }
+}
+
+TEST_CASE("half step: a pendulum stops at its limit, and rests on it") {
+  World world;
+  world.add(sphere(Real(0.1), 2).at({1, 0, 0}));
+  world.joints.push_back(hinge(world, the_world, 0, Vec3::Zero(), Vec3::UnitZ()));
+  world.joints.push_back(angle_limits(world, the_world, 0, Vec3::UnitZ(), Real(-0.7), 1));
+  HalfStep step;
+  Real lowest = 0;
+  for (int i = 0; i < 120; ++i) {
+    world.step(step, h);
+    const Vec3& place = world.bodies[0].position;
+    lowest = std::min(lowest, std::atan2(place.y(), place.x()));
+  }
+  CHECK(lowest > Real(-0.7) - (in_double ? Real(1e-5) : Real(1e-4)));
+  const Vec3 at(std::cos(Real(0.7)), -std::sin(Real(0.7)), 0);
+  CHECK((world.bodies[0].position - at).norm() < (in_double ? Real(1e-7) : Real(1e-4)));
+  CHECK(world.bodies[0].velocity.norm() < (in_double ? Real(1e-7) : Real(1e-4)));
+  CHECK(world.joints[1].impulses[0] == Approx(2 * g * std::cos(Real(0.7)) * h).epsilon(1e-3));
+  CHECK(world.joints[1].impulses[1] == 0);
+}
+
+TEST_CASE("half step: what is beyond its limit comes back, and does not go on") {
+  World world;
+  world.gravity.setZero();
+  world.add(sphere(Real(0.1), 2).at({1, 0, 0}));
+  world.joints.push_back(hinge(world, the_world, 0, Vec3::Zero(), Vec3::UnitZ()));
+  world.joints.push_back(angle_limits(world, the_world, 0, Vec3::UnitZ(), Real(0.2), 1));
+  HalfStep step;
+  for (int i = 0; i < 10; ++i) world.step(step, h);
+  CHECK(std::atan2(world.bodies[0].position.y(), world.bodies[0].position.x()) == Approx(0.2).epsilon(1e-3));
+  CHECK(world.bodies[0].velocity.norm() < (in_double ? Real(1e-6) : Real(1e-3)));
+}
+
+TEST_CASE("half step: a motor at the limit of its force lifts as far as that goes, and then as fast as it is to") {
+  const auto upwards = [](Real t) { return 1 + t; };
+  World world;
+  world.add(sphere(Real(0.1), 2).at({0, 1, 0}));
+  world.joints.push_back(piston(world, the_world, Vec3::Zero(), 0, {0, 1, 0}, upwards, 30));
+  HalfStep step;
+  const Real a = 15 - g;
+  for (int i = 0; i < 6; ++i) world.step(step, h);
+  CHECK(world.bodies[0].position.y() == Approx(1 + a * world.time * world.time / 2).epsilon(in_double ? 1e-12 : 1e-5));
+  CHECK(world.bodies[0].velocity.y() == Approx(a * world.time).epsilon(in_double ? 1e-12 : 1e-5));
+  CHECK(world.joints[0].impulses[0] == Approx(30 * h).epsilon(in_double ? 1e-12 : 1e-5));
+  Real behind = 1;
+  for (int i = 0; i < 294; ++i) {  // it never overshoots: what is left becomes less
+    world.step(step, h);
+    const Real now = 1 + world.time - world.bodies[0].position.y();
+    CHECK((now > -rounding && now < behind + rounding));
+    if (world.bodies[0].velocity.y() > Real(0.999)) behind = now;
+  }
+  CHECK(std::abs(behind) < rounding);
+  CHECK(world.bodies[0].velocity.y() == Approx(1).epsilon(in_double ? 1e-9 : 1e-4));
+  CHECK(world.joints[0].impulses[0] == Approx(2 * g * h).epsilon(in_double ? 1e-6 : 1e-3));
+
+  World weak;  // less than the weight: it falls with what is left of g
+  weak.add(sphere(Real(0.1), 2).at({0, 1, 0}));
+  weak.joints.push_back(piston(weak, the_world, Vec3::Zero(), 0, {0, 1, 0}, upwards, 10));
+  for (int i = 0; i < 12; ++i) weak.step(step, h);
+  CHECK(weak.bodies[0].position.y() ==
+        Approx(1 - (g - 5) * weak.time * weak.time / 2).epsilon(in_double ? 1e-12 : 1e-5));
+}
+
+TEST_CASE("half step: a cart climbs a slope on hinges, motors and contacts, as fast as its torque says") {
+  using namespace limits_motors_springs_scenes;
+  constexpr Real slope = Real(0.2), torque = 10;
+  World world;
+  world.add(half_space(Quat(Eigen::AngleAxis<Real>(slope, Vec3::UnitZ())) * Vec3::UnitY()).fixed().rough(1));
+  const Cart cart = add_cart(world, slope, 0);
+  drive(world, cart, 100, torque);
+  HalfStep step;
+  for (int i = 0; i < 60; ++i) world.step(step, h);
+  const Vec3 up(std::cos(slope), std::sin(slope), 0);
+  const Real a = acceleration_of_cart(slope, torque);
+  CHECK(world.bodies[std::size_t(cart.chassis)].velocity.dot(up) == Approx(a * world.time).epsilon(1e-3));
+  CHECK(parted(world) <= step.tolerance);
+}
+
+TEST_CASE("half step: joints, motors and contacts go on in the same bits, in a copy and by another solver") {
+  using namespace limits_motors_springs_scenes;
+  World world;
+  world.add(ground().rough(1));
+  drive(world, add_cart(world, 0, 0), 8, 5);
+  world.add(box(Vec3::Constant(Real(0.3)), 2).at({3, Real(0.3), 0}));
+  HalfStep step;
+  for (int i = 0; i < 20; ++i) world.step(step, h);
+  World copy = world, other = world;
+  HalfStep same = step, fresh;
+  for (int i = 0; i < 60; ++i) {
+    world.step(step, h);
+    copy.step(same, h);
+    other.step(fresh, h);
+  }
+  CHECK(hash_of(copy) == hash_of(world));
+  CHECK(hash_of(other) == hash_of(world));
+}
+
+TEST_CASE("half step: a mass on a spring, of second order, damped or not") {
+  const Spring spring{Real(1.5), 0};
+  for (const Real damping : {Real(0), Real(0.2)}) {
+    CAPTURE(damping);
+    const Real w = 2 * pi * spring.hertz, fall = damping * w, turn = w * std::sqrt(1 - damping * damping);
+    const auto error = [&](int substeps) {
+      World world;
+      world.gravity.setZero();
+      world.add(sphere(Real(0.1), 2).at({0, 1, 0}));
+      world.joints.push_back(
+          soft(distance(world, the_world, Vec3::Zero(), 0, {0, 1, 0}, Real(0.8)), {spring.hertz, damping}));
+      HalfStep step = exact(substeps);
+      Real largest = 0;
+      for (int i = 0; i < 60; ++i) {
+        world.step(step, h);
+        const Real t = world.time;
+        const Real truth =
+            Real(0.8) + Real(0.2) * std::exp(-fall * t) * (std::cos(turn * t) + fall / turn * std::sin(turn * t));
+        largest = std::max(largest, std::abs(world.bodies[0].position.y() - truth));
+      }
+      return largest;
+    };
+    CHECK(error(1) < 2e-3);
+    if (in_double) CHECK(order({2, 4, 8, 16}, error) == Approx(2).margin(0.1));
+  }
+}
+
+TEST_CASE("half step: a spring knows what it bore, hangs as deep as its force says, and holds with contacts as well") {
+  World world;
+  world.add(ground().rough(0));
+  world.add(box(Vec3::Constant(Real(0.5)), 10).at({0, Real(0.5), 0}).rough(0));
+  world.add(sphere(Real(0.1), 2).at({0, 3, 0}));
+  world.joints.push_back(soft(distance(world, the_world, {0, 4, 0}, 2, {0, 3, 0}), {2, 1}));
+  world.joints.push_back(soft(distance(world, the_world, {0, 5, 0}, 1, {0, 1, 0}), {Real(0.5), 1}));
+  HalfStep step;
+  for (int i = 0; i < 300; ++i) world.step(step, h);
+  const Real w = 4 * pi;
+  CHECK(world.bodies[2].position.y() == Approx(3 - g / (w * w)).epsilon(1e-6));
+  CHECK(world.joints[0].impulses[0] == Approx(-2 * g * h).epsilon(1e-6));
+  CHECK((world.bodies[1].position - Vec3(0, Real(0.5), 0)).norm() < rounding);
+}
