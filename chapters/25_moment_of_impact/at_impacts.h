@@ -1,0 +1,63 @@
+/// A half step that is cut where bodies meet.
+#pragma once
+
+#include "pushback/chapters/24_half_step/half_step.h"
+
+namespace pushback {
+
+/// Which of chapter 09's impacts: each pair by itself, the fastest first, until none approaches; or all at the same time.
+enum class Impacts { sequential, simultaneous };
+
+/// In the place of HalfStep, whose settings it has. Pairs that are apart fly freely, and are not held:
+///
+///   1. the first time at which any of them touch, see first_touch.h
+///   2. a half step until then; pairs that stay in touch are held in it, as chapter 24 does
+///   3. where bodies touch and approach, an impact:  J v >= -e v_n,  impulses inside the cone, solved directly (chapter 17)
+///
+/// and again, until the step is over. So nothing that is apart when a step begins can pass through anything else. A pair that
+/// stays in touch is held as in chapter 24, also where it touches next.
+///
+/// Bounces end. What leaves with u and is pressed back by a is there again after 2 u / a, then slower by e: infinitely many bounces take
+///
+///   T = 2 u / (a (1 - e))
+///
+/// Where T is not above a substep, that is the last one: it leaves with no speed, u^2 / (2 a) <= a h^2 (1 - e)^2 / 8 too low.
+///
+/// In a world with joints no step is cut: it is chapter 24's.
+class AtImpacts : public HalfStep {
+ public:
+  Impacts impacts = Impacts::simultaneous;
+  int most_events = 64;  ///< in a substep; what is left of it is then a half step in which all pairs are held
+
+  Plan plan(Real dt) const override;
+  void check(World& world, Real h) override;
+  void solve(World& world, Real h, int sweeps) override;
+  /// In the latest step: how often bodies have met.
+  int events() const { return events_; }
+  /// In the latest step: whether `most_events` were too few.
+  bool bound_reached() const { return bound_reached_; }
+
+ protected:
+  void advance(World& world, Real h) override;
+  void begin_contacts(World& world, Real h) override;
+  void detect_contacts(World& world, Real h) override;
+
+ private:
+  bool impact(World& world, Real h);
+  void bounce(World& world, Real h, const std::vector<std::size_t>& which);
+  void accelerate_bodies(const World& world);
+  Real pressing(const Contact& at) const;
+  void hold_touching(World& world, Real h);
+  void look_ahead(World& world, Real h);
+  std::optional<Real> next_touch(const World& world, Real within);
+
+  std::vector<std::size_t> touching_, of_pair_;  // places in World::contacts
+  std::vector<Vec3> accelerations_;              // of each body, with what its contacts bear, m/s^2
+  std::vector<BodyPair> near_;                   // in the part that begins
+  WarmDirectContacts direct_ = exact_direct_contacts();
+  bool ahead_ = false;  // whether World::contacts has what may touch in the next drift
+  int events_ = 0;
+  bool bound_reached_ = false;
+};
+
+}  // namespace pushback

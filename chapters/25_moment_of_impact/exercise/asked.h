@@ -1,0 +1,17 @@
+/// What exercise 25 asks for.
+#pragma once
+
+#include "pushback/chapters/25_moment_of_impact/plain.h"
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_25 {
+
+using plain_25::Ball;
+
+struct Answer {
+  void (*step)(Ball& ball, Real g, Real h);
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_25

@@ -1,0 +1,59 @@
+/// When two bodies that move freely first touch.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pushback/common/bodies/body.h"
+
+namespace pushback {
+
+/// A body, and where it will be if it touches nothing: a half step of t seconds from where it is.
+class Flight {
+ public:
+  /// `linear`, `angular`: its accelerations, m/s^2 and rad/s^2, world axes. It is asked about no more than `within` s.
+  Flight(const Body& body, const Vec3& linear, const Vec3& angular, Real within);
+  /// Where it is after t seconds, without its I^-1.
+  const Body& at(Real t);
+
+  /// Of a corner of its core, along a direction n: m from the body's position, and m/s.
+  struct Corner {
+    Real height, speed;
+  };
+  /// Of all corners, where `at` was asked last. The speeds are off by no more than `slack`.
+  void look_along(const Vec3& n);
+  const std::vector<Corner>& corners() const { return seen_; }
+  Real slack() const { return bend_ * little_ / 2; }
+  /// m/s^2, the most by which a corner curves away from its straight way, as the body turns.
+  Real bend() const { return bend_; }
+  const Vec3& acceleration() const { return linear_; }
+
+ private:
+  Body turned_after(Real t) const;
+
+  Body begin_, moved_;
+  Vec3 linear_, angular_;
+  std::vector<Vec3> core_;  // body axes, m
+  std::vector<Corner> seen_;
+  Real time_ = 0, little_ = 0, bend_ = 0;
+  bool turns_ = false;
+};
+
+/// s from now, or nothing where they do not touch within `within` s. Then they are apart by no more than `touching` (m), and have
+/// not been nearer before. Who touches now and leaves is found when it is back.
+///
+/// Two convex bodies are apart as long as their shadows on some line are. Take the n along which they are d apart: corner q of B and
+/// corner p of A come nearer along it by no more than
+///
+///   d_pq(t + s) >= d_pq + c s + (a - k) s^2 / 2      c: their velocity along n now,  a: the acceleration,  k: what turns may bend
+///
+/// so until the first root of any of these nothing can touch. Go there, and ask again (conservative advancement). For balls that
+/// is Newton's method, from the side on which it never oversteps.
+///   Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, PhD thesis, Berkeley 1996, 2.3, with speeds alone.
+/// Where that takes more than 100 rounds, it ends at a time until which nothing has touched.
+std::optional<Real> first_touch(Flight& a, Flight& b, Real within, Real touching);
+
+/// The first s > 0 with  d + c s + a s^2 / 2 = 0,  d >= 0; infinite where there is none.
+Real first_root(Real d, Real c, Real a);
+
+}  // namespace pushback

@@ -1,0 +1,480 @@
+/// Chapter 25: what a step that is cut at impacts makes exact, and what it bounds.
+#include "pushback/chapters/25_moment_of_impact/at_impacts.h"
+
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/chapters/25_moment_of_impact/gap.h"
+#include "pushback/chapters/25_moment_of_impact/plain.h"
+#include "pushback/chapters/25_moment_of_impact/scenes.h"
+#include "pushback/common/bodies/random.h"
+#include "pushback/common/world/any_solver.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+#include "tests/support/yardstick.h"
+
+using namespace pushback;
+
+namespace {
+
+AtImpacts at_every_speed() {
+  AtImpacts step;
+  step.threshold = 0;
+  return step;
+}
+/// The largest error of a motion of chapter 19, m.
+double error_of_cut(const std::string& name) {
+  const Motion& motion = motion_named(name);
+  World world;
+  motion.begin(world);
+  AtImpacts step = at_every_speed();
+  double largest = 0;
+  for (const Places& places : motion.truth(motion.frames())) {
+    world.step(step, h);
+    CHECK_FALSE(step.bound_reached());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      largest = std::max(largest, (world.bodies[i].position.cast<double>() - places[i]).norm());
+  }
+  return largest;
+}
+Real all_energy(const World& world) {
+  return kinetic_energy(world) + potential_energy(world);
+}
+/// Balls of 1 kg in a row along x, with this much between them; the first one comes with 5 m/s. No gravity.
+World row_of_balls(int count, Real gap, Real e) {
+  World world;
+  world.gravity.setZero();
+  for (int i = 0; i < count; ++i)
+    world.add(sphere(Real(0.5), 1).at({(1 + gap) * static_cast<Real>(i), 0, 0}).bouncy(e).rough(0));
+  world.bodies[0].position.x() -= Real(0.05);
+  world.bodies[0].velocity.x() = 5;
+  return world;
+}
+/// A sheet of 1 mm, 1 m high and wide, upright at x = 0.
+Body sheet(Real mass) {
+  return box({Real(0.0005), Real(0.5), Real(0.5)}, mass);
+}
+
+}  // namespace
+
+TEST_CASE("impact: bounces and a break are exact but for rounding, what rests or slides is as before") {
+  CHECK(error_of_cut("bounce") < (in_double ? 1e-12 : 1e-3));
+  CHECK(error_of_cut("break") < (in_double ? 1e-9 : 1e-2));
+  CHECK(error_of_cut("stack-10") < (in_double ? 1e-11 : 1e-3));
+  CHECK(error_of_cut("heavy-on-light") < (in_double ? 1e-11 : 1e-3));
+  CHECK(error_of_cut("incline") < (in_double ? 1e-10 : 1e-3));
+  CHECK(error_of_cut("sliding") < 1.7e-4);
+  CHECK(error_of_cut("rolling") < (in_double ? 1.1e-6 : 1e-3));
+}
+
+TEST_CASE("impact: the page's three lines") {
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 1).at({0, Real(0.6), 0}).moving({0, -20, 0}).bouncy(Real(0.5)));
+  AtImpacts solver;
+  world.step(solver, 1.0 / 60);
+  CHECK(solver.events() == 1);
+  CHECK_FALSE(solver.bound_reached());
+  // 0.1 m down, h - t up again, with half of what it had
+  const Real t = (std::sqrt(400 + Real(0.2) * g) - 20) / g, up = (20 + g * t) / 2, left = h - t;
+  CHECK(world.bodies[1].position.y() ==
+        Approx(Real(0.5) + up * left - g * left * left / 2).epsilon(in_double ? 1e-9 : 1e-4));
+  CHECK(world.bodies[1].velocity.y() == Approx(up - g * left).epsilon(in_double ? 1e-9 : 1e-4));
+}
+
+TEST_CASE("impact: infinitely many bounces take t (1 + e) / (1 - e), and then it rests") {
+  constexpr Real e = Real(0.8);
+  const Real whole = std::sqrt(2 / g) * (1 + e) / (1 - e);  // dropped from 1 m
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 2).at({0, Real(1.5), 0}).bouncy(e));
+  AtImpacts step = at_every_speed();
+  Real rests = 0;
+  int events = 0;
+  while (world.time < 5) {
+    world.step(step, h);
+    CHECK_FALSE(step.bound_reached());
+    events += step.events();
+    if (world.bodies[1].velocity.norm() > (in_double ? Real(1e-9) : Real(1e-3)) ||
+        world.bodies[1].position.y() > Real(0.5001))
+      rests = world.time;
+  }
+  CHECK(std::abs(rests - whole) < 2 * h);
+  CHECK(std::abs(world.bodies[1].position.y() - Real(0.5)) < (in_double ? Real(1e-8) : Real(1e-4)));
+  // 2 u / (g (1 - e)) <= h  ends it:  e^n sqrt(2 g) = h g (1 - e) / 2
+  const Real needed = std::log(h * g * (1 - e) / (2 * std::sqrt(2 * g))) / std::log(e);
+  CHECK(events == Approx(std::ceil(static_cast<double>(needed))).margin(1));
+}
+
+TEST_CASE("impact: bounces end beside a box that rests, too") {
+  if (!in_double) return;  // floats end at 1e-5 m, and at 1e-3 m/s
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 2).at({0, Real(0.6), 0}).bouncy(Real(0.8)));
+  world.add(box(Vec3::Constant(Real(0.5)), 10).at({3, Real(0.5), 0}));
+  AtImpacts step = at_every_speed();
+  int bounces = 0;
+  for (int i = 0; i < 180; ++i) {
+    world.step(step, h);
+    bounces += step.events();
+  }
+  // e^n sqrt(2 g 0.1) = h g (1 - e) / 2
+  CHECK(bounces == Approx(std::ceil(std::log(h * g / (10 * std::sqrt(g / 5))) / std::log(0.8))).margin(1));
+  CHECK(world.bodies[1].velocity.norm() < (in_double ? Real(1e-9) : Real(1e-3)));
+  CHECK(std::abs(world.bodies[1].position.y() - Real(0.5)) < (in_double ? Real(1e-8) : Real(1e-4)));
+  int events = 0;
+  for (int i = 0; i < 10; ++i) {
+    world.step(step, h);
+    events += step.events();
+  }
+  CHECK(events == 0);
+}
+
+TEST_CASE("impact: a ball bounces on a box that rests as it does on the ground") {
+  constexpr Real e = Real(0.5);
+  World world;
+  world.add(ground());
+  world.add(box({2, Real(0.5), 2}, 1e9).at({0, Real(0.5), 0}));
+  world.add(sphere(Real(0.5), 1).at({0, Real(2.5), 0}).bouncy(e));
+  AtImpacts step;
+  plain_25::Ball ball{1, 0, e};
+  for (int i = 0; i < 45; ++i) {
+    world.step(step, h);
+    plain_25::cut_step(ball, g, h);
+    CHECK(world.bodies[2].position.y() - Real(1.5) == Approx(ball.y).margin(in_double ? 1e-6 : 1e-2));
+  }
+}
+
+TEST_CASE("impact: a box that moves sideways bounces on another as a ball does on the ground") {
+  constexpr Real e = Real(0.6);
+  World world;
+  world.add(box({20, Real(0.5), 20}, 1).fixed().rough(0).bouncy(e).at({-5, -Real(0.5), 2}));
+  world.add(box(Vec3::Constant(Real(0.25)), 1).at({0, Real(0.75), 0}).moving({3, 0, 1}).rough(0).bouncy(e));
+  AtImpacts step = at_every_speed();
+  plain_25::Ball ball{Real(0.5), 0, e};
+  for (int i = 0; i < 100; ++i) {
+    world.step(step, h);
+    plain_25::cut_step(ball, g, h);
+    CHECK(world.bodies[1].position.y() - Real(0.25) == Approx(ball.y).margin(in_double ? 1e-8 : 1e-3));
+    CHECK(world.bodies[1].angular_velocity.norm() < (in_double ? 1e-8 : 1e-2));
+  }
+}
+
+TEST_CASE("impact: a box that lands on an edge is held at its next one") {
+  for (const Real tilt : {Real(0.05), Real(0.2), Real(0.5)}) {
+    CAPTURE(tilt);
+    World world;
+    world.add(ground());
+    world.add(box(Vec3::Constant(Real(0.5)), 10).turned(tilt, Vec3::UnitZ()).at({0, Real(1.5), 0}));
+    AtImpacts step;
+    Real deepest = 0;
+    for (int i = 0; i < 120; ++i) {
+      world.step(step, h);
+      for (const Vec3& corner : corners_of_core(world.bodies[1]))
+        deepest = std::max(deepest, -(world.bodies[1].position + world.bodies[1].orientation * corner).y());
+    }
+    CHECK(deepest < (in_double ? Real(1e-9) : Real(1e-4)));
+  }
+}
+
+TEST_CASE("impact: e = 1 goes on bouncing, and keeps its energy for a minute") {
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 2).at({0, Real(0.51), 0}).bouncy(1));  // 22 bounces a second
+  AtImpacts step = at_every_speed();
+  const Real begin = all_energy(world);
+  int events = 0;
+  for (int i = 0; i < 3600; ++i) {
+    world.step(step, h);
+    events += step.events();
+  }
+  CHECK(std::abs(all_energy(world) - begin) < (in_double ? Real(1e-6) : Real(0.05)));
+  const double every = static_cast<double>(2 * std::sqrt(2 * Real(0.01) / g));
+  CHECK(events == Approx(60 / every).margin(in_double ? 1 : 30));
+}
+
+TEST_CASE("impact: a bullet of 10 mm at 500 m/s stays before a sheet of 1 mm") {
+  if (!in_double) return;  // floats end at 1e-5 m, and at 1e-3 m/s
+  for (const Real e : {Real(0), Real(0.5), Real(1)}) {
+    CAPTURE(e);
+    World world;
+    world.gravity.setZero();
+    world.add(sheet(2).rough(0));
+    world.add(sphere(Real(0.005), Real(0.01)).at({-3, 0, 0}).moving({500, 0, 0}).bouncy(e).rough(0));
+    AtImpacts step;
+    const Real begin = kinetic_energy(world), before = momentum(world).x();
+    int events = 0;
+    for (int i = 0; i < 10; ++i) {
+      world.step(step, h);
+      events += step.events();
+      CHECK(world.bodies[1].position.x() <= world.bodies[0].position.x() - Real(0.0055) + (in_double ? 1e-8 : 1e-2));
+    }
+    CHECK(events == 1);
+    // Newton: v_B - v_A = e 500;  momentum is kept, and energy falls by m' (1 - e^2) 500^2 / 2, 1/m' = 1/m_A + 1/m_B
+    constexpr Real light = Real(0.01), heavy = 2, reduced = light * heavy / (light + heavy);
+    CHECK(momentum(world).x() == Approx(before));
+    CHECK(world.bodies[0].velocity.x() - world.bodies[1].velocity.x() == Approx(500 * e).margin(1e-6));
+    CHECK(begin - kinetic_energy(world) == Approx(reduced * (1 - e * e) * 250000 / 2).margin(in_double ? 1e-6 : 1));
+    const Real flown = 10 * h - (3 - Real(0.0055)) / 500;
+    CHECK(world.bodies[0].position.x() == Approx((1 + e) * light / (light + heavy) * 500 * flown).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("impact: no bullet passes a fixed sheet, whatever its shape, its way and its spin") {
+  if (!in_double) return;  // floats end at 1e-5 m, and at 1e-3 m/s
+  Random random(7);
+  for (int i = 0; i < 300; ++i) {
+    CAPTURE(i);
+    World world;
+    world.add(sheet(1).fixed());
+    const Vec3 aim(0, random.between(Real(-0.3), Real(0.3)), random.between(Real(-0.3), Real(0.3)));
+    const Vec3 from = aim + Vec3(-random.between(1, 4), random.between(-1, 1), random.between(-1, 1));
+    const Real speed = random.between(50, 900);
+    Body bullet = i % 2 == 0 ? sphere(Real(0.005), Real(0.01))
+                             : box({Real(0.004), Real(0.003), Real(0.005)}, Real(0.01)).oriented(random.orientation());
+    world.add(bullet.at(from).moving(speed * (aim - from).normalized()).spinning(random.vector(20)).bouncy(Real(0.3)));
+    AtImpacts step;
+    int events = 0;
+    for (int k = 0; k < 12; ++k) {
+      world.step(step, h);
+      events += step.events();
+      CHECK((world.bodies[1].position.x() < Real(-0.003) ||
+             world.bodies[1].position.tail<2>().cwiseAbs().maxCoeff() > Real(0.49)));
+    }
+    CHECK(events > 0);
+  }
+}
+
+TEST_CASE("impact: a rod that spins meets a thin wall with its tip, and not later") {
+  // A capsule about the origin, in the plane z = 0: its tip is at l sin + r to the right when it has turned by the angle.
+  constexpr Real half = Real(0.5), radius = Real(0.01), spin = 2, wall = Real(0.4);
+  World world;
+  world.gravity.setZero();
+  world.add(box({Real(0.0005), 1, 1}, 1).fixed().at({wall + Real(0.0005), 0, 0}));
+  world.add(capsule(radius, half, 1).spinning({0, 0, -spin}).bouncy(1).rough(0));
+  const Real angle = std::asin((wall - radius) / half);
+  AtImpacts step;
+  step.substeps = 8;
+  Real met = 0;
+  while (met == 0 && world.time < 2) {
+    const Vec3 before = world.bodies[1].angular_velocity;
+    world.step(step, h);
+    if (step.events() > 0) met = world.time;
+    else CHECK((world.bodies[1].angular_velocity - before).norm() < 1000 * eps);
+    const Vec3 tip = world.bodies[1].position + half * (world.bodies[1].orientation * Vec3::UnitY());
+    CHECK(tip.x() + radius < wall + (in_double ? Real(1e-7) : Real(1e-3)));
+  }
+  CHECK(std::abs(met - angle / spin) <= h);
+  // e = 1, smooth: the energy stays, and the rod leaves the wall.
+  CHECK(kinetic_energy(world) ==
+        Approx(spin * spin / 2 / world.bodies[1].principal_inverse_inertia.z()).epsilon(in_double ? 1e-9 : 1e-4));
+  CHECK(world.bodies[1].velocity.x() < 0);
+}
+
+TEST_CASE("impact: a row of balls that touch, in sequence and at the same time") {
+  for (const Impacts impacts : {Impacts::sequential, Impacts::simultaneous}) {
+    World world = row_of_balls(5, 0, 1);
+    AtImpacts step;
+    step.impacts = impacts;
+    for (int i = 0; i < 5; ++i) world.step(step, h);
+    const auto expected =
+        impacts == Impacts::sequential ? std::array<Real, 5>{0, 0, 0, 0, 5} : std::array<Real, 5>{-3, 2, 2, 2, 2};
+    for (std::size_t i = 0; i < 5; ++i)
+      CHECK(world.bodies[i].velocity.x() == Approx(expected[i]).margin(in_double ? 1e-8 : 1e-3));
+  }
+}
+
+TEST_CASE("impact: with gaps between them the two kinds agree, and the last ball is where it belongs") {
+  for (const Impacts impacts : {Impacts::sequential, Impacts::simultaneous}) {
+    World world = row_of_balls(5, Real(0.001), 1);
+    AtImpacts step;
+    step.impacts = impacts;
+    int events = 0;
+    for (int i = 0; i < 6; ++i) {
+      world.step(step, h);
+      events += step.events();
+    }
+    CHECK(events == 4);
+    // the speed of 5 m/s has been handed on: all gaps together are closed by somebody who has it
+    const Real handed = (Real(0.05) + 4 * Real(0.001)) / 5;
+    CHECK(world.bodies[4].position.x() ==
+          Approx(4 * Real(1.001) + 5 * (6 * h - handed)).margin(in_double ? 1e-7 : 1e-3));
+    for (std::size_t i = 0; i < 4; ++i) CHECK(world.bodies[i].velocity.norm() < (in_double ? 1e-8 : 1e-3));
+  }
+}
+
+TEST_CASE("impact: balls in a box keep their energy, e = 1, and none gets out") {
+  Random random(11);
+  World world;
+  world.gravity.setZero();
+  for (int axis = 0; axis < 3; ++axis)
+    for (const Real side : {Real(-1), Real(1)}) {
+      Body wall = half_space(-side * Vec3::Unit(axis));
+      world.add(wall.at(side * Vec3::Unit(axis)).rough(0).bouncy(1));
+    }
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      world.add(sphere(Real(0.15), random.between(1, 5))
+                    .at({Real(0.5) * static_cast<Real>(x), Real(0.5) * static_cast<Real>(y), 0})
+                    .moving(random.vector(20))
+                    .rough(0)
+                    .bouncy(1));
+  AtImpacts step;
+  const Real begin = kinetic_energy(world);
+  int events = 0;
+  for (int i = 0; i < 120; ++i) {
+    world.step(step, h);
+    events += step.events();
+    CHECK_FALSE(step.bound_reached());
+    for (const Body& body : world.bodies)
+      if (body.movable()) CHECK(body.position.cwiseAbs().maxCoeff() < Real(0.85) + (in_double ? 1e-8 : 1e-3));
+  }
+  CHECK(events > 200);
+  CHECK(kinetic_energy(world) == Approx(begin).epsilon(in_double ? 1e-9 : 1e-3));
+}
+
+TEST_CASE("impact: a heap of anything gains no energy") {
+  for (const std::uint64_t seed : {2U, 5U}) {
+    Random random(seed);
+    World world;
+    world.add(ground());
+    for (int i = 0; i < 6; ++i)
+      world.add(random.body(10).at({random.between(-1, 1), Real(1.5) + Real(4.2) * static_cast<Real>(i), 0}));
+    AtImpacts step;
+    const Real begin = all_energy(world);
+    Real before = begin;
+    for (int i = 0; i < 180; ++i) {
+      world.step(step, h);
+      const Real now = all_energy(world);
+      CHECK(now - before < Real(1e-4) * begin);
+      before = now;
+    }
+    CHECK(before < begin / 2);
+  }
+}
+
+TEST_CASE("impact: with no events allowed it is a half step, and says so") {
+  const auto dropped = [] {
+    World world;
+    world.add(ground());
+    world.add(sphere(Real(0.5), 2).at({0, Real(0.6), 0}).moving({0, -20, 0}).bouncy(Real(0.8)));
+    return world;
+  };
+  World cut = dropped(), whole = dropped();
+  AtImpacts none;
+  none.most_events = 0;
+  HalfStep half;
+  for (int i = 0; i < 3; ++i) {
+    cut.step(none, h);
+    whole.step(half, h);
+    CHECK(none.bound_reached());
+    CHECK(none.events() == 0);
+  }
+  CHECK(hash_of(cut) == hash_of(whole));
+}
+
+TEST_CASE("impact: more events than allowed are asked for by a ball between two walls, and nothing gets out") {
+  World world;
+  world.gravity.setZero();
+  world.add(half_space(Vec3::UnitX()).at({-Real(0.51), 0, 0}).bouncy(1).rough(0));
+  world.add(half_space(-Vec3::UnitX()).at({Real(0.51), 0, 0}).bouncy(1).rough(0));
+  world.add(sphere(Real(0.5), 1).moving({50, 0, 0}).bouncy(1).rough(0));
+  AtImpacts step;
+  world.step(step, h);
+  CHECK_FALSE(step.bound_reached());
+  CHECK(step.events() == Approx(static_cast<double>(50 * h / Real(0.02))).margin(1));
+  step.most_events = 8;
+  for (int i = 0; i < 20; ++i) {
+    world.step(step, h);
+    CHECK(step.bound_reached());
+    CHECK(std::abs(world.bodies[2].position.x()) < Real(0.011));
+  }
+}
+
+TEST_CASE("impact: what was applied at a contact is reported") {
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 2).at({0, Real(0.5), 0}).moving({0, -3, 0}));
+  AtImpacts step;
+  world.step(step, h);
+  REQUIRE(world.contacts.size() == 1);
+  CHECK(world.contacts[0].impulse.y() == Approx(2 * (3 + g * h)).epsilon(in_double ? 1e-9 : 1e-3));
+}
+
+TEST_CASE("impact: the same bits again, also from a copy in between") {
+  World one;
+  heap(one, 2, 2, 0);
+  World other = one;
+  AnySolver of_one = AtImpacts{}, of_other = AtImpacts{};
+  for (int i = 0; i < 60; ++i) {
+    one.step(of_one, h);
+    if (i == 30) of_other = AnySolver(AtImpacts{});
+    other.step(of_other, h);
+    REQUIRE(hash_of(one) == hash_of(other));
+  }
+}
+
+TEST_CASE("impact: what is refused") {
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 1).at({0, Real(0.49), 0}));
+  const World before = world;
+  AtImpacts step;
+  step.most_events = -1;
+  CHECK(complaint([&] { world.step(step, h); }).find("most_events is -1") != std::string::npos);
+  CHECK(hash_of(world) == hash_of(before));
+}
+TEST_CASE("impact: in a world with joints it is chapter 24's step, to the bit") {
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 1).at({0, Real(0.5), 0}).moving({1, 0, 0}));
+  world.add(sphere(Real(0.2), 1).at({0, Real(1.5), 0}).moving({1, 0, 0}));
+  world.joints.push_back(ball_and_socket(world, 1, 2, {0, 1, 0}));
+  World other = world;
+  AtImpacts cut;
+  HalfStep half;
+  for (int i = 0; i < 60; ++i) {
+    world.step(cut, h);
+    other.step(half, h);
+    REQUIRE(hash_of(world) == hash_of(other));
+  }
+  CHECK(cut.events() == 0);
+}
+
+TEST_CASE("impact: the plain loop is the same step, and a late one is of first order") {
+  constexpr Real e = Real(0.7);
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 1).at({0, Real(1.5), 0}).bouncy(e));
+  AtImpacts step = at_every_speed();
+  plain_25::Ball ball{1, 0, e};
+  for (int i = 0; i < 200; ++i) {
+    world.step(step, h);
+    plain_25::cut_step(ball, g, h);
+    CHECK(world.bodies[1].position.y() - Real(0.5) == Approx(ball.y).margin(in_double ? 1e-9 : 1e-3));
+    CHECK(world.bodies[1].velocity.y() == Approx(ball.v).margin(in_double ? 1e-8 : 1e-2));
+  }
+  CHECK(ball.y == 0);
+  CHECK(ball.v == 0);
+  for (const int substeps : {1, 4, 16, 64}) {
+    plain_25::Ball late{1, 0, e}, right{1, 0, e};
+    for (int i = 0; i < 35 * substeps; ++i) plain_25::late_step(late, g, h / static_cast<Real>(substeps));
+    for (int i = 0; i < 35; ++i) plain_25::cut_step(right, g, h);
+    CHECK(std::abs(late.y - right.y) < Real(0.1) / static_cast<Real>(substeps));
+  }
+}
+
+TEST_CASE("impact: the rod is where its closed form has it") {
+  const moment_of_impact_scenes::SpinningRod rod;
+  World world;
+  rod(world);
+  AtImpacts step;
+  step.substeps = 16;
+  while (world.time < Real(0.4)) {
+    world.step(step, h);
+    const Body truth = rod.truth(world.time);
+    CHECK((world.bodies[1].position - truth.position).norm() < (in_double ? Real(1e-5) : Real(1e-3)));
+    CHECK(world.bodies[1].orientation.angularDistance(truth.orientation) < (in_double ? Real(5e-5) : Real(5e-3)));
+  }
+}
