@@ -1,8 +1,8 @@
 // Bodies that are moved by hand, and conveyors: what they carry obeys closed forms, whatever solver there is.
 #include <memory>
 
-#include "pushback/chapters/22_wide/recommended.h"
 #include "pushback/chapters/23_threads/crew.h"
+#include "pushback/chapters/26_to_each_its_own/presets.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/catalogue/solvers.h"
@@ -28,7 +28,8 @@ struct Tried {
 std::vector<Tried> tried() {
   const Real rounding = in_double ? Real(1e-9) : Real(1e-3);
   std::vector<Tried> all = {{"08 friction cone", solver_named("08 friction cone").solver, 50, rounding}};
-  for (const char* name : {"11 substeps", "12 soft contacts", "21 detected once", "22 wide", "all together"})
+  for (const char* name :
+       {"11 substeps", "12 soft contacts", "21 detected once", "22 wide", "26 by island", "all together"})
     all.push_back({name, solver_named(name).solver, 1, rounding});
   all.push_back({"22 wide, of floats", Wide<float>{}, 1, Real(1e-3)});
   return all;
@@ -234,7 +235,7 @@ TEST_CASE("conveyors: in the same bits with two threads") {
   for (int i = 0; i < 200; ++i) world.add(parcel().at({Real(i % 20) / 2 - 5, Real(i / 20) * Real(0.21) + half, 0}));
   World by_two = world;
   Recommended alone, shared;
-  shared.crew = std::make_shared<Crew>(2, true);
+  shared.many.crew = std::make_shared<Crew>(2, true);
   for (int i = 0; i < 30; ++i) {
     world.step(alone, h);
     by_two.step(shared, h);

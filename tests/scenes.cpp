@@ -30,8 +30,11 @@ TEST_CASE("every scene of every chapter is listed") {
   }
   for (const auto& entry : std::filesystem::directory_iterator("chapters")) {
     if (!std::filesystem::exists(entry.path() / "scenes.h")) continue;
+    const std::string chapter = entry.path().filename().string().substr(0, 2);
+    if (chapter == "25" || chapter == "26")
+      continue;  // for steps of their own: under all others a bullet flies through a sheet
     INFO(entry.path());
-    CHECK(count[entry.path().filename().string().substr(0, 2)] > 0);
+    CHECK(count[chapter] > 0);
   }
 }
 

@@ -107,7 +107,7 @@ TEST_CASE("skin: no pair that touches by its skins is lost on the way to the nar
 }
 
 TEST_CASE("skin: boxes rest at the distance of both skins, as high as boxes rest that are larger by them") {
-  for (const char* name : {"08 friction cone", "12 soft contacts", "21 detected once", "22 wide"}) {
+  for (const char* name : {"08 friction cone", "12 soft contacts", "21 detected once", "22 wide", "26 by island"}) {
     INFO(name);
     const Real skin = Real(0.02), half = Real(0.3);
     World skinned, larger;

@@ -38,7 +38,7 @@ void soak(const char* stage, int base) {
   std::size_t early = 0;
   Real drifted = 0;
   for (int i = 1; i <= SOAK_STEPS; ++i) {
-    step(world, Real(1) / 60);
+    step.step(world, Real(1) / 60);
     if (i == 1000) {
       early = bytes_in_use();
       drifted = drift(world, start);

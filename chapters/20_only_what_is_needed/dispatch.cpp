@@ -13,7 +13,8 @@ void OnlyWhatIsNeeded::step(World& world, Real dt, std::optional<int> sweeps) {
   if (!as_it_was) fit(world);
   const Plan plan = solver_.plan(dt);
   everybody_.workers = &plan.workers->of_bodies(world.bodies.size());
-  if (sleep) pushback::step(world, solver_, dt, sweeps.value_or(plan.sweeps), *sleep);
+  if (!sleep && solver_.divides_worlds()) solver_.whole_step(world, dt, sweeps.value_or(plan.sweeps));
+  else if (sleep) pushback::step(world, solver_, dt, sweeps.value_or(plan.sweeps), *sleep);
   else pushback::step(world, solver_, dt, sweeps.value_or(plan.sweeps), everybody_);
 }
 

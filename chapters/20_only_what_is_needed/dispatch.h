@@ -47,6 +47,9 @@ class FittingSolver : public ForwardingSolver {
   /// The scene is another one now. Settings stay. Throws InvalidInput if it has joints and the solver holds none; then nothing
   /// has changed.
   void fit(const World& world) { holder_ = holder_->fitting(world); }
+  void whole_step(World& world, Real dt, int sweeps) override { inner().whole_step(world, dt, sweeps); }
+  /// Whether its step has an order of its own: see StepSolver::whole_step.
+  bool divides_worlds() const { return holder_->divides_worlds(); }
   /// Of the latest substep; none where the solver has none to show.
   const Rows& rows() const { return holder_->rows(); }
   const JointRows& joint_rows() const { return holder_->joint_rows(); }
@@ -57,6 +60,7 @@ class FittingSolver : public ForwardingSolver {
     virtual std::unique_ptr<AnyHolder> copy() const = 0;
     virtual std::unique_ptr<AnyHolder> fitting(const World& world) const = 0;
     virtual StepSolver& solver() = 0;
+    virtual bool divides_worlds() const = 0;
     virtual const Rows& rows() const = 0;
     virtual const JointRows& joint_rows() const = 0;
   };
@@ -66,6 +70,10 @@ class FittingSolver : public ForwardingSolver {
     std::unique_ptr<AnyHolder> copy() const override { return std::make_unique<Holder>(*this); }
     std::unique_ptr<AnyHolder> fitting(const World& world) const override { return holder_for(world, full); }
     StepSolver& solver() override { return held; }
+    bool divides_worlds() const override {
+      if constexpr (requires { held.divides_worlds(); }) return held.divides_worlds();
+      else return has_whole_step<Fitting>;
+    }
     const Rows& rows() const override {
       if constexpr (requires { held.rows(); }) return held.rows();
       else return none<Rows>();

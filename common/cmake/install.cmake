@@ -1,5 +1,5 @@
 # cmake --install, whole or by components, each of which is installed alone:
-#   simulation   headers, and what a world and the recommended solver need: pushback_simulation, direct_joints, wide
+#   simulation   headers, and what a world and the recommended solver need: pushback_simulation, and chapters up to recommended
 #   chapters     the same, and the libraries of other chapters
 #   experiment   the same as simulation, and pictures, sheets and plots: pushback
 #   exercises    a folder of a student's own: the program pushback-exercise, and what it compiles and links answers with; see
@@ -7,9 +7,10 @@
 # The first three are for find_package(Pushback), which takes them as COMPONENTS.
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/pushback)
-set(simulation_targets pushback_settings pushback_simulation direct_joints wide)
+set(recommended_needs whole_problem direct_contacts direct_joints wide half_step moment_of_impact to_each_its_own)
+set(simulation_targets pushback_settings pushback_simulation ${recommended_needs})
 get_property(chapters_targets GLOBAL PROPERTY chapter_libraries)
-list(REMOVE_ITEM chapters_targets direct_joints wide)
+list(REMOVE_ITEM chapters_targets ${recommended_needs})
 list(APPEND chapters_targets flat_solver)
 set(experiment_targets pushback_render pushback_program pushback)
 set(components simulation)

@@ -24,6 +24,14 @@ class AnySolver : public ForwardingSolver {
   }
   ~AnySolver() override = default;
 
+  void whole_step(World& world, Real dt, int sweeps) override { inner().whole_step(world, dt, sweeps); }
+  /// Whether its step has an order of its own: see StepSolver::whole_step.
+  bool divides_worlds() const { return held_->divides_worlds(); }
+  /// The solver that is held, if it is one of these; else null.
+  template <std::derived_from<StepSolver> ContactSolver>
+  const ContactSolver* as() const {
+    return dynamic_cast<const ContactSolver*>(&inner());
+  }
   /// Of the solver that is held.
   const std::type_info& type() const {
     const StepSolver& held = inner();
@@ -35,12 +43,17 @@ class AnySolver : public ForwardingSolver {
     virtual ~Anything() = default;
     virtual std::unique_ptr<Anything> copy() const = 0;
     virtual StepSolver& solver() = 0;
+    virtual bool divides_worlds() const = 0;
   };
   template <class ContactSolver>
   struct Held final : Anything {
     explicit Held(ContactSolver its_solver) : held(std::move(its_solver)) {}
     std::unique_ptr<Anything> copy() const override { return std::make_unique<Held>(*this); }
     StepSolver& solver() override { return held; }
+    bool divides_worlds() const override {
+      if constexpr (requires { held.divides_worlds(); }) return held.divides_worlds();
+      else return has_whole_step<ContactSolver>;
+    }
     ContactSolver held;
   };
   StepSolver& inner() override { return held_->solver(); }

@@ -9,6 +9,11 @@ void StepSolver::integrate_positions(World& world, Real h) {
   for (Body& body : world.bodies) integrate_position(body, h);
 }
 
+void StepSolver::whole_step(World& world, Real dt, int sweeps) {
+  Everybody everybody{&plan(dt).workers->of_bodies(world.bodies.size())};
+  step(world, *this, dt, sweeps, everybody);
+}
+
 void check_solvable(const World& world, const StepSolver& solver) {
   if (!solver.holds_joints()) check_no_joints(world.joints);
 }
@@ -64,8 +69,7 @@ void World::begin_step(Real dt) {
 }
 
 void World::step(StepSolver& solver, Real dt, int sweeps) {
-  Everybody everybody{&solver.plan(dt).workers->of_bodies(bodies.size())};
-  pushback::step(*this, solver, dt, sweeps, everybody);
+  solver.whole_step(*this, dt, sweeps);
 }
 
 void World::step(StepSolver& solver, Real dt) {

@@ -1,6 +1,8 @@
 /// What a step asks of a solver.
 #pragma once
 
+#include <concepts>
+
 #include "pushback/common/world/world.h"
 
 namespace pushback {
@@ -55,9 +57,16 @@ class StepSolver {
   /// Contact::last_impulse of Contact::impulse, and sums over the detections; with several, `done` writes both: what the
   /// last substep applied, and the sum over them all.
   virtual void done(World&) {}
+  /// A whole step of World::step, whose arguments have not been checked yet. For who divides a world, or a step, in a way of its own;
+  /// all others leave it to the order in step.h, which calls what stands above.
+  virtual void whole_step(World& world, Real dt, int sweeps);
   /// Of the latest substep. A solver without rows has none to count.
   virtual Solved solved() const { return {}; }
 };
+
+/// Whether steps of this solver have an order of their own.
+template <class ContactSolver>
+constexpr bool has_whole_step = !std::same_as<decltype(&ContactSolver::whole_step), decltype(&StepSolver::whole_step)>;
 
 /// An effect that solves joints derives from this.
 struct HoldsJoints {};

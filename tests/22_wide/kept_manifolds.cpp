@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "pushback/chapters/12_soft_contacts/mast.h"
-#include "pushback/chapters/22_wide/recommended.h"
+#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
@@ -18,19 +18,19 @@ namespace {
 /// The recommended solver, with the contacts of an earlier detection until a body has turned by 10 degrees since, or one has moved by
 /// 5 cm against another that it touches.
 template <bool arms_turn>
-struct Keeping : Recommended {
+struct Keeping : Wide<Real> {
   void detected(World& world, Real h) override {
     if (!kept_ || !close(world)) kept_ = {world.bodies, world.contacts};
     world.contacts = kept_->contacts;
     for (Contact& contact : world.contacts) carry(world, contact);
-    if (arms_turn) return Recommended::detected(world, h);
+    if (arms_turn) return Wide<Real>::detected(world, h);
     // Rows get the arms that their contacts had.
     std::vector<Vec3> now;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
       now.push_back(world.bodies[i].position);
       world.bodies[i].position = kept_->bodies[i].position;
     }
-    Recommended::detected(world, h);
+    Wide<Real>::detected(world, h);
     for (std::size_t i = 0; i < world.bodies.size(); ++i) world.bodies[i].position = now[i];
   }
 
@@ -112,7 +112,7 @@ TEST_CASE("kept manifolds let a stack stand that buckles without them, because t
   for (const auto& [boxes, substeps] : {std::pair{20, 4}, {40, 4}, {40, 8}}) {
     World fresh, kept, turning;
     for (World* world : {&fresh, &kept, &turning}) stack(*world, boxes);
-    const Real falls = top_after(fresh, Recommended(), substeps, 10);
+    const Real falls = top_after(fresh, Wide<Real>(), substeps, 10);
     const Real stands = top_after(kept, Keeping<false>(), substeps, 10);
     const Real falls_too = top_after(turning, Keeping<true>(), substeps, 10);
     INFO(boxes << " boxes, " << substeps << " substeps: " << 1000 * falls << " mm; kept " << 1000 * stands
@@ -125,11 +125,11 @@ TEST_CASE("kept manifolds let a stack stand that buckles without them, because t
 
 TEST_CASE("kept manifolds carry a bent column above Greenhill's height, unless their arms turn") {
   for (const auto& [boxes, substeps] : {std::pair{20, 4}, {30, 8}}) {
-    const Real w = Recommended().spring.angular_frequency(h / static_cast<Real>(substeps));
+    const Real w = Wide<Real>().spring.angular_frequency(h / static_cast<Real>(substeps));
     REQUIRE(boxes > tallest_column(w));
     World fresh, kept, turning;
     for (World* world : {&fresh, &kept, &turning}) BentColumn{boxes, w}(*world);
-    const Real falls = top_after(fresh, Recommended(), substeps, 8);
+    const Real falls = top_after(fresh, Wide<Real>(), substeps, 8);
     const Real falls_too = top_after(turning, Keeping<true>(), substeps, 8);
     const Real stands = top_after(kept, Keeping<false>(), substeps, 20);
     INFO(boxes << " boxes, " << substeps << " substeps: " << 1000 * falls << " mm after 8 s, with arms that turn "
@@ -143,7 +143,7 @@ TEST_CASE("kept manifolds carry a bent column above Greenhill's height, unless t
 // 62 % in 4 s.
 TEST_CASE("kept manifolds do not conserve angular momentum, unless their arms turn") {
   const Real spin = Real(0.1), seconds = 4;
-  const Real fresh = angular_momentum_lost<Recommended>(spin, seconds);
+  const Real fresh = angular_momentum_lost<Wide<Real>>(spin, seconds);
   const Real kept = angular_momentum_lost<Keeping<false>>(spin, seconds);
   const Real turning = angular_momentum_lost<Keeping<true>>(spin, seconds);
   INFO("of two boxes that turn about each other: off by " << 100 * fresh << " %, kept " << 100 * kept
@@ -182,13 +182,13 @@ Real beyond_the_edge() {
 }  // namespace
 
 TEST_CASE("kept manifolds whose arms turn drive a ball, and all of them let a box hang over an edge") {
-  const Real fresh = speed_of_ball<Recommended>(), kept = speed_of_ball<Keeping<false>>();
+  const Real fresh = speed_of_ball<Wide<Real>>(), kept = speed_of_ball<Keeping<false>>();
   const Real turning = speed_of_ball<Keeping<true>>();
   INFO("ball: " << fresh << " m/s, kept " << kept << ", with arms that turn " << turning);
   CHECK(fresh == Approx(0.3).epsilon(1e-3));
   CHECK(kept == Approx(0.3).epsilon(1e-2));
   CHECK(turning > Real(0.9));
-  const Real detected = beyond_the_edge<Recommended>(), late = beyond_the_edge<Keeping<false>>();
+  const Real detected = beyond_the_edge<Wide<Real>>(), late = beyond_the_edge<Keeping<false>>();
   const Real turns_late = beyond_the_edge<Keeping<true>>();
   INFO("turns " << 1000 * detected << " mm beyond the edge, kept " << 1000 * late << ", with arms that turn "
                 << 1000 * turns_late);
@@ -197,7 +197,7 @@ TEST_CASE("kept manifolds whose arms turn drive a ball, and all of them let a bo
   CHECK(turns_late > detected);
 }
 
-TEMPLATE_TEST_CASE("kept manifolds or not, a block does not creep down a slope that holds it", "", Recommended,
+TEMPLATE_TEST_CASE("kept manifolds or not, a block does not creep down a slope that holds it", "", Wide<Real>,
                    Keeping<false>, Keeping<true>) {
   const Real angle = 25 * pi / 180;  // it slides from 26.6 degrees on
   World world;

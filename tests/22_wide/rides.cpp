@@ -3,7 +3,7 @@
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
 #include "pushback/chapters/21_detected_once/scenes.h"
 #include "pushback/chapters/22_wide/along.h"
-#include "pushback/chapters/22_wide/recommended.h"
+#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/collision/collide.h"
 #include "pushback/common/world/measure.h"
@@ -156,7 +156,7 @@ TEST_CASE("rides: a cube that rolls on its edge, detected once in 32 substeps, g
       for (int i = 0; i < 6 * detections; ++i) world.step(solver, h / static_cast<Real>(detections));
       return world.bodies.back().position;
     };
-    Recommended exact, once;
+    Wide<Real> exact, once;
     exact.stays_within = once.stays_within = 0;
     DetectedOnce carried;
     const Vec3 truth = after(exact, 32);
@@ -164,7 +164,7 @@ TEST_CASE("rides: a cube that rolls on its edge, detected once in 32 substeps, g
     INFO("spin " << spin << ": " << 1000 * riding << " mm, carried " << 1000 * not_riding << " mm");
     CHECK(riding < (in_double ? Real(5e-6) : Real(5e-5)));
     CHECK(not_riding > Real(0.5e-3));
-    Recommended as_it_comes;
+    Wide<Real> as_it_comes;
     const Real near = (after(as_it_comes, 1) - truth).norm();
     INFO("as it comes " << 1000 * near << " mm");
     CHECK(near < Real(0.01e-3) + (in_double ? 0 : Real(5e-5)));
@@ -175,7 +175,7 @@ TEST_CASE("rides: fifteen balls that are broken lie where they should, to 4 mm, 
   const Motion& motion = motion_named("break");
   World world;
   motion.fill(world);
-  Recommended solver;
+  Wide<Real> solver;
   solver.threshold = 0;
   const std::vector<Places> truth = motion.truth(motion.frames());
   Real farthest = 0;
@@ -213,7 +213,7 @@ TEST_CASE(
                 .moving({Real(-5e-4), 0, 0})
                 .spinning({0, Real(0.01), Real(-0.03)}));
   const Vec3 before = angular_momentum(world);
-  Recommended solver;
+  Wide<Real> solver;
   Real touched = 0;
   for (int i = 0; i < 600; ++i) {
     world.step(solver, h);
@@ -226,7 +226,7 @@ TEST_CASE(
 }
 
 TEST_CASE("wide: substeps are of 1/60 s, so that contacts are as stiff in a step of any length") {
-  const Recommended solver;
+  const Wide<Real> solver;
   CHECK(solver.plan(Real(1) / 60).substeps == 32);
   CHECK(solver.plan(Real(1) / 240).substeps == 8);
   CHECK(solver.plan(Real(1) / 30).substeps == 64);
@@ -237,7 +237,7 @@ TEST_CASE("wide: substeps are of 1/60 s, so that contacts are as stiff in a step
   const auto depth_after = [](Real dt) {
     World world;
     stack(world, 3);
-    Recommended steps;
+    Wide<Real> steps;
     while (world.time < 2) world.step(steps, dt);
     Real deepest = 0;
     for (const Contact& contact : world.contacts) deepest = std::max(deepest, contact.depth);
@@ -253,7 +253,7 @@ TEST_CASE("wide: a box that a press lets go of does not jump") {
   world.add(ground());
   world.add(box({Real(0.5), Real(0.5), Real(0.5)}, 100).at({0, Real(0.5), 0}));
   world.add(box({1, Real(0.1), 1}, 1).fixed().at({0, Real(1.1), 0}).moving({0, -Real(0.1), 0}));
-  Recommended solver;
+  Wide<Real> solver;
   for (int i = 0; i < 12; ++i) world.step(solver, h);
   CHECK(world.bodies[1].position.y() < Real(0.491));  // 20 mm too little room, shared
   world.bodies[2].velocity = {0, 1, 0};

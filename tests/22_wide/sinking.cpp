@@ -1,5 +1,5 @@
 /// How far bodies sink on contacts that are as stiff as the substeps allow: as 1 / w^2, beyond 32 substeps as well.
-#include "pushback/chapters/22_wide/recommended.h"
+#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
@@ -21,7 +21,7 @@ Sunk sunk(const std::function<void(World&)>& fill, int substeps) {
   fill(world);
   std::vector<Vec3> start;
   for (const Body& body : world.bodies) start.push_back(body.position);
-  Recommended solver;
+  Wide<Real> solver;
   solver.substeps = substeps;
   solver.spring.hertz = Real(1e6);
   for (int step = 0; step < 300; ++step) world.step(solver, h);

@@ -10,7 +10,7 @@
 #include "pushback/chapters/13_joints/study.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
 #include "pushback/chapters/21_detected_once/study.h"
-#include "pushback/chapters/22_wide/recommended.h"
+#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/hard_cases/sliding.h"
@@ -255,7 +255,7 @@ TEST_CASE("wide: what bounces goes, to rounding, as if it were detected in each 
 
 TEST_CASE(
     "wide: what is recommended moves in the same bits with what is called for, and rests asleep until it is hit") {
-  check_called_for_and_asleep(Recommended{});
+  check_called_for_and_asleep(Wide<Real>{});
 }
 
 TEST_CASE("wide: what a torque turns, by hand or by a force, turns in the bits of chapter 21") {
@@ -267,7 +267,7 @@ TEST_CASE("wide: what a torque turns, by hand or by a force, turns in the bits o
       if (!by_hand) world->forces.push_back({[=](World& of) { of.bodies[0].torque += torque; }});
     }
     DetectedOnce of_one_by_one;
-    Recommended of_wide;
+    Wide<Real> of_wide;
     for (int i = 0; i < 20; ++i) {
       if (by_hand)
         for (World* world : {&one_by_one, &wide}) world->bodies[0].torque = torque;
@@ -308,13 +308,13 @@ TEST_CASE("wide: joints are solved where they are, also after somebody has moved
   world.add(box({Real(0.1), Real(0.3), Real(0.2)}, 1).at({0, 3, 0}).spinning({1, 2, 3}));
   world.joints.push_back(ball_and_socket(world, the_world, 0, {0, Real(4.5), 0}));
   world.joints.push_back(ball_and_socket(world, 0, 1, {0, Real(3.5), 0}));
-  Recommended solver;
+  Wide<Real> solver;
   for (int step = 0; step < 20; ++step) {
     Body& lower = world.bodies[1];
     lower.turned(Real(0.5), Vec3::UnitX());
     lower.position += Vec3(Real(0.1), 0, 0);
     World copy = world;
-    Recommended fresh;
+    Wide<Real> fresh;
     world.step(solver, h);
     copy.step(fresh, h);
     REQUIRE(hash_of(world) == hash_of(copy));
@@ -322,7 +322,7 @@ TEST_CASE("wide: joints are solved where they are, also after somebody has moved
 }
 
 TEST_CASE("wide: with chapter 14's joints, they move in the bits of chapter 21 where nothing touches") {
-  CHECK(Recommended{}.holds_joints());  // as the refusal of joints says
+  CHECK(Wide<Real>{}.holds_joints());  // as the refusal of joints says
   World one_by_one, wide;
   for (World* world : {&one_by_one, &wide}) {
     world->add(box({Real(0.1), Real(0.3), Real(0.1)}, 1).at({0, 4, 0}));

@@ -12,7 +12,7 @@ using namespace pushback;
 
 namespace {
 
-const std::string shipped = "07 warm start", best = "all together", recommended = "22 wide";
+const std::string shipped = "07 warm start", best = "all together", of_piles = "22 wide", recommended = "26 by island";
 
 /// None of these may be rescued or joined without being noticed.
 const std::set<std::pair<std::string, std::string>> fails{
@@ -37,9 +37,11 @@ const std::set<std::pair<std::string, std::string>> fails{
     {"row-sequential", "all together"},
     {"row-sequential", "22 wide"},
     {"row-simultaneous", "07 warm start"},
+    {"row-simultaneous", "26 by island"},
     {"born-deep", "07 warm start"},
     {"slop", "all together"},
     {"slop", "22 wide"},
+    {"slop", "26 by island"},
     {"painleve", "all together"},
     {"painleve", "22 wide"},
     {"squeezed", "07 warm start"},
@@ -58,6 +60,7 @@ const std::set<std::pair<std::string, std::string>> fails{
     {"ragdoll", "07 warm start"},
     {"ragdoll", "all together"},
     {"ragdoll", "22 wide"},
+    {"ragdoll", "26 by island"},
 };
 
 /// What takes `best` longer than the rest: ./course check plays it.
@@ -154,7 +157,8 @@ TEST_CASE("hard cases: what cannot be solved") {
   hold_to_the_list(no_solution_cases());
 }
 TEST_CASE("hard cases: what is recommended", "[long]") {
-  for (const HardCase& hard_case : hard_cases()) hold_to_the_list(hard_case, recommended);
+  for (const HardCase& hard_case : hard_cases())
+    for (const std::string& stage : {of_piles, recommended}) hold_to_the_list(hard_case, stage);
 }
 TEST_CASE("hard cases: the written table fails where the list says, from all starts") {
   std::set<std::pair<std::string, std::string>> written;
@@ -163,7 +167,7 @@ TEST_CASE("hard cases: the written table fails where the list says, from all sta
   for (std::getline(csv, line); std::getline(csv, line);) {
     const std::vector<std::string> fields = fields_of(line);
     REQUIRE(fields.size() == 11);
-    if (fields[1] != shipped && fields[1] != best && fields[1] != recommended) continue;
+    if (fields[1] != shipped && fields[1] != best && fields[1] != of_piles && fields[1] != recommended) continue;
     if (fields[6] == "0" || !fields[7].empty()) written.emplace(fields[0], fields[1]);
   }
   CHECK(written == fails);

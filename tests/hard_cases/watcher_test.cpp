@@ -177,7 +177,7 @@ TEST_CASE("stages: a ball at rest is held by the same sum, though its contact is
     World world;
     ball_on_ground(world);
     const Stepper step = stage.begin_doubled();
-    for (int i = 0; i < 60; ++i) step(world, h);
+    for (int i = 0; i < 60; ++i) step.step(world, h);
     INFO(name);
     REQUIRE(world.contacts.size() == 1);
     const Real weight = 10 * World::g * h;

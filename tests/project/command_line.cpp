@@ -94,7 +94,9 @@ const std::map<std::string, std::vector<std::string>> own_options{
     {"21_detected_once", {"--substeps", "--margin", "--spin", "--speed", "--boxes", "--mass-ratio"}},
     {"22_wide", {"--substeps", "--base", "--boxes", "--square", "--mass-ratio"}},
     {"23_threads", {"--substeps", "--base", "--threads"}},
-    {"24_half_step", {"--substeps"}}};
+    {"24_half_step", {"--substeps"}},
+    {"25_moment_of_impact", {"--speed", "--spin"}},
+    {"26_to_each_its_own", {"--speed"}}};
 
 }  // namespace
 

@@ -362,7 +362,7 @@ course grade -- -rf a && expect 1 "--target grade" "grade: -- -rf a in $scratch/
 course handout to --with 03 && expect 1 "--target handout" "handout: to --with 03 in $scratch/sub"
 
 # The study of accuracy and time, and the other engines, which are built only when they are asked for.
-for name in study frozen; do
+for name in study frozen prices; do
   printf '#!/bin/sh\necho "%s: $*"\n' $name >"$scratch/home/build/release/programs/$name"
   chmod +x "$scratch/home/build/release/programs/$name"
 done
@@ -372,6 +372,9 @@ course study --quick -- --only bounce && expect 0 "study: --out renders/here --q
 course study --peers --keep
 expect 0 "-DPUSHBACK_PEERS=ON" "--target study frozen peers" "study: --out renders --peers" "frozen: --out renders"
 course study quick && expect 2 "'study' takes no words"
+course prices && expect 0 "--target prices" "prices: --out renders/here" && expect_not "PUSHBACK_PEERS"
+course prices --peers --keep -- --rounds 3
+expect 0 "-DPUSHBACK_PEERS=ON" "--target prices peers" "prices: --out renders --rounds 3"
 
 course clean && expect 0 "git clean"
 [[ ! -e $scratch/home/build ]] || { echo "clean left build/"; failures=$((failures + 1)); }

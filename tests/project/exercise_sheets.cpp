@@ -83,9 +83,16 @@ Attempt sent_with_bodies(const Exercise& exercise, const Exercise::Played& answe
 /// Checks, from 0 on, whose numbers no body shows: of equations and tables, of a separation alone.
 bool is_without_bodies(const Exercise& exercise, std::size_t check) {
   static const std::map<std::string, std::set<std::size_t>> some{{"21_detected_once", {0, 1}}};
-  static const std::set<std::string> all{
-      "16_whole_problem", "17_direct_contacts", "19_accuracy_and_time", "19_accuracy_and_time_transfer",
-      "22_wide",          "23_threads",         "24_half_step",         "24_half_step_transfer"};
+  static const std::set<std::string> all{"16_whole_problem",
+                                         "17_direct_contacts",
+                                         "19_accuracy_and_time",
+                                         "19_accuracy_and_time_transfer",
+                                         "22_wide",
+                                         "23_threads",
+                                         "24_half_step",
+                                         "24_half_step_transfer",
+                                         "25_moment_of_impact",
+                                         "26_to_each_its_own"};
   const auto found = some.find(exercise.name);
   return all.contains(exercise.name) || (found != some.end() && found->second.contains(check));
 }

@@ -113,3 +113,9 @@ TEST_CASE("the sheet of 23 looks as it did") {
 TEST_CASE("the sheet of 24 looks as it did") {
   compare("24_half_step");
 }
+TEST_CASE("the sheet of 25 looks as it did") {
+  compare("25_moment_of_impact");
+}
+TEST_CASE("the sheet of 26 looks as it did") {
+  compare("26_to_each_its_own");
+}

@@ -62,7 +62,7 @@ sources() {  # sources LINE...: the libraries come along, and no test, option or
 
 ways=$(sed -n '/^```cmake$/,/^```$/ { /^```/d; p }' pushback/README.md)  # of README.md: a line each, then the one that links
 link=$(tail -n 1 <<<"$ways")
-[[ $(wc -l <<<"$ways") == 4 && $link == "target_link_libraries(my_program pushback::pushback pushback::wide)" ]] ||
+[[ $(wc -l <<<"$ways") == 4 && $link == "target_link_libraries(my_program pushback::pushback pushback::recommended)" ]] ||
   wrong "README.md should show three lines of CMake and one that links, but these were found: $ways"
 
 nothing_drawn=(-DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,PkgConfig,OpenGL,Threads}"=ON")
@@ -74,7 +74,7 @@ sources "include(FetchContent)" "FetchContent_Declare(pushback SOURCE_DIR $scrat
   "$(grep -o '^FetchContent_MakeAvailable([^)]*)' <<<"$ways")" "$link"
 way="add_subdirectory without pictures"
 libraries="libpushback_simulation.a libpushback_simulation_float.a libwide.a" options=("${nothing_drawn[@]}")
-simulation=$'#include "pushback/chapters/22_wide/recommended.h"
+simulation=$'#include "pushback/chapters/26_to_each_its_own/presets.h"
 #include "pushback/common/world/situations.h"
 int main() {
   pushback::World world;
@@ -86,7 +86,7 @@ int main() {
 mkdir "$way"
 echo "$simulation" >"$way/main.cpp"
 sources "set(PUSHBACK_PICTURES OFF)" "add_subdirectory($scratch/pushback pushback)" \
-  "target_link_libraries(my_program pushback::pushback_simulation pushback::wide)"
+  "target_link_libraries(my_program pushback::pushback_simulation pushback::recommended)"
 
 installed() {  # installed COMPONENT FIND LINE...: the component alone, in a prefix of its own, and a project that finds it
   way="component $1"
@@ -106,7 +106,7 @@ refused() {  # refused WORDS FIND: no project finds that, and it is told so
 mkdir "component simulation"
 echo "$simulation" >"component simulation/main.cpp"
 installed simulation "find_package(Pushback 0.1 REQUIRED COMPONENTS simulation)" \
-  "target_link_libraries(my_program pushback::pushback_simulation pushback::wide)"
+  "target_link_libraries(my_program pushback::pushback_simulation pushback::recommended)"
 "$way/build/my_program" || wrong "a stack of three does not stand"
 ! grep -rq . --include=judge.h --include=answer_program.h "$way/prefix" || wrong "exercises are installed with it"
 refused "its component experiment is not installed" "find_package(Pushback REQUIRED COMPONENTS experiment)"

@@ -28,7 +28,7 @@ Real relative_motion(const World& before, const World& after, const BodyPair& pa
   return (to - from).norm() + turned_from.angularDistance(turned_to);
 }
 
-/// After 4 s with the recommended solver, by the margin that it detects with.
+/// After 4 s with the wide solver, by the margin that it detects with.
 void detected(benchmark::State& state, const std::function<void(World&)>& fill) {
   World world;
   fill(world);

@@ -12,7 +12,8 @@
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/21_detected_once/detected_once.h"
-#include "pushback/chapters/22_wide/recommended.h"
+#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/catalogue/compiled.h"
 
@@ -58,8 +59,11 @@ const std::vector<NamedSolver>& all_solvers() {
           "18 direct joint solve", "12 soft contacts with all joints solved directly in each sweep, without a guess"),
       named<DetectedOnce>("21 detected once",
                           "14 joints 20 times with a friction cone, contacts detected and rows built once in a step"),
-      named<Recommended>(
-          "22 wide", "21 detected once, contacts solved eight pairs of bodies at a time, joints directly: recommended"),
+      named<Wide<Real>>("22 wide",
+                        "21 detected once, contacts solved eight pairs of bodies at a time, joints directly"),
+      named<ByIsland>(
+          "26 by island",
+          "each island by its own step: flight, half steps where contacts are few or joints form a tree, else 22 wide"),
       named<Substeps<SteadyJointedSolver>>(
           "all together",
           "soft contacts, a friction cone, simultaneous impacts, a scaled guess; 32 substeps "

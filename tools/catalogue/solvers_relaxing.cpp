@@ -1,7 +1,8 @@
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/21_detected_once/detected_once.h"
-#include "pushback/chapters/22_wide/recommended.h"
+#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/tools/catalogue/compile.h"
 
 namespace pushback {
@@ -14,6 +15,7 @@ template struct Compiled<
     Substeps<RelaxingSolver<Clamping, SoftContacts, Restitution, Friction, WarmStart, DirectJoints>>>;
 template struct Compiled<Substeps<SteadyJointedSolver>>;
 template struct Compiled<DetectedOnce>;
-template struct Compiled<Recommended>;
+template struct Compiled<Wide<Real>>;
+template struct Compiled<ByIsland>;
 
 }  // namespace pushback

@@ -11,7 +11,7 @@ namespace {
 
 /// It sticks if and only if tan(theta) < mu; else it slides, and moves by steps of dt as far as
 ///
-///   a dt^2 n (n + 1) / 2,   a = g (sin(theta) - mu cos(theta)),   n dt = 2 s      dt: the stage's own substep
+///   a t (t + dt) / 2,   a = g (sin(theta) - mu cos(theta)),   t = 2 s      dt: the stage's own substep
 std::vector<Real> slopes(Trial& trial) {
   Real creep = 0, off = 0;
   for (const int degrees : {5, 15, 25, 35, 45}) {
@@ -27,8 +27,7 @@ std::vector<Real> slopes(Trial& trial) {
       const Vec3 end = play.world.bodies[1].position;
       if (part > 1) creep = std::max(creep, (end - after_1_s).norm());
       if (part > 1) continue;
-      const Real dt = trial.substep(), n = std::round(2 / dt);
-      const Real way = World::g * (std::sin(theta) - mu * std::cos(theta)) * dt * dt * n * (n + 1) / 2;
+      const Real way = World::g * (std::sin(theta) - mu * std::cos(theta)) * 2 * (2 + trial.substep()) / 2;
       off = std::max(off, std::abs((end - start).dot(down) / way - 1));
     }
   }

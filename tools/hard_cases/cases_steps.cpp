@@ -75,8 +75,8 @@ void box_on_the_ground(World& world) {
 }
 
 std::vector<Real> once_and_twice(Trial& trial) {
-  Play once = trial.play(box_on_the_ground, standing);
-  Play twice = trial.play_doubled(box_on_the_ground, standing);
+  Play once = trial.play_given(box_on_the_ground, standing, false);
+  Play twice = trial.play_given(box_on_the_ground, standing, true);
   Real apart = 0;
   once.run(5, frame, [&](const World& world) {
     twice.step();

@@ -2,7 +2,8 @@
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
-#include "pushback/chapters/22_wide/recommended.h"
+#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/common/world/forwarding_solver.h"
 #include "pushback/common/world/measure.h"
@@ -174,6 +175,32 @@ Finding watched_whole(const RandomScene& scene, bool log) {
   return finding;
 }
 
+/// Each island by its own step: within that of the many, too, is felt.
+struct FeltIslands : ByIsland {
+  FeltWhole<Wide<Real>> felt;
+
+ private:
+  StepSolver& inner() override { return felt; }
+  const StepSolver& inner() const override { return felt; }
+};
+Finding watched_islands(const RandomScene& scene, bool log) {
+  if (log) print_scene(scene);
+  World world = scene.world;
+  constexpr Real any = std::numeric_limits<Real>::infinity();
+  Watcher watcher(world, {.energy = any, .overlap = any, .isolated = scene.isolated});
+  FeltIslands solver;
+  solver.felt.watcher = &watcher;
+  Finding finding;
+  for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
+    world.step(solver, scene.dt);
+    watcher.look(world, scene.dt, solver.many.substeps);
+    finding.broken = watcher.broken();
+    finding.step = step;
+  }
+  finding.hash = hash_of(world);
+  return finding;
+}
+
 struct FuzzedStage {
   const char* name;
   Finding (*watched)(const RandomScene& scene, bool log);
@@ -181,7 +208,8 @@ struct FuzzedStage {
 constexpr FuzzedStage stages_with_books[] = {{"07 warm start", watched<BookedFullSolver, 1, 10>},
                                              {"11 substeps", watched<BookedFullSolver, 32, 1>},
                                              {"12 soft contacts", watched<BookedSoftSolver, 32, 1>},
-                                             {"22 wide", watched_whole<Recommended>},
+                                             {"22 wide", watched_whole<Wide<Real>>},
+                                             {"26 by island", watched_islands},
                                              {"all together", watched<BookedAllTogether, 32, 1>}};
 
 }  // namespace

@@ -11,25 +11,22 @@
 
 namespace pushback {
 
-Play::Play(Trial& trial, World start, const Allowance& allowance, bool doubled)
-    : world(std::move(start)),
-      trial_(&trial),
-      stepper_(doubled ? trial.stage_->begin_doubled() : trial.stage_->begin()),
-      watcher_(world, allowance) {}
+Play::Play(Trial& trial, World start, const Allowance& allowance, Stepper stepper)
+    : world(std::move(start)), trial_(&trial), stepper_(std::move(stepper)), watcher_(world, allowance) {}
 
 void Play::step(Real dt) {
   if (!sound_) return;
   std::string said;
   const auto begin = std::chrono::steady_clock::now();
   try {
-    stepper_(world, dt);
+    stepper_.step(world, dt);
   } catch (const InvalidInput& refused) {  // joints; or between two substeps, a number was no longer finite
     sound_ = false;
     said = refused.what();
   }
   trial_->seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   ++trial_->steps_;
-  watcher_.look(world, dt, trial_->stage_->substeps(dt));
+  watcher_.look(world, dt, trial_->stage_->substeps(dt), stepper_.half_steps);
   if (trial_->broken_.empty()) trial_->broken_ = watcher_.broken();
   if (trial_->broken_.empty() && !sound_) trial_->broken_ = said;
   for (const Body& body : world.bodies) sound_ = sound_ && body.position.allFinite() && body.velocity.allFinite();
@@ -58,18 +55,18 @@ World Trial::filled(const std::function<void(World&)>& fill) const {
 Play Trial::play(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of) {
   World start = filled(fill);
   const Allowance allowance = allowance_of(start);
-  return {*this, std::move(start), allowance, false};
+  return {*this, std::move(start), allowance, stage_->begin()};
 }
 
 Play Trial::play(const std::function<void(World&)>& fill, const Allowance& allowance) {
   return play(fill, [&allowance](const World&) { return allowance; });
 }
 
-Play Trial::play_doubled(const std::function<void(World&)>& fill,
-                         const std::function<Allowance(const World&)>& allowance_of) {
+Play Trial::play_given(const std::function<void(World&)>& fill,
+                       const std::function<Allowance(const World&)>& allowance_of, bool twice) {
   World start = filled(fill);
   const Allowance allowance = allowance_of(start);
-  return {*this, std::move(start), allowance, true};
+  return {*this, std::move(start), allowance, twice ? stage_->begin_doubled() : stage_->begin_call_by_call()};
 }
 
 namespace {

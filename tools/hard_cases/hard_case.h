@@ -29,7 +29,7 @@ class Play {
 
  private:
   friend class Trial;
-  Play(Trial& trial, World start, const Allowance& allowance, bool doubled);
+  Play(Trial& trial, World start, const Allowance& allowance, Stepper stepper);
 
   Trial* trial_;
   Stepper stepper_;
@@ -53,12 +53,14 @@ class Trial {
   /// Where what is allowed depends on what the world was filled with.
   Play play(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of);
 
-  /// The same with every contact given to the solver twice.
-  Play play_doubled(const std::function<void(World&)>& fill,
-                    const std::function<Allowance(const World&)>& allowance_of);
+  /// The same, each contact given to the solver by the step, once; or twice.
+  Play play_given(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of,
+                  bool twice);
 
-  /// The step by which the stage moves bodies: dt, or what it divides dt into.
-  Real substep(Real dt = Real(1) / 60) const { return dt / static_cast<Real>(stage_->substeps(dt)); }
+  /// The step by which the stage moves what flies or slides alone: dt, or what it divides dt into; 0: as if it had none.
+  Real substep(Real dt = Real(1) / 60) const {
+    return stage_->half_steps ? 0 : dt / static_cast<Real>(stage_->substeps(dt));
+  }
   /// False once a number in any of its worlds was not finite, or one of them was refused.
   bool sound() const { return sound_; }
   const std::string& broken() const { return broken_; }

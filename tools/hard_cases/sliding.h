@@ -26,6 +26,7 @@ inline void sliding_box(World& world, Real mu, Real speed, Real heading) {
 
 /// The sum of dt (v0 - k mu g dt) as far as that is positive: what v0^2 / (2 mu g) is in steps of dt.
 inline Real discrete_distance(Real mu, Real speed, Real dt) {
+  if (dt == 0) return speed * speed / (2 * mu * World::g);
   Real way = 0;
   for (Real v = speed - mu * World::g * dt; v > 0; v -= mu * World::g * dt) way += dt * v;
   return way;

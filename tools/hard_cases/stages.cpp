@@ -1,13 +1,27 @@
 #include "pushback/tools/hard_cases/stages.h"
 
+#include <memory>
+
 #include "pushback/chapters/14_joints_under_load/split_joints.h"
 #include "pushback/chapters/17_direct_contacts/warm_direct_contacts.h"
 #include "pushback/chapters/19_accuracy_and_time/seat.h"
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/basics/named.h"
 
 namespace pushback {
 
 namespace {
+
+/// Hands on the calls of a step, one by one: a solver with a step of its own (StepSolver::whole_step) solves as others do.
+class CallByCall : public ForwardingSolver {
+ public:
+  explicit CallByCall(AnySolver solver) : solver_(std::move(solver)) {}
+
+ private:
+  StepSolver& inner() override { return solver_; }
+  const StepSolver& inner() const override { return solver_; }
+  AnySolver solver_;
+};
 
 /// Hands every contact to the solver twice, each under an id of its own. In the world there is one, with the sum.
 class Doubled : public ForwardingSolver {
@@ -75,16 +89,20 @@ class Doubled : public ForwardingSolver {
 };
 
 Stepper steps_by(AnySolver solver) {
-  return [solver](World& world, Real dt) mutable { world.step(solver, dt); };
+  const auto held = std::make_shared<AnySolver>(std::move(solver));
+  Stepper stepper{[held](World& world, Real dt) { world.step(*held, dt); }};
+  if (const auto* by_island = held->as<ByIsland>())
+    stepper.half_steps = [held, by_island](int body) { return by_island->moved_by(body) != MovedBy::substeps; };
+  return stepper;
 }
 
 /// `choose` sees the world before its first step.
 template <class Choose>
 Stepper needed_steps_by(const Choose& choose) {
-  return [choose, solver = std::optional<OnlyWhatIsNeeded>{}](World& world, Real dt) mutable {
+  return {[choose, solver = std::optional<OnlyWhatIsNeeded>{}](World& world, Real dt) mutable {
     if (!solver) solver.emplace(choose(world));
     solver->step(world, dt);
-  };
+  }};
 }
 
 /// Of one world, in all of its steps: some minutes.
@@ -115,6 +133,12 @@ Stepper Stage::begin() const {
   return needed_steps_by([choose = fitting](const World& world) { return choose(world, {}); });
 }
 
+Stepper Stage::begin_call_by_call() const {
+  const CallByCall calls(solver);
+  if (!only_needed) return steps_by(calls);
+  return needed_steps_by([calls](const World& world) { return OnlyWhatIsNeeded(world, calls); });
+}
+
 Stepper Stage::begin_doubled() const {
   const Doubled doubled(solver);
   if (!only_needed) return steps_by(doubled);
@@ -124,7 +148,10 @@ Stepper Stage::begin_doubled() const {
 const std::vector<Stage>& stages() {
   static const std::vector<Stage> all = [] {
     std::vector<Stage> list;
-    for (const NamedSolver& solver : all_solvers()) list.push_back({solver});
+    for (const NamedSolver& solver : all_solvers()) {
+      list.push_back({solver});
+      list.back().half_steps = solver.solver.as<ByIsland>() != nullptr;
+    }
     return list;
   }();
   return all;

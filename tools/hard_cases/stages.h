@@ -11,13 +11,19 @@
 namespace pushback {
 
 /// Moves a world on by dt. Holds a solver with its memory: one for each world.
-using Stepper = std::function<void(World&, Real dt)>;
+struct Stepper {
+  std::function<void(World&, Real dt)> step;
+  std::function<bool(int body)> half_steps =
+      {};  ///< whether the latest step was half steps of this body; none: of nobody
+};
 
 struct Stage : NamedSolver {
   /// Through the dispatch of chapter 20: with what the world calls for when the stepper first sees it.
   bool only_needed = false;
   /// From so many starts at most is a case played: what takes long is played once.
   int most_starts = std::numeric_limits<int>::max();
+  /// What flies, or slides alone, is moved by half steps (chapter 24).
+  bool half_steps = false;
   /// Of a shared object, where it is one: each case is then played by a process of its own, as it may crash or never end.
   std::string library = {};
 
@@ -25,7 +31,8 @@ struct Stage : NamedSolver {
   int substeps(Real dt = Real(1) / 60) const { return solver.plan(dt).all_substeps(); }
 
   Stepper begin() const;
-  Stepper begin_doubled() const;  ///< the same, with every contact given to the solver twice
+  Stepper begin_call_by_call() const;  ///< a solver with a step of its own is given its contacts, too
+  Stepper begin_doubled() const;       ///< the same, with every contact given to the solver twice
 };
 
 /// All of the catalogue's solvers.

@@ -1,7 +1,9 @@
 /// What must hold after every step, whatever the scene and the solver.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "pushback/common/world/world.h"
 
@@ -28,8 +30,9 @@ class Watcher {
  public:
   Watcher(const World& start, const Allowance& allowance);
 
-  /// After a step of dt, which was `substeps` of dt / substeps.
-  void look(const World& world, Real dt, int substeps = 1);
+  /// After a step of dt, which was `substeps` of dt / substeps. Of some bodies it may have been half steps, whose free flight keeps
+  /// T + U itself: `half_steps` says of which.
+  void look(const World& world, Real dt, int substeps = 1, const std::function<bool(int body)>& half_steps = {});
 
   /// Within a step, after a pass that another will take back: its numbers were this large, and were rounded so.
   void feel(const World& world);
@@ -53,8 +56,9 @@ class Watcher {
   Allowance allowance_;
   Sizes sizes_;
   Vec3 momentum_, angular_momentum_;
-  Real energy_, along_gravity_;  // as of the last look: T + U, J, and g . P, W
-  Real gained_ = 0;              // J, above the start, as of the last look
+  Real energy_;                // as of the last look: T + U, J,
+  std::vector<Vec3> momenta_;  // and of each body P, kg m/s
+  Real gained_ = 0;            // J, above the start, as of the last look
   Real time_ = 0;
   int steps_ = 0;
   std::string broken_;

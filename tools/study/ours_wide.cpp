@@ -1,6 +1,8 @@
 /// The program `motion_wide`: the solvers that divide each step themselves play chapter 19's motions.
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/chapters/24_half_step/composition.h"
+#include "pushback/chapters/25_moment_of_impact/at_impacts.h"
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/tools/study/play.h"
 
 using namespace pushback;
@@ -18,11 +20,13 @@ class Divides : public Player {
       : sweeps_(setting.sweeps),
         sweeps_all_(!is_half_step<ContactSolver> &&
                     (motion.pins.empty() || std::is_same_v<ContactSolver, DetectedOnce>)) {
-    solver_.threshold = 0;  // bounces are compared at every speed
+    if constexpr (std::same_as<ContactSolver, ByIsland>) solver_.many.threshold = solver_.few.threshold = 0;
+    else solver_.threshold = 0;  // bounces are compared at every speed
     motion.begin(world_);
   }
   void frame(int substeps) override {
-    solver_.substeps = substeps;
+    if constexpr (std::same_as<ContactSolver, ByIsland>) solver_.few.substeps = substeps;
+    else solver_.substeps = substeps;
     const std::size_t before = rows_solved;
     world_.step(solver_, Real(1) / frames_per_second, sweeps_);
     rows_solved_ += rows_solved - before;
@@ -63,8 +67,10 @@ int main(int argc, char** argv) {
   const std::vector<Method> methods{method<DetectedOnce>("once", "detected once"),
                                     method<Wide<double>>("wide", "detected once, wide"),
                                     method<Wide<float>>("wide-float", "detected once, wide, rows in float"),
+                                    method<ByIsland>("by-island", "each island by what it calls for"),
                                     method<HalfStep>("half-step", "kick, drift, kick"),
-                                    method<Composed<Suzuki>>("order-4", "five of these, of fourth order")};
+                                    method<Composed<Suzuki>>("order-4", "five of these, of fourth order"),
+                                    method<AtImpacts>("impact", "kick, drift, kick, cut at impacts")};
   return play_program(argc, argv, "Plays a motion by the solvers that divide each 1/60 s themselves.",
                       fmt::format("Pushback, steps divided by the solver; {}", built_by()), methods);
 }

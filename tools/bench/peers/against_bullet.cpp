@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "pushback/chapters/21_detected_once/study.h"
-#include "pushback/chapters/22_wide/recommended.h"
+#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
@@ -71,7 +71,7 @@ void pyramid_of_210_in_4_substeps(benchmark::State& state) {
   beside_bullet(state, [](World& world) { pyramid(world, 20); }, 4, 300);
 }
 void pyramid_of_210_as_recommended(benchmark::State& state) {
-  beside_bullet(state, [](World& world) { pyramid(world, 20); }, Recommended{}.substeps, 120);
+  beside_bullet(state, [](World& world) { pyramid(world, 20); }, Wide<Real>{}.substeps, 120);
 }
 void stack_of_40(benchmark::State& state) {
   beside_bullet(state, [](World& world) { stack(world, 40); }, 32, 120);

@@ -1,0 +1,328 @@
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
+
+#include <limits>
+
+#include "pushback/common/basics/input.h"
+#include "pushback/common/collision/collide.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/step.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr int waits_after_failing = 10;  // steps
+
+/// Who is left to `many`, in a world whose contacts have been found.
+struct Others {
+  const Calls& calls;
+  Contacts& found;
+  bool are_found = true;  // only those of the first detection are
+
+  static void check(const World&) {}
+  void find_contacts(World& world, const Margin& margin) {
+    if (are_found) world.contacts.swap(found);
+    else find_again(world, margin);
+    are_found = false;
+  }
+  void find_again(World& world, const Margin& margin) const {
+    world.find_contacts(margin);
+    std::erase_if(world.contacts, [&](const Contact& contact) {
+      const auto [a, b] = world.bodies_of(contact);
+      return calls.of(a, b) != MovedBy::substeps;
+    });
+  }
+  template <class Act>
+  void each(World& world, const Act& act) const {
+    for (Body& body : world.bodies)
+      if (!body.movable() || calls.of(body.index) == MovedBy::substeps) act(body);
+  }
+  static void end(World&, Real /*dt*/) {}
+};
+
+/// The same with contacts detected `times` in a step.
+class DetectedAgain : public ForwardingSolver {
+ public:
+  DetectedAgain(StepSolver& solver, int times) : solver_(solver), times_(times) {}
+  Plan plan(Real dt) const override {
+    Plan plan = solver_.plan(dt / static_cast<Real>(times_));
+    plan.detections = times_;
+    return plan;
+  }
+
+ private:
+  StepSolver& inner() override { return solver_; }
+  const StepSolver& inner() const override { return solver_; }
+  StepSolver& solver_;
+  int times_;
+};
+
+bool lower(const Contact& first, const Contact& second) {
+  return first.id < second.id;
+}
+
+}  // namespace
+
+void ByIsland::check_settings(World& world, Real dt) {
+  if (limits.most < 0) throw InvalidInput(fmt::format("most is {}: a whole number, 0 or more, is needed", limits.most));
+  for (const auto& [name, limit] : {std::pair("most_kept", limits.most_kept), {"most_meeting", limits.most_meeting}})
+    if (limit < limits.most)
+      throw InvalidInput(fmt::format("{} is {}: no less than most is needed, which is {}", name, limit, limits.most));
+  require_positive("energy", energy);
+  many.SubsteppingSolver::check(world, dt);
+  few.check_settings();
+  joined.check_settings();
+  if (most_substeps < joined.substeps)
+    throw InvalidInput(fmt::format("most_substeps is {}: no less than joined's substeps is needed, which are {}",
+                                   most_substeps, joined.substeps));
+}
+
+void ByIsland::whole_step(World& world, Real dt, int sweeps) {
+  check_step(dt, sweeps, world.gravity);
+  Everybody::check(world);
+  check_settings(world, dt);
+  const Plan plan = many.plan(dt);
+  find_contacts(world, plan);
+  memory_.resize(world.bodies.size());
+  for (Memory& memory : memory_) memory.waits = std::max(0, memory.waits - 1);
+  by_calls_ = false;
+  solved_ = {};
+  do {
+    calls_.find(world, found_, dt, many.threshold, limits);
+    divide(world);
+    plan.workers->each(count_, 4, [&](Part part) {
+      for (std::size_t i = part.begin; i < part.end; ++i) move_island(islands_[i], world, dt, sweeps);
+    });
+    for (std::size_t i = 0; i < count_; ++i) islands_[i].give_joints(world.joints);
+  } while (others_were_met(world, dt));
+  for (std::size_t i = 0; i < count_; ++i) {
+    IslandWorld& island = islands_[i];
+    if (island.held) add_up(island.solver().solved());
+    else
+      for (const int body : island.bodies())
+        if (world.body(body).movable()) calls_.leave_to_substeps(body);
+  }
+  move_others(world, dt, sweeps);
+  put_back(world, dt);
+}
+
+/// World::contacts stay those of the step before, with the impulses of its last substep.
+void ByIsland::find_contacts(World& world, const Plan& plan) {
+  if (world.last_impulses_known)
+    for (Contact& contact : world.contacts) contact.impulse = contact.last_impulse;
+  world.last_impulses_known = false;
+  before_.swap(world.contacts);
+  world.find_contacts(plan.margin, plan.workers->of_bodies(world.bodies.size()));
+  found_.swap(world.contacts);
+  world.contacts.swap(before_);
+}
+
+/// Makes a world of each island that calls for half steps.
+void ByIsland::divide(World& world) {
+  count_ = 0;
+  place_.assign(world.bodies.size(), -1);
+  for (const Body& body : world.bodies) {
+    if (calls_.of(body.index) != MovedBy::half_steps) continue;
+    const int lowest = calls_.island_of(body.index);
+    if (memory_[std::size_t(lowest)].waits > 0) {
+      calls_.leave_to_substeps(body.index);
+      continue;
+    }
+    int& place = place_[std::size_t(lowest)];
+    if (place < 0) {
+      place = static_cast<int>(count_);
+      if (count_ == islands_.size()) islands_.emplace_back();
+      islands_[count_].begin(world, lowest);
+      islands_[count_++].impact = calls_.impact(lowest);
+    }
+    islands_[std::size_t(place)].add(body.index);
+  }
+  if (count_ == 0) return;
+  const auto island_of = [this](const Body& a, const Body& b) -> IslandWorld* {
+    const int moving = (a.movable() ? a : b).index;
+    if (calls_.of(moving) != MovedBy::half_steps) return nullptr;
+    if (a.movable() && b.movable() && calls_.island_of(a.index) != calls_.island_of(b.index)) return nullptr;
+    return &islands_[std::size_t(place_[std::size_t(calls_.island_of(moving))])];
+  };
+  for (const Contact& contact : found_) {
+    const auto [a, b] = world.bodies_of(contact);
+    if (IslandWorld* island = island_of(a, b)) island->add(a.index), island->add(b.index);
+  }
+  for (const Joint& joint : world.joints)
+    if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b)))
+      for (const int body : {joint.a, joint.b})
+        if (body != the_world) island->add(body);
+  for (std::size_t i = 0; i < count_; ++i) islands_[i].sort();
+  for (const Contact& contact : world.contacts) {
+    const auto [a, b] = world.bodies_of(contact);
+    if (IslandWorld* island = island_of(a, b)) island->add(contact);
+  }
+  for (std::size_t i = 0; i < world.joints.size(); ++i) {
+    Joint& joint = world.joints[i];
+    if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b))) island->take(joint, i);
+  }
+}
+
+void ByIsland::move_island(IslandWorld& island, const World& whole, Real dt, int sweeps) {
+  const bool joints = !island.world.joints.empty();
+  HalfStep& solver = island.solver();
+  solver.set_as(joints ? joined : few);
+  Memory& memory = memory_[std::size_t(island.lowest())];
+  memory.substeps = joints ? std::max(memory.next, joined.substeps) : few.substeps;
+  const int most = joints ? most_substeps : few.substeps;
+  Real off = std::numeric_limits<Real>::infinity();
+  for (;; memory.substeps *= 2) {
+    solver.substeps = memory.substeps;
+    off = energy_off(island, whole, dt, sweeps);
+    if (off <= 1 || 2 * memory.substeps > most) break;
+  }
+  island.held = off <= 1;
+  memory.next = off < Real(0.125) ? memory.substeps / 2 : memory.substeps;
+  if (!island.held) memory = {.waits = waits_after_failing};
+}
+
+/// Takes the step. Returns |dE| in parts of what is allowed: 0 where E need not stay, infinity where half steps do not get there.
+Real ByIsland::energy_off(IslandWorld& island, const World& whole, Real dt, int sweeps) const {
+  const bool worked_on = island.copy_bodies(whole);
+  World& world = island.world;
+  const Real motion_before = kinetic_energy(world), before = motion_before + potential_energy(world);
+  try {
+    world.step(island.solver(), dt, sweeps);
+  } catch (const InvalidInput&) {
+    return std::numeric_limits<Real>::infinity();
+  }
+  if (world.joints.empty() || worked_on) return 0;
+  const Real motion = kinetic_energy(world), off = motion + potential_energy(world) - before;
+  Real mass = 0;
+  for (const Body& body : world.bodies)
+    if (body.movable()) mass += 1 / body.inverse_mass;
+  return std::abs(off) / (energy * (std::max(motion, motion_before) + mass * (dt * world.gravity).squaredNorm() / 2));
+}
+
+/// Whether bodies that have bounced may have come upon others, which are not of their island: as near as the speeds of both, before and
+/// after, can bring them in dt. Then they are one, and contacts are added to those that were found.
+bool ByIsland::others_were_met(const World& world, Real dt) {
+  std::vector<bool> bounced(world.bodies.size(), false);
+  bool any = false;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const IslandWorld& island = islands_[i];
+    if (!island.held || !island.impact || island.cut_step.events() == 0) continue;
+    any = true;
+    for (const int body : island.bodies()) bounced[std::size_t(body)] = world.body(body).movable();
+  }
+  if (!any) return false;
+  moved_ = world.bodies;
+  for (std::size_t i = 0; i < count_; ++i)
+    if (islands_[i].held) islands_[i].give_bodies(moved_);
+  const auto way = [&](std::size_t i) {
+    return dt * std::max(world.bodies[i].velocity.norm(), moved_[i].velocity.norm());
+  };
+  Real farthest = 0;
+  for (std::size_t i = 0; i < moved_.size(); ++i) farthest = std::max(farthest, way(i));
+  const std::size_t known = found_.size();
+  const auto are_known = [&](std::size_t a, std::size_t b) {
+    const Contact least{.id = {std::uint32_t(a), std::uint32_t(b), 0}};
+    const auto end = found_.begin() + std::ptrdiff_t(known), at = std::lower_bound(found_.begin(), end, least, lower);
+    return at != end && at->id.body_a == least.id.body_a && at->id.body_b == least.id.body_b;
+  };
+  for (const auto& [first, second] : near_pairs(world.bodies, Margin{.least = 2 * farthest})) {
+    const auto p = std::size_t(first), q = std::size_t(second);
+    const Body &a = world.bodies[p], &b = world.bodies[q];
+    if ((!bounced[p] && !bounced[q]) || !may_touch(a, b) || are_known(p, q)) continue;
+    const bool same = a.movable() && b.movable() && calls_.island_of(first) == calls_.island_of(second);
+    if (!same) collide(a, b, found_, {.least = way(p) + way(q)});
+  }
+  if (found_.size() == known) return false;
+  std::inplace_merge(found_.begin(), found_.begin() + std::ptrdiff_t(known), found_.end(), lower);
+  return true;
+}
+
+/// All that is not moved by `many` stands still meanwhile, and its joints are not there.
+void ByIsland::move_others(World& world, Real dt, int sweeps) {
+  const auto by_many = [this](const Body& body) { return calls_.of(body.index) == MovedBy::substeps; };
+  if (std::none_of(world.bodies.begin(), world.bodies.end(), by_many)) {
+    world.contacts_before.swap(world.contacts);
+    world.contacts.clear();
+    const int parts = many.plan(dt).all_substeps();  // as Body::moved_to expects
+    for (Body& body : world.bodies) {
+      if (body.movable()) continue;
+      keep_velocity(body);
+      for (int i = 0; i < parts && body.velocity.squaredNorm() + body.angular_velocity.squaredNorm() > 0; ++i)
+        move(body, dt / static_cast<Real>(parts));
+    }
+    world.time += dt;
+    world.dt_before = dt / static_cast<Real>(parts);
+    return;
+  }
+  std::erase_if(found_, [&](const Contact& contact) {
+    const auto [a, b] = world.bodies_of(contact);
+    return !by_many(a.movable() ? a : b);
+  });
+  Real fastest = 0;
+  for (const Body& body : world.bodies)
+    if (by_many(body)) fastest = std::max(fastest, body.angular_velocity.norm());
+  for (detections_ = 1;
+       2 * detections_ <= limits.most_detections && fastest * dt > turn * static_cast<Real>(detections_);)
+    detections_ *= 2;
+  joints_.swap(world.joints);
+  std::vector<std::size_t> lent;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Body &a = world.body(joints_[i].a), &b = world.body(joints_[i].b);
+    if (!by_many(a.movable() ? a : b)) continue;
+    world.joints.push_back(std::move(joints_[i]));
+    lent.push_back(i);
+  }
+  velocities_.clear();
+  for (Body& body : world.bodies) {
+    velocities_.emplace_back(body.velocity, body.angular_velocity);
+    if (body.movable() && !by_many(body)) body.velocity = body.angular_velocity = Vec3::Zero();
+  }
+  const auto give_back = [&] {
+    for (std::size_t i = 0; i < lent.size(); ++i) joints_[lent[i]] = std::move(world.joints[i]);
+    joints_.swap(world.joints);
+    joints_.clear();
+    for (Body& body : world.bodies) {
+      if (!body.movable() || by_many(body)) continue;
+      std::tie(body.velocity, body.angular_velocity) = velocities_[std::size_t(body.index)];
+    }
+  };
+  try {
+    Others others{calls_, found_};
+    DetectedAgain solver(inner(), detections_);
+    pushback::step(world, solver, dt, sweeps, others);
+  } catch (const InvalidInput&) {
+    give_back();
+    throw;
+  }
+  give_back();
+  add_up(inner().solved());
+}
+
+/// Half of the kick, the drift, and the other half.
+void ByIsland::fly(World& world, Real dt) const {
+  for (Body& body : world.bodies) {
+    if (calls_.of(body.index) != MovedBy::flight) continue;
+    const Vec3 force = body.force, torque = body.torque;
+    keep_velocity(body);
+    integrate_velocity(body, world.gravity, dt / 2);
+    move(body, dt);
+    body.force = force, body.torque = torque;
+    integrate_velocity(body, world.gravity, dt / 2);
+  }
+}
+
+void ByIsland::put_back(World& world, Real dt) {
+  fly(world, dt);
+  const auto of_many = static_cast<std::ptrdiff_t>(world.contacts.size());
+  for (std::size_t i = 0; i < count_; ++i)
+    if (islands_[i].held) islands_[i].give(world, world.dt_before / dt);
+  std::sort(world.contacts.begin() + of_many, world.contacts.end(), lower);
+  std::inplace_merge(world.contacts.begin(), world.contacts.begin() + of_many, world.contacts.end(), lower);
+  world.last_impulses_known = true;
+}
+
+void ByIsland::add_up(const Solved& solved) {
+  solved_ = {solved_.rows + solved.rows, std::max(solved_.residual, solved.residual)};
+}
+
+}  // namespace pushback

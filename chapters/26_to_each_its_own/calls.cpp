@@ -1,0 +1,120 @@
+#include "pushback/chapters/26_to_each_its_own/calls.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pushback/chapters/18_direct_joints/joint_graph.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr Real deepest =
+    Real(5e-3);  // m: half steps let it out by a tenth in a hundredth of a second, and only against gravity
+constexpr Real apart = Real(1e-6);  // m: what is nearer touches, and does not meet
+
+/// Each equation of the joint holds, rigidly and in both directions.
+bool rigid(const World& world, const Joint& joint, Equations& equations) {
+  equations.clear();
+  joint.ask(world.body(joint.a), world.body(joint.b), {world.time, 0}, equations);
+  return std::all_of(equations.begin(), equations.end(), [](const Equation& equation) {
+    return equation.softness == 0 && std::isinf(equation.lo) && std::isinf(equation.hi);
+  });
+}
+
+}  // namespace
+
+void Calls::find(const World& world, const Contacts& contacts, Real dt, Real threshold, const Limits& limits) {
+  all_.resize(world.bodies.size());
+  std::iota(all_.begin(), all_.end(), 0);
+  islands_.separate(all_, all_.size());
+  islands_.join(contacts, world);
+  islands_.join(world.joints, world);
+  of_.assign(all_.size(), {});
+  moved_by_.resize(all_.size(), MovedBy::nothing);
+  look_at_contacts(world, contacts, dt, threshold, limits);
+  look_at_joints(world);
+  look_at_bodies(world);
+  for (const Body& body : world.bodies)
+    moved_by_[std::size_t(body.index)] =
+        body.movable() ? called_for(of_[std::size_t(island_of(body.index))], limits) : MovedBy::nothing;
+}
+
+void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold,
+                             const Limits& limits) {
+  const Real falls = dt * world.gravity.norm();
+  const auto each_pair = [&](const auto& act) {
+    for (auto first = contacts.begin(); first != contacts.end();) {
+      const auto end = std::find_if(first, contacts.end(), [&first](const Contact& at) {
+        return at.id.body_a != first->id.body_a || at.id.body_b != first->id.body_b;
+      });
+      const auto [a, b] = world.bodies_of(*first);
+      act(of_movable(a, b), first, end);
+      first = end;
+    }
+  };
+  each_pair([&world](Island& island, auto first, auto) {
+    ++island.near;
+    const auto [a, b] = world.bodies_of(*first);
+    const Body& ground = a.movable() ? b : a;
+    island.refused |= !ground.movable() && (ground.velocity != Vec3::Zero() || ground.angular_velocity != Vec3::Zero());
+  });
+  const int most = std::max(limits.most_kept, limits.most_meeting);
+  each_pair([&](Island& island, auto first, auto end) {
+    if (island.near > 2 * most) {  // it is one of many, whatever its contacts do
+      island.refused = true;
+      return;
+    }
+    int acting = 0;
+    for (; first != end; ++first) {
+      const Real gap = -first->depth, approach = -separating_speed(world, *first);
+      island.refused |= -gap > deepest;
+      if (gap > dt * (std::max(Real(0), approach) + falls)) continue;
+      ++acting;
+      // What rests does not arrive: its speed is rounding.
+      island.impact |= approach > threshold && (gap > apart || approach > falls);
+    }
+    island.contacts += acting;
+    island.pairs += acting > 0;
+  });
+}
+
+void Calls::look_at_joints(const World& world) {
+  if (world.joints.empty()) return;
+  std::vector<JoinedBodies> joined;
+  for (const Joint& joint : world.joints) {
+    const auto moving = [&world](int body) { return world.body(body).movable() ? body : not_moving; };
+    joined.push_back(std::minmax({moving(joint.a), moving(joint.b)}));
+  }
+  const std::vector<bool> loops = in_loops(joined);
+  Equations equations;
+  for (std::size_t i = 0; i < world.joints.size(); ++i) {
+    const Joint& joint = world.joints[i];
+    const Body &a = world.body(joint.a), &b = world.body(joint.b);
+    if (!a.movable() && !b.movable()) continue;
+    Island& island = of_movable(a, b);
+    ++island.joints;
+    island.refused = island.refused || loops[i] || !rigid(world, joint, equations);
+  }
+}
+
+void Calls::look_at_bodies(const World& world) {
+  for (const Force& force : world.forces)
+    for (const int body : force.bodies.empty() ? all_ : force.bodies) of_[std::size_t(island_of(body))].refused = true;
+  for (const Body& body : world.bodies) {
+    if (!body.movable()) continue;
+    Island& island = of_[std::size_t(island_of(body.index))];
+    island.refused |= body.asleep;
+    island.kept &= of(body.index) == MovedBy::half_steps;
+  }
+}
+
+MovedBy Calls::called_for(const Island& island, const Limits& limits) {
+  if (island.refused || (island.joints > 0 && island.near > 0)) return MovedBy::substeps;
+  if (island.near == 0) return island.joints == 0 ? MovedBy::flight : MovedBy::half_steps;
+  const bool balls_meet = island.impact && island.contacts == island.pairs;
+  const int most = balls_meet ? limits.most_meeting : island.kept ? limits.most_kept : limits.most;
+  return island.contacts <= most ? MovedBy::half_steps : MovedBy::substeps;
+}
+
+}  // namespace pushback

@@ -1,0 +1,68 @@
+/// What each island of a world calls for.
+#pragma once
+
+#include <vector>
+
+#include "pushback/chapters/20_only_what_is_needed/islands.h"
+
+namespace pushback {
+
+/// How a body is moved.
+enum class MovedBy {
+  nothing,     ///< it is immovable
+  flight,      ///< along a parabola: nothing touches or holds it
+  half_steps,  ///< chapter 24's, cut at impacts (25) where there may be some: a few contacts, or a tree of joints
+  substeps,    ///< chapter 22's: all else
+};
+
+/// From where an island counts as one of many contacts.
+struct Limits {
+  int most = 8;        ///< contacts that touch, or may within the step, of an island of few
+  int most_kept = 12;  ///< and of one that was one of few in the step before: a contact more or less changes nothing
+  int most_detections = 4;  ///< in a step, for all else
+  int most_meeting = 40;    ///< where bodies meet that touch in one point each, as balls do: they part at once
+};
+
+/// Bodies that may touch in this step, or are joined, form an island (chapter 20). It calls for
+///
+///   flight       if it is one body, without a contact
+///   half steps   if it has a few contacts and no joint; or rigid joints that form a tree, and no contact
+///   substeps     else; also where a Force may act, a body sleeps or is moved by hand, or overlap is more than half steps let out soon
+class Calls {
+ public:
+  /// `contacts`: all within the margin, ascending. What arrives faster than `threshold`, m/s, within dt is an impact.
+  void find(const World& world, const Contacts& contacts, Real dt, Real threshold, const Limits& limits);
+  /// Of a body that was not there: nothing.
+  MovedBy of(int body) const {
+    return std::size_t(body) < moved_by_.size() ? moved_by_[std::size_t(body)] : MovedBy::nothing;
+  }
+  /// Of the pair, or the one of it that can move.
+  MovedBy of(const Body& a, const Body& b) const { return of((a.movable() ? a : b).index); }
+  /// The lowest body of the island.
+  int island_of(int body) { return islands_.island_of(body); }
+  /// Whether bodies may meet in this step; `island`: its lowest body.
+  bool impact(int island) const { return of_[std::size_t(island)].impact; }
+  /// What half steps were called for, and could not do.
+  void leave_to_substeps(int body) { moved_by_[std::size_t(body)] = MovedBy::substeps; }
+
+ private:
+  struct Island {
+    int near = 0;                 // pairs within the margin
+    int contacts = 0, pairs = 0;  // that may act in this step
+    int joints = 0;
+    bool impact = false, refused = false;
+    bool kept = true;  // all of its bodies had half steps in the step before
+  };
+  Island& of_movable(const Body& a, const Body& b) { return of_[std::size_t(island_of((a.movable() ? a : b).index))]; }
+  void look_at_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold, const Limits& limits);
+  void look_at_joints(const World& world);
+  void look_at_bodies(const World& world);
+  static MovedBy called_for(const Island& island, const Limits& limits);
+
+  Islands islands_;
+  std::vector<int> all_;           // bodies
+  std::vector<Island> of_;         // of each body that is the lowest of its island
+  std::vector<MovedBy> moved_by_;  // each body
+};
+
+}  // namespace pushback

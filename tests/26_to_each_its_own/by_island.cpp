@@ -1,0 +1,497 @@
+/// Chapter 26: each island by its own step. What is exact, what is kept, and what one island does to another: nothing.
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
+
+#include <bit>
+
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/15_limits_motors_springs/limits.h"
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/chapters/23_threads/crew.h"
+#include "pushback/chapters/26_to_each_its_own/scenes.h"
+#include "pushback/common/bodies/random.h"
+#include "pushback/common/world/any_solver.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+#include "tests/support/yardstick.h"
+
+using namespace pushback;
+
+namespace {
+
+ByIsland bouncing_at_every_speed() {
+  ByIsland solver;
+  solver.many.threshold = solver.few.threshold = 0;
+  return solver;
+}
+/// The largest error of a motion of chapter 19, m.
+double error_of(const std::string& name, AnySolver solver, int sweeps = 1) {
+  const Motion& motion = motion_named(name);
+  World world;
+  motion.begin(world);
+  double largest = 0;
+  for (const Places& places : motion.truth(motion.frames())) {
+    world.step(solver, h, sweeps);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      largest = std::max(largest, (world.bodies[i].position.cast<double>() - places[i]).norm());
+  }
+  return largest;
+}
+double error_by_island(const std::string& name) {
+  return error_of(name, bouncing_at_every_speed());
+}
+Real whole_energy(const World& world) {
+  return kinetic_energy(world) + potential_energy(world);
+}
+auto bits(Real number) {
+  return std::bit_cast<std::conditional_t<in_double, std::uint64_t, std::uint32_t>>(number);
+}
+/// Where a body is and how it moves, to the bit.
+std::vector<std::uint64_t> state_of(const Body& body) {
+  std::vector<std::uint64_t> found;
+  for (const Vec3& v : {body.position, body.velocity, body.angular_velocity})
+    for (int axis = 0; axis < 3; ++axis) found.push_back(bits(v[axis]));
+  for (int i = 0; i < 4; ++i) found.push_back(bits(body.orientation.coeffs()[i]));
+  return found;
+}
+/// The same of all bodies, and what contacts and joints bear.
+std::vector<std::uint64_t> state_of(const World& world) {
+  std::vector<std::uint64_t> found{hash_of(world), world.contacts.size()};
+  for (const Contact& contact : world.contacts) {
+    for (const std::uint32_t part : {contact.id.body_a, contact.id.body_b, contact.id.feature}) found.push_back(part);
+    for (const Vec3& v : {contact.impulse, contact.last_impulse})
+      for (int axis = 0; axis < 3; ++axis) found.push_back(bits(v[axis]));
+  }
+  for (const Joint& joint : world.joints)
+    for (const Real impulse : joint.impulses) found.push_back(bits(impulse));
+  return found;
+}
+
+/// One island, or one that comes apart, beside x = `at`.
+struct Part {
+  const char* name;
+  void (*add)(World& world, Real at);
+};
+const Part parts[] = {
+    {"a stack of ten",
+     [](World& world, Real at) {
+       for (int i = 0; i < 10; ++i)
+         world.add(box(Vec3::Constant(Real(0.5)), 100).at({at, Real(0.5) + static_cast<Real>(i), 0}));
+     }},
+    {"a pendulum",
+     [](World& world, Real at) {
+       const int ball = world.add(sphere(Real(0.3), 10).at({at + 2, 5, 0}));
+       world.joints.push_back(ball_and_socket(world, the_world, ball, {at, 5, 0}));
+     }},
+    {"a ball that bounces",
+     [](World& world, Real at) { world.add(sphere(Real(0.5), 10).at({at, Real(0.8), 0}).bouncy(Real(0.8))); }},
+    {"a box that slides",
+     [](World& world, Real at) {
+       world.add(box({Real(0.5), Real(0.2), Real(0.5)}, 100).at({at, Real(0.2), 0}).moving({2, 0, 1}));
+     }},
+    {"a chain that whips", [](World& world, Real at) { to_each_its_own_scenes::Chain{.pin = {at, 10, 0}}(world); }},
+    {"a heavy box on a light one", [](World& world, Real at) {
+       world.add(box(Vec3::Constant(Real(0.5)), 1).at({at, Real(0.5), 0}));
+       world.add(box(Vec3::Constant(Real(0.5)), 100).at({at, Real(1.5), 0}));
+     }}};
+
+}  // namespace
+
+TEST_CASE("by island: the ten motions are as exact as the steps that they call for") {
+  CHECK(error_by_island("bounce") < (in_double ? 1e-12 : 1e-3));
+  CHECK(error_by_island("incline") < (in_double ? 1e-11 : 1e-3));
+  CHECK(error_by_island("sliding") < (in_double ? 1e-5 : 1e-3));
+  CHECK(error_by_island("rolling") < (in_double ? 1.1e-6 : 1e-3));
+  CHECK(error_by_island("pendulum") < (in_double ? 6e-5 : 1e-3));
+  CHECK(error_by_island("heavy-on-light") < (in_double ? 1e-12 : 1e-3));
+  CHECK(error_by_island("chain") < (in_double ? 3e-4 : 1e-3));
+  CHECK(error_by_island("break") < (in_double ? 1e-9 : 1e-2));
+  Wide<Real> wide;
+  wide.threshold = 0;
+  for (const char* name : {"stack-10", "pyramid-10"}) CHECK(error_by_island(name) == error_of(name, wide));
+}
+
+TEST_CASE("by island: the page's two lines") {
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 1).at({0, 5, 0}));
+  ByIsland solver;
+  world.step(solver, 1.0 / 60);
+  CHECK(solver.moved_by(0) == MovedBy::nothing);
+  CHECK(solver.moved_by(1) == MovedBy::flight);
+  CHECK(solver.moved_by(2) == MovedBy::nothing);
+}
+
+TEST_CASE("by island: what flies is on its parabola, and keeps its angular momentum and the energy of its spin") {
+  World world;
+  const Vec3 from{1, 2, 3}, thrown{3, 9, -2};
+  world.add(box({1, Real(0.5), Real(0.2)}, 10).at(from).moving(thrown).spinning({1, 4, 2}));
+  const Vec3 spin = spin_momentum(world.bodies[0]);
+  const auto energy_of_spin = [&] { return world.bodies[0].angular_velocity.dot(spin_momentum(world.bodies[0])) / 2; };
+  const Real begin = energy_of_spin();
+  Real off = 0;
+  ByIsland solver;
+  for (int i = 1; i <= 180; ++i) {
+    world.step(solver, h);
+    REQUIRE(solver.moved_by(0) == MovedBy::flight);
+    const Real t = static_cast<Real>(i) * h;
+    const Body& body = world.bodies[0];
+    CHECK((body.position - (from + t * thrown + t * t / 2 * world.gravity)).norm() < 1000 * eps * 60);
+    CHECK((body.velocity - (thrown + t * world.gravity)).norm() < 1000 * eps * 30);
+    CHECK((spin_momentum(body) - spin).norm() < 1000 * eps * spin.norm());
+    off = std::max(off, std::abs(energy_of_spin() / begin - 1));
+  }
+  CHECK(off < 1e-3);  // of the turn's second order, and it does not grow
+}
+
+TEST_CASE("by island: a force of one step acts in flight, for that step") {
+  World world;
+  world.add(sphere(Real(0.5), 2).at({0, 9, 0}));
+  world.bodies[0].force = {4, 0, 0};
+  ByIsland solver;
+  world.step(solver, h);
+  CHECK(world.bodies[0].velocity.x() == Approx(2 * h).epsilon(1e-6));
+  CHECK(world.bodies[0].position.x() == Approx(h * h).epsilon(1e-5));
+  CHECK(world.bodies[0].force == Vec3::Zero());
+  world.step(solver, h);
+  CHECK(world.bodies[0].velocity.x() == Approx(2 * h).epsilon(1e-6));
+}
+
+TEST_CASE("by island: an island moves in the same bits whatever other islands there are, in whatever order") {
+  constexpr int steps = 120;
+  const auto place = [](std::size_t part) { return 20 * static_cast<Real>(part); };
+  std::vector<std::vector<std::vector<std::uint64_t>>> alone;  // of each part, each body
+  for (std::size_t i = 0; i < std::size(parts); ++i) {
+    World world;
+    world.add(ground());
+    parts[i].add(world, place(i));
+    ByIsland solver;
+    for (int step = 0; step < steps; ++step) world.step(solver, h);
+    auto& states = alone.emplace_back();
+    for (std::size_t body = 1; body < world.bodies.size(); ++body) states.push_back(state_of(world.bodies[body]));
+  }
+  Random random(26);
+  std::vector<std::size_t> order{0, 1, 2, 3, 4, 5};
+  for (int round = 0; round < 8; ++round) {
+    World world;
+    world.add(ground());
+    std::vector<std::size_t> begins;
+    const std::size_t count = round == 0 ? order.size() : 2 + random.below(5);
+    for (std::size_t k = 0; k < count; ++k) {
+      begins.push_back(world.bodies.size());
+      parts[order[k]].add(world, place(order[k]));
+    }
+    ByIsland solver;
+    for (int step = 0; step < steps; ++step) world.step(solver, h);
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t body = 0; body < alone[order[k]].size(); ++body) {
+        INFO(parts[order[k]].name << " in round " << round << ", its body " << body);
+        CHECK(state_of(world.bodies[begins[k] + body]) == alone[order[k]][body]);
+      }
+    random.shuffle(order);
+  }
+}
+
+TEST_CASE("by island: two that meet become one, and part again, with momentum and angular momentum kept") {
+  World world;
+  world.gravity.setZero();
+  world.add(box(Vec3::Constant(Real(0.5)), 1).at({-2, 0, 0}).moving({2, 0, 0}).bouncy(Real(0.5)));
+  world.add(box(Vec3::Constant(Real(0.5)), 3).at({2, Real(0.3), Real(0.1)}).moving({-2, 0, 0}).bouncy(Real(0.5)));
+  const Vec3 p = momentum(world), l = angular_momentum(world);
+  const Real before = kinetic_energy(world);
+  ByIsland solver;
+  std::vector<MovedBy> seen;
+  for (int i = 0; i < 120; ++i) {
+    world.step(solver, h);
+    CHECK(solver.moved_by(0) == solver.moved_by(1));
+    if (seen.empty() || seen.back() != solver.moved_by(0)) seen.push_back(solver.moved_by(0));
+  }
+  CHECK(seen == std::vector{MovedBy::flight, MovedBy::half_steps, MovedBy::flight});
+  CHECK((momentum(world) - p).norm() < 1000 * eps);
+  CHECK((angular_momentum(world) - l).norm() < 10000 * eps);
+  CHECK(kinetic_energy(world) < before);
+  CHECK(world.bodies[0].velocity.x() < -1);
+}
+
+TEST_CASE("by island: one that bounces comes upon another within the step, and does not pass through it") {
+  World world;
+  world.gravity.setZero();
+  world.add(box({Real(0.5), 2, 2}, 1).fixed().at({Real(-0.5), 0, 0}).rough(0));
+  world.add(sphere(Real(0.1), 1).at({Real(0.11), 0, 0}).moving({-6, 0, 0}).bouncy(1).rough(0));
+  world.add(sphere(Real(0.1), 1).at({Real(0.34), 0, 0}).moving({-6, 0, 0}).bouncy(1).rough(0));  // beyond the margin
+  ByIsland solver;
+  for (int i = 0; i < 10; ++i) {
+    world.step(solver, h);
+    CHECK(world.bodies[2].position.x() - world.bodies[1].position.x() > Real(0.2) - 100 * eps);
+  }
+  // Equal balls pass on their velocities. So centres are where they would be if both went through each other, the second's less by
+  // a diameter: 10 h 6 = 1 m of way, of which 0.01 and 0.04 lead to the wall, where a centre is at 0.1.
+  CHECK(world.bodies[1].position.x() == Approx(Real(0.1) + 1 - Real(0.04)).epsilon(1e-6));
+  CHECK(world.bodies[2].position.x() == Approx(Real(0.1) + 1 - Real(0.01) + Real(0.2)).epsilon(1e-6));
+  for (const int ball : {1, 2}) CHECK(world.bodies[std::size_t(ball)].velocity.x() == Approx(6).epsilon(1e-6));
+}
+
+TEST_CASE(
+    "by island: of two that bounce and would be past each other by the step's end, neither passes through the other") {
+  World world;
+  world.gravity.setZero();
+  world.add(box({Real(0.5), 2, 2}, 1).fixed().at({Real(-0.5), 0, 0}).rough(0));
+  for (const Real at : {Real(0.15), Real(0.45)})
+    world.add(sphere(Real(0.1), 1).at({at, 0, 0}).moving({-60, 0, 0}).bouncy(1).rough(0));
+  ByIsland solver;
+  for (int i = 0; i < 3; ++i) {
+    world.step(solver, h);
+    CHECK(world.bodies[2].position.x() - world.bodies[1].position.x() > Real(0.2) - 1000 * eps);
+  }
+  for (const int ball : {1, 2}) CHECK(world.bodies[std::size_t(ball)].velocity.x() == Approx(60).epsilon(1e-6));
+}
+
+TEST_CASE("by island: elastic balls between walls keep their energy, and stay between them") {
+  World world;
+  world.gravity.setZero();
+  Random random(49);
+  constexpr int per_side = 5;
+  for (int i = 0; i < per_side * per_side; ++i) {
+    const Vec3 place{static_cast<Real>(i % per_side - 2), static_cast<Real>(i / per_side - 2), 0};
+    Vec3 velocity = random.vector(6);
+    velocity.z() = 0;
+    world.add(sphere(Real(0.3), 10).at(place).moving(velocity).bouncy(1).rough(0));
+  }
+  for (const Real at : {Real(-3.5), Real(3.5)}) {
+    world.add(box({Real(0.5), 4, Real(0.5)}, 1).fixed().at({at, 0, 0}).rough(0));
+    world.add(box({3, Real(0.5), Real(0.5)}, 1).fixed().at({0, at, 0}).rough(0));
+  }
+  const Real begin = kinetic_energy(world);
+  ByIsland solver;
+  Real off = 0;
+  for (int i = 0; i < 600; ++i) {
+    world.step(solver, h);
+    off = std::max(off, std::abs(kinetic_energy(world) / begin - 1));
+    for (const Body& body : world.bodies)
+      if (body.movable()) REQUIRE(body.position.cwiseAbs().maxCoeff() < Real(2.7) + Real(1e-4));
+  }
+  CHECK(off < (in_double ? 1e-9 : 1e-3));
+}
+
+TEST_CASE("by island: balls without walls keep their momentum through many impacts") {
+  World world;
+  world.gravity.setZero();
+  Random random(7);
+  for (int i = 0; i < 25; ++i) {
+    const Vec3 place{static_cast<Real>(i % 5 - 2), static_cast<Real>(i / 5 - 2), 0};
+    Vec3 velocity = random.vector(2) - 2 * place;
+    velocity.z() = 0;
+    world.add(sphere(Real(0.3), 10).at(place).moving(velocity).bouncy(1).rough(0));
+  }
+  const Vec3 p = momentum(world), l = angular_momentum(world);
+  const Real begin = kinetic_energy(world);
+  ByIsland solver;
+  for (int i = 0; i < 180; ++i) world.step(solver, h);
+  CHECK((momentum(world) - p).norm() < 1e5 * eps);
+  CHECK((angular_momentum(world) - l).norm() < 1e6 * eps);
+  CHECK(std::abs(kinetic_energy(world) / begin - 1) < (in_double ? 1e-9 : 1e-3));
+}
+
+TEST_CASE("by island: what half steps refuse goes to substeps, and moves") {
+  World world;
+  world.add(ground());
+  const int bar = world.add(box({1, Real(0.1), Real(0.1)}, 10).at({1, 5, 0}));
+  world.joints = {ball_and_socket(world, the_world, bar, {0, 5, 0}),
+                  angle_limits(world, the_world, bar, Vec3::UnitZ(), Real(-0.5), Real(0.5))};
+  const int deep = world.add(box(Vec3::Constant(Real(0.5)), 10).at({10, Real(0.49), 0}));
+  const int pushed = world.add(box(Vec3::Constant(Real(0.5)), 10).at({20, Real(0.5), 0}));
+  world.forces.push_back({[pushed](World& w) { w.body(pushed).force.x() += 200; }, "a push", {pushed}});
+  const int resting = world.add(box(Vec3::Constant(Real(0.5)), 10).at({30, Real(0.5), 0}));
+  ByIsland solver;
+  world.step(solver, h);
+  for (const int body : {bar, deep, pushed}) CHECK(solver.moved_by(body) == MovedBy::substeps);
+  CHECK(solver.moved_by(resting) == MovedBy::half_steps);
+  CHECK(world.body(pushed).velocity.x() > Real(0.1));
+  CHECK(world.body(bar).velocity.norm() > Real(0.01));
+}
+
+TEST_CASE("by island: a chain that whips keeps its energy, and has more substeps once it does") {
+  const to_each_its_own_scenes::Chain chain;
+  World world;
+  chain(world);
+  const Real begin = whole_energy(world);
+  ByIsland solver;
+  Real off = 0;
+  int most = 0, many = 0, least_since = 128;
+  for (int i = 0; i < 600; ++i) {
+    world.step(solver, h);
+    REQUIRE(solver.moved_by(0) == MovedBy::half_steps);
+    off = std::max(off, std::abs(whole_energy(world) - begin) / chain.fall());
+    if (i < 30) CHECK(solver.substeps_of(0) == 4);  // it falls, and is straight
+    most = std::max(most, solver.substeps_of(0));
+    if (most >= 32) least_since = std::min(least_since, solver.substeps_of(0));
+    many += solver.substeps_of(0) > 32;
+  }
+  CHECK(off < 1e-3);
+  CHECK(most >= 32);
+  CHECK(least_since == 4);
+  CHECK(most <= 128);
+  CHECK(many < 150);
+}
+
+TEST_CASE("by island: the same chain, let go near where it hangs, has the least substeps, and comes back as high") {
+  const to_each_its_own_scenes::Chain chain{.angle = Real(0.1)};
+  World world;
+  chain(world);
+  const Real begin = whole_energy(world);
+  ByIsland solver;
+  for (int i = 0; i < 600; ++i) {
+    world.step(solver, h);
+    CHECK(solver.moved_by(0) == MovedBy::half_steps);
+    CHECK(solver.substeps_of(0) == 4);
+    CHECK(std::abs(whole_energy(world) - begin) < 1e-4 * chain.fall());
+  }
+}
+
+TEST_CASE("by island: joints come back in their order, with what they bore") {
+  World world;  // two times a ball below a ball, at rest; the joints in no order
+  const Real masses[] = {1, 20, 3, 7};
+  for (const int body : {0, 1, 2, 3})
+    world.add(
+        sphere(Real(0.1), masses[body]).at({body < 2 ? Real(0) : Real(5), body % 2 == 0 ? Real(-1) : Real(-2), 0}));
+  const auto join = [&world](const char* name, int a, int b, const Vec3& anchor) {
+    world.joints.push_back(ball_and_socket(world, a, b, anchor));
+    world.joints.back().name = name;
+  };
+  join("first, lower", 0, 1, {0, -1, 0});
+  join("second, upper", the_world, 2, {5, 0, 0});
+  join("second, lower", 2, 3, {5, -1, 0});
+  join("first, upper", the_world, 0, {0, 0, 0});
+  ByIsland solver;
+  for (int i = 0; i < 3; ++i) world.step(solver, h);
+  const auto check = [&world](std::size_t place, const char* name, int a, int b, Real mass) {
+    const Joint& joint = world.joints[place];
+    CHECK(joint.name == name);
+    CHECK(joint.a == a);
+    CHECK(joint.b == b);
+    REQUIRE(joint.impulses.size() == 3);
+    CHECK(joint.impulses[1] == Approx(mass * g * world.dt_before).epsilon(1e-5));
+  };
+  check(0, "first, lower", 0, 1, 20);
+  check(1, "second, upper", the_world, 2, 10);
+  check(2, "second, lower", 2, 3, 7);
+  check(3, "first, upper", the_world, 0, 21);
+}
+
+TEST_CASE("by island: beside an island of substeps joints, too, say what they bore in one of these") {
+  World world;
+  stack(world, 10);
+  const int ball = world.add(sphere(Real(0.1), 4).at({9, 4, 0}));
+  world.joints = {ball_and_socket(world, the_world, ball, {9, 5, 0})};
+  ByIsland solver;
+  for (int i = 0; i < 3; ++i) world.step(solver, h);
+  CHECK(world.dt_before == Approx(h / 32));
+  CHECK(world.joints[0].impulses[1] == Approx(4 * g * h / 32).epsilon(1e-5));
+}
+
+TEST_CASE("by island: contacts ascend, and say what they bore in the step and in a substep") {
+  World world;
+  stack(world, 10);
+  const auto on_its_own =
+      static_cast<std::uint32_t>(world.add(box(Vec3::Constant(Real(0.5)), 30).at({9, Real(0.5), 0})));
+  parts[1].add(world, 20);
+  ByIsland solver;
+  for (int i = 0; i < 30; ++i) world.step(solver, h);
+  CHECK(std::is_sorted(world.contacts.begin(), world.contacts.end(),
+                       [](const Contact& a, const Contact& b) { return a.id < b.id; }));
+  Real in_step = 0, in_substep = 0;
+  int count = 0;
+  for (const Contact& contact : world.contacts)
+    if (contact.id.body_b == on_its_own) {
+      in_step += contact.impulse.y();
+      in_substep += contact.last_impulse.y();
+      ++count;
+    }
+  CHECK(count == 4);
+  CHECK(world.dt_before < h);  // many has had substeps
+  CHECK(in_step == Approx(30 * g * h).epsilon(1e-6));
+  CHECK(in_substep == Approx(30 * g * world.dt_before).epsilon(1e-6));
+  CHECK(solver.solved().rows > 0);
+}
+
+TEST_CASE("by island: a copy of world and solver goes on in the same bits") {
+  World world;
+  world.add(ground());
+  for (std::size_t i = 0; i < std::size(parts); ++i) parts[i].add(world, 20 * static_cast<Real>(i));
+  ByIsland solver;
+  for (int stretch = 0; stretch < 4; ++stretch) {
+    for (int i = 0; i < 17; ++i) world.step(solver, h);
+    World copy = world;
+    ByIsland copied = solver;
+    for (int i = 0; i < 20; ++i) world.step(solver, h), copy.step(copied, h);
+    CHECK(state_of(copy) == state_of(world));
+  }
+}
+
+TEST_CASE("by island: the same bits with any number of threads") {
+  World begin;
+  begin.add(ground());
+  for (int row = 0; row < 3; ++row)
+    for (std::size_t i = 0; i < std::size(parts); ++i)
+      parts[i].add(begin, 20 * static_cast<Real>(i + std::size(parts) * std::size_t(row)));
+  const auto after = [&](std::shared_ptr<Workers> crew) {
+    World world = begin;
+    ByIsland solver;
+    solver.many.crew = std::move(crew);
+    for (int i = 0; i < 60; ++i) world.step(solver, h);
+    return state_of(world);
+  };
+  const auto alone = after(nullptr);
+  for (const int threads : {2, 3, 7}) CHECK(after(std::make_shared<Crew>(threads, true)) == alone);
+}
+
+TEST_CASE("by island: what many alone has to move is moved as by many alone, to the bit") {
+  const auto compare = [](const std::function<void(World&)>& fill) {
+    World by_island, by_many;
+    fill(by_island);
+    fill(by_many);
+    ByIsland solver;
+    solver.limits.most_detections = 1;  // as `many` alone
+    Wide<Real> many;
+    for (int i = 0; i < 60; ++i) {
+      by_island.step(solver, h);
+      by_many.step(many, h);
+      REQUIRE(state_of(by_island) == state_of(by_many));
+    }
+  };
+  compare([](World& world) { stack(world, 10); });
+  compare([](World& world) { pyramid(world, 5); });
+  compare([](World& world) {
+    pyramid(world, 4);
+    const int bar = world.add(box({1, Real(0.1), Real(0.1)}, 10).at({21, 5, 0}));
+    world.joints = {ball_and_socket(world, the_world, bar, {20, 5, 0}),
+                    angle_limits(world, the_world, bar, Vec3::UnitZ(), Real(-0.5), Real(0.5))};
+  });
+}
+
+TEST_CASE("by island: settings that cannot be used are named, and nothing has changed") {
+  const auto refused = [](const std::function<void(ByIsland&)>& change) {
+    World world;
+    stack(world, 2);
+    world.bodies[1].velocity = {1, 0, 0};
+    ByIsland solver;
+    change(solver);
+    const auto before = state_of(world);
+    const std::string words = complaint([&] { world.step(solver, h); });
+    CHECK(state_of(world) == before);
+    return words;
+  };
+  CHECK(refused([](ByIsland& s) { s.limits.most = -1; }) == "most is -1: a whole number, 0 or more, is needed");
+  CHECK(refused([](ByIsland& s) { s.limits.most_kept = 7; }) ==
+        "most_kept is 7: no less than most is needed, which is 8");
+  CHECK(refused([](ByIsland& s) { s.limits.most_meeting = 3; }) ==
+        "most_meeting is 3: no less than most is needed, which is 8");
+  CHECK(refused([](ByIsland& s) { s.energy = 0; }).starts_with("energy is 0"));
+  CHECK(refused([](ByIsland& s) { s.energy = std::numeric_limits<Real>::quiet_NaN(); }).starts_with("energy is nan"));
+  CHECK(refused([](ByIsland& s) { s.most_substeps = 3; }) ==
+        "most_substeps is 3: no less than joined's substeps is needed, which are 4");
+  CHECK(refused([](ByIsland& s) { s.few.substeps = 0; }).starts_with("substeps is 0"));
+  CHECK(refused([](ByIsland& s) { s.joined.tolerance = 0; }).find("tolerance") != std::string::npos);
+  CHECK(refused([](ByIsland& s) { s.many.margin = -1; }).starts_with("margin is -1"));
+}

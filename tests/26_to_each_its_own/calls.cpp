@@ -1,0 +1,195 @@
+/// Chapter 26: what an island calls for.
+#include "pushback/chapters/26_to_each_its_own/calls.h"
+
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/13_joints/hinge.h"
+#include "pushback/chapters/15_limits_motors_springs/limits.h"
+#include "pushback/chapters/15_limits_motors_springs/spring.h"
+#include "tests/support/catch.h"
+#include "tests/support/yardstick.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real threshold = Real(0.1);  // m/s
+
+/// The ground, and boxes of 1 m that stand on it, 2 m apart.
+World standing(int boxes) {
+  World world;
+  world.gravity = {0, -g, 0};
+  world.add(ground());
+  for (int i = 0; i < boxes; ++i)
+    world.add(box(Vec3::Constant(Real(0.5)), 10).at({2 * static_cast<Real>(i), Real(0.5), 0}));
+  return world;
+}
+Contact contact_of(std::uint32_t a, std::uint32_t b, std::uint32_t feature, Real depth = 0) {
+  Contact contact;
+  contact.id = {a, b, feature};
+  contact.normal = Vec3::UnitY();
+  contact.depth = depth;
+  return contact;
+}
+/// So many between the ground and body 1.
+Contacts below_the_first(int count, Real depth = 0) {
+  Contacts contacts;
+  for (int i = 0; i < count; ++i) contacts.push_back(contact_of(0, 1, static_cast<std::uint32_t>(i), depth));
+  return contacts;
+}
+void find(Calls& calls, const World& world, const Contacts& contacts) {
+  calls.find(world, contacts, h, threshold, {});
+}
+/// What body 1 is moved by, the contacts being those that there are.
+MovedBy called_by_first(World world) {
+  world.find_contacts({.least = Real(0.02), .ahead = h});
+  Calls calls;
+  find(calls, world, world.contacts);
+  return calls.of(1);
+}
+/// Two balls on a rod each, one below the other, high above all else.
+World pendulum() {
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.1), 1).at({0, 9, 0}));
+  world.add(sphere(Real(0.1), 1).at({0, 8, 0}));
+  world.joints = {ball_and_socket(world, the_world, 1, {0, 10, 0}), ball_and_socket(world, 1, 2, {0, 9, 0})};
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("calls: one that is near the limit stays what it is") {
+  const World world = standing(1);
+  Calls calls;
+  const auto with = [&](int contacts) {
+    find(calls, world, below_the_first(contacts));
+    return calls.of(1);
+  };
+  CHECK(with(9) == MovedBy::substeps);
+  for (const int contacts : {8, 9, 12, 9, 12}) {
+    CAPTURE(contacts);
+    CHECK(with(contacts) == MovedBy::half_steps);
+  }
+  CHECK(with(13) == MovedBy::substeps);
+  for (const int contacts : {12, 9}) CHECK(with(contacts) == MovedBy::substeps);
+  CHECK(with(8) == MovedBy::half_steps);
+}
+
+TEST_CASE("calls: no contact is flight, however many islands there are, and what is not there is moved by nothing") {
+  const World world = standing(3);
+  Calls calls;
+  find(calls, world, below_the_first(4));
+  CHECK(calls.of(0) == MovedBy::nothing);
+  CHECK(calls.of(1) == MovedBy::half_steps);
+  CHECK(calls.of(2) == MovedBy::flight);
+  CHECK(calls.of(3) == MovedBy::flight);
+  CHECK(calls.of(4) == MovedBy::nothing);
+  CHECK(calls.of(1000) == MovedBy::nothing);
+  CHECK(calls.of(world.bodies[0], world.bodies[1]) == MovedBy::half_steps);
+}
+
+TEST_CASE("calls: the ground joins nobody, a contact between two that move does, and both have its many contacts") {
+  const World world = standing(3);
+  Contacts contacts;
+  for (std::uint32_t body = 1; body <= 3; ++body)
+    for (std::uint32_t i = 0; i < 4; ++i) contacts.push_back(contact_of(0, body, i));
+  Calls calls;
+  find(calls, world, contacts);
+  for (int body = 1; body <= 3; ++body) {
+    CHECK(calls.island_of(body) == body);
+    CHECK(calls.of(body) == MovedBy::half_steps);
+  }
+  Calls anew;
+  contacts.push_back(contact_of(1, 2, 0));
+  find(anew, world, contacts);
+  CHECK(anew.island_of(2) == 1);
+  CHECK(anew.of(1) == MovedBy::substeps);  // nine
+  CHECK(anew.of(2) == MovedBy::substeps);
+  CHECK(anew.of(3) == MovedBy::half_steps);
+  find(calls, world, contacts);  // both had half steps
+  CHECK(calls.of(1) == MovedBy::half_steps);
+}
+
+TEST_CASE("calls: contacts that are too far off to act in this step are not counted") {
+  const World world = standing(1);
+  const auto call = [&](Real gap) {
+    Calls calls;
+    find(calls, world, below_the_first(20, -gap));
+    return calls.of(1);
+  };
+  CHECK(call(h * h * g * Real(0.99)) == MovedBy::substeps);
+  CHECK(call(h * h * g * Real(1.01)) == MovedBy::half_steps);
+}
+
+TEST_CASE("calls: balls that meet may have more contacts than boxes, and only while they meet") {
+  World world = standing(1);
+  world.gravity.setZero();
+  for (int i = 0; i < 20; ++i) world.add(sphere(Real(0.5), 1).at({static_cast<Real>(i), 9, 0}));
+  Contacts row;
+  for (std::uint32_t i = 2; i < 21; ++i) row.push_back(contact_of(i, i + 1, 0));
+  for (Contact& contact : row) contact.normal = Vec3::UnitX();
+  const auto call = [&] {
+    Calls calls;
+    find(calls, world, row);
+    return std::pair{calls.of(2), calls.impact(2)};
+  };
+  CHECK(call() == std::pair{MovedBy::substeps, false});
+  world.bodies[2].velocity.x() = 5;
+  CHECK(call() == std::pair{MovedBy::half_steps, true});
+  row.push_back(row.back());  // a second point of the same pair: no balls
+  row.back().id.feature = 1;
+  CHECK(call() == std::pair{MovedBy::substeps, true});
+}
+
+TEST_CASE("calls: what arrives slower than the threshold, or rests, is no impact") {
+  World world = standing(1);
+  Calls calls;
+  const auto impact = [&](Real speed, Real gap) {
+    world.bodies[1].velocity.y() = -speed;
+    find(calls, world, below_the_first(1, -gap));
+    return calls.impact(1);
+  };
+  CHECK(impact(1, Real(0.01)));
+  CHECK_FALSE(impact(Real(0.09), Real(0.001)));
+  CHECK_FALSE(impact(0, 0));
+  CHECK_FALSE(impact(Real(0.15), 0));  // less than a step's fall, and it touches already
+  CHECK(impact(Real(0.15), Real(1e-4)));
+  CHECK_FALSE(impact(1, Real(0.5)));  // not in this step
+}
+
+TEST_CASE("calls: half steps have what they can hold, the others go to substeps") {
+  CHECK(called_by_first(standing(1)) == MovedBy::half_steps);
+  CHECK(called_by_first(pendulum()) == MovedBy::half_steps);
+
+  World asleep = standing(1);
+  asleep.bodies[1].asleep = true;
+  CHECK(called_by_first(asleep) == MovedBy::substeps);
+
+  for (const std::vector<int>& on : {std::vector<int>{}, {1}}) {
+    World forced = standing(2);
+    forced.forces.push_back({[](World&) {}, "a breeze", on});
+    CHECK(called_by_first(forced) == MovedBy::substeps);
+  }
+  World beside = standing(2);
+  beside.forces.push_back({[](World&) {}, "a breeze", {2}});
+  CHECK(called_by_first(beside) == MovedBy::half_steps);
+
+  World deep = standing(1);
+  deep.bodies[1].position.y() -= Real(0.004);
+  CHECK(called_by_first(deep) == MovedBy::half_steps);
+  deep.bodies[1].position.y() -= Real(0.006);
+  CHECK(called_by_first(deep) == MovedBy::substeps);
+
+  World loop = pendulum();
+  loop.add(sphere(Real(0.1), 1).at({1, 9, 0}));
+  loop.joints.push_back(ball_and_socket(loop, 2, 3, {1, 8, 0}));
+  CHECK(called_by_first(loop) == MovedBy::half_steps);
+  loop.joints.push_back(ball_and_socket(loop, 1, 3, {0, 9, 0}));
+  CHECK(called_by_first(loop) == MovedBy::substeps);
+
+  World limited = pendulum();
+  limited.joints[0] = hinge(limited, the_world, 1, {0, 10, 0}, Vec3::UnitZ());
+  CHECK(called_by_first(limited) == MovedBy::half_steps);
+  limited.joints[1] = angle_limits(limited, 1, 2, Vec3::UnitZ(), -1, 1);
+  CHECK(called_by_first(limited) == MovedBy::substeps);
+}
