@@ -23,6 +23,7 @@ tries=(  # each command of ./course --help, for a moment; those that read what o
   "test --book build live_page"
   "figures --out /tmp/figures"
   "study --quick -- --only bounce"
+  "prices -- --rounds 1"
   "fuzz -- --scenes 5"
   "bench detection -- --benchmark_min_time=0.01"
   "tidy HEAD"
