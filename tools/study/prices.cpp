@@ -35,7 +35,7 @@ Price play(const Motion& motion, const TruePlaces& truth) {
   motion.begin(world);
   Preset solver;
   Price price;
-  for (std::size_t frame = 0; frame < motion.frames(); ++frame) {
+  for (int frame = 0; frame < motion.frames(); ++frame) {
     const auto began = std::chrono::steady_clock::now();
     world.step(solver, Real(1) / frames_per_second);
     price.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
