@@ -29,7 +29,10 @@ struct Others {
     world.find_contacts(margin);
     std::erase_if(world.contacts, [&](const Contact& contact) {
       const auto [a, b] = world.bodies_of(contact);
-      return calls.of(a, b) != MovedBy::substeps;
+      const auto stands = [this](const Body& body) {  // while these are moved: it has its own step
+        return body.movable() && calls.of(body.index) != MovedBy::substeps;
+      };
+      return stands(a) || stands(b);
     });
   }
   template <class Act>

@@ -36,8 +36,6 @@ class Calls {
   MovedBy of(int body) const {
     return std::size_t(body) < moved_by_.size() ? moved_by_[std::size_t(body)] : MovedBy::nothing;
   }
-  /// Of the pair, or the one of it that can move.
-  MovedBy of(const Body& a, const Body& b) const { return of((a.movable() ? a : b).index); }
   /// The lowest body of the island.
   int island_of(int body) { return islands_.island_of(body); }
   /// Whether bodies may meet in this step; `island`: its lowest body.

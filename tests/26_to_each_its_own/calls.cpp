@@ -85,7 +85,6 @@ TEST_CASE("calls: no contact is flight, however many islands there are, and what
   CHECK(calls.of(3) == MovedBy::flight);
   CHECK(calls.of(4) == MovedBy::nothing);
   CHECK(calls.of(1000) == MovedBy::nothing);
-  CHECK(calls.of(world.bodies[0], world.bodies[1]) == MovedBy::half_steps);
 }
 
 TEST_CASE("calls: the ground joins nobody, a contact between two that move does, and both have its many contacts") {
