@@ -316,7 +316,7 @@ void HeldContacts::report(World& world) const {
     contact.impulse = total[0] * contact.normal + within * (total[1] * tangent1 + total[2] * tangent2);
     const Real normal = known_[i].last.dot(contact.normal);
     const Real aside = (known_[i].last - normal * contact.normal).norm();
-    if (normal <= 0) continue;
+    if (normal <= 0 || contact.friction <= 0) continue;  // nothing sticks or slides
     contact.state = aside < (1 - rounding) * contact.friction * normal ? ContactState::sticking : ContactState::sliding;
   }
 }

@@ -71,7 +71,11 @@ void ByIsland::check_settings(World& world, Real dt) {
   for (const auto& [name, limit] : {std::pair("most_kept", limits.most_kept), {"most_meeting", limits.most_meeting}})
     if (limit < limits.most)
       throw InvalidInput(fmt::format("{} is {}: no less than most is needed, which is {}", name, limit, limits.most));
+  if (limits.most_detections < 1 || limits.most_detections > 64)
+    throw InvalidInput(
+        fmt::format("most_detections is {}: a whole number from 1 to 64 is needed", limits.most_detections));
   require_positive("energy", energy);
+  require_positive("turn", turn);
   many.SubsteppingSolver::check(world, dt);
   few.check_settings();
   joined.check_settings();

@@ -32,9 +32,9 @@ class ByIsland : public ForwardingSolver {
   HalfStep few;     ///< contacts; in two substeps
   HalfStep joined;  ///< rigid joints; in four, or more
   Limits limits;
-  Real energy = Real(1e-5);
-  Real turn = Real(0.04);   ///< rad: where a body of `many` turns further, contacts are detected again within the step
-  int most_substeps = 128;  ///< of `joined`
+  Real energy = Real(1e-5);  ///< of T + m (h g)^2 / 2: so much of E may be off after a step
+  Real turn = Real(0.04);    ///< rad: where a body of `many` turns further, contacts are detected again within the step
+  int most_substeps = 128;   ///< of `joined`
 
   ByIsland() {
     few.substeps = 2;
@@ -53,8 +53,10 @@ class ByIsland : public ForwardingSolver {
   Solved solved() const override { return by_calls_ ? inner().solved() : solved_; }
   /// In the latest step. Of a body that was not there: nothing.
   MovedBy moved_by(int body) const { return calls_.of(body); }
-  /// In how many half steps; of a body that `moved_by` half steps.
-  int substeps_of(int body) const { return memory_[std::size_t(body)].substeps; }
+  /// In how many half steps; 0 for a body that was moved otherwise.
+  int substeps_of(int body) {
+    return moved_by(body) == MovedBy::half_steps ? memory_[std::size_t(calls_.island_of(body))].substeps : 0;
+  }
 
  private:
   StepSolver& inner() override { return many; }

@@ -8,7 +8,8 @@
 
 namespace pushback {
 
-/// For pictures and games: all in 8 substeps, in float. What stands is a millimetre deep, and more than 15 boxes on each other buckle.
+/// For pictures and games: all in 8 substeps, in float. A stack of ten sinks by 7 mm, and more than 24 boxes on each other buckle
+/// (chapter 12).
 struct Fast : Wide<float> {
   Fast() {
     substeps = 8;
@@ -19,7 +20,7 @@ struct Fast : Wide<float> {
 /// Each island by the step that it calls for: what is few is solved at once and to second order; piles in 32 substeps, in double.
 struct Recommended : ByIsland {};
 
-/// The same with errors some ten times smaller, for some four times the price: piles in 128 substeps, half steps in 8 and more.
+/// The same with errors 4 to 30 times smaller, in 1.5 to 3.5 times the time: piles in 128 substeps, half steps in 8 and more.
 struct Exact : ByIsland {
   Exact() {
     many.substeps = 128;

@@ -74,12 +74,12 @@ std::vector<Contender> contenders(const fs::path& programs) {
 }
 
 /// Two digits, or the whole number.
-std::string in_short(double number) {
+std::string two_digits(double number) {
   return number < 100 ? fmt::format("{:.2g}", number) : fmt::format("{:.0f}", number);
 }
 std::string error_said(double error) {
   if (std::isinf(error)) return "lost";
-  return error < 1e-6 ? "< 1e-6" : in_short(error);
+  return error < 1e-6 ? "< 1e-6" : two_digits(error);
 }
 
 std::string table_of(const std::vector<Contender>& all, int rounds) {
@@ -100,7 +100,7 @@ std::string table_of(const std::vector<Contender>& all, int rounds) {
     table += fmt::format("\n| {} |", motion.title);
     for (std::size_t i = 0; i < all.size(); ++i) {
       const double us = 1e6 * median(seconds[i]) / static_cast<double>(motion.frames());
-      table += std::isnan(errors[i]) ? " – |" : fmt::format(" {}; {} |", error_said(errors[i]), in_short(us));
+      table += std::isnan(errors[i]) ? " – |" : fmt::format(" {}; {} |", error_said(errors[i]), two_digits(us));
     }
   }
   return table + "\n";
