@@ -20,6 +20,19 @@ std::string Measured::setting() const {
   return sweeps == 0 ? fmt::format("{}/{}", method, substeps) : fmt::format("{}/{}/{}", method, substeps, sweeps);
 }
 
+bool is_as_fine(const Measured& one, const Measured& than) {
+  return one.engine == than.engine && one.method == than.method && one.substeps >= than.substeps &&
+         one.sweeps >= than.sweeps;
+}
+
+Measurements robust(const Measurements& all) {
+  Measurements found = all;
+  for (Measured& one : found)
+    for (const Measured& finer : all)
+      if (!finer.late && is_as_fine(finer, one)) one.error = std::max(one.error, finer.error);
+  return found;
+}
+
 Measurements front(Measurements all) {
   std::sort(all.begin(), all.end(), [](const Measured& a, const Measured& b) {
     return std::pair(a.median(), a.error) < std::pair(b.median(), b.error);

@@ -25,6 +25,15 @@ struct Measured {
 };
 using Measurements = std::vector<Measured>;
 
+/// Whether it is the same method of the same engine, and no knob of it is coarser: as many substeps or more, and as many sweeps or
+/// more. Each is as fine as itself.
+bool is_as_fine(const Measured& one, const Measured& than);
+
+/// The same in the same order, where each counts with the largest error of all that are as fine as it is. Where two errors cancel by
+/// chance, finer settings have the larger one, and so a front of these is chosen from what holds. What was lost counts; what was
+/// given up is nobody's error but its own.
+Measurements robust(const Measurements& all);
+
 /// Those that no other is faster than with no more error: by time ascending, errors descending.
 Measurements front(Measurements all);
 

@@ -12,6 +12,7 @@ namespace pushback {
 struct TruePlaces {
   std::vector<Places> places;
 
+  explicit TruePlaces(std::vector<Places> after_each_frame) : places(std::move(after_each_frame)) {}
   explicit TruePlaces(const Motion& motion) : places(motion.truth(motion.frames())) {}
   /// Those of the latest whole frame that is over; none before the first.
   const Places* at(Real time) const {

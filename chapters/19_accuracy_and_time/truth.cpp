@@ -49,17 +49,56 @@ class Hangings {
   }
   Eigen::Index size() const { return std::ssize(bodies_); }
 
-  Angles acceleration(const Angles& angle, const Angles& speed) const {
+  Eigen::MatrixXd mass(const Angles& angle) const {
     Eigen::MatrixXd m = mass_;
+    for (Eigen::Index i = 0; i < size(); ++i)
+      for (Eigen::Index j = 0; j < size(); ++j) m(i, j) *= std::cos(angle[i] - angle[j]);
+    return m;
+  }
+  Angles acceleration(const Angles& angle, const Angles& speed) const {
     Angles force = -g * (weight_.array() * angle.array().sin()).matrix();
-    for (Eigen::Index i = 0; i < size(); ++i) {
-      for (Eigen::Index j = 0; j < size(); ++j) {
-        const double apart = angle[i] - angle[j];
-        m(i, j) *= std::cos(apart);
-        force[i] -= mass_(i, j) * std::sin(apart) * speed[j] * speed[j];
-      }
+    for (Eigen::Index i = 0; i < size(); ++i)
+      for (Eigen::Index j = 0; j < size(); ++j)
+        force[i] -= mass_(i, j) * std::sin(angle[i] - angle[j]) * speed[j] * speed[j];
+    return mass(angle).llt().solve(force);
+  }
+  /// Runge and Kutta's rule.
+  void step(Angles& a, Angles& w, double h) const {
+    const Angles k1 = acceleration(a, w), w2 = w + h / 2 * k1;
+    const Angles k2 = acceleration(a + h / 2 * w, w2), w3 = w + h / 2 * k2;
+    const Angles k3 = acceleration(a + h / 2 * w2, w3), w4 = w + h * k3;
+    const Angles k4 = acceleration(a + h * w3, w4);
+    a += h / 6 * (w + 2 * w2 + 2 * w3 + w4);
+    w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  /// d, m; and by how much it grows with each angle, m/rad.
+  double to_wall(const Angles& angle, const Wall& wall) const {
+    return wall.x - wall.radius - places(angle).back().x();
+  }
+  Angles to_wall_by_angle(const Angles& angle) const {
+    Angles by(size());
+    for (Eigen::Index i = 0; i < size(); ++i) by[i] = -arm(size() - 1, i) * std::cos(angle[i]);
+    return by;
+  }
+  /// The same, with impacts.
+  void step_beside(const Wall& wall, Angles& a, Angles& w, double h) const {
+    const Angles a_before = a, w_before = w;
+    const auto go = [&](double t) {
+      a = a_before;
+      w = w_before;
+      step(a, w, t);
+      return to_wall(a, wall);
+    };
+    if (go(h) > 0) return;
+    double free = 0, touches = h;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (free + touches) / 2;
+      (go(middle) > 0 ? free : touches) = middle;
     }
-    return m.llt().solve(force);
+    go(free);
+    const Angles by_angle = to_wall_by_angle(a), moved = mass(a).llt().solve(by_angle);
+    w -= (1 + wall.e) * by_angle.dot(w) / by_angle.dot(moved) * moved;
+    step(a, w, h - free);
   }
   Places places(const Angles& angle) const {
     Places found;
@@ -84,7 +123,8 @@ class Hangings {
 
 }  // namespace
 
-std::vector<Places> places_of_hanging(const std::vector<Hanging>& bodies, double angle, int frames) {
+std::vector<Places> places_of_hanging(const std::vector<Hanging>& bodies, double angle, int frames,
+                                      const std::optional<Wall>& wall) {
   constexpr int steps = 256;  // in a frame
   constexpr double h = 1.0 / (frames_per_second * steps);
   const Hangings hanging(bodies);
@@ -92,12 +132,8 @@ std::vector<Places> places_of_hanging(const std::vector<Hanging>& bodies, double
   std::vector<Places> found;
   for (int frame = 0; frame < frames; ++frame) {
     for (int step = 0; step < steps; ++step) {
-      const Angles k1 = hanging.acceleration(a, w), w2 = w + h / 2 * k1;
-      const Angles k2 = hanging.acceleration(a + h / 2 * w, w2), w3 = w + h / 2 * k2;
-      const Angles k3 = hanging.acceleration(a + h / 2 * w2, w3), w4 = w + h * k3;
-      const Angles k4 = hanging.acceleration(a + h * w3, w4);
-      a += h / 6 * (w + 2 * w2 + 2 * w3 + w4);
-      w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      if (wall) hanging.step_beside(*wall, a, w, h);
+      else hanging.step(a, w, h);
     }
     found.push_back(hanging.places(a));
   }

@@ -48,12 +48,28 @@ void HalfStep::give(World& world, const std::vector<State>& states) {
   for (std::size_t i = 0; i < states.size(); ++i) states[i].give(world.bodies[i]);
 }
 
+HalfStep::Moment HalfStep::moment(const World& world) const {
+  return {world.bodies, world.contacts, contacts_, joints_, accelerations_, time_};
+}
+
+/// Rows know the bodies by where they are in memory: these stay there.
+void HalfStep::back_to(World& world, const Moment& moment) {
+  std::copy(moment.bodies.begin(), moment.bodies.end(), world.bodies.begin());
+  world.contacts = moment.contacts;
+  contacts_ = moment.held;
+  joints_ = moment.joints;
+  accelerations_ = moment.accelerations;
+  time_ = moment.time;
+}
+
 void HalfStep::set_as(const HalfStep& other) {
   substeps = other.substeps;
   tolerance = other.tolerance;
   most_rounds = other.most_rounds;
   threshold = other.threshold;
   most_halvings = other.most_halvings;
+  most_work = other.most_work;
+  from_afar = other.from_afar;
 }
 
 void HalfStep::check_settings() const {
@@ -63,12 +79,15 @@ void HalfStep::check_settings() const {
   if (most_halvings < 0)
     throw InvalidInput(fmt::format("most_halvings is {}: a whole number, 0 or more, is needed", most_halvings));
   require_positive("tolerance", tolerance);
+  if (!(most_work > 0)) throw InvalidInput(fmt::format("most_work is {}: a number above 0 is needed", most_work));
   require_not_negative("threshold", threshold);
 }
 
 void HalfStep::check(World& world, Real /*h*/) {
   check_settings();
   contacts_.threshold = threshold;
+  contacts_.most_work = most_work;
+  contacts_.from_afar = from_afar;
   for (const Body& body : world.bodies)
     if (body.asleep) throw InvalidInput("a body is asleep: half steps do not let bodies sleep");
   joints_.check(world, parts().size() > 1);
@@ -168,6 +187,7 @@ bool HalfStep::solve_together(World& world, Real h) {
   Real fastest = 1;                                                       // m/s
   for (const Body& body : world.bodies) fastest = std::max(fastest, body.velocity.cwiseAbs().maxCoeff());
   const double enough = rounding * (100 * static_cast<double>(fastest) + 1 / std::abs(static_cast<double>(h)));
+  together_.forget();  // limits and motors change sides from stage to stage
   for (const int sweeps : {0, 20, 100, 500}) {
     together_.sweep(sweeps);
     if (together_.solve(world, enough) || together_.off() <= well) return true;
@@ -258,6 +278,17 @@ void HalfStep::project(World& world, Real h) {
   }
 }
 
+bool HalfStep::strike(World& world, const Contacts& contacts, Rows& rows, Real h) {
+  together_.clear();
+  joints_.strike(together_);
+  const std::size_t count = contacts.size();
+  for (std::size_t k = 0; k < count; ++k)
+    together_.add_contact(rows[k], rows[count + 2 * k], rows[count + 2 * k + 1], contacts[k].friction);
+  const bool solved = solve_together(world, h);
+  joints_.struck();
+  return solved;
+}
+
 /// False where Newton's method does not get there: then all is as it was. The rows are placed where the bodies are, before and
 /// after.
 bool HalfStep::step(World& world, Real h) {
@@ -282,8 +313,14 @@ bool HalfStep::step(World& world, Real h) {
   return true;
 }
 
+void HalfStep::spend(double work) {
+  together_.work -= work;
+  if (!(together_.work > 0)) throw InvalidInput(fmt::format("a step takes more than {} multiplications", most_work));
+}
+
 void HalfStep::halve(World& world, Real h, int halvings) {
   if (step(world, h)) return;
+  spend(0);
   if (halvings == most_halvings)
     throw InvalidInput(fmt::format("{} cannot be held in {} steps of {} s: more substeps are needed",
                                    world.joints[joints_.worst()].name, 1 << halvings, h));
@@ -304,6 +341,7 @@ void HalfStep::solve(World& world, Real h, int /*sweeps*/) {
   time_ = world.time;
   off_ = 0;
   halvings_ = rounds_ = 0;
+  together_.work = most_work;
   keep(world, after_);
   accelerate(world);
   joints_.begin(world);

@@ -37,6 +37,8 @@ class HalfStep : public StepSolver {
   int most_rounds = 20;        ///< of Newton's method, before a step is divided
   Real threshold = Real(0.1);  ///< m/s; what arrives slower does not bounce
   int most_halvings = 8;       ///< before it is refused: InvalidInput
+  double most_work = 1e10;     ///< multiplications in a step, roughly; what needs more is refused
+  bool from_afar = true;  ///< contacts are solved from nothing (17) where Newton's method fails; else that is refused
 
   /// Settings alone, of those above.
   void set_as(const HalfStep& other);
@@ -55,6 +57,8 @@ class HalfStep : public StepSolver {
   int halvings() const { return halvings_; }
   /// In the latest step: of Newton's method, all together. None where what contacts bore before is what they bear.
   int rounds() const { return rounds_ + contacts_.factored(); }
+  /// In the latest step: multiplications, roughly, of all systems and sweeps. A step that was refused has them, too.
+  double work() const { return (most_work - together_.work) + (most_work - contacts_.work_left()); }
 
  protected:
   /// One after the other, in parts of a substep; they add up to 1. One that is negative goes back in time.
@@ -71,17 +75,35 @@ class HalfStep : public StepSolver {
   virtual void detect_contacts(World& world, Real h);
   /// By forces, where the bodies are, m/s^2 and rad/s^2.
   Acceleration acceleration(const World& world, std::size_t body) const;
+  /// Multiplications of somebody else in this step. Throws InvalidInput where they are more than are left.
+  void spend(double work);
 
-  HeldContacts contacts_;
-  bool alone_ = true;  // nobody comes near anybody in the step: contacts are not even asked for
-
- private:
   struct State {
     Vec3 velocity, angular_velocity, position;
     Quat orientation;
     explicit State(const Body& body);
     void give(Body& body) const;
   };
+  /// Between two steps: all that a step changes.
+  struct Moment {
+    std::vector<Body> bodies;
+    Contacts contacts;
+    HeldContacts held;
+    HeldJoints joints;
+    std::vector<Acceleration> accelerations;
+    Real time;
+  };
+  Moment moment(const World& world) const;
+  void back_to(World& world, const Moment& moment);
+  /// An impact, which takes no time: rows of contacts, all normals and then two tangents of each, with everything that joints hold
+  /// meanwhile. False where that cannot be solved. `h`: of the step.
+  bool strike(World& world, const Contacts& contacts, Rows& rows, Real h);
+
+  HeldContacts contacts_;
+  bool alone_ = true;          // nobody comes near anybody in the step: contacts are not even asked for
+  std::vector<State> before_;  // the latest drift
+
+ private:
   void halve(World& world, Real h, int halvings);
   bool step(World& world, Real h);
   void accelerate(World& world);
@@ -101,7 +123,6 @@ class HalfStep : public StepSolver {
   std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body; none where nobody has any
   std::vector<Acceleration> accelerations_;     // of each body, where it is; none where gravity is all
   std::vector<State> begun_;                    // the step
-  std::vector<State> before_;                   // the drift
   std::vector<State> after_;                    // all steps
   Real time_ = 0;                               // s: of the bodies
   Real off_ = 0;

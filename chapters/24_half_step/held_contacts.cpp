@@ -12,7 +12,6 @@ namespace {
 constexpr bool in_doubles = std::numeric_limits<Real>::digits > 24;
 constexpr Real level = in_doubles ? Real(1e-12) : Real(1e-6);  // m: a gap that is rounding of places, and stays
 constexpr Real creeps = in_doubles ? Real(1e-9) : Real(1e-4);  // m/s: what is slower than that sticks
-constexpr double most_work = 1e10;                             // multiplications in a step: see WarmDirectContacts
 constexpr Real solved = in_doubles ? Real(1e-6) : Real(1e-3);  // m/s
 
 /// Along the normal and both tangents.
@@ -33,7 +32,6 @@ WarmDirectContacts exact_direct_contacts() {
   direct.tolerance = in_doubles ? 1e-11 : 1e-5;
   direct.too_far = in_doubles ? 1e-8 : 1e-4;
   direct.rounds = 6;
-  direct.work = most_work;
   return direct;
 }
 
@@ -61,7 +59,9 @@ void HeldContacts::look(const World& world) {
 }
 
 void HeldContacts::begin(const World& world) {
-  direct_.work = most_work;
+  newton_.work = most_work;
+  newton_.near = 1e-3;
+  newton_.forget();
   newton_.factored = 0;
   known_.clear();
   auto old = world.contacts_before.begin();  // both lists ascend: walk them side by side
@@ -204,10 +204,12 @@ void HeldContacts::solve_rows(World& world, Real h) {
   do {
     newton_.clear();
     add_to(newton_, world);
-    newton_.solve(world, direct_.tolerance * unit_ / 16);
+    newton_.solve(world, direct_.tolerance * unit_ / 16, direct_.too_far * unit_ / 16);
     take(world);
   } while (turns_back(world));
-  if (!(off(world) <= direct_.tolerance)) solve_from_afar(world, h);
+  if (off(world) <= direct_.too_far) return;
+  if (!from_afar) throw InvalidInput(fmt::format("{} contacts are not solved from what they bore", taking_.size()));
+  solve_from_afar(world, h);
 }
 
 void HeldContacts::find_out() {
@@ -221,6 +223,7 @@ void HeldContacts::solve_from_afar(World& world, Real h) {
   for (const Taking& taking : taking_) touching_.push_back(world.contacts[taking.contact]);
   world.contacts.swap(touching_);  // chapter 17 solves those of the world
   StepContext step{world, world.contacts, rows_, h};
+  direct_.work = newton_.work;
   try {
     direct_.start(step);
     for (std::size_t k = 0; k < taking_.size(); ++k) {
@@ -233,6 +236,7 @@ void HeldContacts::solve_from_afar(World& world, Real h) {
     world.contacts.swap(touching_);
     throw;
   }
+  newton_.work = direct_.work;
   world.contacts.swap(touching_);
   take(world);
 }

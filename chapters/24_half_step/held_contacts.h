@@ -34,6 +34,8 @@ class HeldContacts {
   static constexpr Real touches = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-5);
 
   Real threshold = Real(0.1);  ///< m/s; what arrives slower does not bounce
+  double most_work = 1e10;     ///< multiplications, roughly, from `begin` to `begin`; what needs more is refused
+  bool from_afar = true;       ///< where Newton's method does not get there from the guess; else it is refused
   /// Of these pairs alone, ascending, contacts are held; without, of all.
   std::optional<std::vector<BodyPair>> only;
 
@@ -72,6 +74,8 @@ class HeldContacts {
 
   /// Matrices that were factored since `begin`. None where the guess was the solution.
   int factored() const { return newton_.factored; }
+  /// Of most_work.
+  double work_left() const { return newton_.work; }
   int rows() const { return 3 * static_cast<int>(taking_.size()); }
 
  private:

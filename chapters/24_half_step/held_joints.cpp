@@ -275,6 +275,23 @@ void HeldJoints::add_to(NewtonFromGuess& newton, bool second) {
   }
 }
 
+void HeldJoints::strike(NewtonFromGuess& newton) {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Held& held = held_[i];
+    JointRow& row = rows_[i];
+    row.impulse = 0;
+    const bool stops = held.kind == Kind::limit && held.c < reached;
+    if (held.kind != Kind::rigid && !stops) continue;
+    if (stops) row.lo = 0;
+    row.bias = held.moving;
+    newton.add(row);
+  }
+}
+
+void HeldJoints::struck() {
+  for (std::size_t i = 0; i < rows_.size(); ++i) held_[i].total += rows_[i].impulse;
+}
+
 void HeldJoints::report(World& world) const {
   auto held = held_.begin();
   for (std::size_t k = 0; k < joints_.size(); ++k) {

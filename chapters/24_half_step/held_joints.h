@@ -43,6 +43,10 @@ class HeldJoints {
   void pressed();
   /// So is the second: and they are what is expected next.
   void projected(Real h);
+  /// At an impact, where the rows are placed: what acts in no time. That is what holds rigidly, and limits that are reached.
+  void strike(NewtonFromGuess& newton);
+  /// Its impulses count.
+  void struck();
   /// Joint::impulses: what acted since `begin`.
   void report(World& world) const;
 

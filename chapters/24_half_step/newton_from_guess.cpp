@@ -11,6 +11,9 @@ namespace pushback {
 
 namespace {
 
+// Multiplications for a contact: its law, its blocks in the matrix, its part of a right side and of what comes back.
+constexpr double of_look = 200, of_assembly = 700, of_change = 150;
+
 using SixByThree = Eigen::Matrix<double, 6, 3>;
 using ThreeBySix = Eigen::Matrix<double, 3, 6>;
 
@@ -109,6 +112,7 @@ void NewtonFromGuess::look(Group& group) const {
 }
 
 NewtonFromGuess::Total NewtonFromGuess::evaluate() {
+  work -= of_look * static_cast<double>(groups_.size());
   Total total{0, 0};
   for (Group& group : groups_) {
     look(group);
@@ -125,15 +129,27 @@ double NewtonFromGuess::off() {
   return evaluate().largest;
 }
 
+/// From a system of the same bodies and rows.
+bool NewtonFromGuess::has_matrix() const {
+  return std::equal(groups_.begin(), groups_.end(), kept_.begin(), kept_.end(), [](const Group& now, const Kept& then) {
+    return now.a == then.a && now.b == then.b && now.count == then.count;
+  });
+}
+
 bool NewtonFromGuess::factor(double pull) {
   ++factored;
   matrix_.begin(bodies_, pairs_);
+  kept_.clear();
+  work -= of_assembly * static_cast<double>(groups_.size()) + matrix_.of_factor();
   for (Group& group : groups_) {
     const double k = group.w.trace() / group.count;
-    group.kept_by_u = group.by_u;
-    group.inverse = (group.by_l + pull * (k > 0 ? k : 1) * group.by_u).inverse();
-    if (!group.inverse.allFinite()) return false;
-    const Eigen::Matrix3d between = group.inverse * group.by_u;
+    const Eigen::Matrix3d inverse = (group.by_l + pull * (k > 0 ? k : 1) * group.by_u).inverse();
+    kept_.push_back({group.a, group.b, group.count, group.by_u, inverse});
+    if (!inverse.allFinite()) {
+      kept_.clear();
+      return false;
+    }
+    const Eigen::Matrix3d between = inverse * group.by_u;
     for (const bool row_is_b : {false, true}) {
       const int row = row_is_b ? group.b : group.a;
       if (row == not_moving) continue;
@@ -144,23 +160,28 @@ bool NewtonFromGuess::factor(double pull) {
       }
     }
   }
-  return matrix_.factor();
+  if (matrix_.factor()) return true;
+  kept_.clear();
+  return false;
 }
 
 bool NewtonFromGuess::find_changes() {
+  work -= of_change * static_cast<double>(groups_.size()) + matrix_.of_solve();
   speeds_.assign(static_cast<std::size_t>(bodies_), BodyMatrix::Six::Zero());
   const auto at = [this](int place) -> BodyMatrix::Six& { return speeds_[static_cast<std::size_t>(place)]; };
-  for (const Group& group : groups_) {
-    const Three pushed = group.inverse * group.f;
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    const Group& group = groups_[i];
+    const Three pushed = kept_[i].inverse * group.f;
     if (group.a != not_moving) at(group.a) -= effect_of(group.rows, group.count, false) * pushed;
     if (group.b != not_moving) at(group.b) -= effect_of(group.rows, group.count, true) * pushed;
   }
   matrix_.solve(speeds_);
-  for (Group& group : groups_) {
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    Group& group = groups_[i];
     Three speed = Three::Zero();
     if (group.a != not_moving) speed += jacobian_of(group.rows, group.count, false) * at(group.a);
     if (group.b != not_moving) speed += jacobian_of(group.rows, group.count, true) * at(group.b);
-    group.change = -(group.inverse * (group.f + group.kept_by_u * speed));
+    group.change = -(kept_[i].inverse * (group.f + kept_[i].by_u * speed));
     if (!group.change.allFinite()) return false;
   }
   return true;
@@ -175,7 +196,7 @@ void NewtonFromGuess::move(const Group& group, double part) {
 }
 
 void NewtonFromGuess::sweep(int times) {
-  for (int i = 0; i < times; ++i)
+  for (int i = 0; i < times && work > 0; ++i, work -= of_look * static_cast<double>(groups_.size()))
     for (Group& group : groups_) {
       look(group);
       group.change = -group.f;
@@ -199,7 +220,7 @@ void NewtonFromGuess::give(World& world, const State& state) const {
     std::tie(world.bodies[i].velocity, world.bodies[i].angular_velocity) = state.velocities[i];
 }
 
-bool NewtonFromGuess::solve(World& world, double enough) {
+bool NewtonFromGuess::solve(World& world, double enough, double just) {
   constexpr int most_steps = 60, most_leaps = 12;
   constexpr double well = 0.1;  // what |f| falls to where the matrix may be kept
   Total total = evaluate();
@@ -207,9 +228,9 @@ bool NewtonFromGuess::solve(World& world, double enough) {
   find_places(world);
   keep(world, best_);
   Total best = total;
-  double pull = 1e-3;
-  bool kept = false;
-  for (int step = 0, leaps = 0; step < most_steps; ++step) {
+  double pull = total.largest < near ? 1e-5 : 1e-3;
+  bool kept = has_matrix();
+  for (int step = 0, leaps = 0; step < most_steps && work > 0; ++step) {
     if (!kept) {
       if (!factor(pull)) break;
       pull = std::max(pull / 10, 1e-7);
@@ -233,6 +254,7 @@ bool NewtonFromGuess::solve(World& world, double enough) {
     if (fallen == 1) {  // f has kinks: between two of them a whole step leads on, though |f| grows
       give(world, before_);
       if (!kept) {
+        if (best.largest <= just) break;
         if (++leaps > most_leaps) break;
         for (const Group& group : groups_) move(group, 1);
       }

@@ -22,11 +22,14 @@ namespace pushback {
 ///
 ///   (1 + M^-1 J^T E^-1 by_u J) dV = -M^-1 J^T E^-1 f,     dl = -E^-1 (f + by_u J dV)
 ///
-/// A box on a box has 12 rows and 2 bodies. The matrix is kept from one step to the next as long as |f| falls well.
+/// A box on a box has 12 rows and 2 bodies. The matrix is kept from one step to the next, and for the next system where the same act
+/// on the same, as long as |f| falls well.
 class NewtonFromGuess {
  public:
   /// No rows.
   void clear() { groups_.clear(); }
+  /// No matrix either.
+  void forget() { kept_.clear(); }
   void add_contact(Row& normal, Row& tangent1, Row& tangent2, Real friction);
   void add(JointRow& row);
   /// l >= 0, u >= 0, one of them 0.
@@ -36,9 +39,12 @@ class NewtonFromGuess {
   /// Sweeps: each contact and row as if it were alone, l <- l - f.
   void sweep(int times);
   /// Goes on until no row is wrong by more than `enough`, m/s, and then as far as steps are cheap. False where it does not get there:
-  /// rows and bodies are then as at the best point met.
-  bool solve(World& world, double enough);
+  /// rows and bodies are then as at the best point met. Where `just` is reached, it does not try hard.
+  bool solve(World& world, double enough, double just = 0);
   int factored = 0;  ///< matrices, since somebody set it to 0
+  double near = 0;   ///< m/s: where no row is wrong by more, it needs little pull, and little is faster
+  /// Multiplications, roughly, that are left to it. Once they are spent, it stops where it is.
+  double work = std::numeric_limits<double>::infinity();
 
  private:
   using Three = Eigen::Vector3d;
@@ -46,12 +52,15 @@ class NewtonFromGuess {
     std::array<Row*, 3> rows;
     int count;
     double mu, softness;
-    Eigen::Matrix3d w;                   // J M^-1 J^T of its rows
-    int a, b;                            // places of its bodies; not_moving
-    Three l, u, f;                       // now
-    Eigen::Matrix3d by_u, by_l;          // now
-    Eigen::Matrix3d kept_by_u, inverse;  // of the matrix: by_u, E^-1
-    Three change;                        // dl
+    Eigen::Matrix3d w;           // J M^-1 J^T of its rows
+    int a, b;                    // places of its bodies; not_moving
+    Three l, u, f;               // now
+    Eigen::Matrix3d by_u, by_l;  // now
+    Three change;                // dl
+  };
+  struct Kept {  // of a group, as the matrix has it
+    int a, b, count;
+    Eigen::Matrix3d by_u, inverse;  // by_u, E^-1
   };
   struct Total {  // of all f, m/s
     double sum, largest;
@@ -64,6 +73,7 @@ class NewtonFromGuess {
   void find_places(const World& world);
   Total evaluate();
   void look(Group& group) const;
+  bool has_matrix() const;
   bool factor(double pull);
   bool find_changes();
   static void move(const Group& group, double part);
@@ -71,6 +81,7 @@ class NewtonFromGuess {
   void give(World& world, const State& state) const;
 
   std::vector<Group> groups_;
+  std::vector<Kept> kept_;
   std::vector<int> places_;  // of each body, in the matrix
   int bodies_ = 0;
   BodyMatrix::Pairs pairs_;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr Real touches = HeldContacts::touches;
 constexpr Real stands = std::numeric_limits<Real>::digits > 24 ? Real(1e-6) : Real(1e-3);  // m/s: slower is no impact
+constexpr double of_look = 500;   // multiplications for each pair of corners: some ten rounds of first_touch
 constexpr int most_pairs = 1000;  // solved in sequence, before all are at the same time
 
 BodyPair pair_of(const Contact& at) {
@@ -43,12 +44,37 @@ void AtImpacts::solve(World& world, Real h, int sweeps) {
 /// By forces, and by what is borne where bodies touch.
 void AtImpacts::accelerate_bodies(const World& world) {
   accelerations_.clear();
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) accelerations_.push_back(acceleration(world, i).linear);
+  turning_.clear();
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const Acceleration by = acceleration(world, i);
+    accelerations_.push_back(by.linear);
+    turning_.push_back(by.angular);
+  }
   contacts_.add_borne(world, accelerations_);
 }
 
-/// a: how the two are pressed together.
-Real AtImpacts::pressing(const Contact& at) const {
+/// Where joints hold, by a half step, of which the world is left at the end. It is of `within`, or shorter where that has to be divided.
+Real AtImpacts::try_step(World& world, const Moment& begin, Real within) {
+  for (;; within /= 2) {
+    const int before = halvings();
+    alone_ = contacts_.only->empty();  // joints by themselves are a linear system
+    HalfStep::advance(world, within);
+    alone_ = false;
+    if (halvings() == before) break;
+    back_to(world, begin);
+  }
+  accelerations_.clear();
+  turning_.clear();
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    accelerations_.push_back(2 / within * (before_[i].velocity - begin.bodies[i].velocity));
+    turning_.push_back(2 / within * (before_[i].angular_velocity - begin.bodies[i].angular_velocity));
+  }
+  return within;
+}
+
+/// a: how the two are pressed together. By joints, nobody has said: as gravity would.
+Real AtImpacts::pressing(const World& world, const Contact& at) const {
+  if (!world.joints.empty()) return world.gravity.norm();
   return at.normal.dot(accelerations_[at.id.body_a] - accelerations_[at.id.body_b]);
 }
 
@@ -68,14 +94,16 @@ void AtImpacts::bounce(World& world, Real h, const std::vector<std::size_t>& whi
     rounding = std::max(rounding, -100 * std::numeric_limits<Real>::epsilon() * approach);
     if (approach >= -threshold) continue;
     const Real leaves = -e * approach;
-    const bool last = 2 * leaves <= h * (1 - e) * pressing(contacts[k]);  // T <= h
+    const bool last = 2 * leaves <= h * (1 - e) * pressing(world, contacts[k]);  // T <= h
     if (!last) rows[k].bias = -leaves;
   }
   direct_.work = exact_direct_contacts().work;
   StepContext step{world, contacts, rows, h};
-  direct_.start(step);
+  bool solved = true;
+  if (world.joints.empty()) direct_.start(step);
+  else solved = strike(world, contacts, rows, h);
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (!(step.speed_error(k) >= -rounding))
+    if (!solved || !(step.speed_error(k) >= -rounding))
       throw InvalidInput(fmt::format("where bodies {} and {} meet, {} m/s are left: impacts need solved contacts",
                                      contacts[k].id.body_a, contacts[k].id.body_b, -step.speed_error(k)));
   const std::size_t count = which.size();
@@ -98,7 +126,7 @@ bool AtImpacts::impact(World& world, Real h) {
   };
   auto first = fastest();
   if (!approaches(first)) return false;
-  accelerate_bodies(world);
+  if (world.joints.empty()) accelerate_bodies(world);
   for (int round = 0; impacts == Impacts::sequential && round < most_pairs && approaches(first); ++round) {
     const BodyPair pair = pair_of(world.contacts[*first]);
     of_pair_.clear();
@@ -112,25 +140,22 @@ bool AtImpacts::impact(World& world, Real h) {
   return true;
 }
 
-/// Pairs that touch and do not leave; and those that overlap.
+/// Pairs that touch and do not leave; and those that overlap. With joints, those are held as well that leave as slowly as the last of
+/// infinitely many bounces: no impact may have stopped them.
 void AtImpacts::hold_touching(World& world, Real h) {
   if (!contacts_.only) contacts_.only.emplace();
   contacts_.only->clear();
   for (const Contact& at : world.contacts) {
     const BodyPair pair = pair_of(at);
     if (!contacts_.only->empty() && contacts_.only->back() == pair) continue;
-    if (at.depth > touches || (at.depth > -touches && separating_speed(world, at) <= stands))
+    const Real last = world.joints.empty() ? 0 : h * (1 - at.restitution) * pressing(world, at) / 2;
+    if (at.depth > touches || (at.depth > -touches && separating_speed(world, at) <= std::max(stands, last)))
       contacts_.only->push_back(pair);
   }
   if (!contacts_.only->empty() && !ahead_) look_ahead(world, h);
 }
 
-void AtImpacts::begin_contacts(World& world, Real h) {
-  if (!world.joints.empty()) {  // as chapter 24
-    contacts_.only.reset();
-    world.find_contacts(HalfStep::plan(h).margin);
-    return HalfStep::begin_contacts(world, h);
-  }
+void AtImpacts::begin_contacts(World& world, Real /*h*/) {
   alone_ = false;
   ahead_ = false;
   contacts_.begin(world);
@@ -138,12 +163,11 @@ void AtImpacts::begin_contacts(World& world, Real h) {
 
 /// Of pairs that are held, each point that may touch next has to be known. Where none is, all have flown, and who may have met is known.
 void AtImpacts::detect_contacts(World& world, Real h) {
-  ahead_ = !world.joints.empty() || !contacts_.only || !contacts_.only->empty();
+  ahead_ = !contacts_.only || !contacts_.only->empty();
   if (ahead_) return HalfStep::detect_contacts(world, h);
   world.contacts.clear();
   for (const auto& [first, second] : near_) {
-    const Body &a = world.body(first), &b = world.body(second);
-    if (may_touch(a, b)) collide(a, b, world.contacts, {.least = touches});
+    collide(world.body(first), world.body(second), world.contacts, {.least = touches});
   }
   contacts_.detected(world);
 }
@@ -154,32 +178,100 @@ void AtImpacts::look_ahead(World& world, Real h) {
   contacts_.look(world);
 }
 
-std::optional<Real> AtImpacts::next_touch(const World& world, Real within) {
+/// From where these bodies are, which are the world's now or were before.
+std::optional<Real> AtImpacts::next_touch(const World& world, const std::vector<Body>& bodies, Real within) {
   Real turns = 0, strongest = 0;
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    const Body& body = world.bodies[i];
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Body& body = bodies[i];
     strongest = std::max(strongest, accelerations_[i].squaredNorm());
-    if (body.angular_velocity.isZero(0) && acceleration(world, i).angular.isZero(0)) continue;
+    if (body.angular_velocity.isZero(0) && turning_[i].isZero(0)) continue;
     for (const Vec3& corner : corners_of_core(body)) turns = std::max(turns, 2 * corner.norm());
   }
   const Margin margin{.least = touches + turns + within * within / 2 * std::sqrt(strongest), .ahead = within};
   std::optional<Real> first;
-  near_ = near_pairs(world.bodies, margin);
+  first_.reset();
+  near_ = near_pairs(bodies, margin);
+  const JoinedPairs joined(world.joints);
+  std::erase_if(near_, [&](const BodyPair& pair) {
+    const auto [p, q] = pair;
+    return !may_touch(bodies[static_cast<std::size_t>(p)], bodies[static_cast<std::size_t>(q)]) || joined.contain(p, q);
+  });
   for (const BodyPair& pair : near_) {
     const auto p = static_cast<std::size_t>(pair.first), q = static_cast<std::size_t>(pair.second);
-    const Body &a = world.bodies[p], &b = world.bodies[q];
-    if (!may_touch(a, b)) continue;
+    const Body &a = bodies[p], &b = bodies[q];
     if (std::binary_search(contacts_.only->begin(), contacts_.only->end(), pair)) continue;
     const Real before = first.value_or(within);
-    Flight of_a(a, accelerations_[p], acceleration(world, p).angular, before);
-    Flight of_b(b, accelerations_[q], acceleration(world, q).angular, before);
-    if (const std::optional<Real> touch = first_touch(of_a, of_b, before, touches / 2)) first = touch;
+    const auto corners = static_cast<double>(corners_of_core(a).size() * corners_of_core(b).size());
+    spend(of_look * (1 + corners));
+    Flight of_a(a, accelerations_[p], turning_[p], before);
+    Flight of_b(b, accelerations_[q], turning_[q], before);
+    if (const std::optional<Real> touch = first_touch(of_a, of_b, before, touches / 2)) first = touch, first_ = pair;
   }
   return first;
 }
 
+/// s: how long ago those of World::contacts that are not held have touched that overlap, below 0. Where none do, when those touch that
+/// were to. 0: now, or nobody knows.
+Real AtImpacts::touch_in(const World& world) const {
+  Real longest = 0;
+  for (const Contact& at : world.contacts) {
+    if (at.depth <= touches) continue;
+    if (std::binary_search(contacts_.only->begin(), contacts_.only->end(), pair_of(at))) continue;
+    const Real approach = -separating_speed(world, at);
+    longest = std::max(longest, approach > 0 ? at.depth / approach : std::numeric_limits<Real>::infinity());
+  }
+  if (longest > 0 || !first_) return -longest;
+  Contacts near;
+  collide(world.body(first_->first), world.body(first_->second), near, {.least = Real(1e-3)});
+  if (near.empty()) return 0;
+  const Contact& nearest =
+      *std::max_element(near.begin(), near.end(), [](const Contact& p, const Contact& q) { return p.depth < q.depth; });
+  const Real approach = -separating_speed(world, nearest);
+  return nearest.depth < -touches && approach > stands ? -nearest.depth / approach : 0;
+}
+
+/// Whether those that touch first touch already: as they turn, a corner comes as another one leaves.
+bool AtImpacts::touch_already(const Contacts& contacts) const {
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [this](const Contact& at) { return pair_of(at) == *first_ && at.depth > -touches; });
+}
+
+/// Until somebody touches, or for `within` s. Returns how long it took.
+Real AtImpacts::move_joined(World& world, Real within) {
+  constexpr int most_tries = 50;
+  constexpr Real brief = Real(1e-7);  // s
+  const Moment begin = moment(world);
+  const Real most = try_step(world, begin, within);
+  Real part = most;
+  const std::optional<Real> touch = next_touch(world, begin.bodies, most);
+  if (touch && *touch <= brief && touch_already(begin.contacts)) {
+    back_to(world, begin);
+    contacts_.only->insert(std::lower_bound(contacts_.only->begin(), contacts_.only->end(), *first_), *first_);
+    if (!ahead_) look_ahead(world, most);
+    return move_joined(world, within);
+  }
+  const auto find = [&] {
+    if (contacts_.only->empty()) detect_contacts(world, part);
+  };
+  const auto again = [&](Real t) {
+    back_to(world, begin);
+    part = t;
+    alone_ = contacts_.only->empty();
+    if (t > 0) HalfStep::advance(world, t);
+    alone_ = false;
+    find();
+  };
+  if (touch) again(*touch);
+  else find();
+  for (int tries = 0; tries < most_tries; ++tries) {
+    const Real off = touch_in(world);
+    if (off == 0 || part + off > most) break;
+    again(part + off > 0 ? part + off : part / 2);
+  }
+  return part;
+}
+
 void AtImpacts::advance(World& world, Real h) {
-  if (!world.joints.empty()) return HalfStep::advance(world, h);
   Real left = h;
   for (int cuts = 0; left > 0; ++cuts) {
     if (impact(world, h)) ++events_;
@@ -190,8 +282,12 @@ void AtImpacts::advance(World& world, Real h) {
       return HalfStep::advance(world, left);
     }
     hold_touching(world, h);
+    if (!world.joints.empty()) {
+      left -= move_joined(world, left);
+      continue;
+    }
     accelerate_bodies(world);
-    const Real part = next_touch(world, left).value_or(left);
+    const Real part = next_touch(world, world.bodies, left).value_or(left);
     if (part > 0) HalfStep::advance(world, part);
     left -= part;
   }

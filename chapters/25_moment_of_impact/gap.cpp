@@ -143,7 +143,10 @@ Gap gap_between(const Body& a, const Body& b) {
     // Beyond the plane through `corner`, across `nearest`, there is nothing: the distance is `along` or more.
     if (round > 0 && (length - along <= exact * length + rounding * size || simplex.has(corner)))
       return {along - radii, nearest / length};
+    const Vec3 normal = nearest / length;
     nearest = simplex.add(corner);
+    // Faces almost parallel: the corner is nearer than rounding lets one see.
+    if (round > 0 && !simplex.full() && !(nearest.norm() < length)) return {along - radii, normal};
     if (simplex.full() || nearest.norm() <= rounding * size) break;
   }
   Contacts found;

@@ -117,6 +117,16 @@ int main(int argc, char** argv) {
     e.series_without_curves("speed", [](const World& world) { return world.bodies[1].velocity.norm(); });
     e.number("rests after", "s", last_moving);
 
+    const PendulumAtWall pendulum;
+    static const TruePlaces swings(pendulum.truth(2 * frames_per_second));
+    e.scene({.name = "a double pendulum meets a wall, e = 0.8", .fill = pendulum, .seconds = 2, .pictures = false});
+    e.variant("half step", in_substeps(1)).with_exactly(1).coloured(1);
+    e.variant("half step, 8 substeps", in_substeps(8)).with_exactly(1).coloured(3);
+    e.variant("cut at impacts", in_substeps<AtImpacts>(1)).with_exactly(1).coloured(2);
+    e.variant("cut at impacts, 8 substeps", in_substeps<AtImpacts>(8)).with_exactly(1).coloured(4);
+    e.series_without_curves("error", [](const World& world) { return swings.error(world); });
+    e.number("largest error", "mm", [](const Run& run) { return largest_of(run, "error"); });
+
     e.scene({.name = "five balls that touch, hit with 5 m/s", .fill = cradle, .seconds = Real(0.2), .pictures = false});
     e.variant("sequential", cut(Impacts::sequential))
         .with_exactly(1)

@@ -1,7 +1,9 @@
-/// A bullet and a sheet, a rod and a wall, balls in a row: each with its closed form.
+/// A bullet and a sheet, a rod and a wall, balls in a row, each with its closed form; and a pendulum and a wall.
 #pragma once
 
-#include "pushback/common/world/world.h"
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/19_accuracy_and_time/truth.h"
+#include "pushback/common/world/situations.h"
 
 namespace pushback::moment_of_impact_scenes {
 
@@ -55,6 +57,51 @@ struct SpinningRod {
   static Real beyond(const World& world) {
     const Body& body = world.bodies[1];
     return body.position.x() + half * std::abs((body.orientation * Vec3::UnitY()).x()) + radius - wall;
+  }
+};
+
+/// A ball on a link, or on a pin alone, that swings to a smooth wall. Let go at rest, all in one line.
+struct PendulumAtWall {
+  int links = 1;
+  Real e = Real(0.8), wall = Real(0.3);  // m
+
+  static constexpr Real radius = Real(0.2), mass = 2;                              // of the ball, m, kg
+  static constexpr Real link = Real(0.5), half_width = Real(0.02), link_mass = 1;  // of a link
+  static constexpr Real angle = -pi / 3;
+
+  static Body ball() { return sphere(radius, mass).rough(0); }
+  static Body rod() { return box({half_width, link / 2, half_width}, link_mass).rough(0); }
+  static Vec3 down() { return {std::sin(angle), -std::cos(angle), 0}; }
+  /// The bodies: the links, the ball, the wall.
+  void fill(World& world) const {
+    for (int i = 0; i < links; ++i)
+      world.add(rod().turned(angle, Vec3::UnitZ()).at((static_cast<Real>(i) + Real(0.5)) * link * down()).bouncy(e));
+    world.add(ball().at((static_cast<Real>(links) * link + radius) * down()).bouncy(e));
+    world.add(half_space(-Vec3::UnitX()).at({wall, 0, 0}).rough(0).bouncy(e));
+  }
+  std::vector<Pin> pins() const {
+    std::vector<Pin> all;
+    for (int i = 0; i <= links; ++i)
+      all.push_back({i == 0 ? the_world : i - 1, i, static_cast<Real>(i) * link * down()});
+    return all;
+  }
+  void operator()(World& world) const {
+    fill(world);
+    for (const Pin& pin : pins()) world.joints.push_back(ball_and_socket(world, pin.a, pin.b, pin.anchor));
+  }
+  std::vector<Places> truth(int frames) const {
+    std::vector<truth::Hanging> bodies;
+    for (int i = 0; i <= links; ++i) {
+      const Body body = i < links ? rod() : ball();
+      bodies.push_back({.mass = 1 / static_cast<double>(body.inverse_mass),
+                        .inertia = 1 / static_cast<double>(body.principal_inverse_inertia.z()),
+                        .to_centre = static_cast<double>(i < links ? link / 2 : radius),
+                        .to_next = static_cast<double>(link)});
+    }
+    const truth::Wall at{static_cast<double>(wall), static_cast<double>(radius), static_cast<double>(e)};
+    std::vector<Places> found = truth::places_of_hanging(bodies, static_cast<double>(angle), frames, at);
+    for (Places& places : found) places.emplace_back(static_cast<double>(wall), 0, 0);
+    return found;
   }
 };
 

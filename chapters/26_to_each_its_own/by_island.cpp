@@ -12,6 +12,10 @@ namespace pushback {
 namespace {
 
 constexpr int waits_after_failing = 10;  // steps
+constexpr Real of_their_own =
+    Real(1) / 120;                // s: in shorter steps many contacts have one half step; substeps are fewer, too
+constexpr int most_meetings = 8;  // in a step that is taken again for them; then what meets has substeps
+constexpr double of_look = 750;   // multiplications, where a contact bears in a half step what it bore before
 
 /// Who is left to `many`, in a world whose contacts have been found.
 struct Others {
@@ -75,7 +79,16 @@ void ByIsland::check_settings(World& world, Real dt) {
     throw InvalidInput(
         fmt::format("most_detections is {}: a whole number from 1 to 64 is needed", limits.most_detections));
   require_positive("energy", energy);
-  require_positive("turn", turn);
+  require_positive("turn", limits.turn);
+  const auto require = [](const char* name, double number, bool allowed, const char* what) {
+    if (!allowed || !std::isfinite(number))
+      throw InvalidInput(fmt::format("savings.{} is {}: a finite number{} is needed", name, number, what));
+  };
+  require("of_contact", savings.of_contact, savings.of_contact > 0, " above 0");
+  require("part", savings.part, savings.part >= 0, ", 0 or more,");
+  require("at_first", savings.at_first, savings.at_first >= 0, ", 0 or more,");
+  require("most", savings.most, savings.most >= 1, ", 1 or more,");
+  require("at_once", savings.at_once, savings.at_once >= 1, ", 1 or more,");
   many.SubsteppingSolver::check(world, dt);
   few.check_settings();
   joined.check_settings();
@@ -89,19 +102,24 @@ void ByIsland::whole_step(World& world, Real dt, int sweeps) {
   Everybody::check(world);
   check_settings(world, dt);
   const Plan plan = many.plan(dt);
-  find_contacts(world, plan);
+  find_contacts(world, plan, dt);
   memory_.resize(world.bodies.size());
+  shares_.resize(world.bodies.size(), Purse(savings.at_first * savings.of_contact));
   for (Memory& memory : memory_) memory.waits = std::max(0, memory.waits - 1);
   by_calls_ = false;
   solved_ = {};
-  do {
-    calls_.find(world, found_, dt, many.threshold, limits);
+  Limits now = limits;
+  for (int meetings = 0;; ++meetings) {
+    if (meetings == most_meetings) now.most = now.most_kept = now.most_meeting = 0;
+    calls_.find(world, found_, dt, many.threshold, now);
+    collect(world);
     divide(world);
     plan.workers->each(count_, 4, [&](Part part) {
       for (std::size_t i = part.begin; i < part.end; ++i) move_island(islands_[i], world, dt, sweeps);
     });
     for (std::size_t i = 0; i < count_; ++i) islands_[i].give_joints(world.joints);
-  } while (others_were_met(world, dt));
+    if (!others_were_met(world, dt)) break;
+  }
   for (std::size_t i = 0; i < count_; ++i) {
     IslandWorld& island = islands_[i];
     if (island.held) add_up(island.solver().solved());
@@ -109,12 +127,31 @@ void ByIsland::whole_step(World& world, Real dt, int sweeps) {
       for (const int body : island.bodies())
         if (world.body(body).movable()) calls_.leave_to_substeps(body);
   }
+  share_out(world);
   move_others(world, dt, sweeps);
   put_back(world, dt);
 }
 
+void ByIsland::collect(const World& world) {
+  purses_.assign(world.bodies.size(), Purse());
+  for (const Body& body : world.bodies)
+    if (body.movable()) purses_[std::size_t(calls_.island_of(body.index))].add(shares_[std::size_t(body.index)]);
+}
+
+/// Where many contacts had substeps, something is saved.
+void ByIsland::share_out(const World& world) {
+  for (const Body& body : world.bodies)
+    if (body.movable() && calls_.island_of(body.index) == body.index && calls_.many(body.index) &&
+        calls_.of(body.index) == MovedBy::substeps) {
+      const double price = savings.of_contact * calls_.contacts(body.index);
+      purses_[std::size_t(body.index)].save(savings.part * price, savings.most * price);
+    }
+  for (const Body& body : world.bodies)
+    if (body.movable()) shares_[std::size_t(body.index)] = purses_[std::size_t(calls_.island_of(body.index))].share();
+}
+
 /// World::contacts stay those of the step before, with the impulses of its last substep.
-void ByIsland::find_contacts(World& world, const Plan& plan) {
+void ByIsland::find_contacts(World& world, const Plan& plan, Real dt) {
   if (world.last_impulses_known)
     for (Contact& contact : world.contacts) contact.impulse = contact.last_impulse;
   world.last_impulses_known = false;
@@ -122,6 +159,33 @@ void ByIsland::find_contacts(World& world, const Plan& plan) {
   world.find_contacts(plan.margin, plan.workers->of_bodies(world.bodies.size()));
   found_.swap(world.contacts);
   world.contacts.swap(before_);
+  std::vector<Real> tips;  // where the ends of what spins may come: the margin follows centres
+  for (const Body& body : world.bodies) tips.push_back(dt * tip_speed(body, dt));
+  for (const Joint& joint : world.joints)  // cutting a step is for what is free
+    for (const int body : {joint.a, joint.b})
+      if (body != the_world) tips[std::size_t(body)] = 0;
+  find_more(world, tips, [&tips](std::size_t p, std::size_t q) { return tips[p] > 0 || tips[q] > 0; });
+}
+
+/// Contacts of pairs that are as near as the ways of both, and have none yet. Returns whether there are any.
+template <class Wanted>
+bool ByIsland::find_more(const World& world, const std::vector<Real>& ways, const Wanted& wanted) {
+  const Real farthest = ways.empty() ? 0 : *std::max_element(ways.begin(), ways.end());
+  if (farthest <= 0) return false;
+  const std::size_t known = found_.size();
+  const auto are_known = [&](std::size_t a, std::size_t b) {
+    const Contact least{.id = {std::uint32_t(a), std::uint32_t(b), 0}};
+    const auto end = found_.begin() + std::ptrdiff_t(known), at = std::lower_bound(found_.begin(), end, least, lower);
+    return at != end && at->id.body_a == least.id.body_a && at->id.body_b == least.id.body_b;
+  };
+  for (const auto& [first, second] : near_pairs(world.bodies, Margin{.least = 2 * farthest})) {
+    const auto p = std::size_t(first), q = std::size_t(second);
+    const Body &a = world.bodies[p], &b = world.bodies[q];
+    if (wanted(p, q) && may_touch(a, b) && !are_known(p, q)) collide(a, b, found_, {.least = ways[p] + ways[q]});
+  }
+  if (found_.size() == known) return false;
+  std::inplace_merge(found_.begin(), found_.begin() + std::ptrdiff_t(known), found_.end(), lower);
+  return true;
 }
 
 /// Makes a world of each island that calls for half steps.
@@ -131,7 +195,7 @@ void ByIsland::divide(World& world) {
   for (const Body& body : world.bodies) {
     if (calls_.of(body.index) != MovedBy::half_steps) continue;
     const int lowest = calls_.island_of(body.index);
-    if (memory_[std::size_t(lowest)].waits > 0) {
+    if (memory_[std::size_t(lowest)].waits > 0 || !can_pay(lowest)) {
       calls_.leave_to_substeps(body.index);
       continue;
     }
@@ -175,23 +239,44 @@ void ByIsland::move_island(IslandWorld& island, const World& whole, Real dt, int
   HalfStep& solver = island.solver();
   solver.set_as(joints ? joined : few);
   Memory& memory = memory_[std::size_t(island.lowest())];
-  memory.substeps = joints ? std::max(memory.next, joined.substeps) : few.substeps;
-  const int most = joints ? most_substeps : few.substeps;
-  Real off = std::numeric_limits<Real>::infinity();
+  Purse* const purse = calls_.many(island.lowest()) ? &purses_[std::size_t(island.lowest())] : nullptr;
+  const double price = savings.of_contact * calls_.contacts(island.lowest());
+  if (purse) {
+    solver.most_work = std::min(purse->saved(), savings.at_once * price);
+    solver.from_afar = false;
+  }
+  find_substeps(island, memory, whole, dt, sweeps);
+  if (purse) {
+    const double took = solver.work() + of_look * calls_.contacts(island.lowest()) * memory.substeps;
+    if (island.held) purse->succeed(price - took, savings.most * price);
+    else purse->fail(took, savings.at_once);
+  } else if (!island.held) {
+    memory = {.waits = waits_after_failing};
+  }
+}
+
+int ByIsland::most_half_steps(const IslandWorld& island, Real dt) const {
+  if (!island.world.joints.empty()) return most_substeps;
+  if (!calls_.many(island.lowest())) return few.substeps;
+  return std::min(few.substeps, static_cast<int>(std::ceil(dt / of_their_own)));
+}
+
+void ByIsland::find_substeps(IslandWorld& island, Memory& memory, const World& whole, Real dt, int sweeps) {
+  const int most = most_half_steps(island, dt);
+  memory.substeps = island.world.joints.empty() ? most : std::max(memory.next, joined.substeps);
+  Real off = 0;
   for (;; memory.substeps *= 2) {
-    solver.substeps = memory.substeps;
-    off = energy_off(island, whole, dt, sweeps);
+    off = take(island, whole, memory.substeps, dt, sweeps);
     if (off <= 1 || 2 * memory.substeps > most) break;
   }
   island.held = off <= 1;
   memory.next = off < Real(0.125) ? memory.substeps / 2 : memory.substeps;
-  if (!island.held) memory = {.waits = waits_after_failing};
 }
 
-/// Takes the step. Returns |dE| in parts of what is allowed: 0 where E need not stay, infinity where half steps do not get there.
-Real ByIsland::energy_off(IslandWorld& island, const World& whole, Real dt, int sweeps) const {
+Real ByIsland::take(IslandWorld& island, const World& whole, int substeps, Real dt, int sweeps) const {
   const bool worked_on = island.copy_bodies(whole);
   World& world = island.world;
+  island.solver().substeps = substeps;
   const Real motion_before = kinetic_energy(world), before = motion_before + potential_energy(world);
   try {
     world.step(island.solver(), dt, sweeps);
@@ -221,30 +306,17 @@ bool ByIsland::others_were_met(const World& world, Real dt) {
   moved_ = world.bodies;
   for (std::size_t i = 0; i < count_; ++i)
     if (islands_[i].held) islands_[i].give_bodies(moved_);
-  const auto way = [&](std::size_t i) {
-    return dt * std::max(world.bodies[i].velocity.norm(), moved_[i].velocity.norm());
-  };
-  Real farthest = 0;
-  for (std::size_t i = 0; i < moved_.size(); ++i) farthest = std::max(farthest, way(i));
-  const std::size_t known = found_.size();
-  const auto are_known = [&](std::size_t a, std::size_t b) {
-    const Contact least{.id = {std::uint32_t(a), std::uint32_t(b), 0}};
-    const auto end = found_.begin() + std::ptrdiff_t(known), at = std::lower_bound(found_.begin(), end, least, lower);
-    return at != end && at->id.body_a == least.id.body_a && at->id.body_b == least.id.body_b;
-  };
-  for (const auto& [first, second] : near_pairs(world.bodies, Margin{.least = 2 * farthest})) {
-    const auto p = std::size_t(first), q = std::size_t(second);
-    const Body &a = world.bodies[p], &b = world.bodies[q];
-    if ((!bounced[p] && !bounced[q]) || !may_touch(a, b) || are_known(p, q)) continue;
-    const bool same = a.movable() && b.movable() && calls_.island_of(first) == calls_.island_of(second);
-    if (!same) collide(a, b, found_, {.least = way(p) + way(q)});
-  }
-  if (found_.size() == known) return false;
-  std::inplace_merge(found_.begin(), found_.begin() + std::ptrdiff_t(known), found_.end(), lower);
-  return true;
+  std::vector<Real> ways;
+  for (std::size_t i = 0; i < moved_.size(); ++i)
+    ways.push_back(dt * std::max(world.bodies[i].velocity.norm(), moved_[i].velocity.norm()));
+  return find_more(world, ways, [&](std::size_t p, std::size_t q) {
+    if (!bounced[p] && !bounced[q]) return false;
+    const int first = static_cast<int>(p), second = static_cast<int>(q);
+    const bool both = world.bodies[p].movable() && world.bodies[q].movable();
+    return !both || calls_.island_of(first) != calls_.island_of(second);
+  });
 }
 
-/// All that is not moved by `many` stands still meanwhile, and its joints are not there.
 void ByIsland::move_others(World& world, Real dt, int sweeps) {
   const auto by_many = [this](const Body& body) { return calls_.of(body.index) == MovedBy::substeps; };
   if (std::none_of(world.bodies.begin(), world.bodies.end(), by_many)) {
@@ -269,7 +341,7 @@ void ByIsland::move_others(World& world, Real dt, int sweeps) {
   for (const Body& body : world.bodies)
     if (by_many(body)) fastest = std::max(fastest, body.angular_velocity.norm());
   for (detections_ = 1;
-       2 * detections_ <= limits.most_detections && fastest * dt > turn * static_cast<Real>(detections_);)
+       2 * detections_ <= limits.most_detections && fastest * dt > limits.turn * static_cast<Real>(detections_);)
     detections_ *= 2;
   joints_.swap(world.joints);
   std::vector<std::size_t> lent;
@@ -312,7 +384,8 @@ void ByIsland::fly(World& world, Real dt) const {
     const Vec3 force = body.force, torque = body.torque;
     keep_velocity(body);
     integrate_velocity(body, world.gravity, dt / 2);
-    move(body, dt);
+    const int parts = parts_of_flight(body, dt);
+    for (int i = 0; i < parts; ++i) move(body, dt / static_cast<Real>(parts));
     body.force = force, body.torque = torque;
     integrate_velocity(body, world.gravity, dt / 2);
   }

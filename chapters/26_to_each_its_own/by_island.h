@@ -7,6 +7,7 @@
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/chapters/26_to_each_its_own/calls.h"
 #include "pushback/chapters/26_to_each_its_own/island_world.h"
+#include "pushback/chapters/26_to_each_its_own/savings.h"
 #include "pushback/common/world/forwarding_solver.h"
 
 namespace pushback {
@@ -16,6 +17,9 @@ namespace pushback {
 ///   flight       v += h/2 g,  x += h v,  v += h/2 g: the parabola itself
 ///   half steps   contacts in `few`'s substeps; joints in `joined`'s
 ///   substeps     `many`
+///
+/// What rests costs half steps next to nothing, however many contacts it has; what tumbles can cost them a hundred times what
+/// substeps cost. So where contacts are many, half steps have to be paid for from savings: see savings.h.
 ///
 /// Where gravity and rigid joints are all that acts, the energy E = T + U stays. It is seen after each step what of it is not there:
 ///
@@ -33,11 +37,12 @@ class ByIsland : public ForwardingSolver {
   HalfStep joined;  ///< rigid joints; in four, or more
   Limits limits;
   Real energy = Real(1e-5);  ///< of T + m (h g)^2 / 2: so much of E may be off after a step
-  Real turn = Real(0.04);    ///< rad: where a body of `many` turns further, contacts are detected again within the step
   int most_substeps = 128;   ///< of `joined`
+  Savings savings;           ///< for half steps where contacts are many
 
   ByIsland() {
     few.substeps = 2;
+    few.most_work = joined.most_work = 1e7;  // some 5 ms
     joined.substeps = 4;
     // m g times what joints are off is to be well below the least that E may be off: g h^2 / 2 of `energy`, 14 nm at 1/60 s.
     if constexpr (std::numeric_limits<Real>::digits > 24) joined.tolerance /= 10;
@@ -58,28 +63,51 @@ class ByIsland : public ForwardingSolver {
     return moved_by(body) == MovedBy::half_steps ? memory_[std::size_t(calls_.island_of(body))].substeps : 0;
   }
 
- private:
-  StepSolver& inner() override { return many; }
-  const StepSolver& inner() const override { return many; }
-
-  void check_settings(World& world, Real dt);
-  void find_contacts(World& world, const Plan& plan);
-  void divide(World& world);
-  void move_island(IslandWorld& island, const World& whole, Real dt, int sweeps);
-  Real energy_off(IslandWorld& island, const World& whole, Real dt, int sweeps) const;
-  void move_others(World& world, Real dt, int sweeps);
-  bool others_were_met(const World& world, Real dt);
-  void fly(World& world, Real dt) const;
-  void put_back(World& world, Real dt);
-  void add_up(const Solved& solved);
-
+ protected:
   struct Memory {
     int substeps = 0;  // of the latest step
     int next = 0;      // of the next one
     int waits = 0;     // so many steps until half steps are tried again
   };
+  /// An island is moved by half steps: `held`, in how many `substeps`, and how many the next step is to begin with.
+  virtual void find_substeps(IslandWorld& island, Memory& memory, const World& whole, Real dt, int sweeps);
+  /// From where its bodies are in the whole world. Returns |dE| in parts of what is allowed: 0 where E need not stay, infinity where
+  /// half steps do not get there.
+  Real take(IslandWorld& island, const World& whole, int substeps, Real dt, int sweeps) const;
+  /// More than these an island does not get.
+  int most_half_steps(const IslandWorld& island, Real dt) const;
+  /// In how many parts a free body turns.
+  virtual int parts_of_flight(const Body& /*body*/, Real /*dt*/) const { return 1; }
+  /// All that `many` moves. What is moved otherwise stands still meanwhile, and its joints are not there.
+  virtual void move_others(World& world, Real dt, int sweeps);
+
   Calls calls_;
-  Contacts found_, before_;
+  Contacts found_;  // in this step, by detection
+  Solved solved_;   // of all islands so far
+
+ private:
+  StepSolver& inner() override { return many; }
+  const StepSolver& inner() const override { return many; }
+
+  void check_settings(World& world, Real dt);
+  void find_contacts(World& world, const Plan& plan, Real dt);
+  void collect(const World& world);
+  void share_out(const World& world);
+  void divide(World& world);
+  bool can_pay(int island) const {
+    return !calls_.many(island) || purses_[std::size_t(island)].can_pay(savings.of_contact * calls_.contacts(island));
+  }
+  void move_island(IslandWorld& island, const World& whole, Real dt, int sweeps);
+  bool others_were_met(const World& world, Real dt);
+  template <class Wanted>
+  bool find_more(const World& world, const std::vector<Real>& ways, const Wanted& wanted);
+  void fly(World& world, Real dt) const;
+  void put_back(World& world, Real dt);
+  void add_up(const Solved& solved);
+
+  std::vector<Purse> shares_;  // of each body
+  std::vector<Purse> purses_;  // of each body that is the lowest of its island: of them all
+  Contacts before_;
   std::vector<Body> moved_;           // as half steps leave them
   std::vector<IslandWorld> islands_;  // those from `count_` on are kept for their memory
   std::size_t count_ = 0;
@@ -89,7 +117,6 @@ class ByIsland : public ForwardingSolver {
   std::vector<std::pair<Vec3, Vec3>> velocities_;  // of those that stand still while `many` is at work
   bool by_calls_ = false;
   int detections_ = 1;  // for `many`, in this step
-  Solved solved_;
 };
 
 }  // namespace pushback

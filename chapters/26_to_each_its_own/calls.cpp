@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pushback/chapters/18_direct_joints/joint_graph.h"
+#include "pushback/chapters/25_moment_of_impact/gap.h"
 
 namespace pushback {
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr Real deepest =
     Real(5e-3);  // m: half steps let it out by a tenth in a hundredth of a second, and only against gravity
+constexpr Real fast = Real(0.15);   // rad, in a step
 constexpr Real apart = Real(1e-6);  // m: what is nearer touches, and does not meet
 
 /// Each equation of the joint holds, rigidly and in both directions.
@@ -24,6 +26,14 @@ bool rigid(const World& world, const Joint& joint, Equations& equations) {
 
 }  // namespace
 
+Real tip_speed(const Body& body, Real dt) {
+  const Real spin = body.angular_velocity.norm();
+  if (!body.movable() || spin * dt < fast) return 0;
+  Real reach = 0;
+  for (const Vec3& corner : corners_of_core(body)) reach = std::max(reach, corner.norm());
+  return reach * std::min(spin, 2 / dt);
+}
+
 void Calls::find(const World& world, const Contacts& contacts, Real dt, Real threshold, const Limits& limits) {
   all_.resize(world.bodies.size());
   std::iota(all_.begin(), all_.end(), 0);
@@ -32,16 +42,15 @@ void Calls::find(const World& world, const Contacts& contacts, Real dt, Real thr
   islands_.join(world.joints, world);
   of_.assign(all_.size(), {});
   moved_by_.resize(all_.size(), MovedBy::nothing);
-  look_at_contacts(world, contacts, dt, threshold, limits);
+  look_at_contacts(world, contacts, dt, threshold);
   look_at_joints(world);
-  look_at_bodies(world);
+  look_at_bodies(world, limits.turn / dt);
   for (const Body& body : world.bodies)
     moved_by_[std::size_t(body.index)] =
         body.movable() ? called_for(of_[std::size_t(island_of(body.index))], limits) : MovedBy::nothing;
 }
 
-void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold,
-                             const Limits& limits) {
+void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold) {
   const Real falls = dt * world.gravity.norm();
   const auto each_pair = [&](const auto& act) {
     for (auto first = contacts.begin(); first != contacts.end();) {
@@ -59,15 +68,12 @@ void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real 
     const Body& ground = a.movable() ? b : a;
     island.refused |= !ground.movable() && (ground.velocity != Vec3::Zero() || ground.angular_velocity != Vec3::Zero());
   });
-  const int most = std::max(limits.most_kept, limits.most_meeting);
   each_pair([&](Island& island, auto first, auto end) {
-    if (island.near > 2 * most) {  // it is one of many, whatever its contacts do
-      island.refused = true;
-      return;
-    }
+    const auto [a, b] = world.bodies_of(*first);
+    const Real tips = tip_speed(a, dt) + tip_speed(b, dt);
     int acting = 0;
     for (; first != end; ++first) {
-      const Real gap = -first->depth, approach = -separating_speed(world, *first);
+      const Real gap = -first->depth, approach = -separating_speed(world, *first) + tips;
       island.refused |= -gap > deepest;
       if (gap > dt * (std::max(Real(0), approach) + falls)) continue;
       ++acting;
@@ -98,23 +104,25 @@ void Calls::look_at_joints(const World& world) {
   }
 }
 
-void Calls::look_at_bodies(const World& world) {
+void Calls::look_at_bodies(const World& world, Real turn) {
   for (const Force& force : world.forces)
     for (const int body : force.bodies.empty() ? all_ : force.bodies) of_[std::size_t(island_of(body))].refused = true;
   for (const Body& body : world.bodies) {
     if (!body.movable()) continue;
     Island& island = of_[std::size_t(island_of(body.index))];
     island.refused |= body.asleep;
+    island.turns |= body.angular_velocity.norm() > turn;
     island.kept &= of(body.index) == MovedBy::half_steps;
   }
 }
 
-MovedBy Calls::called_for(const Island& island, const Limits& limits) {
+MovedBy Calls::called_for(Island& island, const Limits& limits) {
   if (island.refused || (island.joints > 0 && island.near > 0)) return MovedBy::substeps;
   if (island.near == 0) return island.joints == 0 ? MovedBy::flight : MovedBy::half_steps;
-  const bool balls_meet = island.impact && island.contacts == island.pairs;
-  const int most = balls_meet ? limits.most_meeting : island.kept ? limits.most_kept : limits.most;
-  return island.contacts <= most ? MovedBy::half_steps : MovedBy::substeps;
+  island.many = island.contacts > (island.kept ? limits.most_kept : limits.most);
+  const bool balls_meet = island.impact && island.contacts == island.pairs && island.contacts <= limits.most_meeting;
+  const bool calm = !island.impact && !island.turns;
+  return !island.many || calm || balls_meet ? MovedBy::half_steps : MovedBy::substeps;
 }
 
 }  // namespace pushback

@@ -17,17 +17,22 @@ enum class MovedBy {
 
 /// From where an island counts as one of many contacts.
 struct Limits {
-  int most = 8;        ///< contacts that touch, or may within the step, of an island of few
+  int most = 8;  ///< contacts that touch, or may within the step, of an island of few: it has half steps at any price
   int most_kept = 12;  ///< and of one that was one of few in the step before: a contact more or less changes nothing
   int most_detections = 4;  ///< in a step, for all else
+  Real turn = Real(0.04);   ///< rad: where a body turns further in a step, what many contacts do changes within it
   int most_meeting = 40;    ///< where bodies meet that touch in one point each, as balls do: they part at once
 };
+
+/// m/s: of the tips of a body that turns so fast that in dt they go where its centre's motion does not tell; 0 for any other.
+Real tip_speed(const Body& body, Real dt);
 
 /// Bodies that may touch in this step, or are joined, form an island (chapter 20). It calls for
 ///
 ///   flight       if it is one body, without a contact
-///   half steps   if it has a few contacts and no joint; or rigid joints that form a tree, and no contact
-///   substeps     else; also where a Force may act, a body sleeps or is moved by hand, or overlap is more than half steps let out soon
+///   half steps   if it has contacts and no joint; or rigid joints that form a tree, and no contact
+///   substeps     else: where many meet or turn fast, a Force may act, a body sleeps or is moved by hand, or overlap is more than half steps
+///                let out soon
 class Calls {
  public:
   /// `contacts`: all within the margin, ascending. What arrives faster than `threshold`, m/s, within dt is an impact.
@@ -40,7 +45,10 @@ class Calls {
   int island_of(int body) { return islands_.island_of(body); }
   /// Whether bodies may meet in this step; `island`: its lowest body.
   bool impact(int island) const { return of_[std::size_t(island)].impact; }
-  /// What half steps were called for, and could not do.
+  /// Contacts of the island that may act in this step, and whether they are more than a few.
+  int contacts(int island) const { return of_[std::size_t(island)].contacts; }
+  bool many(int island) const { return of_[std::size_t(island)].many; }
+  /// What half steps were called for, and could not do, or not at this price.
   void leave_to_substeps(int body) { moved_by_[std::size_t(body)] = MovedBy::substeps; }
 
  private:
@@ -48,14 +56,14 @@ class Calls {
     int near = 0;                 // pairs within the margin
     int contacts = 0, pairs = 0;  // that may act in this step
     int joints = 0;
-    bool impact = false, refused = false;
+    bool impact = false, refused = false, many = false, turns = false;
     bool kept = true;  // all of its bodies had half steps in the step before
   };
   Island& of_movable(const Body& a, const Body& b) { return of_[std::size_t(island_of((a.movable() ? a : b).index))]; }
-  void look_at_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold, const Limits& limits);
+  void look_at_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold);
   void look_at_joints(const World& world);
-  void look_at_bodies(const World& world);
-  static MovedBy called_for(const Island& island, const Limits& limits);
+  void look_at_bodies(const World& world, Real turn);  // rad/s
+  static MovedBy called_for(Island& island, const Limits& limits);
 
   Islands islands_;
   std::vector<int> all_;           // bodies

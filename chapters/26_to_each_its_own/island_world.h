@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "pushback/chapters/24_half_step/composition.h"
 #include "pushback/chapters/25_moment_of_impact/at_impacts.h"
 
 namespace pushback {
@@ -18,15 +19,20 @@ class IslandWorld {
     s.impacts = Impacts::sequential;
     return s;
   }();
+  Composed<Suzuki> fourth_order;
   bool impact = false;  ///< bodies may meet in this step
+  bool fourth = false;  ///< it is moved by steps of fourth order: it has joints, and no contacts
   bool held = false;    ///< half steps have moved it
 
-  HalfStep& solver() { return impact ? cut_step : half_step; }
+  HalfStep& solver() {
+    if (fourth) return fourth_order;
+    return impact ? cut_step : half_step;
+  }
 
   /// `lowest`: of its bodies that move.
   void begin(const World& whole, int lowest) {
     lowest_ = lowest;
-    held = false;
+    held = fourth = false;
     bodies_.clear();
     joints_.clear();
     world.contacts.clear();

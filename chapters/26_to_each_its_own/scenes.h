@@ -17,6 +17,7 @@ class Painted : public ForwardingSolver {
   ByIsland by_island;
 
   Solved solved() const override { return by_island.solved(); }
+  Plan plan(Real /*dt*/) const override { return {}; }  // each island has its own
   void whole_step(World& world, Real dt, int sweeps) override {
     by_island.whole_step(world, dt, sweeps);
     for (Body& body : world.bodies)

@@ -12,6 +12,7 @@
 #include "pushback/tools/frozen/methods.h"
 #include "pushback/tools/frozen/pictures.h"
 #include "pushback/tools/frozen/words.h"
+#include "pushback/tools/shards/origin.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -344,6 +345,7 @@ TEST_CASE("parts of the frozen problems, each solved on a machine of its own, ma
     const fs::path part = folder / Shard{i, count}.folder();
     fs::create_directories(part);
     if (i < count) write_text_file(part / "frozen.csv", parts[i - 1]);
+    write_text_file(part / "frozen_origin.txt", origin_text({"machine", "compiler", "commit"}));
   }
   const Ended early = call("--join 3");
   CHECK(early.status == 2);
@@ -360,8 +362,14 @@ TEST_CASE("parts of the frozen problems, each solved on a machine of its own, ma
   CHECK(contains(text_of(folder / "reached.md"), said));
   CHECK(contains(text_of(folder / "frozen.md"), said));
 
+  write_text_file(folder / "shard_2_of_3/frozen_origin.txt", origin_text({"another", "compiler", "commit"}));
+  const Ended mixed = call("--join 3");  // times of two machines
+  CHECK(mixed.status == 2);
+  CHECK(contains(mixed.err, "one machine"));
+
   REQUIRE(call("--quick --shard 1/21").status == 0);  // that is one problem, and no word on the whole
   const fs::path first = folder / "shard_1_of_21";
+  CHECK(read_origin(first / "frozen_origin.txt") == origin_here());
   const FrozenPoints points = read_frozen_csv(text_of(first / "frozen.csv"));
   REQUIRE(points.problems.size() == 1);
   CHECK(points.problems[0].name == ours()[0].name);

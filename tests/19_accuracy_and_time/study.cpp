@@ -12,6 +12,7 @@
 #include "pushback/tools/study/report.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
+#include "tests/support/complaint.h"
 
 using namespace pushback;
 using namespace pushback::study;
@@ -255,8 +256,8 @@ TEST_CASE("limits are taken of the most sweeps that five step sizes were tried w
   CHECK(limit_of(all, "motion_ode", "slim").least == 5);
   CHECK(limit_of(all, "motion", "none").kind == Limit::Kind::unknown);
   CHECK(limit_of({}, "motion", "slim", 4).kind == Limit::Kind::unknown);
-  CHECK((least_limit(all, "motion").first == "slim" && least_limit(all, "motion").second.least == Approx(1)));
-  CHECK(least_limit(all, "motion_bullet").first.empty());
+  CHECK((least_limit(all, "motion", 16).first == "slim" && least_limit(all, "motion", 16).second.least == Approx(1)));
+  CHECK(least_limit(all, "motion_bullet", 1).first.empty());
   const Measurements gap{of("motion", "a", 1, 1, 1, 1), of("motion", "a", 2, 1, 1, 1), of("motion", "a", 8, 1, 1, 1),
                          of("motion", "a", 16, 1, 1, 1)};
   CHECK(limit_of(gap, "motion", "a").kind == Limit::Kind::unknown);
@@ -264,6 +265,29 @@ TEST_CASE("limits are taken of the most sweeps that five step sizes were tried w
   Measurements mixed = all;
   std::shuffle(mixed.begin(), mixed.end(), random);
   CHECK(limit_of(mixed, "motion", "slim").text() == limit_of(all, "motion", "slim").text());
+}
+
+TEST_CASE(
+    "methods are compared in the same steps: what was played more finely is cut, what was not so finely left out") {
+  Measurements all;
+  for (int i = 0; i < 12; ++i) {
+    const double error = std::ldexp(1, -i);  // of first order, whoever plays
+    if (i < 6) all.push_back(of("motion", "slim", 1 << i, 4, error, 1));
+    if (i < 3) all.push_back(of("motion", "short", 1 << i, 4, 1e-9, 1));
+    all.push_back(of("motion", "direct", 1 << i, 0, 0.99 * error, 1));
+    if (i < 9) all.push_back(of("motion_ode", "ode", 1 << i, 0, error, 1));
+  }
+  CHECK(finest_of(all, "motion") == 32);
+  CHECK(finest_of(all, "motion_ode") == 256);  // it has no method with sweeps
+  CHECK(finest_of(all, "motion_bullet") == 0);
+  CHECK(least_limit(all, "motion", 32).first == "direct");
+  CHECK(least_limit(all, "motion", 32).second.most == Approx(0.99 / 32));
+  CHECK(least_limit(all, "motion_ode", 32).second.most == Approx(1.0 / 32));
+  CHECK(least_limit(all, "motion", 2048).second.most == Approx(0.99 / 2048));
+  CHECK(limit_of(all, "motion", "direct", 0, 8).most == Approx(0.99 / 8));
+  const std::string table =
+      table_of_others({{&motion_named("bounce"), all}}, {{"motion", "ours"}, {"motion_ode", "ODE"}});
+  CHECK(contains(table, "| 32 | < 31 mm (`ode`) | < 31 mm (`direct`) |\n"));
 }
 
 // ---- rounds ----------------------------------------------------------------------------------------------------------
@@ -383,6 +407,19 @@ TEST_CASE(
   CHECK(contains(lines[6], "bounce,motion,e,1,1,lost,"));
   CHECK(contains(lines[7], "bounce,motion,f,1,1,late,"));
   CHECK(contains(lines[11], "bounce,motion_ode,o,1,0,1.0000e-03,"));
+}
+
+TEST_CASE("what is timed again is near the robust front: a setting that is good by chance hides no other") {
+  StandIns programs;
+  programs.add(
+      "motion", "lucky/SMALL-STEPS: method\\nsure/SMALL-STEPS: method\\n",
+      "lucky/1) echo \"$s error 0.1 seconds 1 row-solves 5\";; "
+      "lucky/2) echo \"$s error 1 seconds 2 row-solves 5\";; sure/1) echo \"$s error 0.5 seconds 1.5 row-solves 5\";; "
+      "sure/2) echo \"$s error 0.5 seconds 3 row-solves 5\";;");
+  for (const Measured& one : measure(tried(2, 1, 2), programs.options(1))) {
+    INFO(one.setting());
+    CHECK(one.seconds.size() == (one.substeps == 1 ? 2 : 1));
+  }
 }
 
 TEST_CASE("times of all rounds are kept, ascending") {
@@ -555,7 +592,7 @@ TEST_CASE("the table of the cheapest says which, and what it costs a frame") {
   const auto lines = lines_of(table_of_cheapest(made_up()));
   REQUIRE(lines.size() == 3);
   CHECK(lines[2] ==
-        "| minute | `slim-cold/4/4`: 50 µs (50 to 50), 10 row solves, 10 mm off, – remains "
+        "| minute | 7 | `slim-cold/4/4`: 50 µs (50 to 50), 10 row solves, 10 mm off, – remains "
         "| `slim/4/16`: 200 µs (200 to 200), 10 row solves, 0.5 mm off, – remains | not reached |");
   auto no_rows = made_up();
   for (Measured& one : no_rows[0].all) one.row_solves.reset();
@@ -563,14 +600,27 @@ TEST_CASE("the table of the cheapest says which, and what it costs a frame") {
                  "`slim-cold/4/4`: 50 µs (50 to 50), – row solves, 10 mm off, – remains |"));
   auto only_float = made_up();
   only_float[0].all = {of("motion_float", "slim", 4, 4, 2.5e-3, 0.0048), of("motion_ode", "o", 1, 16, 5e-5, 0.001)};
-  CHECK(lines_of(table_of_cheapest(only_float))[2] ==
-        "| minute | `slim/4/4` in float: 80 µs (80 to 80), 10 row solves, 2.5 mm off, – remains | not reached | not "
-        "reached |");
+  CHECK(
+      lines_of(table_of_cheapest(only_float))[2] ==
+      "| minute | 1 | `slim/4/4` in float: 80 µs (80 to 80), 10 row solves, 2.5 mm off, – remains | not reached | not "
+      "reached |");
   auto once = made_up();
   for (int i = 0; i < 6; ++i)
     once[0].all.push_back(of("motion_wide", "wide-float", 1 << i, 1, 0.003 * std::pow(2, -i), 0.0006));
   CHECK(contains(lines_of(table_of_cheapest(once))[2],
                  "| `wide-float/32/1`: 10 µs (10 to 10), 10 row solves, 0.0938 mm off, < 0.094 mm remains |"));
+}
+
+TEST_CASE("the table of the engines has a row a motion: the cheapest below a millimetre, or how near it comes") {
+  auto all = made_up();
+  const auto row = [&] { return lines_of(table_of_engines(all)).back(); };
+  REQUIRE(lines_of(table_of_engines(all)).size() == 3);
+  CHECK(row() == "| minute | 200 µs, `slim/4/16` | – | 300 µs, `o/1/16` | – |");
+  all[0].all.push_back(of("motion_bullet", "bullet", 1, 4, 7e-3, 0.01));
+  all[0].all.push_back(of("motion_bullet_double", "bullet-double", 1, 4, 2e-3, 0.02));
+  CHECK(row() == "| minute | 200 µs, `slim/4/16` | not below 2 mm | 300 µs, `o/1/16` | – |");
+  all[0].all.push_back(of("motion_ode", "o", 2, 16, 3e-3, 0.02));  // finer, and farther off
+  CHECK(row() == "| minute | 200 µs, `slim/4/16` | not below 2 mm | not below 3 mm | – |");
 }
 
 TEST_CASE("the table of the others says how many times as long they take") {
@@ -579,15 +629,16 @@ TEST_CASE("the table of the others says how many times as long they take") {
   REQUIRE(others().size() == 3);  // none for ours
   // Below 1 cm and 1 mm: 0.018 s against our 0.003 s and 0.012 s; for their best, 5e-4 in 0.018 s, we take 0.012 s.
   CHECK(others()[2] ==
-        "| minute | ODE | 6 times as long | 1.5 times as long | not reached | 0.67 times its time | – | – |");
+        "| minute | ODE | 2 | 6 times as long | 1.5 times as long | not reached | 0.67 times its time | 1 | – | – |");
   all[0].all.back().error = 5e-5;
   CHECK(others()[2] ==
-        "| minute | ODE | 6 times as long | 1.5 times as long | 300 µs, we not at all | we do not reach all of it | – "
-        "| – |");
+        "| minute | ODE | 2 | 6 times as long | 1.5 times as long | 300 µs, we not at all | we do not reach all of it "
+        "| 1 "
+        "| – | – |");
   all[0].all.push_back(of("motion_wide", "wide", 1, 1, 1e-5, 0.006));  // ours as well
   REQUIRE(others().size() == 3);
   CHECK(others()[2] ==
-        "| minute | ODE | 6 times as long | 3 times as long | 3 times as long | 0.33 times its time | – | – |");
+        "| minute | ODE | 2 | 6 times as long | 3 times as long | 3 times as long | 0.33 times its time | 1 | – | – |");
   all[0].all.push_back(of("motion_wide", "wide", 1, 1, 1e-5, 0.0001234));
   CHECK(contains(others()[2], "| 146 times as long | 146 times as long | 146 times as long | 0.0069 times its time |"));
   all[0].all.back().seconds = {0.018 / 99.7};
@@ -595,7 +646,30 @@ TEST_CASE("the table of the others says how many times as long they take") {
   all[0].all.resize(7);
   CHECK(contains(others()[2], "| it does not play this |"));
   all[0].all.push_back(of("motion_ode", "o", 1, 1, 0.5, 1));
-  CHECK(others()[2] == "| minute | ODE | not reached | not reached | not reached | it has no such front | – | – |");
+  CHECK(others()[2] ==
+        "| minute | ODE | 1 | not reached | not reached | not reached | it has no such front | 1 | – | – |");
+}
+
+TEST_CASE("tables and diagrams are of robust errors") {
+  // As Bullet on the slope: half a millimetre in one setting, centimetres in those that are finer.
+  const Measurements bullet{of("motion_ode", "o", 1, 1, 2e-2, 0.001), of("motion_ode", "o", 8, 4, 5e-4, 0.002),
+                            of("motion_ode", "o", 16, 4, 5e-3, 0.004), of("motion_ode", "o", 32, 4, 4e-4, 0.008)};
+  Measurements all = bullet;
+  all.push_back(of("motion", "slim", 4, 4, 5e-4, 0.004));
+  CHECK(contains(table_of_others({{&motion_of_60, all}}, three),
+                 "| minute | ODE | 4 | 0.5 times as long | 2 times as long | not reached | "));
+  const Panel panel = work_precision({&motion_of_60, all}, three);
+  REQUIRE(panel.curves.size() == 3);
+  CHECK(panel.curves[1].y.size() == 3);
+  CHECK(panel.curves[1].y[1] == Approx(5e-3));
+  Measurements mine = all;
+  for (Measured& one : mine) one.engine = "motion";
+  const Panel methods = fronts_of_methods({&motion_of_60, mine});
+  REQUIRE(methods.curves.size() == 2);
+  REQUIRE(methods.curves[0].y.size() == 3);
+  CHECK(methods.curves[0].y[1] == Approx(5e-3));
+  CHECK(contains(table_of_cheapest({{&motion_of_60, mine}}), "| 5 | `o/8/4`: "));
+  CHECK(contains(table_of_cheapest({{&motion_of_60, mine}}), " 5 mm off"));
 }
 
 TEST_CASE("the table of the knobs has slopes, and what a change of method does") {
@@ -630,12 +704,12 @@ TEST_CASE("each table says what remains, of which method, by which law") {
   CHECK(contains(limits, "| `ode` | friction pyramid on fixed axes; softness | < 1.6 mm, order 1.0 |\n"));
   CHECK(contains(limits, "| `mujoco` | relaxed cone; springs as hard as the step allows | 330 mm |\n"));
   CHECK(lines_of(limits).size() == 3 + 1 + 4);  // two tables and a line between them; nothing of float
-  CHECK(contains(table_of_others(all, three), "| < 1.6 mm (`ode`) | 2.0 mm (`slim`) |\n"));
+  CHECK(contains(table_of_others(all, three), "| 32 | < 1.6 mm (`ode`) | 2.0 mm (`slim`) |\n"));
   CHECK(contains(table_of_cheapest(all), "7 mm off, 2.0 mm remains "));
   auto with_once = all;
   for (int i = 0; i < 6; ++i)
     with_once[0].all.push_back(of("motion_wide", "once", 1 << i, 4, 0.001 + 0.01 * std::pow(2, -i), 1));
-  CHECK(contains(table_of_others(with_once, three), "| < 1.6 mm (`ode`) | 1.0 mm (`once`) |\n"));
+  CHECK(contains(table_of_others(with_once, three), "| 32 | < 1.6 mm (`ode`) | 1.0 mm (`once`) |\n"));
   CHECK(lines_of(table_of_hops(all)).back() ==
         "| a box slides and stops | 2.400 m/s | 293.6 mm | 328.2 mm | 330 mm | – |");
   auto made = made_up();
@@ -660,15 +734,42 @@ TEST_CASE("every method that plays anything has its law in the table of limits")
   }
 }
 
+TEST_CASE("a top and a pendulum at a wall are played beside the ten, each solver by its order") {
+  const std::vector<std::string> motions = lines_of(call_program(MOTION_WIDE_PROGRAM, "").out);
+  REQUIRE(motions.size() == all_motions().size() + 2);
+  CHECK(motions[motions.size() - 2].starts_with("top: "));
+  CHECK(motions.back().starts_with("pendulum-at-wall: "));
+  CHECK(call_program(MOTION_PROGRAM, "top").status == 2);  // it plays chapter 19's alone
+
+  const auto error = [](const std::string& motion, const std::string& setting) {
+    const Ended played = call_program(MOTION_WIDE_PROGRAM, motion + " " + setting + " --at-least 0");
+    INFO(motion << " " << setting << ": " << played.out << played.err);
+    REQUIRE(played.out.starts_with(setting + " error "));
+    return std::stod(played.out.substr(setting.size() + 7));
+  };
+  const double top = error("top", "half-step/8"), meets = error("pendulum-at-wall", "impact/4");
+  CHECK(top < 1e-4);
+  CHECK(top / error("top", "half-step/32") == Approx(16).epsilon(0.05));
+  CHECK(error("top", "order-4/1") / error("top", "order-4/2") == Approx(16).epsilon(0.2));
+  CHECK(error("top", "wide/64/1") / error("top", "wide/256/1") == Approx(4).epsilon(0.1));
+  CHECK(meets < 1e-4);
+  CHECK(meets / error("pendulum-at-wall", "impact/16") == Approx(16).epsilon(0.05));
+  // An impact at the end of the substep is of first order.
+  CHECK(error("pendulum-at-wall", "half-step/8") > 30 * error("pendulum-at-wall", "impact/8"));
+  const Ended back = call_program(MOTION_WIDE_PROGRAM, "pendulum-at-wall order-4/1");
+  CHECK(back.status == 2);  // contacts do not go back in time
+  CHECK(back.out.empty());
+}
+
 TEST_CASE("diagrams have a curve for each engine that has something to show, and for each method") {
   const auto all = made_up();
   const Panel panel = work_precision(all[0], three);
   REQUIRE(panel.curves.size() == 4);
   CHECK(panel.curves[0].x.size() == 5);  // a dot for each of ours that is not lost
   CHECK(panel.curves[0].style == Curve::Style::points);
-  CHECK(panel.curves[1].label == "ODE");
-  CHECK(panel.curves[2].label == "ours, float");
-  CHECK(panel.curves[3].label == "ours");
+  CHECK(panel.curves[1].label == "ODE, of 2");  // settings, of which its line was chosen
+  CHECK(panel.curves[2].label == "ours, float, of 1");
+  CHECK(panel.curves[3].label == "ours, of 6");
   CHECK(panel.curves[1].x.size() == 1);  // the other is slower and worse
   REQUIRE(panel.curves[3].x.size() == 2);
   CHECK(panel.curves[3].x[0] == Approx(3));  // ms of wall time for a second
@@ -710,8 +811,8 @@ TEST_CASE("where nothing was measured there is little to say, and nothing breaks
   for (const std::vector<MotionMeasured>& all : {std::vector<MotionMeasured>{},
                                                  {{&motion_of_60, {}}},
                                                  {{&motion_of_60, {of("motion", "slim", 1, 1, infinite, 1)}}}}) {
-    for (const std::string& text : {table_of_cheapest(all), table_of_others(all, three), table_of_knobs(all),
-                                    table_of_limits(all), table_of_hops(all)}) {
+    for (const std::string& text : {table_of_cheapest(all), table_of_engines(all), table_of_others(all, three),
+                                    table_of_knobs(all), table_of_limits(all), table_of_hops(all)}) {
       CHECK((all.empty() || lines_of(text).size() >= 2));
       CHECK(!contains(text, "nan"));
       CHECK(!contains(text, "inf"));
@@ -723,6 +824,38 @@ TEST_CASE("where nothing was measured there is little to say, and nothing breaks
     }
   }
   CHECK(lines_of(csv_of({})).size() == 1);
+}
+
+TEST_CASE("each motion and engine is one part's, in turn, and ours in float goes with ours in double") {
+  const std::vector<Engine> engines{{"motion", ""}, {"motion_float", ""}, {"motion_wide", ""}, {"motion_ode", ""}};
+  std::vector<const Motion*> motions;
+  for (const char* const name : {"bounce", "sliding", "break"}) motions.push_back(&motion_named(name));
+  for (const std::size_t of : {1, 2, 3, 4, 5, 9}) {
+    std::map<std::string, int> played;
+    for (std::size_t part = 1; part <= of; ++part) {
+      const auto pieces = pieces_of(motions, engines, {part, of});
+      CHECK(!pieces.empty());
+      for (const Piece& piece : pieces) {
+        CHECK(piece.engines.size() == (of <= 3 ? 4 : piece.engines[0].program == "motion" ? 2 : 1));
+        for (const Engine& engine : piece.engines) ++played[piece.motion->name + " " + engine.program];
+        if (piece.engines[0].program == "motion") CHECK(piece.engines[1].program == "motion_float");
+      }
+    }
+    CHECK(played.size() == 12);
+    for (const auto& [what, times] : played) CHECK(times == 1);
+  }
+  CHECK(complaint([&] { pieces_of(motions, engines, {1, 10}); }) ==
+        "--shard is '1/10': there are 3 motions and engines to them, 9 pieces in all, and each part needs one");
+}
+
+TEST_CASE("what parts have measured is put together in the order of the whole") {
+  const auto measured = [](const std::string& engine) { return of(engine, "m", 1, 1, 1, 1); };
+  const AllMeasured whole{{"bounce", {measured("motion"), measured("motion_wide"), measured("motion_ode")}},
+                          {"sliding", {measured("motion_ode"), measured("motion_mine")}}};
+  const AllMeasured one{{"bounce", {measured("motion_ode")}}, {"sliding", {measured("motion_mine")}}},
+      two{{"bounce", {measured("motion"), measured("motion_wide")}}}, three{{"sliding", {measured("motion_ode")}}};
+  CHECK(csv_of(together({one, two, three})) == csv_of(whole));
+  CHECK(csv_of(together({three, two, one})) == csv_of(whole));
 }
 
 // ---- the program -----------------------------------------------------------------------------------------------------
@@ -759,6 +892,7 @@ TEST_CASE("parts of the study, each measured on a machine of its own, make the w
     so_far[all_motions()[i].name] = {one};
     std::ofstream(part / "study.csv") << csv_of(so_far);
     std::ofstream(part / "machine.md") << "machine of part " << 1 + i % 2 << "\n";
+    std::ofstream(part / "origin.txt") << origin_text({"machine", "compiler", "commit"});
   }
   const std::string out = " --out '" + (scratch / "out").string() + "'";
   const Ended ended = call_program(STUDY_PROGRAM, "--join 2" + out, 100);
@@ -767,8 +901,20 @@ TEST_CASE("parts of the study, each measured on a machine of its own, make the w
   CHECK(text_of(folder / "study.csv") == csv_of(whole));
   CHECK(text_of(folder / "machine.md") == "machine of part 1\n\nmachine of part 2\n\n");
   for (const std::string file : {"work_precision.png", "cheapest.md", "limits.md"}) CHECK(fs::exists(folder / file));
+  for (const Origin& other : {Origin{"another", "compiler", "commit"},
+                              {"machine", "another", "commit"},
+                              {"machine", "compiler", "another"}}) {
+    std::ofstream(folder / "shard_2_of_2/origin.txt") << origin_text(other);
+    const Ended mixed = call_program(STUDY_PROGRAM, "--join 2" + out);
+    INFO(mixed.err);
+    CHECK(mixed.status == 2);
+    CHECK(contains(mixed.err, "shard_2_of_2/origin.txt"));
+    CHECK(contains(mixed.err, "'another'"));
+  }
+  fs::remove(folder / "shard_2_of_2/origin.txt");
+  CHECK(call_program(STUDY_PROGRAM, "--join 2" + out).status == 2);
   const Ended missing = call_program(STUDY_PROGRAM, "--join 3" + out);
   CHECK(missing.status == 2);
   CHECK(contains(missing.err, "shard_1_of_3"));
-  CHECK(contains(call_program(STUDY_PROGRAM, "--shard 1/99 --only bounce" + out).err, "there are 1 motions"));
+  CHECK(contains(call_program(STUDY_PROGRAM, "--shard 1/99 --only bounce" + out).err, "1 motions and engines to them"));
 }

@@ -235,3 +235,61 @@ TEST_CASE("half step: contacts under a composed step are refused by name") {
   CHECK(complaint([&] { world.step(step, h); }).find("threshold") != std::string::npos);
   CHECK(hash_of(world) == hash_of(before));
 }
+
+TEST_CASE("half step: what takes more than most_work is refused, stops soon after, and nothing has changed") {
+  World begin;
+  pyramid(begin, 6);
+  World world = begin;
+  HalfStep step;
+  world.step(step, h);  // nobody bears anything yet
+  const double needed = step.work();
+  CHECK(needed > 1e5);
+  for (const double part : {0.01, 0.1, 0.5}) {
+    for (const bool from_afar : {false, true}) {
+      CAPTURE(part, from_afar);
+      HalfStep bounded;
+      bounded.most_work = part * needed;
+      bounded.from_afar = from_afar;
+      world = begin;
+      const std::string said = complaint([&] { world.step(bounded, h); });
+      CHECK(said == (from_afar ? "144 contacts are too large a problem for the multiplications that are left"
+                               : "144 contacts are not solved from what they bore"));
+      CHECK(hash_of(world) == hash_of(begin));
+      CHECK(world.time == 0);
+      CHECK(bounded.work() > bounded.most_work);
+      CHECK(bounded.work() < bounded.most_work + needed / 2);  // what had been begun
+    }
+  }
+  HalfStep enough;
+  enough.most_work = needed * 1.001;
+  world = begin;
+  World other = begin;
+  for (int i = 0; i < 3; ++i) world.step(enough, h), other.step(step, h);
+  CHECK(hash_of(world) == hash_of(other));
+  CHECK(enough.work() == 0);  // each bears what it bore
+}
+
+TEST_CASE("half step: who may not solve from afar refuses contacts that meet from all sides, and nothing has changed") {
+  World begin;
+  pyramid(begin, 6);
+  for (Body& body : begin.bodies)
+    if (body.movable()) body.velocity = Vec3(body.index % 3 - 1, 0, body.index % 2) / 20;
+  HalfStep step;
+  World world = begin;
+  world.step(step, h);
+  CHECK(world.time > 0);
+  step.from_afar = false;
+  world = begin;
+  CHECK(complaint([&] { world.step(step, h); }).ends_with(" contacts are not solved from what they bore"));
+  CHECK(hash_of(world) == hash_of(begin));
+  HalfStep as;
+  as.set_as(step);
+  CHECK_FALSE(as.from_afar);
+  for (const double work : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    step.most_work = work;
+    CHECK(complaint([&] { world.step(step, h); }).starts_with("most_work is "));
+  }
+  step.most_work = 7;
+  as.set_as(step);
+  CHECK(as.most_work == 7);
+}

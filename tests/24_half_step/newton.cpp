@@ -107,3 +107,56 @@ TEST_CASE("half step: rows with limits, and rows that give way, are solved as ch
   newton.sweep(20);  // it stays
   CHECK(newton.off() < (in_double ? 1e-12 : 1e-5));
 }
+
+TEST_CASE("half step: the next system of the same rows has the matrix of the one before, another has its own") {
+  World world;
+  stack(world, 3);
+  world.begin_step(h);
+  const auto kick = [&world] {
+    for (Body& body : world.bodies)
+      if (body.movable()) body.velocity.y() -= g * h;
+  };
+  kick();
+  Rows rows = rows_of_contacts(world);
+  const std::size_t count = world.contacts.size();
+  NewtonFromGuess newton;
+  const auto add = [&](std::size_t contacts) {
+    newton.clear();
+    for (std::size_t k = 0; k < contacts; ++k)
+      newton.add_contact(rows[k], rows[count + 2 * k], rows[count + 2 * k + 1], world.contacts[k].friction);
+    newton.factored = 0;
+    newton.work = 1e9;
+  };
+  const auto matrices = [&](std::size_t contacts) {
+    add(contacts);
+    CHECK(newton.solve(world, in_double ? 1e-11 : 1e-5));
+    CHECK(newton.work < 1e9);
+    return newton.factored;
+  };
+  const auto taken = [&](double allowed) {
+    add(count);
+    newton.work = allowed;
+    newton.solve(world, 0);
+    return allowed - newton.work;
+  };
+  CHECK(matrices(count) > 0);
+  kick();
+  CHECK(matrices(count) == 0);
+  kick();
+  newton.forget();
+  CHECK(matrices(count) == 1);
+  kick();
+  const double one_step = 300 * static_cast<double>(count), kept = taken(one_step);  // it is stopped after one
+  CHECK(newton.factored == 0);
+  newton.forget();
+  kick();
+  CHECK(taken(one_step) > kept + 216 * (3 + 4 + 4));  // of_factor: three bodies in a row
+  CHECK(newton.factored == 1);
+  matrices(count);
+  for (std::size_t k = count - 4; k < count; ++k)  // the topmost box is let go
+    for (const std::size_t row : {k, count + 2 * k, count + 2 * k + 1}) {
+      rows[row].apply(-rows[row].impulse);
+      rows[row].impulse = 0;
+    }
+  CHECK(matrices(count - 4) > 0);
+}

@@ -1,7 +1,6 @@
 /// Chapter 25: what a step that is cut at impacts makes exact, and what it bounds.
 #include "pushback/chapters/25_moment_of_impact/at_impacts.h"
 
-#include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
 #include "pushback/chapters/25_moment_of_impact/gap.h"
 #include "pushback/chapters/25_moment_of_impact/plain.h"
@@ -424,22 +423,6 @@ TEST_CASE("impact: what is refused") {
   step.most_events = -1;
   CHECK(complaint([&] { world.step(step, h); }).find("most_events is -1") != std::string::npos);
   CHECK(hash_of(world) == hash_of(before));
-}
-TEST_CASE("impact: in a world with joints it is chapter 24's step, to the bit") {
-  World world;
-  world.add(ground());
-  world.add(sphere(Real(0.5), 1).at({0, Real(0.5), 0}).moving({1, 0, 0}));
-  world.add(sphere(Real(0.2), 1).at({0, Real(1.5), 0}).moving({1, 0, 0}));
-  world.joints.push_back(ball_and_socket(world, 1, 2, {0, 1, 0}));
-  World other = world;
-  AtImpacts cut;
-  HalfStep half;
-  for (int i = 0; i < 60; ++i) {
-    world.step(cut, h);
-    other.step(half, h);
-    REQUIRE(hash_of(world) == hash_of(other));
-  }
-  CHECK(cut.events() == 0);
 }
 
 TEST_CASE("impact: the plain loop is the same step, and a late one is of first order") {

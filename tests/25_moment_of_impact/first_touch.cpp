@@ -96,6 +96,23 @@ TEST_CASE("impact: boxes that touch exactly have the gap and the normal of their
   }
 }
 
+TEST_CASE("impact: between boxes whose faces are parallel but for rounding, a gap is not lost") {
+  if (!in_double) return;
+  Random random(3);
+  for (int i = 0; i < 20000; ++i) {
+    CAPTURE(i);
+    const Vec3 half(random.between(Real(0.01), Real(0.5)), random.between(Real(0.01), Real(0.5)),
+                    random.between(Real(0.01), Real(0.5)));
+    const Real apart = random.between(Real(0.001), 2), turn = std::pow(Real(10), random.between(-12, -7));
+    const int axis = i % 3;
+    const Body a = box(half, 1).oriented(random.orientation());
+    Body b = box(half, 1).oriented(a.orientation);
+    b.position = a.orientation * ((2 * half[axis] + apart) * Vec3::Unit(axis));
+    b.orientation = Quat(Eigen::AngleAxis<Real>(turn, random.direction())) * b.orientation;
+    CHECK(gap_between(a, b).distance == Approx(apart).margin(2 * turn + 1e-9));
+  }
+}
+
 TEST_CASE("impact: the first root is one, and none is before it") {
   Random random(27);
   for (int i = 0; i < 2000; ++i) {

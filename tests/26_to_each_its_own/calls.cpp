@@ -61,18 +61,49 @@ World pendulum() {
 TEST_CASE("calls: one that is near the limit stays what it is") {
   const World world = standing(1);
   Calls calls;
-  const auto with = [&](int contacts) {
+  const auto many = [&](int contacts) {
     find(calls, world, below_the_first(contacts));
-    return calls.of(1);
+    CHECK(calls.of(1) == MovedBy::half_steps);  // it is calm
+    CHECK(calls.contacts(1) == contacts);
+    return calls.many(1);
   };
-  CHECK(with(9) == MovedBy::substeps);
+  // Many contacts that were left to substeps stay many until there are few.
+  CHECK(many(9));
+  calls.leave_to_substeps(1);
+  CHECK(many(12));
+  calls.leave_to_substeps(1);
   for (const int contacts : {8, 9, 12, 9, 12}) {
     CAPTURE(contacts);
-    CHECK(with(contacts) == MovedBy::half_steps);
+    CHECK_FALSE(many(contacts));
   }
-  CHECK(with(13) == MovedBy::substeps);
-  for (const int contacts : {12, 9}) CHECK(with(contacts) == MovedBy::substeps);
-  CHECK(with(8) == MovedBy::half_steps);
+  CHECK(many(13));
+  calls.leave_to_substeps(1);
+  CHECK(many(12));
+  calls.leave_to_substeps(1);
+  CHECK_FALSE(many(8));
+}
+
+TEST_CASE("calls: many contacts have half steps while nothing arrives and nothing turns fast, few in any case") {
+  World world = standing(1);
+  Calls calls;
+  const Limits limits;
+  const auto call = [&](int contacts, Real turn, Real arrives) {
+    world.bodies[1].angular_velocity = {0, turn / h, 0};
+    world.bodies[1].velocity = {0, -arrives, 0};
+    calls.leave_to_substeps(1);
+    find(calls, world, below_the_first(contacts, -Real(1e-4)));
+    return calls.of(1);
+  };
+  calls.find(world, {}, h, threshold, limits);
+  for (const int contacts : {8, 9, 100}) {
+    CAPTURE(contacts);
+    const MovedBy else_by = contacts > 8 ? MovedBy::substeps : MovedBy::half_steps;
+    CHECK(call(contacts, limits.turn * Real(0.99), 0) == MovedBy::half_steps);
+    CHECK(call(contacts, limits.turn * Real(1.01), 0) == else_by);
+    CHECK(call(contacts, 0, threshold * Real(0.9)) == MovedBy::half_steps);
+    CHECK(call(contacts, 0, 2) == else_by);
+    CHECK(calls.impact(1));
+  }
 }
 
 TEST_CASE("calls: no contact is flight, however many islands there are, and what is not there is moved by nothing") {
@@ -102,25 +133,28 @@ TEST_CASE("calls: the ground joins nobody, a contact between two that move does,
   contacts.push_back(contact_of(1, 2, 0));
   find(anew, world, contacts);
   CHECK(anew.island_of(2) == 1);
-  CHECK(anew.of(1) == MovedBy::substeps);  // nine
-  CHECK(anew.of(2) == MovedBy::substeps);
-  CHECK(anew.of(3) == MovedBy::half_steps);
+  CHECK(anew.contacts(1) == 9);
+  CHECK(anew.contacts(3) == 4);
+  CHECK(anew.many(1));  // nobody had half steps
+  CHECK_FALSE(anew.many(3));
   find(calls, world, contacts);  // both had half steps
-  CHECK(calls.of(1) == MovedBy::half_steps);
+  CHECK_FALSE(calls.many(1));
 }
 
 TEST_CASE("calls: contacts that are too far off to act in this step are not counted") {
   const World world = standing(1);
-  const auto call = [&](Real gap) {
+  const auto counted = [&](Real gap) {
     Calls calls;
     find(calls, world, below_the_first(20, -gap));
-    return calls.of(1);
+    CHECK(calls.of(1) == MovedBy::half_steps);
+    CHECK(calls.many(1) == (calls.contacts(1) == 20));
+    return calls.contacts(1);
   };
-  CHECK(call(h * h * g * Real(0.99)) == MovedBy::substeps);
-  CHECK(call(h * h * g * Real(1.01)) == MovedBy::half_steps);
+  CHECK(counted(h * h * g * Real(0.99)) == 20);
+  CHECK(counted(h * h * g * Real(1.01)) == 0);
 }
 
-TEST_CASE("calls: balls that meet may have more contacts than boxes, and only while they meet") {
+TEST_CASE("calls: many balls have half steps when they meet, many boxes do not") {
   World world = standing(1);
   world.gravity.setZero();
   for (int i = 0; i < 20; ++i) world.add(sphere(Real(0.5), 1).at({static_cast<Real>(i), 9, 0}));
@@ -130,9 +164,10 @@ TEST_CASE("calls: balls that meet may have more contacts than boxes, and only wh
   const auto call = [&] {
     Calls calls;
     find(calls, world, row);
+    CHECK(calls.many(2));
     return std::pair{calls.of(2), calls.impact(2)};
   };
-  CHECK(call() == std::pair{MovedBy::substeps, false});
+  CHECK(call() == std::pair{MovedBy::half_steps, false});  // it is calm
   world.bodies[2].velocity.x() = 5;
   CHECK(call() == std::pair{MovedBy::half_steps, true});
   row.push_back(row.back());  // a second point of the same pair: no balls

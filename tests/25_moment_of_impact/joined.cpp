@@ -1,0 +1,330 @@
+/// Chapter 25: bodies that are joined are cut at their impacts, too.
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/13_joints/distance.h"
+#include "pushback/chapters/13_joints/weld.h"
+#include "pushback/chapters/19_accuracy_and_time/truth.h"
+#include "pushback/chapters/25_moment_of_impact/at_impacts.h"
+#include "pushback/chapters/25_moment_of_impact/scenes.h"
+#include "pushback/common/bodies/random.h"
+#include "pushback/common/world/any_solver.h"
+#include "pushback/common/world/situations.h"
+#include "tests/24_half_step/order.h"
+#include "tests/support/catch.h"
+
+using namespace pushback;
+using moment_of_impact_scenes::PendulumAtWall;
+
+namespace {
+
+AtImpacts in_parts(int substeps) {
+  AtImpacts step;
+  step.substeps = substeps;
+  step.threshold = 0;
+  return step;
+}
+/// rad: how far the ball on a pin has turned.
+double angle_of(const World& world) {
+  return static_cast<double>(std::atan2(world.bodies[0].position.x(), -world.bodies[0].position.y()));
+}
+/// rad/s: of the ball on a pin, by its energy. It is let go at PendulumAtWall::angle.
+///   7/5 m r^2 w^2 / 2 = m g r (cos a - cos a_0)
+double speed_at(double angle) {
+  const double from = static_cast<double>(PendulumAtWall::angle), r = static_cast<double>(PendulumAtWall::radius);
+  return std::sqrt(2 * truth::g * (std::cos(angle) - std::cos(from)) / (1.4 * r));
+}
+/// s: until it is there, on its way to the wall. With a = a_0 + s^2 nothing is infinite; Simpson's rule.
+double time_to(double angle) {
+  const double from = static_cast<double>(PendulumAtWall::angle), end = std::sqrt(angle - from);
+  constexpr int parts = 2000;
+  const auto slope = [&](double s) {
+    const double at_rest = std::sqrt(2 * 1.4 * static_cast<double>(PendulumAtWall::radius) /
+                                     (truth::g * std::sin(-from)));  // its limit for s = 0
+    return s == 0 ? at_rest : 2 * s / speed_at(from + s * s);
+  };
+  double sum = 0;
+  for (int i = 0; i <= parts; ++i) sum += (i == 0 || i == parts ? 1 : i % 2 == 1 ? 4 : 2) * slope(end * i / parts);
+  return sum * end / parts / 3;
+}
+double touching_angle(const PendulumAtWall& scene) {
+  return std::asin(static_cast<double>(scene.wall / PendulumAtWall::radius) - 1);
+}
+
+/// m, over 2 s.
+double error_of(const PendulumAtWall& scene, const std::vector<Places>& truth, int substeps) {
+  World world;
+  scene(world);
+  AtImpacts step = in_parts(substeps);
+  double largest = 0;
+  for (const Places& places : truth) {
+    world.step(step, h);
+    CHECK_FALSE(step.bound_reached());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      largest = std::max(largest, (world.bodies[i].position.cast<double>() - places[i]).norm());
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("joined impact: the truth of a ball on a pin that bounces is there again, mirrored in time") {
+  // e = 1: at T - t and at T + t it is at the same place.
+  const PendulumAtWall scene{.links = 0, .e = 1};
+  const double meets = time_to(touching_angle(scene));
+  const std::vector<Places> places = scene.truth(120);
+  int beyond = 0;
+  for (int frame = 1; frame <= 120; ++frame) {
+    const double t = frame / 60.0, since = std::fmod(t, 2 * meets), on_its_way = std::min(since, 2 * meets - since);
+    const Eigen::Vector3d& place = places[static_cast<std::size_t>(frame - 1)][0];
+    const double angle = std::atan2(place.x(), -place.y());
+    CHECK(time_to(std::max(angle, static_cast<double>(PendulumAtWall::angle) + 1e-12)) ==
+          Approx(on_its_way).margin(1e-7));
+    beyond += t > 2 * meets;
+  }
+  CHECK(beyond > 60);
+}
+
+TEST_CASE("joined impact: a ball on a pin meets a wall at the instant and with the speed of the closed form") {
+  for (const Real e : {Real(0.5), Real(1)}) {
+    const PendulumAtWall scene{.links = 0, .e = e};
+    const double angle = touching_angle(scene), meets = time_to(angle);
+    const auto off = [&](int substeps) {
+      World world;
+      scene(world);
+      AtImpacts step = in_parts(substeps);
+      while (step.events() == 0) world.step(step, h);
+      REQUIRE(step.events() == 1);
+      const Body& ball = world.bodies[0];
+      // Back from where it is now: it left with e times the speed with which it came.
+      const double now = angle_of(world), speed = static_cast<double>(ball.angular_velocity.z());
+      const double leaves = std::sqrt(speed * speed + 2 * truth::g * (std::cos(angle) - std::cos(now)) /
+                                                          (1.4 * static_cast<double>(PendulumAtWall::radius)));
+      const double of_speed = std::abs(leaves / (static_cast<double>(e) * speed_at(angle)) - 1);
+      CHECK(of_speed < 0.02 / (substeps * substeps));
+      CHECK(speed < 0);
+      return of_speed;
+    };
+    if (!in_double) return;
+    CHECK(order({4, 8, 16, 32}, off) == Approx(2).margin(0.2));
+    World world;
+    scene(world);
+    AtImpacts step = in_parts(64);
+    while (step.events() == 0) world.step(step, h);
+    if (e == 1) {  // on its way back it passes each place as long after the impact as it did before
+      const double met = (static_cast<double>(world.time) + time_to(angle_of(world))) / 2;
+      CHECK(met == Approx(meets).epsilon(1e-5));
+    }
+  }
+}
+
+TEST_CASE("joined impact: a double pendulum that meets a wall, e = 1, keeps its energy, and stays before the wall") {
+  const PendulumAtWall scene{.links = 1, .e = 1};
+  const auto off = [&](int substeps) {
+    World world;
+    scene(world);
+    AtImpacts step = in_parts(substeps);
+    const Real begin = energy(world), swings = -begin;  // J, above nothing at the pin: of the order of what there is
+    Real largest = 0;
+    int events = 0;
+    for (int i = 0; i < 600; ++i) {
+      world.step(step, h);
+      events += step.events();
+      largest = std::max(largest, std::abs(energy(world) - begin) / swings);
+      CHECK(world.bodies[1].position.x() + PendulumAtWall::radius <
+            scene.wall + (in_double ? 2 * HeldContacts::touches : Real(1e-3)));
+      CHECK((world.bodies[0].orientation * Vec3(PendulumAtWall::half_width, -PendulumAtWall::link / 2, 0) +
+             world.bodies[0].position)
+                .x() < scene.wall);
+    }
+    CHECK(events > 5);
+    return largest;
+  };
+  CHECK(off(4) < Real(2e-3));
+  if (!in_double) return;
+  CHECK(order({8, 16, 32}, off) == Approx(2).margin(0.3));
+}
+
+TEST_CASE("joined impact: a double pendulum that meets a wall is off by the square of the substep") {
+  const PendulumAtWall scene{.links = 1};
+  const std::vector<Places> truth = scene.truth(120);
+  CHECK(error_of(scene, truth, 16) < (in_double ? 1e-3 : 1e-2));
+  if (!in_double) return;
+  CHECK(order({8, 16, 32, 64}, [&](int n) { return error_of(scene, truth, n); }) == Approx(2).margin(0.2));
+}
+
+TEST_CASE("joined impact: what is pressed to a wall comes to rest there, and bounces end") {
+  // The ball hangs beyond the wall: it would rest at 0, and the wall holds it at -30 degrees.
+  PendulumAtWall scene{.links = 0, .e = Real(0.5), .wall = Real(0.1)};
+  World world;
+  scene(world);
+  AtImpacts step = in_parts(1);
+  int events = 0;
+  for (int i = 0; i < 180; ++i) {
+    world.step(step, h);
+    events += step.events();
+    CHECK_FALSE(step.bound_reached());
+  }
+  // Ends where gravity could bring it back for ever within a step: 2 u <= g h (1 - e).
+  const double angle = touching_angle(scene),
+               meets = speed_at(angle) * static_cast<double>(PendulumAtWall::radius) * std::cos(angle);
+  CHECK(events == std::ceil(std::log(truth::g * static_cast<double>(h) / (4 * meets)) / std::log(0.5)));
+  CHECK(world.bodies[0].velocity.norm() < (in_double ? Real(1e-8) : Real(1e-3)));
+  CHECK(angle_of(world) == Approx(angle).margin(in_double ? 1e-7 : 1e-3));
+}
+
+TEST_CASE("joined impact: two dumbbells that meet keep momentum, angular momentum and energy") {
+  for (const bool of_rods : {false, true}) {
+    World world;
+    world.gravity.setZero();
+    const auto dumbbell = [&](const Vec3& at, const Vec3& velocity) {
+      const int one = world.add(sphere(Real(0.1), 1).at(at).moving(velocity).rough(0).bouncy(1));
+      const Vec3 end = at + Vec3(Real(0.3), Real(0.4), 0);
+      const int two = world.add(sphere(Real(0.1), 2).at(end).moving(velocity).rough(0).bouncy(1));
+      world.joints.push_back(of_rods ? distance(world, one, at, two, end) : weld(world, one, two, (at + end) / 2));
+    };
+    dumbbell({0, 0, 0}, {3, 0, 0});
+    dumbbell({1, Real(0.35), Real(0.05)}, {-2, 0, Real(0.1)});
+    const Vec3 p = momentum(world), l = angular_momentum(world);
+    const Real begin = kinetic_energy(world);
+    AtImpacts step = in_parts(8);
+    int events = 0;
+    for (int i = 0; i < 60; ++i) {
+      world.step(step, h);
+      events += step.events();
+    }
+    CHECK(events > 0);
+    CHECK((momentum(world) - p).norm() < 100 * rounding);
+    CHECK((angular_momentum(world) - l).norm() < 100 * rounding);
+    CHECK(kinetic_energy(world) == Approx(begin).epsilon(in_double ? 1e-5 : 1e-3));
+  }
+}
+
+TEST_CASE("joined impact: the joint bears its part of an impact, and says so") {
+  // A rod from a pin down to a ball, which the wall stops: e = 0. Both have their part of the ball's momentum.
+  World world;
+  world.gravity.setZero();
+  const Vec3 along = Vec3(1, -1, 0).normalized();
+  const int ball = world.add(sphere(Real(0.1), 2).at(along).moving(3 * Vec3(1, 1, 0).normalized()).rough(0));
+  world.bodies[0].principal_inverse_inertia.setZero();
+  world.add(half_space(-Vec3::UnitX()).at({along.x() + Real(0.1), 0, 0}).rough(0));
+  world.joints.push_back(distance(world, the_world, Vec3::Zero(), ball, along));
+  AtImpacts step = in_parts(1);
+  world.step(step, h);
+  CHECK(step.events() == 1);
+  CHECK(world.bodies[0].velocity.norm() < rounding);
+  // m v + L along n + l along the rod = 0:  n = -x, rod = (1, -1) / sqrt(2), v = 3 (1, 1) / sqrt(2)
+  //   y: 6 / sqrt(2) - l / sqrt(2) = 0,  l = 6;     x: 6 / sqrt(2) - L + l / sqrt(2) = 0,  L = 12 / sqrt(2)
+  REQUIRE(world.contacts.size() == 1);
+  CHECK(world.contacts[0].impulse.norm() == Approx(12 / std::sqrt(2.0)).epsilon(in_double ? 1e-9 : 1e-4));
+  CHECK(std::abs(world.joints[0].impulses[0]) == Approx(6).epsilon(in_double ? 1e-9 : 1e-4));
+}
+
+TEST_CASE("joined impact: a bullet on a thread does not pass a sheet of 1 mm") {
+  if (!in_double) return;
+  for (const Real speed : {Real(20), Real(100), Real(400)}) {
+    CAPTURE(speed);
+    World world;
+    world.add(sphere(Real(0.005), Real(0.01)).at({-1, 0, 0}).moving({0, -speed, 0}).rough(0).bouncy(Real(0.5)));
+    world.add(box({Real(0.0005), Real(0.2), Real(0.2)}, 1).fixed().at({0, -1, 0}));
+    world.joints.push_back(distance(world, the_world, Vec3::Zero(), 0, {-1, 0, 0}));
+    AtImpacts step;
+    step.substeps = 4;
+    int events = 0;
+    for (int i = 0; i < 12; ++i) {
+      world.step(step, h);
+      events += step.events();
+      const Vec3& at = world.bodies[0].position;
+      CHECK(std::abs(at.norm() - 1) < Real(1e-8));
+    }
+    CHECK(events > 0);
+    CHECK(world.bodies[0].velocity.norm() < Real(0.6) * speed);
+  }
+}
+
+TEST_CASE("joined impact: chains of boxes and balls that fall come to rest, are held, and gain nothing") {
+  if (!in_double) return;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    World world;
+    world.add(ground().rough(Real(0.5)).bouncy(Real(0.3)));
+    const Vec3 along = random.direction();
+    int before = the_world;
+    for (int i = 0; i < 2 + static_cast<int>(seed) % 4; ++i) {
+      Body body = i % 2 == 1 ? sphere(Real(0.15), 1) : box({Real(0.1), Real(0.1), Real(0.2)}, 1);
+      Vec3 at = Vec3(0, Real(1.5), 0) + Real(0.5) * static_cast<Real>(i) * along;
+      if (at.y() < Real(0.4)) at.y() = Real(0.4) + Real(0.45) * static_cast<Real>(i);
+      const int added = world.add(body.at(at).rough(Real(0.5)).bouncy(Real(0.3)));
+      if (before != the_world)
+        world.joints.push_back(ball_and_socket(world, before, added, (world.body(before).position + at) / 2));
+      before = added;
+    }
+    AtImpacts step;
+    step.substeps = 4;
+    const Real begin = energy(world);
+    Real least = begin, gained = 0, deepest = 0;
+    int events = 0;
+    for (int i = 0; i < 150; ++i) {
+      world.step(step, h);
+      events += step.events();
+      gained = std::max(gained, energy(world) - least);
+      least = std::min(least, energy(world));
+      deepest = std::max(deepest, deepest_overlap(world));
+      CHECK_FALSE(step.bound_reached());
+    }
+    CHECK(events > 5);
+    CHECK(gained < Real(1e-3) * begin);
+    CHECK(deepest < Real(0.003));  // a held pair's next corner is found at the end of a substep
+    Equations equations;
+    for (const Joint& joint : world.joints) joint.ask(world.body(joint.a), world.body(joint.b), {0, h}, equations);
+    for (const Equation& equation : equations) CHECK(std::abs(equation.error) <= step.tolerance);
+  }
+}
+
+TEST_CASE("joined impact: where nobody meets anybody it is chapter 24's step, to the bit") {
+  World world;
+  motion_named("chain").begin(world);
+  world.add(ground().at({0, -20, 0}));
+  World other = world;
+  AtImpacts cut;
+  HalfStep half;
+  half.tolerance = cut.tolerance;
+  cut.substeps = half.substeps = 4;
+  for (int i = 0; i < 60; ++i) {
+    world.step(cut, h);
+    other.step(half, h);
+    REQUIRE(hash_of(world) == hash_of(other));
+  }
+  CHECK(cut.events() == 0);
+}
+
+TEST_CASE("joined impact: what slides and is joined moves as by chapter 24") {
+  World world;
+  world.add(ground());
+  world.add(sphere(Real(0.5), 1).at({0, Real(0.5), 0}).moving({1, 0, 0}));
+  world.add(sphere(Real(0.2), 1).at({0, Real(1.5), 0}).moving({1, 0, 0}));
+  world.joints.push_back(ball_and_socket(world, 1, 2, {0, 1, 0}));
+  World other = world;
+  AtImpacts cut;
+  HalfStep half;
+  half.tolerance = cut.tolerance;
+  for (int i = 0; i < 30; ++i) {
+    world.step(cut, h);
+    other.step(half, h);
+    for (std::size_t k = 1; k < 3; ++k)
+      CHECK((world.bodies[k].position - other.bodies[k].position).norm() < (in_double ? 1e-8 : 1e-3));
+  }
+  CHECK(cut.events() == 0);
+}
+
+TEST_CASE("joined impact: the same bits again, also from a copy in between") {
+  World one;
+  PendulumAtWall{}(one);
+  World other = one;
+  AnySolver of_one = AtImpacts{}, of_other = AtImpacts{};
+  for (int i = 0; i < 120; ++i) {
+    one.step(of_one, h);
+    if (i == 30) of_other = AnySolver(AtImpacts{});
+    other.step(of_other, h);
+    REQUIRE(hash_of(one) == hash_of(other));
+  }
+}

@@ -1,0 +1,183 @@
+/// Chapter 26: what is saved for half steps where contacts are many, and what it is spent on.
+#include "pushback/chapters/26_to_each_its_own/savings.h"
+
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
+#include "pushback/common/bodies/random.h"
+#include "pushback/common/world/situations.h"
+#include "tests/support/catch.h"
+#include "tests/support/yardstick.h"
+
+using namespace pushback;
+
+namespace {
+
+/// Writes down what half steps take where contacts are many.
+class Watched : public ByIsland {
+ public:
+  struct Try {
+    double allowed, took, price;  // multiplications; of the substeps that it stands for
+    bool from_afar, held;
+  };
+  std::vector<Try> tries;  // of the latest step
+
+  void whole_step(World& world, Real dt, int sweeps) override {
+    tries.clear();
+    ByIsland::whole_step(world, dt, sweeps);
+  }
+  bool many(int body) { return calls_.many(calls_.island_of(body)); }
+  /// Multiplications in this step, of all islands of many contacts that had substeps.
+  double price_of_substeps(const World& world) {
+    double price = 0;
+    for (const Body& body : world.bodies)
+      if (body.movable() && calls_.island_of(body.index) == body.index && calls_.many(body.index) &&
+          moved_by(body.index) == MovedBy::substeps)
+        price += savings.of_contact * calls_.contacts(body.index);
+    return price;
+  }
+
+ protected:
+  void find_substeps(IslandWorld& island, Memory& memory, const World& whole, Real dt, int sweeps) override {
+    ByIsland::find_substeps(island, memory, whole, dt, sweeps);
+    if (!calls_.many(island.lowest())) return;
+    tries.push_back({island.solver().most_work, island.solver().work(),
+                     savings.of_contact * calls_.contacts(island.lowest()), island.solver().from_afar, island.held});
+  }
+};
+
+/// 64 boxes that fall into a heap.
+World falling_heap() {
+  World world;
+  world.add(ground());
+  Random random(7);
+  for (int i = 0; i < 64; ++i) {
+    const Vec3 at{Real(i % 4) * Real(0.75), Real(0.5) + Real(i / 16) * Real(0.75), Real(i / 4 % 4) * Real(0.75)};
+    world.add(box(Vec3::Constant(Real(0.2)), 10).at(at + random.vector(Real(0.1))).oriented(random.orientation()));
+  }
+  return world;
+}
+
+/// For ten seconds, from a start that is a little off.
+void rests(int boxes, int start) {
+  CAPTURE(boxes, start);
+  World world;
+  stack(world, boxes);
+  Random random(static_cast<std::uint64_t>(start));
+  for (Body& body : world.bodies)
+    if (body.movable()) body.position += random.vector(Real(1e-6));
+  ByIsland solver;
+  int by_half_steps = 0;
+  for (int i = 0; i < 600; ++i) {
+    world.step(solver, h);
+    for (const Body& body : world.bodies) by_half_steps += solver.moved_by(body.index) == MovedBy::half_steps;
+  }
+  CHECK(by_half_steps == 600 * boxes);
+  Real fastest = 0;
+  for (const Body& body : world.bodies)
+    fastest = std::max({fastest, body.velocity.norm(), body.angular_velocity.norm()});
+  CHECK(fastest < (in_double ? Real(1e-9) : Real(1e-3)));  // m/s, rad/s
+}
+
+}  // namespace
+
+TEST_CASE("savings: bodies that come together put together what they have, and part with equal shares") {
+  Purse island;
+  for (const double saved : {100.0, 20.0, 0.0}) island.add(Purse(saved));
+  CHECK(island.saved() == 120);
+  for (int i = 0; i < 3; ++i) CHECK(island.share().saved() == 40);
+  Purse other;
+  other.add(island.share());
+  other.add(Purse(8));
+  CHECK(other.saved() == 48);
+  CHECK(other.share().saved() == 24);
+  CHECK(Purse().share().saved() == 0);
+}
+
+TEST_CASE(
+    "savings: after each try that fails the next one needs twice as much, after a success half as much") {
+  constexpr double at_once = 20, saved = 1000;
+  Purse purse(saved);
+  const auto needs = [&purse](double steps) {
+    return purse.can_pay(purse.saved() / steps) && !purse.can_pay(purse.saved() / steps * 1.001);
+  };
+  CHECK(needs(1));
+  for (const double steps : {2.0, 4.0, 8.0, 16.0, 20.0, 20.0}) {
+    purse.fail(10, at_once);
+    CHECK(needs(steps));
+  }
+  CHECK(purse.saved() == saved - 60);
+  for (const double steps : {10.0, 5.0, 2.5, 1.25, 1.0, 1.0}) {
+    purse.succeed(-10, 1e9);
+    CHECK(needs(steps));
+  }
+  CHECK(purse.saved() == saved - 120);
+}
+
+TEST_CASE("savings: no more is saved than so many steps, what is there stays, and nobody has debts") {
+  Purse purse(50);
+  purse.save(30, 100);
+  CHECK(purse.saved() == 80);
+  purse.save(30, 100);
+  CHECK(purse.saved() == 100);
+  purse.save(30, 60);  // fewer contacts than before
+  CHECK(purse.saved() == 100);
+  purse.succeed(-150, 100);
+  CHECK(purse.saved() == 0);
+  purse.save(5, 100);
+  purse.fail(7, 20);
+  CHECK(purse.saved() == 0);
+  CHECK_FALSE(purse.can_pay(1));
+}
+
+TEST_CASE("by island: stacks have half steps all the time, and rest") {
+  for (const int boxes : {10, 40})
+    for (int start = 1; start <= 3; ++start) rests(boxes, start);
+}
+
+TEST_CASE("by island: stacks have half steps all the time, and rest, from thirty starts", "[long]") {
+  for (const int boxes : {10, 40})
+    for (int start = 1; start <= 30; ++start) rests(boxes, start);
+}
+
+TEST_CASE("by island: a heap that tumbles has substeps") {
+  World world = falling_heap();
+  Watched solver;
+  int tumble = 0, rest = 0;
+  for (int i = 0; i < 120; ++i) {
+    const std::vector<Body> before = world.bodies;
+    world.step(solver, h);
+    for (const Body& body : before) {
+      if (!body.movable() || !solver.many(body.index)) continue;
+      const bool turns = body.angular_velocity.norm() * h > solver.limits.turn;
+      (turns ? tumble : rest) += 1;
+      if (turns) CHECK(solver.moved_by(body.index) == MovedBy::substeps);
+    }
+  }
+  CHECK(tumble > 1000);
+  CHECK(rest > 1000);
+}
+
+TEST_CASE("by island: what half steps take of a heap that falls and comes to rest is bounded by what substeps take") {
+  World world = falling_heap();
+  Watched solver;
+  double all = 0, alone = 0, overrun = 0;
+  int failed = 0, held = 0;
+  const double at_first = 64 * solver.savings.at_first * solver.savings.of_contact;
+  for (int i = 0; i < 600; ++i) {
+    world.step(solver, h);
+    const double price = solver.price_of_substeps(world);
+    alone += price;
+    all += price;
+    for (const auto& tried : solver.tries) {
+      CHECK(tried.allowed <= solver.savings.at_once * tried.price);
+      CHECK_FALSE(tried.from_afar);
+      overrun = std::max(overrun, tried.took / tried.allowed);
+      all += std::min(tried.took, tried.allowed);
+      if (tried.held) alone += tried.price;
+      ++(tried.held ? held : failed);
+    }
+    CHECK(all <= (1 + solver.savings.part) * alone + at_first);
+  }
+  CHECK(failed > 0);
+  CHECK(held > 0);
+  CHECK(overrun < 1.1);  // what had been begun
+}
