@@ -218,9 +218,14 @@ void print_table(const Json& results) {
 std::uint64_t kept_seed(const Grading& grading) {
   const fs::path file = grading.out / "seed";
   if (grading.seed != 0) return grading.seed;
-  if (!fs::exists(file)) {
+  if (!fs::exists(file)) {  // of parts that begin together the first draws, and the others read
     std::random_device random;
-    write_text_file(file, fmt::format("{}\n", (std::uint64_t{random()} << 32) | random()));
+    const std::uint64_t drawn = (std::uint64_t{random()} << 32) | random();
+    const fs::path own = grading.out / fmt::format("seed.{:016x}", drawn);
+    write_text_file(own, fmt::format("{}\n", drawn));
+    std::error_code there_already;
+    fs::create_hard_link(own, file, there_already);
+    fs::remove(own);
   }
   return std::stoull(read_text_file(file));
 }

@@ -1,0 +1,20 @@
+/// What exercise 27 asks for.
+#pragma once
+
+#include "pushback/chapters/27_which_error/plain.h"
+#include "pushback/common/exercise/exercise.h"
+
+namespace pushback::exercise_27 {
+
+using plain_27::Bounds;
+using plain_27::Tried;
+using plain_27::Verdict;
+
+struct Answer {
+  Real (*off_by)(Real coarse, Real fine, int order);
+  Verdict (*judge)(const Tried& tried, const Bounds& bounds);
+};
+
+Numbers play(std::size_t check, Random& random, const Answer& answer);
+
+}  // namespace pushback::exercise_27

@@ -1,0 +1,56 @@
+/// Worlds that are played within an error, and beside what is true.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "pushback/chapters/19_accuracy_and_time/true_places.h"
+#include "pushback/chapters/27_which_error/within_error.h"
+#include "tests/support/yardstick.h"
+
+namespace pushback::which_error_tests {
+
+inline WithinError within(Real error) {
+  WithinError solver;
+  solver.many.threshold = solver.few.threshold = 0;  // bounces are compared at every speed
+  solver.error = error;
+  return solver;
+}
+
+/// m, with its body: by which places are off, and what the speeds make of it in half a second.
+inline std::pair<Real, int> farthest_in_half_a_second(const World& world, const World& truth) {
+  std::pair<Real, int> farthest{-1, 0};
+  for (const Body& body : world.bodies) {
+    const Body& true_body = truth.body(body.index);
+    const Real off = (body.position - true_body.position).norm() + (body.velocity - true_body.velocity).norm() / 2;
+    if (body.movable() && off > farthest.first) farthest = {off, body.index};
+  }
+  return farthest;
+}
+
+/// m.
+inline Real farthest(const World& world, const Places& truth) {
+  double largest = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    largest = std::max(largest, (world.bodies[i].position.cast<double>() - truth[i]).norm());
+  return static_cast<Real>(largest);
+}
+
+/// How a world fares within an error.
+struct Fared {
+  Real off = 0;      // at the most, in parts of the error
+  bool said = true;  // that each step was within it
+};
+inline Fared fare(World world, Real error, const std::vector<Places>& truth) {
+  WithinError solver = within(error);
+  Fared fared;
+  for (const Places& places : truth) {
+    world.step(solver, h);
+    for (const Body& body : world.bodies) fared.said &= solver.known(body.index).kept;
+    fared.off = std::max(fared.off, farthest(world, places) / error);
+  }
+  return fared;
+}
+
+}  // namespace pushback::which_error_tests

@@ -1,0 +1,345 @@
+/// Chapter 27: what is known of an error, beside the truth; whether it is kept; and what that takes.
+#include "pushback/chapters/27_which_error/within_error.h"
+
+#include "pushback/chapters/13_joints/ball_and_socket.h"
+#include "pushback/chapters/23_threads/crew.h"
+#include "pushback/chapters/26_to_each_its_own/scenes.h"
+#include "pushback/common/bodies/random.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
+#include "tests/27_which_error/played.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+#include "tests/support/yardstick.h"
+
+using namespace pushback;
+using namespace pushback::which_error_tests;
+using to_each_its_own_scenes::Chain;
+
+namespace {
+
+World pendulum(Real angle) {
+  World world;
+  const Vec3 down(std::sin(angle), -std::cos(angle), 0);
+  const int ball = world.add(sphere(Real(0.3), 10).at(2 * down));
+  world.joints.push_back(ball_and_socket(world, the_world, ball, Vec3::Zero()));
+  return world;
+}
+/// A plate that carries nine boxes and slides: 40 contacts.
+World loaded_plate(Real speed, Real mu) {
+  World world;
+  world.add(ground().rough(mu));
+  world.add(box({2, Real(0.1), 2}, 100).at({0, Real(0.1), 0}).moving({speed, 0, 0}).rough(mu));
+  for (int i = 0; i < 9; ++i)
+    world.add(box({Real(0.3), Real(0.2), Real(0.3)}, 10)
+                  .at({static_cast<Real>(i % 3 - 1), Real(0.4), static_cast<Real>(i / 3 - 1)})
+                  .moving({speed, 0, 0})
+                  .rough(4));
+  return world;
+}
+WithinError by_substeps_alone(Real error) {
+  WithinError solver = within(error);
+  solver.savings.at_first = solver.savings.part = 0;  // nobody can pay for half steps
+  return solver;
+}
+/// Counts what joints are asked: as often as half steps are taken and corrected.
+struct Asked {
+  std::shared_ptr<std::size_t> count = std::make_shared<std::size_t>(0);
+  void listen(World& world) const {
+    for (Joint& joint : world.joints)
+      joint.ask = [ask = joint.ask, n = count](const Body& a, const Body& b, const TimeStep& now,
+                                               Equations& equations) {
+        ++*n;
+        ask(a, b, now, equations);
+      };
+  }
+};
+/// Half steps taken, in parts of those that the result is made of.
+Real half_steps_taken(World world, Real error, int steps) {
+  const Asked asked;
+  asked.listen(world);
+  WithinError solver = within(error);
+  std::size_t taken = 0, needed = 0;
+  for (int i = 0; i < steps; ++i) {
+    World alone = world;
+    *asked.count = 0;
+    world.step(solver, h);
+    taken += std::exchange(*asked.count, 0);
+    const Known known = solver.known(0);
+    HalfStep half_step;
+    Composed<Suzuki> fourth_order;
+    HalfStep& step = known.order == 4 ? fourth_order : half_step;
+    step.set_as(solver.joined);
+    step.substeps = known.substeps;
+    step.tolerance = std::min(step.tolerance, error * h / 100);
+    alone.step(step, h);
+    needed += *asked.count;
+  }
+  return static_cast<Real>(taken) / static_cast<Real>(needed);
+}
+
+}  // namespace
+
+TEST_CASE("within an error: Runge's estimate of a step is what the step is off, for the ten motions") {
+  int smooth = 0;
+  std::vector<std::string> others;
+  for (const Motion& motion : all_motions())
+    for (const Real error : {Real(1e-3), Real(1e-5)}) {
+      World world;
+      motion.begin(world);
+      WithinError solver = within(error);
+      solver.looks_every = 1;
+      const bool joints = !world.joints.empty();
+      const bool decides = motion.name == "sliding" || motion.name == "rolling";  // once, in one of their steps
+      for (int frame = 0; frame < motion.frames(); ++frame) {
+        World truth = world;
+        world.step(solver, h);
+        int substeps = 0;
+        for (const Body& body : world.bodies) substeps = std::max(substeps, solver.known(body.index).substeps);
+        if (substeps == 0 || (frame % 12 != 3 && !decides)) continue;
+        Composed<Suzuki> fourth_order;
+        AtImpacts cut_step;
+        cut_step.impacts = Impacts::sequential;
+        HalfStep& step = joints ? fourth_order : static_cast<HalfStep&>(cut_step);
+        step.set_as(joints ? solver.joined : solver.few);
+        step.substeps = (joints ? 16 : 64) * substeps;  // each of fourth order is five
+        step.tolerance = Real(1e-12);
+        step.most_work = 1e12;
+        truth.step(step, h);
+        const auto [off, body] = farthest_in_half_a_second(world, truth);
+        const Known known = solver.known(body);
+        constexpr Real rounding =
+            Real(2e-9);  // m: of 64 times as many half steps, in places and in half a second of speed
+        if (off < rounding && known.step < rounding) continue;
+        const Real ratio = known.step / off;
+        if (ratio > Real(0.5) && ratio < 3) {
+          ++smooth;
+          if (known.order == 2) CHECK(ratio == Approx(1).epsilon(0.05));
+        } else
+          others.push_back(fmt::format("{} at {:.3g} s, order {}, {} substeps: known {:.2g} m, is {:.2g} m",
+                                       motion.name, static_cast<double>(frame) / 60, known.order, known.substeps,
+                                       known.step, off));
+      }
+    }
+  for (const std::string& other : others) UNSCOPED_INFO(other);
+  UNSCOPED_INFO(smooth << " smooth steps");
+  CHECK(smooth >= 32);
+  // The step in which a box comes to rest, and that in which a ball begins to roll: each within both errors.
+  CHECK(others.size() <= 4);
+  for (const std::string& other : others)
+    CHECK((other.starts_with("sliding at 1.2") || other.starts_with("rolling at 0.5")));
+}
+
+TEST_CASE("within an error: of the ten motions each error is kept, and what is known bounds what is off") {
+  for (const Motion& motion : all_motions()) {
+    const std::vector<Places> truth = motion.truth(motion.frames());
+    World world;
+    motion.begin(world);
+    for (const Real error : {Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5)}) {
+      const Fared fared = fare(world, error, truth);
+      INFO(motion.name << " within " << error << " m: " << fared.off << " of it"
+                       << (fared.said ? "" : ", not said to be"));
+      CHECK(fared.off < Real(0.25));
+    }
+  }
+}
+
+TEST_CASE("within an error: an infinite one is chapter 26, to the bit") {
+  World world;
+  to_each_its_own_scenes::Yard{}(world);
+  World by_island = world;
+  WithinError solver;
+  ByIsland other;
+  for (int i = 0; i < 120; ++i) {
+    world.step(solver, h);
+    by_island.step(other, h);
+    REQUIRE(hash_of(world) == hash_of(by_island));
+  }
+}
+
+TEST_CASE("within an error: what one island is known to need is nothing to another: alone it moves in the same bits") {
+  World alone = pendulum(1), both;
+  Chain{.pin = {20, 0, 0}}(both);
+  const int ball = both.add(sphere(Real(0.3), 10).at(alone.bodies[0].position));
+  both.joints.push_back(ball_and_socket(both, the_world, ball, Vec3::Zero()));
+  WithinError of_one = within(Real(1e-4)), of_both = of_one;
+  for (int i = 0; i < 240; ++i) {
+    alone.step(of_one, h);
+    both.step(of_both, h);
+    REQUIRE(both.body(ball).position == alone.bodies[0].position);
+    REQUIRE(of_both.known(ball).substeps == of_one.known(0).substeps);
+    REQUIRE(of_both.known(ball).order == of_one.known(0).order);
+  }
+}
+
+TEST_CASE("within an error: the same bits with any number of threads, and a copy goes on in the same bits") {
+  World begin;
+  to_each_its_own_scenes::Yard{}(begin);
+  const auto after = [&begin](std::shared_ptr<Workers> crew) {
+    World world = begin;
+    WithinError solver = within(Real(1e-4));
+    solver.many.crew = std::move(crew);
+    for (int i = 0; i < 90; ++i) world.step(solver, h);
+    return hash_of(world);
+  };
+  const std::uint64_t alone = after(nullptr);
+  CHECK(after(nullptr) == alone);
+  for (const int threads : {2, 3, 7}) CHECK(after(std::make_shared<Crew>(threads, true)) == alone);
+  World world = begin;
+  WithinError solver = within(Real(1e-4));
+  for (int stretch = 0; stretch < 4; ++stretch) {
+    for (int i = 0; i < 17; ++i) world.step(solver, h);
+    World copy = world;
+    WithinError copied = solver;
+    for (int i = 0; i < 20; ++i) {
+      world.step(solver, h);
+      copy.step(copied, h);
+      REQUIRE(hash_of(copy) == hash_of(world));
+      REQUIRE(copied.known(1).place == solver.known(1).place);
+    }
+  }
+}
+
+TEST_CASE(
+    "within an error: a pendulum and a chain near rest take at most a third more half steps than their results are "
+    "made of") {
+  for (const Real error : {Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5)}) {
+    World chain;
+    Chain{.angle = Real(0.1)}(chain);
+    INFO(error);
+    CHECK(half_steps_taken(pendulum(1), error, 300) < Real(1.35));
+    CHECK(half_steps_taken(chain, error, 300) < Real(1.35));
+  }
+}
+
+TEST_CASE("within an error: a pendulum's substeps follow its swings, and do not flicker") {
+  for (const Real error : {Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5)}) {
+    World world = pendulum(1);
+    WithinError solver = within(error);
+    int changes = -1;
+    std::pair<int, int> before{0, 0};
+    for (int i = 0; i < 600; ++i) {
+      world.step(solver, h);
+      const Known known = solver.known(0);
+      changes += std::exchange(before, {known.order, known.substeps}) != before;
+    }
+    INFO(error << ": " << changes);
+    // In 10 s it swings not quite seven times from one side to the other: each time up by one or two doublings and down
+    // again; and four times it changes as it begins.
+    CHECK(changes <= 4 * 7 + 4);
+    if (error == Real(1e-2)) CHECK(changes >= 2 * 6);
+  }
+}
+
+TEST_CASE("within an error: a chain that whips keeps its energy, has many substeps while it does, and few after it") {
+  for (const Real error : {Real(1e-3), Real(1e-4)}) {
+    World world;
+    Chain{}(world);
+    WithinError solver = within(error);
+    Real mass = 0, worst = 0;
+    for (const Body& body : world.bodies) mass += 1 / body.inverse_mass;
+    int most = 0, least_since = 1000;
+    for (int i = 0; i < 600; ++i) {
+      const Real motion = kinetic_energy(world), before = motion + potential_energy(world);
+      world.step(solver, h);
+      const Known known = solver.known(0);
+      REQUIRE(known.how == MovedBy::half_steps);
+      CHECK(known.kept);
+      const Real larger = std::max(kinetic_energy(world), motion);
+      const Real off = std::abs(kinetic_energy(world) + potential_energy(world) - before);
+      worst = std::max(worst, off / (larger + mass * (h * world.gravity).squaredNorm() / 2));
+      const int half_steps = known.substeps * (known.order == 4 ? 5 : 1);
+      most = std::max(most, half_steps);
+      if (most >= 80) least_since = std::min(least_since, half_steps);
+    }
+    CHECK(worst < solver.energy);
+    CHECK(most >= 80);
+    CHECK(least_since <= 20);
+  }
+}
+
+TEST_CASE(
+    "within an error: where many slide, what is known of a step is h / 2 dv, and of all steps what they are off") {
+  constexpr Real speed = 4, mu = Real(0.3);
+  for (const Real error : {Real(1e-2), Real(1e-3), Real(1e-4)}) {
+    World world = loaded_plate(speed, mu);
+    WithinError solver = by_substeps_alone(error);
+    Real largest = 0;
+    bool said = true;
+    for (int i = 1; i <= 60; ++i) {
+      const int substeps = std::max(1, solver.known(1).substeps);
+      world.step(solver, h);
+      const Known known = solver.known(1);
+      REQUIRE(known.how == MovedBy::substeps);
+      const Real t = static_cast<Real>(i) * h, off = speed * t - mu * g * t * t / 2 - world.bodies[1].position.x();
+      if (i > 30 && known.substeps == substeps)
+        CHECK(known.step == Approx(mu * g * h * h / 2 / substeps).epsilon(0.01));
+      largest = std::max(largest, std::abs(off));
+      said &= known.kept;
+      if (i == 60)
+        CHECK(std::abs(known.place - sunken(world, [](int body) { return body == 1; }) - off) < Real(0.3) * off);
+    }
+    INFO(error << ": " << largest);
+    CHECK(largest < 3 * error);
+    CHECK((said || largest > error / 2));
+    CHECK((largest <= error || !said));
+  }
+}
+
+TEST_CASE("within an error: a stack on springs has sunk by the sum of its depths, what hangs or flies by nothing") {
+  const auto all = [](int) { return true; };
+  for (const int boxes : {1, 3, 10}) {
+    World world;
+    stack(world, boxes);
+    Wide<Real> springs;
+    springs.spring.hertz = 30;
+    for (int i = 0; i < 600; ++i) world.step(springs, h);
+    const Real top = static_cast<Real>(boxes) - Real(0.5) - world.bodies.back().position.y();
+    CHECK(sunken(world, all) == Approx(top).epsilon(0.01));
+    CHECK(sunken(world, [](int body) { return body == 1; }) ==
+          Approx(1 - Real(0.5) - world.bodies[1].position.y()).epsilon(0.01));
+  }
+  World world = pendulum(1);
+  world.add(sphere(Real(0.5), 1).at({9, 9, 0}));
+  Wide<Real> springs;
+  world.step(springs, h);
+  CHECK(sunken(world, all) == 0);
+}
+
+TEST_CASE("within an error: of a body that was not there nothing is known") {
+  WithinError solver;
+  CHECK(solver.known(3).how == MovedBy::nothing);
+  World world = pendulum(1);
+  solver.error = Real(1e-3);
+  world.step(solver, h);
+  CHECK(solver.known(0).substeps >= 2);
+  CHECK(solver.known(0).place > 0);
+  for (const int body : {-1, 1, 99}) {
+    CHECK(solver.known(body).how == MovedBy::nothing);
+    CHECK(solver.known(body).substeps == 0);
+    CHECK(solver.known(body).place == 0);
+    CHECK(solver.known(body).kept);
+  }
+  solver.forget();
+  CHECK(solver.known(0).place == 0);
+}
+
+TEST_CASE("within an error: settings that cannot be used are named, and nothing has changed") {
+  const auto refused = [](const std::function<void(WithinError&)>& change) {
+    World world = loaded_plate(4, Real(0.3));
+    WithinError solver = within(Real(1e-3));
+    change(solver);
+    const std::uint64_t before = hash_of(world);
+    const std::string words = complaint([&] { world.step(solver, h); });
+    CHECK(hash_of(world) == before);
+    CHECK(world.time == 0);
+    return words;
+  };
+  CHECK(refused([](WithinError& s) { s.error = 0; }) == "error is 0: a length above 0 is needed");
+  CHECK(refused([](WithinError& s) { s.error = -1; }) == "error is -1: a length above 0 is needed");
+  CHECK(refused([](WithinError& s) { s.error = std::numeric_limits<Real>::quiet_NaN(); }) ==
+        "error is nan: a length above 0 is needed");
+  CHECK(refused([](WithinError& s) { s.looks_every = 0; }) == "looks_every is 0: a whole number, 1 or more, is needed");
+  CHECK(refused([](WithinError& s) { s.most_of_many = 2; }) == "most_of_many is 2: 4 or more is needed");
+  CHECK(refused([](WithinError& s) { s.energy = 0; }).starts_with("energy is 0"));
+}

@@ -1,0 +1,216 @@
+#include <algorithm>
+#include <cmath>
+
+#include "pushback/chapters/27_which_error/exercise/asked.h"
+
+namespace pushback::exercise_27 {
+
+namespace {
+
+constexpr Bounds bounds_of_checks{};
+constexpr Real none = std::numeric_limits<Real>::infinity();
+
+int whole(Random& random, int least, int most) {
+  return least + static_cast<int>(random.below(std::size_t(most - least + 1)));
+}
+
+/// A motion whose steps of this order are off by `size(step) / n^p`, and by `stuck(step)`, which no substeps lessen, in parts of what is
+/// allowed.
+struct Played {
+  int tries = 0, spent = 0, most = 0, not_kept = 0;
+};
+template <class Size, class Stuck>
+Played motion_of(const Answer& answer, int order, const Size& size, const Stuck& stuck, int steps) {
+  constexpr int most_tries = 2000;
+  Played played;
+  int next = bounds_of_checks.least;
+  for (int step = 0; step < steps; ++step) {
+    for (Real before = none;;) {
+      if (++played.tries > most_tries) return played;
+      const Real off = size(step) / std::pow(static_cast<Real>(next), static_cast<Real>(order)) + stuck(step);
+      const Verdict verdict = answer.judge({next, off, before, order}, bounds_of_checks);
+      before = off;
+      played.spent += next;
+      played.most = std::max(played.most, next);
+      next = std::clamp(verdict.substeps, 1, 1 << 20);
+      if (!verdict.stands) continue;
+      played.not_kept += !verdict.kept;
+      break;
+    }
+  }
+  return played;
+}
+
+std::vector<Check<Answer>> checks() {
+  return {
+      {"the error of the finer result is told from the difference of two, whatever the order",
+       2,
+       {{"steps of order 1 are off by", "m", 1e-3},
+        {"steps of order 2 are off by", "m", 1e-3},
+        {"steps of order 4 are off by", "m", 1e-3},
+        {"the same, on the other side of where it belongs, by", "m", 1e-3}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real place = random.between(1, 3);
+         Numbers off;
+         for (const int order : {1, 2, 4, 2}) {
+           const Real error = random.between(Real(0.5), 2) * (off.size() == 3 ? -1 : 1);
+           off.push_back(answer.off_by(place + error * std::exp2(static_cast<Real>(order)), place + error, order));
+         }
+         return off;
+       }},
+      {"a step that is off too far is taken again in twice as many, if that helps, and never in more than the most",
+       2,
+       {{"after a try that is too far off, stands (1) or not (0):", "", 0},
+        {"it is tried again in so many:", "", 0},
+        {"after one that is no better than the one before, stands (1) or not (0):", "", 0},
+        {"that one is kept (1) or not (0):", "", 0},
+        {"too far off in the most, stands (1) or not (0):", "", 0},
+        {"that one is kept (1) or not (0):", "", 0},
+        {"after one that is just good enough, stands (1) or not (0):", "", 0},
+        {"that one is kept (1) or not (0):", "", 0}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const int now = 1 << whole(random, 1, 3);
+         const Real far = random.between(2, 9);
+         const auto judge = [&answer](int substeps, Real off, Real before) {
+           return answer.judge({substeps, off, before, 2}, bounds_of_checks);
+         };
+         const Verdict badly = judge(now, far, 4 * far), stuck = judge(now, far, random.between(1, Real(1.9)) * far);
+         const Verdict most = judge(16, far, 4 * far), just = judge(now, random.between(Real(0.6), Real(0.99)), none);
+         return {Real(badly.stands), Real(badly.substeps), Real(stuck.stands), Real(stuck.kept),
+                 Real(most.stands),  Real(most.kept),      Real(just.stands),  Real(just.kept)};
+       }},
+      {"a step that is far better than asked makes the next one coarser, if the order allows it",
+       2,
+       {{"order 1, off by 1/5, the next has", "", 0},
+        {"order 2, off by 1/9 to 1/12, the next has", "", 0},
+        {"order 4, off by as much, the next has", "", 0},
+        {"order 4, off by less than 1/32, the next has", "", 0},
+        {"from the least the next has", "", 0}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real some = 1 / random.between(9, 12), little = 1 / random.between(35, 60);
+         const auto next = [&answer](int substeps, Real off, int order) {
+           return static_cast<Real>(answer.judge({substeps, off, none, order}, bounds_of_checks).substeps);
+         };
+         const int now = 2 * whole(random, 2, 8);
+         return {next(now, Real(0.2), 1), next(now, some, 2), next(now, some, 4), next(now, little, 4),
+                 next(2, little, 2)};
+       }},
+      {"a motion has many substeps where it needs them, few before and after, and none are wasted where they do not "
+       "help",
+       2,
+       {{"in 200 steps your motion is tried so many times:", "", 0},
+        {"it spends so many substeps:", "", 0},
+        {"in one try so many at most:", "", 0},
+        {"so many steps are said not to be kept:", "", 0}},
+       [](Random& random, const Answer& answer) -> Numbers {
+         const Real calm = random.between(1, 3), fierce = random.between(80, 200), at = random.between(60, 90);
+         const auto size = [&](int step) {
+           const Real from = (static_cast<Real>(step) - at) / 12;
+           return calm + fierce * std::exp(-from * from) + (step == 180 ? Real(1e4) : 0);
+         };
+         const auto stuck = [](int step) { return step >= 140 && step < 150 ? Real(5) : 0; };
+         const Played played = motion_of(answer, 2, size, stuck, 200);
+         return {Real(played.tries), Real(played.spent), Real(played.most), Real(played.not_kept)};
+       }},
+  };
+}
+
+Answer with_estimate(Real (*off_by)(Real, Real, int)) {
+  return {off_by, plain_27::judge_try};
+}
+Answer with_judge(Verdict (*judge)(const Tried&, const Bounds&)) {
+  return {plain_27::off_by, judge};
+}
+
+std::vector<Mistake<Answer>> mistakes() {
+  return {
+      {"the difference itself",
+       "it looks as if the difference were taken for the error. It is 2^p - 1 times the error of the finer result.",
+       with_estimate([](Real coarse, Real fine, int) { return std::abs(coarse - fine); })},
+      {"divided by 2^p",
+       "it looks as if the difference were divided by 2^p. The coarse result is off by 2^p parts, the fine one by one: "
+       "their difference is 2^p - 1.",
+       with_estimate([](Real coarse, Real fine, int order) {
+         return std::abs(coarse - fine) / std::exp2(static_cast<Real>(order));
+       })},
+      {"order two for all",
+       "it looks as if the difference were divided by 3 for every order. That is 2^p - 1 for p = 2.",
+       with_estimate([](Real coarse, Real fine, int) { return std::abs(coarse - fine) / 3; })},
+      {"the coarse one's error",
+       "it looks as if you gave the error of the coarse result. The fine one is used, and its error is 2^p times "
+       "smaller.",
+       with_estimate([](Real coarse, Real fine, int order) {
+         return std::abs(coarse - fine) * std::exp2(static_cast<Real>(order)) / parts_of_difference(order);
+       })},
+      {"with its sign",
+       "it looks as if the error had a sign. On one side of where it belongs a body would be kept however far off it "
+       "is.",
+       with_estimate([](Real coarse, Real fine, int order) { return (coarse - fine) / parts_of_difference(order); })},
+      {"the step stands anyway",
+       "it looks as if the step that was too far off stood, and the next one were taken in twice as many. What it is "
+       "off "
+       "by stays then: it is taken again.",
+       with_judge([](const Tried& tried, const Bounds& bounds) {
+         Verdict verdict = plain_27::judge_try(tried, bounds);
+         verdict.stands = true;
+         return verdict;
+       })},
+      {"no end where nothing helps",
+       "it looks as if the try before were not looked at. Where doubling does not halve the error, more of it is "
+       "wasted.",
+       with_judge([](const Tried& tried, const Bounds& bounds) {
+         return plain_27::judge_try({tried.substeps, tried.off, none, tried.order}, bounds);
+       })},
+      {"more than the most", "it looks as if a step were tried in more than bounds.most.",
+       with_judge([](const Tried& tried, const Bounds& bounds) {
+         return plain_27::judge_try(tried, {bounds.least, 1 << 20});
+       })},
+      {"said to be kept",
+       "it looks as if every step that stands were said to be kept. One that stands because nothing helps is not.",
+       with_judge([](const Tried& tried, const Bounds& bounds) {
+         Verdict verdict = plain_27::judge_try(tried, bounds);
+         verdict.kept |= verdict.stands;
+         return verdict;
+       })},
+      {"never fewer", "it looks as if the substeps never became fewer. One jerk, and all that follows costs as much.",
+       with_judge([](const Tried& tried, const Bounds& bounds) {
+         Verdict verdict = plain_27::judge_try(tried, bounds);
+         if (verdict.stands) verdict.substeps = tried.substeps;
+         return verdict;
+       })},
+      {"fewer at once",
+       "it looks as if each step that is kept made the next one coarser. Half as many are off by 2^p times as much: "
+       "mostly "
+       "too far, and the step is taken twice.",
+       with_judge([](const Tried& tried, const Bounds& bounds) {
+         Verdict verdict = plain_27::judge_try(tried, bounds);
+         if (verdict.kept) verdict.substeps = std::max(bounds.least, tried.substeps / 2);
+         return verdict;
+       })},
+      {"fewer whatever the order",
+       "it looks as if an eighth were the bound for every order. That is 1/2 over 2^p for p = 2.",
+       with_judge([](const Tried& tried, const Bounds& bounds) {
+         return plain_27::judge_try({tried.substeps, tried.off, tried.before, 2}, bounds);
+       })},
+      {"fewer than the least", "it looks as if the substeps became fewer than bounds.least.",
+       with_judge(
+           [](const Tried& tried, const Bounds& bounds) { return plain_27::judge_try(tried, {1, bounds.most}); })},
+  };
+}
+
+}  // namespace
+
+Numbers play(std::size_t check, Random& random, const Answer& answer) {
+  return checks()[check].play(random, answer);
+}
+
+Exercise exercise() {
+  return rebuild_of<Answer>(
+      "an error that is known while it runs, and as many substeps as it calls for",
+      {"off_by is one line: the difference without its sign, over 2^p - 1. parts_of_difference(order) has that number.",
+       "Begin judge with what is kept, then what is tried again. What is left stands, and is not kept.",
+       "Fewer for the next step: off times 2^p is below 1/2, and substeps is above bounds.least."},
+      checks(), {plain_27::off_by, plain_27::judge_try}, mistakes());
+}
+
+}  // namespace pushback::exercise_27

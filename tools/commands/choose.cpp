@@ -1,0 +1,316 @@
+/// ./course choose: a scene within an error that is asked for, what it takes, and what it was.
+#include <chrono>
+#include <filesystem>
+#include <map>
+
+#include "pushback/chapters/27_which_error/scenes.h"
+#include "pushback/common/basics/named.h"
+#include "pushback/common/experiment/kept_picture.h"
+#include "pushback/common/experiment/picture_of.h"
+#include "pushback/common/experiment/plot.h"
+#include "pushback/common/experiment/program.h"
+#include "pushback/common/experiment/sheet.h"
+#include "pushback/common/render/painter.h"
+#include "pushback/common/render/palette.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/tools/catalogue/catalogue.h"
+
+using namespace pushback;
+using namespace pushback::which_error_scenes;
+
+namespace {
+
+constexpr Real dt = Real(1) / 60;
+constexpr Real diverged = 100;  // times the error that was asked for: then places say nothing any more
+constexpr int at_once = 15;     // steps
+
+/// "1mm", "0.5 cm", "2 ms": in the unit `base`, of which each unit is so many.
+Real quantity(const std::string& option, const std::string& text, const std::map<std::string, Real>& units) {
+  std::size_t read = 0;
+  double number = 0;
+  try {
+    number = std::stod(text, &read);
+  } catch (const std::exception&) {
+    read = 0;
+  }
+  std::string unit = text.substr(read);
+  unit.erase(0, unit.find_first_not_of(' ') == std::string::npos ? unit.size() : unit.find_first_not_of(' '));
+  const auto found = units.find(unit);
+  if (read == 0 || found == units.end() || !(number > 0) || !std::isfinite(number)) {
+    std::vector<std::string> names;
+    for (const auto& [name, size] : units) names.push_back(name);
+    throw InvalidInput(fmt::format("{} is '{}': a number above 0 with a unit is needed, one of {}", option, text,
+                                   fmt::join(names, ", ")));
+  }
+  return static_cast<Real>(number) * found->second;
+}
+
+struct Step {
+  double seconds;  // that it took
+  Real known;      // m
+  int bodies_kept, bodies;
+  Known most;  // of the body whose step was worst
+  std::map<std::string, int> ways;
+};
+struct Played {
+  std::vector<Step> steps;
+  std::vector<World> worlds;  // after each
+
+  double seconds() const {
+    double all = 0;
+    for (const Step& step : steps) all += step.seconds;
+    return all;
+  }
+  /// Of a step, without the first ones, which find no memory and no caches.
+  double seconds_of_step() const {
+    const std::size_t first = std::min<std::size_t>(5, steps.size() / 2);
+    double all = 0;
+    for (std::size_t i = first; i < steps.size(); ++i) all += steps[i].seconds;
+    return all / static_cast<double>(steps.size() - first);
+  }
+  Real known() const {
+    Real largest = 0;
+    for (const Step& step : steps) largest = std::max(largest, step.known);
+    return largest;
+  }
+};
+
+std::string way_of(const Known& known) {
+  switch (known.how) {
+    case MovedBy::flight:
+      return "in flight";
+    case MovedBy::half_steps:
+      return known.order == 4 ? "steps of fourth order" : "half steps";
+    case MovedBy::substeps:
+      return "substeps";
+    case MovedBy::nothing:
+      break;
+  }
+  return "not at all";
+}
+
+Played play(World world, Real error, int steps) {
+  Painted solver(error);
+  Played played;
+  for (int i = 0; i < steps; ++i) {
+    const auto began = std::chrono::steady_clock::now();
+    solver.within.whole_step(world, dt, 1);
+    Step step{std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(), 0, 0, 0, {}, {}};
+    for (Body& body : world.bodies) {
+      if (!body.movable()) continue;
+      const Known known = solver.within.known(body.index);
+      body.coloured(static_cast<int>(paint_of(known)));
+      ++step.bodies;
+      step.bodies_kept += known.kept;
+      step.known = std::max(step.known, known.place);
+      if (known.step >= step.most.step) step.most = known;
+      ++step.ways[way_of(known)];
+    }
+    played.steps.push_back(step);
+    played.worlds.push_back(world);
+  }
+  return played;
+}
+
+/// m, after each 1/60 s: how far places are from those of the same scene in steps `finer` times shorter, within `finer` times less.
+std::vector<Real> measure(World world, const Played& played, Real error, int finer) {
+  WithinError truth;
+  truth.error = error / static_cast<Real>(finer);
+  std::vector<Real> off;
+  for (const World& at : played.worlds) {
+    for (int i = 0; i < finer; ++i) world.step(truth, dt / static_cast<Real>(finer));
+    off.push_back(apart(at, world));
+  }
+  return off;
+}
+
+/// 1/s: by which a difference grows, from where it is `error` to where it is `diverged` times that; nothing if it is not, or all at once.
+std::optional<Real> growth(const std::vector<Real>& off, Real error) {
+  const auto first = std::find_if(off.begin(), off.end(), [&](Real x) { return x > error; });
+  const auto last = std::find_if(off.begin(), off.end(), [&](Real x) { return x > diverged * error; });
+  if (last == off.end() || last - first < at_once) return {};
+  return std::log(*last / *first) / (dt * static_cast<Real>(last - first));
+}
+
+/// Of a second of play at most, and of a fifth of it.
+int rehearsed(int steps) {
+  return std::clamp(steps / 5, 1, 60);
+}
+
+std::string length_said(Real metres) {
+  return metres < Real(1e-9) ? "less than 1e-6 mm" : fmt::format("{:.2g} mm", 1000 * metres);
+}
+
+/// Above and before what moves, as far off as it takes to see all of it.
+Camera camera_for(const std::vector<World>& worlds) {
+  Vec3 low = Vec3::Constant(std::numeric_limits<Real>::infinity()), high = -low;
+  for (const World* world : {&worlds.front(), &worlds[worlds.size() / 2], &worlds.back()})
+    for (const Body& body : world->bodies) {
+      if (!body.movable()) continue;
+      low = low.cwiseMin(body.position);
+      high = high.cwiseMax(body.position);
+    }
+  const Vec3 middle = (low + high) / 2;
+  const Real size = std::max(Real(1), (high - low).norm());
+  return {middle + size * Vec3(Real(0.15), Real(0.25), Real(1.05)), middle};
+}
+
+void draw(const std::filesystem::path& folder, const std::string& name, const std::string& asked, const Played& played,
+          const std::vector<Real>& off) {
+  std::filesystem::create_directories(folder);
+  const Camera camera = camera_for(played.worlds);
+  Painter painter(cell_width * 2, cell_width * 9 / 8);
+  Sheet sheet;
+  sheet.question = name;
+  sheet.scene = "within " + asked;
+  sheet.caption = "The colour of a body: how it was moved in the latest step.";
+  for (const auto& [paint, said] : {std::pair(Paint::flight, "in flight"),
+                                    {Paint::two, "one or two half steps"},
+                                    {Paint::more, "more half steps"},
+                                    {Paint::fourth, "fourth order"},
+                                    {Paint::substeps, "substeps"}})
+    sheet.legend.push_back({LegendEntry::Kind::body, body_ink(static_cast<int>(paint)), said});
+  SheetRow row;
+  for (const std::size_t part : {1, 2, 3}) {
+    const std::size_t at = std::max<std::size_t>(1, played.worlds.size() * part / 3) - 1;
+    row.cells.push_back(painter.draw_still(picture_of(played.worlds[at], camera, {})));
+    row.cell_notes.push_back(fmt::format("t = {:.2f} s", played.worlds[at].time));
+  }
+  sheet.rows.push_back(row);
+  keep_picture(folder / "sheet.png", make_sheet(sheet));
+
+  std::vector<Real> times, known, measured, micros, substeps;
+  std::map<std::string, Curve> ways;
+  for (std::size_t i = 0; i < played.steps.size(); ++i) {
+    times.push_back(played.worlds[i].time);
+    known.push_back(1000 * played.steps[i].known);
+    measured.push_back(1000 * off[i]);
+    micros.push_back(static_cast<Real>(1e6 * played.steps[i].seconds));
+    substeps.push_back(static_cast<Real>(std::max(1, played.steps[i].most.substeps)));
+    for (const auto& [way, count] : played.steps[i].ways) {
+      Curve& curve = ways.try_emplace(way, Curve{way, {}, {}, line_colour(ways.size())}).first->second;
+      curve.x.push_back(times.back());
+      curve.y.push_back(static_cast<Real>(count));
+    }
+  }
+  Panel bodies{.title = name + ", within " + asked, .x_label = "s", .y_label = "bodies"};
+  for (const auto& [way, curve] : ways) bodies.curves.push_back(curve);
+  write_plot(folder / "plot.png", {bodies,
+                                   {.title = "error",
+                                    .x_label = "s",
+                                    .y_label = "mm",
+                                    .log_y = true,
+                                    .curves = {{"known", times, known, line_colour(0), Curve::Style::dashed},
+                                               {"measured", times, measured, line_colour(2)}},
+                                    .floor = Real(1e-6)},
+                                   {.title = "time",
+                                    .x_label = "s",
+                                    .y_label = "us in 1/60 s",
+                                    .log_y = true,
+                                    .curves = {{"", times, micros, line_colour(1)}}},
+                                   {.title = "substeps of what is worst",
+                                    .x_label = "s",
+                                    .y_label = "in 1/60 s",
+                                    .log_y = true,
+                                    .curves = {{"", times, substeps, line_colour(3)}}}});
+}
+
+void tell(const Played& played, const std::vector<Real>& off, Real error, const std::string& asked) {
+  std::map<std::string, double> ways;
+  for (const Step& step : played.steps)
+    for (const auto& [way, count] : step.ways) ways[way] += count;
+  const double count = static_cast<double>(played.steps.size());
+  fmt::print("\nmoved, on average: ");
+  const char* between = "";
+  for (const auto& [way, bodies] : ways)
+    fmt::print("{}{:.3g} bodies {}", std::exchange(between, ", "), bodies / count, way);
+  const Real measured = *std::max_element(off.begin(), off.end());
+  fmt::print("\nmeasured:  {:.3g} ms in all, {:.3g} us a step; error {}\n", 1e3 * played.seconds(),
+             1e6 * played.seconds() / count, length_said(measured));
+  int unkept = 0;
+  for (const Step& step : played.steps) unkept += step.bodies_kept < step.bodies;
+  if (unkept > 0)
+    fmt::print(
+        "In {} of {} steps {} is not kept by some island: who touches first, or sticks, is decided otherwise in more "
+        "substeps, or "
+        "their bound is reached.\n",
+        unkept, played.steps.size(), asked);
+  if (const std::optional<Real> rate = growth(off, error))
+    fmt::print(
+        "Places part by a factor of e every {:.2g} s: the scene is chaotic, and after some time no error of places can "
+        "be "
+        "kept.\n",
+        1 / *rate);
+  else if (const Real allowed = error * std::max(Real(1), played.worlds.back().time); measured > allowed)
+    fmt::print("More than was asked: {} in this time.\n", length_said(allowed));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<NamedScene> scenes = all_scenes();
+  scenes.push_back({"26-yard", to_each_its_own_scenes::Yard{}});
+  scenes.push_back({"26-chain", to_each_its_own_scenes::Chain{}});
+  CommandLine line(
+      "A scene within an error: which steps each island of it takes, what that costs, and how far off it then is.");
+  std::string name, error_text = "1mm", budget_text;
+  double seconds = 3;
+  int finer = 64;
+  std::filesystem::path out = "renders/here";
+  bool no_images = false;
+  line.option("scene", name, "A scene").required();
+  const auto asked_option =
+      line.option("--error", error_text, "By which places may be off after a second: 1mm, 0.1 cm, 20um")
+          .shows_default();
+  auto budget =
+      line.option("--budget", budget_text, "Instead: the least error for so much time a step of 1/60 s: 2ms, 500us");
+  budget.without(asked_option);
+  line.option("--seconds", seconds, "So long it is played").shows_default().between(0.1, 600.0);
+  line.option("--finer", finer, "The truth is the same in steps so many times shorter, within so many times less")
+      .shows_default()
+      .between(2, 1024);
+  line.option("--out", out, "A folder for the pictures").shows_default();
+  line.flag("--no-images", no_images, "Words alone");
+  line.ends_with(fmt::format("The scenes: {}", fmt::join(names_of(scenes), ", ")));
+  return line.run(argc, argv, [&] {
+    World begin;
+    named("scene", scenes, name).fill(begin);
+    const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(dt)));
+    const std::map<std::string, Real> lengths{{"m", 1}, {"cm", Real(1e-2)}, {"mm", Real(1e-3)}, {"um", Real(1e-6)}};
+    Real error = quantity("--error", error_text, lengths);
+    std::string asked = error_text;
+    if (budget.given()) {
+      const Real most = quantity("--budget", budget_text, {{"s", 1}, {"ms", Real(1e-3)}, {"us", Real(1e-6)}});
+      std::optional<Real> best;
+      for (int power = 0; power <= 10; ++power) {
+        const Real tried = Real(0.1) * std::pow(Real(10), -static_cast<Real>(power) / 2);
+        const Played first = play(begin, tried, rehearsed(steps));
+        const Real took = static_cast<Real>(first.seconds_of_step());
+        fmt::print("within {:<8} {:8.3g} us a step\n", length_said(tried) + ":", 1e6 * took);
+        if (took <= most) best = tried;
+      }
+      if (!best)
+        throw InvalidInput(fmt::format("--budget is {}: none of these errors is to be had for that", budget_text));
+      error = *best;
+      asked = length_said(error);
+    }
+    const Played first = play(begin, error, rehearsed(steps));
+    const double more = static_cast<double>(steps) / static_cast<double>(first.steps.size());
+    fmt::print(
+        "{}, {:g} s, within {} a second\nrehearsed: {:.2g} s\npredicted: {:.3g} ms in all, {:.3g} us a step; error "
+        "{}\n",
+        name, seconds, asked, static_cast<double>(first.worlds.back().time), 1e3 * first.seconds_of_step() * steps,
+        1e6 * first.seconds_of_step(), length_said(first.known() * static_cast<Real>(more)));
+    if (std::any_of(first.steps.begin(), first.steps.end(),
+                    [](const Step& step) { return step.bodies_kept < step.bodies; }))
+      fmt::print("It will not be kept by all islands in all steps.\n");
+    std::fflush(stdout);
+    const Played played = play(begin, error, steps);
+    const std::vector<Real> off = measure(begin, played, error, finer);
+    tell(played, off, error, asked);
+    if (no_images) return;
+    draw(out / "choose" / name, name, asked, played, off);
+    fmt::print("{}\n{}\n", (out / "choose" / name / "sheet.png").string(),
+               (out / "choose" / name / "plot.png").string());
+  });
+}
