@@ -5,6 +5,9 @@
 ///   449 mm<!-- stack-10; 07; drift -->        case; stage; criterion: words that one name alone contains, or the whole name
 ///   449 mm<!-- stack-10; 07; drift; as it is -->   not the largest of all starts, but of the scene as it is
 ///   30/30<!-- rubble; together; starts -->    how many of its starts pass
+///   14 mm<!-- peers; slop; ODE; 10 mm -->     by another engine, of renders/hard_cases/peers.csv; the name of a setting is whole
+///   17<!-- peers; passes; ODE tuned -->, or lacks: so many cases it passes, or has not all that they ask for
+///   3<!-- peers; nobody -->, or ours, engine, both, nothing: the groups of passed_by
 ///   42<!-- passes; together -->, 3<!-- fails; together -->, 49<!-- cases -->, Forty-nine<!-- cases in words -->
 /// PUSHBACK_WRITE_FIGURES=1 in the environment writes the figures anew.
 #include <algorithm>
@@ -14,7 +17,7 @@
 #include <map>
 #include <regex>
 
-#include "pushback/tools/hard_cases/table.h"
+#include "pushback/tools/hard_cases/peers.h"
 #include "tests/support/call.h"
 
 using namespace pushback;
@@ -87,8 +90,51 @@ std::string in_words(std::size_t count) {
   return std::string(tens[count / 10]) + ones[count % 10];
 }
 
+const Table& beside_engines() {
+  static const Table table = beside_peers(read_table_csv(text_of(table_file)),
+                                          read_table_csv(text_of("renders/hard_cases/peers.csv"), peer_stages()));
+  return table;
+}
+
+/// Of a mark that begins with "peers".
+std::string figure_of_peers(const std::vector<std::string>& mark) {
+  const Table& table = beside_engines();
+  const auto column_of = [&](const std::string& name) {
+    std::size_t column = table.chapters;
+    while (column < table.stages.size() && table.stages[column].name != name) ++column;
+    return column;
+  };
+  if (mark.size() == 2) {
+    const std::vector<std::string> kinds{"nobody", "ours", "engine", "both", "nothing"};
+    const auto kind = std::find(kinds.begin(), kinds.end(), mark[1]);
+    return kind == kinds.end()
+               ? ""
+               : std::to_string(passed_by(table)[static_cast<std::size_t>(kind - kinds.begin())].size());
+  }
+  if (mark.size() == 3 && (mark[1] == "passes" || mark[1] == "lacks")) {
+    const std::size_t column = column_of(mark[2]);
+    if (column == table.stages.size()) return {};
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < table.cases.size(); ++row)
+      count += (mark[1] == "passes" ? table.passed(row, column) : !table.at(row, column).possible()) ? 1 : 0;
+    return std::to_string(count);
+  }
+  for (std::size_t row = 0; mark.size() == 4 && row < table.cases.size(); ++row) {
+    if (table.cases[row].name != mark[1]) continue;
+    const std::size_t column = column_of(mark[2]);
+    std::vector<std::string> criteria;
+    for (const Criterion& criterion : table.cases[row].criteria) criteria.push_back(criterion.what);
+    const auto i = std::find(criteria.begin(), criteria.end(), name_with(mark[3], criteria)) - criteria.begin();
+    if (column == table.stages.size() || i == std::ssize(criteria)) return {};
+    const Criterion& criterion = table.cases[row].criteria[static_cast<std::size_t>(i)];
+    return in_short(table.at(row, column).largest[static_cast<std::size_t>(i)], criterion.limit, criterion.unit);
+  }
+  return {};
+}
+
 /// What should stand before the mark; empty where the mark names nothing.
 std::string figure_of(const std::vector<std::string>& mark) {
+  if (mark[0] == "peers") return figure_of_peers(mark);
   if (mark[0] == "cases") return std::to_string(hard_cases().size());
   if (mark[0] == "cases in words") return in_words(hard_cases().size());
   const std::string stage = mark.size() > 1 ? stage_with(mark[1]) : "";

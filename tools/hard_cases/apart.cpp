@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 Stage stage_of_library(const std::string& library) {
   Stage stage{{"mine", "your own, as it was when the table was made", loaded_solver(library), {}}};
-  stage.library = library;
+  stage.apart = {fs::canonical("/proc/self/exe"), "--mine", library, "--alone"};
   return stage;
 }
 
@@ -25,9 +25,10 @@ Outcome without_end(const HardCase& hard_case, const std::string& why) {
 
 Outcome outcome_apart(const HardCase& hard_case, const Stage& stage, double seconds) {
   const ScratchFolder scratch;
-  const Ended ended = run_program({fs::canonical("/proc/self/exe"), hard_case.name, "--mine", stage.library, "--alone",
-                                   "--starts", std::to_string(hard_case.starts), "--out", scratch.path},
-                                  seconds);
+  std::vector<std::string> command = stage.apart;
+  command.insert(command.begin() + 1, hard_case.name);
+  command.insert(command.end(), {"--starts", std::to_string(hard_case.starts), "--out", scratch.path});
+  const Ended ended = run_program(command, seconds);
   if (ended.status == 124) return without_end(hard_case, fmt::format("{} within {:g} s", no_end, seconds));
   if (ended.signal != 0) return without_end(hard_case, fmt::format("crashed: {}", strsignal(ended.signal)));
   const std::vector<std::string> said = lines_of(ended.err);

@@ -11,7 +11,8 @@ Stage stage_of_library(const std::string& library);
 /// What `broken` begins with where the time was over.
 inline constexpr const char* no_end = "no end";
 
-/// The program hard_cases_table plays the case with --alone, and is ended after so many seconds.
+/// The stage's program plays the case, and is ended after so many seconds. It gets the case's name, its own arguments, and --starts
+/// and --out of hard_cases_table.
 Outcome outcome_apart(const HardCase& hard_case, const Stage& stage, double seconds);
 
 /// Of a case without numbers.

@@ -10,7 +10,7 @@ std::vector<HardCase> pile_cases();         ///< card house, Jenga, wall, tower 
 std::vector<HardCase> stone_cases();        ///< hulls: an arch, a heap of rubble
 std::vector<HardCase> friction_cases();     ///< what must stick, and how far it slides
 std::vector<HardCase> bounce_cases();       ///< how high, how fast, how elastic
-std::vector<HardCase> impact_cases();       ///< dominoes, bodies born in each other, hits at 500 m/s
+std::vector<HardCase> impact_cases();       ///< dominoes, bodies born in each other, hits at 500 m/s, thin walls
 std::vector<HardCase> no_solution_cases();  ///< what forces alone cannot solve: Painleve's rod, a body squeezed
 std::vector<HardCase> scale_cases();        ///< far, thin, tiny, spinning
 std::vector<HardCase> joint_cases();        ///< chains and a bridge with heavy loads

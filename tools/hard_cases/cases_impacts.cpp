@@ -1,6 +1,7 @@
-/// Impacts: dominoes, bodies born inside each other, projectiles at 500 m/s.
+/// Impacts: dominoes, bodies born inside each other, projectiles at 500 m/s, and what is thinner than the way of a step.
 #include <cmath>
 
+#include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/hard_cases/cases.h"
 #include "pushback/tools/hard_cases/standing.h"
@@ -153,6 +154,52 @@ HardCase shot(const std::string& name, const std::string& title, const std::stri
   return c;
 }
 
+/// Nothing may be gained; a thousandth is for a bounce not quite solved.
+Allowance bouncing(const World& world) {
+  return {.energy = kinetic_energy(world) / 1000};
+}
+
+/// Chapter 25's bullet, 10 mm in diameter, and its sheet of 1 mm.
+constexpr moment_of_impact_scenes::Bullet bullet{.speed = projectile_speed, .e = Real(0.5)};
+
+void bullet_from(World& world, Real further) {
+  bullet(world);
+  world.bodies[1].position.x() -= further;
+}
+
+/// From seven distances, a seventh of a step's way apart: in no step, and in no substep, may it be found in the sheet by luck.
+std::vector<Real> bullet_and_sheet(Trial& trial) {
+  constexpr int distances = 7;
+  Real beyond = 0, off = 0;
+  for (int i = 0; i < distances; ++i) {
+    const Real further = static_cast<Real>(i) / distances * bullet.speed * frame;
+    Play play = trial.play([further](World& world) { bullet_from(world, further); }, bouncing);
+    play.run(3 * frame, frame,
+             [&beyond](const World& world) { beyond = std::max(beyond, world.bodies[1].position.x()); });
+    const Vec3 leaves{-bullet.e * bullet.speed, 0, 0};
+    off = std::max(off, (play.world.bodies[1].velocity - leaves).norm() / leaves.norm());
+  }
+  return {1000 * beyond, 100 * off};
+}
+
+using moment_of_impact_scenes::SpinningRod;
+
+/// Chapter 25's rod, 1 m long and 40 mm thick, beside its wall of 1 mm: a step of 1/60 s turns its end by 83 to 330 mm.
+std::vector<Real> rod_and_wall(Trial& trial) {
+  Real beyond = 0, off = 0, lost = 0;
+  for (const Real spin : {Real(10), Real(20), Real(30), Real(40)}) {
+    const SpinningRod rod{.spin = spin};
+    Play play = trial.play(rod, bouncing);
+    const Real energy = kinetic_energy(play.world);
+    play.run(Real(0.3), frame,
+             [&beyond](const World& world) { beyond = std::max(beyond, SpinningRod::beyond(world)); });
+    const Vec3 leaves = rod.truth(rod.meets() + 1).position;  // m in 1 s
+    off = std::max(off, (play.world.bodies[1].velocity - leaves).norm() / leaves.norm());
+    lost = std::max(lost, std::abs(kinetic_energy(play.world) / energy - 1));
+  }
+  return {1000 * beyond, 100 * off, 100 * lost};
+}
+
 }  // namespace
 
 std::vector<HardCase> impact_cases() {
@@ -187,11 +234,39 @@ std::vector<HardCase> impact_cases() {
       .name = margin.title, .fill = around_the_slop, .camera = view({0, Real(0.5), 0}, Real(2.5)), .seconds = 2};
   margin.run = left_alone;
 
-  return {domino, deep, margin,
+  HardCase thin;
+  thin.name = "bullet";
+  thin.title = "a bullet at a thin sheet";
+  thin.stresses = "10 mm at 500 m/s, e = 0.5: 8 m in a step, so before the sheet and then behind it";
+  thin.criteria = {{"centre beyond the sheet's middle", "mm", 0}, {"velocity after it, off by", "%", 1}};
+  thin.scene = {.name = thin.title,
+                .fill = bullet,
+                .camera = {{Real(-0.03), Real(0.02), Real(0.2)}, {Real(-0.03), 0, 0}},
+                .seconds = frame};
+  thin.run = bullet_and_sheet;
+
+  HardCase rod;
+  rod.name = "spinning-rod";
+  rod.title = "a rod spins at a thin wall";
+  rod.stresses = "its middle stands still, and its end goes through in a step; elastic, at four speeds";
+  rod.criteria = {{"end beyond the wall's face", "mm", 6},  // the slop and 1 mm
+                  {"velocity of its middle after it, off by", "%", 1},
+                  {"energy after it, off by", "%", 1}};
+  rod.scene = {.name = rod.title,
+               .fill = SpinningRod{.spin = 10},
+               .camera = {{Real(-0.05), Real(0.3), Real(2.9)}, {Real(-0.05), 0, 0}},
+               .seconds = Real(0.1)};
+  rod.run = rod_and_wall;
+
+  return {domino,
+          deep,
+          margin,
           shot("impact-500-stack", "500 m/s into a stack", "in one step, 8 m: detected deep inside", shot_at_a_stack,
                view({0, Real(2.5), 0}, Real(5.6)), Real(0.25), 5, false),
           shot("impact-500-free", "500 m/s off the centre", "elastic and deep: spin, speed and energy at once",
-               shots_at_a_box, {{Real(-2.5), Real(-1.5), 3}, {0, 0, 0}}, frame, 90, true)};
+               shots_at_a_box, {{Real(-2.5), Real(-1.5), 3}, {0, 0, 0}}, frame, 90, true),
+          thin,
+          rod};
 }
 
 }  // namespace pushback

@@ -7,6 +7,7 @@
 #include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/hard_cases/fuzz.h"
+#include "pushback/tools/shards/origin.h"
 
 using namespace pushback;
 
@@ -33,8 +34,15 @@ std::string line_of(const std::string& stage, std::uint64_t seed, const Finding&
                      a.most_started, a.returned, a.most_returned, a.ended_above, a.most_above, f.broken);
 }
 
+std::filesystem::path origin_of(const std::string& saved) {
+  return saved + ".origin";
+}
+
 /// What parts have saved.
 Findings read_parts(const std::vector<std::string>& files) {
+  std::vector<std::filesystem::path> origins;
+  for (const std::string& file : files) origins.push_back(origin_of(file));
+  require_one_origin(origins, Holds::numbers);
   Findings all;
   for (const std::string& file : files) {
     std::istringstream in(read_text_file(file));
@@ -70,7 +78,7 @@ int main(int argc, char** argv) {
   std::string shard_text = "1/1", save;
   std::vector<std::string> parts;
   line.option("--shard", shard_text, "2/5: the second of five parts of these scenes, for a machine of its own");
-  line.option("--save", save, "A file for what was found, to be joined");
+  line.option("--save", save, "A file for what was found, to be joined; beside it, FILE.origin says of which code");
   line.option("--join", parts,
               "Nothing is played: what the parts have saved, said as of the whole, with the same options");
   const CommandLine::Option one = line.option("--seed", seed, "Only this scene, and print every step");
@@ -110,7 +118,10 @@ int main(int argc, char** argv) {
       }
       print_account(stage, account);
     }
-    if (!save.empty()) write_text_file(save, saved);
+    if (!save.empty()) {
+      write_text_file(save, saved);
+      write_text_file(origin_of(save), origin_text(origin_here()));
+    }
     const std::string summary = fmt::format("{} of {} runs were not as expected", failed, runs);
     if (failed > 0) throw std::runtime_error(summary);
     fmt::print("{}\n", summary);

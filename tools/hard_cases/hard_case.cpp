@@ -52,10 +52,16 @@ World Trial::filled(const std::function<void(World&)>& fill) const {
   return world;
 }
 
-Play Trial::play(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of) {
+Play Trial::begun(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of,
+                  Stepper stepper) {
   World start = filled(fill);
-  const Allowance allowance = allowance_of(start);
-  return {*this, std::move(start), allowance, stage_->begin()};
+  Allowance allowance = allowance_of(start);
+  allowance.epsilon = stage_->epsilon;
+  return {*this, std::move(start), allowance, std::move(stepper)};
+}
+
+Play Trial::play(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of) {
+  return begun(fill, allowance_of, stage_->begin());
 }
 
 Play Trial::play(const std::function<void(World&)>& fill, const Allowance& allowance) {
@@ -64,9 +70,7 @@ Play Trial::play(const std::function<void(World&)>& fill, const Allowance& allow
 
 Play Trial::play_given(const std::function<void(World&)>& fill,
                        const std::function<Allowance(const World&)>& allowance_of, bool twice) {
-  World start = filled(fill);
-  const Allowance allowance = allowance_of(start);
-  return {*this, std::move(start), allowance, twice ? stage_->begin_doubled() : stage_->begin_call_by_call()};
+  return begun(fill, allowance_of, twice ? stage_->begin_doubled() : stage_->begin_call_by_call());
 }
 
 namespace {
@@ -99,10 +103,14 @@ bool Outcome::passed(const HardCase& of) const {
 }
 
 std::size_t Outcome::worst(const HardCase& of) const {
+  const auto part_of_limit = [&](std::size_t i) {
+    if (of.criteria[i].limit > 0) return largest[i] / of.criteria[i].limit;
+    return largest[i] > 0 ? std::numeric_limits<Real>::infinity() : 0;
+  };
   std::size_t worst = 0;
   for (std::size_t i = 0; i < largest.size(); ++i) {
     if (std::isnan(largest[i])) return i;
-    if (largest[i] * of.criteria[worst].limit > largest[worst] * of.criteria[i].limit) worst = i;
+    if (part_of_limit(i) > part_of_limit(worst)) worst = i;
   }
   return worst;
 }

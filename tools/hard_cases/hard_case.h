@@ -71,6 +71,8 @@ class Trial {
   friend class Play;
   /// The world in which a play begins.
   World filled(const std::function<void(World&)>& fill) const;
+  Play begun(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of,
+             Stepper stepper);
 
   const Stage* stage_;
   int start_;
@@ -101,6 +103,9 @@ struct HardCase {
 /// "drift after 10 s ≤ 1 mm; speed in the last second ≤ 1 mm/s"
 std::string criteria_of(const HardCase& hard_case);
 
+/// What `broken` begins with where who is to play a case lacks what it asks for: it has neither passed nor failed.
+inline constexpr const char* not_possible = "not possible";
+
 struct Outcome {
   std::vector<Real> numbers;            ///< one a criterion, of the scene as it is; NaN where a world was not sound
   std::string broken;                   ///< the invariant that broke first, and from which start; empty: none did
@@ -108,6 +113,8 @@ struct Outcome {
   std::vector<Real> largest = numbers;  ///< one a criterion, of all starts
   int starts = 1, starts_passed = 0;
   bool ended = true;  ///< false: the process that played it came to no good end, and `broken` says how
+  /// Whether who played it has all that the case asks for.
+  bool possible() const { return !broken.starts_with(not_possible); }
   /// From every start, every number within its limit, and no invariant broken.
   bool passed(const HardCase& of) const;
   /// The criterion of which the largest number is nearest to its limit, or furthest beyond.

@@ -12,6 +12,7 @@
 #include "pushback/tools/hard_cases/apart.h"
 #include "pushback/tools/hard_cases/table.h"
 #include "pushback/tools/hard_cases/table_picture.h"
+#include "pushback/tools/shards/origin.h"
 
 using namespace pushback;
 
@@ -76,18 +77,43 @@ void show(const Table& table, const std::filesystem::path& folder, bool images) 
   fmt::print("\n{}\n", (folder / (images ? "overview.png" : "table.md")).string());
 }
 
-/// The parts, put together: the same files as if all had been played here.
-void join(std::size_t parts, const std::filesystem::path& folder, bool images) {
+/// The parts, put together: the same files as if all had been played here. More parts than cases have had pairs of case and stage.
+void join(std::size_t parts, std::size_t cases, const std::filesystem::path& folder, bool images) {
   std::vector<std::string> tables, times;
+  std::vector<std::filesystem::path> origins;
   for (std::size_t i = 1; i <= parts; ++i) {
     const std::filesystem::path part = folder / Shard{i, parts}.folder();
     tables.push_back(read_text_file(part / "table.csv"));
     times.push_back(read_text_file(part / "times.csv"));
+    origins.push_back(part / "origin.txt");
   }
-  const Table table = read_table_csv(joined(tables));
+  require_one_origin(origins, Holds::numbers);
+  const int fields = parts > cases ? 2 : 1;
+  const Table table = read_table_csv(joined(tables, fields));
   write_text_file(folder / "table.csv", table_csv(table));
-  write_text_file(folder / "times.csv", joined(times));
+  write_text_file(folder / "times.csv", joined(times, fields));
   show(table, folder, images);
+}
+
+/// The pairs of a case and a stage that are this part's, in turn: the lines of table.csv and of times.csv.
+std::pair<std::string, std::string> play_pairs(const std::vector<HardCase>& cases, const std::vector<Stage>& stages,
+                                               const Shard& shard, int jobs) {
+  std::string numbers, times;
+  const auto add = [](std::string& to, const std::string& csv) {  // one heading
+    to += to.empty() ? csv : csv.substr(csv.find('\n') + 1);
+  };
+  std::size_t index = 0;
+  for (const HardCase& c : cases) {
+    std::vector<Stage> mine;
+    for (const Stage& stage : stages)
+      if (shard.has(index++)) mine.push_back(stage);
+    if (mine.empty()) continue;
+    const Table table = play({c}, std::move(mine), jobs, [](const Table&, std::size_t, std::size_t) {});
+    print_row(table, 0, true);
+    add(numbers, table_csv(table));
+    add(times, times_csv(table));
+  }
+  return {numbers, times};
 }
 
 /// Of a solver of one's own, beside the others; false where it came to no end somewhere.
@@ -174,7 +200,7 @@ int main(int argc, char** argv) {
     if (!mine.empty()) {
       if (alone) columns.clear();
       columns.push_back(stage_of_library(mine));
-      if (alone) columns.back().library.clear();
+      if (alone) columns.back().apart.clear();
     }
     if (list) {
       for (const HardCase& c : cases) fmt::print("{:<24}{}: {}\n", c.name, c.title, c.stresses);
@@ -188,13 +214,26 @@ int main(int argc, char** argv) {
                                    (only_needed ? "only_what_is_needed"
                                     : whole     ? ""
                                                 : "part");
-    if (parts > 0) return join(parts, folder, !no_images);
+    if (parts > 0) return join(parts, cases.size(), folder, !no_images);
     const Shard shard = shard_of(shard_text);
-    if (shard.of > cases.size())
+    if (shard.of > cases.size() * columns.size())
       throw InvalidInput(
-          fmt::format("--shard is '{}': there are {} cases, and each part needs one", shard_text, cases.size()));
+          fmt::format("--shard is '{}': there are {} cases under {} stages, and each part needs one pair", shard_text,
+                      cases.size(), columns.size()));
+    if (shard.of > cases.size() && !mine.empty())
+      throw InvalidInput(
+          fmt::format("--shard is '{}': with --mine there are parts for {} cases", shard_text, cases.size()));
     if (!shard.whole()) folder /= shard.folder();
     make_writable_folder(folder);
+    const auto write = [&](const std::string& numbers, const std::string& times) {
+      write_text_file(folder / "table.csv", numbers);
+      write_text_file(folder / "times.csv", times);
+      if (!shard.whole()) write_text_file(folder / "origin.txt", origin_text(origin_here()));
+    };
+    if (shard.of > cases.size()) {
+      const auto [numbers, times] = play_pairs(cases, columns, shard, jobs);
+      return write(numbers, times);
+    }
     std::size_t index = 0;
     std::erase_if(cases, [&](const HardCase&) { return !shard.has(index++); });
     const bool all_numbers = !whole && (mine.empty() || cases.size() <= 3);
@@ -207,8 +246,7 @@ int main(int argc, char** argv) {
       std::fflush(stdout);
     };
     const Table table = play(std::move(cases), std::move(columns), jobs, progress, giving_up);
-    write_text_file(folder / "table.csv", table_csv(table));
-    write_text_file(folder / "times.csv", times_csv(table));
+    write(table_csv(table), times_csv(table));
     if (shard.whole() && !alone) show(table, folder, !no_images);
     if (!mine.empty() && !alone) ended = sum_up(table);
   });

@@ -24,8 +24,11 @@ struct Stage : NamedSolver {
   int most_starts = std::numeric_limits<int>::max();
   /// What flies, or slides alone, is moved by half steps (chapter 24).
   bool half_steps = false;
-  /// Of a shared object, where it is one: each case is then played by a process of its own, as it may crash or never end.
-  std::string library = {};
+  /// The program, and its arguments, that plays a case under it by a process of its own, as it may crash or never end. Empty: it is
+  /// played here.
+  std::vector<std::string> apart = {};
+  /// The rounding unit of the numbers that it computes with.
+  Real epsilon = std::numeric_limits<Real>::epsilon();
 
   /// Into how many it divides a step of dt.
   int substeps(Real dt = Real(1) / 60) const { return solver.plan(dt).all_substeps(); }

@@ -15,6 +15,7 @@
 namespace pushback {
 
 std::optional<std::size_t> rescuer(const Table& table, std::size_t row) {
+  if (!table.rescues) return {};
   std::size_t first = table.chapters;
   while (first > 0 && table.passed(row, first - 1)) --first;
   if (first == table.chapters) {
@@ -73,7 +74,8 @@ std::string in_short(Real value, Real limit, const std::string& unit) {
 
 std::string in_a_word(const std::string& broken) {
   // In the words of outcome_apart, then of the watcher, or of World::step; "angular momentum" has to come before "momentum".
-  static constexpr std::array<std::pair<const char*, const char*>, 13> words{{{"crashed", "crash"},
+  static constexpr std::array<std::pair<const char*, const char*>, 14> words{{{not_possible, not_possible},
+                                                                              {"crashed", "crash"},
                                                                               {"threw", "threw"},
                                                                               {"no end", "no end"},
                                                                               {"not played", "not played"},
@@ -161,9 +163,16 @@ std::string page_of(const Stage& stage, const std::filesystem::path& folder) {
   return {};
 }
 
+/// Of "not possible: restitution", what is missing.
+std::string missing_in(const std::string& broken) {
+  const std::string what = broken.substr(broken.find(": ") + 2);
+  return "no " + what.substr(what.starts_with("a ") ? 2 : 0);
+}
+
 /// "✓", or "✗ 35 m", and below it how many of several starts pass, unless none does, and the invariant that broke first.
 std::string cell_of(const Table& table, std::size_t row, std::size_t column) {
   const Outcome& outcome = table.at(row, column);
+  if (!outcome.possible()) return "—<br>" + missing_in(outcome.broken);
   if (table.passed(row, column)) return rescuer(table, row) == column ? "★ ✓" : "✓";
   std::string below = outcome.starts_passed > 0 ? passed_of_starts(outcome) : "";
   const std::string word = in_a_word(outcome.broken);
@@ -250,12 +259,19 @@ std::string table_md(const Table& table, const std::filesystem::path& folder) {
       "limit, or nearest to it; below it, the invariant that broke first. ★: the stage that rescues the case. A count "
       "such "
       "as 29/30: so many of 30 starts pass, and all would have to; without a count, none does.\n";
-  if (table.chapters > 0) md += "\n## One more feature in each chapter\n\n" + rows_of(table, 0, table.chapters, folder);
-  if (table.chapters < table.stages.size()) {
-    std::string heading = table.others;
+  if (!table.rescues)
+    md = "A row is a case, a column a solver of ours or [another engine](#what-the-stages-are). ✓: every number is "
+         "within its limit, and no invariant broke. ✗: something failed, and the number is that of the criterion "
+         "furthest beyond its limit, or nearest to it; below it, the invariant that broke first. —: the engine does "
+         "not have what the case asks for. A count such as 4/5: so many of 5 starts pass, of 30 under ours, and all "
+         "would have to; without a count, none does.\n";
+  const auto part = [&](std::string heading, std::size_t first, std::size_t end) {
+    if (first == end) return;
     heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
-    md += "\n## " + heading + "\n\n" + rows_of(table, table.chapters, table.stages.size(), folder);
-  }
+    md += "\n## " + heading + "\n\n" + rows_of(table, first, end, folder);
+  };
+  part(table.first, 0, table.chapters);
+  part(table.others, table.chapters, table.stages.size());
   md += "\n## What is asked of each\n\n";
   for (const HardCase& hard_case : table.cases) {
     md += fmt::format("- **{}** (`{}`): {}. {}.\n", hard_case.title, hard_case.name, hard_case.stresses,

@@ -13,8 +13,10 @@ struct Table {
   std::vector<Stage> stages;    ///< the columns, in the order of stages()
   std::size_t chapters = 0;     ///< how many of the columns, the first ones, are a chapter each
   std::string asks = "Which feature keeps which hard case stable?";
-  std::string others = "what came after";  ///< what the columns are that are no chapter
-  std::vector<Outcome> outcomes;           ///< a row after the other
+  std::string first = "one more feature in each chapter";  ///< what the first columns are
+  std::string others = "what came after";                  ///< what the columns are that are no chapter
+  bool rescues = true;            ///< whether one column is made of another, so that one of them rescues a case
+  std::vector<Outcome> outcomes;  ///< a row after the other
 
   const Outcome& at(std::size_t row, std::size_t column) const { return outcomes[row * stages.size() + column]; }
   bool passed(std::size_t row, std::size_t column) const { return at(row, column).passed(cases[row]); }
@@ -23,7 +25,7 @@ struct Table {
 /// Called after each pair: the first `rows` rows are complete, `done` pairs are.
 using Progress = std::function<void(const Table&, std::size_t rows, std::size_t done)>;
 
-/// Each case of a stage with a library is given up after so long. Who has been given up so often plays nothing more.
+/// Each case of a stage that is played apart is given up after so long. Who has been given up so often plays nothing more.
 struct GivingUp {
   double seconds = 30;
   int times = 3;
@@ -38,8 +40,8 @@ Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, 
 Table empty_table(std::vector<HardCase> cases, std::vector<Stage> stages);
 
 /// The column whose feature rescues the case: among the chapters, the first from which on all pass, unless that is the very
-/// first; where the last chapter fails, the first column behind the chapters that passes. None, where nothing helps or
-/// nothing is needed.
+/// first; where the last chapter fails, the first column behind the chapters that passes. None, where nothing helps, nothing is
+/// needed, or no column rescues.
 std::optional<std::size_t> rescuer(const Table& table, std::size_t row);
 
 /// As short as it can be told on which side of its limit it lies: "0.28 mm/s", "12 m"; "–" where it is no finite number.

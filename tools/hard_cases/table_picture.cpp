@@ -12,7 +12,8 @@ namespace {
 
 // Filled against hollow and dark against light, so that it reads without colours too. All are among the levels of `coarse`.
 constexpr Ink dark{34, 34, 51}, grey{102, 102, 119}, white{255, 255, 255};
-constexpr Ink pass_fill{0, 85, 136}, fail_fill{255, 238, 221}, fail_ink{153, 51, 0}, gold{255, 187, 0};
+constexpr Ink pass_fill{0, 85, 136}, fail_fill{255, 238, 221}, fail_ink{153, 51, 0}, gold{255, 187, 0},
+    none_fill{238, 238, 238};
 // Pixels. A page shows the picture half as wide: text of 24 is then as high as its own.
 constexpr int width = 1600, margin = 24, label = 300, between_groups = 16, gap = 3, row_height = 34, legend_line = 40;
 constexpr float text = 24;
@@ -44,7 +45,7 @@ class Drawing {
   Image draw() {
     write_text(image_, table_.asks, margin, 58, 44, dark, Align::left, true);
     write_text(image_, "A row is a case, a column a solver.", margin, 98, text, grey);
-    draw_group("one more feature in each chapter", 0, table_.chapters);
+    draw_group(table_.first, 0, table_.chapters);
     draw_group(table_.others, table_.chapters, table_.stages.size());
     for (std::size_t column = 0; column < table_.stages.size(); ++column) draw_head(column);
     write_text(image_, fmt::format("pass, of {}", table_.cases.size()), margin, rows_y_ - 10, text, grey);
@@ -83,7 +84,8 @@ class Drawing {
     const int y = rows_y_ + static_cast<int>(row) * (row_height + gap);
     write_text(image_, table_.cases[row].title, margin, y + 25, text, dark);
     for (std::size_t column = 0; column < table_.stages.size(); ++column) {
-      draw_cell(cell_x(column), y, table_.passed(row, column), rescuer(table_, row) == column);
+      if (!table_.at(row, column).possible()) draw_none(cell_x(column), y);
+      else draw_cell(cell_x(column), y, table_.passed(row, column), rescuer(table_, row) == column);
     }
   }
 
@@ -95,16 +97,27 @@ class Drawing {
     if (rescued) write_text(image_, "★", centre + 14, y + 26, text + 2, gold, Align::centre);
   }
 
+  /// Neither passes nor fails.
+  void draw_none(int x, int y) {
+    fill_rectangle(image_, x, y, cell_, row_height, none_fill);
+    write_text(image_, "—", x + cell_ / 2, y + 26, text + 2, grey, Align::centre, true);
+  }
+
   void draw_legend() {
     int y = rows_y_ + static_cast<int>(table_.cases.size()) * (row_height + gap) + 14;
-    const auto entry = [&](bool passed, bool rescued, const std::string& meaning) {
-      draw_cell(margin, y, passed, rescued);
+    const auto say = [&](const std::string& meaning) {
       write_text(image_, meaning, margin + cell_ + 16, y + 26, text, dark);
       y += legend_line;
     };
+    const auto entry = [&](bool passed, bool rescued, const std::string& meaning) {
+      draw_cell(margin, y, passed, rescued);
+      say(meaning);
+    };
     entry(true, false, "passes: every number is within its limit, and no invariant broke");
     entry(false, false, "fails: a number is beyond its limit, or an invariant broke");
-    entry(true, true, "the feature that rescues the case");
+    if (table_.rescues) return entry(true, true, "the feature that rescues the case");
+    draw_none(margin, y);
+    say("the engine does not have what the case asks for");
   }
 
   const Table& table_;

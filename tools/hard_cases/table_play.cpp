@@ -48,7 +48,7 @@ Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, 
     const HardCase& hard_case = table.cases[i / columns];
     const Stage& stage = table.stages[i % columns];
     Outcome outcome =
-        stage.library.empty() ? outcome_of(hard_case, stage)
+        stage.apart.empty() ? outcome_of(hard_case, stage)
         : given_up < giving_up.times
             ? outcome_apart(hard_case, stage, giving_up.seconds)
             : without_end(hard_case, fmt::format("not played: {} cases before it had no end", given_up.load()));

@@ -17,7 +17,7 @@ const Vec3& impulse_of_substep(const World& world, const Contact& contact) {
   return world.last_impulses_known ? contact.last_impulse : contact.impulse;
 }
 
-constexpr Real rounding = 1e5 * std::numeric_limits<Real>::epsilon();  // 2e-11 in double
+constexpr Real units = 1e5;  // of rounding that are allowed: 2e-11 in double
 
 /// The largest moment of inertia over the smallest. R I^-1 R^T is one matrix: what rounds its largest entries off is to the
 /// smallest so many times as much, and an impulse turns a needle by that much less exactly. Its w, which is mostly about the
@@ -84,6 +84,7 @@ void Watcher::look(const World& world, Real dt, int substeps, const std::functio
   if (!finite(world)) return breaks("not finite");
 
   feel(world);
+  const Real rounding = units * allowance_.epsilon;
   const Real energy = kinetic_energy(world) + potential_energy(world);
   // The change of T + U + h/2 g . P, which v += h g, x += h v keeps.
   Real along_gravity = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Allowance {
   Real energy = 0;           ///< J above the start: what push-outs may feed in
   Real overlap = Real(0.1);  ///< m
   bool isolated = false;     ///< no gravity, and nothing immovable is touched: momentum and angular momentum are kept
+  Real epsilon = std::numeric_limits<Real>::epsilon();  ///< the rounding unit of the numbers that are computed with
 };
 
 /// Looks at a world after every step and keeps the first thing that was not as it must be, and to the end the most energy

@@ -2,12 +2,12 @@
 #include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
-#include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
+#include "pushback/tools/peers/bullet.h"
 #include "pushback/tools/peers/peer.h"
 
 namespace pushback {
@@ -25,8 +25,6 @@ struct Choice {
   /// not from 2 cm before. Else neither a push against overlap nor a gap that is left lets a bounce be what it should.
   bool split = false;
 };
-
-constexpr btScalar half_slab = 20;  // m
 
 /// Counts rows where they are swept, a list at once: Bullet ends its iterations where nothing is left to correct. A tangent
 /// whose normal presses with nothing is only looked at; it counts.
@@ -48,33 +46,6 @@ class Counting : public Solver, public Counts {
   }
 };
 
-btVector3 bullet(const Vec3& v) {
-  return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
-}
-
-btQuaternion bullet(const Quat& q) {
-  return {static_cast<btScalar>(q.x()), static_cast<btScalar>(q.y()), static_cast<btScalar>(q.z()),
-          static_cast<btScalar>(q.w())};
-}
-
-/// A half-space is a plane under balls. Under boxes it is a slab, as Bullet finds one corner of a box on a plane in a step,
-/// but all four of a box on a box.
-std::unique_ptr<btCollisionShape> shape_of(const Body& body, bool boxes) {
-  if (const auto* ball = std::get_if<Sphere>(&body.shape))
-    return std::make_unique<btSphereShape>(static_cast<btScalar>(ball->radius));
-  if (const auto* box = std::get_if<Box>(&body.shape)) return std::make_unique<btBoxShape>(bullet(box->half_extents));
-  if (boxes) return std::make_unique<btBoxShape>(btVector3(half_slab, half_slab, half_slab));
-  return std::make_unique<btStaticPlaneShape>(bullet(std::get<HalfSpace>(body.shape).normal), btScalar(0));
-}
-
-/// Where the shape's origin is and how it is turned.
-btTransform transform_of(const Body& body, bool boxes) {
-  const auto* half_space = std::get_if<HalfSpace>(&body.shape);
-  if (half_space == nullptr || !boxes) return btTransform(bullet(body.orientation), bullet(body.position));
-  const btTransform top(bullet(Quat::FromTwoVectors(Vec3::UnitY(), half_space->normal)), bullet(body.position));
-  return top * btTransform(btQuaternion::getIdentity(), btVector3(0, -half_slab, 0));
-}
-
 class Bullet : public PlayerInSubsteps {
  public:
   Bullet(const Motion& motion, const Setting& setting, const Choice& choice)
@@ -89,9 +60,9 @@ class Bullet : public PlayerInSubsteps {
     info.m_restitutionVelocityThreshold = 0;
     info.m_globalCfm = choice.softness * dt_;
     if (choice.split) info.m_splitImpulsePenetrationThreshold = 0;
-    const bool boxes = std::any_of(world.bodies.begin(), world.bodies.end(),
-                                   [](const Body& body) { return std::holds_alternative<Box>(body.shape); });
-    for (const Body& body : world.bodies) add(body, boxes);
+    slab_.used = std::any_of(world.bodies.begin(), world.bodies.end(),
+                             [](const Body& body) { return std::holds_alternative<Box>(body.shape); });
+    for (const Body& body : world.bodies) add(body);
     for (const Pin& pin : motion.pins) add(pin, world);
   }
   ~Bullet() override {
@@ -113,16 +84,11 @@ class Bullet : public PlayerInSubsteps {
   }
 
  private:
-  void add(const Body& body, bool boxes) {
-    shapes_.push_back(shape_of(body, boxes));
+  void add(const Body& body) {
+    shapes_.push_back(slab_.shape_of(body));
     put_.push_back(body.position.cast<double>());
-    // The inertia is the true one: Bullet's own would be of the box with its margin around it.
-    btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shapes_.back().get());
-    if (body.movable()) {
-      info.m_mass = static_cast<btScalar>(1 / body.inverse_mass);
-      info.m_localInertia = bullet(Vec3(body.principal_inverse_inertia.cwiseInverse()));
-    }
-    info.m_startWorldTransform = transform_of(body, boxes);
+    btRigidBody::btRigidBodyConstructionInfo info = mass_of(body, shapes_.back().get());
+    info.m_startWorldTransform = slab_.transform_of(body);
     info.m_friction = static_cast<btScalar>(std::sqrt(body.friction));  // a pair has the product of its two
     info.m_restitution = static_cast<btScalar>(std::sqrt(body.restitution));
     bodies_.push_back(std::make_unique<btRigidBody>(info));
@@ -148,6 +114,7 @@ class Bullet : public PlayerInSubsteps {
   }
 
   Choice choice_;
+  Slab slab_;
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
   btDbvtBroadphase broad_phase_;

@@ -1,11 +1,8 @@
 /// MuJoCo plays motions.
 #include <fmt/format.h>
-#include <mujoco/mujoco.h>
-
-#include <array>
-#include <cstring>
 
 #include "pushback/common/basics/input.h"
+#include "pushback/tools/peers/mujoco.h"
 #include "pushback/tools/peers/peer.h"
 
 namespace pushback {
@@ -19,14 +16,6 @@ struct Choice {
   bool hard = true;      ///< as hard as it goes; else as it comes
   bool connect = false;  ///< pins are constraints, not the joints of a tree
 };
-
-std::string text(const Vec3& v) {
-  return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z());
-}
-
-std::string text(const Quat& q) {
-  return fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}", q.w(), q.x(), q.y(), q.z());
-}
 
 /// A world as MJCF. Bodies are called b0, b1 ... by their index.
 class Mjcf {
@@ -105,31 +94,12 @@ class Mjcf {
   std::string text_;
 };
 
-struct Release {
-  void operator()(mjModel* model) const { mj_deleteModel(model); }
-  void operator()(mjData* data) const { mj_deleteData(data); }
-};
-
-std::unique_ptr<mjModel, Release> read(const std::string& mjcf) {
-  mju_user_warning = [](const char*) {};  // its own writes a file; substep() asks
-  const auto files = std::make_unique<mjVFS>();
-  mj_defaultVFS(files.get());
-  mj_makeEmptyFileVFS(files.get(), "motion.xml", static_cast<int>(mjcf.size()));
-  std::memcpy(files->filedata[0], mjcf.data(), mjcf.size());
-  std::array<char, 1000> problem{};
-  std::unique_ptr<mjModel, Release> model(
-      mj_loadXML("motion.xml", files.get(), problem.data(), static_cast<int>(problem.size())));
-  mj_deleteVFS(files.get());
-  if (model == nullptr) throw std::runtime_error(fmt::format("MuJoCo: {}", problem.data()));
-  return model;
-}
-
 class Mujoco : public PlayerInSubsteps {
  public:
   Mujoco(const Motion& motion, const Setting& setting, const Choice& choice) {
     World world;
     motion.fill(world);
-    model_ = read(Mjcf(motion, world, setting, choice)());
+    model_ = model_of(Mjcf(motion, world, setting, choice)());
     data_.reset(mj_makeData(model_.get()));
     for (const Body& body : world.bodies) {
       ids_.push_back(mj_name2id(model_.get(), mjOBJ_BODY, fmt::format("b{}", body.index).c_str()));
@@ -145,9 +115,7 @@ class Mujoco : public PlayerInSubsteps {
     mj_step(model_.get(), data_.get());
     moved_ = true;
     row_solves_ += static_cast<double>(data_->nefc) * data_->solver_iter;
-    // MuJoCo begins anew by itself where a state is no number.
-    for (const int lost : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL})
-      if (data_->warning[lost].number > 0) throw InvalidInput(mju_warningText(lost, 0));
+    if (const char* lost = lost_by(*data_)) throw InvalidInput(lost);
   }
   Eigen::Vector3d place(std::size_t body) const override {
     if (moved_) mj_kinematics(model_.get(), data_.get());  // a step leaves the places of where it began
@@ -160,8 +128,8 @@ class Mujoco : public PlayerInSubsteps {
   }
 
  private:
-  std::unique_ptr<mjModel, Release> model_;
-  std::unique_ptr<mjData, Release> data_;
+  MujocoModel model_;
+  MujocoData data_;
   std::vector<int> ids_;
   mutable bool moved_ = true;
   double row_solves_ = 0;

@@ -1,10 +1,10 @@
 /// ODE plays motions.
 #include <fmt/format.h>
-#include <ode/ode.h>
 
 #include <array>
 
 #include "pushback/common/basics/input.h"
+#include "pushback/tools/peers/ode.h"
 #include "pushback/tools/peers/peer.h"
 
 namespace pushback {
@@ -95,19 +95,11 @@ class Ode : public PlayerInSubsteps {
       const Vec3 lengths = 2 * std::get<Box>(body.shape).half_extents;
       made.geom = dCreateBox(space_, lengths.x(), lengths.y(), lengths.z());
     }
-    const Eigen::Vector3d inertia = body.principal_inverse_inertia.cast<double>().cwiseInverse();
-    const Eigen::Quaterniond q = body.orientation.cast<double>();
-    const dQuaternion turn{q.w(), q.x(), q.y(), q.z()};
-    dMass mass;
-    dMassSetParameters(&mass, 1 / static_cast<double>(body.inverse_mass), 0, 0, 0, inertia.x(), inertia.y(),
-                       inertia.z(), 0, 0, 0);
     made.body = dBodyCreate(world_);
+    const dMass mass = mass_of(body);
     dBodySetMass(made.body, &mass);
     dGeomSetBody(made.geom, made.body);
-    dBodySetPosition(made.body, body.position.x(), body.position.y(), body.position.z());
-    dBodySetQuaternion(made.body, turn);
-    dBodySetLinearVel(made.body, body.velocity.x(), body.velocity.y(), body.velocity.z());
-    dBodySetAngularVel(made.body, body.angular_velocity.x(), body.angular_velocity.y(), body.angular_velocity.z());
+    put_where(made.body, body);
     bodies_.push_back(made);
   }
 
@@ -124,21 +116,6 @@ class Ode : public PlayerInSubsteps {
       dJointAttach(dJointCreateContact(world_, contacts_, &contact), first, second);
     }
     rows_ += count * (surface_.mu > 0 ? 3 : 1);  // no tangents where nothing rubs
-  }
-
-  static void align(dContact& contact, dBodyID a, dBodyID b) {
-    const Eigen::Map<const Eigen::Vector3d> n(contact.geom.normal);
-    Eigen::Vector3d sliding = velocity_at(a, contact.geom.pos) - velocity_at(b, contact.geom.pos);
-    sliding -= n.dot(sliding) * n;
-    if (sliding.norm() < 1e-6) return;
-    contact.surface.mode |= dContactFDir1;
-    Eigen::Map<Eigen::Vector3d>(contact.fdir1) = sliding.normalized();
-  }
-
-  static Eigen::Vector3d velocity_at(dBodyID body, const dVector3& point) {
-    dVector3 velocity{};
-    if (body != nullptr) dBodyGetPointVel(body, point[0], point[1], point[2], velocity);
-    return {velocity[0], velocity[1], velocity[2]};
   }
 
   Choice choice_;
@@ -158,10 +135,7 @@ Method method(const std::string& name, const std::string& title, const Choice& c
           .title = title,
           .plays = [](const Motion&) { return true; },
           .begin = [choice](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            static const bool ready = dInitODE2(0) != 0;
-            if (!ready) throw std::runtime_error("ODE does not start");
-            // Where it cannot solve a step it says so, once for each, and goes on: the error tells.
-            dSetMessageHandler([](int, const char*, va_list) {});
+            start_ode();
             return std::make_unique<Ode>(motion, setting, choice);
           },
           .sweeps = !choice.exact};

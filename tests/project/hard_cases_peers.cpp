@@ -1,0 +1,166 @@
+/// The table of hard cases under other engines: what is written, and the program that hands the cases on. What an engine does with
+/// them is looked at where the engine is: tests/hard_cases/engines.
+#include "pushback/tools/hard_cases/peers.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "pushback/tools/hard_cases/apart.h"
+#include "pushback/tools/hard_cases/table_picture.h"
+#include "tests/support/call.h"
+#include "tests/support/complaint.h"
+
+#ifndef PEERS_PROGRAM
+#define PEERS_PROGRAM "build/release/programs/hard_cases_peers"
+#endif
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
+
+/// Of one criterion whose limit is 1: P passes, F fails, N is not possible.
+Outcome outcome(char mark) {
+  if (mark == 'N') return {.numbers = {not_a_number}, .broken = "not possible: a cone limit"};
+  return {.numbers = {mark == 'P' ? Real(0.5) : Real(2)}, .broken = ""};
+}
+
+/// A row each: the marks of ours, and those of the engines.
+Table table_of(const std::vector<std::pair<std::string, std::string>>& rows) {
+  Table table;
+  table.stages = stages_beside_peers();
+  table.chapters = table.stages.size();
+  table.rescues = false;
+  for (const Stage& stage : peer_stages()) table.stages.push_back(stage);
+  for (const auto& [ours, engines] : rows) {
+    HardCase c;
+    c.name = fmt::format("case-{}", table.cases.size());
+    c.criteria = {{"drift", "mm", 1}};
+    table.cases.push_back(c);
+    for (const char mark : ours + engines) table.outcomes.push_back(outcome(mark));
+  }
+  return table;
+}
+
+}  // namespace
+
+TEST_CASE("what an engine does not have is neither passed nor failed, and is said") {
+  const Table table = table_of({{"PPP", "PNFNNN"}});
+  CHECK(outcome('P').possible());
+  CHECK(outcome('F').possible());
+  CHECK_FALSE(outcome('N').possible());
+  CHECK_FALSE(table.passed(0, 4));
+  const std::string page = peers_md(table, "renders/hard_cases");
+  CHECK(contains(page, "|  | ✓ | —<br>no cone limit | ✗ 2 mm | —<br>no cone limit |"));
+  CHECK(contains(page, "| **1 of 1** | **0 of 1** | **0 of 1** |"));
+  CHECK_FALSE(contains(page, "★"));
+  CHECK_FALSE(rescuer(table, 0));
+}
+
+TEST_CASE("who passes what: nobody, ours alone, an engine alone, both") {
+  const std::string page = peers_md(
+      table_of({{"FFF", "FFFNFF"}, {"FPF", "FFFFFN"}, {"FFF", "FFFFFP"}, {"PFF", "PFFFFF"}, {"FFF", "NNNNNN"}}),
+      "renders/hard_cases");
+  CHECK(contains(page, "- **Nobody passes**, 1: `case-0`.\n"));
+  CHECK(contains(page, "- **Only ours pass**, 1: `case-1`.\n"));
+  CHECK(contains(page, "- **Only an engine passes**, 1: `case-2`.\n"));
+  CHECK(contains(page, "- **One of ours and an engine pass**, 1: `case-3`.\n"));
+  CHECK(contains(page, "- **No engine has what it asks for**, 1: `case-4`.\n"));
+}
+
+TEST_CASE("the worst number is that of the criterion furthest beyond its limit, also where a limit is 0") {
+  HardCase c;
+  c.criteria = {{"upright", "", 0}, {"rise", "mm", 10}, {"speed", "mm/s", 1}};
+  const auto worst = [&](const std::vector<Real>& numbers) {
+    return Outcome{.numbers = numbers, .broken = ""}.worst(c);
+  };
+  CHECK(worst({0, 5, 3}) == 2);
+  CHECK(worst({0, 50, 3}) == 1);
+  CHECK(worst({1, 50, 3}) == 0);
+  CHECK(worst({0, 0, 0}) == 0);
+  CHECK(worst({1, 50, not_a_number}) == 2);
+}
+
+TEST_CASE("each engine plays as it comes and tuned, under one name each, by a program of its own") {
+  std::vector<std::string> names;
+  for (const PeerSetting& setting : peer_settings()) {
+    CHECK(std::count(names.begin(), names.end(), setting.name) == 0);
+    CHECK(setting.tuned == (setting.name.find(" tuned") != std::string::npos));
+    names.push_back(setting.name);
+  }
+  const std::vector<Stage> stages = peer_stages("programs");
+  REQUIRE(stages.size() == names.size());
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    CHECK(stages[i].apart ==
+          std::vector<std::string>{"programs/hard_cases_" + peer_settings()[i].engine, "--setting", names[i]});
+    CHECK(stages[i].substeps() == peer_settings()[i].substeps);  // by which closed forms go
+    CHECK(stages[i].epsilon == peer_settings()[i].epsilon);
+  }
+}
+
+TEST_CASE("the committed outcomes are of every case under every setting, and its page is what they make") {
+  const std::string csv = text_of("renders/hard_cases/peers.csv");
+  const Table peers = read_table_csv(csv, peer_stages());
+  CHECK(table_csv(peers) == csv);
+  REQUIRE(peers.stages.size() == peer_settings().size());
+  for (const HardCase& hard_case : hard_cases()) {
+    INFO(hard_case.name << ": where it is missing, ./course hard-cases --peers " << hard_case.name << " -- --renew");
+    const auto played = std::find_if(peers.cases.begin(), peers.cases.end(),
+                                     [&](const HardCase& c) { return c.name == hard_case.name; });
+    REQUIRE(played != peers.cases.end());
+    for (std::size_t i = 0; i < hard_case.criteria.size(); ++i)
+      CHECK(played->criteria[i].limit == hard_case.criteria[i].limit);
+    for (std::size_t column = 0; column < peers.stages.size(); ++column) {
+      const Outcome& there = peers.at(static_cast<std::size_t>(played - peers.cases.begin()), column);
+      if (there.possible() && in_a_word(there.broken) != "no end" && in_a_word(there.broken) != "crash")
+        CHECK(there.starts == std::min(hard_case.starts, peer_starts));
+    }
+  }
+  const Table table = beside_peers(read_table_csv(text_of("renders/hard_cases/table.csv")), peers);
+  CHECK(peers_md(table, "renders/hard_cases") == text_of("renders/hard_cases/peers.md"));
+  CHECK(draw_overview(table).width == 1600);
+}
+
+TEST_CASE("what cannot be meant, or is not built: status 2, and nothing is written") {
+  const Scratch scratch;
+  for (const auto& [arguments, named] :
+       std::vector<std::pair<std::string, std::string>>{{"stack", "case is 'stack'"},
+                                                        {"--settings Jolt", "setting is 'Jolt'"},
+                                                        {"--at-most nan", "--at-most"},
+                                                        {"--jobs 0", "--jobs"},
+                                                        {"slop --renew", "peers.csv"},
+                                                        {"--redraw", "peers.csv"}}) {
+    const Ended ended = call_program(PEERS_PROGRAM, "--out '" + (scratch / "out").string() + "' " + arguments);
+    INFO(arguments << "\n" << ended.err);
+    CHECK(ended.status == 2);
+    CHECK(contains(ended.err, named));
+    CHECK_FALSE(fs::exists(scratch / "out"));
+  }
+  const fs::path alone = scratch / "alone";  // without any engine beside it
+  fs::copy_file(PEERS_PROGRAM, alone);
+  const Ended ended = call_program(alone.string(), "slop --settings ODE --out '" + (scratch / "out").string() + "'");
+  CHECK(ended.status == 2);
+  CHECK(contains(ended.err, "its engine is missing"));
+  CHECK_FALSE(fs::exists(scratch / "out"));
+  CHECK(contains(call_program(PEERS_PROGRAM, "--list").out, "MuJoCo tuned"));
+}
+
+TEST_CASE("a program that plays is called by its name and with its case, and ended when the time is over") {
+  const Scratch scratch;
+  const fs::path engine = scratch / "hard_cases_ode";
+  std::ofstream(engine) << "#!/bin/sh\nsleep 20\n";
+  fs::permissions(engine, fs::perms::owner_all);
+  fs::copy_file(PEERS_PROGRAM, scratch / "peers");
+  const Ended ended = call_program((scratch / "peers").string(),
+                                   "slop --settings ODE --at-most 0.2 --out '" + (scratch / "out").string() + "'");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+  CHECK(contains(ended.out, "no end"));
+  CHECK(contains(text_of(scratch / "out/hard_cases/part/peers.csv"), "no end within 0.2 s"));
+  std::ofstream(engine) << "#!/bin/sh\necho \"$*\" >&2\nexit 1\n";
+  const Ended called =
+      call_program((scratch / "peers").string(), "slop --settings ODE --out '" + (scratch / "out").string() + "'");
+  CHECK(called.status == 0);
+  CHECK(contains(text_of(scratch / "out/hard_cases/part/peers.csv"), "threw: slop --setting ODE --starts 1 --out "));
+}

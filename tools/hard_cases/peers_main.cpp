@@ -1,0 +1,132 @@
+/// ./course hard-cases --peers: the hard cases under other engines, as a file, a page and a picture.
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/named.h"
+#include "pushback/common/experiment/kept_picture.h"
+#include "pushback/common/experiment/program.h"
+#include "pushback/tools/hard_cases/apart.h"
+#include "pushback/tools/hard_cases/peers.h"
+#include "pushback/tools/hard_cases/table_picture.h"
+
+using namespace pushback;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Those of these names; all, without any.
+template <class Named>
+std::vector<Named> chosen(const std::string& kind, const std::vector<Named>& all,
+                          const std::vector<std::string>& names) {
+  if (names.empty()) return all;
+  for (const std::string& name : names) named(kind, all, name);  // refuses what there is not
+  std::vector<Named> list;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(list),
+               [&](const Named& one) { return std::find(names.begin(), names.end(), one.name) != names.end(); });
+  return list;
+}
+
+void print_row(const Table& table, std::size_t row) {
+  std::string marks;
+  for (std::size_t column = 0; column < table.stages.size(); ++column) {
+    marks += table.passed(row, column) ? "✓" : !table.at(row, column).possible() ? "—" : "✗";
+    const std::string word = in_a_word(table.at(row, column).broken);
+    marks += fmt::format(" {}{}{}; ", worst_number(table, row, column), word.empty() ? "" : " ", word);
+  }
+  fmt::print("{:<24}{}\n", table.cases[row].name, marks);
+  std::fflush(stdout);
+}
+
+/// What is made of peers.csv and of the table of ours.
+void show(const Table& peers, const fs::path& folder, bool images) {
+  const Table table = beside_peers(read_table_csv(read_text_file("renders/hard_cases/table.csv")), peers);
+  write_text_file(folder / "peers.md", peers_md(table, folder));
+  if (images) keep_picture(folder / "peers.png", draw_overview(table));
+  fmt::print("\n{}\n", (folder / (images ? "peers.png" : "peers.md")).string());
+}
+
+/// What has been played before, where what is played now is not all: the outcomes of the others. Throws InvalidInput where a
+/// pair was never played.
+void take_over(Table& into, const Table& from) {
+  for (std::size_t row = 0; row < from.cases.size(); ++row) {
+    for (std::size_t column = 0; column < from.stages.size(); ++column) {
+      for (std::size_t r = 0; r < into.cases.size(); ++r) {
+        for (std::size_t c = 0; c < into.stages.size(); ++c) {
+          if (into.cases[r].name == from.cases[row].name && into.stages[c].name == from.stages[column].name)
+            into.outcomes[r * into.stages.size() + c] = from.at(row, column);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> names, settings;
+  std::string out = "renders";
+  GivingUp giving_up{.seconds = 900, .times = std::numeric_limits<int>::max()};
+  int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int starts = peer_starts;
+  bool no_images = false, redraw = false, keep = false, list = false;
+  CommandLine line("Every hard case under other engines, each as it comes and tuned, beside ours.", "hard_cases_peers");
+  line.option("NAME", names, "Only these cases");
+  line.option("--settings", settings, "Only these settings, separated by commas").split_at_commas();
+  line.option("--out", out, "Folder in which the folder hard_cases is made; what is not all goes to hard_cases/part")
+      .shows_default();
+  line.option("--jobs", jobs, "So many processes at a time").between(1, 256).shows_default();
+  line.option("--starts", starts, "At most so many starts of the cases at a knife's edge").between(1, peer_starts);
+  line.option("--at-most", giving_up.seconds, "Each case is given up after so long, s")
+      .between(0.1, 36000.0)
+      .shows_default();
+  line.flag("--renew", keep, "The others stay as they are in hard_cases/peers.csv; only those named are played anew");
+  line.flag("--no-images", no_images, "Only peers.csv and peers.md");
+  line.flag("--redraw", redraw, "Nothing is played: peers.md and peers.png of what is in hard_cases/peers.csv");
+  line.flag("--list", list, "List the settings, and do nothing");
+  return line.run(argc, argv, [&] {
+    require_between("--at-most", static_cast<Real>(giving_up.seconds), Real(0.1), 36000);  // the range lets nan pass
+    const fs::path folder = fs::path(out) / "hard_cases", kept = folder / "peers.csv";
+    if (redraw) return show(read_table_csv(read_text_file(kept), peer_stages()), folder, !no_images);
+    const std::vector<Stage> all = peer_stages(fs::canonical("/proc/self/exe").parent_path());
+    std::vector<HardCase> cases = chosen("case", hard_cases(), names);
+    std::vector<Stage> columns = chosen("setting", all, settings);
+    if (list) {
+      for (const Stage& stage : columns) fmt::print("{:<16}{}\n", stage.name, stage.what);
+      return;
+    }
+    for (const Stage& stage : columns)
+      if (!fs::exists(stage.apart.front()))
+        throw InvalidInput(
+            fmt::format("'{}' needs {}, which is not built: its engine is missing", stage.name, stage.apart.front()));
+    for (HardCase& c : cases) c.starts = std::min(c.starts, starts);
+    const bool whole = cases.size() == hard_cases().size() && columns.size() == all.size() && starts == peer_starts;
+    std::string before;
+    if (keep) before = read_text_file(kept);
+    const fs::path into = whole || keep ? folder : folder / "part";
+    make_writable_folder(into);
+    std::size_t printed = 0;
+    Table table = play(
+        std::move(cases), std::move(columns), jobs,
+        [&](const Table& so_far, std::size_t rows, std::size_t) {
+          for (; printed < rows; ++printed) print_row(so_far, printed);
+        },
+        giving_up);
+    if (keep) {
+      Table renewed = empty_table(hard_cases(), peer_stages());
+      take_over(renewed, read_table_csv(before, peer_stages()));
+      take_over(renewed, table);
+      for (std::size_t pair = 0; pair < renewed.outcomes.size(); ++pair) {
+        if (renewed.outcomes[pair].numbers.empty())
+          throw InvalidInput(fmt::format("{} was never played under {}: name it, too",
+                                         renewed.cases[pair / renewed.stages.size()].name,
+                                         renewed.stages[pair % renewed.stages.size()].name));
+      }
+      table = std::move(renewed);
+    }
+    write_text_file(into / "peers.csv", table_csv(table));
+    if (whole || keep) show(table, into, !no_images);
+  });
+}

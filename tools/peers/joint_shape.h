@@ -1,0 +1,21 @@
+/// Which joint a Joint is, read off what it asks for: engines have joints, not equations.
+#pragma once
+
+#include "pushback/common/world/joint.h"
+
+namespace pushback {
+
+/// World axes, as the bodies stand now.
+struct JointShape {
+  enum Kind { ball_and_socket, hinge, angle_limits, twist_limits, cone_limit };
+  Kind kind;
+  Vec3 anchor_a = Vec3::Zero(), anchor_b = Vec3::Zero();  ///< m; of a ball and socket, and of a hinge
+  Vec3 axis = Vec3::Zero();    ///< unit; of a hinge and of limits of a turn; of a cone limit the one that A carries
+  Vec3 axis_b = Vec3::Zero();  ///< unit; of a cone limit the one that B carries
+  Real low = 0, high = 0;      ///< rad; of limits, from where the bodies stand now. Of a cone: high, its half angle
+};
+
+/// Throws not_had, naming the joint, where it is none of these.
+JointShape shape_of(const World& world, const Joint& joint);
+
+}  // namespace pushback

@@ -1,0 +1,52 @@
+/// What of ours becomes what of ODE's.
+#pragma once
+
+#include <ode/ode.h>
+
+#include <stdexcept>
+
+#include "pushback/common/bodies/body.h"
+
+namespace pushback {
+
+/// Once in a program, before anything else. Where ODE cannot solve a step it would say so, once for each, and go on: errors tell.
+inline void start_ode() {
+  static const bool ready = dInitODE2(0) != 0;
+  if (!ready) throw std::runtime_error("ODE does not start");
+  dSetMessageHandler([](int, const char*, va_list) {});
+}
+
+inline dMass mass_of(const Body& body) {
+  const Eigen::Vector3d inertia = body.principal_inverse_inertia.cast<double>().cwiseInverse();
+  dMass mass;
+  dMassSetParameters(&mass, 1 / static_cast<double>(body.inverse_mass), 0, 0, 0, inertia.x(), inertia.y(), inertia.z(),
+                     0, 0, 0);
+  return mass;
+}
+
+inline void put_where(dBodyID made, const Body& body) {
+  const Eigen::Quaterniond q = body.orientation.cast<double>();
+  const dQuaternion turn{q.w(), q.x(), q.y(), q.z()};
+  dBodySetPosition(made, body.position.x(), body.position.y(), body.position.z());
+  dBodySetQuaternion(made, turn);
+  dBodySetLinearVel(made, body.velocity.x(), body.velocity.y(), body.velocity.z());
+  dBodySetAngularVel(made, body.angular_velocity.x(), body.angular_velocity.y(), body.angular_velocity.z());
+}
+
+inline Eigen::Vector3d velocity_at(dBodyID body, const dVector3& point) {
+  dVector3 velocity{};
+  if (body != nullptr) dBodyGetPointVel(body, point[0], point[1], point[2], velocity);
+  return {velocity[0], velocity[1], velocity[2]};
+}
+
+/// The first direction of friction becomes that of sliding, where there is any.
+inline void align(dContact& contact, dBodyID a, dBodyID b) {
+  const Eigen::Map<const Eigen::Vector3d> n(contact.geom.normal);
+  Eigen::Vector3d sliding = velocity_at(a, contact.geom.pos) - velocity_at(b, contact.geom.pos);
+  sliding -= n.dot(sliding) * n;
+  if (sliding.norm() < 1e-6) return;
+  contact.surface.mode |= dContactFDir1;
+  Eigen::Map<Eigen::Vector3d>(contact.fdir1) = sliding.normalized();
+}
+
+}  // namespace pushback
