@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "pushback/chapters/26_to_each_its_own/presets.h"
+#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/world/query.h"
 #include "tests/support/call.h"
 #include "tests/support/yardstick.h"

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "pushback/chapters/23_threads/crew.h"
-#include "pushback/chapters/26_to_each_its_own/presets.h"
+#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/catalogue/solvers.h"

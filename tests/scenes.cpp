@@ -31,7 +31,7 @@ TEST_CASE("every scene of every chapter is listed") {
   for (const auto& entry : std::filesystem::directory_iterator("chapters")) {
     if (!std::filesystem::exists(entry.path() / "scenes.h")) continue;
     const std::string chapter = entry.path().filename().string().substr(0, 2);
-    if (chapter == "25" || chapter == "26")
+    if (chapter == "25" || chapter == "26" || chapter == "27")
       continue;  // for steps of their own: under all others a bullet flies through a sheet
     INFO(entry.path());
     CHECK(count[chapter] > 0);

@@ -31,8 +31,8 @@ inline Shard shard_of(const std::string& text) {
 }
 
 /// CSV of all parts as the whole would have written it: a heading, then the lines of one thing after those of the other, where a
-/// thing is named by its first field and the parts have had them in turn.
-inline std::string joined(const std::vector<std::string>& parts) {
+/// thing is named by its first field, or fields, and the parts have had them in turn.
+inline std::string joined(const std::vector<std::string>& parts, int fields = 1) {
   std::string heading;
   std::vector<std::vector<std::string>> things(parts.size());  // of each part
   for (std::size_t part = 0; part < parts.size(); ++part) {
@@ -40,7 +40,9 @@ inline std::string joined(const std::vector<std::string>& parts) {
     std::string line, before;
     std::getline(in, heading);
     while (std::getline(in, line)) {
-      const std::string name = line.substr(0, line.find(','));
+      std::size_t end = line.find(',');
+      for (int field = 1; field < fields; ++field) end = line.find(',', end + 1);
+      const std::string name = line.substr(0, end);
       if (things[part].empty() || name != before) things[part].emplace_back();
       before = name;
       things[part].back() += line + "\n";

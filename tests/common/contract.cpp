@@ -2,7 +2,7 @@
 #include "pushback/chapters/10_position_correction/split_impulse.h"
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
-#include "pushback/chapters/26_to_each_its_own/presets.h"
+#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/picture_of.h"
 #include "pushback/common/world/any_solver.h"

@@ -54,7 +54,7 @@ inline void ball(World& world) {
 }  // namespace pushback::trial_scenes
 END
 cat >"$folder/main.cpp" <<END
-#include "pushback/chapters/26_to_each_its_own/presets.h"
+#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/chapters/$name/pushed_apart.h"
 #include "pushback/chapters/$name/scenes.h"
 #include "pushback/common/experiment/experiment.h"

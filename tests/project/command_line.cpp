@@ -96,7 +96,8 @@ const std::map<std::string, std::vector<std::string>> own_options{
     {"23_threads", {"--substeps", "--base", "--threads"}},
     {"24_half_step", {"--substeps"}},
     {"25_moment_of_impact", {"--speed", "--spin"}},
-    {"26_to_each_its_own", {"--speed"}}};
+    {"26_to_each_its_own", {"--speed"}},
+    {"27_which_error", {"--error"}}};
 
 }  // namespace
 

@@ -56,7 +56,13 @@ course render forr && expect 2 "unknown chapter 'forr'" "the chapters are: 03_th
 course test --lng && expect 2 "unknown option '--lng'" "the options are: --yes --preset --help --long" "./course test -- --lng"
 course render --beta 1 && expect 2 "unknown option '--beta'" "./course render -- --beta"
 course render --long && expect 2 "unknown option '--long'"
-course study --quik && expect 2 "the options are: --yes --preset --help --quick --peers --keep"
+course study --quik && expect 2 "the options are: --yes --preset --help --quick --peers --keep --shards --slurm"
+for many in 0 1 1000 x ""; do
+  course fuzz --shards "$many" && expect 2 "--shards is '$many': a number of parts, from 2 to 999, is needed"
+done
+course fuzz --shards=1 --slurm && expect 2 "--shards is '1'"
+course fuzz --shards && expect 2 "--shards is ''"
+course render --slurm && expect 2 "unknown option '--slurm'"
 course clean --all && expect 2 "unknown option '--all'" && expect_not "handed on"
 course test --preset relase && expect 2 "unknown preset 'relase'" "the presets are: release debug sanitize threads ci clang odr"
 course test --preset && expect 2 "unknown preset ''"
@@ -231,6 +237,11 @@ done
 export ABSENT=ffmpeg
 course test && expect_not "packages"
 course test --long && [[ $output == *"  ffmpeg"* ]] || { echo "films are not tested"; failures=$((failures + 1)); }
+export ABSENT=librapidcheck-dev  # where it is offered
+course test && [[ $output == *"  librapidcheck-dev"* ]] || { echo "the tests do not get rapidcheck"; failures=$((failures + 1)); }
+stand_in apt-cache 'true'
+course test && expect_not "packages"
+stand_in apt-cache 'echo "Package: $2"'
 export ABSENT=libfmt-dev
 stand_in id 'echo 1000'
 command="apt-get update && apt-get install --no-install-recommends libfmt-dev"
@@ -375,6 +386,11 @@ course study quick && expect 2 "'study' takes no words"
 course prices && expect 0 "--target prices" "prices: --out renders/here" && expect_not "PUSHBACK_PEERS"
 course prices --peers --keep -- --rounds 3
 expect 0 "-DPUSHBACK_PEERS=ON" "--target prices peers" "prices: --out renders --rounds 3"
+printf '#!/bin/sh\necho "peers: $*"\n' >"$scratch/home/build/release/programs/hard_cases_peers"
+chmod +x "$scratch/home/build/release/programs/hard_cases_peers"
+course hard-cases slop --peers -- --jobs 1
+expect 0 "-DPUSHBACK_PEERS=ON" "--target peers" "peers: slop --jobs 1" "took " && expect_not "table:"
+course hard-cases --peers --quick && expect 2 "one of the two" && expect_not "cmake"
 
 course clean && expect 0 "git clean"
 [[ ! -e $scratch/home/build ]] || { echo "clean left build/"; failures=$((failures + 1)); }

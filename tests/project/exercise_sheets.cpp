@@ -92,7 +92,8 @@ bool is_without_bodies(const Exercise& exercise, std::size_t check) {
                                          "24_half_step",
                                          "24_half_step_transfer",
                                          "25_moment_of_impact",
-                                         "26_to_each_its_own"};
+                                         "26_to_each_its_own",
+                                         "27_which_error"};
   const auto found = some.find(exercise.name);
   return all.contains(exercise.name) || (found != some.end() && found->second.contains(check));
 }

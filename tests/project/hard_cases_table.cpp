@@ -6,6 +6,7 @@
 #include <set>
 
 #include "pushback/tools/hard_cases/table_picture.h"
+#include "pushback/tools/shards/origin.h"
 #include "tests/support/call.h"
 #include "tests/support/complaint.h"
 
@@ -288,8 +289,53 @@ TEST_CASE("parts, each for itself, make the whole: the same bytes") {
   REQUIRE(timed.size() == timed_in_parts.size());
   for (std::size_t i = 0; i < timed.size(); ++i)
     CHECK(timed[i].substr(0, timed[i].rfind(',')) == timed_in_parts[i].substr(0, timed_in_parts[i].rfind(',')));
-  CHECK(contains(play("none", "--shard 1/4").err, "there are 3 cases"));
+  CHECK(contains(play("none", "--shard 1/7").err, "there are 3 cases under 2 stages"));
   CHECK_FALSE(fs::exists(scratch / "none"));
+
+  for (int part = 1; part <= 5; ++part)  // more parts than cases: pairs of a case and a stage
+    REQUIRE(play("pairs", fmt::format("--shard {}/5", part)).status == 0);
+  REQUIRE(play("pairs", "--join 5").status == 0);
+  const fs::path pairs = scratch / "pairs/hard_cases/part";
+  CHECK(lines_of(text_of(pairs / "shard_1_of_5/times.csv")).size() == 1 + 2);
+  CHECK(lines_of(text_of(pairs / "shard_2_of_5/times.csv")).size() == 1 + 1);
+  for (const std::string file : {"table.csv", "table.md"}) CHECK(text_of(pairs / file) == text_of(whole / file));
+  CHECK(lines_of(text_of(pairs / "times.csv")).size() == timed.size());
+}
+
+TEST_CASE("a single case in parts: each has stages of it, in turn") {
+  const Scratch scratch;
+  const auto play = [&](const std::string& name, const std::string& more) {
+    return call_program(TABLE_PROGRAM,
+                        "bounces --stages 01,03,05,07 --no-images --out '" + (scratch / name).string() + "' " + more,
+                        100);
+  };
+  for (const char* const part : {"--shard 1/2", "--shard 2/2", "--join 2"}) REQUIRE(play("parts", part).status == 0);
+  REQUIRE(play("whole", "").status == 0);
+  const std::string file = "/hard_cases/part/table.csv";
+  CHECK(text_of(scratch / ("parts" + file)) == text_of(scratch / ("whole" + file)));
+}
+
+TEST_CASE("parts of other code are not put together, and of another machine they are where times are no result") {
+  const Scratch scratch;
+  const std::string what =
+      "bounces stack-10 --stages 01 --starts 1 --no-images --out '" + (scratch / "").string() + "' ";
+  for (const char* const part : {"1/2", "2/2"})
+    REQUIRE(call_program(TABLE_PROGRAM, what + "--shard " + part, 100).status == 0);
+  const fs::path file = scratch / "hard_cases/part/shard_2_of_2/origin.txt";
+  const Origin here = origin_here();
+  CHECK(read_origin(file) == here);
+  const auto join_with = [&](const Origin& other) {
+    std::ofstream(file) << origin_text(other);
+    return call_program(TABLE_PROGRAM, what + "--join 2", 100);
+  };
+  CHECK(join_with({"another", here.compiler, here.commit}).status == 0);
+  const Ended compiled = join_with({here.machine, "cc 1", here.commit});
+  CHECK(compiled.status == 2);
+  CHECK(contains(compiled.err, "parts of one compiler are needed: it is '" + here.compiler + "' in "));
+  CHECK(contains(compiled.err, "and 'cc 1' in " + file.string()));
+  CHECK(contains(join_with({here.machine, here.compiler, "0123"}).err, "parts of one commit are needed"));
+  std::ofstream(file) << "machine: x\n";
+  CHECK(contains(call_program(TABLE_PROGRAM, what + "--join 2").err, "does not say of which machine"));
 }
 
 TEST_CASE("what parts of the random scenes have found is said as of the whole") {
@@ -308,6 +354,10 @@ TEST_CASE("what parts of the random scenes have found is said as of the whole") 
   CHECK(joined.status == whole.status);
   CHECK(
       contains(call_program(FUZZ_PROGRAM, what + " --join " + saved(1) + " " + saved(2)).err, "no part has scene 7,"));
+  std::ofstream(scratch / "2.origin") << origin_text({"another", origin_here().compiler, "0123"});
+  const Ended mixed = call_program(FUZZ_PROGRAM, what + " --join " + saved(1) + " " + saved(2) + " " + saved(3));
+  CHECK(mixed.status == 2);
+  CHECK(contains(mixed.err, "parts of one commit are needed"));
 }
 
 TEST_CASE("without pictures there are none, and --list writes nothing") {

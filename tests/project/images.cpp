@@ -119,3 +119,6 @@ TEST_CASE("the sheet of 25 looks as it did") {
 TEST_CASE("the sheet of 26 looks as it did") {
   compare("26_to_each_its_own");
 }
+TEST_CASE("the sheet of 27 looks as it did") {
+  compare("27_which_error");
+}

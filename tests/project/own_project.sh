@@ -67,15 +67,15 @@ link=$(tail -n 1 <<<"$ways")
 
 nothing_drawn=(-DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,PkgConfig,OpenGL,Threads}"=ON")
 chapters="libaccuracy_and_time.a libdirect_contacts.a libdirect_joints.a libhalf_step.a libmoment_of_impact.a libonly_what_is_needed.a"
-libraries="$chapters libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libthreads.a libto_each_its_own.a libwhole_problem.a libwide.a"
+libraries="$chapters libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libthreads.a libto_each_its_own.a libwhich_error.a libwhole_problem.a libwide.a"
 way=add_subdirectory
 sources "$(grep -o '^add_subdirectory([^)]*)' <<<"$ways" | sed "s|pushback|$scratch/pushback pushback|")" "$link"
 way=FetchContent
 sources "include(FetchContent)" "FetchContent_Declare(pushback SOURCE_DIR $scratch/pushback)" \
   "$(grep -o '^FetchContent_MakeAvailable([^)]*)' <<<"$ways")" "$link"
 way="add_subdirectory without pictures"
-libraries="$chapters libpushback_simulation.a libpushback_simulation_float.a libto_each_its_own.a libwhole_problem.a libwide.a" options=("${nothing_drawn[@]}")
-simulation=$'#include "pushback/chapters/26_to_each_its_own/presets.h"
+libraries="$chapters libpushback_simulation.a libpushback_simulation_float.a libto_each_its_own.a libwhich_error.a libwhole_problem.a libwide.a" options=("${nothing_drawn[@]}")
+simulation=$'#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/world/situations.h"
 int main() {
   pushback::World world;

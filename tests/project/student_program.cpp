@@ -1,7 +1,7 @@
 // The program that README.md shows. test_student compares the two.
 // README begins
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/chapters/26_to_each_its_own/presets.h"
+#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/experiment/experiment.h"
 
 using namespace pushback;

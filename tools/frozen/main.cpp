@@ -8,6 +8,7 @@
 #include "pushback/tools/frozen/frozen.h"
 #include "pushback/tools/frozen/pictures.h"
 #include "pushback/tools/frozen/words.h"
+#include "pushback/tools/shards/origin.h"
 
 using namespace pushback;
 using namespace pushback::frozen;
@@ -85,8 +86,13 @@ int main(int argc, char** argv) {
     std::move(foreign.begin(), foreign.end(), std::back_inserter(problems));
     if (parts > 0) {
       std::vector<std::string> solved;
-      for (std::size_t i = 1; i <= parts; ++i)
-        solved.push_back(read_text_file(to / Shard{i, parts}.folder() / "frozen.csv"));
+      std::vector<std::filesystem::path> origins;
+      for (std::size_t i = 1; i <= parts; ++i) {
+        const std::filesystem::path part = to / Shard{i, parts}.folder();
+        solved.push_back(read_text_file(part / "frozen.csv"));
+        origins.push_back(part / "frozen_origin.txt");
+      }
+      require_one_origin(origins, Holds::times);
       show(joined(solved), problems, to);
       return;
     }
@@ -98,7 +104,11 @@ int main(int argc, char** argv) {
     std::size_t index = 0;
     std::erase_if(problems, [&](const FrozenProblem&) { return !shard.has(index++); });
     const std::string csv = study_frozen(problems, quick);
-    if (shard.whole()) show(csv, problems, to);
-    else write_text_file(to / "frozen.csv", csv);
+    if (shard.whole()) {
+      show(csv, problems, to);
+    } else {
+      write_text_file(to / "frozen.csv", csv);
+      write_text_file(to / "frozen_origin.txt", origin_text(origin_here()));
+    }
   });
 }

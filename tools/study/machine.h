@@ -3,15 +3,13 @@
 
 #include <chrono>
 
+#include "pushback/tools/shards/origin.h"
 #include "pushback/tools/study/rounds.h"
 
 namespace pushback::study {
 
 /// Of /proc/loadavg: how many programs wanted to run, in the mean of the last 1, 5 and 15 minutes. "unknown" where it is not there.
 std::string load_now();
-
-/// Of /proc/cpuinfo, and how many of them: "AMD EPYC 7B12, 2 cores".
-std::string processor();
 
 /// What is told of a run that is over.
 struct MachineReport {

@@ -34,6 +34,7 @@ void report(const AllMeasured& all, const std::vector<Engine>& engines, const st
   write_plot(folder / "methods.png", methods);
   if (const auto panels = panels_of_knobs(in_order); !panels.empty()) write_plot(folder / "knobs.png", panels);
   for (const auto& [name, table] : {std::pair{"cheapest.md", table_of_cheapest(in_order)},
+                                    {"engines.md", table_of_engines(in_order)},
                                     {"others.md", table_of_others(in_order, engines)},
                                     {"knobs.md", table_of_knobs(in_order)},
                                     {"limits.md", table_of_limits(in_order)},
@@ -43,15 +44,19 @@ void report(const AllMeasured& all, const std::vector<Engine>& engines, const st
   }
 }
 
-/// The parts, put together.
+/// The parts, put together: they have timed, so of one kind of machine.
 void join(std::size_t parts, const std::filesystem::path& folder) {
-  AllMeasured all;
+  std::vector<AllMeasured> measured;
+  std::vector<std::filesystem::path> origins;
   std::string machines;
   for (std::size_t i = 1; i <= parts; ++i) {
     const std::filesystem::path part = folder / Shard{i, parts}.folder();
-    all.merge(read_csv(read_text_file(part / "study.csv")));
+    measured.push_back(read_csv(read_text_file(part / "study.csv")));
     machines += read_text_file(part / "machine.md") + "\n";
+    origins.push_back(part / "origin.txt");
   }
+  require_one_origin(origins, Holds::times);
+  const AllMeasured all = together(measured);
   write_text_file(folder / "study.csv", csv_of(all));
   write_text_file(folder / "machine.md", machines);
   report(all, engines_of(all), folder);
@@ -65,14 +70,8 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   std::filesystem::path folder = std::filesystem::path(asked.out) / "19_accuracy_and_time";
   if (asked.parts > 0) return join(asked.parts, folder);
   const Shard shard = shard_of(asked.shard);
-  if (shard.of > motions.size())
-    throw InvalidInput(
-        fmt::format("--shard is '{}': there are {} motions, and each part needs one", asked.shard, motions.size()));
-  std::size_t index = 0;
-  std::erase_if(motions, [&](const Motion*) { return !shard.has(index++); });
-  if (!shard.whole()) folder /= shard.folder();
-  make_writable_folder(folder);
   if (asked.redraw) {
+    make_writable_folder(folder);
     const AllMeasured all = read_csv(read_text_file(folder / "study.csv"));
     report(all, engines_of(all), folder);
     return;
@@ -82,7 +81,10 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
     engines.push_back(engine_of_mine());
     setenv("PUSHBACK_MINE", std::filesystem::absolute(asked.mine).c_str(), 1);  // where its program looks for it
   }
-  RoundOptions options{.engines = engines, .programs = programs, .quick = asked.quick};
+  const std::vector<Piece> pieces = pieces_of(motions, engines, shard);
+  if (!shard.whole()) folder /= shard.folder();
+  make_writable_folder(folder);
+  RoundOptions options{.engines = {}, .programs = programs, .quick = asked.quick};
   if (asked.rounds > 0 || asked.quick) options.rounds = std::max(1, asked.rounds);
   options.say = [](const std::string& what) {
     fmt::print("{}\n", what);
@@ -92,12 +94,17 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   for (const Engine& engine : engines) run.versions.push_back(version_of(engine, programs));
   const auto began = std::chrono::steady_clock::now();
   AllMeasured all;
-  for (const Motion* motion : motions) all[motion->name] = measure(*motion, options);
+  for (const Piece& piece : pieces) {
+    options.engines = piece.engines;
+    const Measurements found = measure(*piece.motion, options);
+    all[piece.motion->name].insert(all[piece.motion->name].end(), found.begin(), found.end());
+  }
   run.took = std::chrono::steady_clock::now() - began;
   run.load_after = load_now();
   write_text_file(folder / "study.csv", csv_of(all));
   write_text_file(folder / "machine.md", table_of_machine(run, engines, all));
   if (shard.whole()) report(all, engines, folder);
+  else write_text_file(folder / "origin.txt", origin_text(origin_here()));
 }
 
 }  // namespace

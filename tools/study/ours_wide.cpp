@@ -1,8 +1,11 @@
-/// The program `motion_wide`: the solvers that divide each step themselves play chapter 19's motions.
+/// The program `motion_wide`: the solvers that divide each step themselves play chapter 19's motions, and two more.
+#include <algorithm>
+
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/chapters/24_half_step/composition.h"
 #include "pushback/chapters/25_moment_of_impact/at_impacts.h"
-#include "pushback/chapters/26_to_each_its_own/by_island.h"
+#include "pushback/chapters/27_which_error/within_error.h"
+#include "pushback/tools/study/further_motions.h"
 #include "pushback/tools/study/play.h"
 
 using namespace pushback;
@@ -20,12 +23,13 @@ class Divides : public Player {
       : sweeps_(setting.sweeps),
         sweeps_all_(!is_half_step<ContactSolver> &&
                     (motion.pins.empty() || std::is_same_v<ContactSolver, DetectedOnce>)) {
-    if constexpr (std::same_as<ContactSolver, ByIsland>) solver_.many.threshold = solver_.few.threshold = 0;
+    if constexpr (std::derived_from<ContactSolver, ByIsland>) solver_.many.threshold = solver_.few.threshold = 0;
     else solver_.threshold = 0;  // bounces are compared at every speed
     motion.begin(world_);
   }
   void frame(int substeps) override {
-    if constexpr (std::same_as<ContactSolver, ByIsland>) solver_.few.substeps = substeps;
+    if constexpr (std::same_as<ContactSolver, WithinError>) solver_.error = Real(1e-3) / static_cast<Real>(substeps);
+    else if constexpr (std::same_as<ContactSolver, ByIsland>) solver_.few.substeps = substeps;
     else solver_.substeps = substeps;
     const std::size_t before = rows_solved;
     world_.step(solver_, Real(1) / frames_per_second, sweeps_);
@@ -47,13 +51,21 @@ class Divides : public Player {
   std::size_t rows_solved_ = 0;  // by this player's steps
 };
 
+/// Whether something stands there that a body meets.
+bool has_contacts(const Motion& motion) {
+  World world;
+  motion.fill(world);
+  const auto stands = [](const Body& body) { return !body.movable(); };
+  return motion.pins.empty() || std::any_of(world.bodies.begin(), world.bodies.end(), stands);
+}
+
 template <class ContactSolver>
 Method method(const std::string& name, const std::string& title) {
   return {.name = name,
           .title = title,
           .plays =
               [](const Motion& motion) {
-                return !motion.pins.empty() || !std::derived_from<ContactSolver, Composed<Suzuki>>;
+                return !std::derived_from<ContactSolver, Composed<Suzuki>> || !has_contacts(motion);
               },
           .begin = [](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
             return std::make_unique<Divides<ContactSolver>>(motion, setting);
@@ -68,9 +80,10 @@ int main(int argc, char** argv) {
                                     method<Wide<double>>("wide", "detected once, wide"),
                                     method<Wide<float>>("wide-float", "detected once, wide, rows in float"),
                                     method<ByIsland>("by-island", "each island by what it calls for"),
+                                    method<WithinError>("within", "within 1 mm, divided by these substeps"),
                                     method<HalfStep>("half-step", "kick, drift, kick"),
                                     method<Composed<Suzuki>>("order-4", "five of these, of fourth order"),
                                     method<AtImpacts>("impact", "kick, drift, kick, cut at impacts")};
   return play_program(argc, argv, "Plays a motion by the solvers that divide each 1/60 s themselves.",
-                      fmt::format("Pushback, steps divided by the solver; {}", built_by()), methods);
+                      fmt::format("Pushback, steps divided by the solver; {}", built_by()), methods, further_motions());
 }

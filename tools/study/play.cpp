@@ -7,6 +7,7 @@
 #include <chrono>
 #include <sstream>
 
+#include "pushback/common/basics/named.h"
 #include "pushback/common/basics/quantile.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/study/stopwatch.h"
@@ -106,13 +107,13 @@ struct Asked {
   Setting setting;
 };
 
-void list(const std::vector<Method>& methods, const std::string& motion_name) {
-  if (motion_name.empty()) {
-    for (const Motion& motion : all_motions()) fmt::print("{}: {}\n", motion.name, motion.title);
-    return;
-  }
+void list(const std::vector<Motion>& motions) {
+  for (const Motion& motion : motions) fmt::print("{}: {}\n", motion.name, motion.title);
+}
+
+void list(const std::vector<Method>& methods, const Motion& motion) {
   for (const Method& method : methods)
-    if (method.plays(motion_named(motion_name)))
+    if (method.plays(motion))
       fmt::print("{}{}: {}\n", method.name, method.sweeps ? "/SMALL-STEPS/SWEEPS" : "/SMALL-STEPS", method.title);
 }
 
@@ -161,7 +162,9 @@ std::string built_by() {
 }
 
 int play_program(int argc, const char* const* argv, const std::string& about, const std::string& version,
-                 const std::vector<Method>& methods) {
+                 const std::vector<Method>& methods, const std::vector<Motion>& further) {
+  std::vector<Motion> motions = all_motions();
+  motions.insert(motions.end(), further.begin(), further.end());
   CommandLine line(about);
   line.version(version, "Which engine plays, of which version, built how");
   std::string motion_name;
@@ -176,11 +179,9 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
   return line.run(argc, argv, [&] {
     require_between("--at-least", static_cast<Real>(patience.at_least), 0, 60);  // the ranges above let nan pass
     require_between("--at-most", static_cast<Real>(patience.at_most), 0, 3600);
-    if (settings.empty()) {
-      list(methods, motion_name);
-      return;
-    }
-    const Motion& motion = motion_named(motion_name);
+    if (motion_name.empty()) return list(motions);
+    const Motion& motion = named("motion", motions, motion_name);
+    if (settings.empty()) return list(methods, motion);
     std::vector<Asked> all;
     for (const std::string& setting : settings) all.push_back(read(setting, motion, methods));
     const std::vector<Places> truth = motion.truth(motion.frames());  // once: of the chain it takes half a second

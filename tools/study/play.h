@@ -78,8 +78,8 @@ std::string built_by();
 /// and the error "lost" where a body was more than 10 km off, and "late" where it was given up, or not begun, as it asks for no
 /// less of either knob than one before it that was given up. Without a motion it lists the motions that there are, with one its
 /// methods; with --version it says which engine plays: `version`. Returns the exit status: 0; 2 where a value cannot be used,
-/// and then nothing was played.
+/// and then nothing was played. `further`: motions that it plays beside chapter 19's.
 int play_program(int argc, const char* const* argv, const std::string& about, const std::string& version,
-                 const std::vector<Method>& methods);
+                 const std::vector<Method>& methods, const std::vector<Motion>& further = {});
 
 }  // namespace pushback

@@ -67,14 +67,18 @@ std::string plain(double value, int digits = 3) {
   return value < 99.5 ? fmt::format("{:.{}g}", value, digits) : fmt::format("{:.0f}", value);
 }
 
-/// Of all methods of these engines; float is left to those that have nothing else.
-std::string least_remaining(const Measurements& all, const std::vector<std::string>& engines) {
+/// Of all methods of these engines, in steps down to `finest`; float is left to those that have nothing else.
+std::string least_remaining(const Measurements& all, const std::vector<std::string>& engines, int finest) {
   std::pair<std::string, Limit> least;
   for (const std::string& engine : engines) {
-    const auto of_this = least_limit(all, engine);
+    const auto of_this = least_limit(all, engine, finest);
     if (least.first.empty() || (!of_this.first.empty() && of_this.second.most < least.second.most)) least = of_this;
   }
   return least.first.empty() ? "–" : fmt::format("{} (`{}`)", least.second.remains(), least.first);
+}
+
+const char* in_float(const Measured& ours) {
+  return ours.engine == "motion_float" ? " in float" : "";
 }
 
 /// us of wall time for a frame.
@@ -89,7 +93,8 @@ Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& 
   Panel panel = error_against_time(motion);
   add(panel, curve_of(of_engine(measured.all, "motion"), motion, "", "#c4d8e8", Curve::Style::points));
   for (std::size_t i = engines.size(); i-- > 0;) {  // ours last, on top
-    add(panel, curve_of(front(of_engine(measured.all, engines[i].program)), motion, engines[i].title,
+    const Measurements settings = of_engine(measured.all, engines[i].program);
+    add(panel, curve_of(front(robust(settings)), motion, fmt::format("{}, of {}", engines[i].title, settings.size()),
                         line_colour(engines[i].colour), Curve::Style::line_and_points));
   }
   return panel;
@@ -104,8 +109,8 @@ Panel fronts_of_methods(const MotionMeasured& measured) {
   std::size_t colour = 0;
   for (const std::string& method : methods) {
     const bool cold = method.ends_with("-cold");  // follows its warm sister, in her colour
-    const Measurements points = front(those(all, [&](const Measured& one) { return one.method == method; }));
-    add(panel, curve_of(points, *measured.motion, method, line_colour(cold ? colour - 1 : colour),
+    const Measurements settings = those(all, [&](const Measured& one) { return one.method == method; });
+    add(panel, curve_of(front(robust(settings)), *measured.motion, method, line_colour(cold ? colour - 1 : colour),
                         cold ? Curve::Style::dashed : Curve::Style::line_and_points));
     if (!cold) ++colour;
   }
@@ -113,38 +118,72 @@ Panel fronts_of_methods(const MotionMeasured& measured) {
 }
 
 std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
-  std::string text = "| motion | below 1 cm | below 1 mm | below 0.1 mm |\n| --- | --- | --- | --- |\n";
+  std::string text =
+      "| motion | of settings | below 1 cm | below 1 mm | below 0.1 mm |\n| --- | --- | --- | --- | --- |\n";
   for (const MotionMeasured& measured : all) {
-    text += fmt::format("| {} ", measured.motion->title);
+    const Measurements our = robust(ours(measured.all));
+    text += fmt::format("| {} | {} ", measured.motion->title, our.size());
     for (const Tolerance& tolerance : tolerances) {
-      const auto found = cheapest(ours(measured.all), tolerance.error);
+      const auto found = cheapest(our, tolerance.error);
       const auto frame = [&](double seconds) { return plain(per_frame(*measured.motion, seconds)); };
       const auto rows = [&] { return found->row_solves ? plain(*found->row_solves / measured.motion->frames()) : "–"; };
-      text +=
-          found ? fmt::format("| `{}`{}: {} µs ({} to {}), {} row solves, {} mm off, {} remains ", found->setting(),
-                              found->engine == "motion_float" ? " in float" : "", frame(found->median()),
-                              frame(found->quartile(1)), frame(found->quartile(3)), rows(), plain(1000 * found->error),
-                              // in double, where its method was played with all steps
-                              limit_of(measured.all, found->engine == "motion_float" ? "motion" : found->engine,
-                                       found->method, found->sweeps)
-                                  .remains())
-                : "| not reached ";
+      text += found ? fmt::format("| `{}`{}: {} µs ({} to {}), {} row solves, {} mm off, {} remains ", found->setting(),
+                                  in_float(*found), frame(found->median()), frame(found->quartile(1)),
+                                  frame(found->quartile(3)), rows(), plain(1000 * found->error),
+                                  // in double, where its method was played with all steps
+                                  limit_of(measured.all, found->engine == "motion_float" ? "motion" : found->engine,
+                                           found->method, found->sweeps)
+                                      .remains())
+                    : "| not reached ";
     }
     text += "|\n";
   }
   return text;
 }
 
+std::string table_of_engines(const std::vector<MotionMeasured>& all) {
+  struct Maker {
+    const char* name;
+    std::vector<std::string> engines;
+  };
+  const std::vector<Maker> makers{{"Pushback", {"motion", "motion_float", "motion_wide"}},
+                                  {"Bullet", {"motion_bullet", "motion_bullet_double"}},
+                                  {"ODE", {"motion_ode"}},
+                                  {"MuJoCo", {"motion_mujoco"}}};
+  std::string text = "| an error below 1 mm |", rule = "| --- |";
+  for (const Maker& maker : makers) {
+    text += fmt::format(" {} |", maker.name);
+    rule += " --- |";
+  }
+  text += "\n" + rule + "\n";
+  for (const MotionMeasured& measured : all) {
+    text += fmt::format("| {} |", measured.motion->title);
+    for (const Maker& maker : makers) {
+      const Measurements settings = robust(those(measured.all, [&](const Measured& one) {
+        return std::find(maker.engines.begin(), maker.engines.end(), one.engine) != maker.engines.end();
+      }));
+      const Measurements best = front(settings);
+      const auto found = cheapest(settings, 1e-3);
+      text += best.empty() ? " – |"
+              : found      ? fmt::format(" {} µs, `{}`{} |", plain(per_frame(*measured.motion, found->median())),
+                                         found->setting(), in_float(*found))
+                           : fmt::format(" not below {} mm |", plain(1000 * best.back().error, 2));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines) {
   std::string text =
-      "| motion | engine | below 1 cm | below 1 mm | below 0.1 mm | where its front is between 10 cm and 0.01 mm, we "
-      "take at most | remains of theirs as h → 0, at least | of ours |\n";
-  text += "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
+      "| motion | engine | of settings | below 1 cm | below 1 mm | below 0.1 mm | where its front is between 10 cm and "
+      "0.01 mm, we take at most | substeps, at most | remains of theirs as h → 0, at least | of ours |\n";
+  text += "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const MotionMeasured& measured : all) {
     for (const Engine& engine : engines) {
-      const Measurements theirs = of_engine(measured.all, engine.program), our = ours(measured.all);
       if (is_ours(engine.program)) continue;
-      text += fmt::format("| {} | {} ", measured.motion->title, engine.title);
+      const Measurements theirs = robust(of_engine(measured.all, engine.program)), our = robust(ours(measured.all));
+      text += fmt::format("| {} | {} | {} ", measured.motion->title, engine.title, theirs.size());
       for (const Tolerance& tolerance : tolerances) {
         const auto found = cheapest(theirs, tolerance.error), best = cheapest(our, tolerance.error);
         text += !found  ? "| not reached "
@@ -156,8 +195,11 @@ std::string table_of_others(const std::vector<MotionMeasured>& all, const std::v
               : slower == 0        ? "| it has no such front "
               : std::isinf(slower) ? "| we do not reach all of it "
                                    : fmt::format("| {} times its time ", plain(slower, 2));
-      text += fmt::format("| {} | {} |\n", least_remaining(theirs, {engine.program}),
-                          least_remaining(our, {"motion", "motion_wide"}));
+      const int own = std::max(finest_of(our, "motion"), finest_of(our, "motion_wide"));
+      const int finest = theirs.empty() ? own : std::min(own, finest_of(theirs, engine.program));
+      text += fmt::format("| {} | {} | {} |\n", finest > 0 ? std::to_string(finest) : "–",
+                          least_remaining(measured.all, {engine.program}, finest),
+                          least_remaining(measured.all, {"motion", "motion_wide"}, finest));
     }
   }
   return text;

@@ -13,7 +13,9 @@ struct MotionMeasured {
   Measurements all;
 };
 
-/// Error against time: every setting of ours a dot, through the best of each engine a line.
+// Lines, and settings that are chosen, are of robust errors, and say of how many settings they were chosen.
+
+/// Error against time: every setting of ours a dot at its own error, through the best of each engine a line.
 Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& engines);
 
 /// The same of our methods in double, one line each.
@@ -23,8 +25,12 @@ Panel fronts_of_methods(const MotionMeasured& measured);
 /// its error is ..., of which ... remains as h -> 0."
 std::string table_of_cheapest(const std::vector<MotionMeasured>& all);
 
+/// Markdown. A row a motion, a column an engine with all of its builds: the cheapest setting below 1 mm and its time for a frame; or
+/// the least error that it reaches.
+std::string table_of_engines(const std::vector<MotionMeasured>& all);
+
 /// Markdown. For the same three errors: how many times as long the others take as we do; what remains of their error and of ours
-/// as h -> 0, each by the method of which the least does.
+/// as h -> 0, in the same steps, each by the method of which the least does.
 std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
 
 /// Markdown. A row a knob and motion: by what a doubling changes error and time, from slopes; warm against cold, float against

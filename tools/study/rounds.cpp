@@ -123,7 +123,7 @@ class Asking {
 
 /// From `first` on.
 Indices indices_of_those_near_front(const Measurements& all, std::size_t first) {
-  const Measurements latest(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
+  const Measurements latest = robust({all.begin() + static_cast<std::ptrdiff_t>(first), all.end()});
   Indices found;
   for (std::size_t i = 0; i < latest.size(); ++i)
     if (is_near_front(latest[i], latest, slack)) found.push_back(first + i);
@@ -156,6 +156,39 @@ std::vector<Engine> engines_in(const std::filesystem::path& programs, bool other
   if (others && std::none_of(theirs, known_engines.end(), is_there))
     throw std::runtime_error("no other engine's program is there: configure with -DPUSHBACK_PEERS=ON");
   return found;
+}
+
+std::vector<Piece> pieces_of(const std::vector<const Motion*>& motions, const std::vector<Engine>& engines,
+                             const Shard& shard) {
+  std::vector<Piece> all;
+  for (const Motion* motion : motions) {
+    for (const Engine& engine : engines) {
+      const bool alone = shard.of > motions.size() && engine.program != "motion_float";
+      if (&engine == &engines.front() || alone) all.push_back({motion, {}});
+      all.back().engines.push_back(engine);
+    }
+  }
+  if (shard.of > all.size())
+    throw InvalidInput(fmt::format(
+        "--shard is '{}/{}': there are {} motions and engines to them, {} pieces in all, and each part needs one",
+        shard.part, shard.of, motions.size(), all.size()));
+  std::size_t index = 0;
+  std::erase_if(all, [&](const Piece&) { return !shard.has(index++); });
+  return all;
+}
+
+AllMeasured together(const std::vector<AllMeasured>& parts) {
+  AllMeasured all;
+  for (const AllMeasured& part : parts)
+    for (const auto& [motion, measured] : part) all[motion].insert(all[motion].end(), measured.begin(), measured.end());
+  const auto place = [](const Measured& one) {
+    return std::find_if(known_engines.begin(), known_engines.end(),
+                        [&](const Engine& engine) { return engine.program == one.engine; });
+  };
+  for (auto& [motion, measured] : all)
+    std::stable_sort(measured.begin(), measured.end(),
+                     [&](const Measured& a, const Measured& b) { return place(a) < place(b); });
+  return all;
 }
 
 std::vector<Engine> engines_of(const AllMeasured& all) {

@@ -7,6 +7,7 @@
 
 #include "pushback/chapters/19_accuracy_and_time/front.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/common/basics/shard.h"
 
 namespace pushback::study {
 
@@ -34,12 +35,26 @@ struct RoundOptions {
 std::string version_of(const Engine& engine, const std::filesystem::path& programs);
 
 /// First every setting once: powers of 2 of substeps, powers of 4 of sweeps, as far as the motion wants to have them tried.
-/// In float only what is near the front in double. What is then near the front of its engine is timed again, `rounds` times, all
+/// In float only what is near the front in double. What is then near the robust front of its engine is timed again, `rounds` times, all
 /// of it in every round before the next begins. Throws std::runtime_error where a program fails.
 Measurements measure(const Motion& motion, const RoundOptions& options);
 
 /// By the name of the motion.
 using AllMeasured = std::map<std::string, Measurements>;
+
+/// What one part measures and another does not: a motion by some engines.
+struct Piece {
+  const Motion* motion;
+  std::vector<Engine> engines;
+};
+/// Those of a part. While there is a motion for each part, its engines are timed in turn; of more parts each has engines of its own,
+/// where ours in float goes with ours in double, by whose front its settings are chosen. Throws InvalidInput where a part would have
+/// nothing.
+std::vector<Piece> pieces_of(const std::vector<const Motion*>& motions, const std::vector<Engine>& engines,
+                             const Shard& shard);
+
+/// What parts have measured, each motion's by all engines in their order.
+AllMeasured together(const std::vector<AllMeasured>& parts);
 
 /// The engines of which something was measured.
 std::vector<Engine> engines_of(const AllMeasured& all);
