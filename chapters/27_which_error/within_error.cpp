@@ -96,6 +96,9 @@ void WithinError::find_substeps(IslandWorld& island, Memory& memory, const World
   Look& look = looks_[std::size_t(island.lowest())];
   if (std::isinf(error) || (island.impact && calls_.many(island.lowest()))) {
     look = {.kept = std::isinf(error)};  // who meets whom first: nobody knows
+    for (const int body : island.bodies())
+      if (whole.bodies[std::size_t(body)].movable())
+        of_body_[std::size_t(body)].step_x = of_body_[std::size_t(body)].step_v = Vec3::Zero();
     return ByIsland::find_substeps(island, memory, whole, dt, sweeps);
   }
   const bool joints = !island.world.joints.empty();

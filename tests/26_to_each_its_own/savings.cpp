@@ -92,8 +92,7 @@ TEST_CASE("savings: bodies that come together put together what they have, and p
   CHECK(Purse().share().saved() == 0);
 }
 
-TEST_CASE(
-    "savings: after each try that fails the next one needs twice as much, after a success half as much") {
+TEST_CASE("savings: after each try that fails the next one needs twice as much, after a success half as much") {
   constexpr double at_once = 20, saved = 1000;
   Purse purse(saved);
   const auto needs = [&purse](double steps) {

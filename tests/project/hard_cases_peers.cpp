@@ -131,6 +131,8 @@ TEST_CASE("what cannot be meant, or is not built: status 2, and nothing is writt
                                                         {"--jobs 0", "--jobs"},
                                                         {"slop --renew", "peers.csv"},
                                                         {"--redraw", "peers.csv"}}) {
+    if (arguments == "slop --renew" && !fs::exists(fs::path(PEERS_PROGRAM).parent_path() / "hard_cases_bullet"))
+      continue;  // without engines that is what is said
     const Ended ended = call_program(PEERS_PROGRAM, "--out '" + (scratch / "out").string() + "' " + arguments);
     INFO(arguments << "\n" << ended.err);
     CHECK(ended.status == 2);

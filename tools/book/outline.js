@@ -53,7 +53,10 @@ export function outline(root) {
     .map((name) => name.slice(0, -3));
   for (const name of docs.sort((a, b) => place(a) - place(b))) add("Further", `docs/${name}.md`, { experiment: name });
   add("Tables", "renders/hard_cases/table.md", { parent: "docs/hard_cases.md", title: "All cases under all stages" });
-  add("Tables", "renders/hard_cases/peers.md", { parent: "docs/hard_cases.md", title: "All cases under other engines" });
+  add("Tables", "renders/hard_cases/peers.md", {
+    parent: "docs/hard_cases.md",
+    title: "All cases under other engines",
+  });
   add("Tables", "renders/19_accuracy_and_time/frozen.md", {
     parent: "docs/accuracy_and_time.md",
     title: "Contact problems, solved to a residual",

@@ -232,14 +232,12 @@ void tell(const Played& played, const std::vector<Real>& off, Real error, const 
   if (unkept > 0)
     fmt::print(
         "In {} of {} steps {} is not kept by some island: who touches first, or sticks, is decided otherwise in more "
-        "substeps, or "
-        "their bound is reached.\n",
+        "substeps, or their bound is reached.\n",
         unkept, played.steps.size(), asked);
   if (const std::optional<Real> rate = growth(off, error))
     fmt::print(
         "Places part by a factor of e every {:.2g} s: the scene is chaotic, and after some time no error of places can "
-        "be "
-        "kept.\n",
+        "be kept.\n",
         1 / *rate);
   else if (const Real allowed = error * std::max(Real(1), played.worlds.back().time); measured > allowed)
     fmt::print("More than was asked: {} in this time.\n", length_said(allowed));
@@ -265,7 +263,7 @@ int main(int argc, char** argv) {
   auto budget =
       line.option("--budget", budget_text, "Instead: the least error for so much time a step of 1/60 s: 2ms, 500us");
   budget.without(asked_option);
-  line.option("--seconds", seconds, "So long it is played").shows_default().between(0.1, 600.0);
+  line.option("--seconds", seconds, "So long it is played").shows_default().between(0.1, 60.0);
   line.option("--finer", finer, "The truth is the same in steps so many times shorter, within so many times less")
       .shows_default()
       .between(2, 1024);
@@ -275,6 +273,7 @@ int main(int argc, char** argv) {
   return line.run(argc, argv, [&] {
     World begin;
     named("scene", scenes, name).fill(begin);
+    require_between("--seconds", static_cast<Real>(seconds), Real(0.1), 60);  // the range above lets nan pass
     const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(dt)));
     const std::map<std::string, Real> lengths{{"m", 1}, {"cm", Real(1e-2)}, {"mm", Real(1e-3)}, {"um", Real(1e-6)}};
     Real error = quantity("--error", error_text, lengths);

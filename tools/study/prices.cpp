@@ -117,7 +117,8 @@ std::string table_of(const std::vector<Contender>& all, int rounds) {
 
 int main(int argc, char** argv) {
   CommandLine line(
-      "Error and time of the presets Fast, Recommended, also with 0.1 mm asked, and Exact; and of other engines as they come.");
+      "Error and time of the presets Fast, Recommended, also with 0.1 mm asked, and Exact; and of other engines as "
+      "they come.");
   int rounds = 5;
   std::string out = "renders";
   line.option("--rounds", rounds, "Each plays so often, in turn; times are medians").between(1, 1000).shows_default();

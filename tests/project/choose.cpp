@@ -1,0 +1,72 @@
+/// ./course choose: what it says of a scene is what comes out, and what it cannot read it refuses.
+#include <regex>
+
+#include "tests/support/call.h"
+#include "tests/support/catch.h"
+
+#ifndef CHOOSE_PROGRAM
+#define CHOOSE_PROGRAM "build/release/programs/choose"
+#endif
+
+using namespace pushback;
+
+namespace {
+
+/// mm, of the line that begins so; 0 where it is less than can be said.
+double error_of(const std::string& text, const std::string& begins) {
+  std::smatch found;
+  REQUIRE(std::regex_search(text, found, std::regex(begins + ".*; error (less than )?([0-9.e+-]+) mm")));
+  return found[1].matched ? 0 : std::stod(found[2]);
+}
+
+}  // namespace
+
+TEST_CASE("choose: a box that slides keeps what is asked, and what is predicted is above what is measured") {
+  for (const auto& [asked, mm] : {std::pair("1mm", 1.0), {"0.1 mm", 0.1}, {"10um", 0.01}}) {
+    const Ended ended =
+        call_program(CHOOSE_PROGRAM, std::string("06-slide --no-images --seconds 2 --error '") + asked + "'");
+    INFO(ended.out << ended.err);
+    REQUIRE(ended.status == 0);
+    CHECK(error_of(ended.out, "measured:") <= 2 * mm);  // in two seconds
+    CHECK(error_of(ended.out, "predicted:") < 100 * mm);
+  }
+}
+
+TEST_CASE("choose: pictures are where it says") {
+  const Scratch scratch;
+  const Ended ended =
+      call_program(CHOOSE_PROGRAM, "02-landing --seconds 0.3 --finer 2 --out '" + (scratch / "out").string() + "'");
+  INFO(ended.out << ended.err);
+  REQUIRE(ended.status == 0);
+  for (const char* file : {"sheet.png", "plot.png"})
+    CHECK(fs::exists(scratch / "out" / "choose" / "02-landing" / file));
+}
+
+TEST_CASE("choose: a budget that buys anything has the least error, and one that buys nothing is refused") {
+  const Ended ended = call_program(CHOOSE_PROGRAM, "02-landing --seconds 0.3 --finer 2 --no-images --budget 10s");
+  INFO(ended.out << ended.err);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("within 0.001 mm a second") != std::string::npos);
+  CHECK(call_program(CHOOSE_PROGRAM, "02-landing --seconds 0.3 --no-images --budget 0.000001us").status == 2);
+}
+
+TEST_CASE("choose: what cannot be meant is named, with status 2, and nothing is written") {
+  const Scratch scratch;
+  for (const auto& [words, named] :
+       std::vector<std::pair<std::string, std::string>>{{"nowhere", "scene is 'nowhere'"},
+                                                        {"06-slide --error 1", "--error is '1'"},
+                                                        {"06-slide --error -1mm", "--error is '-1mm'"},
+                                                        {"06-slide --error nanmm", "--error is 'nanmm'"},
+                                                        {"06-slide --error 1mile", "--error is '1mile'"},
+                                                        {"06-slide --budget 1mm", "--budget is '1mm'"},
+                                                        {"06-slide --seconds nan", "--seconds"},
+                                                        {"06-slide --seconds 1000", "--seconds"},
+                                                        {"06-slide --finer 1", "--finer"},
+                                                        {"06-slide --error 1mm --budget 1ms", "--budget"}}) {
+    const Ended ended = call_program(CHOOSE_PROGRAM, words + " --out '" + (scratch / "out").string() + "'");
+    INFO(words << "\n" << ended.out << ended.err);
+    CHECK(ended.status == 2);
+    CHECK(ended.err.find(named) != std::string::npos);
+    CHECK_FALSE(fs::exists(scratch / "out"));
+  }
+}
