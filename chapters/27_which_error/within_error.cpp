@@ -105,7 +105,9 @@ void WithinError::find_substeps(IslandWorld& island, Memory& memory, const World
   const int contacts = calls_.contacts(island.lowest());
   const Allowed allowed{error * dt / horizon, dt, sweeps, sliding(island.world)};
   if (!joints) look.fourth = 0;
-  if (look.fourth > 0 && --look.fourth == 0) {
+  const bool again_of_second_order = look.fourth == 1;
+  look.fourth = std::max(0, look.fourth - 1);
+  if (again_of_second_order) {
     memory.next = most_of_second_order;
     look.ago = looks_every;
   }
