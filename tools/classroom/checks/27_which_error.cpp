@@ -11,7 +11,7 @@ constexpr Bounds bounds_of_checks{};
 constexpr Real none = std::numeric_limits<Real>::infinity();
 
 int whole(Random& random, int least, int most) {
-  return least + static_cast<int>(random.below(std::size_t(most - least + 1)));
+  return least + static_cast<int>(random.below(std::size_t(most) - std::size_t(least) + 1));
 }
 
 /// A motion whose steps of this order are off by `size(step) / n^p`, and by `stuck(step)`, which no substeps lessen, in parts of what is
