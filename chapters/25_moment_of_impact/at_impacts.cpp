@@ -185,7 +185,7 @@ std::optional<Real> AtImpacts::next_touch(const World& world, const std::vector<
     const Body& body = bodies[i];
     strongest = std::max(strongest, accelerations_[i].squaredNorm());
     if (body.angular_velocity.isZero(0) && turning_[i].isZero(0)) continue;
-    for (const Vec3& corner : corners_of_core(body)) turns = std::max(turns, 2 * corner.norm());
+    turns = std::max(turns, 2 * reach_of_core(body));
   }
   const Margin margin{.least = touches + turns + within * within / 2 * std::sqrt(strongest), .ahead = within};
   std::optional<Real> first;

@@ -169,4 +169,10 @@ std::vector<Vec3> corners_of_core(const Body& body) {
   return corners;
 }
 
+Real reach_of_core(const Body& body) {
+  Real reach = 0;
+  for (const Vec3& corner : corners_of_core(body)) reach = std::max(reach, corner.norm());
+  return reach;
+}
+
 }  // namespace pushback

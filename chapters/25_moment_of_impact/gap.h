@@ -21,5 +21,7 @@ Gap gap_between(const Body& a, const Body& b);
 /// The points, in body axes, that a shape is the hull of, but for what is round: one for a sphere, two for a capsule. A half-space has
 /// one on its plane.
 std::vector<Vec3> corners_of_core(const Body& body);
+/// m: of the farthest of them from the body's position. What turns by an angle moves them by no more than the angle times this.
+Real reach_of_core(const Body& body);
 
 }  // namespace pushback

@@ -29,9 +29,7 @@ bool rigid(const World& world, const Joint& joint, Equations& equations) {
 Real tip_speed(const Body& body, Real dt) {
   const Real spin = body.angular_velocity.norm();
   if (!body.movable() || spin * dt < fast) return 0;
-  Real reach = 0;
-  for (const Vec3& corner : corners_of_core(body)) reach = std::max(reach, corner.norm());
-  return reach * std::min(spin, 2 / dt);
+  return reach_of_core(body) * std::min(spin, 2 / dt);
 }
 
 void Calls::find(const World& world, const Contacts& contacts, Real dt, Real threshold, const Limits& limits) {

@@ -189,8 +189,7 @@ Real WithinError::find_enough(IslandWorld& island, Memory& memory, const World& 
 /// Its place is exact in one. The turn of a body that tumbles is of second order, and its corners are to be where they belong.
 int WithinError::parts_of_flight(const Body& body, Real dt) const {
   if (std::isinf(error) || !tumbles(body)) return 1;
-  Real reach = 0;
-  for (const Vec3& corner : corners_of_core(body)) reach = std::max(reach, corner.norm());
+  const Real reach = reach_of_core(body);
   const auto turned = [&](int parts) {
     Body copy = body;
     for (int i = 0; i < parts; ++i) spin_freely(copy, dt / static_cast<Real>(parts));

@@ -13,11 +13,13 @@
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
+#include "tests/26_to_each_its_own/falling_heap.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
+using to_each_its_own_tests::falling_heap;
 
 namespace {
 
@@ -501,13 +503,7 @@ TEST_CASE("by island: what many alone has to move is moved as by many alone, to 
 
 TEST_CASE("by island: contacts are detected again where bodies tumble, so a heap that falls overlaps less") {
   const auto deepest = [](int most_detections) {
-    World world;
-    world.add(ground());
-    Random random(7);
-    for (int i = 0; i < 64; ++i) {
-      const Vec3 at{Real(i % 4) * Real(0.75), Real(0.5) + Real(i / 16) * Real(0.75), Real(i / 4 % 4) * Real(0.75)};
-      world.add(box(Vec3::Constant(Real(0.2)), 10).at(at + random.vector(Real(0.1))).oriented(random.orientation()));
-    }
+    World world = falling_heap();
     ByIsland solver;
     solver.limits.most_detections = most_detections;
     Real most = 0;

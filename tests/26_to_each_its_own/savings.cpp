@@ -4,10 +4,12 @@
 #include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/situations.h"
+#include "tests/26_to_each_its_own/falling_heap.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
+using to_each_its_own_tests::falling_heap;
 
 namespace {
 
@@ -43,18 +45,6 @@ class Watched : public ByIsland {
                      savings.of_contact * calls_.contacts(island.lowest()), island.solver().from_afar, island.held});
   }
 };
-
-/// 64 boxes that fall into a heap.
-World falling_heap() {
-  World world;
-  world.add(ground());
-  Random random(7);
-  for (int i = 0; i < 64; ++i) {
-    const Vec3 at{Real(i % 4) * Real(0.75), Real(0.5) + Real(i / 16) * Real(0.75), Real(i / 4 % 4) * Real(0.75)};
-    world.add(box(Vec3::Constant(Real(0.2)), 10).at(at + random.vector(Real(0.1))).oriented(random.orientation()));
-  }
-  return world;
-}
 
 /// For ten seconds, from a start that is a little off.
 void rests(int boxes, int start) {

@@ -148,8 +148,7 @@ std::vector<Mistake<Answer>> mistakes() {
        with_estimate([](Real coarse, Real fine, int order) { return (coarse - fine) / parts_of_difference(order); })},
       {"the step stands anyway",
        "it looks as if the step that was too far off stood, and the next one were taken in twice as many. What it is "
-       "off "
-       "by stays then: it is taken again.",
+       "off by stays then: it is taken again.",
        with_judge([](const Tried& tried, const Bounds& bounds) {
          Verdict verdict = plain_27::judge_try(tried, bounds);
          verdict.stands = true;
@@ -180,8 +179,7 @@ std::vector<Mistake<Answer>> mistakes() {
        })},
       {"fewer at once",
        "it looks as if each step that is kept made the next one coarser. Half as many are off by 2^p times as much: "
-       "mostly "
-       "too far, and the step is taken twice.",
+       "mostly too far, and the step is taken twice.",
        with_judge([](const Tried& tried, const Bounds& bounds) {
          Verdict verdict = plain_27::judge_try(tried, bounds);
          if (verdict.kept) verdict.substeps = std::max(bounds.least, tried.substeps / 2);
