@@ -72,7 +72,7 @@ Known WithinError::known(int body) {
     known.order = 1;
     known.substeps = many.substeps;
     known.place += sunken_;
-    known.kept = off_of_others(0) <= 1;
+    known.kept = off_of_others(0) <= 1 && !met_[std::size_t(calls_.island_of(body))];
   }
   return known;
 }
@@ -122,7 +122,7 @@ void WithinError::find_substeps(IslandWorld& island, Memory& memory, const World
     const Real quicker = fastest_spin(island.world) / look.spin;
     const bool whips = joints && off_when(quicker, look.off, look.order()) > 1;
     if (island.held && !whips && sliding(island.world) == allowed.sliding) return;
-    if (island.held && whips && 2 * begun <= most) {
+    if (island.held && whips && 2 * begun <= most && island.solver().halvings() == 0) {
       coarse = island.world.bodies;
       begun *= 2;
     }
@@ -159,7 +159,9 @@ Real WithinError::find_enough(IslandWorld& island, Memory& memory, const World& 
   Look& look = looks_[std::size_t(island.lowest())];
   const bool joints = !island.world.joints.empty();
   begin_order(island, allowed);
-  if (coarse.empty() && std::isfinite(take(island, whole, begun / 2, allowed.dt, allowed.sweeps)))
+  // A step that had to be divided is as two are, and tells nothing about these.
+  const auto undivided = [&] { return island.solver().halvings() == 0; };
+  if (coarse.empty() && std::isfinite(take(island, whole, begun / 2, allowed.dt, allowed.sweeps)) && undivided())
     coarse = island.world.bodies;
   Real off = std::numeric_limits<Real>::infinity();
   int kept = 0, no_better = 0;
@@ -181,7 +183,8 @@ Real WithinError::find_enough(IslandWorld& island, Memory& memory, const World& 
     // Nothing is decided in a chain: where it whips, so few substeps are far from what they tend to.
     if (joints && now == Worth::no_better && ++no_better < 2) now = Worth::more;
     if (now != Worth::more || 2 * memory.substeps > most) break;
-    if (island.held) coarse = island.world.bodies;
+    coarse.clear();
+    if (island.held && undivided()) coarse = island.world.bodies;
   }
   return off;
 }
@@ -211,6 +214,7 @@ void WithinError::move_others(World& world, Real dt, int sweeps) {
   if (std::isinf(error)) return ByIsland::move_others(world, dt, sweeps);
   in_a_second_ *= 1 - std::min(Real(1), dt / horizon);
   sunken_ = 0;
+  met_.assign(world.bodies.size(), false);
   if (std::none_of(world.bodies.begin(), world.bodies.end(), moves)) return ByIsland::move_others(world, dt, sweeps);
   const World before = world;
   const Contacts found = found_;
@@ -228,6 +232,26 @@ void WithinError::move_others(World& world, Real dt, int sweeps) {
     many.substeps = std::max(least_of_many, many.substeps / 2);
   }
   in_a_second_ += largest;
+  find_meetings(found, before, world, dt);
+}
+
+/// What came faster than a step of fall makes it, and comes no more.
+void WithinError::find_meetings(const Contacts& found, const World& before, const World& after, Real dt) {
+  std::vector<bool> joined(after.bodies.size());
+  for (const Joint& joint : after.joints)
+    for (const int body : {joint.a, joint.b})
+      if (body != the_world) joined[std::size_t(body)] = true;
+  for (const Contact& contact : found) {
+    const auto a = std::size_t(contact.id.body_a), b = std::size_t(contact.id.body_b);
+    const auto parting = [&](const World& world) {
+      const Vec3 of_a = world.bodies[a].velocity_at(contact.point), of_b = world.bodies[b].velocity_at(contact.point);
+      return (of_b - of_a).dot(contact.normal);
+    };
+    const Real came = parting(before);
+    if ((!joined[a] && !joined[b]) || came > -dt * after.gravity.norm() || parting(after) < came / 2) continue;
+    for (const Body* body : {&after.bodies[a], &after.bodies[b]})
+      if (body->movable()) met_[std::size_t(calls_.island_of(body->index))] = true;
+  }
 }
 
 /// By springs as stiff as the substeps hold. Returns the largest error of the step, m, and sets those of the bodies.

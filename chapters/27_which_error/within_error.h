@@ -36,6 +36,9 @@ struct Known {
 /// every fourth step is taken twice. A chain that whips is looked at sooner: see off_when. Where more substeps do not lessen it, it is
 /// no error of the step: something is decided otherwise, who touches first, or sticks. Then it is left, and said.
 ///
+/// Where bodies that are joined meet something, `many` finds the impact first and then what joints make of it. How far off that is, no
+/// number of substeps tells, so it is said that the step is not kept.
+///
 /// In a pile that moves such decisions are made all the time, and what their speeds differ by is lost in the next contact. So of
 /// `many` the speeds are not counted.
 class WithinError : public ByIsland {
@@ -64,6 +67,7 @@ class WithinError : public ByIsland {
                    std::vector<Body> coarse = {});
   Real difference(const IslandWorld& island, const std::vector<Body>& coarse, int order);
   Real move_stiffly(World& world, const World& before, Real dt, int sweeps);
+  void find_meetings(const Contacts& found, const World& before, const World& after, Real dt);
   int parts_of_flight(const Body& body, Real dt) const override;
   /// What steps have put wrong is forgotten in a second, and as much may be spent meanwhile.
   Real off_of_others(Real step) const { return (2 * (in_a_second_ + step) + sunken_) / error; }
@@ -83,8 +87,9 @@ class WithinError : public ByIsland {
   };
   std::vector<Look> looks_;  // of each body that is the lowest of its island
   std::vector<OfBody> of_body_;
-  Real in_a_second_ = 0;  // m: by which steps of `many` have put places wrong
-  Real sunken_ = 0;       // m, in what `many` moves
+  Real in_a_second_ = 0;   // m: by which steps of `many` have put places wrong
+  Real sunken_ = 0;        // m, in what `many` moves
+  std::vector<bool> met_;  // of each body that is the lowest of its island: see find_meetings
 };
 
 }  // namespace pushback

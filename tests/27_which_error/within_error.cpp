@@ -3,6 +3,8 @@
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/23_threads/crew.h"
+#include "pushback/chapters/24_half_step/top.h"
+#include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/chapters/26_to_each_its_own/scenes.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
@@ -342,4 +344,43 @@ TEST_CASE("within an error: settings that cannot be used are named, and nothing 
   CHECK(refused([](WithinError& s) { s.looks_every = 0; }) == "looks_every is 0: a whole number, 1 or more, is needed");
   CHECK(refused([](WithinError& s) { s.most_of_many = 2; }) == "most_of_many is 2: 4 or more is needed");
   CHECK(refused([](WithinError& s) { s.energy = 0; }).starts_with("energy is 0"));
+}
+
+TEST_CASE("What is joined and meets something by substeps is not said to be kept") {
+  // A rod and a ball, pinned, meet a wall: impact and joints are solved one after the other, and the ball leaves wrongly.
+  const moment_of_impact_scenes::PendulumAtWall pendulum;
+  World world;
+  pendulum(world);
+  const std::vector<Places> truth = pendulum.truth(60);
+  WithinError solver;
+  solver.error = Real(1e-3);
+  solver.many.threshold = 0;
+  int unkept = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    world.step(solver, Real(1) / 60, 1);
+    unkept += solver.known(1).kept ? 0 : 1;
+    const Real off = (world.bodies[1].position - truth[i][1].cast<Real>()).norm();
+    INFO("step " << i << ", off by " << off);
+    if (unkept == 0) REQUIRE(off < solver.error);
+  }
+  CHECK(unkept >= 1);
+  CHECK(unkept <= 4);  // it meets the wall twice, and not in every step
+}
+
+TEST_CASE("A step that half steps divide by themselves is not compared with one of as many parts: the top") {
+  const half_step_scenes::Top top;
+  for (const Real error : {Real(1e-3), Real(1e-4), Real(1e-5)}) {
+    World world;
+    top(world);
+    WithinError solver;
+    solver.error = error;
+    Real off = 0;
+    for (int i = 1; i <= 60; ++i) {
+      world.step(solver, Real(1) / 60, 1);
+      const Real t = static_cast<Real>(i) / 60;
+      off = std::max(off, (world.bodies[0].position - half_step_scenes::Top::stem * top.axis(t)).norm());
+    }
+    INFO("within " << error << ": off by " << off << ", known " << solver.known(0).place);
+    CHECK(off < error);
+  }
 }
