@@ -10,15 +10,15 @@ namespace pushback {
 
 namespace {
 
-/// A semicircle of wedges on two fixed springers: the radius of its middle line and its thickness, m.
-constexpr Real arch_radius = 2, thickness = Real(0.5);
+/// A semicircle of wedges on two fixed springers: the radius of its middle line and its arch_thickness, m.
+constexpr Real arch_radius = 2, arch_thickness = Real(0.5);
 constexpr int voussoirs = 13;
 
 /// A wedge between two radii, `from` and `to` (rad from the right springing), 0.5 m deep.
 std::vector<Vec3> wedge(Real from, Real to, Real springing) {
   std::vector<Vec3> points;
   for (const Real angle : {from, to}) {
-    for (const Real r : {arch_radius - thickness / 2, arch_radius + thickness / 2}) {
+    for (const Real r : {arch_radius - arch_thickness / 2, arch_radius + arch_thickness / 2}) {
       for (const Real z : {-Real(0.25), Real(0.25)})
         points.push_back({r * std::cos(angle), springing + r * std::sin(angle), z});
     }
@@ -39,7 +39,7 @@ void arch(World& world) {
   constexpr Real springing = 1;
   world.add(ground());
   for (const Real side : {Real(-1), Real(1)}) {
-    const Vec3 half{thickness / 2 + Real(0.15), springing / 2, Real(0.4)};
+    const Vec3 half{arch_thickness / 2 + Real(0.15), springing / 2, Real(0.4)};
     world.add(box(half, 1).fixed().at({side * arch_radius, springing / 2, 0}).rough(Real(0.7)));
   }
   for (int i = 0; i < voussoirs; ++i) {
