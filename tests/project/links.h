@@ -104,7 +104,8 @@ inline std::vector<fs::path> pages_in(const fs::path& folder) {
   std::vector<fs::path> pages;
   for (auto at = fs::recursive_directory_iterator(folder); at != fs::recursive_directory_iterator(); ++at) {
     const std::string name = at->path().filename().string();
-    if (at->is_directory() && (name == "build" || name.starts_with('.'))) at.disable_recursion_pending();
+    if (at->is_directory() && (name == "build" || name == "node_modules" || name.starts_with('.')))
+      at.disable_recursion_pending();
     else if (at->path().extension() == ".md") pages.push_back(at->path());
   }
   std::sort(pages.begin(), pages.end());

@@ -13,6 +13,7 @@
 #include "pushback/common/render/painter.h"
 #include "pushback/common/render/palette.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/tools/adapters/scene_json.h"
 #include "pushback/tools/catalogue/catalogue.h"
 
 using namespace pushback;
@@ -256,7 +257,7 @@ int main(int argc, char** argv) {
   int finer = 64;
   std::filesystem::path out = "renders/here";
   bool no_images = false;
-  line.option("scene", name, "A scene").required();
+  line.option("scene", name, "A scene, or a file of one in JSON: NAME.json").required();
   const auto asked_option =
       line.option("--error", error_text, "By which places may be off after a second: 1mm, 0.1 cm, 20um")
           .shows_default();
@@ -272,7 +273,12 @@ int main(int argc, char** argv) {
   line.ends_with(fmt::format("The scenes: {}", fmt::join(names_of(scenes), ", ")));
   return line.run(argc, argv, [&] {
     World begin;
-    named("scene", scenes, name).fill(begin);
+    if (name.ends_with(".json")) {
+      begin = scene_in(name);
+      name = std::filesystem::path(name).stem().string();
+    } else {
+      named("scene", scenes, name).fill(begin);
+    }
     require_between("--seconds", static_cast<Real>(seconds), Real(0.1), 60);  // the range above lets nan pass
     const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(dt)));
     const std::map<std::string, Real> lengths{{"m", 1}, {"cm", Real(1e-2)}, {"mm", Real(1e-3)}, {"um", Real(1e-6)}};

@@ -57,9 +57,9 @@ struct Elsewhere : StepSolver {
 
 }  // namespace
 
-std::vector<Stage> peer_stages(const std::filesystem::path& folder) {
+std::vector<Stage> peer_stages(const std::filesystem::path& folder, const std::vector<PeerSetting>& settings) {
   std::vector<Stage> list;
-  for (const PeerSetting& setting : peer_settings()) {
+  for (const PeerSetting& setting : settings) {
     Elsewhere elsewhere;
     elsewhere.substeps = setting.substeps;
     Stage stage{{setting.name, setting.what, elsewhere, {}}};

@@ -24,8 +24,9 @@ inline constexpr int peer_starts = 5;
 /// Each engine as it comes, and tuned.
 const std::vector<PeerSetting>& peer_settings();
 
-/// Of these settings. Each plays by its program in the folder, or by none where the folder is empty.
-std::vector<Stage> peer_stages(const std::filesystem::path& folder = {});
+/// Of these settings, by default all of peer_settings. Each plays by its program in the folder, or by none where the folder is empty.
+std::vector<Stage> peer_stages(const std::filesystem::path& folder = {},
+                               const std::vector<PeerSetting>& settings = peer_settings());
 
 /// Those of `table` that stand beside the engines.
 std::vector<Stage> stages_beside_peers();

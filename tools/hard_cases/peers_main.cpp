@@ -7,6 +7,7 @@
 #include "pushback/common/basics/named.h"
 #include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/program.h"
+#include "pushback/tools/adapters/adapter.h"
 #include "pushback/tools/hard_cases/apart.h"
 #include "pushback/tools/hard_cases/peers.h"
 #include "pushback/tools/hard_cases/table_picture.h"
@@ -67,7 +68,7 @@ void take_over(Table& into, const Table& from) {
 
 int main(int argc, char** argv) {
   std::vector<std::string> names, settings;
-  std::string out = "renders";
+  std::string out = "renders", adapter;
   GivingUp giving_up{.seconds = 900, .times = std::numeric_limits<int>::max()};
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   int starts = peer_starts;
@@ -75,6 +76,8 @@ int main(int argc, char** argv) {
   CommandLine line("Every hard case under other engines, each as it comes and tuned, beside ours.", "hard_cases_peers");
   line.option("NAME", names, "Only these cases");
   line.option("--settings", settings, "Only these settings, separated by commas").split_at_commas();
+  line.option("--adapter", adapter,
+              "A program that hands cases to another engine: its settings, in the place of all others");
   line.option("--out", out, "Folder in which the folder hard_cases is made; what is not all goes to hard_cases/part")
       .shows_default();
   line.option("--jobs", jobs, "So many processes at a time").between(1, 256).shows_default();
@@ -90,7 +93,13 @@ int main(int argc, char** argv) {
     require_between("--at-most", static_cast<Real>(giving_up.seconds), Real(0.1), 36000);  // the range lets nan pass
     const fs::path folder = fs::path(out) / "hard_cases", kept = folder / "peers.csv";
     if (redraw) return show(read_table_csv(read_text_file(kept), peer_stages()), folder, !no_images);
-    const std::vector<Stage> all = peer_stages(fs::canonical("/proc/self/exe").parent_path());
+    const fs::path programs = fs::canonical("/proc/self/exe").parent_path();
+    std::vector<Stage> all = peer_stages(programs);
+    if (!adapter.empty()) {
+      if (keep) throw InvalidInput("--renew is for the engines of hard_cases/peers.csv, not for --adapter");
+      setenv("PUSHBACK_ADAPTER", fs::absolute(adapter).c_str(), 1);  // where its program looks for it
+      all = peer_stages(programs, the_adapter().settings());
+    }
     std::vector<HardCase> cases = chosen("case", hard_cases(), names);
     std::vector<Stage> columns = chosen("setting", all, settings);
     if (list) {
@@ -102,7 +111,8 @@ int main(int argc, char** argv) {
         throw InvalidInput(
             fmt::format("'{}' needs {}, which is not built: its engine is missing", stage.name, stage.apart.front()));
     for (HardCase& c : cases) c.starts = std::min(c.starts, starts);
-    const bool whole = cases.size() == hard_cases().size() && columns.size() == all.size() && starts == peer_starts;
+    const bool whole =
+        adapter.empty() && cases.size() == hard_cases().size() && columns.size() == all.size() && starts == peer_starts;
     std::string before;
     if (keep) before = read_text_file(kept);
     const fs::path into = whole || keep ? folder : folder / "part";

@@ -29,6 +29,9 @@ BeginEngine begin_engine;
 /// "not possible: ODE has no cone limit"
 InvalidInput not_had(const std::string& what);
 
+/// Throws not_had where the body has what no engine here is told of: a skin, groups, a surface that conveys.
+void check_plain(const Body& body);
+
 /// An immovable body whose velocity moves it.
 inline bool is_driven(const Body& body) {
   return !body.movable() && (!body.velocity.isZero(0) || !body.angular_velocity.isZero(0));

@@ -42,14 +42,13 @@ bool same_state(const Body& one, const Body& other) {
          one.velocity == other.velocity && one.angular_velocity == other.angular_velocity;
 }
 
-/// What none of the adapters hands on.
+}  // namespace
+
 void check_plain(const Body& body) {
   if (body.skin != 0) throw not_had("a skin around a body");
   if (body.conveys) throw not_had("a conveyor");
   if (body.groups != 1 || body.touches != every_group) throw not_had("groups of bodies that do not touch");
 }
-
-}  // namespace
 
 void EngineSolver::check(World&, Real) {
   throw not_had("contacts from outside");

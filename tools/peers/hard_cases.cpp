@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
   return line.run(argc, argv, [&] {
     HardCase hard_case = hard_case_named(name);
     hard_case.starts = std::min(hard_case.starts, starts);
-    const PeerSetting& setting = named("setting", peer_settings(), setting_name);
+    const std::vector<PeerSetting> settings = settings_of_peer();
+    const PeerSetting& setting = named("setting", settings, setting_name);
     Stage stage{{setting.name, setting.what, EngineSolver(begin_engine, setting), {}}};
     stage.epsilon = setting.epsilon;
     stage.most_starts = peer_starts;

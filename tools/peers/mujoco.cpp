@@ -1,6 +1,10 @@
 /// MuJoCo plays motions.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/peers/mujoco.h"
 #include "pushback/tools/peers/peer.h"
@@ -14,8 +18,21 @@ struct Choice {
   std::string solver = "Newton";
   std::string integrator = "Euler";
   bool hard = true;      ///< as hard as it goes; else as it comes
+  bool bounces = false;  ///< contacts are springs and dampers that give the motion's restitution
+  bool noslip = false;   ///< friction as stiff as its makers advise, and ten sweeps that take out the slip that is left
   bool connect = false;  ///< pins are constraints, not the joints of a tree
 };
+
+/// The share of critical damping, sin(phi), of a contact that is left with the fraction e of the speed it met with. A spring and
+/// damper that pushes and never pulls lets go as its force ends, after the angle pi - 2 phi, so e = exp(-(pi - 2 phi) tan(phi)).
+double damping_of(double e) {
+  double low = 0, high = std::numbers::pi / 2;
+  for (int i = 0; i < 60; ++i) {
+    const double phi = (low + high) / 2;
+    (std::exp(-(std::numbers::pi - 2 * phi) * std::tan(phi)) > e ? low : high) = phi;
+  }
+  return std::sin(low);
+}
 
 /// A world as MJCF. Bodies are called b0, b1 ... by their index.
 class Mjcf {
@@ -24,16 +41,23 @@ class Mjcf {
       : world_(world), pins_(choice.connect ? std::vector<Pin>{} : motion.pins) {
     // The least time constant that it allows, the largest impedance, and contacts from 1 um before they touch, without which
     // bodies that just touch fall freely in the first step. It comes with 0.02 s, 0.9 to 0.95, and 0.
-    const std::string impedance =
-        choice.hard ? fmt::format("solref='{:.17g} 1' solimp='0.9999 0.9999 0.001'", 2 * setting.dt()) : "";
+    // Of a spring that bounces, 1/s. A bounce is of pi / rate, and its restitution off by some rate * dt: both fall with dt.
+    const double rate = std::min(30.0 * setting.substeps, 120 * std::sqrt(setting.substeps));
+    const std::string reference =
+        choice.bounces ? fmt::format("{:.17g} {:.17g}", -rate * rate,
+                                     -2 * damping_of(static_cast<double>(world.bodies.back().restitution)) * rate)
+                       : fmt::format("{:.17g} 1", 2 * setting.dt());
+    const std::string impedance = choice.hard ? fmt::format("solref='{}' solimp='0.9999 0.9999 0.001'", reference) : "";
+    const std::string joints = fmt::format("solref='{:.17g} 1' solimp='0.9999 0.9999 0.001'", 2 * setting.dt());
     const std::string effort =
         choice.solver == "PGS" ? fmt::format("iterations='{}' tolerance='0'", setting.sweeps) : "tolerance='1e-12'";
     text_ = fmt::format(
         "<mujoco><compiler angle='radian'/><size njmax='3000' nconmax='1000'/>"
-        "<option timestep='{:.17g}' gravity='{}' solver='{}' {} integrator='{}' cone='elliptic'/>"
-        "<default><geom condim='3' friction='{:.17g} 0 0' margin='{}' {}/><equality {}/></default><worldbody>",
-        setting.dt(), text(world.gravity), choice.solver, effort, choice.integrator, world.bodies.back().friction,
-        choice.hard ? "1e-6" : "0", impedance, impedance);
+        "<option timestep='{:.17g}' gravity='{}' solver='{}' {} integrator='{}' cone='elliptic'{}/>"
+        "<default><geom condim='{}' friction='{:.17g} 0 0' margin='{}' {}/><equality {}/></default><worldbody>",
+        setting.dt(), text(world.gravity), choice.solver, effort, choice.integrator,
+        choice.noslip ? " impratio='10' noslip_iterations='10'" : "", world.bodies.back().friction > 0 ? 3 : 1,
+        world.bodies.back().friction, choice.hard ? "1e-6" : "0", impedance, choice.hard ? joints : "");
     for (const Body& body : world.bodies)
       if (pin_of(body) == nullptr || pin_of(body)->a == the_world) add(body, Vec3::Zero(), Quat::Identity());
     text_ += "</worldbody>";
@@ -104,10 +128,17 @@ class Mujoco : public PlayerInSubsteps {
     for (const Body& body : world.bodies) {
       ids_.push_back(mj_name2id(model_.get(), mjOBJ_BODY, fmt::format("b{}", body.index).c_str()));
       const int joint = model_->body_jntadr[ids_.back()];
-      if (joint < 0 || model_->jnt_type[joint] != mjJNT_FREE) continue;  // what is pinned begins at rest
-      // Of a free joint: the velocity in world axes, the angular velocity in those of the body.
-      Eigen::Map<Eigen::Matrix<double, 6, 1>> velocity(data_->qvel + model_->jnt_dofadr[joint]);
-      velocity << body.velocity.cast<double>(), (body.orientation.conjugate() * body.angular_velocity).cast<double>();
+      if (joint < 0) continue;
+      // Of a free joint: the velocity in world axes, and as of a ball the angular velocity in those of the body. Of a ball it is
+      // against what the body hangs on, which in all motions begins without one.
+      double* velocity = data_->qvel + model_->jnt_dofadr[joint];
+      if (model_->jnt_type[joint] == mjJNT_FREE) {
+        Eigen::Map<Eigen::Vector3d> moving(velocity);
+        moving = body.velocity.cast<double>();
+        velocity += 3;
+      }
+      Eigen::Map<Eigen::Vector3d> turning(velocity);
+      turning = (body.orientation.conjugate() * body.angular_velocity).cast<double>();
     }
   }
 
@@ -135,14 +166,18 @@ class Mujoco : public PlayerInSubsteps {
   double row_solves_ = 0;
 };
 
-Method method(const std::string& name, const std::string& title, const Choice& choice, bool only_pins = false) {
+/// What its contacts must be able to do, and what only some methods are for.
+enum class For { all, pins, friction };
+
+Method method(const std::string& name, const std::string& title, const Choice& choice, For what = For::all) {
   return {.name = name,
           .title = title,
           .plays =
-              [only_pins](const Motion& motion) {
+              [what, bounces = choice.bounces](const Motion& motion) {
                 World world;
-                motion.fill(world);  // MuJoCo has no restitution
-                return world.bodies.back().restitution == 0 && (!only_pins || !motion.pins.empty());
+                motion.fill(world);  // MuJoCo has no restitution, but springs
+                return (world.bodies.back().restitution > 0) == bounces &&
+                       (what != For::pins || !motion.pins.empty()) && (what != For::friction || motion.pins.empty());
               },
           .begin = [choice](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
             return std::make_unique<Mujoco>(motion, setting, choice);
@@ -153,10 +188,13 @@ Method method(const std::string& name, const std::string& title, const Choice& c
 }  // namespace
 
 std::vector<Method> peer_methods() {
-  return {method("mujoco", "MuJoCo, hard", {}), method("mujoco-default", "MuJoCo, as it comes", {.hard = false}),
+  return {method("mujoco", "MuJoCo, hard", {}),
+          method("mujoco-default", "MuJoCo, as it comes", {.hard = false}),
           method("mujoco-pgs", "MuJoCo, hard, sweeps", {.solver = "PGS"}),
-          method("mujoco-rk4", "MuJoCo, Runge and Kutta", {.integrator = "RK4"}, true),
-          method("mujoco-connect", "MuJoCo, pins as constraints", {.connect = true}, true)};
+          method("mujoco-noslip", "MuJoCo, hard, without slip", {.noslip = true}, For::friction),
+          method("mujoco-bounce", "MuJoCo, springs that bounce", {.bounces = true}),
+          method("mujoco-rk4", "MuJoCo, Runge and Kutta", {.integrator = "RK4"}, For::pins),
+          method("mujoco-connect", "MuJoCo, pins as constraints", {.connect = true}, For::pins)};
 }
 
 std::string peer_version() {

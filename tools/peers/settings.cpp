@@ -1,0 +1,9 @@
+#include "pushback/tools/peers/peer.h"
+
+namespace pushback {
+
+std::vector<PeerSetting> settings_of_peer() {
+  return peer_settings();
+}
+
+}  // namespace pushback
