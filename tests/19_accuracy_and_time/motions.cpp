@@ -497,8 +497,8 @@ TEST_CASE("the program lists its motions, and the methods of each") {
   const Ended all = call_program(MOTION_PROGRAM, "");
   CHECK(all.status == 0);
   const auto lines = lines_of(all.out);
-  REQUIRE(lines.size() == all_motions().size());
-  for (std::size_t i = 0; i < lines.size(); ++i)
+  REQUIRE(lines.size() == all_motions().size() + 2);  // and two of later chapters
+  for (std::size_t i = 0; i < all_motions().size(); ++i)
     CHECK(lines[i] == all_motions()[i].name + ": " + all_motions()[i].title);
   for (const Motion& motion : all_motions()) {
     const Ended ended = call_program(MOTION_PROGRAM, motion.name);

@@ -7,6 +7,7 @@
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/plot_layout.h"
+#include "pushback/tools/study/every_motion.h"
 #include "pushback/tools/study/limits.h"
 #include "pushback/tools/study/machine.h"
 #include "pushback/tools/study/report.h"
@@ -593,7 +594,7 @@ TEST_CASE("the table of the cheapest says which, and what it costs a frame") {
   REQUIRE(lines.size() == 3);
   CHECK(lines[2] ==
         "| minute | 7 | `slim-cold/4/4`: 50 µs (50 to 50), 10 row solves, 10 mm off, – remains "
-        "| `slim/4/16`: 200 µs (200 to 200), 10 row solves, 0.5 mm off, – remains | not reached |");
+        "| `slim/4/16`: 200 µs (200 to 200), 10 row solves, 0.5 mm off, – remains | not reached | not reached |");
   auto no_rows = made_up();
   for (Measured& one : no_rows[0].all) one.row_solves.reset();
   CHECK(contains(lines_of(table_of_cheapest(no_rows))[2],
@@ -603,24 +604,34 @@ TEST_CASE("the table of the cheapest says which, and what it costs a frame") {
   CHECK(
       lines_of(table_of_cheapest(only_float))[2] ==
       "| minute | 1 | `slim/4/4` in float: 80 µs (80 to 80), 10 row solves, 2.5 mm off, – remains | not reached | not "
-      "reached |");
+      "reached | not reached |");
   auto once = made_up();
   for (int i = 0; i < 6; ++i)
     once[0].all.push_back(of("motion_wide", "wide-float", 1 << i, 1, 0.003 * std::pow(2, -i), 0.0006));
-  CHECK(contains(lines_of(table_of_cheapest(once))[2],
-                 "| `wide-float/32/1`: 10 µs (10 to 10), 10 row solves, 0.0938 mm off, < 0.094 mm remains |"));
+  CHECK(contains(
+      lines_of(table_of_cheapest(once))[2],
+      "| `wide-float/32/1`: 10 µs (10 to 10), 10 row solves, 0.0938 mm off, < 0.094 mm remains | not reached |"));
 }
 
 TEST_CASE("the table of the engines has a row a motion: the cheapest below a millimetre, or how near it comes") {
   auto all = made_up();
   const auto row = [&] { return lines_of(table_of_engines(all)).back(); };
   REQUIRE(lines_of(table_of_engines(all)).size() == 3);
-  CHECK(row() == "| minute | 200 µs, `slim/4/16` | – | 300 µs, `o/1/16` | – |");
+  CHECK(row() == "| minute | – | 200 µs, `slim/4/16` | – | 300 µs, `o/1/16` | – |");
   all[0].all.push_back(of("motion_bullet", "bullet", 1, 4, 7e-3, 0.01));
   all[0].all.push_back(of("motion_bullet_double", "bullet-double", 1, 4, 2e-3, 0.02));
-  CHECK(row() == "| minute | 200 µs, `slim/4/16` | not below 2 mm | 300 µs, `o/1/16` | – |");
+  CHECK(row() == "| minute | – | 200 µs, `slim/4/16` | not below 2 mm | 300 µs, `o/1/16` | – |");
   all[0].all.push_back(of("motion_ode", "o", 2, 16, 3e-3, 0.02));  // finer, and farther off
-  CHECK(row() == "| minute | 200 µs, `slim/4/16` | not below 2 mm | not below 3 mm | – |");
+  CHECK(row() == "| minute | – | 200 µs, `slim/4/16` | not below 2 mm | not below 3 mm | – |");
+  // One that is told 1 mm: without a division, its own error.
+  all[0].all.push_back(of("motion_wide", "within", 4, 1, 1e-5, 0.3));
+  all[0].all.push_back(of("motion_wide", "within", 1, 4, 1e-5, 0.3));
+  CHECK(row() == "| minute | – | 200 µs, `slim/4/16` | not below 2 mm | not below 3 mm | – |");
+  all[0].all.push_back(of("motion_wide", "within", 1, 1, 2e-3, 0.06));
+  CHECK(row() == "| minute | 1000 µs, 2 mm off | 200 µs, `slim/4/16` | not below 2 mm | not below 3 mm | – |");
+  all[0].all.push_back(of("motion_adapter", "entered", 1, 1, 2e-4, 0.006));
+  CHECK(contains(lines_of(table_of_engines(all))[0], "| MuJoCo | entered |"));
+  CHECK(row().ends_with(" | – | 100 µs, `entered/1/1` |"));
 }
 
 TEST_CASE("the table of the others says how many times as long they take") {
@@ -629,25 +640,31 @@ TEST_CASE("the table of the others says how many times as long they take") {
   REQUIRE(others().size() == 3);  // none for ours
   // Below 1 cm and 1 mm: 0.018 s against our 0.003 s and 0.012 s; for their best, 5e-4 in 0.018 s, we take 0.012 s.
   CHECK(others()[2] ==
-        "| minute | ODE | 2 | 6 times as long | 1.5 times as long | not reached | 0.67 times its time | 1 | – | – |");
+        "| minute | ODE | 2 | 6 times as long | 1.5 times as long | not reached | not reached | 0.67 times its time | "
+        "1 | – | – |");
   all[0].all.back().error = 5e-5;
   CHECK(others()[2] ==
-        "| minute | ODE | 2 | 6 times as long | 1.5 times as long | 300 µs, we not at all | we do not reach all of it "
+        "| minute | ODE | 2 | 6 times as long | 1.5 times as long | 300 µs, we not at all | not reached | we do not "
+        "reach all of it "
         "| 1 "
         "| – | – |");
   all[0].all.push_back(of("motion_wide", "wide", 1, 1, 1e-5, 0.006));  // ours as well
   REQUIRE(others().size() == 3);
   CHECK(others()[2] ==
-        "| minute | ODE | 2 | 6 times as long | 3 times as long | 3 times as long | 0.33 times its time | 1 | – | – |");
+        "| minute | ODE | 2 | 6 times as long | 3 times as long | 3 times as long | not reached | 0.33 times its time "
+        "| 1 | – | – |");
   all[0].all.push_back(of("motion_wide", "wide", 1, 1, 1e-5, 0.0001234));
-  CHECK(contains(others()[2], "| 146 times as long | 146 times as long | 146 times as long | 0.0069 times its time |"));
+  CHECK(
+      contains(others()[2],
+               "| 146 times as long | 146 times as long | 146 times as long | not reached | 0.0069 times its time |"));
   all[0].all.back().seconds = {0.018 / 99.7};
   CHECK(contains(others()[2], "| 100 times as long |"));
   all[0].all.resize(7);
   CHECK(contains(others()[2], "| it does not play this |"));
   all[0].all.push_back(of("motion_ode", "o", 1, 1, 0.5, 1));
   CHECK(others()[2] ==
-        "| minute | ODE | 1 | not reached | not reached | not reached | it has no such front | 1 | – | – |");
+        "| minute | ODE | 1 | not reached | not reached | not reached | not reached | it has no such front | 1 | – | – "
+        "|");
 }
 
 TEST_CASE("tables and diagrams are of robust errors") {
@@ -664,7 +681,7 @@ TEST_CASE("tables and diagrams are of robust errors") {
   CHECK(panel.curves[1].y[1] == Approx(5e-3));
   Measurements mine = all;
   for (Measured& one : mine) one.engine = "motion";
-  const Panel methods = fronts_of_methods({&motion_of_60, mine});
+  const Panel methods = fronts_of_methods({&motion_of_60, mine}, "motion");
   REQUIRE(methods.curves.size() == 2);
   REQUIRE(methods.curves[0].y.size() == 3);
   CHECK(methods.curves[0].y[1] == Approx(5e-3));
@@ -720,7 +737,7 @@ TEST_CASE("each table says what remains, of which method, by which law") {
 
 TEST_CASE("every method that plays anything has its law in the table of limits") {
   for (const auto& [engine, program] : {std::pair{"motion", MOTION_PROGRAM}, {"motion_wide", MOTION_WIDE_PROGRAM}}) {
-    for (const Motion& motion : all_motions()) {
+    for (const Motion& motion : every_motion()) {
       const Ended listed = call_program(program, motion.name);
       REQUIRE(listed.status == 0);
       for (const std::string& line : lines_of(listed.out)) {
@@ -735,11 +752,20 @@ TEST_CASE("every method that plays anything has its law in the table of limits")
 }
 
 TEST_CASE("a top and a pendulum at a wall are played beside the ten, each solver by its order") {
-  const std::vector<std::string> motions = lines_of(call_program(MOTION_WIDE_PROGRAM, "").out);
-  REQUIRE(motions.size() == all_motions().size() + 2);
-  CHECK(motions[motions.size() - 2].starts_with("top: "));
-  CHECK(motions.back().starts_with("pendulum-at-wall: "));
-  CHECK(call_program(MOTION_PROGRAM, "top").status == 2);  // it plays chapter 19's alone
+  for (const char* const program : {MOTION_PROGRAM, MOTION_WIDE_PROGRAM}) {
+    const std::vector<std::string> motions = lines_of(call_program(program, "").out);
+    REQUIRE(motions.size() == all_motions().size() + 2);
+    CHECK(motions[motions.size() - 2].starts_with("top: "));
+    CHECK(motions.back().starts_with("pendulum-at-wall: "));
+  }
+  CHECK(contains(call_program(MOTION_PROGRAM, "top").out, "direct-joints/SMALL-STEPS/SWEEPS"));
+  CHECK(lines_of(call_program(MOTION_PROGRAM, "pendulum-at-wall").out).size() ==
+        1);  // joints, and contacts that bounce
+  CHECK(&any_motion_named("top") == &every_motion()[all_motions().size()]);
+  CHECK(contains(complaint([] { any_motion_named("nowhere"); }), "pendulum-at-wall"));
+  for (const Motion& motion : all_motions()) CHECK(has_contacts(motion) == motion.pins.empty());
+  CHECK(!has_contacts(any_motion_named("top")));
+  CHECK(has_contacts(any_motion_named("pendulum-at-wall")));
 
   const auto error = [](const std::string& motion, const std::string& setting) {
     const Ended played = call_program(MOTION_WIDE_PROGRAM, motion + " " + setting + " --at-least 0");
@@ -775,12 +801,22 @@ TEST_CASE("diagrams have a curve for each engine that has something to show, and
   CHECK(panel.curves[3].x[0] == Approx(3));  // ms of wall time for a second
   CHECK(panel.curves[3].y[0] == Approx(2e-3));
   CHECK((panel.log_x && panel.log_y));
-  const Panel methods = fronts_of_methods(all[0]);
+  const Panel methods = fronts_of_methods(all[0], "motion");
   REQUIRE(methods.curves.size() == 2);
   CHECK((methods.curves[0].label == "slim" && methods.curves[1].label == "slim-cold"));
   CHECK(methods.curves[0].colour == methods.curves[1].colour);
   CHECK(methods.curves[1].style == Curve::Style::dashed);
   CHECK(methods.curves[0].x.size() == 3);
+  // What divides steps itself has its colour everywhere, and its sister that of hers.
+  const MotionMeasured divided{
+      &motion_of_60,
+      {of("motion_wide", "wide", 1, 1, 1e-3, 1), of("motion_wide", "wide-stiff", 1, 1, 1e-3, 1),
+       of("motion_wide", "impact", 1, 1, 1e-3, 1)}};
+  const Panel steps = fronts_of_methods(divided, "motion_wide");
+  REQUIRE(steps.curves.size() == 3);
+  CHECK((steps.curves[0].colour == line_colour(1) && steps.curves[1].colour == line_colour(1)));
+  CHECK(steps.curves[1].style == Curve::Style::dashed);
+  CHECK(steps.curves[2].colour == line_colour(7));
   const auto knobs = panels_of_knobs(all);
   REQUIRE(knobs.size() == 1);
   CHECK(knobs[0].title == "more sweeps: a stack, a pyramid");
@@ -798,13 +834,14 @@ TEST_CASE("of all engines, those are drawn of which something was measured") {
   CHECK(engines_of({}).empty());
 }
 
-TEST_CASE("an error of 0 is drawn at the floor, a micrometre, and errors have lines to compare with") {
+TEST_CASE("an error of 0 is drawn at the floor, a tenth of a micrometre, and errors have lines to compare with") {
   const Panel panel = work_precision({&motion_of_60, {of("motion", "slim", 1, 1, 0, 1)}}, three);
   REQUIRE(panel.curves.size() == 2);
-  CHECK(drawn(panel, panel.curves[1].y[0]) == Approx(1e-6));
-  REQUIRE(panel.lines.size() == 3);
+  CHECK(drawn(panel, panel.curves[1].y[0]) == Approx(1e-7));
+  REQUIRE(panel.lines.size() == 4);
   CHECK((panel.lines[0].label == "1 cm" && panel.lines[0].value == Approx(1e-2)));
   CHECK((panel.lines[2].label == "0.1 mm" && panel.lines[2].value == Approx(1e-4)));
+  CHECK((panel.lines[3].label == "1 µm" && panel.lines[3].value == Approx(1e-6)));
 }
 
 TEST_CASE("where nothing was measured there is little to say, and nothing breaks") {
@@ -820,7 +857,7 @@ TEST_CASE("where nothing was measured there is little to say, and nothing breaks
     CHECK(panels_of_knobs(all).empty());
     for (const MotionMeasured& measured : all) {
       CHECK(work_precision(measured, three).curves.empty());
-      CHECK(fronts_of_methods(measured).curves.empty());
+      CHECK(fronts_of_methods(measured, "motion").curves.empty());
     }
   }
   CHECK(lines_of(csv_of({})).size() == 1);

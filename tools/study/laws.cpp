@@ -29,11 +29,13 @@ constexpr Law laws[] = {{"full", "friction pyramid; slop of 5 mm"},
                         {"once", "springs; never harder than 240 Hz"},
                         {"wide", "the same"},
                         {"wide-float", "the same; rows in float"},
+                        {"wide-stiff", "springs as hard as the substeps allow"},
                         {"joints", "nothing"},
                         {"warm-joints", "adds up its position correction"},
                         {"split-joints", "nothing"},
                         {"steady-joints", "nothing"},
                         {"direct-joints", "nothing"},
+                        {"jointed", "nothing"},
                         {"half-step", "nothing"},
                         {"order-4", "nothing"},
                         {"impact", "nothing"},
@@ -53,6 +55,8 @@ constexpr Law laws[] = {{"full", "friction pyramid; slop of 5 mm"},
                         {"mujoco", "relaxed cone; springs as hard as the step allows"},
                         {"mujoco-default", "relaxed cone; springs of 0.02 s"},
                         {"mujoco-pgs", "as `mujoco`"},
+                        {"mujoco-noslip", "as `mujoco`, with less slip"},
+                        {"mujoco-bounce", "springs that bounce, as hard as the step allows"},
                         {"mujoco-rk4", "nothing"},
                         {"mujoco-connect", "springs as hard as the step allows"}};
 
@@ -87,7 +91,7 @@ std::string table_of_limits(const std::vector<MotionMeasured>& all) {
   for (const std::vector<std::string>& names :
        {std::vector<std::string>{"bounce", "incline", "sliding", "rolling", "break"},
         {"stack-10", "pyramid-10", "heavy-on-light"},
-        {"pendulum", "chain"}}) {
+        {"pendulum", "chain", "top", "pendulum-at-wall"}}) {
     std::vector<const MotionMeasured*> motions;
     for (const std::string& name : names)
       for (const MotionMeasured& measured : all)

@@ -4,6 +4,7 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/program.h"
+#include "pushback/tools/study/every_motion.h"
 #include "pushback/tools/study/machine.h"
 #include "pushback/tools/study/report.h"
 
@@ -16,22 +17,24 @@ struct Asked {
   bool quick = false, others = false, redraw = false;
   int rounds = 0;
   std::vector<std::string> only;
-  std::string out = "renders", shard = "1/1", mine;
+  std::string out = "renders", shard = "1/1", mine, adapter;
   std::size_t parts = 0;
 };
 
 void report(const AllMeasured& all, const std::vector<Engine>& engines, const std::filesystem::path& folder) {
   std::vector<MotionMeasured> in_order;
-  std::vector<Panel> against_time, methods;
-  for (const Motion& motion : all_motions()) {
+  std::vector<Panel> against_time, methods, steps;
+  for (const Motion& motion : every_motion()) {
     const auto found = all.find(motion.name);
     if (found == all.end()) continue;
     in_order.push_back({&motion, found->second});
     against_time.push_back(work_precision(in_order.back(), engines));
-    methods.push_back(fronts_of_methods(in_order.back()));
+    methods.push_back(fronts_of_methods(in_order.back(), "motion"));
+    steps.push_back(fronts_of_methods(in_order.back(), "motion_wide"));
   }
   write_plot(folder / "work_precision.png", against_time);
   write_plot(folder / "methods.png", methods);
+  write_plot(folder / "steps.png", steps);
   if (const auto panels = panels_of_knobs(in_order); !panels.empty()) write_plot(folder / "knobs.png", panels);
   for (const auto& [name, table] : {std::pair{"cheapest.md", table_of_cheapest(in_order)},
                                     {"engines.md", table_of_engines(in_order)},
@@ -64,9 +67,9 @@ void join(std::size_t parts, const std::filesystem::path& folder) {
 
 void measure_and_draw(const Asked& asked, const std::filesystem::path& programs) {
   std::vector<const Motion*> motions;
-  for (const Motion& motion : all_motions())
+  for (const Motion& motion : every_motion())
     if (asked.only.empty()) motions.push_back(&motion);
-  for (const std::string& name : asked.only) motions.push_back(&motion_named(name));
+  for (const std::string& name : asked.only) motions.push_back(&any_motion_named(name));
   std::filesystem::path folder = std::filesystem::path(asked.out) / "19_accuracy_and_time";
   if (asked.parts > 0) return join(asked.parts, folder);
   const Shard shard = shard_of(asked.shard);
@@ -80,6 +83,10 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   if (!asked.mine.empty()) {
     engines.push_back(engine_of_mine());
     setenv("PUSHBACK_MINE", std::filesystem::absolute(asked.mine).c_str(), 1);  // where its program looks for it
+  }
+  if (!asked.adapter.empty()) {
+    engines.push_back(engine_of_adapter());
+    setenv("PUSHBACK_ADAPTER", std::filesystem::absolute(asked.adapter).c_str(), 1);
   }
   const std::vector<Piece> pieces = pieces_of(motions, engines, shard);
   if (!shard.whole()) folder /= shard.folder();
@@ -115,6 +122,7 @@ int main(int argc, char** argv) {
   line.flag("--quick", asked.quick, "Fewer settings, fewer rounds: in two minutes");
   line.flag("--peers", asked.others, "Bullet, ODE and MuJoCo as well, where they were built");
   line.option("--mine", asked.mine, "A solver as a shared object, as one more engine");
+  line.option("--adapter", asked.adapter, "A program that hands motions to another engine, as one more engine");
   line.option("--rounds", asked.rounds, "In which all that is near a front is timed; 3, or 1 with --quick")
       .between(1, 1000);
   line.flag("--redraw", asked.redraw, "Nothing is measured: pictures and tables of what is in study.csv");

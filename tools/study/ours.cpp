@@ -7,6 +7,7 @@
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/19_accuracy_and_time/seat.h"
 #include "pushback/common/world/any_solver.h"
+#include "pushback/tools/study/every_motion.h"
 #include "pushback/tools/study/play.h"
 
 using namespace pushback;
@@ -21,6 +22,7 @@ using Split = CorrectingSolver<Clamping, SplitImpulse, Restitution, FrictionCone
 using Nonlinear = CorrectingSolver<Clamping, NonlinearGaussSeidel, Restitution, FrictionCone, WarmStart>;
 using Soft = RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>;
 using SteadyCold = RelaxingSolver<Clamping, SoftContacts, SimultaneousImpacts, FrictionCone>;
+using Jointed = Solver<SplitJoints, Clamping, Baumgarte, Restitution, FrictionCone, WarmStart>;
 using Direct = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmDirectContacts>;
 
 class Ours : public PlayerInSubsteps {
@@ -61,15 +63,17 @@ Method method(const std::string& name, const std::string& title) {
     solver.slop = Real(1e-4);
   // Bounces are compared at every speed.
   if constexpr (requires { solver.threshold; }) solver.threshold = 0;
-  return {
-      .name = name,
-      .title = title,
-      .plays =
-          [](const Motion& motion) { return motion.pins.empty() == !std::derived_from<ContactSolver, HoldsJoints>; },
-      .begin = [any = AnySolver(solver)](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-        const bool counts_rows = !solves_systems;
-        return std::make_unique<Ours>(motion, setting, any, counts_rows);
-      }};
+  return {.name = name,
+          .title = title,
+          .plays =
+              [](const Motion& motion) {
+                return motion.pins.empty() == !std::derived_from<ContactSolver, HoldsJoints> &&
+                       has_contacts(motion) == std::derived_from<ContactSolver, Clamping>;
+              },
+          .begin = [any = AnySolver(solver)](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
+            const bool counts_rows = !solves_systems;
+            return std::make_unique<Ours>(motion, setting, any, counts_rows);
+          }};
 }
 
 }  // namespace
@@ -92,6 +96,7 @@ int main(int argc, char** argv) {
       method<Solver<SplitJoints>>("split-joints", "joints, split impulse"),
       method<Solver<SteadyJoints>>("steady-joints", "joints, twenty passes"),
       method<Solver<DirectJoints>>("direct-joints", "all joints solved directly"),
+      method<Jointed>("jointed", "joints, split impulse, and contacts"),
   };
   const std::string version =
       fmt::format("Pushback, {}; {}", std::is_same_v<Real, float> ? "float" : "double", built_by());

@@ -1,16 +1,19 @@
-/// The program `motion_wide`: the solvers that divide each step themselves play chapter 19's motions, and two more.
-#include <algorithm>
-
+/// The program `motion_wide`: the solvers that divide each step themselves play the motions.
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/chapters/24_half_step/composition.h"
 #include "pushback/chapters/25_moment_of_impact/at_impacts.h"
 #include "pushback/chapters/27_which_error/within_error.h"
-#include "pushback/tools/study/further_motions.h"
+#include "pushback/tools/study/every_motion.h"
 #include "pushback/tools/study/play.h"
 
 using namespace pushback;
 
 namespace {
+
+/// Springs that are as hard as the substeps allow, beyond 240 Hz.
+struct WideAndStiff : Wide<double> {
+  WideAndStiff() { spring.hertz = Real(1e6); }
+};
 
 template <class ContactSolver>
 constexpr bool is_half_step = std::derived_from<ContactSolver, HalfStep>;
@@ -51,21 +54,14 @@ class Divides : public Player {
   std::size_t rows_solved_ = 0;  // by this player's steps
 };
 
-/// Whether something stands there that a body meets.
-bool has_contacts(const Motion& motion) {
-  World world;
-  motion.fill(world);
-  const auto stands = [](const Body& body) { return !body.movable(); };
-  return motion.pins.empty() || std::any_of(world.bodies.begin(), world.bodies.end(), stands);
-}
-
 template <class ContactSolver>
 Method method(const std::string& name, const std::string& title) {
   return {.name = name,
           .title = title,
           .plays =
               [](const Motion& motion) {
-                return !std::derived_from<ContactSolver, Composed<Suzuki>> || !has_contacts(motion);
+                if constexpr (std::derived_from<ContactSolver, Composed<Suzuki>>) return !has_contacts(motion);
+                return !std::same_as<ContactSolver, WideAndStiff> || motion.pins.empty();
               },
           .begin = [](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
             return std::make_unique<Divides<ContactSolver>>(motion, setting);
@@ -79,11 +75,12 @@ int main(int argc, char** argv) {
   const std::vector<Method> methods{method<DetectedOnce>("once", "detected once"),
                                     method<Wide<double>>("wide", "detected once, wide"),
                                     method<Wide<float>>("wide-float", "detected once, wide, rows in float"),
+                                    method<WideAndStiff>("wide-stiff", "detected once, wide, springs without a limit"),
                                     method<ByIsland>("by-island", "each island by what it calls for"),
                                     method<WithinError>("within", "within 1 mm, divided by these substeps"),
                                     method<HalfStep>("half-step", "kick, drift, kick"),
                                     method<Composed<Suzuki>>("order-4", "five of these, of fourth order"),
                                     method<AtImpacts>("impact", "kick, drift, kick, cut at impacts")};
   return play_program(argc, argv, "Plays a motion by the solvers that divide each 1/60 s themselves.",
-                      fmt::format("Pushback, steps divided by the solver; {}", built_by()), methods, further_motions());
+                      fmt::format("Pushback, steps divided by the solver; {}", built_by()), methods);
 }

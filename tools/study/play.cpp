@@ -3,13 +3,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <sstream>
 
-#include "pushback/common/basics/named.h"
 #include "pushback/common/basics/quantile.h"
 #include "pushback/common/experiment/program.h"
+#include "pushback/tools/study/every_motion.h"
+#include "pushback/tools/study/kit.h"
 #include "pushback/tools/study/stopwatch.h"
 
 namespace pushback {
@@ -48,7 +50,7 @@ struct Playing {
     } catch (const InvalidInput&) {  // a state that is no number any more
       lost = true;
     }
-    seconds = own.seconds();
+    seconds = player->seconds().value_or(own.seconds());
     row_solves = player->row_solves();
   }
 };
@@ -62,11 +64,10 @@ double seconds_of(const Motion& motion, const Method& method, const Setting& set
   try {
     for (int i = 0; i < frames; ++i) player->frame(setting.substeps);
   } catch (const InvalidInput&) {
-    own.stop();  // where it was lost before
-    return own.seconds();
+    // where it was lost before
   }
   own.stop();
-  return own.seconds();
+  return player->seconds().value_or(own.seconds());
 }
 
 double largest_error(const std::vector<Places>& places, const std::vector<Places>& truth) {
@@ -143,7 +144,22 @@ Asked read(const std::string& asked, const Motion& motion, const std::vector<Met
     if (method.sweeps) read.setting.sweeps = number_in(words[2], asked, 1 << 20);
     return read;
   }
+  if (names.empty()) throw InvalidInput(fmt::format("method is '{}': none plays {}", words[0], motion.name));
   throw InvalidInput(fmt::format("method is '{}': one of {} plays {}", words[0], fmt::join(names, ", "), motion.name));
+}
+
+/// Returns whether nothing was wrong.
+bool check(const std::vector<Method>& methods) {
+  bool right = true;
+  for (const Method& method : methods) {
+    fmt::print("{}: {}; in {}\n", method.name, method.title, kit_setting(method));
+    for (const Finding& finding : findings_of(method)) {
+      fmt::print("  {} {}: {}\n", std::array{"✓", "✗", "–"}[finding.is], finding.about, finding.says);
+      right = right && finding.is != Finding::wrong;
+    }
+    std::fflush(stdout);
+  }
+  return right;
 }
 
 bool is_more_work(const Asked& one, const Asked& than) {
@@ -162,9 +178,7 @@ std::string built_by() {
 }
 
 int play_program(int argc, const char* const* argv, const std::string& about, const std::string& version,
-                 const std::vector<Method>& methods, const std::vector<Motion>& further) {
-  std::vector<Motion> motions = all_motions();
-  motions.insert(motions.end(), further.begin(), further.end());
+                 const std::vector<Method>& methods) {
   CommandLine line(about);
   line.version(version, "Which engine plays, of which version, built how");
   std::string motion_name;
@@ -176,11 +190,18 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
       .between(0.0, 60.0)
       .shows_default();
   line.option("--at-most", patience.at_most, "Each is given up after so long, s").between(0.0, 3600.0).shows_default();
-  return line.run(argc, argv, [&] {
+  bool checks = false, right = true;
+  line.flag("--check", checks,
+            "Nothing is played: thirteen plain questions, and what the engine does; exit status 1 where one is wrong");
+  const int status = line.run(argc, argv, [&] {
+    if (checks) {
+      right = check(methods);
+      return;
+    }
     require_between("--at-least", static_cast<Real>(patience.at_least), 0, 60);  // the ranges above let nan pass
     require_between("--at-most", static_cast<Real>(patience.at_most), 0, 3600);
-    if (motion_name.empty()) return list(motions);
-    const Motion& motion = named("motion", motions, motion_name);
+    if (motion_name.empty()) return list(every_motion());
+    const Motion& motion = any_motion_named(motion_name);
     if (settings.empty()) return list(methods, motion);
     std::vector<Asked> all;
     for (const std::string& setting : settings) all.push_back(read(setting, motion, methods));
@@ -200,6 +221,7 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
       std::fflush(stdout);
     }
   });
+  return right ? status : 1;
 }
 
 }  // namespace pushback

@@ -27,6 +27,8 @@ class Player {
   virtual Eigen::Vector3d place(std::size_t body) const = 0;
   /// In all substeps so far; nothing where an engine does not say, or solves linear systems, and rows are no measure.
   virtual std::optional<double> row_solves() const { return {}; }
+  /// Of its own clock, in all frames so far; nothing where ours is right. One that is asked through a pipe has its own.
+  virtual std::optional<double> seconds() const { return {}; }
 };
 
 /// An engine that is asked for one substep after the other, each as long as the setting says.
@@ -77,9 +79,9 @@ std::string built_by();
 /// with "–" for row solves where they are no measure,
 /// and the error "lost" where a body was more than 10 km off, and "late" where it was given up, or not begun, as it asks for no
 /// less of either knob than one before it that was given up. Without a motion it lists the motions that there are, with one its
-/// methods; with --version it says which engine plays: `version`. Returns the exit status: 0; 2 where a value cannot be used,
-/// and then nothing was played. `further`: motions that it plays beside chapter 19's.
+/// methods; with --version it says which engine plays: `version`; with --check it answers kit.h's questions. Returns the exit status: 0; 2
+/// where a value cannot be used, and then nothing was played; 1 where an answer is wrong.
 int play_program(int argc, const char* const* argv, const std::string& about, const std::string& version,
-                 const std::vector<Method>& methods, const std::vector<Motion>& further = {});
+                 const std::vector<Method>& methods);
 
 }  // namespace pushback

@@ -41,7 +41,7 @@ inline std::optional<Hop> hop_of(const Motion& motion) {
   motion.fill(world);
   const Body& body = world.bodies.back();
   const double slip = static_cast<double>(body.velocity.norm()), mu = static_cast<double>(body.friction);
-  if (slip == 0 || mu == 0) return {};
+  if (slip == 0 || mu == 0 || !motion.pins.empty()) return {};
   double k = 1;
   if (const auto* ball = std::get_if<Sphere>(&body.shape))
     k += static_cast<double>(ball->radius * ball->radius * body.principal_inverse_inertia.x() / body.inverse_mass);

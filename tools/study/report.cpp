@@ -11,13 +11,13 @@ namespace pushback::study {
 
 namespace {
 
-constexpr Real least_drawn = 1e-6;  // m: what is less is drawn here
+constexpr Real least_drawn = 1e-7;  // m: what is less is drawn here
 
 struct Tolerance {
   double error;  // m
   const char* name;
 };
-constexpr Tolerance tolerances[] = {{1e-2, "1 cm"}, {1e-3, "1 mm"}, {1e-4, "0.1 mm"}};
+constexpr Tolerance tolerances[] = {{1e-2, "1 cm"}, {1e-3, "1 mm"}, {1e-4, "0.1 mm"}, {1e-6, "1 µm"}};
 
 template <class Which>
 Measurements those(const Measurements& all, const Which& which) {
@@ -100,26 +100,38 @@ Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& 
   return panel;
 }
 
-Panel fronts_of_methods(const MotionMeasured& measured) {
+namespace {
+
+/// Methods that not every motion is played by, each in the same colour everywhere.
+constexpr const char* divided[] = {"once",   "wide",      "wide-float", "by-island",
+                                   "within", "half-step", "order-4",    "impact"};
+
+}  // namespace
+
+Panel fronts_of_methods(const MotionMeasured& measured, const std::string& engine) {
   Panel panel = error_against_time(*measured.motion);
-  const Measurements all = of_engine(measured.all, "motion");
+  const Measurements all = of_engine(measured.all, engine);
   std::vector<std::string> methods;
   for (const Measured& one : all)
     if (std::find(methods.begin(), methods.end(), one.method) == methods.end()) methods.push_back(one.method);
-  std::size_t colour = 0;
+  std::size_t next = 0;
   for (const std::string& method : methods) {
-    const bool cold = method.ends_with("-cold");  // follows its warm sister, in her colour
+    const bool like_sister = method.ends_with("-cold") || method.ends_with("-stiff");  // in her colour, dashed
+    const auto* known = std::find(std::begin(divided), std::end(divided), method.substr(0, method.find("-stiff")));
+    const std::size_t colour =
+        known != std::end(divided) ? static_cast<std::size_t>(known - divided) : next - (like_sister ? 1 : 0);
+    if (!like_sister) ++next;
     const Measurements settings = those(all, [&](const Measured& one) { return one.method == method; });
-    add(panel, curve_of(front(robust(settings)), *measured.motion, method, line_colour(cold ? colour - 1 : colour),
-                        cold ? Curve::Style::dashed : Curve::Style::line_and_points));
-    if (!cold) ++colour;
+    add(panel, curve_of(front(robust(settings)), *measured.motion, method, line_colour(colour),
+                        like_sister ? Curve::Style::dashed : Curve::Style::line_and_points));
   }
   return panel;
 }
 
 std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
   std::string text =
-      "| motion | of settings | below 1 cm | below 1 mm | below 0.1 mm |\n| --- | --- | --- | --- | --- |\n";
+      "| motion | of settings | below 1 cm | below 1 mm | below 0.1 mm | below 1 µm |\n| --- | --- | --- | --- | --- | "
+      "--- |\n";
   for (const MotionMeasured& measured : all) {
     const Measurements our = robust(ours(measured.all));
     text += fmt::format("| {} | {} ", measured.motion->title, our.size());
@@ -146,18 +158,28 @@ std::string table_of_engines(const std::vector<MotionMeasured>& all) {
     const char* name;
     std::vector<std::string> engines;
   };
-  const std::vector<Maker> makers{{"Pushback", {"motion", "motion_float", "motion_wide"}},
-                                  {"Bullet", {"motion_bullet", "motion_bullet_double"}},
-                                  {"ODE", {"motion_ode"}},
-                                  {"MuJoCo", {"motion_mujoco"}}};
-  std::string text = "| an error below 1 mm |", rule = "| --- |";
+  std::vector<Maker> makers{{"Pushback", {"motion", "motion_float", "motion_wide"}},
+                            {"Bullet", {"motion_bullet", "motion_bullet_double"}},
+                            {"ODE", {"motion_ode"}},
+                            {"MuJoCo", {"motion_mujoco"}}};
+  if (std::any_of(all.begin(), all.end(),
+                  [](const MotionMeasured& measured) { return !of_engine(measured.all, "motion_adapter").empty(); }))
+    makers.push_back({"entered", {"motion_adapter"}});
+  std::string text = "| an error below 1 mm | Pushback, told 1 mm |", rule = "| --- | --- |";
   for (const Maker& maker : makers) {
     text += fmt::format(" {} |", maker.name);
     rule += " --- |";
   }
   text += "\n" + rule + "\n";
   for (const MotionMeasured& measured : all) {
-    text += fmt::format("| {} |", measured.motion->title);
+    const auto told = std::find_if(measured.all.begin(), measured.all.end(), [](const Measured& one) {
+      return one.method == "within" && one.substeps == 1 && one.sweeps <= 1;
+    });
+    text += fmt::format("| {} | {} |", measured.motion->title,
+                        told == measured.all.end()
+                            ? "–"
+                            : fmt::format("{} µs, {} mm off", plain(per_frame(*measured.motion, told->median())),
+                                          plain(1000 * told->error, 2)));
     for (const Maker& maker : makers) {
       const Measurements settings = robust(those(measured.all, [&](const Measured& one) {
         return std::find(maker.engines.begin(), maker.engines.end(), one.engine) != maker.engines.end();
@@ -176,9 +198,10 @@ std::string table_of_engines(const std::vector<MotionMeasured>& all) {
 
 std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines) {
   std::string text =
-      "| motion | engine | of settings | below 1 cm | below 1 mm | below 0.1 mm | where its front is between 10 cm and "
-      "0.01 mm, we take at most | substeps, at most | remains of theirs as h → 0, at least | of ours |\n";
-  text += "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+      "| motion | engine | of settings | below 1 cm | below 1 mm | below 0.1 mm | below 1 µm | where its front is "
+      "between 10 cm "
+      "and 0.01 mm, we take at most | substeps, at most | remains of theirs as h → 0, at least | of ours |\n";
+  text += "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const MotionMeasured& measured : all) {
     for (const Engine& engine : engines) {
       if (is_ours(engine.program)) continue;

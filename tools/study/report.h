@@ -18,18 +18,19 @@ struct MotionMeasured {
 /// Error against time: every setting of ours a dot at its own error, through the best of each engine a line.
 Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& engines);
 
-/// The same of our methods in double, one line each.
-Panel fronts_of_methods(const MotionMeasured& measured);
+/// The same of the methods of one program of ours, one line each: "motion", in double; "motion_wide", which divides steps itself.
+Panel fronts_of_methods(const MotionMeasured& measured, const std::string& engine);
 
-/// Markdown. "For an error below 1 cm, 1 mm, 0.1 mm the cheapest setting is ..., and costs ... us a frame of 1/60 s;
+/// Markdown. "For an error below 1 cm, 1 mm, 0.1 mm, 1 µm the cheapest setting is ..., and costs ... us a frame of 1/60 s;
 /// its error is ..., of which ... remains as h -> 0."
 std::string table_of_cheapest(const std::vector<MotionMeasured>& all);
 
-/// Markdown. A row a motion, a column an engine with all of its builds: the cheapest setting below 1 mm and its time for a frame; or
+/// Markdown. A row a motion. What the solver that is told 1 mm takes for a frame, and how far off it is; a column an engine with all of
+/// its builds: the cheapest setting below 1 mm and its time for a frame; or
 /// the least error that it reaches.
 std::string table_of_engines(const std::vector<MotionMeasured>& all);
 
-/// Markdown. For the same three errors: how many times as long the others take as we do; what remains of their error and of ours
+/// Markdown. For the same four errors: how many times as long the others take as we do; what remains of their error and of ours
 /// as h -> 0, in the same steps, each by the method of which the least does.
 std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
 

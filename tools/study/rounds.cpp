@@ -136,7 +136,7 @@ namespace {
 
 const std::vector<Engine> known_engines{{"motion", "ours, double", 0},
                                         {"motion_float", "ours, float", 5},
-                                        {"motion_wide", "ours, detected once", 6},
+                                        {"motion_wide", "ours, 21 to 27", 6},
                                         {"motion_bullet", "Bullet, float", 1},
                                         {"motion_bullet_double", "Bullet, double", 4},
                                         {"motion_ode", "ODE, double", 2},
@@ -146,6 +146,10 @@ const std::vector<Engine> known_engines{{"motion", "ours, double", 0},
 
 Engine engine_of_mine() {
   return {"motion_mine", "mine", 1};  // as bright as the first of the others
+}
+
+Engine engine_of_adapter() {
+  return {"motion_adapter", "entered", 7};
 }
 
 std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others) {
@@ -192,8 +196,9 @@ AllMeasured together(const std::vector<AllMeasured>& parts) {
 }
 
 std::vector<Engine> engines_of(const AllMeasured& all) {
-  std::vector<Engine> found;
-  for (const Engine& engine : known_engines) {
+  std::vector<Engine> found, possible = known_engines;
+  possible.push_back(engine_of_adapter());
+  for (const Engine& engine : possible) {
     const auto is_its = [&](const Measured& one) { return one.engine == engine.program; };
     if (std::any_of(all.begin(), all.end(),
                     [&](const auto& of) { return std::any_of(of.second.begin(), of.second.end(), is_its); }))

@@ -22,6 +22,8 @@ std::vector<Engine> engines_in(const std::filesystem::path& programs, bool other
 
 /// The program that plays a reader's solver.
 Engine engine_of_mine();
+/// The program that plays an adapter's engine.
+Engine engine_of_adapter();
 
 struct RoundOptions {
   std::vector<Engine> engines;     ///< see engines_in

@@ -1,7 +1,10 @@
-#include "pushback/tools/study/further_motions.h"
+#include "pushback/tools/study/every_motion.h"
+
+#include <algorithm>
 
 #include "pushback/chapters/24_half_step/top.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
+#include "pushback/common/basics/named.h"
 
 namespace pushback {
 
@@ -26,7 +29,10 @@ Motion top_on_a_pin() {
                                        .cast<double>()});
                 return found;
               },
-          .pins = {{the_world, 0, Vec3::Zero()}}};
+          .pins = {{the_world, 0, Vec3::Zero()}},
+          .most_substeps = 1024,
+          .most_sweeps = 4,
+          .most_passes = 2048};
 }
 
 Motion pendulum_at_wall() {
@@ -36,13 +42,33 @@ Motion pendulum_at_wall() {
           .fill = [pendulum](World& world) { pendulum.fill(world); },
           .seconds = 2,
           .truth = [pendulum](int frames) { return pendulum.truth(frames); },
-          .pins = pendulum.pins()};
+          .pins = pendulum.pins(),
+          .most_substeps = 1024,
+          .most_sweeps = 16,
+          .most_passes = 2048};
 }
 
 }  // namespace
 
-std::vector<Motion> further_motions() {
-  return {top_on_a_pin(), pendulum_at_wall()};
+const std::vector<Motion>& every_motion() {
+  static const std::vector<Motion> motions = [] {
+    std::vector<Motion> all = all_motions();
+    all.push_back(top_on_a_pin());
+    all.push_back(pendulum_at_wall());
+    return all;
+  }();
+  return motions;
+}
+
+const Motion& any_motion_named(const std::string& name) {
+  return named("motion", every_motion(), name);
+}
+
+bool has_contacts(const Motion& motion) {
+  World world;
+  motion.fill(world);
+  const auto stands = [](const Body& body) { return !body.movable(); };
+  return motion.pins.empty() || std::any_of(world.bodies.begin(), world.bodies.end(), stands);
 }
 
 }  // namespace pushback
