@@ -237,10 +237,10 @@ void WithinError::move_others(World& world, Real dt, int sweeps) {
 
 /// What came faster than a step of fall makes it, and comes no more.
 void WithinError::find_meetings(const Contacts& found, const World& before, const World& after, Real dt) {
-  std::vector<bool> joined(after.bodies.size());
+  std::vector<bool> is_joined(after.bodies.size());
   for (const Joint& joint : after.joints)
     for (const int body : {joint.a, joint.b})
-      if (body != the_world) joined[std::size_t(body)] = true;
+      if (body != the_world) is_joined[std::size_t(body)] = true;
   for (const Contact& contact : found) {
     const auto a = std::size_t(contact.id.body_a), b = std::size_t(contact.id.body_b);
     const auto parting = [&](const World& world) {
@@ -248,7 +248,7 @@ void WithinError::find_meetings(const Contacts& found, const World& before, cons
       return (of_b - of_a).dot(contact.normal);
     };
     const Real came = parting(before);
-    if ((!joined[a] && !joined[b]) || came > -dt * after.gravity.norm() || parting(after) < came / 2) continue;
+    if ((!is_joined[a] && !is_joined[b]) || came > -dt * after.gravity.norm() || parting(after) < came / 2) continue;
     for (const Body* body : {&after.bodies[a], &after.bodies[b]})
       if (body->movable()) met_[std::size_t(calls_.island_of(body->index))] = true;
   }

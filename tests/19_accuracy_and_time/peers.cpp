@@ -1,7 +1,10 @@
 // Other engines in the motions of chapter 19, built only with PUSHBACK_PEERS, once for each engine: what is ours is the
 // conversion, so it is looked at where an engine has hardly a way to be wrong.
+#include <set>
+
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
 #include "pushback/tools/peers/peer.h"
+#include "pushback/tools/study/kit.h"
 #include "pushback/tools/study/relaxed_law.h"
 #include "tests/support/catch.h"
 
@@ -238,4 +241,20 @@ TEST_CASE("The same engine with the same setting errs by the same, to the bit") 
       CHECK(error_of(method, motion, 2) == error_of(method, motion, 2));
     }
   }
+}
+
+TEST_CASE("What the test kit finds wrong is what an engine is known for, and nothing else") {
+  const std::set<std::pair<std::string, std::string>> known{{"bullet", "restitution"},
+                                                            {"bullet-nncg", "restitution"},
+                                                            {"bullet-dantzig", "restitution"},
+                                                            {"bullet-double", "restitution"},
+                                                            {"bullet-double-nncg", "restitution"},
+                                                            {"bullet-double-dantzig", "restitution"},
+                                                            {"ode", "friction"},
+                                                            {"mujoco-bounce", "restitution"}};
+  for (const Method& method : peer_methods())
+    for (const Finding& finding : findings_of(method)) {
+      INFO(method.name << ", " << finding.about << ": " << finding.says);
+      CHECK((finding.is == Finding::wrong) == known.contains({method.name, finding.about}));
+    }
 }
