@@ -7,7 +7,8 @@ namespace pushback {
 
 /// World axes, as the bodies stand now.
 struct JointShape {
-  enum Kind { ball_and_socket, hinge, angle_limits, twist_limits, cone_limit };
+  enum class Kind { ball_and_socket, hinge, angle_limits, twist_limits, cone_limit };
+  using enum Kind;
   Kind kind;
   Vec3 anchor_a = Vec3::Zero(), anchor_b = Vec3::Zero();  ///< m; of a ball and socket, and of a hinge
   Vec3 axis = Vec3::Zero();    ///< unit; of a hinge and of limits of a turn; of a cone limit the one that A carries
