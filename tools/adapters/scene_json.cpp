@@ -174,7 +174,8 @@ Body body_of_shape(const From& from, Real mass) {
 
 Body body_from(const From& from) {
   const bool moves = !from.is_null("mass");
-  Body body = body_of_shape(from.object("shape"), moves ? from.number("mass") : 1);
+  const Real mass = moves ? from.number("mass") : 1;
+  Body body = body_of_shape(from.object("shape"), mass);
   const bool is_hull = std::holds_alternative<Hull>(body.shape);
   if (!moves) body.fixed();
   else if (!is_hull && from.has("inertia")) body.principal_inverse_inertia = from.vector("inertia").cwiseInverse();
