@@ -64,7 +64,8 @@ double seconds_of(const Motion& motion, const Method& method, const Setting& set
   try {
     for (int i = 0; i < frames; ++i) player->frame(setting.substeps);
   } catch (const InvalidInput&) {
-    // where it was lost before
+    own.stop();  // where it was lost before
+    return player->seconds().value_or(own.seconds());
   }
   own.stop();
   return player->seconds().value_or(own.seconds());
