@@ -138,7 +138,7 @@ void two_balls(World& world) {
       sphere(upper, light).at({0, 2 * lower + upper + Real(0.302), 0}).moving({0, -comes_with, 0}).bouncy(both_e));
 }
 
-/// The large one leaves the ground with e v and meets the small one:   M (1 + e) e v - (m - e M) v over M + m
+/// The large one leaves the ground with e v and meets the small one:   (M e (2 + e) - m) v / (M + m)
 std::vector<Real> ball_on_ball(Trial& trial) {
   Play play =
       trial.play(two_balls, [](const World& world) { return Allowance{.energy = kinetic_energy(world) / 1000}; });
