@@ -117,7 +117,7 @@ bool HalfStep::holds_together() const {
 
 /// As far as two bodies may come nearer in a drift.
 Margin HalfStep::margin(Real gravity, Real h) {
-  return {.least = Real(1e-3) + h * h * gravity, .ahead = 2 * h};
+  return {.least = Real(1e-3) + h * h * gravity, .ahead = 2 * h, .where_nearest = true};
 }
 
 /// Of the whole step: where nothing is as near as that, its substeps need no detection of their own. That is all where the world's

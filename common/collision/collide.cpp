@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "pushback/common/collision/collide_ahead.h"
 #include "pushback/common/collision/collide_shapes.h"
 
 namespace pushback {
@@ -64,6 +65,33 @@ const Placed<Hull>& as_touched(const Placed<Hull>& h) {
   return h;
 }
 
+/// Of a half-space the normal is always the same.
+template <class P>
+constexpr bool turns_normal = std::is_same_v<P, const Placed<Box>> || std::is_same_v<P, const Placed<Hull>>;
+
+/// Of two that have been looked at where they are: where they would touch within `ahead`, s. If they pass each other, a point that is
+/// as far apart as the margin tells that these two come near each other.
+template <class First, class Second>
+void find_ahead(const Placed<First>& first, const Body& a, const Placed<Second>& second, const Body& b, Real ahead,
+                Manifold& found) {
+  const Vec3 way = ahead * (b.velocity - a.velocity);
+  const auto touch_at = [&](Real t) {
+    Manifold then;
+    then.margin = found.margin;
+    Placed<Second> moved = second;
+    moved.centre += t * way;
+    touch(as_touched(first), as_touched(moved), then);
+    return then;
+  };
+  Real grazes = 0, part_of_second = !a.movable() ? 1 : b.movable() ? Real(0.5) : 0;
+  if constexpr (requires { second.shape.radius; }) {
+    grazes = Real(1e-3) * second.shape.radius;  // a ball that rests sinks in by less
+    part_of_second = 1;
+  }
+  look_ahead(touch_at, way, grazes, part_of_second, found);
+  if (found.passes) found.add(second.centre / 2, -found.margin, passing);
+}
+
 /// What has been found between two shapes, as their skins feel it: nearer by both, and midway between the two skins.
 void add_skins(Manifold& found, Real first, Real second) {
   for (int i = 0; i < found.count; ++i) {
@@ -79,6 +107,7 @@ void append(const Body& a, const Body& b, const Manifold& found, bool swapped, C
     contact.point = origin + found.touches[i].point;
     contact.normal = swapped ? Vec3(-found.normal) : found.normal;
     contact.depth = found.touches[i].depth;
+    contact.ahead = found.ahead;
     contact.friction = std::sqrt(a.friction * b.friction);
     contact.restitution = std::max(a.restitution, b.restitution);
     contact.id = {static_cast<std::uint32_t>(a.index), static_cast<std::uint32_t>(b.index), found.touches[i].feature};
@@ -95,12 +124,14 @@ void collide(const Body& a, const Body& b, Contacts& contacts, const Margin& mar
     const bool skinned = a.skin > 0 || b.skin > 0;
     if (skinned) found.margin += a.skin + b.skin;
     bool swapped = false;
-    const auto try_order = [&found](const auto& first, const Body& p, const auto& second, const Body& q) {
+    const auto try_order = [&found, &margin](const auto& first, const Body& p, const auto& second, const Body& q) {
       const Placed<std::decay_t<decltype(first)>> one{first, Vec3::Zero(), p.orientation.toRotationMatrix()};
       const Placed<std::decay_t<decltype(second)>> two{second, q.position - p.position,
                                                        q.orientation.toRotationMatrix()};
       if constexpr (requires { touch(as_touched(one), as_touched(two), found); }) {
         touch(as_touched(one), as_touched(two), found);
+        if constexpr (turns_normal<decltype(one)>)
+          if (margin.ahead > 0 && !margin.where_nearest) find_ahead(one, p, two, q, margin.ahead, found);
         return true;
       }
       return false;

@@ -16,17 +16,34 @@ struct EdgeAxis {
   Real depth = std::numeric_limits<Real>::max();
 };
 
+/// By how much the boxes overlap along the normals of their faces, m.
+struct FaceDepths {
+  Vec3 a, b;
+  explicit FaceDepths(const BoxPair& pair) {
+    const Mat3 reach = pair.turn.cwiseAbs();
+    a = pair.a + reach * pair.b - pair.offset.cwiseAbs();
+    b = pair.b + reach.transpose() * pair.a - pair.offset_b.cwiseAbs();
+  }
+};
+
 /// False if one of the six face normals separates the boxes. A's faces come first, and are preferred.
-bool least_overlap_of_faces(const BoxPair& pair, FaceAxis& best) {
-  const Mat3 reach = pair.turn.cwiseAbs();
-  const Vec3 depth_a = pair.a + reach * pair.b - pair.offset.cwiseAbs();
-  const Vec3 depth_b = pair.b + reach.transpose() * pair.a - pair.offset_b.cwiseAbs();
-  if (std::min(depth_a.minCoeff(), depth_b.minCoeff()) < -pair.rounding - pair.margin) return false;
+bool least_overlap_of_faces(const BoxPair& pair, const FaceDepths& depths, FaceAxis& best) {
+  if (std::min(depths.a.minCoeff(), depths.b.minCoeff()) < -pair.rounding - pair.margin) return false;
   for (int i = 0; i < 6; ++i) {
-    const Real depth = i < 3 ? depth_a[i] : depth_b[i - 3];
+    const Real depth = i < 3 ? depths.a[i] : depths.b[i - 3];
     if (depth < best.depth - pair.clearly) best = {i >= 3, i % 3, depth};
   }
   return true;
+}
+
+/// `normal`: along A's axes.
+bool pass_each_other(const BoxPair& pair, const FaceDepths& depths, const Vec3& normal) {
+  for (int i = 0; i < 3; ++i) {
+    if (passes_at_face(Vec3::Unit(i), depths.a[i], normal, pair.clearly) ||
+        passes_at_face(pair.turn.col(i), depths.b[i], normal, pair.clearly))
+      return true;
+  }
+  return false;
 }
 
 /// False if one of the nine cross products a_i x b_j separates the boxes.
@@ -98,9 +115,10 @@ void touch(const Placed<Box>& a, const Placed<Box>& b, Manifold& found) {
   pair.clearly = Real(1e-3) * std::min(extents_a.minCoeff(), extents_b.minCoeff());
   pair.rounding = rounding_of(std::max(extents_a.maxCoeff(), extents_b.maxCoeff()));
 
+  const FaceDepths depths(pair);
   FaceAxis face;
   EdgeAxis edge;
-  if (!least_overlap_of_faces(pair, face) || !least_overlap_of_edges(pair, edge)) return;
+  if (!least_overlap_of_faces(pair, depths, face) || !least_overlap_of_edges(pair, edge)) return;
 
   // Edges win only if they are clearly better and their normal is no near copy of the face's: a plate that lies on
   // another and is tilted a little must not come to rest on the one point at which two of their edges cross.
@@ -108,8 +126,15 @@ void touch(const Placed<Box>& a, const Placed<Box>& b, Manifold& found) {
   const Vec3 face_normal = face.of_b ? Vec3(pair.turn.col(face.axis)) : Vec3(Vec3::Unit(face.axis));
   const bool edges_win =
       edge.depth < face.depth - pair.clearly && std::abs(edge.direction.dot(face_normal)) < near_copy;
+  const Real outward = face.of_b ? (pair.offset_b[face.axis] > pair.clearly ? 1 : -1)
+                                 : (pair.offset[face.axis] < -pair.clearly ? -1 : 1);
+  const Vec3 normal = edges_win ? edge.direction : Vec3(outward * face_normal);
+  found.normal = a.axes * normal;
+  found.overlap = edges_win ? edge.depth : face.depth;
+  found.passes = pass_each_other(pair, depths, normal);
+  if (found.passes) return;
   if (!edges_win && touch_at_faces(a, b, pair, face, found)) return;
-  if (edge.axis_a >= 0) touch_at_edges(a, pair, edge, found);
+  if (edge.axis_a >= 0 && !pass_each_other(pair, depths, edge.direction)) touch_at_edges(a, pair, edge, found);
 }
 
 }  // namespace pushback

@@ -154,6 +154,8 @@ void touch(const Placed<Box>& a, const Round& b, Manifold& found) {
     t = deepest_on_core(core, normal);
   }
 
+  found.normal = a.axes * normal;
+  found.overlap = depth;
   const auto depth_at = [&](Real at_t, const Vec3& n) {
     return core.extents.dot(n.cwiseAbs()) + b.radius - core.at(at_t).dot(n);
   };

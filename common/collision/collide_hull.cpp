@@ -56,13 +56,24 @@ struct EdgeCrossing {
   Real depth = std::numeric_limits<Real>::max();
 };
 
+/// By how much the hulls overlap along the normal of each face, m.
+using FaceDepths = std::array<Real, Standing::most_faces>;
+
+bool pass_each_other(const Standing& hull, const FaceDepths& depths, const Vec3& normal, Real clearly) {
+  for (std::size_t f = 0; f < hull.solid.faces.size(); ++f) {
+    if (passes_at_face(hull.normals[f], depths[f], normal, clearly)) return true;
+  }
+  return false;
+}
+
 /// False if a face of `hull` has all of `other` beyond it.
-bool try_faces(const HullPair& pair, bool of_b, HullFace& best) {
+bool try_faces(const HullPair& pair, bool of_b, FaceDepths& depths, HullFace& best) {
   const Standing &hull = of_b ? pair.b : pair.a, &other = of_b ? pair.a : pair.b;
   for (int f = 0; f < int(hull.solid.faces.size()); ++f) {
     const Vec3& n = hull.normal(f);
     const Real depth = n.dot(hull.on(f)) - other.lowest(n);
     if (depth < -pair.rounding - pair.margin) return false;
+    depths[std::size_t(f)] = depth;
     if (depth < best.depth - pair.clearly) best = {of_b, f, depth};
   }
   return true;
@@ -116,14 +127,23 @@ void touch(const Standing& a, const Standing& b, Manifold& found) {
                       std::max(a.solid.rounding, b.solid.rounding), found.margin};
   HullFace face;
   EdgeCrossing edges;
-  if (!try_faces(pair, false, face) || !try_faces(pair, true, face) || !try_edges(pair, edges)) return;
+  FaceDepths depths_a, depths_b;
+  if (!try_faces(pair, false, depths_a, face) || !try_faces(pair, true, depths_b, face) || !try_edges(pair, edges))
+    return;
 
   // As for boxes: edges win only if they are clearly better and their normal is no near copy of the face's.
   constexpr Real near_copy = 1 - parallel * parallel / 2;
   const Vec3 face_normal = face.of_b ? Vec3(-b.normal(face.face)) : a.normal(face.face);
   const bool edges_win = edges.depth < face.depth - pair.clearly && edges.normal.dot(face_normal) < near_copy;
+  const auto pass = [&](const Vec3& normal) {
+    return pass_each_other(a, depths_a, normal, pair.clearly) || pass_each_other(b, depths_b, normal, pair.clearly);
+  };
+  found.normal = edges_win ? edges.normal : face_normal;
+  found.overlap = edges_win ? edges.depth : face.depth;
+  found.passes = pass(found.normal);
+  if (found.passes) return;
   if (!edges_win && touch_at_faces(pair, face, found)) return;
-  if (edges.edge_a >= 0) touch_at_edges(pair, edges, found);
+  if (edges.edge_a >= 0 && !pass(edges.normal)) touch_at_edges(pair, edges, found);
 }
 
 }  // namespace

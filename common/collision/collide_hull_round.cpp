@@ -168,6 +168,7 @@ void touch(const Placed<Hull>& a, const Round& b, Manifold& found) {
     depth = way.depth + b.radius;
     found.normal = way.normal;
   }
+  found.overlap = depth;
   const auto add = [&](Real at, Real its_depth, std::uint32_t feature) {
     found.add(b.centre + at * b.half + (its_depth / 2 - b.radius) * found.normal, its_depth, feature);
   };

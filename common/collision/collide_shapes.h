@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -43,6 +44,10 @@ struct Touch {
 struct Manifold {
   Real margin = 0;  ///< m: so far apart still counts
   Vec3 normal = Vec3::UnitY();
+  Real overlap =
+      -std::numeric_limits<Real>::max();  ///< m, along the normal; known within the margin, though no point touches
+  bool passes = false;                    ///< they meet in a sliver alone, and no point touches
+  bool ahead = false;                     ///< of where they would touch: see Margin
   int count = 0;
   Touch touches[4];
 
@@ -57,10 +62,17 @@ inline Real rounding_of(Real size) {
   return 8 * std::numeric_limits<Real>::epsilon() * size;
 }
 
+/// Two shapes that overlap along a face's normal by no more than `clearly`, m, pass each other at that face: whatever direction
+/// across it they come from, they meet in a sliver at most, which holds nothing. So a box slides over tiles that lie flush.
+inline bool passes_at_face(const Vec3& face, Real overlap, const Vec3& normal, Real clearly) {
+  return overlap <= clearly && std::abs(face.dot(normal)) < Real(0.5);
+}
+
 // Features of round shapes.
-inline constexpr std::uint32_t somewhere = 0;  ///< the one point of a sphere, or between the ends of a capsule
-inline constexpr std::uint32_t lower_end = 1;  ///< the end towards -y of the (first) capsule, of what lies in reach
-inline constexpr std::uint32_t upper_end = 2;  ///< the end towards +y
+inline constexpr std::uint32_t somewhere = 0;      ///< the one point of a sphere, or between the ends of a capsule
+inline constexpr std::uint32_t lower_end = 1;      ///< the end towards -y of the (first) capsule, of what lies in reach
+inline constexpr std::uint32_t upper_end = 2;      ///< the end towards +y
+inline constexpr std::uint32_t passing = 0x60000;  ///< of two that pass each other
 /// What slopes by less than this (the sine of about 1 degree) towards what it lies on lies flat: a capsule touches at
 /// two points, a box at up to four.
 inline constexpr Real parallel = Real(0.02);

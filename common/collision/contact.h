@@ -33,7 +33,8 @@ struct Contact {
   Real depth = 0;              ///< m, positive when overlapping: -(P_B - P_A) . n; negative within a margin
   Real friction = 0;           ///< mu of the pair
   Real restitution = 0;        ///< e of the pair
-  ContactId id;                ///< and with it which bodies: A is id.body_a, B is id.body_b
+  bool ahead = false;  ///< n is not that between what is nearest now, but that with which they would touch: see Margin
+  ContactId id;        ///< and with it which bodies: A is id.body_a, B is id.body_b
 
   /// N s, on B, world axes: all that the solver applied here in the latest step, the sum over its substeps. In
   /// World::contacts_before, and while a solver is at work: what one substep applied.
