@@ -6,6 +6,7 @@
 #include "pushback/chapters/25_moment_of_impact/gap.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/collision/collide.h"
+#include "pushback/common/world/measure.h"
 
 namespace pushback {
 
@@ -37,7 +38,8 @@ void AtImpacts::check(World& world, Real h) {
 
 void AtImpacts::solve(World& world, Real h, int sweeps) {
   events_ = 0;
-  bound_reached_ = false;
+  taken_ = 0;
+  bound_reached_ = held_ = false;
   HalfStep::solve(world, h, sweeps);
 }
 
@@ -127,6 +129,7 @@ bool AtImpacts::impact(World& world, Real h) {
   auto first = fastest();
   if (!approaches(first)) return false;
   if (world.joints.empty()) accelerate_bodies(world);
+  taken_ += kinetic_energy(world);
   for (int round = 0; impacts == Impacts::sequential && round < most_pairs && approaches(first); ++round) {
     const BodyPair pair = pair_of(world.contacts[*first]);
     of_pair_.clear();
@@ -136,6 +139,7 @@ bool AtImpacts::impact(World& world, Real h) {
     first = fastest();
   }
   if (approaches(first)) bounce(world, h, touching_);
+  taken_ -= kinetic_energy(world);
   contacts_.look(world);
   return true;
 }
@@ -152,6 +156,7 @@ void AtImpacts::hold_touching(World& world, Real h) {
     if (at.depth > touches || (at.depth > -touches && separating_speed(world, at) <= std::max(stands, last)))
       contacts_.only->push_back(pair);
   }
+  held_ |= !contacts_.only->empty();
   if (!contacts_.only->empty() && !ahead_) look_ahead(world, h);
 }
 
@@ -247,6 +252,7 @@ Real AtImpacts::move_joined(World& world, Real within) {
   if (touch && *touch <= brief && touch_already(begin.contacts)) {
     back_to(world, begin);
     contacts_.only->insert(std::lower_bound(contacts_.only->begin(), contacts_.only->end(), *first_), *first_);
+    held_ = true;
     if (!ahead_) look_ahead(world, most);
     return move_joined(world, within);
   }
@@ -276,7 +282,7 @@ void AtImpacts::advance(World& world, Real h) {
   for (int cuts = 0; left > 0; ++cuts) {
     if (impact(world, h)) ++events_;
     if (cuts == most_events) {
-      bound_reached_ = true;
+      bound_reached_ = held_ = true;
       contacts_.only.reset();
       look_ahead(world, h);
       return HalfStep::advance(world, left);

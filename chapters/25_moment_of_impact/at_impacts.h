@@ -44,6 +44,10 @@ class AtImpacts : public HalfStep {
   int events() const { return events_; }
   /// In the latest step: whether `most_events` were too few.
   bool bound_reached() const { return bound_reached_; }
+  /// In the latest step, J: the kinetic energy that impacts have taken. Below 0 where Newton's rule and friction gave some.
+  Real taken() const { return taken_; }
+  /// In the latest step: whether contacts were held.
+  bool held() const { return held_; }
 
  protected:
   void advance(World& world, Real h) override;
@@ -70,7 +74,8 @@ class AtImpacts : public HalfStep {
   WarmDirectContacts direct_ = exact_direct_contacts();
   bool ahead_ = false;  // whether World::contacts has what may touch in the next drift
   int events_ = 0;
-  bool bound_reached_ = false;
+  Real taken_ = 0;
+  bool bound_reached_ = false, held_ = false;
 };
 
 }  // namespace pushback

@@ -11,7 +11,9 @@ namespace pushback {
 
 namespace {
 
-constexpr int waits_after_failing = 10;  // steps
+constexpr int waits_after_failing = 10;  // steps; twice as many after each failure more, but for
+constexpr int most_failures = 4;
+constexpr Real by_contacts = Real(0.01);  // of T + m (h g)^2 / 2: a step in which contacts gave more was not solved
 constexpr Real of_their_own =
     Real(1) / 120;                // s: in shorter steps many contacts have one half step; substeps are fewer, too
 constexpr int most_meetings = 8;  // in a step that is taken again for them; then what meets has substeps
@@ -71,7 +73,7 @@ void ByIsland::whole_step(World& world, Real dt, int sweeps) {
       for (std::size_t i = part.begin; i < part.end; ++i) move_island(islands_[i], world, dt, sweeps);
     });
     for (std::size_t i = 0; i < count_; ++i) islands_[i].give_joints(world.joints);
-    if (!others_were_met(world, dt)) break;
+    if (meetings == most_meetings || !others_were_met(world, dt)) break;
   }
   for (std::size_t i = 0; i < count_; ++i) {
     IslandWorld& island = islands_[i];
@@ -131,10 +133,12 @@ bool ByIsland::find_more(const World& world, const std::vector<Real>& ways, cons
     const auto end = found_.begin() + std::ptrdiff_t(known), at = std::lower_bound(found_.begin(), end, least, lower);
     return at != end && at->id.body_a == least.id.body_a && at->id.body_b == least.id.body_b;
   };
+  const JoinedPairs not_to_touch(world.joints);
   for (const auto& [first, second] : near_pairs(world.bodies, Margin{.least = 2 * farthest})) {
     const auto p = std::size_t(first), q = std::size_t(second);
     const Body &a = world.bodies[p], &b = world.bodies[q];
-    if (wanted(p, q) && may_touch(a, b) && !are_known(p, q)) collide(a, b, found_, {.least = ways[p] + ways[q]});
+    if (wanted(p, q) && may_touch(a, b) && !not_to_touch.contain(first, second) && !are_known(p, q))
+      collide(a, b, found_, {.least = ways[p] + ways[q]});
   }
   if (found_.size() == known) return false;
   std::inplace_merge(found_.begin(), found_.begin() + std::ptrdiff_t(known), found_.end(), lower);
@@ -156,8 +160,7 @@ void ByIsland::divide(World& world) {
     if (place < 0) {
       place = static_cast<int>(count_);
       if (count_ == islands_.size()) islands_.emplace_back();
-      islands_[count_].begin(world, lowest);
-      islands_[count_++].impact = calls_.impact(lowest);
+      islands_[count_++].begin(world, lowest);
     }
     islands_[std::size_t(place)].add(body.index);
   }
@@ -189,8 +192,13 @@ void ByIsland::divide(World& world) {
 
 void ByIsland::move_island(IslandWorld& island, const World& whole, Real dt, int sweeps) {
   const bool joints = !island.world.joints.empty();
+  island.impact = calls_.impact(island.lowest()) || (joints && calls_.near(island.lowest()));
   HalfStep& solver = island.solver();
   solver.set_as(joints ? joined : few);
+  if (island.joined_and_near()) {
+    solver.threshold = few.threshold;
+    solver.tolerance = std::min(solver.tolerance, AtImpacts().tolerance);
+  }
   Memory& memory = memory_[std::size_t(island.lowest())];
   Purse* const purse = calls_.many(island.lowest()) ? &purses_[std::size_t(island.lowest())] : nullptr;
   const double price = savings.of_contact * calls_.contacts(island.lowest());
@@ -204,8 +212,10 @@ void ByIsland::move_island(IslandWorld& island, const World& whole, Real dt, int
     if (island.held) purse->succeed(price - took, savings.most * price);
     else purse->fail(took, savings.at_once);
   } else if (!island.held) {
-    memory = {.waits = waits_after_failing};
+    const int failures = island.joined_and_near() ? memory.failures : 0;
+    memory = {.waits = waits_after_failing << failures, .failures = std::min(failures + 1, most_failures)};
   }
+  if (island.held) memory.failures = 0;
 }
 
 int ByIsland::most_half_steps(const IslandWorld& island, Real dt) const {
@@ -220,7 +230,7 @@ void ByIsland::find_substeps(IslandWorld& island, Memory& memory, const World& w
   Real off = 0;
   for (;; memory.substeps *= 2) {
     off = take(island, whole, memory.substeps, dt, sweeps);
-    if (off <= 1 || 2 * memory.substeps > most) break;
+    if (off <= 1 || 2 * memory.substeps > most || !can_go_on(island)) break;
   }
   island.held = off <= 1;
   memory.next = off < Real(0.125) ? memory.substeps / 2 : memory.substeps;
@@ -229,45 +239,65 @@ void ByIsland::find_substeps(IslandWorld& island, Memory& memory, const World& w
 Real ByIsland::take(IslandWorld& island, const World& whole, int substeps, Real dt, int sweeps) const {
   const bool worked_on = island.copy_bodies(whole);
   World& world = island.world;
-  island.solver().substeps = substeps;
+  HalfStep& solver = island.solver();
+  solver.substeps = substeps;
   const Real motion_before = kinetic_energy(world), before = motion_before + potential_energy(world);
+  bool solved = true;
   try {
-    world.step(island.solver(), dt, sweeps);
+    world.step(solver, dt, sweeps);
   } catch (const InvalidInput&) {
-    return std::numeric_limits<Real>::infinity();
+    solved = false;
   }
-  if (world.joints.empty() || worked_on) return 0;
-  const Real motion = kinetic_energy(world), off = motion + potential_energy(world) - before;
+  island.took = solver.work();
+  if (island.joined_and_near()) solver.most_work = std::max(1.0, solver.most_work - island.took);
+  if (!solved) return std::numeric_limits<Real>::infinity();
+  if (worked_on) return 0;
+  const Real motion = kinetic_energy(world), gained = motion + potential_energy(world) - before;
   Real mass = 0;
   for (const Body& body : world.bodies)
     if (body.movable()) mass += 1 / body.inverse_mass;
-  return std::abs(off) / (energy * (std::max(motion, motion_before) + mass * (dt * world.gravity).squaredNorm() / 2));
+  const Real freed = mass * world.gravity.norm() * calls_.overlap(island.lowest()),
+             all = std::max(motion, motion_before) + mass * (dt * world.gravity).squaredNorm() / 2;
+  // Contacts take energy, and give none beyond what overlap frees. How much they take nobody knows; what tumbles errs by less.
+  if (world.joints.empty()) return gained - freed > by_contacts * all ? std::numeric_limits<Real>::infinity() : 0;
+  Real off = std::abs(gained);
+  if (island.impact) {
+    const Real left = gained + island.cut_step.taken();
+    off = std::max(gained, island.cut_step.held() ? left : std::abs(left)) - freed;
+  }
+  return off / (energy * all);
 }
 
-/// Whether bodies that have bounced may have come upon others, which are not of their island: as near as the speeds of both, before and
-/// after, can bring them in dt. Then they are one, and contacts are added to those that were found.
+/// Whether bodies may have come upon others, which are not of their island: those that have bounced, and those that joints have made
+/// faster than detection expected. As near as the speeds of both, before and after, can bring them in dt. Then they are one, and
+/// contacts are added to those that were found.
 bool ByIsland::others_were_met(const World& world, Real dt) {
-  std::vector<bool> bounced(world.bodies.size(), false);
+  std::vector<bool> may_meet(world.bodies.size(), false);
+  std::vector<Real> ways;
+  for (const Body& body : world.bodies) ways.push_back(dt * body.velocity.norm());
   bool any = false;
   for (std::size_t i = 0; i < count_; ++i) {
     const IslandWorld& island = islands_[i];
-    if (!island.held || !island.impact || island.cut_step.events() == 0) continue;
-    any = true;
-    for (const int body : island.bodies()) bounced[std::size_t(body)] = world.body(body).movable();
+    if (!island.held) continue;
+    const bool bounced = island.impact && island.cut_step.events() > 0, joints = !island.world.joints.empty();
+    for (const Body& after : island.world.bodies) {
+      const auto at = std::size_t(island.bodies()[std::size_t(after.index)]);
+      if (!after.movable()) continue;
+      const Real expected = ways[at] + many.margin / 2;
+      const auto reaches = [joints, dt](const Body& body) {
+        return dt * (body.velocity.norm() + (joints ? tip_speed(body, dt) : 0));
+      };
+      ways[at] = std::max(reaches(world.bodies[at]), reaches(after));
+      may_meet[at] = bounced || (joints && ways[at] > expected);
+      any |= may_meet[at];
+    }
   }
-  if (!any) return false;
-  moved_ = world.bodies;
-  for (std::size_t i = 0; i < count_; ++i)
-    if (islands_[i].held) islands_[i].give_bodies(moved_);
-  std::vector<Real> ways;
-  for (std::size_t i = 0; i < moved_.size(); ++i)
-    ways.push_back(dt * std::max(world.bodies[i].velocity.norm(), moved_[i].velocity.norm()));
-  return find_more(world, ways, [&](std::size_t p, std::size_t q) {
-    if (!bounced[p] && !bounced[q]) return false;
-    const int first = static_cast<int>(p), second = static_cast<int>(q);
-    const bool both = world.bodies[p].movable() && world.bodies[q].movable();
-    return !both || calls_.island_of(first) != calls_.island_of(second);
-  });
+  return any && find_more(world, ways, [&](std::size_t p, std::size_t q) {
+           if (!may_meet[p] && !may_meet[q]) return false;
+           const int first = static_cast<int>(p), second = static_cast<int>(q);
+           const bool both = world.bodies[p].movable() && world.bodies[q].movable();
+           return !both || calls_.island_of(first) != calls_.island_of(second);
+         });
 }
 
 /// Half of the kick, the drift, and the other half.

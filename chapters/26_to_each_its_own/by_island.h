@@ -15,7 +15,7 @@ namespace pushback {
 /// What falls apart is solved apart: each island by what is cheapest for it, and exact enough. What that is, `Calls` says.
 ///
 ///   flight       v += h/2 g,  x += h v,  v += h/2 g: the parabola itself
-///   half steps   contacts in `few`'s substeps; joints in `joined`'s
+///   half steps   contacts in `few`'s substeps; joints in `joined`'s, with contacts or without
 ///   substeps     `many`
 ///
 /// What rests costs half steps next to nothing, however many contacts it has; what tumbles can cost them a hundred times what
@@ -26,14 +26,16 @@ namespace pushback {
 ///   |dE| <= energy (T + m (h g)^2 / 2)      T: the larger one of before and after,  m: the island's mass
 ///
 /// Else the step is taken once more from where it began, in twice as many substeps; where it is less than an eighth, the next one is
-/// taken in half as many. An island that half steps cannot move goes to `many`, for a while.
+/// taken in half as many. What impacts take is known and is no error. Friction takes something as well, so where contacts are held, only
+/// what E gains counts; and what overlaps comes out, which lifts the island by no more than that. An island that half steps cannot
+/// move goes to `many`, for a while.
 ///
 /// Between steps it remembers of each body how it was moved, and in how many substeps. A program that composes its steps by itself
 /// (chapter 20's sleep) has `many` alone.
 class ByIsland : public ForwardingSolver {
  public:
   Wide<Real> many;
-  HalfStep few;     ///< contacts; in two substeps
+  HalfStep few;     ///< contacts; in two substeps. Its threshold is that of joined bodies, too
   HalfStep joined;  ///< rigid joints; in four, or more
   Limits limits;
   Real energy = Real(1e-5);  ///< of T + m (h g)^2 / 2: so much of E may be off after a step
@@ -68,12 +70,17 @@ class ByIsland : public ForwardingSolver {
     int substeps = 0;  // of the latest step
     int next = 0;      // of the next one
     int waits = 0;     // so many steps until half steps are tried again
+    int failures = 0;  // in a row, where joined bodies are near to something
   };
   /// An island is moved by half steps: `held`, in how many `substeps`, and how many the next step is to begin with.
   virtual void find_substeps(IslandWorld& island, Memory& memory, const World& whole, Real dt, int sweeps);
   /// From where its bodies are in the whole world. Returns |dE| in parts of what is allowed: 0 where E need not stay, infinity where
   /// half steps do not get there.
   Real take(IslandWorld& island, const World& whole, int substeps, Real dt, int sweeps) const;
+  /// Whether what is left of `most_work` is enough for twice as many substeps. All tries of joined bodies with contacts share it.
+  static bool can_go_on(IslandWorld& island) {
+    return !island.joined_and_near() || island.solver().most_work > 2 * island.took;
+  }
   /// More than these an island does not get.
   int most_half_steps(const IslandWorld& island, Real dt) const;
   /// In how many parts a free body turns.
@@ -108,7 +115,6 @@ class ByIsland : public ForwardingSolver {
   std::vector<Purse> shares_;  // of each body
   std::vector<Purse> purses_;  // of each body that is the lowest of its island: of them all
   Contacts before_;
-  std::vector<Body> moved_;           // as half steps leave them
   std::vector<IslandWorld> islands_;  // those from `count_` on are kept for their memory
   std::size_t count_ = 0;
   std::vector<int> place_;                         // of each body that is the lowest of its island, in islands_

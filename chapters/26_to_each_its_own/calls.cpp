@@ -73,6 +73,8 @@ void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real 
     for (; first != end; ++first) {
       const Real gap = -first->depth, approach = -separating_speed(world, *first) + tips;
       island.refused |= -gap > deepest;
+      island.impact |= first->ahead;  // they meet elsewhere than where they are nearest
+      island.overlap += std::max(Real(0), -gap);
       if (gap > dt * (std::max(Real(0), approach) + falls)) continue;
       ++acting;
       // What rests does not arrive: its speed is rounding.
@@ -115,9 +117,11 @@ void Calls::look_at_bodies(const World& world, Real turn) {
 }
 
 MovedBy Calls::called_for(Island& island, const Limits& limits) {
-  if (island.refused || (island.joints > 0 && island.near > 0)) return MovedBy::substeps;
+  if (island.refused) return MovedBy::substeps;
   if (island.near == 0) return island.joints == 0 ? MovedBy::flight : MovedBy::half_steps;
-  island.many = island.contacts > (island.kept ? limits.most_kept : limits.most);
+  const bool many = island.contacts > (island.kept ? limits.most_kept : limits.most);
+  if (island.joints > 0) return many ? MovedBy::substeps : MovedBy::half_steps;
+  island.many = many;
   const bool balls_meet = island.impact && island.contacts == island.pairs && island.contacts <= limits.most_meeting;
   const bool calm = !island.impact && !island.turns;
   return !island.many || calm || balls_meet ? MovedBy::half_steps : MovedBy::substeps;

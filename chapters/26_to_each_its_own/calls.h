@@ -11,7 +11,7 @@ namespace pushback {
 enum class MovedBy {
   nothing,     ///< it is immovable
   flight,      ///< along a parabola: nothing touches or holds it
-  half_steps,  ///< chapter 24's, cut at impacts (25) where there may be some: a few contacts, or a tree of joints
+  half_steps,  ///< chapter 24's, cut at impacts (25) where there may be some: few contacts, a tree of joints, or both
   substeps,    ///< chapter 22's: all else
 };
 
@@ -30,7 +30,7 @@ Real tip_speed(const Body& body, Real dt);
 /// Bodies that may touch in this step, or are joined, form an island (chapter 20). It calls for
 ///
 ///   flight       if it is one body, without a contact
-///   half steps   if it has contacts and no joint; or rigid joints that form a tree, and no contact
+///   half steps   if it has contacts, or rigid joints that form a tree; or both, if contacts are few
 ///   substeps     else: where many meet or turn fast, a Force may act, a body sleeps or is moved by hand, or overlap is more than half steps
 ///                let out soon
 class Calls {
@@ -45,6 +45,10 @@ class Calls {
   int island_of(int body) { return islands_.island_of(body); }
   /// Whether bodies may meet in this step; `island`: its lowest body.
   bool impact(int island) const { return of_[std::size_t(island)].impact; }
+  /// Whether any are within the margin. Where joints pull them together, these may meet as well.
+  bool near(int island) const { return of_[std::size_t(island)].near > 0; }
+  /// m: of all of its contacts together.
+  Real overlap(int island) const { return of_[std::size_t(island)].overlap; }
   /// Contacts of the island that may act in this step, and whether they are more than a few.
   int contacts(int island) const { return of_[std::size_t(island)].contacts; }
   bool many(int island) const { return of_[std::size_t(island)].many; }
@@ -56,6 +60,7 @@ class Calls {
     int near = 0;                 // pairs within the margin
     int contacts = 0, pairs = 0;  // that may act in this step
     int joints = 0;
+    Real overlap = 0;  // m
     bool impact = false, refused = false, many = false, turns = false;
     bool kept = true;  // all of its bodies had half steps in the step before
   };

@@ -20,14 +20,18 @@ class IslandWorld {
     return s;
   }();
   Composed<Suzuki> fourth_order;
-  bool impact = false;  ///< bodies may meet in this step
+  bool impact = false;  ///< bodies may meet in this step: it is cut where they do
   bool fourth = false;  ///< it is moved by steps of fourth order: it has joints, and no contacts
   bool held = false;    ///< half steps have moved it
+  double took = 0;      ///< multiplications, roughly: of the latest try
 
   HalfStep& solver() {
     if (fourth) return fourth_order;
     return impact ? cut_step : half_step;
   }
+
+  /// Joints and contacts have to be solved together.
+  bool joined_and_near() const { return impact && !world.joints.empty(); }
 
   /// `lowest`: of its bodies that move.
   void begin(const World& whole, int lowest) {
@@ -84,7 +88,11 @@ class IslandWorld {
   }
   /// Where its bodies are now, and what touches there. Of the impulses of the step the last substep of the whole world has `part`.
   void give(World& whole, Real part) const {
-    give_bodies(whole.bodies);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (!world.bodies[i].movable()) continue;
+      whole.bodies[std::size_t(bodies_[i])] = world.bodies[i];
+      whole.bodies[std::size_t(bodies_[i])].index = bodies_[i];
+    }
     for (const Contact& contact : world.contacts) {
       if (contact.depth < 0 && contact.impulse.isZero(0)) continue;
       Contact& copy = whole.contacts.emplace_back(contact);
@@ -94,13 +102,6 @@ class IslandWorld {
     }
     for (const std::size_t joint : joints_)
       for (Real& impulse : whole.joints[joint].impulses) impulse *= part;
-  }
-  void give_bodies(std::vector<Body>& whole) const {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (!world.bodies[i].movable()) continue;
-      whole[std::size_t(bodies_[i])] = world.bodies[i];
-      whole[std::size_t(bodies_[i])].index = bodies_[i];
-    }
   }
   const std::vector<int>& bodies() const { return bodies_; }
   int lowest() const { return lowest_; }

@@ -9,8 +9,8 @@ enum class Call { flight, half_steps, substeps };
 
 /// What is known of an island.
 struct Seen {
-  int contacts = 0;             // that may act in this step
-  int joints = 0;               // in an island without contacts
+  int contacts = 0;  // that may act in this step
+  int joints = 0;
   bool refused = false;         // half steps do not do what is in it: a limit, a loop, a Force
   bool had_half_steps = false;  // in the step before
 };
@@ -22,8 +22,7 @@ struct Bounds {
 
 inline Call call_of(const Seen& island, const Bounds& bounds) {
   if (island.refused) return Call::substeps;
-  if (island.joints > 0) return Call::half_steps;
-  if (island.contacts == 0) return Call::flight;
+  if (island.contacts == 0) return island.joints > 0 ? Call::half_steps : Call::flight;
   const int most = island.had_half_steps ? bounds.most_kept : bounds.most;
   return island.contacts <= most ? Call::half_steps : Call::substeps;
 }

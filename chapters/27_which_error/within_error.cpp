@@ -104,24 +104,28 @@ void WithinError::find_substeps(IslandWorld& island, Memory& memory, const World
   const bool joints = !island.world.joints.empty();
   const int contacts = calls_.contacts(island.lowest());
   const Allowed allowed{error * dt / horizon, dt, sweeps, sliding(island.world)};
-  if (!joints) look.fourth = 0;
-  const bool again_of_second_order = look.fourth == 1;
-  look.fourth = std::max(0, look.fourth - 1);
+  const bool meets = calls_.impact(island.lowest()), alone = joints && !island.impact;
+  const bool again_of_second_order = look.fourth == 1 || (look.fourth > 0 && !alone);
+  look.fourth = alone ? std::max(0, look.fourth - 1) : 0;
   if (again_of_second_order) {
     memory.next = most_of_second_order;
     look.ago = looks_every;
   }
   int begun = std::max(memory.next, joints ? least : 1);
-  int most = joints ? most_of_second_order : calls_.many(island.lowest()) ? most_of_more : most_of_few;
+  int most = alone                          ? most_of_second_order
+             : joints                       ? most_substeps
+             : calls_.many(island.lowest()) ? most_of_more
+                                            : most_of_few;
   if (look.fourth > 0) most = most_substeps;
   std::vector<Body> coarse;
-  if (!island.impact && contacts == look.contacts && ++look.ago < looks_every) {
+  if (!meets && contacts == look.contacts && ++look.ago < looks_every) {
     begin_order(island, allowed);
     memory.substeps = begun;
     island.held = take(island, whole, begun, dt, sweeps) <= 1;
     const Real quicker = fastest_spin(island.world) / look.spin;
     const bool whips = joints && off_when(quicker, look.off, look.order()) > 1;
-    if (island.held && !whips && sliding(island.world) == allowed.sliding) return;
+    const bool met = island.impact && island.cut_step.events() > 0;
+    if (island.held && !whips && !met && sliding(island.world) == allowed.sliding) return;
     if (island.held && whips && 2 * begun <= most && island.solver().halvings() == 0) {
       coarse = island.world.bodies;
       begun *= 2;
@@ -131,7 +135,7 @@ void WithinError::find_substeps(IslandWorld& island, Memory& memory, const World
   look.contacts = contacts;
   begun = std::max(begun, least);
   Real off = find_enough(island, memory, whole, allowed, begun, most, std::move(coarse));
-  if (joints && look.fourth == 0 && !look.kept) {
+  if (alone && look.fourth == 0 && !look.kept) {
     look.fourth = fourth_for;
     off = find_enough(island, memory, whole, allowed, least, most_substeps);
   }
@@ -167,7 +171,7 @@ Real WithinError::find_enough(IslandWorld& island, Memory& memory, const World& 
   int kept = 0, no_better = 0;
   for (memory.substeps = begun;; memory.substeps *= 2) {
     const Real energy_off = take(island, whole, memory.substeps, allowed.dt, allowed.sweeps), before = off;
-    island.held = std::isfinite(energy_off);
+    island.held = island.joined_and_near() ? energy_off <= 1 : std::isfinite(energy_off);
     Worth now = Worth::more;
     if (island.held && !coarse.empty()) {
       off = std::max(energy_off, difference(island, coarse, look.order()) / allowed.off);
@@ -182,7 +186,7 @@ Real WithinError::find_enough(IslandWorld& island, Memory& memory, const World& 
     if (look.kept && ++kept < (sliding(island.world) == allowed.sliding ? 1 : 2)) now = Worth::more;
     // Nothing is decided in a chain: where it whips, so few substeps are far from what they tend to.
     if (joints && now == Worth::no_better && ++no_better < 2) now = Worth::more;
-    if (now != Worth::more || 2 * memory.substeps > most) break;
+    if (now != Worth::more || 2 * memory.substeps > most || !can_go_on(island)) break;
     coarse.clear();
     if (island.held && undivided()) coarse = island.world.bodies;
   }

@@ -24,7 +24,7 @@ struct Known {
 /// it began, in n / 2 substeps and in n; the second is the result, and their difference tells how far it is off:
 ///
 ///   half steps           (x_n/2 - x_n) / 3        of order 2
-///   fourth order         (x_n/2 - x_n) / 15       joints alone, where half steps would need more than eight
+///   fourth order         (x_n/2 - x_n) / 15       joints alone, near to nothing, where half steps would need more than eight
 ///   substeps (`many`)     h / 2 dv                of order 1: x += h v is wrong by that, and dv is known after the step; and what
 ///                                                 contacts have sunk, which is the law's error: see sunken
 ///
@@ -36,8 +36,8 @@ struct Known {
 /// every fourth step is taken twice. A chain that whips is looked at sooner: see off_when. Where more substeps do not lessen it, it is
 /// no error of the step: something is decided otherwise, who touches first, or sticks. Then it is left, and said.
 ///
-/// Where bodies that are joined meet something, `many` finds the impact first and then what joints make of it. How far off that is, no
-/// number of substeps tells, so it is said that the step is not kept.
+/// Where bodies that are joined meet something and `many` moves them, it finds the impact first and then what joints make of it. How far
+/// off that is, no number of substeps tells, so it is said that the step is not kept.
 ///
 /// In a pile that moves such decisions are made all the time, and what their speeds differ by is lost in the next contact. So of
 /// `many` the speeds are not counted.

@@ -210,12 +210,41 @@ TEST_CASE("joined impact: the joint bears its part of an impact, and says so") {
   AtImpacts step = in_parts(1);
   world.step(step, h);
   CHECK(step.events() == 1);
+  CHECK(step.taken() == Approx(2 * 9 / 2.0).epsilon(in_double ? 1e-9 : 1e-4));  // m v^2 / 2, all of it
   CHECK(world.bodies[0].velocity.norm() < rounding);
   // m v + L along n + l along the rod = 0:  n = -x, rod = (1, -1) / sqrt(2), v = 3 (1, 1) / sqrt(2)
   //   y: 6 / sqrt(2) - l / sqrt(2) = 0,  l = 6;     x: 6 / sqrt(2) - L + l / sqrt(2) = 0,  L = 12 / sqrt(2)
   REQUIRE(world.contacts.size() == 1);
   CHECK(world.contacts[0].impulse.norm() == Approx(12 / std::sqrt(2.0)).epsilon(in_double ? 1e-9 : 1e-4));
   CHECK(std::abs(world.joints[0].impulses[0]) == Approx(6).epsilon(in_double ? 1e-9 : 1e-4));
+}
+
+TEST_CASE("joined impact: what impacts take of the energy is the part 1 - e^2, and what is held is known") {
+  for (const bool joined : {false, true})
+    for (const Real e : {Real(0), Real(0.5), Real(1)}) {
+      CAPTURE(joined, e);
+      World world;
+      world.add(ground().bouncy(e).rough(0));
+      world.add(sphere(Real(0.1), 2).at({0, Real(0.3), 0}).bouncy(e).rough(0));
+      if (joined) world.add(sphere(Real(0.1), 3).at({0, Real(0.8), 0}));
+      if (joined) world.joints.push_back(weld(world, 1, 2, {0, Real(0.5), 0}));
+      AtImpacts step = in_parts(1);
+      const Real fall = (joined ? 5 : 2) * g * Real(0.2);  // J, until it touches
+      int steps = 0;
+      for (; step.events() == 0 && steps < 60; ++steps) {
+        CHECK(step.taken() == 0);
+        CHECK_FALSE(step.held());
+        world.step(step, h);
+      }
+      CHECK(step.taken() ==
+            Approx((1 - e * e) * fall).epsilon(in_double ? 1e-6 : 1e-3).margin(in_double ? 1e-9 : 1e-3));
+      CHECK(step.held() == (e == 0));
+      if (e > 0) continue;
+      world.step(step, h);
+      CHECK(step.events() == 0);
+      CHECK(step.taken() == 0);
+      CHECK(step.held());
+    }
 }
 
 TEST_CASE("joined impact: a bullet on a thread does not pass a sheet of 1 mm") {

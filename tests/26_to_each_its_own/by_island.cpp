@@ -105,6 +105,12 @@ const Part parts[] = {
        world.add(box(Vec3::Constant(Real(0.5)), 1).at({at, Real(0.5), 0}));
        world.add(box(Vec3::Constant(Real(0.5)), 100).at({at, Real(1.5), 0}));
      }},
+    {"a pendulum that meets a wall",
+     [](World& world, Real at) {
+       world.add(box({Real(0.2), 1, 1}, 1).fixed().at({at + 1, 5, 0}));
+       const int ball = world.add(sphere(Real(0.3), 10).at({at - 2, 6, 0}).bouncy(Real(0.6)));
+       world.joints.push_back(ball_and_socket(world, the_world, ball, {at, 6, 0}));
+     }},
     {"a bar with a limit", [](World& world, Real at) {  // by substeps
        const int bar = world.add(box({1, Real(0.1), Real(0.1)}, 10).at({at + 1, 5, 0}));
        world.joints.push_back(ball_and_socket(world, the_world, bar, {at, 5, 0}));

@@ -83,6 +83,38 @@ TEST_CASE("calls: one that is near the limit stays what it is") {
   CHECK_FALSE(many(8));
 }
 
+TEST_CASE(
+    "calls: few contacts of what is joined have half steps, many have not, and near the limit it stays what it is") {
+  World world = standing(1);
+  world.joints = {ball_and_socket(world, the_world, 1, {0, 1, 0})};
+  Calls calls;
+  find(calls, world, {});
+  CHECK(calls.of(1) == MovedBy::half_steps);
+  CHECK_FALSE(calls.near(1));
+  calls.leave_to_substeps(1);
+  const auto call = [&](int contacts) {
+    find(calls, world, below_the_first(contacts));
+    CHECK(calls.near(1));
+    CHECK(calls.contacts(1) == contacts);
+    return calls.of(1);
+  };
+  CHECK(call(9) == MovedBy::substeps);  // at rest, too: joints and many contacts are not solved from what they bore
+  CHECK(call(12) == MovedBy::substeps);
+  for (const int contacts : {8, 9, 12, 1, 12}) CHECK(call(contacts) == MovedBy::half_steps);
+  CHECK(call(13) == MovedBy::substeps);
+  CHECK(call(12) == MovedBy::substeps);
+  CHECK(call(8) == MovedBy::half_steps);
+}
+
+TEST_CASE("calls: overlap is that of all contacts together") {
+  const World world = standing(1);
+  Calls calls;
+  Contacts contacts = below_the_first(3, Real(0.001));
+  contacts[1].depth = -Real(0.001);
+  find(calls, world, contacts);
+  CHECK(calls.overlap(1) == Approx(0.002));
+}
+
 TEST_CASE("calls: many contacts have half steps while nothing arrives and nothing turns fast, few in any case") {
   World world = standing(1);
   Calls calls;

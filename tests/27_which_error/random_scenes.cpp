@@ -3,6 +3,7 @@
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
+#include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/bodies/random.h"
 #include "tests/27_which_error/played.h"
 #include "tests/support/catch.h"
@@ -99,6 +100,25 @@ TEST_CASE("within an error: chains let go at any angles, of which some whip so t
     INFO(tally.words());
     CHECK(tally.kept >= tally.scenes * 98 / 100);
     CHECK(tally.missed_by_3 <= 1);  // the same chain, 11, 19 and 6 times: so many are asked for, and it is not so
+  }
+}
+
+TEST_CASE("within an error: pendulums of one or two bodies that meet a wall") {
+  Tallies tallies;
+  Random random(30);
+  for (int i = 0; i < 40; ++i) {
+    moment_of_impact_scenes::PendulumAtWall scene{.links = static_cast<int>(random.below(2))};
+    scene.e = random.between(Real(0.3), 1);
+    scene.wall = random.between(Real(0.22), scene.links == 0 ? Real(0.35) : Real(0.7));  // the ball hangs free of it
+    World world;
+    scene(world);
+    if (scene.links > 0) world.bodies[0] = Body(world.bodies[0]).touching(0);  // the truth knows of the ball alone
+    play(world, scene.truth(90), tallies);
+  }
+  for (const Tally& tally : tallies) {
+    INFO(tally.words());
+    CHECK(tally.kept == 40);
+    CHECK(tally.missed_unsaid == 0);
   }
 }
 

@@ -1,0 +1,376 @@
+/// Chapter 26: bodies that are joined and meet something, by half steps.
+#include "pushback/chapters/13_joints/hinge.h"
+#include "pushback/chapters/13_joints/weld.h"
+#include "pushback/chapters/24_half_step/on_floor.h"
+#include "pushback/chapters/25_moment_of_impact/scenes.h"
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
+#include "pushback/common/bodies/random.h"
+#include "pushback/common/world/measure.h"
+#include "tests/24_half_step/order.h"
+#include "tests/support/catch.h"
+#include "tests/support/yardstick.h"
+
+using namespace pushback;
+
+namespace {
+
+/// The largest |C|, m or rad.
+Real parted(const World& world) {
+  Real largest = 0;
+  Equations equations;
+  for (const Joint& joint : world.joints)
+    joint.ask(body_of(world, joint.a), body_of(world, joint.b), {world.time, h}, equations);
+  for (const Equation& equation : equations) largest = std::max(largest, std::abs(equation.error));
+  return largest;
+}
+Real deepest(World world) {
+  world.find_contacts();
+  return deepest_overlap(world);
+}
+bool all_by(const ByIsland& solver, const World& world, MovedBy how) {
+  return std::all_of(world.bodies.begin(), world.bodies.end(),
+                     [&](const Body& body) { return !body.movable() || solver.moved_by(body.index) == how; });
+}
+/// A ball on a rod that swings to a wall.
+World at_wall(Real e) {
+  World world;
+  moment_of_impact_scenes::PendulumAtWall{.links = 0, .e = e}(world);
+  return world;
+}
+
+/// Two boxes of 1 m and 3 kg beside each other, on the ground.
+World welded_boxes() {
+  World world;
+  world.add(ground());
+  for (const Real x : {Real(-0.5), Real(0.5)}) world.add(box(Vec3::Constant(Real(0.5)), 3).at({x, Real(0.5), 0}));
+  world.joints.push_back(weld(world, 1, 2, {0, Real(0.5), 0}));
+  return world;
+}
+
+/// Tries half steps in ever more substeps, whatever comes of it, and counts what that takes.
+class TriesOften : public ByIsland {
+ public:
+  double most = 0;  // multiplications, in a step
+
+ protected:
+  void find_substeps(IslandWorld& island, Memory& memory, const World& whole, Real dt, int sweeps) override {
+    double all = 0;
+    for (int substeps = 4; substeps <= 64; substeps *= 2) {
+      take(island, whole, substeps, dt, sweeps);
+      all += island.took;
+    }
+    if (island.joined_and_near()) most = std::max(most, all);
+    island.solver().most_work = joined.most_work;
+    ByIsland::find_substeps(island, memory, whole, dt, sweeps);
+  }
+};
+/// Counts how often half steps are tried.
+class CountsTries : public ByIsland {
+ public:
+  std::vector<int> tried;  // steps in which they were
+  int step = 0;
+
+ protected:
+  void find_substeps(IslandWorld& island, Memory& memory, const World& whole, Real dt, int sweeps) override {
+    ByIsland::find_substeps(island, memory, whole, dt, sweeps);
+    tried.push_back(step);
+  }
+};
+
+/// What falls, swings or is thrown, in a few bodies that are joined, and what it may meet. All of it drawn.
+using Drawn = void (*)(World&, Random&);
+void chain_over_floor(World& world, Random& random) {
+  const Real mu = random.between(0, 1), e = random.below(2) == 0 ? 0 : random.between(0, Real(0.8));
+  world.add(ground().rough(mu).bouncy(e));
+  Vec3 end(0, random.between(Real(0.6), 2), 0);
+  int before = the_world;
+  for (int left = 2 + static_cast<int>(random.below(4)); left > 0; --left) {
+    Vec3 along = random.direction();
+    along.y() = Real(0.4) * std::abs(along.y());
+    along.normalize();
+    const Real length = random.between(Real(0.3), Real(0.6)), mass = random.over_decades(Real(0.3), 10);
+    const Body link = random.below(2) == 0 ? box({Real(0.06), Real(0.4) * length, Real(0.06)}, mass)
+                                           : capsule(Real(0.06), Real(0.3) * length, mass);
+    const int body = world.add(Body(link)
+                                   .oriented(Quat::FromTwoVectors(Vec3::UnitY(), along))
+                                   .at(end + length / 2 * along)
+                                   .rough(mu)
+                                   .bouncy(e));
+    if (before != the_world) {
+      const Vec3 axis = random.direction();
+      world.joints.push_back(random.below(3) == 0 ? hinge(world, before, body, end, axis)
+                                                  : ball_and_socket(world, before, body, end));
+    }
+    before = body;
+    end += length * along;
+  }
+}
+void chain_over_slope(World& world, Random& random) {
+  chain_over_floor(world, random);
+  const Real angle = random.between(Real(0.05), Real(0.6));
+  world.gravity = World::g * Vec3(std::sin(angle), -std::cos(angle), 0);
+  const Vec3 thrown(random.between(-1, 3), 0, random.between(-1, 1));
+  for (Body& body : world.bodies)
+    if (body.movable()) body.velocity = thrown;
+}
+void pendulum_beside_wall(World& world, Random& random) {
+  const Real mu = random.below(2) == 0 ? 0 : random.between(0, 1), e = random.between(0, 1);
+  world.add(half_space(-Vec3::UnitX()).at({random.between(Real(0.1), Real(0.7)), 0, 0}).rough(mu).bouncy(e));
+  Vec3 end = Vec3::Zero();
+  int before = the_world;
+  Real angle = random.between(Real(-1.5), Real(-0.3));
+  for (int left = 1 + static_cast<int>(random.below(3)); left > 0; --left) {
+    const Real length = random.between(Real(0.3), Real(0.8)), mass = random.over_decades(Real(0.5), 10);
+    const Vec3 along(std::sin(angle), -std::cos(angle), 0);
+    const int body = world.add(box({Real(0.03), length / 2, Real(0.03)}, mass)
+                                   .turned(angle, Vec3::UnitZ())
+                                   .at(end + length / 2 * along)
+                                   .rough(mu)
+                                   .bouncy(e));
+    world.joints.push_back(ball_and_socket(world, before, body, end));
+    before = body;
+    end += length * along;
+    angle += random.between(Real(-0.3), Real(0.1));
+  }
+}
+void door_and_stop(World& world, Random& random) {
+  const Real mu = random.between(0, 1), e = random.between(0, Real(0.9)), width = random.between(Real(0.6), Real(1.2));
+  world.add(box({width / 2, 1, Real(0.03)}, 20).at({width / 2, 0, 0}).rough(mu).bouncy(e));
+  const Vec3 axis = Vec3(random.between(Real(-0.2), Real(0.2)), 1, random.between(Real(-0.2), Real(0.2))).normalized();
+  world.joints.push_back(hinge(world, the_world, 0, Vec3::Zero(), axis));
+  world.bodies[0].angular_velocity = random.between(1, 12) * axis;
+  world.bodies[0].velocity = world.bodies[0].angular_velocity.cross(world.bodies[0].position);
+  const Real angle = random.between(Real(0.4), Real(1.5)), reach = width * random.between(Real(0.5), Real(0.95));
+  const Vec3 stop(reach * std::cos(angle), random.between(Real(-0.8), Real(0.8)), -reach * std::sin(angle));
+  world.add(sphere(Real(0.06), 1).fixed().at(stop).rough(mu).bouncy(e));
+}
+void striker(World& world, Random& random) {
+  const Real mu = random.between(Real(0.1), 1), e = random.between(0, Real(0.9)), length = random.between(1, 2);
+  const Real angle = random.between(Real(-1.4), Real(-0.6)), radius = Real(0.2);
+  const Vec3 pin(0, length + 2 * radius + Real(0.05), 0), along(std::sin(angle), -std::cos(angle), 0);
+  world.add(ground().rough(mu).bouncy(e));
+  world.add(box({Real(0.03), length / 2, Real(0.03)}, 1)
+                .turned(angle, Vec3::UnitZ())
+                .at(pin + length / 2 * along)
+                .rough(mu)
+                .bouncy(e));
+  world.add(sphere(radius, random.over_decades(1, 50)).at(pin + (length + radius) * along).rough(mu).bouncy(e));
+  world.joints.push_back(ball_and_socket(world, the_world, 1, pin));
+  world.joints.push_back(ball_and_socket(world, 1, 2, pin + length * along));
+  world.add(box(Vec3::Constant(radius), random.over_decades(1, 30))
+                .at({random.between(Real(0.45), Real(0.65)), radius, 0})
+                .rough(mu)
+                .bouncy(e));
+}
+
+}  // namespace
+
+TEST_CASE("joined, by island: a double pendulum that meets a wall has half steps, and is where Lagrange says") {
+  const moment_of_impact_scenes::PendulumAtWall scene;
+  World world;
+  scene(world);
+  ByIsland solver;
+  double off = 0;
+  for (const Places& places : scene.truth(120)) {
+    world.step(solver, h);
+    CHECK(all_by(solver, world, MovedBy::half_steps));
+    for (std::size_t i = 0; i < places.size(); ++i)
+      off = std::max(off, (world.bodies[i].position.cast<double>() - places[i]).norm());
+  }
+  CHECK(off < (in_double ? 6e-5 : 1e-2));
+}
+
+TEST_CASE("joined, by island: a bob on a rod slides round on a floor, and is where the closed form says") {
+  for (const Real mu : {Real(0), Real(0.2)}) {
+    const half_step_scenes::OnFloor round{mu};
+    World world;
+    round(world);
+    ByIsland solver;
+    Real off = 0;
+    for (int i = 0; i < 30; ++i) {
+      world.step(solver, h);
+      CHECK(solver.moved_by(1) == MovedBy::half_steps);
+      off = std::max(off, (world.bodies[1].position - round.place(world.time)).norm());
+    }
+    CHECK(off < (in_double ? Real(1e-5) : Real(1e-3)));
+  }
+}
+
+TEST_CASE("joined, by island: two boxes that are welded rest as one, and slide as far as one") {
+  World rest = welded_boxes(), slide = rest;
+  const World begin = rest;
+  ByIsland solver, other;
+  for (int i = 0; i < 120; ++i) {
+    rest.step(solver, h);
+    REQUIRE(solver.moved_by(1) == MovedBy::half_steps);
+  }
+  for (const std::size_t i : {1U, 2U})
+    CHECK((rest.bodies[i].position - begin.bodies[i].position).norm() < (in_double ? Real(1e-9) : Real(1e-3)));
+  Real carried = 0;
+  for (const Contact& contact : rest.contacts) carried += contact.impulse.y();
+  CHECK(carried == Approx(6 * g * h).epsilon(in_double ? 1e-6 : 1e-3));
+
+  for (Body& body : slide.bodies)
+    if (body.movable()) body.velocity = {4, 0, 0};
+  for (int i = 0; i < 120; ++i) slide.step(other, h);
+  const Real mu = Real(0.5), of_substep = h / 4;  // v^2 / (2 mu g), but for the substep in which it stops
+  CHECK(std::abs(slide.bodies[1].position.x() + Real(0.5) - 16 / (2 * mu * g)) <=
+        mu * g * of_substep * of_substep / 8 + (in_double ? Real(1e-8) : Real(1e-3)));
+}
+
+TEST_CASE("joined, by island: what bounces comes upon another within the step, and does not pass through it") {
+  // A dumbbell flies along itself to a wall, and a ball of its mass comes after it. They pass on their velocities, as one ball to
+  // another: centres are where they would be if both went through each other, but for their sizes.
+  constexpr Real speed = 60, r = Real(0.1), half = Real(0.15),
+                 from = Real(1.6);  // beyond the margin, and before the wall
+  World world;
+  world.gravity.setZero();
+  world.add(box({Real(0.5), 2, 2}, 1).fixed().at({Real(-0.5), 0, 0}).rough(0));
+  for (const Real side : {-half, half})
+    world.add(sphere(r, 1).at({Real(0.4) + side, 0, 0}).moving({-speed, 0, 0}).bouncy(1).rough(0));
+  world.joints.push_back(weld(world, 1, 2, {Real(0.4), 0, 0}));
+  world.add(sphere(r, 2).at({from, 0, 0}).moving({-speed, 0, 0}).bouncy(1).rough(0));
+  ByIsland solver;
+  for (int i = 0; i < 3; ++i) {
+    world.step(solver, h);
+    CHECK(world.bodies[3].position.x() - world.bodies[2].position.x() > 2 * r - (in_double ? Real(1e-8) : Real(1e-4)));
+    CHECK(world.bodies[1].position.x() > r - (in_double ? Real(1e-8) : Real(1e-4)));
+  }
+  // From 0.4 to the wall, where its centre is at r + half: 0.15 m; the ball's way is longer by its distance less both sizes.
+  const Real way = 3 * h * speed, between = from - Real(0.4) - 2 * r - half, to_wall = Real(0.4) - r - half;
+  const Real first = r + half + (way - to_wall - between), second = r + half + (way - to_wall) + 2 * r + half;
+  CHECK((world.bodies[1].position + world.bodies[2].position).x() / 2 == Approx(first).epsilon(1e-6));
+  CHECK(world.bodies[3].position.x() == Approx(second).epsilon(1e-6));
+  for (const std::size_t body : {1U, 2U, 3U}) CHECK(world.bodies[body].velocity.x() == Approx(speed).epsilon(1e-6));
+}
+
+TEST_CASE("joined, by island: the end of a rod on a pin meets what its middle never comes near") {
+  for (const Real spin : {Real(10), Real(25), Real(60)}) {
+    CAPTURE(spin);
+    World world;
+    world.gravity.setZero();
+    world.add(box({Real(1.5), Real(0.05), Real(0.05)}, 10).spinning({0, 0, spin}).bouncy(1).rough(0));
+    world.add(sphere(Real(0.1), 10).at({0, Real(1.4), 0}).bouncy(1).rough(0));
+    world.joints.push_back(ball_and_socket(world, the_world, 0, Vec3::Zero()));
+    const Real motion = kinetic_energy(world), turn = angular_momentum(world).z();
+    ByIsland solver;
+    while (world.bodies[1].velocity == Vec3::Zero() && world.time < 1) world.step(solver, h);
+    CHECK(world.bodies[1].velocity.norm() > spin / 2);
+    CHECK(kinetic_energy(world) == Approx(motion).epsilon(in_double ? 1e-6 : 1e-3));
+    CHECK(angular_momentum(world).z() == Approx(turn).epsilon(in_double ? 1e-6 : 1e-3));
+  }
+}
+
+TEST_CASE("joined, by island: who is joined to what it overlaps does not meet it, however fast") {
+  World world;
+  world.gravity.setZero();
+  world.add(box({Real(0.2), 1, Real(0.2)}, 1).fixed());
+  world.add(box({Real(0.8), 1, Real(0.05)}, 10).at({Real(0.8), 0, 0}).spinning({0, 20, 0}).moving({0, 0, -16}));
+  world.joints.push_back(hinge(world, 0, 1, Vec3::Zero(), Vec3::UnitY()));
+  const Real motion = kinetic_energy(world);
+  ByIsland solver;
+  for (int i = 0; i < 30; ++i) {
+    world.step(solver, h);
+    CHECK(world.contacts.empty());
+    CHECK(solver.moved_by(1) == MovedBy::half_steps);
+  }
+  CHECK(kinetic_energy(world) == Approx(motion).epsilon(in_double ? 1e-6 : 1e-3));
+}
+
+TEST_CASE("joined, by island: a ball on a pin leaves the wall with e times the speed that it came with") {
+  for (const Real e : {Real(0.3), Real(0.8)}) {
+    World world = at_wall(e);
+    ByIsland solver;
+    // Each time it falls back to the wall: its energy above that of touching at rest becomes e^2 of it.
+    const Real touching = std::asin(Real(0.5));  // rad: wall at 0.3, radius 0.2
+    const Real still = -2 * g * Real(0.2) * std::cos(touching);
+    Real before = energy(world) - still;
+    int bounces = 0;
+    for (int i = 0; i < 150 && bounces < 2; ++i) {
+      const Real came = world.bodies[0].angular_velocity.z();
+      world.step(solver, h);
+      if (came < Real(0.5) || world.bodies[0].angular_velocity.z() >= 0) continue;
+      ++bounces;
+      const Real after = energy(world) - still;
+      CHECK(after / before == Approx(e * e).epsilon(in_double ? 1e-3 : 1e-2));
+      before = after;
+    }
+    CHECK(bounces == 2);
+  }
+}
+
+TEST_CASE("joined, by island: of scenes that nobody has looked at none gains energy by half steps, and joints hold") {
+  if (!in_double) return;
+  int by_half_steps = 0, by_substeps = 0;
+  int family = 0;
+  for (const Drawn& draw : {chain_over_floor, chain_over_slope, pendulum_beside_wall, door_and_stop, striker}) {
+    ++family;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      CAPTURE(family, seed);
+      Random random(seed + 2600);
+      World world;
+      draw(world, random);
+      Real mass = 0;
+      for (const Body& body : world.bodies) mass += body.movable() ? 1 / body.inverse_mass : 0;
+      ByIsland solver;
+      bool before = true;
+      for (int i = 0; i < 180; ++i) {
+        const Real motion = kinetic_energy(world), begin = energy(world), overlap = deepest(world);
+        world.step(solver, h);
+        REQUIRE(std::isfinite(energy(world)));
+        const bool now = std::none_of(world.bodies.begin(), world.bodies.end(), [&solver](const Body& body) {
+          return solver.moved_by(body.index) == MovedBy::substeps;
+        });
+        (now ? by_half_steps : by_substeps) += 1;
+        if (now) {
+          CAPTURE(i, solver.substeps_of(1), overlap, world.contacts.size());
+          const Real least = std::max(motion, kinetic_energy(world)) + mass * (h * world.gravity).squaredNorm() / 2;
+          // What overlaps comes out: no farther than it was in, at each of a few contacts.
+          if (draw != striker)  // there the box has half steps by itself as well, whose energy nobody looks at
+            CHECK(energy(world) - begin <= solver.energy * least + 12 * mass * g * overlap + 1e-12);
+          CHECK(parted(world) <= 1e-9);
+        }
+        if (now && before) CHECK(deepest(world) <= std::max(overlap, Real(0.003)));
+        before = now;
+      }
+    }
+  }
+  INFO(by_half_steps << " steps by half steps, " << by_substeps << " by substeps");
+  CHECK(by_half_steps > 3000);
+}
+
+TEST_CASE("joined, by island: all tries of a step together take no more than one may, but for what had been begun") {
+  double most = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Random random(seed);
+    World world;
+    chain_over_floor(world, random);
+    TriesOften solver;
+    solver.joined.most_work = 1e6;
+    for (int i = 0; i < 120; ++i) world.step(solver, h);
+    most = std::max(most, solver.most);
+  }
+  CHECK(most > 1e6);
+  CHECK(most < 1.5e6);
+}
+
+TEST_CASE(
+    "joined, by island: who cannot be held has substeps for ten steps, then for twice as many after each failure") {
+  World world = welded_boxes();
+  CountsTries solver;
+  solver.joined.most_work = 1;  // for nothing
+  for (; solver.step < 400; ++solver.step) {
+    world.step(solver, h);
+    CHECK(solver.moved_by(1) == MovedBy::substeps);
+    CHECK(solver.moved_by(2) == MovedBy::substeps);
+    CHECK(std::abs(world.bodies[1].position.y() - Real(0.5)) < Real(0.001));
+  }
+  CHECK(solver.tried == std::vector{0, 10, 30, 70, 150, 310});
+  solver.joined.most_work = 1e7;  // once it is enough, half steps are tried again, and stay
+  int since = 0;
+  for (int i = 0; i < 400; ++i) {
+    world.step(solver, h);
+    since = solver.moved_by(1) == MovedBy::half_steps ? since + 1 : 0;
+  }
+  CHECK(since > 200);
+}
