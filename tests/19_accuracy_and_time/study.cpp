@@ -535,6 +535,17 @@ TEST_CASE("engines are ours, and those of others that are there") {
   CHECK(engines_in(folder, false).size() == 2);
 }
 
+TEST_CASE("only the methods that are asked for are played") {
+  StandIns programs;
+  programs.add("motion", "slim/SMALL-STEPS/SWEEPS: a\\nfull/SMALL-STEPS/SWEEPS: b\\n", good);
+  RoundOptions options = programs.options(0);
+  CHECK(measure(tried(1, 1, 1), options).size() == 2);
+  options.methods = {"slim"};
+  const Measurements some = measure(tried(1, 1, 1), options);
+  REQUIRE(some.size() == 1);
+  CHECK(some[0].method == "slim");
+}
+
 TEST_CASE("the solvers that detect once play with ours, whether others are asked for or not") {
   StandIns programs;
   const fs::path folder = programs.options(0).programs;

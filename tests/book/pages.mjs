@@ -140,7 +140,7 @@ test("the search finds a word in the text, a letter of a formula, and leads ther
   for (const [question, file] of [
     ["why does my stack fall", "docs/symptoms.html"],
     ["sinking", "docs/symptoms.html"],
-    ["XPBD", "docs/symptoms.html"],
+    ["XPBD", "docs/methods.html"],
     ["jittering", "04_slop/index.html"],
     ["heavy box qqqq", "17_direct_contacts/index.html"], // no page has all of these words
   ]) {

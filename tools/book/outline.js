@@ -11,6 +11,7 @@ const further = [
   "hard_cases",
   "accuracy_and_time",
   "benchmark",
+  "methods",
   "speed",
   "soak_and_fuzz",
   "architecture",

@@ -6,6 +6,7 @@
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/study/every_motion.h"
 #include "pushback/tools/study/machine.h"
+#include "pushback/tools/study/methods.h"
 #include "pushback/tools/study/report.h"
 
 using namespace pushback;
@@ -14,7 +15,7 @@ using namespace pushback::study;
 namespace {
 
 struct Asked {
-  bool quick = false, others = false, redraw = false;
+  bool quick = false, others = false, redraw = false, methods = false;
   int rounds = 0;
   std::vector<std::string> only;
   std::string out = "renders", shard = "1/1", mine, adapter;
@@ -47,8 +48,27 @@ void report(const AllMeasured& all, const std::vector<Engine>& engines, const st
   }
 }
 
+void report_on_methods(const AllMeasured& all, const std::filesystem::path& folder) {
+  std::vector<MotionMeasured> in_order;
+  std::vector<Panel> fronts;
+  for (const Motion& motion : every_motion()) {
+    const auto found = all.find(motion.name);
+    if (found == all.end()) continue;
+    in_order.push_back({&motion, found->second});
+    fronts.push_back(fronts_of_compared(in_order.back()));
+  }
+  write_plot(folder / "fronts.png", fronts);
+  for (const auto& [name, table] : {std::pair{"sweep.md", table_of_errors(in_order, 16, 1)},
+                                    {"sweeps.md", table_of_errors(in_order, 4, 4)},
+                                    {"times.md", table_of_times(in_order, 1e-3)},
+                                    {"limits.md", table_of_limits(in_order)}}) {
+    write_text_file(folder / name, table);
+    fmt::print("{}\n", table);
+  }
+}
+
 /// The parts, put together: they have timed, so of one kind of machine.
-void join(std::size_t parts, const std::filesystem::path& folder) {
+AllMeasured join(std::size_t parts, const std::filesystem::path& folder) {
   std::vector<AllMeasured> measured;
   std::vector<std::filesystem::path> origins;
   std::string machines;
@@ -62,7 +82,7 @@ void join(std::size_t parts, const std::filesystem::path& folder) {
   const AllMeasured all = together(measured);
   write_text_file(folder / "study.csv", csv_of(all));
   write_text_file(folder / "machine.md", machines);
-  report(all, engines_of(all), folder);
+  return all;
 }
 
 void measure_and_draw(const Asked& asked, const std::filesystem::path& programs) {
@@ -70,16 +90,19 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   for (const Motion& motion : every_motion())
     if (asked.only.empty()) motions.push_back(&motion);
   for (const std::string& name : asked.only) motions.push_back(&any_motion_named(name));
-  std::filesystem::path folder = std::filesystem::path(asked.out) / "19_accuracy_and_time";
-  if (asked.parts > 0) return join(asked.parts, folder);
+  std::filesystem::path folder =
+      std::filesystem::path(asked.out) / (asked.methods ? "methods" : "19_accuracy_and_time");
+  const auto tell = [&](const AllMeasured& all) {
+    if (asked.methods) report_on_methods(all, folder);
+    else report(all, engines_of(all), folder);
+  };
+  if (asked.parts > 0) return tell(join(asked.parts, folder));
   const Shard shard = shard_of(asked.shard);
   if (asked.redraw) {
     make_writable_folder(folder);
-    const AllMeasured all = read_csv(read_text_file(folder / "study.csv"));
-    report(all, engines_of(all), folder);
-    return;
+    return tell(read_csv(read_text_file(folder / "study.csv")));
   }
-  std::vector<Engine> engines = engines_in(programs, asked.others);
+  std::vector<Engine> engines = asked.methods ? engines_of_methods() : engines_in(programs, asked.others);
   if (!asked.mine.empty()) {
     engines.push_back(engine_of_mine());
     setenv("PUSHBACK_MINE", std::filesystem::absolute(asked.mine).c_str(), 1);  // where its program looks for it
@@ -92,6 +115,7 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   if (!shard.whole()) folder /= shard.folder();
   make_writable_folder(folder);
   RoundOptions options{.engines = {}, .programs = programs, .quick = asked.quick};
+  if (asked.methods) options.methods = compared_methods();
   if (asked.rounds > 0 || asked.quick) options.rounds = std::max(1, asked.rounds);
   options.say = [](const std::string& what) {
     fmt::print("{}\n", what);
@@ -110,7 +134,7 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   run.load_after = load_now();
   write_text_file(folder / "study.csv", csv_of(all));
   write_text_file(folder / "machine.md", table_of_machine(run, engines, all));
-  if (shard.whole()) report(all, engines, folder);
+  if (shard.whole()) tell(all);
   else write_text_file(folder / "origin.txt", origin_text(origin_here()));
 }
 
@@ -121,6 +145,8 @@ int main(int argc, char** argv) {
   Asked asked;
   line.flag("--quick", asked.quick, "Fewer settings, fewer rounds: in two minutes");
   line.flag("--peers", asked.others, "Bullet, ODE and MuJoCo as well, where they were built");
+  line.flag("--methods", asked.methods,
+            "The methods of docs/methods.md and some of ours, into methods/ in that folder");
   line.option("--mine", asked.mine, "A solver as a shared object, as one more engine");
   line.option("--adapter", asked.adapter, "A program that hands motions to another engine, as one more engine");
   line.option("--rounds", asked.rounds, "In which all that is near a front is timed; 3, or 1 with --quick")

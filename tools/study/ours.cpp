@@ -1,4 +1,5 @@
 /// The program `motion`: our own solvers play motions. Built twice, with Real = double and with Real = float.
+#include "pushback/tools/study/ours.h"
 #include "pushback/chapters/09_impacts/simultaneous.h"
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
@@ -6,9 +7,7 @@
 #include "pushback/chapters/17_direct_contacts/warm_direct_contacts.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/19_accuracy_and_time/seat.h"
-#include "pushback/common/world/any_solver.h"
 #include "pushback/tools/study/every_motion.h"
-#include "pushback/tools/study/play.h"
 
 using namespace pushback;
 
@@ -24,35 +23,6 @@ using Soft = RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, W
 using SteadyCold = RelaxingSolver<Clamping, SoftContacts, SimultaneousImpacts, FrictionCone>;
 using Jointed = Solver<SplitJoints, Clamping, Baumgarte, Restitution, FrictionCone, WarmStart>;
 using Direct = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmDirectContacts>;
-
-class Ours : public PlayerInSubsteps {
- public:
-  Ours(const Motion& motion, const Setting& setting, AnySolver solver, bool counts_rows)
-      : solver_(std::move(solver)),
-        dt_(static_cast<Real>(setting.dt())),
-        sweeps_(setting.sweeps),
-        counts_rows_(counts_rows) {
-    motion.begin(world_);
-  }
-  void substep() override {
-    const std::size_t before = rows_solved;
-    world_.step(solver_, dt_, sweeps_);
-    rows_solved_ += rows_solved - before;
-  }
-  Eigen::Vector3d place(std::size_t body) const override { return world_.bodies[body].position.cast<double>(); }
-  std::optional<double> row_solves() const override {
-    if (!counts_rows_) return {};
-    return static_cast<double>(rows_solved_);
-  }
-
- private:
-  World world_;
-  AnySolver solver_;
-  Real dt_;
-  int sweeps_;
-  bool counts_rows_;
-  std::size_t rows_solved_ = 0;  // by this player's steps
-};
 
 template <class ContactSolver>
 Method method(const std::string& name, const std::string& title) {

@@ -65,6 +65,7 @@ class Asking {
     Measurements all;
     for (const std::string& line : said_by(command(engine))) {
       const std::string method = line.substr(0, line.find_first_of("/:"));
+      if (!is_asked_for(method)) continue;
       const bool sweeps = line.find("/SWEEPS") < line.find(':');
       for (int substeps = 1; substeps <= most_substeps(); substeps *= options_.quick ? 4 : 2) {
         for (int n = 1; n <= motion_.most_sweeps && n * substeps <= most_passes(); n *= 4) {
@@ -94,6 +95,10 @@ class Asking {
   }
 
  private:
+  bool is_asked_for(const std::string& method) const {
+    const std::vector<std::string>& only = options_.methods;
+    return only.empty() || std::find(only.begin(), only.end(), method) != only.end();
+  }
   int most_substeps() const { return options_.quick ? std::min(64, motion_.most_substeps) : motion_.most_substeps; }
   int most_passes() const { return options_.quick ? std::max(1, motion_.most_passes / 8) : motion_.most_passes; }
   std::vector<std::string> command(const std::string& engine) const {
@@ -143,6 +148,10 @@ const std::vector<Engine> known_engines{{"motion", "ours, double", 0},
                                         {"motion_mujoco", "MuJoCo, double", 3}};
 
 }  // namespace
+
+std::vector<Engine> engines_of_methods() {
+  return {known_engines[0], known_engines[2], {"motion_methods", "other methods", 1}};
+}
 
 Engine engine_of_mine() {
   return {"motion_mine", "mine", 1};  // as bright as the first of the others
@@ -197,6 +206,7 @@ AllMeasured together(const std::vector<AllMeasured>& parts) {
 
 std::vector<Engine> engines_of(const AllMeasured& all) {
   std::vector<Engine> found, possible = known_engines;
+  possible.push_back(engines_of_methods().back());
   possible.push_back(engine_of_adapter());
   for (const Engine& engine : possible) {
     const auto is_its = [&](const Measured& one) { return one.engine == engine.program; };

@@ -20,16 +20,19 @@ struct Engine {
 /// Bullet, ODE and MuJoCo that are there: std::runtime_error where none is.
 std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others);
 
+/// Ours in double, those that divide steps themselves, and those of docs/methods.md.
+std::vector<Engine> engines_of_methods();
 /// The program that plays a reader's solver.
 Engine engine_of_mine();
 /// The program that plays an adapter's engine.
 Engine engine_of_adapter();
 
 struct RoundOptions {
-  std::vector<Engine> engines;     ///< see engines_in
-  std::filesystem::path programs;  ///< the folder of `motion` and the others
-  bool quick = false;              ///< fewer settings, fewer rounds, less patience
-  int rounds = 3;                  ///< in which what is near a front is timed
+  std::vector<Engine> engines;            ///< see engines_in
+  std::filesystem::path programs;         ///< the folder of `motion` and the others
+  std::vector<std::string> methods = {};  ///< only these; empty: all
+  bool quick = false;                     ///< fewer settings, fewer rounds, less patience
+  int rounds = 3;                         ///< in which what is near a front is timed
   std::function<void(const std::string&)> say = [](const std::string&) {};  ///< what is under way
 };
 

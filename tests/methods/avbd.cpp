@@ -1,0 +1,98 @@
+/// Augmented vertex block descent.
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/08_friction_cone/friction_cone.h"
+#include "pushback/chapters/13_joints/scenes.h"
+#include "pushback/common/world/measure.h"
+#include "tests/methods/played.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+#include "tests/support/on_ground.h"
+
+using namespace pushback;
+
+using Cone = Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>;
+
+TEST_CASE("avbd: 0.95 of an old overlap is left in each step") {
+  World world;
+  const Body& ball = ball_on_ground(world, Real(0.02));
+  Avbd solver;
+  Real depth = Real(0.02);
+  for (int i = 0; i < 20; ++i) {
+    world.step(solver, h, 60);
+    depth *= solver.error_kept;
+    CHECK(depth_of(ball) == Approx(depth).epsilon(in_double ? 1e-6 : 1e-2));
+  }
+}
+
+TEST_CASE("avbd: a heavy box on a light one, where sequential impulses sink or fall") {
+  CHECK(error_of<Cone>("heavy-on-light", 1, 16) > 0.5);
+  CHECK(error_of<Avbd>("heavy-on-light", 1, 16) < 0.01);
+  CHECK(error_of<Avbd>("heavy-on-light", 16, 1) < 0.005);
+}
+
+TEST_CASE("avbd: a stack of ten, one sweep a step") {
+  CHECK(error_of<Cone>("stack-10", 16, 1) > 0.02);
+  CHECK(error_of<Avbd>("stack-10", 16, 1) < 0.004);
+}
+
+// A body feels f of the V that the other one had: what it does to the other is another f, until nothing changes any more.
+TEST_CASE("avbd: momentum is conserved as far as sweeps have converged, and no farther") {
+  const auto lost = [](int sweeps) {
+    World world;
+    world.gravity.setZero();
+    world.add(sphere(Real(0.5), 5).at({0, 0, 0}));
+    world.add(sphere(Real(0.5), 2).at({Real(0.1), Real(1.05), 0}).moving({0, -3, 0}));
+    const Vec3 before = momentum(world);
+    Avbd solver;
+    for (int i = 0; i < 30; ++i) world.step(solver, h, sweeps);
+    return (momentum(world) - before).norm() / before.norm();
+  };
+  CHECK(lost(1) == Approx(0.79).margin(0.01));  // docs/methods.md says so
+  CHECK(lost(10) == Approx(0.003).margin(0.0005));
+  CHECK(lost(60) < (in_double ? Real(1e-8) : Real(1e-5)));
+}
+
+TEST_CASE("avbd: with one sweep a sliding box hardly brakes, with sixteen it is off by the step alone") {
+  CHECK(error_of<Avbd>("sliding", 16, 1) > 1);
+  CHECK(error_of<Avbd>("sliding", 16, 16) < 0.0035);
+}
+
+TEST_CASE("avbd: nothing bounces") {
+  World world;
+  const Body& ball = ball_on_ground(world, Real(-0.01)).bouncy(1).moving({0, -3, 0});
+  Avbd solver;
+  for (int i = 0; i < 30; ++i) world.step(solver, h, 30);
+  CHECK(std::abs(depth_of(ball)) < Real(1e-4));
+  CHECK(largest_speed(world) < Real(1e-4));
+}
+
+TEST_CASE("avbd: a pendulum by an error of the order of the step, and joints that hold a hundredfold mass") {
+  CHECK(std::log2(error_of<Avbd>("pendulum", 8, 4) / error_of<Avbd>("pendulum", 16, 4)) == Approx(1).margin(0.1));
+  World world;
+  motion_named("chain").begin(world);
+  Avbd solver;
+  Real farthest = 0;
+  for (int i = 0; i < 120 * 16; ++i) {
+    world.step(solver, h / 16, 4);
+    farthest = std::max(farthest, joints_scenes::largest_joint_error(world));
+  }
+  CHECK(farthest < Real(0.01));
+}
+
+TEST_CASE("avbd: settings that cannot be are refused by name") {
+  World world;
+  ball_on_ground(world, 0);
+  const auto refused = [&](const std::string& name, const auto& spoil) {
+    Avbd solver;
+    spoil(solver);
+    const std::string message = complaint([&] { world.step(solver, h); });
+    INFO(message);
+    CHECK(message.find(name) != std::string::npos);
+  };
+  refused("part of an old error that is kept is 2", [](Avbd& solver) { solver.error_kept = 2; });
+  refused("part of a penalty that is kept is -1", [](Avbd& solver) { solver.penalty_kept = -1; });
+  refused("least penalty is 0", [](Avbd& solver) { solver.least_penalty = 0; });
+  refused("largest penalty is 0.5", [](Avbd& solver) { solver.most_penalty = Real(0.5); });
+  refused("growth of penalties is -1", [](Avbd& solver) { solver.growth = -1; });
+  refused("margin is -1", [](Avbd& solver) { solver.margin = -1; });
+}

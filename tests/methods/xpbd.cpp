@@ -1,0 +1,151 @@
+/// Extended position based dynamics: what it gets right, and what it does not.
+#include "pushback/chapters/13_joints/scenes.h"
+#include "pushback/common/world/measure.h"
+#include "tests/methods/played.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+#include "tests/support/on_ground.h"
+
+using namespace pushback;
+using namespace pushback::joints_scenes;
+
+namespace {
+
+/// Contacts are detected before the bodies move, as step.h has it.
+struct DetectedBefore : Xpbd {
+  void whole_step(World& world, Real dt, int sweeps) override { StepSolver::whole_step(world, dt, sweeps); }
+};
+
+}  // namespace
+
+TEST_CASE("xpbd: substeps are steps of their own") {
+  World divided, in_steps;
+  for (World* world : {&divided, &in_steps}) stack(*world, 3);
+  Xpbd eight, one;
+  eight.substeps = 8;
+  for (int i = 0; i < 20; ++i) divided.step(eight, h);
+  for (int i = 0; i < 160; ++i) in_steps.step(one, h / 8);
+  CHECK(hash_of(divided) == hash_of(in_steps));
+}
+
+TEST_CASE("xpbd: a contact's impulse is the sum over the substeps, and the last one's is kept beside it") {
+  World world;
+  ball_on_ground(world, 0);
+  Xpbd solver;
+  solver.substeps = 8;
+  for (int i = 0; i < 3; ++i) world.step(solver, h);
+  REQUIRE(world.contacts.size() == 1);
+  CHECK(world.contacts[0].impulse.y() == Approx(10 * g * h).epsilon(tiny));
+  CHECK(world.contacts[0].last_impulse.y() == Approx(10 * g * h / 8).epsilon(tiny));
+}
+
+TEST_CASE("xpbd: an overlap is gone after one step, and has become no speed") {
+  for (const Real depth : {Real(0.001), Real(0.05), Real(0.25)}) {
+    World world;
+    world.gravity.setZero();
+    const Body& ball = ball_on_ground(world, depth);
+    Xpbd solver;
+    world.step(solver, h);
+    CHECK(std::abs(depth_of(ball)) < 8 * eps);
+    CHECK(largest_speed(world) < 64 * eps);
+  }
+}
+
+TEST_CASE("xpbd: the bounce is e times the speed before the step, to the last digit") {
+  World world;
+  Body& ball = ball_on_ground(world, Real(-0.01)).bouncy(Real(0.8)).moving({0, -3, 0});
+  Xpbd solver;
+  world.step(solver, h);
+  CHECK(ball.velocity.y() == Approx(2.4).epsilon(4 * eps));
+  CHECK(std::abs(depth_of(ball)) < 8 * eps);
+}
+
+// Normal impulses of the pass over velocities carry no friction: with the corners of a sliding box they are 8 % of all.
+TEST_CASE("xpbd: a box that slides stops 0.3 m too late, however short the step, since its friction is too small") {
+  CHECK(error_of<Xpbd>("sliding", 16, 1) == Approx(0.3).margin(0.01));
+  if (in_double) CHECK(error_of<Xpbd>("sliding", 64, 1) == Approx(0.3).margin(0.01));
+  World world;
+  motion_named("sliding").begin(world);
+  auto solver = made<Xpbd>();
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < 400; ++i) {  // it slides for another 300
+    world.step(solver, h / 16);
+    for (const Contact& at : world.contacts) sum += at.impulse;
+  }
+  CHECK(std::abs(sum.y()) == Approx(100 * g * 400 * h / 16).epsilon(0.01));
+  CHECK(std::hypot(sum.x(), sum.z()) / std::abs(sum.y()) == Approx(0.46).margin(0.01));  // mu is 0.5
+}
+
+TEST_CASE("xpbd: a box at rest stays where it is, without a warm start, and a stack of ten stands") {
+  World world;
+  stack(world, 1);
+  Xpbd solver;
+  solver.substeps = 16;
+  for (int i = 0; i < 300; ++i) world.step(solver, h);
+  CHECK((world.bodies[1].position - Vec3(0, Real(0.5), 0)).norm() < Real(1e-5));
+  CHECK(error_of<Xpbd>("stack-10", 16, 1) < 0.2);
+}
+
+// So slowly that friction of the positions acts in each substep: a belt's point has moved, though the belt's body has not. A ball gets
+// 2/7 of the belt's speed, and the rest as spin.
+TEST_CASE("xpbd: a slow conveyor carries a ball") {
+  constexpr Real belt = Real(0.002);  // m/s
+  World world;
+  world.add(box({5, Real(0.5), 5}, 1).fixed().at({0, Real(-0.5), 0}).conveying({belt, 0, 0}));
+  world.add(sphere(Real(0.5), 100).at({0, Real(0.5), 0}));
+  Xpbd solver;
+  solver.substeps = 16;
+  for (int i = 0; i < 120; ++i) world.step(solver, h);
+  CHECK(world.bodies[1].position.x() == Approx(2 * belt * 2 / 7).epsilon(in_double ? 0.02 : 0.2));
+}
+
+TEST_CASE("xpbd: joints of a chain under a hundredfold mass open by a millimetre, cold, in one sweep") {
+  World world;
+  motion_named("chain").begin(world);
+  Xpbd solver;
+  solver.substeps = 64;
+  Real farthest = 0;
+  for (int i = 0; i < 120; ++i) {
+    world.step(solver, h);
+    farthest = std::max(farthest, largest_joint_error(world));
+  }
+  CHECK(farthest < Real(1.5e-3));
+}
+
+TEST_CASE("xpbd: a hinge and a weld hold") {
+  World world;
+  door_and_weld(world);
+  Xpbd solver;
+  solver.substeps = 16;
+  for (int i = 0; i < 180; ++i) {
+    world.step(solver, h);
+    REQUIRE(largest_joint_error(world) < Real(0.01));
+  }
+}
+
+TEST_CASE("xpbd: in the order of step.h it falls, bounces and comes to rest, too") {
+  CHECK(error_of<DetectedBefore>("bounce", 16, 1) < 0.06);
+  World world;
+  ball_on_ground(world, 0);
+  DetectedBefore solver;
+  for (int i = 0; i < 60; ++i) world.step(solver, h);
+  CHECK(std::abs(depth_of(world.bodies[1])) < tiny);
+}
+
+TEST_CASE("xpbd: settings that cannot be are refused by name, and so is a joint with a softness") {
+  World world;
+  ball_on_ground(world, 0);
+  const auto refused = [&](const auto& spoil) {
+    Xpbd solver;
+    spoil(solver);
+    return complaint([&] { world.step(solver, h); });
+  };
+  CHECK(refused([](Xpbd& solver) { solver.substeps = 0; }).find("substeps is 0") != std::string::npos);
+  CHECK(refused([](Xpbd& solver) { solver.threshold = -1; }).find("threshold is -1") != std::string::npos);
+  CHECK(refused([](Xpbd& solver) { solver.margin = -1; }).find("margin is -1") != std::string::npos);
+  world.joints.push_back(
+      {"a spring", the_world, 1, [](const Body&, const Body&, const TimeStep&, Equations& equations) {
+         equations.push_back({.jacobian = {.n = Vec3::UnitX()}, .softness = 1});
+       }});
+  CHECK(refused([](Xpbd&) {}).find("a spring is a joint with") != std::string::npos);
+}

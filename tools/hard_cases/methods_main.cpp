@@ -1,0 +1,100 @@
+/// The hard cases under the methods of tools/methods: a table of its own, for docs/methods.md.
+#include <thread>
+
+#include "pushback/chapters/11_substeps/substeps.h"
+#include "pushback/common/basics/files.h"
+#include "pushback/common/experiment/program.h"
+#include "pushback/tools/hard_cases/table.h"
+#include "pushback/tools/methods/methods.h"
+
+using namespace pushback;
+
+namespace {
+
+/// In substeps, each of so many sweeps; from one start, as it is.
+template <class ContactSolver>
+Stage stage(const std::string& name, int substeps, int sweeps) {
+  ContactSolver solver;
+  if constexpr (requires { solver.slop; }) solver.slop = Real(1e-4);  // as in the study
+  Stage made{{name, "", solver, {}}};
+  if constexpr (std::same_as<ContactSolver, Xpbd>) {
+    solver.substeps = substeps;
+    made.solver = solver;
+  } else {
+    made.solver = Substeps<ContactSolver>(solver, substeps, sweeps);
+  }
+  made.most_starts = 1;
+  return made;
+}
+
+std::vector<Stage> compared() {
+  using Cone = Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>;
+  return {stage<Cone>("slim", 4, 4),           stage<Xpbd>("xpbd", 16, 1),        stage<Avbd>("avbd", 4, 4),
+          stage<ExactSolver>("exact", 4, 4),   stage<BlockSolver>("block", 4, 4), stage<ShockSolver>("shock", 4, 4),
+          stage<ConjugateSolver>("nncg", 4, 4)};
+}
+
+/// Whether all numbers are, whatever invariant broke.
+bool within_limits(const Table& table, std::size_t row, std::size_t column) {
+  Outcome outcome = table.at(row, column);
+  outcome.broken.clear();
+  return outcome.passed(table.cases[row]);
+}
+
+/// A row a case: a check mark, or the number that is furthest beyond its limit and the invariant that broke. First how many pass, and
+/// in how many the numbers alone are within their limits.
+std::string page_of(const Table& table) {
+  std::string text = "| case |", rule = "| --- |", sums = "| *passed* |", alone = "| *the numbers alone* |";
+  for (std::size_t column = 0; column < table.stages.size(); ++column) {
+    int passed = 0, within = 0;
+    for (std::size_t row = 0; row < table.cases.size(); ++row) {
+      passed += table.passed(row, column) ? 1 : 0;
+      within += within_limits(table, row, column) ? 1 : 0;
+    }
+    alone += fmt::format(" {} |", within);
+    text += fmt::format(" `{}` |", table.stages[column].name);
+    rule += " --- |";
+    sums += fmt::format(" {} of {} |", passed, table.cases.size());
+  }
+  text += "\n" + rule + "\n" + sums + "\n" + alone + "\n";
+  for (std::size_t row = 0; row < table.cases.size(); ++row) {
+    text += fmt::format("| {} |", table.cases[row].title);
+    for (std::size_t column = 0; column < table.stages.size(); ++column) {
+      const Outcome& outcome = table.at(row, column);
+      const bool refused = outcome.broken.find("joints") != std::string::npos;  // none, or none with bounds
+      text += table.passed(row, column) ? " ✓ |"
+              : refused                 ? " refused |"
+              : outcome.broken.empty()
+                  ? fmt::format(" {} |", worst_number(table, row, column))
+                  : fmt::format(" {}, {} |", worst_number(table, row, column), in_a_word(outcome.broken));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CommandLine line("The hard cases under the methods of docs/methods.md.");
+  std::string out = "renders";
+  bool redraw = false;
+  line.option("--out", out, "The folder to write to, into methods/ in it").shows_default();
+  line.flag("--redraw", redraw, "Nothing is played: the page of what is in cases.csv");
+  return line.run(argc, argv, [&] {
+    const std::filesystem::path folder = std::filesystem::path(out) / "methods";
+    make_writable_folder(folder);
+    if (redraw)
+      return write_text_file(folder / "cases.md",
+                             page_of(read_table_csv(read_text_file(folder / "cases.csv"), compared())));
+    const Table table =
+        play(hard_cases(), compared(), static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
+             [](const Table& so_far, std::size_t, std::size_t done) {
+               fmt::print("\r{} of {}", done, so_far.outcomes.size());
+               std::fflush(stdout);
+             });
+    write_text_file(folder / "cases.csv", table_csv(table));
+    write_text_file(folder / "cases.md", page_of(table));
+    fmt::print("\n{}\n", page_of(table));
+  });
+}
