@@ -5,6 +5,10 @@
 function(add_pushback_test name)
   add_executable(test_${name} ${ARGN})
   target_link_libraries(test_${name} PRIVATE pushback_settings Catch2::Catch2WithMain)
+  list(LENGTH ARGN count)
+  if(count GREATER 1)  # as one: they instantiate the same templates
+    set_target_properties(test_${name} PROPERTIES UNITY_BUILD ${PUSHBACK_TOGETHER} UNITY_BUILD_BATCH_SIZE 0)
+  endif()
   if(name IN_LIST not_for_sanitizers AND PUSHBACK_SANITIZE)
     return()
   endif()

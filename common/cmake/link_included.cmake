@@ -76,6 +76,26 @@ function(included_libraries result own)  # included_libraries(RESULT OWN FILE...
   set(${result} ${libraries} PARENT_SCOPE)
 endfunction()
 
+function(included_sources result folder)  # included_sources(RESULT FOLDER FILE...): those below it, by what these files include, and so on
+  set(queue ${ARGN})
+  set(seen "")
+  set(sources "")
+  while(queue)
+    list(POP_FRONT queue file)
+    if(file IN_LIST seen OR NOT EXISTS ${PROJECT_SOURCE_DIR}/${file})
+      continue()
+    endif()
+    list(APPEND seen ${file})
+    if(file MATCHES "^${folder}/.*\\.cpp$")
+      list(APPEND sources ${PROJECT_SOURCE_DIR}/${file})
+    endif()
+    includes_of(included ${file})
+    string(REGEX REPLACE "\\.h$" ".cpp" source ${file})
+    list(APPEND queue ${included} ${source})
+  endwhile()
+  set(${result} ${sources} PARENT_SCOPE)
+endfunction()
+
 function(link_included)  # link_included(FOLDER...): the targets of these folders link the libraries that their sources include
   know_sources(common ${ARGN})
   foreach(folder IN LISTS ARGN)

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "pushback/common/basics/input.h"
+#include "pushback/common/basics/shortest_turn.h"
+#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/step_solver.h"
@@ -400,4 +402,18 @@ TEST_CASE("a ball turns by its spin times the time") {
   for (int i = 0; i < 1000; ++i) spin_freely(ball, Real(0.001));
   const Vec3 turned = ball.orientation * Vec3::UnitX();
   REQUIRE(std::atan2(turned.y(), turned.x()) == Approx(2).epsilon(1e-5));
+}
+
+TEST_CASE("the shortest turn takes one direction to another, about an axis perpendicular to both") {
+  constexpr Real rounding = in_double ? Real(1e-7) : Real(2e-3);  // the root of eps, of opposite ones
+  Random random(3);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 from = random.direction(), other = random.direction();
+    for (const Vec3& to : {other, from, Vec3(-from)}) {
+      const Quat turn = shortest_turn(2 * from, to);
+      REQUIRE(std::abs(turn.norm() - 1) < rounding);
+      REQUIRE((turn * from - to).norm() < rounding);
+      REQUIRE(std::abs(turn.vec().dot(from)) < rounding);
+    }
+  }
 }

@@ -10,6 +10,7 @@
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/common/basics/shortest_turn.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/collision/broad_phase.h"
 #include "pushback/common/collision/collide.h"
@@ -748,7 +749,7 @@ TEST_CASE("a corner on which a stone stands gives way to none that is merely wit
     body.index = 1;
     const Polyhedron& solid = *std::get<Hull>(body.shape).solid;
     const auto& face = solid.faces[random.below(solid.faces.size())];
-    body.oriented(Quat::FromTwoVectors(face.normal, -Vec3::UnitY())).at({0, face.offset - Real(1e-5), 0});
+    body.oriented(shortest_turn(face.normal, -Vec3::UnitY())).at({0, face.offset - Real(1e-5), 0});
     Contacts touching, near;
     collide(plane, body, touching);
     collide(plane, body, near, {.least = Real(0.2)});

@@ -53,8 +53,9 @@ inline void ball(World& world) {
 
 }  // namespace pushback::trial_scenes
 END
+# The library of chapter 20, which it includes, is linked by that alone, and soon compiled.
 cat >"$folder/main.cpp" <<END
-#include "pushback/chapters/27_which_error/presets.h"
+#include "pushback/chapters/20_only_what_is_needed/questions.h"
 #include "pushback/chapters/$name/pushed_apart.h"
 #include "pushback/chapters/$name/scenes.h"
 #include "pushback/common/experiment/experiment.h"
@@ -67,11 +68,12 @@ int main(int argc, char** argv) {
   e.parameter({"--speed", "v", "m/s", "How fast bodies leave each other", 0, 2}, &pushed.speed);
   return e.run(argc, argv, [&] {
     e.scene({.name = "a ball", .fill = trial_scenes::ball, .seconds = 1});
-    e.variant("recommended", Recommended{}).with_exactly(1);
+    e.variant("held", Solver<Clamping>{});
     Solver<Clamping, PushedApart> solver;
     solver.speed = pushed.speed;
     e.variant("pushed apart", solver);
     e.number("speed at the end", "m/s", [](const Run& run) { return run.world.bodies[1].velocity.norm(); });
+    e.number("friction is called for", "", [](const Run& run) { return Rubbing::in(run.world).yes ? 1 : 0; });
   });
 }
 END
@@ -160,7 +162,7 @@ cmake --build build -j 2 --target "$name" catalogue >../log 2>&1 || { cat ../log
 "build/programs/$name" --seconds 0.1 --frames 3 --size 176x99 >../log 2>&1 || { cat ../log; wrong "it does not run"; }
 ./course help | grep -q "$name" || wrong "./course does not know it"
 bash tests/project/readme_numbers.sh --write >../log 2>&1 || { cat ../log; wrong "its page has no place for its numbers"; }
-grep -q '^| .*recommended' "$folder/README.md" || wrong "its numbers are not on its page"
+grep -q '^| .*pushed apart' "$folder/README.md" || wrong "its numbers are not on its page"
 for test in pages links; do
   "$built/tests/test_$test" >../log 2>&1 || { cat ../log; wrong "the test of $test does not accept it"; }
 done

@@ -1,8 +1,10 @@
 /// ./course exercise, as a student calls it.
+#include <atomic>
 #include <csignal>
 #include <thread>
 
 #include "pushback/tools/classroom/all_exercises.h"
+#include "pushback/tools/classroom/student_files.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
 
@@ -151,6 +153,7 @@ TEST_CASE("a new folder has the exercises that are asked for, and no other") {
 TEST_CASE("watched, a file is checked at each save") {
   Student student;
   student.write(lines_of_the_gap(slop()));
+  std::atomic<bool> written = false;
   std::jthread hand([&] {
     std::this_thread::sleep_for(std::chrono::seconds(2));
     fs::remove(student.scratch / "04_slop.h");            // as some editors save
@@ -158,9 +161,16 @@ TEST_CASE("watched, a file is checked at each save") {
     std::this_thread::sleep_for(std::chrono::seconds(1));
     fs::remove(student.scratch / "04_slop.h");
     student.write(right);
+    written = true;
   });
-  const Ended ended = run_program({EXERCISE_PROGRAM, "04", "--watch", "--in", (student.scratch / "").string()}, 20);
-  CHECK(ended.status == 124);  // it goes on until it is interrupted
+  int seen_solved = 0;  // seconds since
+  const auto interrupt = [&](int process) {
+    if (written && StudentFiles(student.scratch / "").solved(slop()) && ++seen_solved == 3) ::kill(process, SIGINT);
+    return std::chrono::milliseconds(1000);
+  };
+  const Ended ended =
+      run_program({EXERCISE_PROGRAM, "04", "--watch", "--in", (student.scratch / "").string()}, 60, "", interrupt);
+  CHECK(ended.signal == SIGINT);  // it goes on until it is interrupted
   CHECK(contains(ended.out, "Nothing is written yet."));
   CHECK(contains(ended.out, "Solved."));
   CHECK(ended.out.find("Nothing is written yet.") < ended.out.find("Solved."));

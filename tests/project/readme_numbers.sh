@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The tables of measured numbers in the chapters' READMEs, and in the pages on accuracy and time, on the benchmark and on which solver to take, are copies of what the
+# The tables of measured numbers in the chapters' READMEs, and in the pages on accuracy and time, on the benchmark, on other methods and on which solver to take, are copies of what the
 # programs wrote into renders/: this test compares them. So are the differences in code, which differences.sh writes there.
 #   tests/project/readme_numbers.sh           fails, with the difference, where a page is not up to date
 #   tests/project/readme_numbers.sh --write   brings every page up to date
@@ -20,9 +20,10 @@ else
     failed=$((failed + 1))
   done
 fi
-for readme in chapters/[0-9][0-9]_*/README.md docs/accuracy_and_time.md docs/benchmark.md docs/which_solver.md; do
+for readme in chapters/[0-9][0-9]_*/README.md docs/accuracy_and_time.md docs/benchmark.md docs/methods.md docs/which_solver.md; do
   name=$(basename "$(dirname "$readme")")
   [[ $readme != docs/accuracy_and_time.md && $readme != docs/benchmark.md ]] || name=19_accuracy_and_time
+  [[ $readme != docs/methods.md ]] || name=methods
   [[ $readme != docs/which_solver.md ]] || name=26_to_each_its_own
   numbers=renders/$name
   wanted=$(awk -v folder="$numbers" '

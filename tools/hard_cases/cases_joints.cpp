@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
+#include "pushback/common/basics/shortest_turn.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/hard_cases/cases.h"
@@ -35,7 +36,7 @@ constexpr Real link_length = Real(0.5), chain_length = links * link_length;  // 
 
 /// Links of 1 kg from the origin along `way`, on balls and sockets, and a load at the last.
 void chain(World& world, const Vec3& way, Body load, Real from_end) {
-  const Quat turned = Quat::FromTwoVectors(Vec3::UnitY(), way);
+  const Quat turned = shortest_turn(Vec3::UnitY(), way);
   for (int i = 0; i < links; ++i) {
     const Real along = link_length * static_cast<Real>(i);
     Body link = capsule(Real(0.05), Real(0.2), 1).at((along + link_length / 2) * way);

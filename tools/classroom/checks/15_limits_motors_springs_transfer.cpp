@@ -1,5 +1,6 @@
 #include "pushback/chapters/13_joints/distance.h"
 #include "pushback/chapters/15_limits_motors_springs/exercise/transfer/asked.h"
+#include "pushback/common/basics/shortest_turn.h"
 #include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_15_transfer {
@@ -42,7 +43,7 @@ struct Rods {
                                     [&](const Joint& joint) { return joint.b == static_cast<int>(ball); });
       const Vec3 along = held ? away[ball] : (away[ball] + 2 * tangents_of(away[ball]).tangent1).normalized();
       Body rod = box({Real(0.02), Real(0.5), Real(0.02)}, 1).at(beginning_of(ball) + along / 2);
-      rod.orientation = Quat::FromTwoVectors(Vec3::UnitY(), along);
+      rod.orientation = shortest_turn(Vec3::UnitY(), along);
       seen.add(rod);
     }
     return seen;

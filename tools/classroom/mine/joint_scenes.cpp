@@ -118,7 +118,7 @@ Numbers is_limited(Random& random, const WholeSolver& answer) {
   return solved_once(random, answer, {.error = gap(random), .force = random.between(Real(0.1), Real(0.3))});
 }
 
-Numbers relaxes(Random& random, const WholeSolver& answer) {
+Numbers joint_relaxes(Random& random, const WholeSolver& answer) {
   Joined joined(random, {.error = gap(random), .bias = random.between(Real(0.2), 1)});
   joined.substep(*answer.make(), few(random));
   return numbers_of(joined);
@@ -248,7 +248,7 @@ std::vector<CheckOfChapter> checks_of_joints() {
       {13, all, {"an equation between two turns", 1, joined, holds_turn}},
       {13, all, {"a soft equation gives way", 1, joined, springs}},
       {13, all, {"no joint is stronger than its limits", 1, joined, is_limited}},
-      {13, {14}, {"once bodies have moved, what closed the gap is gone", 1, joined, relaxes}},
+      {13, {14}, {"once bodies have moved, what closed the gap is gone", 1, joined, joint_relaxes}},
       {13, all, {"and what a spring has added is not", 1, joined, spring_stays}},
       {13,
        all,

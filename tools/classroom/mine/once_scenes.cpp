@@ -28,7 +28,7 @@ Numbers stops(Random& random, const WholeSolver& answer) {
   return {ball.height(), ball.body().velocity.y(), ball.pushed()};
 }
 
-Numbers bounces(Random& random, const WholeSolver& answer) {
+Numbers bounces_once(Random& random, const WholeSolver& answer) {
   Ball ball = arriving(random);
   ball.body().bouncy(random.between(Real(0.4), Real(0.9)));
   ball.step(*answer.make(), 1);
@@ -87,7 +87,7 @@ Numbers pile_meets(Random& random, const WholeSolver& answer) {
   return numbers_of(pile);
 }
 
-Numbers lumps_slide(Random& random, const WholeSolver& answer) {
+Numbers lumps_slide_on(Random& random, const WholeSolver& answer) {
   Pair pair(random, meeting(random));
   pair.h = 1 / random.between(1900, 4000);
   pair.slide(random.between(1, 6) * random.direction().cross(pair.contact().normal).normalized());
@@ -135,7 +135,7 @@ std::vector<CheckOfChapter> checks_of_detected_once() {
          {"that it detects what is still apart, 1 or 0, your plan says with", "", 0.5}},
         planned_once}},
       {21, all, {"a ball that arrives in the midst of a step stops at the surface", 1, {height, speed, pushed}, stops}},
-      {21, all, {"a ball that bounces in the midst of a step does so once", 1, {height, speed, pushed}, bounces}},
+      {21, all, {"a ball that bounces in the midst of a step does so once", 1, {height, speed, pushed}, bounces_once}},
       {21,
        all,
        {"a ball at rest is borne, and its contact says by how much",
@@ -168,7 +168,7 @@ std::vector<CheckOfChapter> checks_of_detected_once() {
       {21, all, {"a pile of three boxes that meet with any velocities", 1, of_a_pile(), pile_meets}},
       {21,
        all,
-       {"bodies of any shape slide as the cone says, before and after they have moved", 1, sliding, lumps_slide}},
+       {"bodies of any shape slide as the cone says, before and after they have moved", 1, sliding, lumps_slide_on}},
       {21,
        all,
        {"a guess stays within the cone of the normal of now",
