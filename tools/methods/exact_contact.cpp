@@ -24,7 +24,7 @@ ExactContact::ExactContact(const Mat3& w, Real mu) : w_(w), inverse_(w.inverse()
 
 Vec3 ExactContact::solve(const Vec3& q) const {
   if (q.x() >= 0) return Vec3::Zero();
-  const Vec3 sticking = -(inverse_ * q);
+  Vec3 sticking = -(inverse_ * q);
   if (sticking.tail<2>().norm() <= mu_ * sticking.x()) return sticking;
   const Vec2 pull = axes_.transpose() * q.tail<2>() - coupled_ * (q.x() / w_(0, 0));  // q'
   Vec2 r_t;
