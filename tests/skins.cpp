@@ -2,11 +2,11 @@
 #include <algorithm>
 
 #include "pushback/chapters/20_only_what_is_needed/sleep.h"
-#include "pushback/common/bodies/random.h"
 #include "pushback/common/collision/collide.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/tools/catalogue/solvers.h"
+#include "tests/support/any_shape.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/yardstick.h"
@@ -14,13 +14,6 @@
 using namespace pushback;
 
 namespace {
-
-Body any_shape(Random& random) {
-  if (random.below(4) > 0) return random.body(1);
-  std::vector<Vec3> points;
-  for (int i = 0; i < 8; ++i) points.push_back(random.direction());
-  return hull(points, 1);
-}
 
 constexpr Real exact = in_double ? Real(1e-12) : Real(1e-4);
 

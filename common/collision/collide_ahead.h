@@ -41,10 +41,13 @@ void look_ahead(const TouchAt& touch_at, const Vec3& way, Real grazes, Real part
     }
   }
   if (!near(then)) return;
-  if (then.normal == found.normal) {
-    if (then.passes) found.count = 0, found.passes = true;
+  if (then.passes) {
+    found.count = 0;
+    found.passes = true;
     return;
   }
+  // Those that overlap along that normal by now are kept apart by another one, and do not touch on this way: nothing may push them.
+  if (then.normal == found.normal || then.overlap - t * closing(then) > grazes) return;
   for (int i = 0; i < then.count; ++i) {
     then.touches[i].point -= part_of_second * t * way;
     then.touches[i].depth -= t * closing(then);

@@ -1,6 +1,9 @@
 /// Tiles that lie flush are as one plane: to what slides and to what rolls, and in whatever direction.
 #include <cmath>
 
+#include "pushback/chapters/04_slop/slop.h"
+#include "pushback/chapters/08_friction_cone/friction_cone.h"
+#include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/bodies/random.h"
@@ -12,6 +15,9 @@ using namespace pushback;
 namespace {
 
 constexpr Real half_side = Real(0.2), mu = Real(0.2), tile = Real(0.25);
+
+/// Chapter 11's: in each substep, and without a margin.
+using DetectedOften = Substeps<Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>;
 
 enum class Kind { box, ball, hull };
 
@@ -83,10 +89,12 @@ void is_one_plane(Kind kind, Real off_at_most) {
 }  // namespace
 
 TEST_CASE("wide: a box slides over tiles that lie flush as on one plane") {
+  is_one_plane<DetectedOften>(Kind::box, Real(1e-3));
   is_one_plane<Wide<Real>>(Kind::box, Real(1e-3));
   is_one_plane<DetectedOnce>(Kind::box, Real(1e-3));
 }
 TEST_CASE("wide: a hull slides over tiles that lie flush as on one plane") {
+  is_one_plane<DetectedOften>(Kind::hull, Real(1e-3));
   is_one_plane<Wide<Real>>(Kind::hull, Real(1e-3));
 }
 TEST_CASE("wide: a ball rolls over tiles that lie flush as on one plane") {

@@ -3,25 +3,14 @@
 
 #include <algorithm>
 
-#include "pushback/common/bodies/random.h"
 #include "pushback/common/collision/broad_phase.h"
 #include "pushback/common/collision/collide.h"
 #include "pushback/common/world/situations.h"
+#include "tests/support/any_shape.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
-
-namespace {
-
-Body any_shape(Random& random) {
-  if (random.below(4) > 0) return random.body(1);
-  std::vector<Vec3> points;
-  for (int i = 0; i < 8; ++i) points.push_back(random.direction());
-  return hull(points, 1);
-}
-
-}  // namespace
 
 TEST_CASE("margin: two bodies moved apart along the normal touch at the same points, by so much less deep") {
   Random random(1);
