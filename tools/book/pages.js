@@ -181,13 +181,24 @@ function gallery({ pictures, pages }) {
   };
 }
 
+/// Beside a source are the pages in which it is read, and the front page, not the whole course: there are five hundred sources.
+const besideSource = (readIn, front) => [
+  ...(readIn.length ? [{ name: "Read in", pages: readIn }] : []),
+  { name: "The book", pages: [front] },
+];
+
 function sourcePages(book, root) {
+  const front = short(described(book.pages.find(({ file }) => file === "README.md")));
   const shown = new Map(book.sources.map((source) => [source.file, source]));
   const common = ({ file, address, readIn = [] }) => {
     const folder = path.posix.dirname(file);
     return {
       file,
       address,
+      course: besideSource(
+        readIn.map((page) => short(described(page))),
+        front,
+      ),
       readIn: readIn.map(short),
       folder: folder === "." ? "" : `${folder}/`,
       title: path.posix.basename(file),

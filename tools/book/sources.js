@@ -26,17 +26,35 @@ const include = /^#include "(?:pushback\/)?([^"]+)"/gm;
 export const escaped = (text) =>
   text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;").replace(/"/g, "&quot;");
 
+/// What the highlighter tells apart, by the letter of its colour (book.css): a hundred thousand of them are in the book.
+const colours = {
+  c: ["comment", "quote"],
+  k: ["keyword", "literal"],
+  f: ["title", "title function_", "built_in", "attr"],
+  t: ["type", "title class_", "title class_ inherited__"],
+  s: ["string", "regexp"],
+  n: ["number", "symbol", "variable", "variable language_"],
+  m: ["meta"],
+  d: ["doctag"],
+};
+const letters = new Map(
+  Object.entries(colours).flatMap(([letter, kinds]) => kinds.map((kind) => [`hljs-${kind}`, letter])),
+);
+
 /// The lines of the code, as HTML of their own: what a highlighter opens over an end of line is closed there and opened again.
+/// What has no colour of its own has no element.
 export function highlightedLines(code, language) {
   const html = hljs.getLanguage(language) ? hljs.highlight(code, { language }).value : escaped(code);
   const open = [];
+  const coloured = (tag, kind) => {
+    if (tag === "</span>") return open.pop() && tag;
+    open.push(letters.has(kind) ? `<span class="${letters.get(kind)}">` : "");
+    return open.at(-1);
+  };
   return html.split("\n").map((line) => {
     const before = open.join("");
-    for (const [tag] of line.matchAll(/<span[^>]*>|<\/span>/g)) {
-      if (tag === "</span>") open.pop();
-      else open.push(tag);
-    }
-    return before + line + "</span>".repeat(open.length);
+    const inside = line.replace(/<span class="([^"]*)">|<\/span>/g, coloured);
+    return before + inside + "</span>".repeat(open.filter(Boolean).length);
   });
 }
 
@@ -71,7 +89,7 @@ export function sourceLines(root, file, link) {
   const lines = highlightedLines(fs.readFileSync(path.join(root, file), "utf8").trimEnd(), languageOf(file));
   return lines.map((line) =>
     line.replace(
-      /(<span class="hljs-string">&quot;)((?:pushback\/)?([^&]+))(&quot;<\/span>)/,
+      /(<span class="s">&quot;)((?:pushback\/)?([^&]+))(&quot;<\/span>)/,
       (all, open, name, included, close) => {
         const target = line.includes("include") && link(included);
         return target ? `${open}<a href="${target}">${name}</a>${close}` : all;
