@@ -220,6 +220,19 @@ void NewtonFromGuess::give(World& world, const State& state) const {
     std::tie(world.bodies[i].velocity, world.bodies[i].angular_velocity) = state.velocities[i];
 }
 
+/// A leap can go far, and what is rounded off there would stay in the velocities, though the impulses come back: momentum would
+/// not be kept. So velocities are once more those of the begin and what the impulses have changed by.
+void NewtonFromGuess::come_back_from(World& world, const State& begun) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+    std::tie(world.bodies[i].velocity, world.bodies[i].angular_velocity) = begun.velocities[i];
+  auto impulse = begun.impulses.begin();
+  for (const Group& group : groups_)
+    for (int i = 0; i < group.count; ++i) {
+      const Row& row = *group.rows[std::size_t(i)];
+      group.rows[std::size_t(i)]->apply(row.impulse - *impulse++);
+    }
+}
+
 bool NewtonFromGuess::solve(World& world, double enough, double just) {
   constexpr int most_steps = 60, most_leaps = 12;
   constexpr double well = 0.1;  // what |f| falls to where the matrix may be kept
@@ -227,10 +240,12 @@ bool NewtonFromGuess::solve(World& world, double enough, double just) {
   if (total.largest <= enough) return true;
   find_places(world);
   keep(world, best_);
+  const State begun = best_;
   Total best = total;
   double pull = total.largest < near ? 1e-5 : 1e-3;
   bool kept = has_matrix();
-  for (int step = 0, leaps = 0; step < most_steps && work > 0; ++step) {
+  int leaps = 0;
+  for (int step = 0; step < most_steps && work > 0; ++step) {
     if (!kept) {
       if (!factor(pull)) break;
       pull = std::max(pull / 10, 1e-7);
@@ -263,6 +278,7 @@ bool NewtonFromGuess::solve(World& world, double enough, double just) {
     kept = fallen <= well;
   }
   give(world, best_);
+  if (leaps > 0) come_back_from(world, begun);
   return best.largest <= enough;
 }
 

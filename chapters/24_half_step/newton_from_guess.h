@@ -79,6 +79,7 @@ class NewtonFromGuess {
   static void move(const Group& group, double part);
   void keep(const World& world, State& state) const;
   void give(World& world, const State& state) const;
+  void come_back_from(World& world, const State& begun);
 
   std::vector<Group> groups_;
   std::vector<Kept> kept_;

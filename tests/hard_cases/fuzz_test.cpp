@@ -42,3 +42,9 @@ TEST_CASE("fuzz: random scenes have every shape, and hulls of 4 to 12 corners am
 TEST_CASE("fuzz: a stage that nobody keeps books for is refused") {
   CHECK_THROWS_AS(fuzz(random_scene(1), "06 friction"), InvalidInput);
 }
+
+TEST_CASE("fuzz: Newton's method may leap far and come back, and momentum is kept") {
+  const Finding finding = fuzz(random_scene(1738), "26 by island");  // two bodies 1,700 km from the origin
+  INFO(finding.broken);
+  CHECK(finding.broken.empty());
+}
