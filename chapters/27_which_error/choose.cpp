@@ -1,6 +1,6 @@
-/// ./course choose: a scene within an error that is asked for, what it takes, and what it was.
+#include "pushback/chapters/27_which_error/choose.h"
+
 #include <chrono>
-#include <filesystem>
 #include <map>
 
 #include "pushback/chapters/27_which_error/scenes.h"
@@ -10,14 +10,14 @@
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/common/experiment/sheet.h"
+#include "pushback/common/experiment/words.h"
 #include "pushback/common/render/painter.h"
 #include "pushback/common/render/palette.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/adapters/scene_json.h"
-#include "pushback/tools/catalogue/catalogue.h"
 
-using namespace pushback;
-using namespace pushback::which_error_scenes;
+namespace pushback {
+
+using namespace which_error_scenes;
 
 namespace {
 
@@ -246,10 +246,12 @@ void tell(const Played& played, const std::vector<Real>& off, Real error, const 
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  std::vector<NamedScene> scenes = all_scenes();
-  scenes.push_back({"26-yard", to_each_its_own_scenes::Yard{}});
-  scenes.push_back({"26-chain", to_each_its_own_scenes::Chain{}});
+int choose(const std::vector<Scene>& scenes, int argc, const char* const* argv) {
+  return choose_or_read(scenes, {}, argc, argv);
+}
+
+int choose_or_read(const std::vector<Scene>& scenes, const std::function<World(const std::filesystem::path&)>& read,
+                   int argc, const char* const* argv) {
   CommandLine line(
       "A scene within an error: which steps each island of it takes, what that costs, and how far off it then is.");
   std::string name, error_text = "1mm", budget_text;
@@ -257,7 +259,8 @@ int main(int argc, char** argv) {
   int finer = 64;
   std::filesystem::path out = "renders/here";
   bool no_images = false;
-  line.option("scene", name, "A scene, or a file of one in JSON: NAME.json").required();
+  auto which = line.option("scene", name, read ? "A scene, or a file of one in JSON: NAME.json" : "A scene");
+  if (scenes.size() != 1) which.required();
   const auto asked_option =
       line.option("--error", error_text, "By which places may be off after a second: 1mm, 0.1 cm, 20um")
           .shows_default();
@@ -273,10 +276,11 @@ int main(int argc, char** argv) {
   line.ends_with(fmt::format("The scenes: {}", fmt::join(names_of(scenes), ", ")));
   return line.run(argc, argv, [&] {
     World begin;
-    if (name.ends_with(".json")) {
-      begin = scene_in(name);
+    if (read && name.ends_with(".json")) {
+      begin = read(name);
       name = std::filesystem::path(name).stem().string();
     } else {
+      if (name.empty()) name = scenes.front().name;
       named("scene", scenes, name).fill(begin);
     }
     require_between("--seconds", static_cast<Real>(seconds), Real(0.1), 60);  // the range above lets nan pass
@@ -314,8 +318,10 @@ int main(int argc, char** argv) {
     const std::vector<Real> off = measure(begin, played, error, finer);
     tell(played, off, error, asked);
     if (no_images) return;
-    draw(out / "choose" / name, name, asked, played, off);
-    fmt::print("{}\n{}\n", (out / "choose" / name / "sheet.png").string(),
-               (out / "choose" / name / "plot.png").string());
+    draw(out / "choose" / slug(name), name, asked, played, off);
+    fmt::print("{}\n{}\n", (out / "choose" / slug(name) / "sheet.png").string(),
+               (out / "choose" / slug(name) / "plot.png").string());
   });
 }
+
+}  // namespace pushback

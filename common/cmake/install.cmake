@@ -12,7 +12,7 @@ set(simulation_targets pushback_settings pushback_simulation ${recommended_needs
 get_property(chapters_targets GLOBAL PROPERTY chapter_libraries)
 list(REMOVE_ITEM chapters_targets ${recommended_needs})
 list(APPEND chapters_targets flat_solver)
-set(experiment_targets pushback_render pushback_program pushback)
+set(experiment_targets pushback_render pushback_program pushback choosing)
 set(components simulation)
 if(PUSHBACK_PICTURES)
   list(APPEND components chapters experiment)

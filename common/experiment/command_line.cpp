@@ -73,6 +73,10 @@ std::optional<int> Experiment::read_command_line(int argc, const char* const* ar
   flag("--list", list_, "List the scenes and variants, and do nothing");
   flag("--parameters", list_parameters_, "Print what may be set for this experiment, as JSON, and do nothing");
   for (const ParameterWithDefault& own : parameters_) add_parameter(app, own);
+  std::string others;
+  for (const Command& command : commands_)
+    others += fmt::format("  {} ...  {}; {} --help says how\n", command.flag, command.what, command.flag);
+  if (!others.empty()) app.footer("Instead, as the first word:\n" + others);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

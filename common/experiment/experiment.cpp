@@ -44,6 +44,10 @@ const std::vector<ParameterWithDefault>& Experiment::parameters() const {
   return parameters_;
 }
 
+void Experiment::command(const std::string& flag, const std::string& what, SceneCommand act) {
+  commands_.push_back({flag, what, std::move(act)});
+}
+
 std::vector<Sample> Run::last(Real seconds) const {
   const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(seconds / dt)), 1, samples.size());
   return {samples.end() - static_cast<std::ptrdiff_t>(count), samples.end()};

@@ -108,6 +108,9 @@ struct Variant {
   Variant& without_curves();
 };
 
+/// What is done with an experiment's scenes by words of its own; argv[0] is how it was called. Returns the exit status.
+using SceneCommand = std::function<int(const std::vector<Scene>& scenes, int argc, const char* const* argv)>;
+
 class Experiment {
  public:
   /// `name` is the folder's and the program's, `question` stands above the sheet.
@@ -117,6 +120,10 @@ class Experiment {
   void parameter(const Parameter& parameter, ParameterVariable variable);
   /// All of its own parameters, in the order in which they were added.
   const std::vector<ParameterWithDefault>& parameters() const;
+
+  /// Where the first word is `flag`, `act` is called with the words after it, instead of what `run` does else: `what` says so to
+  /// --help. Parameters have their defaults then.
+  void command(const std::string& flag, const std::string& what, SceneCommand act);
 
   // ---- to be called inside `run`'s `define` --------------------------------------------------------------------------
 
@@ -168,6 +175,10 @@ class Experiment {
     std::vector<Quantity> series;
     std::vector<Number> numbers;
   };
+  struct Command {
+    std::string flag, what;
+    SceneCommand act;
+  };
   struct Posed {
     std::string name;
     std::function<IteratedProblem()> make;
@@ -179,6 +190,7 @@ class Experiment {
   friend class Live;  // plays the same where somebody looks on: common/live/
 
   Variant& add_variant(const std::string& name);
+  std::optional<int> run_command(int argc, const char* const* argv, const std::function<void()>& define);
   std::optional<int> read_command_line(int argc, const char* const* argv);
   void describe(const std::function<void()>& define, const AnySolver* one_more = nullptr);
   void refuse_twins() const;
@@ -207,6 +219,7 @@ class Experiment {
 
   std::string name_, question_;
   std::vector<ParameterWithDefault> parameters_;
+  std::vector<Command> commands_;
   std::vector<Act> acts_;
   std::deque<Variant> variants_;  // `variant` hands out references
   std::vector<Panel> own_panels_;

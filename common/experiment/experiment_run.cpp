@@ -56,9 +56,23 @@ void Experiment::play() {
   report(results, folder);
 }
 
+std::optional<int> Experiment::run_command(int argc, const char* const* argv, const std::function<void()>& define) {
+  const auto asked = std::find_if(commands_.begin(), commands_.end(),
+                                  [&](const Command& command) { return argc > 1 && argv[1] == command.flag; });
+  if (asked == commands_.end()) return {};
+  describe(define);
+  std::vector<Scene> scenes;
+  for (const Act& act : acts_) scenes.push_back(act.scene);
+  const std::string called = name_ + " " + asked->flag;
+  std::vector<const char*> words(argv + 1, argv + argc);
+  words[0] = called.c_str();
+  return asked->act(scenes, argc - 1, words.data());
+}
+
 int Experiment::run(int argc, const char* const* argv, const std::function<void()>& define) {
-  if (const std::optional<int> status = read_command_line(argc, argv)) return *status;
   try {
+    if (const std::optional<int> status = run_command(argc, argv, define)) return *status;
+    if (const std::optional<int> status = read_command_line(argc, argv)) return *status;
     const char* const end = size_.data() + size_.size();
     const auto [cross, bad_width] = std::from_chars(size_.data(), end, width_);
     const auto [rest, bad_height] = std::from_chars(cross == end ? end : cross + 1, end, height_);

@@ -3,6 +3,8 @@
 
 #include <regex>
 
+#include "pushback/chapters/01_velocity_constraint/solver.h"
+#include "pushback/common/experiment/experiment.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 
@@ -72,4 +74,31 @@ TEST_CASE("choose: what cannot be meant is named, with status 2, and nothing is 
     CHECK(ended.err.find(named) != std::string::npos);
     CHECK_FALSE(fs::exists(scratch / "out"));
   }
+}
+
+TEST_CASE(
+    "choose: an experiment hands its scenes and the words behind to a command; --help names it; else it is not "
+    "called") {
+  const Scratch scratch;
+  const std::string out = (scratch / "out").string();
+  const auto run = [&](const std::vector<const char*>& words, std::string& told) {
+    Experiment e("mine", "?");
+    e.command("--tell", "tell what there is", [&](const std::vector<Scene>& scenes, int argc, const char* const* argv) {
+      for (const Scene& scene : scenes) told += scene.name + ";";
+      for (int i = 0; i < argc; ++i) told += std::string(argv[i]) + ";";
+      return 7;
+    });
+    return e.run(static_cast<int>(words.size()), words.data(), [&] {
+      e.scene({.name = "one", .fill = [](World& world) { stack(world, 1); }, .seconds = Real(0.1)});
+      e.variant("nothing", Solver<>{});
+      e.scene({.name = "two", .fill = [](World& world) { stack(world, 2); }, .seconds = Real(0.1)});
+      e.variant("nothing", Solver<>{});
+    });
+  };
+  std::string told, untold;
+  CHECK(run({"program", "--tell", "two", "--error", "1mm"}, told) == 7);
+  CHECK(told == "one;two;mine --tell;two;--error;1mm;");
+  CHECK(run({"program", "--no-images", "--out", out.c_str(), "--sweeps", "1"}, untold) == 0);
+  CHECK(run({"program", "--no-images", "--tell"}, untold) == 2);
+  CHECK(untold.empty());
 }

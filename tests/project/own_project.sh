@@ -62,19 +62,19 @@ sources() {  # sources LINE...: the libraries come along, and no test, option or
 
 ways=$(sed -n '/^```cmake$/,/^```$/ { /^```/d; p }' pushback/README.md)  # of README.md: a line each, then the one that links
 link=$(tail -n 1 <<<"$ways")
-[[ $(wc -l <<<"$ways") == 4 && $link == "target_link_libraries(my_program pushback::pushback pushback::recommended)" ]] ||
+[[ $(wc -l <<<"$ways") == 4 && $link == "target_link_libraries(my_program pushback::pushback pushback::recommended pushback::choosing)" ]] ||
   wrong "README.md should show three lines of CMake and one that links, but these were found: $ways"
 
 nothing_drawn=(-DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,PkgConfig,OpenGL,Threads}"=ON")
-chapters="libaccuracy_and_time.a libdirect_contacts.a libdirect_joints.a libhalf_step.a libmoment_of_impact.a libonly_what_is_needed.a"
-libraries="$chapters libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libthreads.a libto_each_its_own.a libwhich_error.a libwhole_problem.a libwide.a"
+chapters="libdirect_contacts.a libdirect_joints.a libhalf_step.a libmoment_of_impact.a libonly_what_is_needed.a"
+libraries="libaccuracy_and_time.a libchoosing.a $chapters libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libthreads.a libto_each_its_own.a libwhich_error.a libwhole_problem.a libwide.a"
 way=add_subdirectory
 sources "$(grep -o '^add_subdirectory([^)]*)' <<<"$ways" | sed "s|pushback|$scratch/pushback pushback|")" "$link"
 way=FetchContent
 sources "include(FetchContent)" "FetchContent_Declare(pushback SOURCE_DIR $scratch/pushback)" \
   "$(grep -o '^FetchContent_MakeAvailable([^)]*)' <<<"$ways")" "$link"
 way="add_subdirectory without pictures"
-libraries="$chapters libpushback_simulation.a libpushback_simulation_float.a libto_each_its_own.a libwhich_error.a libwhole_problem.a libwide.a" options=("${nothing_drawn[@]}")
+libraries="libaccuracy_and_time.a $chapters libpushback_simulation.a libpushback_simulation_float.a libto_each_its_own.a libwhich_error.a libwhole_problem.a libwide.a" options=("${nothing_drawn[@]}")
 simulation=$'#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/world/situations.h"
 int main() {
@@ -116,6 +116,8 @@ refused "requested version" "find_package(Pushback 0.2 REQUIRED)"
 options=()
 installed experiment "$(grep -o '^find_package([^)]*)' <<<"$ways")" "$link"
 "$way/build/my_program" --no-images --seconds 0.5 --out renders >log 2>&1 || { cat log; wrong "its program does not run"; }
+"$way/build/my_program" --choose --error 1mm --seconds 0.2 --finer 2 --no-images >said 2>&1 || { cat said; wrong "its program cannot choose"; }
+grep -q '^measured: ' said || wrong "its program says nothing of what it chose"
 grep -q '^| .* recommended | ' renders/my_experiment/numbers.md || wrong "its program left no numbers behind"
 
 mkdir "component chapters"
