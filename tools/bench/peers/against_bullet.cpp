@@ -1,8 +1,10 @@
-/// Chapters 12, 21 and 22 beside Bullet's default (float, 10 sweeps), on the same scenes: steps of 1/60 s, timed in turn within one run.
+/// Chapters 12, 21 and 22, and the solver that is recommended, beside Bullet's default (float, 10 sweeps), on the same scenes: steps of
+/// 1/60 s, timed in turn within one run.
 #include <benchmark/benchmark.h>
 
 #include "pushback/chapters/21_detected_once/study.h"
 #include "pushback/chapters/22_wide/wide.h"
+#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
@@ -29,21 +31,32 @@ Solver in(int substeps) {
   return solver;
 }
 
-/// Medians of the ratios to Bullet's time for the same step, and how deep contacts are at the end, mm.
+/// How far the body has moved sideways that has moved farthest, m.
+Real drift(const World& start, const World& now) {
+  Real most = 0;
+  for (std::size_t i = 0; i < now.bodies.size(); ++i) {
+    const Vec3 way = now.bodies[i].position - start.bodies[i].position;
+    most = std::max(most, std::hypot(way.x(), way.z()));
+  }
+  return most;
+}
+
+/// Medians of the ratios to Bullet's time for the same step, ns a contact; how deep contacts are at the end and how far bodies have
+/// moved sideways, mm.
 void beside_bullet(benchmark::State& state, const std::function<void(World&)>& fill, int substeps, int settle) {
   const std::vector<Way> ways{{"chapter 12", detected_once_scenes::DetectedInEach{}, substeps},
                               {"once", in<DetectedOnce>(substeps), 1},
                               {"wide, double", in<Wide<double>>(substeps), 1},
-                              {"wide, float", in<Wide<float>>(substeps), 1}};
+                              {"wide, float", in<Wide<float>>(substeps), 1},
+                              {"recommended", Recommended{}, 1}};
   Motion motion{.name = "", .title = "", .fill = fill, .seconds = 1, .truth = {}};
   const std::unique_ptr<Player> bullet = peer_methods().front().begin(motion, {.substeps = 1, .sweeps = 10});
-  std::vector<World> worlds(ways.size());
+  World start;
+  fill(start);
+  std::vector<World> worlds(ways.size(), start);
   std::vector<AnySolver> solvers;
   std::vector<std::function<double()>> things{[&] { return seconds_of([&] { bullet->frame(1); }); }};
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    fill(worlds[i]);
-    solvers.push_back(ways[i].solver);
-  }
+  for (const Way& way : ways) solvers.push_back(way.solver);
   for (std::size_t i = 0; i < ways.size(); ++i) {
     things.emplace_back([&, i] {
       return seconds_of([&] {
@@ -60,7 +73,10 @@ void beside_bullet(benchmark::State& state, const std::function<void(World&)>& f
     state.counters[std::string(ways[i].name) + " / Bullet"] = turns.ratio(i + 1, 0);
     worlds[i].find_contacts();
     state.counters[std::string(ways[i].name) + ", mm"] = 1000 * deepest_overlap(worlds[i]);
-    state.counters["contacts"] = static_cast<double>(worlds[i].contacts.size());
+    state.counters[std::string(ways[i].name) + ", drift mm"] = 1000 * drift(start, worlds[i]);
+    const auto contacts = static_cast<double>(worlds[i].contacts.size());
+    state.counters["contacts"] = contacts;
+    state.counters[std::string(ways[i].name) + ", ns a contact"] = 1e9 * turns.time(i + 1) / contacts;
   }
 }
 
@@ -76,6 +92,27 @@ void pyramid_of_210_as_recommended(benchmark::State& state) {
 void stack_of_40(benchmark::State& state) {
   beside_bullet(state, [](World& world) { stack(world, 40); }, 32, 120);
 }
+void stack_of_40_in_8_substeps(benchmark::State& state) {
+  beside_bullet(state, [](World& world) { stack(world, 40); }, 8, 600);
+}
+/// Each box aside by up to 3 mm.
+void crooked_stack_of_40(benchmark::State& state) {
+  const auto fill = [](World& world) {
+    stack(world, 40);
+    Random random(1);
+    for (Body& body : world.bodies)
+      if (body.movable()) body.position += random.vector(Real(3e-3)).cwiseProduct(Vec3(1, 0, 1));
+  };
+  beside_bullet(state, fill, 8, 600);
+}
+void columns_of_ten(benchmark::State& state) {
+  const auto fill = [](World& world) {
+    world.add(ground());
+    for (int i = 0; i < 400; ++i)
+      world.add(box(Vec3::Constant(Real(0.5)), 1).at({2 * Real(i / 10), Real(0.5) + Real(i % 10), 0}));
+  };
+  beside_bullet(state, fill, 8, 300);
+}
 void pile_of_512(benchmark::State& state) {
   beside_bullet(state, [](World& world) { heap(world, 8, 8, -4); }, 8, 240);
 }
@@ -86,6 +123,9 @@ BENCHMARK(pyramid_of_210)->Iterations(200)->Unit(benchmark::kMicrosecond);
 BENCHMARK(pyramid_of_210_in_4_substeps)->Iterations(200)->Unit(benchmark::kMicrosecond);
 BENCHMARK(pyramid_of_210_as_recommended)->Iterations(60)->Unit(benchmark::kMicrosecond);
 BENCHMARK(stack_of_40)->Iterations(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK(stack_of_40_in_8_substeps)->Iterations(100)->Unit(benchmark::kMicrosecond);
+BENCHMARK(crooked_stack_of_40)->Iterations(100)->Unit(benchmark::kMicrosecond);
+BENCHMARK(columns_of_ten)->Iterations(100)->Unit(benchmark::kMicrosecond);
 BENCHMARK(pile_of_512)->Iterations(60)->Unit(benchmark::kMicrosecond);
 BENCHMARK(pile_of_4000)->Iterations(20)->Unit(benchmark::kMicrosecond);
 
