@@ -29,9 +29,14 @@ Stage stage(const std::string& name, int substeps, int sweeps) {
 
 std::vector<Stage> compared() {
   using Cone = Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>;
-  return {stage<Cone>("slim", 4, 4),           stage<Xpbd>("xpbd", 16, 1),        stage<Avbd>("avbd", 4, 4),
-          stage<ExactSolver>("exact", 4, 4),   stage<BlockSolver>("block", 4, 4), stage<ShockSolver>("shock", 4, 4),
-          stage<ConjugateSolver>("nncg", 4, 4)};
+  return {stage<Cone>("slim", 4, 4),
+          stage<Xpbd>("xpbd", 16, 1),
+          stage<Avbd>("avbd", 4, 4),
+          stage<ExactSolver>("exact", 4, 4),
+          stage<BlockSolver>("block", 4, 4),
+          stage<ShockSolver>("shock", 4, 4),
+          stage<ConjugateSolver>("nncg", 4, 4),
+          stage<Sap>("sap", 4, 1)};
 }
 
 /// Whether all numbers are, whatever invariant broke.

@@ -6,6 +6,7 @@
 #include "pushback/tools/methods/conjugate_sweeps.h"
 #include "pushback/tools/methods/exact_contact.h"
 #include "pushback/tools/methods/manifolds.h"
+#include "pushback/tools/methods/sap.h"
 #include "pushback/tools/methods/shock_propagation.h"
 #include "pushback/tools/methods/xpbd.h"
 

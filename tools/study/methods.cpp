@@ -47,9 +47,9 @@ std::string table(const std::vector<MotionMeasured>& all, const Cell& cell) {
 }  // namespace
 
 const std::vector<std::string>& compared_methods() {
-  static const std::vector<std::string> methods{"slim",  "split-joints", "direct-joints", "jointed",
-                                                "once",  "half-step",    "xpbd",          "avbd",
-                                                "exact", "block",        "shock",         "nncg"};
+  static const std::vector<std::string> methods{
+      "slim", "split-joints", "direct-joints", "jointed", "once", "half-step", "xpbd",
+      "avbd", "exact",        "block",         "shock",   "nncg", "sap"};
   return methods;
 }
 
@@ -67,7 +67,8 @@ Panel fronts_of_compared(const MotionMeasured& measured) {
                 {},
                 {},
                 line_colour(ours ? 0 : i - 3),
-                method == "direct-joints" || method == "nncg" ? Curve::Style::dashed : Curve::Style::line_and_points};
+                method == "direct-joints" || method == "nncg" || method == "sap" ? Curve::Style::dashed
+                                                                                 : Curve::Style::line_and_points};
     for (const Measured& one : front(robust(of_method(measured.all, method)))) {
       if (!std::isfinite(one.error)) continue;
       curve.x.push_back(static_cast<Real>(1000 * one.median() / measured.motion->seconds));

@@ -26,9 +26,11 @@ Method method(const std::string& name, const std::string& title) {
                 return (motion.pins.empty() || holds) && (bounces || !has_bounces(motion));
               },
           .begin = [any = AnySolver(solver)](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            const bool counts_rows = !std::same_as<ContactSolver, Avbd> && !std::same_as<ContactSolver, BlockSolver>;
+            const bool counts_rows = !std::same_as<ContactSolver, Avbd> && !std::same_as<ContactSolver, BlockSolver> &&
+                                     !std::same_as<ContactSolver, Sap>;
             return std::make_unique<Ours>(motion, setting, any, counts_rows);
-          }};
+          },
+          .sweeps = !std::same_as<ContactSolver, Sap>};
 }
 
 }  // namespace
@@ -39,7 +41,8 @@ int main(int argc, char** argv) {
                                     method<ExactSolver>("exact", "each contact solved exactly"),
                                     method<BlockSolver>("block", "the normals of two bodies at once"),
                                     method<ShockSolver>("shock", "a last pass from the ground upwards"),
-                                    method<ConjugateSolver>("nncg", "conjugate gradients over sweeps")};
+                                    method<ConjugateSolver>("nncg", "conjugate gradients over sweeps"),
+                                    method<Sap>("sap", "a convex function of all velocities, by Newton's method")};
   return play_program(argc, argv, "Plays a motion by methods of the literature that are no chapter.",
                       fmt::format("Pushback, other methods; {}", built_by()), methods);
 }

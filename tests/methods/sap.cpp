@@ -1,0 +1,261 @@
+/// SAP, the semi-analytic primal solver: closed forms of its regularisation, and of what its relaxed friction does.
+#include "pushback/tools/methods/sap.h"
+
+#include "pushback/chapters/13_joints/scenes.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/tools/study/relaxed_law.h"
+#include "tests/methods/played.h"
+#include "tests/support/catch.h"
+#include "tests/support/complaint.h"
+#include "tests/support/on_ground.h"
+
+using namespace pushback;
+
+namespace {
+
+constexpr Real tau_of_one = h / pi;           // of beta = 1
+constexpr Real softness = 1 / (4 * pi * pi);  // R_n / w likewise
+const Real of_corner =
+    std::sqrt(1 + 2 * Real(5.5) * Real(5.5)) / 3;  // w m of a cube's corner: 1, and twice 1 + 6 |r|^2
+
+/// w m of a ball so deep in the ground: 1 along the normal, 1 + 5/2 along a tangent; the contact lies in the middle of the overlap.
+Real of_ball(Real depth) {
+  const Real arm = 1 - depth / (2 * Real(0.3));
+  return std::hypot(Real(1), std::sqrt(Real(2)) * (1 + Real(2.5) * arm * arm)) / 3;
+}
+
+void play(World& world, Sap& solver, int steps) {
+  for (int i = 0; i < steps; ++i) world.step(solver, h);
+}
+
+}  // namespace
+
+TEST_CASE("sap: a ball rests as deep as its spring says, be it made for the step or for a material") {
+  World world;
+  const Body& ball = ball_on_ground(world, 0);
+  Sap solver;
+  play(world, solver, 120);
+  CHECK(depth_of(ball) ==
+        Approx(g * h * (h + tau_of_one) * softness * of_ball(depth_of(ball))).epsilon(in_double ? 1e-6 : 1e-2));
+  solver.stiffness = 1e4;
+  solver.relaxation = Real(0.1);
+  play(world, solver, 600);
+  CHECK(depth_of(ball) == Approx(10 * g / 1e4).epsilon(in_double ? 1e-6 : 1e-3));
+}
+
+// A spring that cannot pull stops nobody whom it has pushed.
+TEST_CASE("sap: an overlap becomes a speed, depth / (h + tau) but for the spring's own") {
+  for (const Real relaxation : {Real(0), Real(0.1)}) {
+    World world;
+    world.gravity.setZero();
+    const Body& ball = ball_on_ground(world, Real(0.02));
+    Sap solver;
+    solver.relaxation = relaxation;
+    const Real tau = std::max(relaxation, tau_of_one);
+    const Real speed = Real(0.02) / (h + tau) / (1 + softness * of_ball(Real(0.02)));
+    play(world, solver, 1);
+    CHECK(ball.velocity.y() == Approx(speed).epsilon(tiny));
+    play(world, solver, 20);
+    CHECK(depth_of(ball) < 0);
+    CHECK(ball.velocity.y() >= speed * (1 - tiny));
+  }
+}
+
+TEST_CASE("sap: on a slope below the angle of friction a box creeps, by R_t times its friction") {
+  constexpr Real angle = Real(0.2);  // the rear corners bear less: all four stick where tan(angle) < mu / (1 + mu)
+  World world;
+  const Vec3 out(std::sin(angle), std::cos(angle), 0), down(std::cos(angle), -std::sin(angle), 0);
+  world.add(half_space(out).rough(Real(0.4)));
+  world.add(box(Vec3::Constant(Real(0.5)), 100).turned(-angle, Vec3::UnitZ()).at(Real(0.5) * out).rough(Real(0.4)));
+  Sap solver;
+  play(world, solver, 120);
+  const Real creep = solver.slip * of_corner * g * h * std::sin(angle) / 4;
+  CHECK(world.bodies[1].velocity.dot(down) == Approx(creep).epsilon(0.01));
+  for (const Contact& at : world.contacts) CHECK(at.state == ContactState::sticking);
+}
+
+TEST_CASE("sap: above the angle of friction it slides with g (sin - mu cos), and hovers at (h + tau) mu u_t") {
+  if (!in_double) return;
+  const double coarse = error_of<Sap>("incline", 4, 1), fine = error_of<Sap>("incline", 8, 1);
+  CHECK(coarse < 0.006);
+  CHECK(std::log2(coarse / fine) == Approx(1).margin(0.01));
+  World world;
+  any_motion_named("incline").begin(world);
+  const Vec3 out = std::get<HalfSpace>(world.bodies[0].shape).normal;
+  Sap solver;
+  solver.margin = 0;  // the way ahead of h + tau alone finds what hovers
+  play(world, solver, 60);
+  const Body& sliding = world.bodies[1];
+  const Real before = sliding.velocity.norm();
+  for (const Contact& at : world.contacts) CHECK(at.state == ContactState::sliding);
+  play(world, solver, 1);
+  const Real hovers = (h + tau_of_one) * Real(0.4) * before;
+  CHECK(sliding.position.dot(out) - Real(0.25) == Approx(hovers).epsilon(0.02));
+}
+
+// As h -> 0, too: v = mu v_t of an instant. relaxed_law.h derives it; it holds of every convex relaxation.
+TEST_CASE("sap: a body that is sent along the ground hops by the closed form of the relaxed law") {
+  for (const std::string name : {"sliding", "rolling"}) {
+    INFO(name);
+    const Motion& motion = any_motion_named(name);
+    const Hop hop = hop_of(motion).value();
+    World world;
+    motion.begin(world);
+    Sap solver;
+    solver.period = Real(0.01);
+    world.step(solver, Real(1e-4));
+    CHECK(static_cast<double>(world.bodies.back().velocity.y()) == Approx(hop.speed).epsilon(0.01));
+    // With beta = 1 the spring takes a part: 1 + k mu^2 becomes 1 + k mu^2 + m (R_n + mu^2 R_t) / contacts.
+    const Body& body = world.bodies.back();
+    const bool is_ball = std::holds_alternative<Sphere>(body.shape);
+    const double mu = static_cast<double>(body.friction), rigid = 1 + (is_ball ? 3.5 : 1) * mu * mu;
+    const double w_m = static_cast<double>(is_ball ? of_ball(0) : of_corner) / (is_ball ? 1 : 4);
+    const double part = rigid / (rigid + w_m * (static_cast<double>(softness) + mu * mu * 1e-3));
+    if (in_double) CHECK(error_of<Sap>(name, 64, 1) == Approx(hop.error * part * part).epsilon(0.005));
+  }
+}
+
+// m u_n = r - m c,  m u_t = m s - k mu r,  u_n = mu u_t, with k = 7/2
+TEST_CASE("sap: nothing bounces straight back, but what arrives aslant is thrown off") {
+  const auto thrown = [](Real c, Real s) {
+    World world;
+    world.gravity.setZero();
+    const Body& ball = ball_on_ground(world, 0).bouncy(1).moving({s, -c, 0}).rough(Real(0.5));
+    world.bodies[0].rough(Real(0.5));
+    Sap solver;
+    solver.period = Real(0.01);
+    world.step(solver, h);
+    return ball.velocity.y();
+  };
+  CHECK(std::abs(thrown(3, 0)) < Real(1e-3));
+  CHECK(thrown(3, 3) < Real(1e-3));  // friction stops it: s < k mu c
+  CHECK(thrown(1, 5) == Approx((0.5 * 5 - 3.5 * 0.25) / (1 + 3.5 * 0.25)).epsilon(1e-3));
+}
+
+TEST_CASE("sap: each box of a stack carries the weight above it") {
+  World world;
+  stack(world, 10);
+  Sap solver;
+  play(world, solver, 120);
+  for (std::uint32_t below = 0; below < 10; ++below) {
+    Real carried = 0;
+    for (const Contact& at : world.contacts)
+      if (at.id.body_a == below && at.id.body_b == below + 1) carried += at.impulse.y();
+    CHECK(carried == Approx(static_cast<Real>(10 - below) * 100 * g * h).epsilon(in_double ? 1e-6 : 1e-3));
+  }
+}
+
+TEST_CASE("sap: what rests is off by the depth of its springs, of the order of the squared step") {
+  if (!in_double) return;
+  for (const std::string name : {"stack-10", "heavy-on-light"}) {
+    INFO(name);
+    const double coarse = error_of<Sap>(name, 4, 1), fine = error_of<Sap>(name, 16, 1);
+    CHECK(coarse < 0.0011);
+    CHECK(std::log2(coarse / fine) / 2 == Approx(2).margin(0.3));
+  }
+}
+
+TEST_CASE("sap: impulses are within their cones, and momentum is conserved on ice") {
+  World world;
+  world.add(ground().rough(0));
+  world.add(box({3, Real(0.1), 1}, 100).at({0, Real(0.1), 0}).rough(Real(0.5)));
+  world.add(box(Vec3::Constant(Real(0.5)), 100).at({-2, Real(0.7), 0}).rough(Real(0.5)).moving({4, 0, 0}));
+  Sap solver;
+  for (int i = 0; i < 60; ++i) {
+    world.step(solver, h);
+    for (const Contact& at : world.contacts) {
+      const Real normal = at.impulse.dot(at.normal), largest = at.friction * normal;
+      REQUIRE(normal >= 0);
+      REQUIRE((at.impulse - normal * at.normal).norm() <= largest + tiny * (1 + largest));
+    }
+  }
+  CHECK(momentum(world).x() == Approx(400).epsilon(tiny));
+}
+
+// 2/7 of the belt's speed, and the rest as spin.
+TEST_CASE("sap: a conveyor carries a ball") {
+  constexpr Real belt = Real(0.002);  // m/s
+  World world;
+  world.add(box({5, Real(0.5), 5}, 1).fixed().at({0, Real(-0.5), 0}).conveying({belt, 0, 0}));
+  world.add(sphere(Real(0.5), 100).at({0, Real(0.5), 0}));
+  Sap solver;
+  play(world, solver, 120);
+  CHECK(world.bodies[1].position.x() == Approx(2 * belt * 2 / 7).epsilon(0.02));
+}
+
+TEST_CASE("sap: a pendulum by an error of the order of the step, and joints that hold a hundredfold mass") {
+  if (in_double)
+    CHECK(std::log2(error_of<Sap>("pendulum", 8, 1) / error_of<Sap>("pendulum", 16, 1)) == Approx(1).margin(0.05));
+  World world;
+  any_motion_named("chain").begin(world);
+  Sap solver;
+  Real farthest = 0;
+  for (int i = 0; i < 120 * 16; ++i) {
+    world.step(solver, h / 16);
+    farthest = std::max(farthest, joints_scenes::largest_joint_error(world));
+  }
+  CHECK(farthest < Real(1e-3));
+}
+
+TEST_CASE("sap: a joint's bounds, its speed and its softness are kept") {
+  const auto speed_after = [](const Equation& equation) {
+    World world;
+    world.gravity.setZero();
+    world.add(sphere(Real(0.5), 10));
+    world.add(sphere(Real(0.5), 10).fixed().at({9, 0, 0}));
+    const auto any = [](const Body&, const Body&, const TimeStep&, Equations& equations) { equations.emplace_back(); };
+    world.joints.push_back({"between what nothing moves", the_world, 1, any});
+    world.joints.push_back(
+        {"a row", the_world, 0,
+         [=](const Body&, const Body&, const TimeStep&, Equations& equations) { equations.push_back(equation); }});
+    Sap solver;
+    world.step(solver, h);
+    CHECK(world.joints[1].impulses.at(0) == Approx(10 * world.bodies[0].velocity.x()).epsilon(1e-5));
+    return world.bodies[0].velocity.x();
+  };
+  const Jacobian x{.n = Vec3::UnitX()};
+  CHECK(speed_after({.jacobian = x, .bias = -3}) == Approx(3 / (1 + softness)).epsilon(1e-5));
+  CHECK(speed_after({.jacobian = x, .bias = -3, .hi = 60}) == Approx(60 * h / 10).epsilon(1e-5));
+  CHECK(speed_after({.jacobian = x, .bias = 3, .lo = -60}) == Approx(-60 * h / 10).epsilon(1e-5));
+  CHECK(speed_after({.jacobian = x, .bias = -3, .softness = Real(0.5)}) == Approx(3 / (1 + 10 * 0.5)).epsilon(1e-5));
+  CHECK(speed_after({.jacobian = x, .error = Real(-0.1)}) ==
+        Approx(0.1 / (h + tau_of_one) / (1 + softness)).epsilon(1e-5));
+}
+
+// It starts from where nothing pushes, or from the velocities of the step before: whichever costs less.
+TEST_CASE("sap: what flies takes no linear system, what rests one in some steps") {
+  World resting, flying;
+  box_on_ground(resting, Real(1e-4));
+  ball_on_ground(flying, Real(-0.005)).moving({0, 3, 0});  // within the margin
+  Sap solver;
+  play(resting, solver, 60);
+  CHECK(solver.newton_steps() <= 1);
+  int steps = 0;
+  for (int i = 0; i < 60; ++i) {
+    play(resting, solver, 1);
+    steps += solver.newton_steps();
+  }
+  CHECK(steps < 30);  // what a step leaves undone, up to `tolerance`, adds up
+  play(flying, solver, 1);
+  CHECK(flying.contacts.size() == 1);
+  CHECK(solver.newton_steps() == 0);
+}
+
+TEST_CASE("sap: settings that cannot be are refused by name") {
+  World world;
+  ball_on_ground(world, 0);
+  const auto refused = [&](const std::string& name, const auto& spoil) {
+    Sap solver;
+    spoil(solver);
+    const std::string message = complaint([&] { world.step(solver, h); });
+    INFO(message);
+    CHECK(message.find(name) != std::string::npos);
+  };
+  refused("period of contacts is 0", [](Sap& solver) { solver.period = 0; });
+  refused("slip of contacts is -1", [](Sap& solver) { solver.slip = -1; });
+  refused("stiffness is 0", [](Sap& solver) { solver.stiffness = 0; });
+  refused("relaxation is -1", [](Sap& solver) { solver.relaxation = -1; });
+  refused("margin is -1", [](Sap& solver) { solver.margin = -1; });
+  refused("tolerance is 0", [](Sap& solver) { solver.tolerance = 0; });
+  refused("most_steps is 0", [](Sap& solver) { solver.most_steps = 0; });
+}

@@ -1,0 +1,203 @@
+/// What SAP minimises: laws against their conditions, derivatives against differences, Newton's method against the minimum.
+#include "pushback/tools/methods/sap_problem.h"
+
+#include <Eigen/Eigenvalues>
+#include <random>
+
+#include "tests/support/catch.h"
+
+using namespace pushback;
+
+namespace {
+
+using SapVector = SapProblem::Vector;
+
+/// Numbers from -1 to 1, always the same.
+class Numbers {
+ public:
+  explicit Numbers(unsigned seed) : engine_(seed) {}
+  double number() { return std::ldexp(static_cast<double>(engine_()), -31) - 1; }
+  double positive() { return std::pow(10, number()); }
+  template <class Matrix>
+  Matrix matrix() {
+    return Matrix::NullaryExpr([this] { return number(); });
+  }
+  SapVector vector(Eigen::Index size) {
+    return SapVector::NullaryExpr(size, [this] { return number(); });
+  }
+  SapContactLaw contact() {
+    const double mu = number() < -0.6 ? 0 : positive();
+    return {matrix<Eigen::Vector3d>().normalized(), mu, positive(), positive(), number()};
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+/// Bodies in a row, each with some contacts and a joint to the next, the first of them to what nothing moves.
+SapProblem chain_of(Numbers& numbers, int bodies) {
+  SapProblem problem;
+  for (int i = 0; i < bodies; ++i) {
+    SapProblem::Mat6 mass = numbers.matrix<SapProblem::Mat6>();
+    mass = mass * mass.transpose() + SapProblem::Mat6::Identity();
+    problem.add(std::pow(numbers.positive(), 2) * mass, numbers.matrix<SapProblem::Vec6>());
+    for (int k = 0; k < 4; ++k) {
+      using Contact = SapProblem::Contact;
+      Contact contact{i,
+                      i - 1,
+                      numbers.matrix<Contact::Jacobian>(),
+                      numbers.matrix<Contact::Jacobian>(),
+                      numbers.matrix<Contact::Rows>(),
+                      numbers.contact()};
+      if (k % 2 == 1) std::swap(contact.a, contact.b);
+      problem.contacts.push_back(contact);
+    }
+    using Row = SapProblem::Row;
+    problem.rows.push_back({i - 1,
+                            i,
+                            numbers.matrix<Row::Jacobian>(),
+                            numbers.matrix<Row::Jacobian>(),
+                            numbers.matrix<Row::Rows>(),
+                            {numbers.positive(), numbers.number(), -0.2, 0.3}});
+  }
+  return problem;
+}
+
+}  // namespace
+
+// The nearest point of a convex cone: gamma in F, R (gamma - y) in F*, and the two perpendicular.
+TEST_CASE("sap: a contact's impulse is the nearest in the cone, in each of its three regions") {
+  Numbers numbers(1);
+  int parts = 0, sticks = 0, slides = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const SapContactLaw law = numbers.contact();
+    const auto u = Eigen::Vector3d(2 * numbers.matrix<Eigen::Vector3d>());
+    const Eigen::Vector3d gamma = law.at(u).impulse, y = [&] {
+      const double u_n = u.dot(law.n);
+      return Eigen::Vector3d((law.wanted - u_n) / law.r_n * law.n - (u - u_n * law.n) / law.r_t);
+    }();
+    const auto weighed = [&](const Eigen::Vector3d& x) {
+      return Eigen::Vector3d(law.r_t * x + (law.r_n - law.r_t) * x.dot(law.n) * law.n);
+    };
+    const auto parted = [&](const Eigen::Vector3d& x) {
+      const double n = x.dot(law.n);
+      return std::pair(n, (x - n * law.n).norm());
+    };
+    const auto [gamma_n, gamma_t] = parted(gamma);
+    const Eigen::Vector3d dual = weighed(gamma - y);
+    const auto [dual_n, dual_t] = parted(dual);
+    const double unit = 1e-12 * (1 + weighed(y).norm()) * (1 + y.norm());
+    REQUIRE(gamma_t <= law.mu * gamma_n + unit);
+    REQUIRE(dual_n >= law.mu * dual_t - unit);
+    REQUIRE(std::abs(gamma.dot(dual)) <= unit);
+    REQUIRE(law.at(u).cost == Approx(gamma.dot(weighed(gamma)) / 2).epsilon(1e-12).margin(1e-300));
+    const bool is_stuck = law.mu > 0 && (gamma - y).norm() < 1e-12 * y.norm();
+    REQUIRE(law.sticks(u) == is_stuck);
+    ++(gamma.norm() == 0 ? parts : is_stuck ? sticks : slides);
+  }
+  CHECK(std::min({parts, sticks, slides}) > 100);
+}
+
+TEST_CASE("sap: an impulse is what the cost falls by, a slope what the impulse falls by") {
+  Numbers numbers(2);
+  constexpr double step = 1e-6;
+  const auto hold = [&]<int N>(const auto& law, const Eigen::Matrix<double, N, 1>& u) {
+    const SapAnswer<N> here = law.at(u);
+    REQUIRE((here.slope - here.slope.transpose()).norm() <= 1e-14 * here.slope.norm());
+    const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>>(here.slope).eigenvalues()[0];
+    REQUIRE(least >= -1e-12 * here.slope.norm());
+    for (int i = 0; i < N; ++i) {
+      const Eigen::Matrix<double, N, 1> way = step * Eigen::Matrix<double, N, 1>::Unit(i);
+      const SapAnswer<N> after = law.at(u + way), before = law.at(u - way);
+      if ((after.slope - before.slope).norm() > 0.01 * here.slope.norm()) continue;  // a kink, or nearly
+      const double unit = 1e-6 * (1 + here.slope.norm()) * (1 + here.impulse.norm());
+      REQUIRE(std::abs((after.cost - before.cost) / (2 * step) + here.impulse[i]) < unit);
+      REQUIRE(((after.impulse - before.impulse) / (2 * step) + here.slope.col(i)).norm() < unit);
+    }
+  };
+  for (int i = 0; i < 1000; ++i) {
+    hold.operator()<3>(numbers.contact(), Eigen::Vector3d(2 * numbers.matrix<Eigen::Vector3d>()));
+    hold.operator()<1>(SapRowLaw{numbers.positive(), numbers.number(), -0.2, 0.3},
+                       numbers.matrix<Eigen::Matrix<double, 1, 1>>());
+  }
+}
+
+TEST_CASE("sap: without friction nothing holds along the tangents, not even at rest") {
+  const SapContactLaw law{Eigen::Vector3d::UnitY(), 0, 1e-3, 0.1, 0};
+  const Eigen::Vector3d u(0, -1, 0);
+  CHECK(law.at(u).slope == Eigen::Matrix3d(Eigen::Vector3d(0, 1 / 0.1, 0).asDiagonal()));
+  CHECK_FALSE(law.sticks(u));
+}
+
+TEST_CASE("sap: the gradient is that of the cost, the Hessian that of the gradient") {
+  Numbers numbers(3);
+  SapProblem problem = chain_of(numbers, 5);
+  constexpr double step = 1e-6;
+  for (int i = 0; i < 20; ++i) {
+    const SapVector v = numbers.vector(30), way = numbers.vector(30);
+    const SapVector slope = problem.gradient(v);
+    CHECK((problem.cost(v + step * way) - problem.cost(v - step * way)) / (2 * step) ==
+          Approx(slope.dot(way)).margin(1e-6 * slope.norm()));
+    const SapVector change = (problem.gradient(v + step * way) - problem.gradient(v - step * way)) / (2 * step);
+    CHECK((problem.hessian(v) * way - change).norm() < 1e-4 * change.norm());
+  }
+}
+
+// Strongly: by as much as the masses say.
+TEST_CASE("sap: the cost is convex") {
+  Numbers numbers(4);
+  const SapProblem problem = chain_of(numbers, 5);
+  SapProblem masses_alone = problem;
+  masses_alone.contacts.clear();
+  masses_alone.rows.clear();
+  for (int i = 0; i < 200; ++i) {
+    const SapVector v = 3 * numbers.vector(30), w = 3 * numbers.vector(30);
+    const auto bend = [&](const SapProblem& of) { return of.cost(v) + of.cost(w) - 2 * of.cost((v + w) / 2); };
+    REQUIRE(bend(problem) >= bend(masses_alone) * (1 - 1e-12));
+  }
+}
+
+// Each as far as the cost falls: there the gradient has nothing along the step.
+TEST_CASE("sap: each step of Newton's method lowers the cost, and every start ends in one place") {
+  Numbers numbers(5);
+  for (int i = 0; i < 20; ++i) {
+    SapProblem problem = chain_of(numbers, 8);
+    SapVector v = problem.free(), before = v;
+    const int steps = problem.minimise(v, 1e-12, 60, [&](const SapVector& at) {
+      REQUIRE(problem.cost(at) <= problem.cost(before) * (1 + 1e-14));
+      const SapVector way = at - before;
+      const double slope = problem.gradient(before).dot(way);
+      if (std::abs(slope) > 1e-10) REQUIRE(std::abs(problem.gradient(at).dot(way)) <= 1.01e-4 * std::abs(slope));
+      before = at;
+    });
+    CHECK(steps < 30);
+    CHECK(problem.gradient(v).norm() < 1e-9);
+    SapVector other = 100 * numbers.vector(48);
+    problem.minimise(other, 1e-12, 60);
+    CHECK((other - v).norm() < 1e-9 * v.norm());
+  }
+}
+
+TEST_CASE("sap: Newton's method ends at the first place that its tolerance lets it") {
+  constexpr double tolerance = 1e-3;
+  Numbers numbers(6);
+  for (int i = 0; i < 100; ++i) {
+    SapProblem problem = chain_of(numbers, 8), masses_alone = problem;
+    masses_alone.contacts.clear();
+    masses_alone.rows.clear();
+    const Eigen::MatrixXd mass = masses_alone.hessian(problem.free());
+    const auto is_there = [&](const SapVector& v) {
+      const SapVector scale = mass.diagonal().cwiseSqrt().cwiseInverse(), slope = problem.gradient(v);
+      const SapVector moving = mass * v, pushed = mass * (v - problem.free()) - slope;
+      return scale.cwiseProduct(slope).norm() <=
+             tolerance * std::max(scale.cwiseProduct(moving).norm(), scale.cwiseProduct(pushed).norm());
+    };
+    SapVector v = problem.free();
+    CHECK_FALSE(is_there(v));
+    std::vector<bool> there;
+    problem.minimise(v, tolerance, 60, [&](const SapVector& at) { there.push_back(is_there(at)); });
+    REQUIRE_FALSE(there.empty());
+    CHECK(there.back());
+    CHECK(std::count(there.begin(), there.end(), true) == 1);
+  }
+}
