@@ -765,9 +765,10 @@ TEST_CASE("every method that plays anything has its law in the table of limits")
 TEST_CASE("a top and a pendulum at a wall are played beside the ten, each solver by its order") {
   for (const char* const program : {MOTION_PROGRAM, MOTION_WIDE_PROGRAM}) {
     const std::vector<std::string> motions = lines_of(call_program(program, "").out);
-    REQUIRE(motions.size() == all_motions().size() + 2);
-    CHECK(motions[motions.size() - 2].starts_with("top: "));
-    CHECK(motions.back().starts_with("pendulum-at-wall: "));
+    std::vector<std::string> further;
+    for (std::size_t i = all_motions().size(); i < motions.size(); ++i)
+      further.push_back(motions[i].substr(0, motions[i].find(':')));
+    CHECK(further == std::vector<std::string>{"top", "pendulum-at-wall", "gaps", "superball", "conveyor"});
   }
   CHECK(contains(call_program(MOTION_PROGRAM, "top").out, "direct-joints/SMALL-STEPS/SWEEPS"));
   CHECK(lines_of(call_program(MOTION_PROGRAM, "pendulum-at-wall").out).size() ==

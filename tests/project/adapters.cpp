@@ -167,6 +167,11 @@ TEST_CASE("what an adapter says of a motion is what the engine behind it does, t
   for (const Motion& motion : every_motion()) {
     const Ended played = call_program(MOTION_PROGRAM, motion.name + " ours/2/4 ours/4/2 --at-least 0", 60);
     INFO(motion.name << ": " << played.err);
+    if (has_conveyor(motion)) {  // the question has no words for it
+      CHECK(played.status == 2);
+      CHECK(contains(played.err, "none plays conveyor"));
+      continue;
+    }
     REQUIRE(played.status == 0);
     const auto lines = lines_of(played.out);
     REQUIRE(lines.size() == 2);
@@ -289,7 +294,8 @@ TEST_CASE("a scene is the same when it is read again: every motion, every hard c
     INFO(motion.name);
     World world;
     motion.begin(world);
-    same(world);
+    if (has_conveyor(motion)) CHECK(contains(complaint([&] { scene_json(world); }), "a conveyor"));
+    else same(world);
   }
   for (const HardCase& hard_case : hard_cases()) {
     INFO(hard_case.name);
@@ -355,9 +361,13 @@ TEST_CASE("motions and hard cases are files: each with what is asked, numbers in
     CHECK(json["name"] == motion.name);
     World world;
     motion.begin(world);
-    REQUIRE(json["scene"]["bodies"].size() == world.bodies.size());
-    CHECK(json["scene"]["joints"].size() == motion.pins.size());
-    for (std::size_t i = 0; i < world.bodies.size(); ++i)
+    CHECK(json.contains("lacks") == has_conveyor(motion));
+    CHECK(json.contains("scene") != json.contains("lacks"));
+    if (json.contains("scene")) {
+      REQUIRE(json["scene"]["bodies"].size() == world.bodies.size());
+      CHECK(json["scene"]["joints"].size() == motion.pins.size());
+    }
+    for (std::size_t i = 0; json.contains("scene") && i < world.bodies.size(); ++i)
       for (Eigen::Index k = 0; k < 3; ++k)
         CHECK(json["scene"]["bodies"][i]["position"][static_cast<std::size_t>(k)] == world.bodies[i].position[k]);
     const auto lines = lines_of(text_of(folder / "motions" / json["truth"].get<std::string>()));

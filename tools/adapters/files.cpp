@@ -26,20 +26,29 @@ std::string truth_csv(const Motion& motion) {
   return text;
 }
 
+/// What is not possible in such a file is said in the place of the scene.
+void add_scene(Json& json, const World& world) {
+  try {
+    json["scene"] = scene_json(world);
+  } catch (const InvalidInput& problem) {
+    json["lacks"] = problem.what();
+  }
+}
+
 Json motion_json(const Motion& motion) {
   World world;
   motion.begin(world);
-  return {{"pushback", "motion"},
-          {"version", version},
-          {"name", motion.name},
-          {"title", motion.title},
-          {"seconds", motion.seconds},
-          {"frames_per_second", frames_per_second},
-          {"truth", motion.name + ".truth.csv"},
-          {"scene", scene_json(world)}};
+  Json json{{"pushback", "motion"},
+            {"version", version},
+            {"name", motion.name},
+            {"title", motion.title},
+            {"seconds", motion.seconds},
+            {"frames_per_second", frames_per_second},
+            {"truth", motion.name + ".truth.csv"}};
+  add_scene(json, world);
+  return json;
 }
 
-/// What is not possible in such a file is said in the place of the scene.
 Json hard_case_json(const HardCase& hard_case) {
   Json criteria = Json::array();
   for (const Criterion& one : hard_case.criteria)
@@ -53,11 +62,7 @@ Json hard_case_json(const HardCase& hard_case) {
             {"criteria", criteria}};
   World world;
   hard_case.scene.fill(world);
-  try {
-    json["scene"] = scene_json(world);
-  } catch (const InvalidInput& problem) {
-    json["lacks"] = problem.what();
-  }
+  add_scene(json, world);
   return json;
 }
 

@@ -9,6 +9,7 @@
 
 #include "pushback/tools/peers/bullet.h"
 #include "pushback/tools/peers/peer.h"
+#include "pushback/tools/study/every_motion.h"
 
 namespace pushback {
 
@@ -141,7 +142,7 @@ Method method(const std::string& name, const std::string& title, const Choice& c
   const bool in_double = sizeof(btScalar) == sizeof(double);
   return {.name = (in_double ? "bullet-double" : "bullet") + name,
           .title = title + (in_double ? ", double" : ", float"),
-          .plays = [](const Motion&) { return true; },
+          .plays = [](const Motion& motion) { return !has_conveyor(motion); },
           .begin = [choice](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
             return std::make_unique<Bullet>(motion, setting, choice);
           },

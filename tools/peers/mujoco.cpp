@@ -8,6 +8,7 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/peers/mujoco.h"
 #include "pushback/tools/peers/peer.h"
+#include "pushback/tools/study/every_motion.h"
 
 namespace pushback {
 
@@ -67,6 +68,13 @@ class Mjcf {
   const std::string& operator()() const { return text_; }
 
  private:
+  /// Whether there are several. Then they are of the world, not each of a body of its own: with two such bodies and few others, MuJoCo 2.2.2 ends with
+  /// "Broadphase buffer full", as each is a pair with every body, also with the other.
+  bool several_planes() const {
+    return std::count_if(world_.bodies.begin(), world_.bodies.end(),
+                         [](const Body& body) { return std::holds_alternative<HalfSpace>(body.shape); }) > 1;
+  }
+
   /// What hangs this body on another, or on the world.
   const Pin* pin_of(const Body& body) const {
     for (const Pin& pin : pins_)
@@ -80,8 +88,10 @@ class Mjcf {
     const Quat turned = turn.conjugate() * body.orientation;
     if (const auto* half_space = std::get_if<HalfSpace>(&body.shape)) {
       const Quat up = Quat::FromTwoVectors(Vec3::UnitZ(), half_space->normal);
-      text_ += fmt::format("<body name='b{}' pos='{}' quat='{}'><geom type='plane' size='0 0 1'/></body>", body.index,
-                           text(at), text(up));
+      const std::string where = fmt::format("pos='{}' quat='{}'", text(at), text(up));
+      text_ += several_planes()
+                   ? fmt::format("<geom type='plane' size='0 0 1' {}/>", where)
+                   : fmt::format("<body name='b{}' {}><geom type='plane' size='0 0 1'/></body>", body.index, where);
       return;
     }
     text_ += fmt::format("<body name='b{}' pos='{}' quat='{}'>", body.index, text(at), text(turned));
@@ -126,6 +136,11 @@ class Mujoco : public PlayerInSubsteps {
     model_ = model_of(Mjcf(motion, world, setting, choice)());
     data_.reset(mj_makeData(model_.get()));
     for (const Body& body : world.bodies) {
+      still_.push_back(body.position.cast<double>());
+      if (!body.movable()) {
+        ids_.push_back(-1);
+        continue;
+      }
       ids_.push_back(mj_name2id(model_.get(), mjOBJ_BODY, fmt::format("b{}", body.index).c_str()));
       const int joint = model_->body_jntadr[ids_.back()];
       if (joint < 0) continue;
@@ -149,6 +164,7 @@ class Mujoco : public PlayerInSubsteps {
     if (const char* lost = lost_by(*data_)) throw InvalidInput(lost);
   }
   Eigen::Vector3d place(std::size_t body) const override {
+    if (ids_[body] < 0) return still_[body];
     if (moved_) mj_kinematics(model_.get(), data_.get());  // a step leaves the places of where it began
     moved_ = false;
     return Eigen::Map<const Eigen::Vector3d>(data_->xipos + 3 * ids_[body]);
@@ -161,7 +177,8 @@ class Mujoco : public PlayerInSubsteps {
  private:
   MujocoModel model_;
   MujocoData data_;
-  std::vector<int> ids_;
+  std::vector<int> ids_;  // -1: nothing moves the body
+  Places still_;          // where the bodies were at first
   mutable bool moved_ = true;
   double row_solves_ = 0;
 };
@@ -176,7 +193,7 @@ Method method(const std::string& name, const std::string& title, const Choice& c
               [what, bounces = choice.bounces](const Motion& motion) {
                 World world;
                 motion.fill(world);  // MuJoCo has no restitution, but springs
-                return (world.bodies.back().restitution > 0) == bounces &&
+                return (world.bodies.back().restitution > 0) == bounces && !has_conveyor(motion) &&
                        (what != For::pins || !motion.pins.empty()) && (what != For::friction || motion.pins.empty());
               },
           .begin = [choice](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <map>
 
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/peers/ode.h"
@@ -86,6 +87,7 @@ class Ode : public PlayerInSubsteps {
     if (const auto* half_space = std::get_if<HalfSpace>(&body.shape)) {
       const Vec3& n = half_space->normal;
       made.geom = dCreatePlane(space_, n.x(), n.y(), n.z(), n.dot(body.position));
+      if (body.conveys) belts_[made.geom] = body.velocity.cast<double>();
       bodies_.push_back(made);
       return;
     }
@@ -103,6 +105,12 @@ class Ode : public PlayerInSubsteps {
     bodies_.push_back(made);
   }
 
+  /// m/s, of its surface.
+  Eigen::Vector3d belt_of(dGeomID geom) const {
+    const auto found = belts_.find(geom);
+    return found == belts_.end() ? Eigen::Vector3d::Zero() : found->second;
+  }
+
   void collide(dGeomID a, dGeomID b) {
     const dBodyID first = dGeomGetBody(a), second = dGeomGetBody(b);
     if (first != nullptr && second != nullptr && dAreConnectedExcluding(first, second, dJointTypeContact) != 0) return;
@@ -112,7 +120,8 @@ class Ode : public PlayerInSubsteps {
       dContact contact{};
       contact.surface = surface_;
       contact.geom = found[static_cast<std::size_t>(i)];
-      if (choice_.aligned) align(contact, first, second);
+      if (choice_.aligned) align(contact, first, second, belt_of(a) - belt_of(b));
+      if (!belts_.empty()) convey(contact, belt_of(a) + belt_of(b), first == nullptr);
       dJointAttach(dJointCreateContact(world_, contacts_, &contact), first, second);
     }
     rows_ += count * (surface_.mu > 0 ? 3 : 1);  // no tangents where nothing rubs
@@ -125,6 +134,7 @@ class Ode : public PlayerInSubsteps {
   dJointGroupID contacts_;
   dSurfaceParameters surface_{};
   std::vector<Made> bodies_;
+  std::map<dGeomID, Eigen::Vector3d> belts_;  // looked up, never gone through
   int pins_ = 0;
   int rows_ = 0;           // of the latest step
   double row_solves_ = 0;  // of all

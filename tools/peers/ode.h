@@ -39,14 +39,29 @@ inline Eigen::Vector3d velocity_at(dBodyID body, const dVector3& point) {
   return {velocity[0], velocity[1], velocity[2]};
 }
 
-/// The first direction of friction becomes that of sliding, where there is any.
-inline void align(dContact& contact, dBodyID a, dBodyID b) {
+/// The first direction of friction becomes that of sliding, where there is any. `runs`: m/s, of a's surface over a, less that of b's.
+inline void align(dContact& contact, dBodyID a, dBodyID b, const Eigen::Vector3d& runs = Eigen::Vector3d::Zero()) {
   const Eigen::Map<const Eigen::Vector3d> n(contact.geom.normal);
-  Eigen::Vector3d sliding = velocity_at(a, contact.geom.pos) - velocity_at(b, contact.geom.pos);
+  Eigen::Vector3d sliding = velocity_at(a, contact.geom.pos) - velocity_at(b, contact.geom.pos) + runs;
   sliding -= n.dot(sliding) * n;
   if (sliding.norm() < 1e-6) return;
   contact.surface.mode |= dContactFDir1;
   Eigen::Map<Eigen::Vector3d>(contact.fdir1) = sliding.normalized();
+}
+
+/// One of the two is no body, and its surface runs with `belt`, m/s: friction pulls the other one towards that. ODE asks for the speeds
+/// along its two directions, t1 and n x t1, so t1 has to be said. `turned`: the body is the second of the two, and n is turned round.
+inline void convey(dContact& contact, const Eigen::Vector3d& belt, bool turned) {
+  const Eigen::Vector3d n = (turned ? -1 : 1) * Eigen::Map<const Eigen::Vector3d>(contact.geom.normal);
+  Eigen::Map<Eigen::Vector3d> t1(contact.fdir1);
+  if ((contact.surface.mode & dContactFDir1) == 0) {
+    dVector3 second;
+    const dVector3 normal{n.x(), n.y(), n.z()};
+    dPlaneSpace(normal, contact.fdir1, second);
+  }
+  contact.surface.mode |= dContactFDir1 | dContactMotion1 | dContactMotion2;
+  contact.surface.motion1 = belt.dot(t1);
+  contact.surface.motion2 = belt.dot(n.cross(t1));
 }
 
 }  // namespace pushback

@@ -5,6 +5,7 @@
 #include "pushback/chapters/24_half_step/top.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/basics/named.h"
+#include "pushback/tools/study/further_motions.h"
 
 namespace pushback {
 
@@ -48,6 +49,42 @@ Motion pendulum_at_wall() {
           .most_passes = 2048};
 }
 
+Motion gaps() {
+  const further::Gaps balls;
+  return {.name = "gaps",
+          .title = "six balls in a row with gaps, e = 0.9",
+          .fill = balls,
+          .seconds = balls.seconds,
+          .truth = [balls](int frames) { return balls.truth(frames); },
+          .most_substeps = 2048,
+          .most_sweeps = 4,
+          .most_passes = 2048};
+}
+
+Motion superball() {
+  const further::Superball ball;
+  return {.name = "superball",
+          .title = "a ball that spins between two plates, e = 0.9",
+          .fill = ball,
+          .seconds = ball.seconds,
+          .truth = [ball](int frames) { return ball.truth(frames); },
+          .most_substeps = 2048,
+          .most_sweeps = 4,
+          .most_passes = 2048};
+}
+
+Motion conveyor() {
+  const further::Conveyor belt;
+  return {.name = "conveyor",
+          .title = "a box is put on a belt",
+          .fill = belt,
+          .seconds = belt.seconds,
+          .truth = [belt](int frames) { return belt.truth(frames); },
+          .most_substeps = 1024,
+          .most_sweeps = 16,
+          .most_passes = 2048};
+}
+
 }  // namespace
 
 const std::vector<Motion>& every_motion() {
@@ -55,6 +92,9 @@ const std::vector<Motion>& every_motion() {
     std::vector<Motion> all = all_motions();
     all.push_back(top_on_a_pin());
     all.push_back(pendulum_at_wall());
+    all.push_back(gaps());
+    all.push_back(superball());
+    all.push_back(conveyor());
     return all;
   }();
   return motions;
@@ -69,6 +109,12 @@ bool has_contacts(const Motion& motion) {
   motion.fill(world);
   const auto stands = [](const Body& body) { return !body.movable(); };
   return motion.pins.empty() || std::any_of(world.bodies.begin(), world.bodies.end(), stands);
+}
+
+bool has_conveyor(const Motion& motion) {
+  World world;
+  motion.fill(world);
+  return std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.conveys; });
 }
 
 }  // namespace pushback

@@ -1,11 +1,11 @@
-/// The motions that the study plays: chapter 19's, and two of later chapters.
+/// The motions that the study plays: chapter 19's, two of later chapters, and those of further_motions.h.
 #pragma once
 
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
 
 namespace pushback {
 
-/// Chapter 19's ten; then top, chapter 24's, on a pin; and pendulum-at-wall, chapter 25's, of two bodies.
+/// Chapter 19's ten; then top, chapter 24's, on a pin; pendulum-at-wall, chapter 25's, of two bodies; gaps, superball, conveyor.
 const std::vector<Motion>& every_motion();
 
 /// One of them. Throws InvalidInput, with the names that there are, if none has this name.
@@ -13,5 +13,8 @@ const Motion& any_motion_named(const std::string& name);
 
 /// Whether bodies of the motion may touch: whether nothing is pinned, or something stands there that nothing moves.
 bool has_contacts(const Motion& motion);
+
+/// Whether a body's surface moves: not every engine has that, and neither has the text in which adapters are asked.
+bool has_conveyor(const Motion& motion);
 
 }  // namespace pushback

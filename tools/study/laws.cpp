@@ -98,7 +98,8 @@ std::string table_of_limits(const std::vector<MotionMeasured>& all) {
   for (const std::vector<std::string>& names :
        {std::vector<std::string>{"bounce", "incline", "sliding", "rolling", "break"},
         {"stack-10", "pyramid-10", "heavy-on-light"},
-        {"pendulum", "chain", "top", "pendulum-at-wall"}}) {
+        {"pendulum", "chain", "top", "pendulum-at-wall"},
+        {"gaps", "superball", "conveyor"}}) {
     std::vector<const MotionMeasured*> motions;
     for (const std::string& name : names)
       for (const MotionMeasured& measured : all)

@@ -35,13 +35,14 @@ inline Hop hop_of(double slip, double mu, double k) {
   return {speed, height, std::sqrt(1 + mu * mu) * height};
 }
 
-/// Of the last body of a motion, a box or a ball that is sent along the level ground; nothing where the motion is another.
+/// Of the last body of a motion, a box or a ball that is sent along the level ground, which stands; nothing where the motion is another.
 inline std::optional<Hop> hop_of(const Motion& motion) {
   World world;
   motion.fill(world);
   const Body& body = world.bodies.back();
   const double slip = static_cast<double>(body.velocity.norm()), mu = static_cast<double>(body.friction);
   if (slip == 0 || mu == 0 || !motion.pins.empty()) return {};
+  if (body.velocity.y() != 0 || world.bodies.front().conveys) return {};
   double k = 1;
   if (const auto* ball = std::get_if<Sphere>(&body.shape))
     k += static_cast<double>(ball->radius * ball->radius * body.principal_inverse_inertia.x() / body.inverse_mass);
