@@ -292,7 +292,7 @@ void HeldContacts::begin_projecting(World& world, Real h) {
       known.borne.setZero();
       continue;
     }
-    const bool bounces = known.approach < -threshold && known.pressed;
+    const bool bounces = known.approach < -threshold;
     taking_.push_back({i, bounces ? world.contacts[i].restitution * known.approach : 0, Vec3::Zero(), Vec3::Zero()});
   }
   give_guess(world, h);
