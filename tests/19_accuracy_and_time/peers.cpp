@@ -14,9 +14,10 @@ using namespace pushback;
 namespace {
 
 constexpr Patience once{.at_least = 0, .at_most = 600};
+constexpr int some_sweeps = 16;
 
 double error_of(const Method& method, const Motion& motion, int substeps) {
-  return play(motion, motion.truth(motion.frames()), method, {.substeps = substeps, .sweeps = 16}, once).error;
+  return play(motion, motion.truth(motion.frames()), method, {.substeps = substeps, .sweeps = some_sweeps}, once).error;
 }
 
 /// A turned box and a ball beside it fall for 0.4 s, and are still above the ground.
@@ -46,8 +47,10 @@ TEST_CASE("What falls keeps its velocity and gets that of gravity: half a step l
     if (!method.plays(falling)) continue;
     INFO(method.name);
     for (const int substeps : {1, 4, 16}) {
-      // v += h g, x += h v:   x errs by g h t / 2
-      const double late = truth::g * falling.seconds / (2 * frames_per_second * substeps);
+      // v += h g, x += h v:   x errs by g h t / 2. One way of Box3D makes its substeps of what are sweeps to others.
+      const int divided = substeps * (method.name == "box3d-often" ? some_sweeps : 1);
+      if (divided > 64) continue;  // a sum of 6,144 places in float is off by a quarter of what is looked for
+      const double late = truth::g * falling.seconds / (2 * frames_per_second * divided);
       CHECK(error_of(method, falling, substeps) == Approx(late).margin(2e-5));  // margin: of float
     }
   }
@@ -56,15 +59,19 @@ TEST_CASE("What falls keeps its velocity and gets that of gravity: half a step l
 TEST_CASE("A pinned ball swings as the truth does, the closer the smaller the step") {
   for (const Method& method : peer_methods()) {
     INFO(method.name);
+    // Jolt moves the joint's bodies once more after each step, and is late by more; so it is as WebAssembly.
+    const double first_order = method.name.find("jolt") == 0 ? 0.04 : 0.013;  // m
     for (const int substeps : {1, 4, 16})
-      CHECK(error_of(method, motion_named("pendulum"), substeps) < 0.013 / substeps);
+      CHECK(error_of(method, motion_named("pendulum"), substeps) < first_order / substeps);
   }
 }
 
 TEST_CASE("The chain swings as the truth does once steps are small") {
   for (const Method& method : peer_methods()) {
     INFO(method.name);
-    CHECK(error_of(method, motion_named("chain"), 32) < 0.005);
+    const double error = error_of(method, motion_named("chain"), 32);
+    if (method.name == "box3d") CHECK(error > 0.1);  // its joints stay springs of 60 Hz, however small the step
+    else CHECK(error < 0.005);
   }
 }
 
@@ -285,7 +292,8 @@ TEST_CASE("What the test kit finds wrong is what an engine is known for, and not
                                                             {"bullet-double-nncg", "restitution"},
                                                             {"bullet-double-dantzig", "restitution"},
                                                             {"ode", "friction"},
-                                                            {"mujoco-bounce", "restitution"}};
+                                                            {"mujoco-bounce", "restitution"},
+                                                            {"jolt", "gyroscope"}};
   for (const Method& method : peer_methods())
     for (const Finding& finding : findings_of(method)) {
       INFO(method.name << ", " << finding.about << ": " << finding.says);

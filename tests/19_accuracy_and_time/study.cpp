@@ -643,6 +643,9 @@ TEST_CASE("the table of the engines has a row a motion: the cheapest below a mil
   all[0].all.push_back(of("motion_adapter", "entered", 1, 1, 2e-4, 0.006));
   CHECK(contains(lines_of(table_of_engines(all))[0], "| MuJoCo | entered |"));
   CHECK(row().ends_with(" | – | 100 µs, `entered/1/1` |"));
+  all[0].all.push_back(of("motion_box3d", "box3d", 4, 1, 3e-4, 0.003));
+  CHECK(contains(lines_of(table_of_engines(all))[0], "| MuJoCo | Box3D | entered |"));
+  CHECK(row().ends_with(" | – | 50 µs, `box3d/4/1` | 100 µs, `entered/1/1` |"));
 }
 
 TEST_CASE("the table of the others says how many times as long they take") {

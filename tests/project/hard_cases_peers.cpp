@@ -126,7 +126,8 @@ TEST_CASE("what cannot be meant, or is not built: status 2, and nothing is writt
   const Scratch scratch;
   for (const auto& [arguments, named] :
        std::vector<std::pair<std::string, std::string>>{{"stack", "case is 'stack'"},
-                                                        {"--settings Jolt", "setting is 'Jolt'"},
+                                                        {"--settings PhysX", "setting is 'PhysX'"},
+                                                        {"--settings Jolt --renew", "setting is 'Jolt'"},
                                                         {"--at-most nan", "--at-most"},
                                                         {"--jobs 0", "--jobs"},
                                                         {"slop --renew", "peers.csv"},

@@ -6,8 +6,13 @@
 
 namespace pushback {
 
+namespace {
+
+constexpr Real of_float = Real(std::numeric_limits<float>::epsilon());
+
+}  // namespace
+
 const std::vector<PeerSetting>& peer_settings() {
-  constexpr Real of_float = Real(std::numeric_limits<float>::epsilon());
   static const std::vector<PeerSetting> all{
       {.name = "Bullet",
        .what = "as it comes: float, 10 iterations a step",
@@ -43,6 +48,42 @@ const std::vector<PeerSetting>& peer_settings() {
        .engine = "mujoco",
        .tuned = true,
        .substeps = 8}};
+  return all;
+}
+
+const std::vector<PeerSetting>& settings_from_source() {
+  static const std::vector<PeerSetting> all{
+      {.name = "Box3D",
+       .what = "as it comes: float, 4 substeps",
+       .engine = "box3d",
+       .own_substeps = 4,
+       .epsilon = of_float},
+      {.name = "Box3D stiff",
+       .what = "8 substeps, contacts and joints as stiff as these allow; what bounces does so at any speed; bodies may "
+               "have 10 km/s",
+       .engine = "box3d",
+       .tuned = true,
+       .own_substeps = 8,
+       .epsilon = of_float},
+      {.name = "Box3D tuned",
+       .what = "as stiff, with contacts detected 8 times a step, for 8 substeps each",
+       .engine = "box3d",
+       .tuned = true,
+       .substeps = 8,
+       .own_substeps = 8,
+       .epsilon = of_float},
+      {.name = "Jolt",
+       .what = "as it comes: float, 10 velocity and 2 position iterations a step, corners rounded by 50 mm",
+       .engine = "jolt",
+       .epsilon = of_float},
+      {.name = "Jolt tuned",
+       .what = "8 substeps of 16 velocity and 4 position iterations, bounces at any speed, no allowed overlap, no "
+               "rounding, a gyroscopic torque",
+       .engine = "jolt",
+       .tuned = true,
+       .substeps = 8,
+       .sweeps = 16,
+       .epsilon = of_float}};
   return all;
 }
 

@@ -14,6 +14,7 @@ struct PeerSetting {
   std::string engine;                                   ///< the program hard_cases_ENGINE plays it
   bool tuned = false;                                   ///< else as it comes
   int substeps = 1;                                     ///< of each step
+  int own_substeps = 1;                                 ///< of each of these, by the engine: it detects once
   int sweeps = 10;                                      ///< or iterations, in each substep
   Real epsilon = std::numeric_limits<Real>::epsilon();  ///< the rounding unit of its numbers
 };
@@ -23,6 +24,9 @@ inline constexpr int peer_starts = 5;
 
 /// Each engine as it comes, and tuned.
 const std::vector<PeerSetting>& peer_settings();
+
+/// The same of the engines that are compiled from their source. They are in no table of all cases.
+const std::vector<PeerSetting>& settings_from_source();
 
 /// Of these settings, by default all of peer_settings. Each plays by its program in the folder, or by none where the folder is empty.
 std::vector<Stage> peer_stages(const std::filesystem::path& folder = {},

@@ -101,7 +101,11 @@ int main(int argc, char** argv) {
       all = peer_stages(programs, the_adapter().settings());
     }
     std::vector<HardCase> cases = chosen("case", hard_cases(), names);
-    std::vector<Stage> columns = chosen("setting", all, settings);
+    // Those from source are played where they are named, and are in no peers.csv.
+    std::vector<Stage> named_ones = all;
+    if (!settings.empty() && adapter.empty() && !keep)
+      for (Stage& stage : peer_stages(programs, settings_from_source())) named_ones.push_back(std::move(stage));
+    std::vector<Stage> columns = chosen("setting", named_ones, settings);
     if (list) {
       for (const Stage& stage : columns) fmt::print("{:<16}{}\n", stage.name, stage.what);
       return;

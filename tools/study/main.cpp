@@ -144,7 +144,7 @@ int main(int argc, char** argv) {
   CommandLine line("What accuracy costs in time: all motions in all settings, timed round after round.");
   Asked asked;
   line.flag("--quick", asked.quick, "Fewer settings, fewer rounds: in two minutes");
-  line.flag("--peers", asked.others, "Bullet, ODE and MuJoCo as well, where they were built");
+  line.flag("--peers", asked.others, "The other engines as well, those that were built");
   line.flag("--methods", asked.methods,
             "The methods of docs/methods.md and some of ours, into methods/ in that folder");
   line.option("--mine", asked.mine, "A solver as a shared object, as one more engine");

@@ -75,7 +75,9 @@ std::vector<Contender> contenders(const fs::path& programs) {
                              {"Exact", play<Exact>}};
   for (const auto& [title, program, setting] : {std::array{"Bullet", "motion_bullet", "bullet/1/10"},
                                                 {"ODE", "motion_ode", "ode/1/20"},
-                                                {"MuJoCo", "motion_mujoco", "mujoco-default/1"}})
+                                                {"MuJoCo", "motion_mujoco", "mujoco-default/1"},
+                                                {"Box3D", "motion_box3d", "box3d/4"},
+                                                {"Jolt", "motion_jolt", "jolt/1"}})
     if (fs::exists(programs / program)) all.push_back(of_program(title, programs / program, setting));
   return all;
 }

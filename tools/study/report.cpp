@@ -162,9 +162,12 @@ std::string table_of_engines(const std::vector<MotionMeasured>& all) {
                             {"Bullet", {"motion_bullet", "motion_bullet_double"}},
                             {"ODE", {"motion_ode"}},
                             {"MuJoCo", {"motion_mujoco"}}};
-  if (std::any_of(all.begin(), all.end(),
-                  [](const MotionMeasured& measured) { return !of_engine(measured.all, "motion_adapter").empty(); }))
-    makers.push_back({"entered", {"motion_adapter"}});
+  for (const Maker& maker :
+       {Maker{"Box3D", {"motion_box3d"}}, {"Jolt", {"motion_jolt"}}, {"entered", {"motion_adapter"}}})
+    if (std::any_of(all.begin(), all.end(), [&](const MotionMeasured& measured) {
+          return !of_engine(measured.all, maker.engines.front()).empty();
+        }))
+      makers.push_back(maker);
   std::string text = "| an error below 1 mm | Pushback, told 1 mm |", rule = "| --- | --- |";
   for (const Maker& maker : makers) {
     text += fmt::format(" {} |", maker.name);

@@ -145,7 +145,9 @@ const std::vector<Engine> known_engines{{"motion", "ours, double", 0},
                                         {"motion_bullet", "Bullet, float", 1},
                                         {"motion_bullet_double", "Bullet, double", 4},
                                         {"motion_ode", "ODE, double", 2},
-                                        {"motion_mujoco", "MuJoCo, double", 3}};
+                                        {"motion_mujoco", "MuJoCo, double", 3},
+                                        {"motion_box3d", "Box3D, float", 8},
+                                        {"motion_jolt", "Jolt, float", 9}};
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/tools/peers/engine_solver.h"
+#include "pushback/tools/peers/peer.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -21,7 +22,7 @@ constexpr Real dt = Real(1) / 60;
 /// Calls `check` for each setting of this engine.
 void under_each(const std::function<void(const PeerSetting&)>& check) {
   int settings = 0;
-  for (const PeerSetting& setting : peer_settings()) {
+  for (const PeerSetting& setting : settings_of_peer()) {
     if (setting.engine != PEER) continue;
     ++settings;
     INFO(setting.name);
@@ -35,6 +36,15 @@ bool is_mujoco() {
 }
 bool is_bullet() {
   return std::string(PEER).starts_with("bullet");
+}
+/// Of those that are compiled from their source.
+bool is_of_the_day() {
+  return std::string(PEER) == "box3d" || std::string(PEER) == "jolt";
+}
+
+/// Of a step, whoever divides it.
+int substeps_of(const PeerSetting& setting) {
+  return setting.substeps * setting.own_substeps;
 }
 
 /// Of a number near `size`.
@@ -69,7 +79,7 @@ TEST_CASE("units: what falls, whatever its shape, falls by the closed form of it
     world.add(cube_of_corners(Real(0.3), 5).at({8, 2, 0}).moving({0, 0, -1}));
     const std::vector<Body> start = world.bodies;
     EngineSolver solver(begin_engine, setting);
-    const Real t = Real(0.5), h = dt / static_cast<Real>(setting.substeps);
+    const Real t = Real(0.5), h = dt / static_cast<Real>(substeps_of(setting));
     run(world, solver, t);
     for (std::size_t i = 0; i < start.size(); ++i) {
       INFO(i);
@@ -170,6 +180,30 @@ TEST_CASE("restitution of a pair is the larger of its two, where an engine bounc
       run(world, solver, Real(0.5));
       CHECK(world.bodies[1].velocity.y() == Approx(4).epsilon(1e-3));
     }
+  });
+}
+
+TEST_CASE("Box3D and Jolt bounce from 1 m/s on as they come, and at any speed where that is set") {
+  if (!is_of_the_day()) return;
+  under_each([](const PeerSetting& setting) {
+    World world;
+    world.gravity.setZero();
+    world.add(ground());
+    world.add(sphere(Real(0.3), 2).at({0, Real(0.5), 0}).moving({0, Real(-0.5), 0}).bouncy(Real(0.8)));
+    EngineSolver solver(begin_engine, setting);
+    run(world, solver, 1);
+    CHECK(world.bodies[1].velocity.y() == Approx(setting.tuned ? 0.4 : 0).margin(0.01));
+  });
+}
+
+TEST_CASE("a capsule is along y: upright it stands, for a moment at least, at its whole height") {
+  under_each([](const PeerSetting& setting) {
+    World world;
+    world.add(ground());
+    world.add(capsule(Real(0.2), Real(0.3), 10).at({0, Real(0.501), 0}));
+    EngineSolver solver(begin_engine, setting);
+    run(world, solver, Real(0.2));  // in which it would fall by 0.2 m
+    CHECK(world.bodies[1].position.y() == Approx(0.5).margin(0.006));
   });
 }
 
@@ -330,7 +364,7 @@ TEST_CASE("a hinge's limits, a cone and a twist: held, or said not to be had") {
         const Vec3 axis = which == 2 ? Vec3::UnitY() : Vec3::UnitZ();
         Body& body = world.bodies[1];
         EngineSolver solver(begin_engine, setting);
-        if (!is_bullet()) {
+        if (!is_bullet() && !is_of_the_day()) {
           CHECK(contains(complaint([&] { world.step(solver, dt); }), "not possible: "));
           continue;
         }
@@ -343,6 +377,40 @@ TEST_CASE("a hinge's limits, a cone and a twist: held, or said not to be had") {
         }
         const Real limit = which == 0 ? (side < 0 ? Real(0.3) : Real(0.9)) : which == 1 ? Real(0.6) : Real(0.4);
         CHECK(farthest == Approx(limit).margin(0.1));
+      }
+    }
+  });
+}
+
+TEST_CASE("Box3D and Jolt: a cone and a twist of one joint, in either order, each to its own side") {
+  if (!is_of_the_day()) return;
+  under_each([](const PeerSetting& setting) {
+    for (const bool cone_first : {true, false}) {
+      for (const bool other_way : {true, false}) {  // the axis of the twist against that of the cone
+        for (const Real side : {Real(-1), Real(1)}) {
+          INFO(cone_first << other_way << " to " << side);
+          World world;
+          world.gravity.setZero();
+          world.add(box(Vec3::Constant(Real(0.2)), 1).fixed());
+          world.add(box({Real(0.1), Real(0.4), Real(0.15)}, 2).at({0, Real(-0.7), 0}));
+          world.joints.push_back(ball_and_socket(world, 0, 1, {0, Real(-0.25), 0}));
+          const Vec3 down = -Vec3::UnitY(), about = other_way ? -down : down;
+          const auto twist = [&] { return twist_limits(world, 0, 1, about, Real(-0.2), Real(0.5)); };
+          if (!cone_first) world.joints.push_back(twist());
+          world.joints.push_back(cone_limit(world, 0, 1, down, down, Real(0.6)));
+          if (cone_first) world.joints.push_back(twist());
+          EngineSolver solver(begin_engine, setting);
+          Real twisted = 0, swung = 0;
+          for (int i = 0; i < 60; ++i) {
+            world.bodies[1].torque = side * Real(0.2) * about + side * 2 * Vec3::UnitZ();
+            world.step(solver, dt);
+            const Quat& q = world.bodies[1].orientation;
+            twisted = std::max(twisted, side * 2 * std::atan2(q.vec().dot(about), q.w()));
+            swung = std::max(swung, std::acos(std::clamp((q * down).dot(down), Real(-1), Real(1))));
+          }
+          CHECK(twisted == Approx(side < 0 ? 0.2 : 0.5).margin(0.1));
+          CHECK(swung == Approx(0.6).margin(0.1));
+        }
       }
     }
   });

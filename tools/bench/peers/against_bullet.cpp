@@ -1,5 +1,6 @@
 /// Chapters 12, 21 and 22, and the solver that is recommended, beside Bullet's default (float, 10 sweeps), on the same scenes: steps of
-/// 1/60 s, timed in turn within one run.
+/// 1/60 s, timed in turn within one run. Compiled again for Box3D's (float, 4 substeps) and Jolt's (float, 10 sweeps): what PEER
+/// names, by the first of its methods.
 #include <benchmark/benchmark.h>
 
 #include "pushback/chapters/21_detected_once/study.h"
@@ -17,6 +18,7 @@ using namespace pushback;
 namespace {
 
 constexpr Real dt = Real(1) / 60;
+const std::string peer = PEER;
 
 struct Way {
   const char* name;
@@ -41,21 +43,22 @@ Real drift(const World& start, const World& now) {
   return most;
 }
 
-/// Medians of the ratios to Bullet's time for the same step, ns a contact; how deep contacts are at the end and how far bodies have
+/// Medians of the ratios to the peer's time for the same step, ns a contact; how deep contacts are at the end and how far bodies have
 /// moved sideways, mm.
-void beside_bullet(benchmark::State& state, const std::function<void(World&)>& fill, int substeps, int settle) {
+void beside_peer(benchmark::State& state, const std::function<void(World&)>& fill, int substeps, int settle) {
   const std::vector<Way> ways{{"chapter 12", detected_once_scenes::DetectedInEach{}, substeps},
                               {"once", in<DetectedOnce>(substeps), 1},
                               {"wide, double", in<Wide<double>>(substeps), 1},
                               {"wide, float", in<Wide<float>>(substeps), 1},
                               {"recommended", Recommended{}, 1}};
   Motion motion{.name = "", .title = "", .fill = fill, .seconds = 1, .truth = {}};
-  const std::unique_ptr<Player> bullet = peer_methods().front().begin(motion, {.substeps = 1, .sweeps = 10});
+  const Setting as_it_comes{.substeps = PEER_SUBSTEPS, .sweeps = 10};
+  const std::unique_ptr<Player> player = peer_methods().front().begin(motion, as_it_comes);
   World start;
   fill(start);
   std::vector<World> worlds(ways.size(), start);
   std::vector<AnySolver> solvers;
-  std::vector<std::function<double()>> things{[&] { return seconds_of([&] { bullet->frame(1); }); }};
+  std::vector<std::function<double()>> things{[&] { return seconds_of([&] { player->frame(as_it_comes.substeps); }); }};
   for (const Way& way : ways) solvers.push_back(way.solver);
   for (std::size_t i = 0; i < ways.size(); ++i) {
     things.emplace_back([&, i] {
@@ -68,9 +71,9 @@ void beside_bullet(benchmark::State& state, const std::function<void(World&)>& f
     for (const auto& thing : things) thing();
   InTurn turns;
   for (auto _ : state) turns.round(things);
-  state.counters["Bullet, us"] = 1e6 * turns.time(0);
+  state.counters[peer + ", us"] = 1e6 * turns.time(0);
   for (std::size_t i = 0; i < ways.size(); ++i) {
-    state.counters[std::string(ways[i].name) + " / Bullet"] = turns.ratio(i + 1, 0);
+    state.counters[std::string(ways[i].name) + " / " + peer] = turns.ratio(i + 1, 0);
     worlds[i].find_contacts();
     state.counters[std::string(ways[i].name) + ", mm"] = 1000 * deepest_overlap(worlds[i]);
     state.counters[std::string(ways[i].name) + ", drift mm"] = 1000 * drift(start, worlds[i]);
@@ -81,19 +84,19 @@ void beside_bullet(benchmark::State& state, const std::function<void(World&)>& f
 }
 
 void pyramid_of_210(benchmark::State& state) {
-  beside_bullet(state, [](World& world) { pyramid(world, 20); }, 8, 300);
+  beside_peer(state, [](World& world) { pyramid(world, 20); }, 8, 300);
 }
 void pyramid_of_210_in_4_substeps(benchmark::State& state) {
-  beside_bullet(state, [](World& world) { pyramid(world, 20); }, 4, 300);
+  beside_peer(state, [](World& world) { pyramid(world, 20); }, 4, 300);
 }
 void pyramid_of_210_as_recommended(benchmark::State& state) {
-  beside_bullet(state, [](World& world) { pyramid(world, 20); }, Wide<Real>{}.substeps, 120);
+  beside_peer(state, [](World& world) { pyramid(world, 20); }, Wide<Real>{}.substeps, 120);
 }
 void stack_of_40(benchmark::State& state) {
-  beside_bullet(state, [](World& world) { stack(world, 40); }, 32, 120);
+  beside_peer(state, [](World& world) { stack(world, 40); }, 32, 120);
 }
 void stack_of_40_in_8_substeps(benchmark::State& state) {
-  beside_bullet(state, [](World& world) { stack(world, 40); }, 8, 600);
+  beside_peer(state, [](World& world) { stack(world, 40); }, 8, 600);
 }
 /// Each box aside by up to 3 mm.
 void crooked_stack_of_40(benchmark::State& state) {
@@ -103,7 +106,7 @@ void crooked_stack_of_40(benchmark::State& state) {
     for (Body& body : world.bodies)
       if (body.movable()) body.position += random.vector(Real(3e-3)).cwiseProduct(Vec3(1, 0, 1));
   };
-  beside_bullet(state, fill, 8, 600);
+  beside_peer(state, fill, 8, 600);
 }
 void columns_of_ten(benchmark::State& state) {
   const auto fill = [](World& world) {
@@ -111,13 +114,13 @@ void columns_of_ten(benchmark::State& state) {
     for (int i = 0; i < 400; ++i)
       world.add(box(Vec3::Constant(Real(0.5)), 1).at({2 * Real(i / 10), Real(0.5) + Real(i % 10), 0}));
   };
-  beside_bullet(state, fill, 8, 300);
+  beside_peer(state, fill, 8, 300);
 }
 void pile_of_512(benchmark::State& state) {
-  beside_bullet(state, [](World& world) { heap(world, 8, 8, -4); }, 8, 240);
+  beside_peer(state, [](World& world) { heap(world, 8, 8, -4); }, 8, 240);
 }
 void pile_of_4000(benchmark::State& state) {
-  beside_bullet(state, [](World& world) { heap(world, 20, 10, -10); }, 8, 240);
+  beside_peer(state, [](World& world) { heap(world, 20, 10, -10); }, 8, 240);
 }
 BENCHMARK(pyramid_of_210)->Iterations(200)->Unit(benchmark::kMicrosecond);
 BENCHMARK(pyramid_of_210_in_4_substeps)->Iterations(200)->Unit(benchmark::kMicrosecond);

@@ -1,0 +1,111 @@
+# Engines that are no packages are compiled here, of a folder or of what is fetched, at the commit that the adapters were written for.
+option(PUSHBACK_FETCH_ENGINES "Fetch the engines that are no packages: Box3D and Jolt" OFF)
+set(PUSHBACK_ENGINE_FLAGS sse2 CACHE STRING
+  "How they are compiled: sse2, as this project is; avx2, as its wide solver is; or theirs, as their own CMake does")
+set_property(CACHE PUSHBACK_ENGINE_FLAGS PROPERTY STRINGS sse2 avx2 theirs)
+if(NOT PUSHBACK_ENGINE_FLAGS MATCHES "^(sse2|avx2|theirs)$")
+  message(FATAL_ERROR "PUSHBACK_ENGINE_FLAGS is '${PUSHBACK_ENGINE_FLAGS}': sse2, avx2 or theirs is needed")
+endif()
+include(FetchContent)  # before any of theirs, which would choose another folder for what is fetched
+
+# The source of NAME, in ${name}_FOLDER: PUSHBACK_${NAME}_SOURCE, or fetched; empty where neither. ${name}_FROM says which. `file` is one of its files.
+function(find_source name title repository commit file)
+  string(TOUPPER ${name} variable)
+  set(variable PUSHBACK_${variable}_SOURCE)
+  set(${variable} "" CACHE PATH "Folder with the source of ${title}")
+  set(folder "${${variable}}")
+  set(from "of a folder")
+  if(folder)
+    if(NOT EXISTS "${folder}/${file}")
+      message(FATAL_ERROR "${variable} is '${folder}', which has no ${file}: a folder with the source of ${title} is needed, that is ${repository}")
+    endif()
+  elseif(PUSHBACK_FETCH_ENGINES)
+    if(NOT EXISTS "${FETCHCONTENT_BASE_DIR}/${name}-src/${file}")
+      execute_process(COMMAND git ls-remote --exit-code ${repository} HEAD RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET TIMEOUT 60)
+      if(failed)
+        message(STATUS "motion_${name} is not built: ${repository} cannot be reached; -D${variable}=FOLDER needs no network")
+        return()
+      endif()
+    endif()
+    FetchContent_Declare(${name} GIT_REPOSITORY ${repository} GIT_TAG ${commit} SOURCE_SUBDIR only/fetched)
+    FetchContent_MakeAvailable(${name})
+    set(folder ${${name}_SOURCE_DIR})
+    string(SUBSTRING ${commit} 0 8 short)
+    set(from "of commit ${short}")
+  else()
+    message(STATUS "motion_${name} is not built: -D${variable}=FOLDER, or -DPUSHBACK_FETCH_ENGINES=ON where there is a network")
+  endif()
+  set(${name}_FOLDER "${folder}" PARENT_SCOPE)
+  set(${name}_FROM "${from}" PARENT_SCOPE)
+endfunction()
+
+# Its own CMake. Warnings are for its makers.
+function(add_source name folder library)
+  add_subdirectory(${folder} ${CMAKE_CURRENT_BINARY_DIR}/${name} EXCLUDE_FROM_ALL SYSTEM)
+  set_property(DIRECTORY ${folder} PROPERTY OF_OTHERS ON)  # see targets_below
+  target_compile_options(${library} PRIVATE -w)
+endfunction()
+
+# What the engine's peer_version() says of it.
+function(say_how_built name flags)
+  set_source_files_properties(${name}.cpp PROPERTIES
+    COMPILE_DEFINITIONS "PUSHBACK_ENGINE_FROM=\"${${name}_FROM}\";PUSHBACK_ENGINE_FLAGS=\"${flags}\"")
+endfunction()
+
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+
+# Its own CMake compiles by the flags of the build type, without contraction, and for any x86-64: theirs and ours are the same.
+find_source(box3d Box3D https://github.com/erincatto/box3d 30c67b5e6d0a3a66f0f506c69ce9e9e0587e3b7c include/box3d/box3d.h)
+if(box3d_FOLDER)
+  enable_language(C)  # here, so that what follows has it too: Jolt's CMake asks whether all languages can be optimised as they are linked
+  add_source(box3d ${box3d_FOLDER} box3d)
+  string(STRIP "${CMAKE_C_FLAGS} ${CMAKE_C_FLAGS_${build_type}} -ffp-contract=off" flags)
+  if(PUSHBACK_ENGINE_FLAGS STREQUAL "avx2")  # to its SSE2: it has no other path for x86
+    target_compile_options(box3d PRIVATE -mavx2)
+    string(APPEND flags " -mavx2")
+  endif()
+  say_how_built(box3d "${flags}")
+  make_peer(box3d box3d.cpp box3d)
+endif()
+
+# In theirs: what its makers distribute, with AVX2, FMA and optimisation as the program is linked. Else without the last two. It has
+# RTTI in any case, as what includes its headers here has.
+find_source(jolt Jolt https://github.com/jrouwe/JoltPhysics 3b47ec390cb9b933769183eff599f72195c5873c Jolt/Jolt.h)
+if(jolt_FOLDER)
+  set(theirs OFF)
+  set(avx2 ON)
+  if(PUSHBACK_ENGINE_FLAGS STREQUAL "theirs")
+    set(theirs ON)
+  elseif(PUSHBACK_ENGINE_FLAGS STREQUAL "sse2")
+    set(avx2 OFF)
+  endif()
+  foreach(option OVERRIDE_CXX_FLAGS INTERPROCEDURAL_OPTIMIZATION USE_FMADD)
+    set(${option} ${theirs})
+  endforeach()
+  foreach(option USE_SSE4_1 USE_SSE4_2 USE_AVX USE_AVX2 USE_LZCNT USE_TZCNT USE_F16C)
+    set(${option} ${avx2})
+  endforeach()
+  foreach(option GENERATE_DEBUG_SYMBOLS FLOATING_POINT_EXCEPTIONS_ENABLED ENABLE_ALL_WARNINGS DEBUG_RENDERER_IN_DEBUG_AND_RELEASE
+          PROFILER_IN_DEBUG_AND_RELEASE ENABLE_OBJECT_STREAM ENABLE_INSTALL JPH_USE_VK JPH_USE_DX12 JPH_USE_CPU_COMPUTE)
+    set(${option} OFF)
+  endforeach()
+  set(CPP_RTTI_ENABLED ON)
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS OFF)
+  add_source(jolt ${jolt_FOLDER}/Build Jolt)
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+  set(flags "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off")
+  if(theirs)
+    set(flags "-O3 -ffp-contract=fast -mavx2 -mfma")
+    get_target_property(as_linked Jolt INTERPROCEDURAL_OPTIMIZATION_${build_type})
+    if(as_linked)
+      string(APPEND flags " -flto")
+    endif()
+  elseif(avx2)
+    string(APPEND flags " -mavx2")
+  endif()
+  string(STRIP "${flags}" flags)
+  say_how_built(jolt "${flags}")
+  make_peer(jolt jolt.cpp Jolt)
+  # Its headers are compiled with AVX2 where it is. Ours then keep the alignment that the rest of ours has.
+  target_compile_definitions(peer_jolt PRIVATE EIGEN_MAX_ALIGN_BYTES=16)
+endif()
