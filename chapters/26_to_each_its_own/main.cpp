@@ -127,7 +127,8 @@ int main(int argc, char** argv) {
       e.panel({.title = "a yard", .x_label = "s", .y_label = "bodies", .curves = moved});
 
       ByIsland careless;
-      careless.energy = Real(1e6);  // no step is taken again
+      careless.energy = Real(1e6);      // no step is taken again
+      careless.joined.most_work = 1e7;  // and few are left to substeps
       const Chain chain;
       const Played four = play(chain, careless, "four, always", 0), more = play(chain, {}, "as energy says", 2);
       const std::string title = "a chain that whips";

@@ -30,6 +30,7 @@ struct Exact : WithinError {
     many.spring.hertz *= 4;  // as stiff as these substeps hold
     few.substeps = 8;
     joined.substeps = 8;
+    few.most_work = joined.most_work = 1e7;
     energy = Real(1e-6);
     savings.of_contact *= 4;
   }

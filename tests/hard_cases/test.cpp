@@ -47,7 +47,6 @@ const std::set<std::pair<std::string, std::string>> fails{
     {"bullet", "all together"},
     {"spinning-rod", "07 warm start"},
     {"spinning-rod", "22 wide"},
-    {"rubble", "26 by island"},
     {"turntable", "07 warm start"},
     {"turntable", "all together"},
     {"turntable", "22 wide"},
