@@ -76,9 +76,7 @@ TEST_CASE("choose: what cannot be meant is named, with status 2, and nothing is 
   }
 }
 
-TEST_CASE(
-    "choose: an experiment hands its scenes and the words behind to a command; --help names it; else it is not "
-    "called") {
+TEST_CASE("choose: an experiment hands its scenes and the words behind to a command, and does not call it otherwise") {
   const Scratch scratch;
   const std::string out = (scratch / "out").string();
   const auto run = [&](const std::vector<const char*>& words, std::string& told) {

@@ -1,6 +1,7 @@
 // The program that README.md shows. test_student compares the two.
 // README begins
 #include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/27_which_error/choose.h"
 #include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/experiment/experiment.h"
 
@@ -8,6 +9,7 @@ using namespace pushback;
 
 int main(int argc, char** argv) {
   Experiment e("my_experiment", "Do the boxes stand, does the brick stop, does the ball bounce?");
+  e.command("--choose", "a scene within an error", choose);
   return e.run(argc, argv, [&] {
     const auto fill = [](World& world) {
       stack(world, 3);  // boxes of 1 m and 100 kg, on the ground
