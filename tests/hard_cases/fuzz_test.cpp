@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/hard_cases/stages.h"
 #include "tests/support/catch.h"
@@ -44,7 +45,15 @@ TEST_CASE("fuzz: a stage that nobody keeps books for is refused") {
 }
 
 TEST_CASE("fuzz: Newton's method may leap far and come back, and momentum is kept") {
-  const Finding finding = fuzz(random_scene(1738), "26 by island");  // two bodies 1,700 km from the origin
-  INFO(finding.broken);
-  CHECK(finding.broken.empty());
+  for (const int substeps : {2, 4}) {
+    const RandomScene scene = random_scene(1738);  // two bodies touch, 1,700 km from the origin
+    World world = scene.world;
+    ByIsland solver;
+    solver.few.substeps = substeps;
+    solver.few.most_work = 1e7;  // with less it does not leap
+    const Vec3 before = momentum(world);
+    for (int i = 0; i < 60; ++i) world.step(solver, scene.dt);
+    INFO(substeps << " substeps");
+    CHECK((momentum(world) - before).norm() < Real(1e-12) * before.norm());
+  }
 }
