@@ -849,6 +849,24 @@ TEST_CASE("of all engines, those are drawn of which something was measured") {
   CHECK(engines_of({}).empty());
 }
 
+TEST_CASE("no two engines look alike: those of one colour differ in line and shape") {
+  AllMeasured all;
+  for (const char* engine : {"motion", "motion_float", "motion_wide", "motion_bullet", "motion_bullet_double",
+                             "motion_ode", "motion_mujoco", "motion_box3d", "motion_jolt", "motion_adapter"})
+    all["bounce"].push_back(of(engine, "any", 1, 1, 1e-3, 1));
+  const std::vector<Engine> engines = engines_of(all);
+  REQUIRE(engines.size() == 10);
+  const Panel panel = work_precision({&motion_of_60, all["bounce"]}, engines);
+  REQUIRE(panel.curves.size() == 11);  // and the dots of ours
+  for (std::size_t a = 1; a < panel.curves.size(); ++a) {
+    for (std::size_t b = 1; b < a; ++b) {
+      const Curve &one = panel.curves[a], &other = panel.curves[b];
+      INFO(one.label << ", " << other.label);
+      CHECK((one.colour != other.colour || (one.style != other.style && one.marker != other.marker)));
+    }
+  }
+}
+
 TEST_CASE("an error of 0 is drawn at the floor, a tenth of a micrometre, and errors have lines to compare with") {
   const Panel panel = work_precision({&motion_of_60, {of("motion", "slim", 1, 1, 0, 1)}}, three);
   REQUIRE(panel.curves.size() == 2);

@@ -68,7 +68,8 @@ Panel fronts_of_compared(const MotionMeasured& measured) {
                 {},
                 line_colour(ours ? 0 : i - 3),
                 method == "direct-joints" || method == "nncg" || method == "sap" ? Curve::Style::dashed
-                                                                                 : Curve::Style::line_and_points};
+                                                                                 : Curve::Style::line_and_points,
+                marker_of(ours ? 0 : i - 3)};  // of two that share a colour, each has its own shape
     for (const Measured& one : front(robust(of_method(measured.all, method)))) {
       if (!std::isfinite(one.error)) continue;
       curve.x.push_back(static_cast<Real>(1000 * one.median() / measured.motion->seconds));

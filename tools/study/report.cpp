@@ -94,8 +94,12 @@ Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& 
   add(panel, curve_of(of_engine(measured.all, "motion"), motion, "", "#c4d8e8", Curve::Style::points));
   for (std::size_t i = engines.size(); i-- > 0;) {  // ours last, on top
     const Measurements settings = of_engine(measured.all, engines[i].program);
-    add(panel, curve_of(front(robust(settings)), motion, fmt::format("{}, of {}", engines[i].title, settings.size()),
-                        line_colour(engines[i].colour), Curve::Style::line_and_points));
+    const std::size_t colour = engines[i].colour;
+    Curve curve =
+        curve_of(front(robust(settings)), motion, fmt::format("{}, of {}", engines[i].title, settings.size()),
+                 line_colour(colour), engines[i].dashed ? Curve::Style::dashed : Curve::Style::line_and_points);
+    if (engines[i].dashed) curve.marker = marker_of(colour + 3);
+    add(panel, curve);
   }
   return panel;
 }

@@ -15,6 +15,7 @@ namespace pushback::study {
 struct Engine {
   std::string program, title;
   std::size_t colour = 0;  ///< line_colour's
+  bool dashed = false;     ///< and with another shape than its sister of the same colour
 };
 /// Ours, in double and in float; `motion_wide`, if it is in the folder of the programs; and if `others` are asked for, those of
 /// Bullet, ODE and MuJoCo that are there: std::runtime_error where none is.
