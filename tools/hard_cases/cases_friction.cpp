@@ -69,6 +69,33 @@ std::vector<Real> all_headings(Trial& trial) {
   return {100 * off, 100 * astray};
 }
 
+constexpr Real ball = Real(0.2);  // m, the radius
+
+/// One ball in the hollow of three that touch each other: the steepest heap that balls can make. The lines between the centres are
+/// theta off the upright, sin(theta) = 1 / sqrt(3). What presses on a lower ball from above must meet its other two forces in the point on
+/// the ground, and the line from there to the point of contact is theta / 2 off the normal, so the balls stay if and only if
+///
+///   mu > tan(theta / 2) = 0.318                      on the ground a quarter of it is enough
+void four_balls(World& world, Real part_of_needed) {
+  const Real mu = part_of_needed * std::tan(std::asin(1 / std::sqrt(Real(3))) / 2), out = 2 * ball / std::sqrt(Real(3));
+  world.add(ground().rough(mu));
+  for (int i = 0; i < 3; ++i) {
+    const Real at = 2 * pi * static_cast<Real>(i) / 3;
+    world.add(sphere(ball, 10).at({out * std::cos(at), ball, out * std::sin(at)}).rough(mu));
+  }
+  world.add(sphere(ball, 10).at({0, ball + 2 * ball * std::sqrt(Real(2) / 3), 0}).rough(mu));
+}
+
+std::vector<Real> smallest_heap(Trial& trial) {
+  const auto after = [&](Real part, Real seconds) {
+    Play play = trial.play([part](World& world) { four_balls(world, part); }, standing);
+    const Stood stood = stand(play, seconds);
+    return std::pair{stood.drift, play.world.bodies.back().position.y() - ball};
+  };
+  const Real stays = after(Real(1.05), 10).first, falls = after(Real(0.95), 3).second;
+  return {1000 * stays, 1000 * falls};
+}
+
 }  // namespace
 
 std::vector<HardCase> friction_cases() {
@@ -114,7 +141,19 @@ std::vector<HardCase> friction_cases() {
                .camera = {{0, 13, 5}, {0, 0, Real(0.1)}},
                .seconds = 2};
   any.run = all_headings;
-  return {slope, stopping, any};
+
+  HardCase heap;
+  heap.name = "four-balls";
+  heap.title = "a ball on three";
+  heap.stresses = "the smallest heap, at 1.05 and 0.95 times the friction at which it rolls apart";
+  heap.criteria = {{"sideways in 10 s, where it must stay", "mm", 1},
+                   {"above the ground after 3 s, where it must fall", "mm", 10}};
+  heap.scene = {.name = heap.title,
+                .fill = [](World& world) { four_balls(world, Real(0.95)); },
+                .camera = view({0, Real(0.3), 0}, Real(1.6)),
+                .seconds = Real(1.5)};
+  heap.run = smallest_heap;
+  return {slope, stopping, any, heap};
 }
 
 }  // namespace pushback

@@ -47,12 +47,7 @@ const std::vector<PeerSetting>& peer_settings() {
        .what = "8 substeps, an elliptic cone, contacts as hard as the substep allows (solref 2 h, solimp 0.9999)",
        .engine = "mujoco",
        .tuned = true,
-       .substeps = 8}};
-  return all;
-}
-
-const std::vector<PeerSetting>& settings_from_source() {
-  static const std::vector<PeerSetting> all{
+       .substeps = 8},
       {.name = "Box3D",
        .what = "as it comes: float, 4 substeps",
        .engine = "box3d",

@@ -22,11 +22,8 @@ struct PeerSetting {
 /// From so many starts at most each case is played: some engines take minutes for one.
 inline constexpr int peer_starts = 5;
 
-/// Each engine as it comes, and tuned.
+/// Each engine as it comes, and tuned; Box3D in two ways. Not every machine has all of them.
 const std::vector<PeerSetting>& peer_settings();
-
-/// The same of the engines that are compiled from their source. They are in no table of all cases.
-const std::vector<PeerSetting>& settings_from_source();
 
 /// Of these settings, by default all of peer_settings. Each plays by its program in the folder, or by none where the folder is empty.
 std::vector<Stage> peer_stages(const std::filesystem::path& folder = {},

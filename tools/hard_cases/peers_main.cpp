@@ -64,6 +64,29 @@ void take_over(Table& into, const Table& from) {
   }
 }
 
+/// Those settings of which one of the two has been played, in the order of all.
+std::vector<Stage> in_either(const std::vector<Stage>& one, const std::vector<Stage>& other) {
+  const auto has = [](const std::vector<Stage>& list, const Stage& stage) {
+    return std::any_of(list.begin(), list.end(), [&](const Stage& in) { return in.name == stage.name; });
+  };
+  std::vector<Stage> found = peer_stages();
+  std::erase_if(found, [&](const Stage& stage) { return !has(one, stage) && !has(other, stage); });
+  return found;
+}
+
+/// Of which the engine is not built. Throws InvalidInput where it was asked for by its name, or where none is left.
+void leave_out_missing(std::vector<Stage>& columns, bool by_name) {
+  std::string missing;
+  std::erase_if(columns, [&](const Stage& stage) {
+    if (fs::exists(stage.apart.front())) return false;
+    missing = fmt::format("'{}' needs {}, which is not built: its engine is missing", stage.name, stage.apart.front());
+    if (by_name) throw InvalidInput(missing);
+    fmt::print("left out: {}\n", missing);
+    return true;
+  });
+  if (columns.empty()) throw InvalidInput(missing);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -101,22 +124,15 @@ int main(int argc, char** argv) {
       all = peer_stages(programs, the_adapter().settings());
     }
     std::vector<HardCase> cases = chosen("case", hard_cases(), names);
-    // Those from source are played where they are named, and are in no peers.csv.
-    std::vector<Stage> named_ones = all;
-    if (!settings.empty() && adapter.empty() && !keep)
-      for (Stage& stage : peer_stages(programs, settings_from_source())) named_ones.push_back(std::move(stage));
-    std::vector<Stage> columns = chosen("setting", named_ones, settings);
+    std::vector<Stage> columns = chosen("setting", all, settings);
     if (list) {
       for (const Stage& stage : columns) fmt::print("{:<16}{}\n", stage.name, stage.what);
       return;
     }
-    for (const Stage& stage : columns)
-      if (!fs::exists(stage.apart.front()))
-        throw InvalidInput(
-            fmt::format("'{}' needs {}, which is not built: its engine is missing", stage.name, stage.apart.front()));
+    leave_out_missing(columns, !settings.empty());
     for (HardCase& c : cases) c.starts = std::min(c.starts, starts);
     const bool whole =
-        adapter.empty() && cases.size() == hard_cases().size() && columns.size() == all.size() && starts == peer_starts;
+        adapter.empty() && cases.size() == hard_cases().size() && settings.empty() && starts == peer_starts;
     std::string before;
     if (keep) before = read_text_file(kept);
     const fs::path into = whole || keep ? folder : folder / "part";
@@ -129,8 +145,9 @@ int main(int argc, char** argv) {
         },
         giving_up);
     if (keep) {
-      Table renewed = empty_table(hard_cases(), peer_stages());
-      take_over(renewed, read_table_csv(before, peer_stages()));
+      const Table old = read_table_csv(before, peer_stages());
+      Table renewed = empty_table(hard_cases(), in_either(old.stages, table.stages));
+      take_over(renewed, old);
       take_over(renewed, table);
       for (std::size_t pair = 0; pair < renewed.outcomes.size(); ++pair) {
         if (renewed.outcomes[pair].numbers.empty())
