@@ -96,7 +96,8 @@ TEST_CASE("each engine plays as it comes and tuned, under one name each, by a pr
   for (std::size_t i = 0; i < stages.size(); ++i) {
     CHECK(stages[i].apart ==
           std::vector<std::string>{"programs/hard_cases_" + peer_settings()[i].engine, "--setting", names[i]});
-    CHECK(stages[i].substeps() == peer_settings()[i].substeps);  // by which closed forms go
+    const PeerSetting& setting = peer_settings()[i];
+    CHECK(stages[i].substeps() == setting.substeps * setting.own_substeps);  // by which closed forms go
     CHECK(stages[i].epsilon == peer_settings()[i].epsilon);
   }
 }

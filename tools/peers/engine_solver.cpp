@@ -97,7 +97,7 @@ void EngineSolver::whole_step(World& world, Real dt, int sweeps) {
   check_step(dt, sweeps, world.gravity);
   Everybody::check(world);
   hand_over(world);
-  const ForcesOfSubsteps forces(world, plan(dt));
+  const ForcesOfSubsteps forces(world, {.substeps = setting_.substeps});  // the engine's own have them alike
   for (const Force& force : world.forces) force.apply(world);
   for (int i = 0; i < setting_.substeps; ++i) {
     if (i > 0) forces.apply(world);

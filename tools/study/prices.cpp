@@ -13,6 +13,7 @@
 #include "pushback/common/basics/process.h"
 #include "pushback/common/basics/quantile.h"
 #include "pushback/common/experiment/program.h"
+#include "pushback/tools/study/every_motion.h"
 #include "pushback/tools/study/machine.h"
 
 using namespace pushback;
@@ -96,7 +97,7 @@ std::string table_of(const std::vector<Contender>& all, int rounds) {
   for (const Contender& one : all) table += fmt::format(" {} |", one.title);
   table += "\n| --- |";
   for (std::size_t i = 0; i < all.size(); ++i) table += " --- |";
-  for (const Motion& motion : all_motions()) {
+  for (const Motion& motion : every_motion()) {
     const TruePlaces truth(motion);
     std::vector<std::vector<double>> seconds(all.size());
     std::vector<double> errors(all.size());
