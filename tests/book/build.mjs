@@ -154,16 +154,13 @@ test("the words for the search are those of each section", () => {
 });
 
 test("each line of highlighted code is HTML of its own; a difference keeps its marks", () => {
-  assert.deepEqual(highlightedLines("/* a\nb */", "cpp"), [
-    '<span class="c">/* a</span>',
-    '<span class="c">b */</span>',
-  ]);
+  assert.deepEqual(highlightedLines("/* a\nb */", "cpp"), ['<i class="c">/* a</i>', '<i class="c">b */</i>']);
   assert.deepEqual(highlightedLines("void f(int a) {}", "cpp"), [
-    '<span class="t">void</span> <span class="f">f</span>(<span class="t">int</span> a) {}',
+    '<i class="t">void</i> <i class="f">f</i>(<i class="t">int</i> a) {}',
   ]);
   const [place, added, removed, same] = highlightedDifference("@@ one.h, Row @@\n+int a;\n-b\n c");
   assert.equal(place, '<span class="place">one.h, Row</span>');
-  assert.match(added, /^<span class="added"><span class="mark">\+<\/span><span class="t">int<\/span> a;<\/span>$/);
+  assert.match(added, /^<span class="added"><span class="mark">\+<\/span><i class="t">int<\/i> a;<\/span>$/);
   assert.match(removed, /class="removed"/);
   assert.match(same, /class="same"/);
 });

@@ -4,8 +4,9 @@ import { randomBytes } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
+import { gunzipSync, gzipSync } from "node:zlib";
 import { difference } from "../../tools/book/difference.js";
-import { liveFiles } from "../../tools/book/live_files.js";
+import { experimentsIn, liveFiles } from "../../tools/book/live_files.js";
 import { serve } from "../../tools/book/serve.js";
 import { address, folder } from "./support/browser.mjs";
 import { built, engineOf, launch, newPage } from "./support/live.mjs";
@@ -44,11 +45,32 @@ test("what differs from other bytes, joined with them, is the same bytes; and is
   for (const to of [from, changed, randomBytes(3000), Buffer.alloc(0), from.subarray(7, 9)])
     assert.deepEqual(Buffer.from(joined(from, difference(from, to))), to);
   assert.deepEqual(Buffer.from(joined(Buffer.alloc(0), difference(Buffer.alloc(0), from))), from);
-  assert.ok(difference(from, changed).length < 100);
+  const stored = (to) => gzipSync(difference(from, to), { level: 9 }).length;
+  assert.ok(stored(changed) < 250, `${stored(changed)} bytes`);
+  const numbers = from.map((byte, i) => (i % 20 === 0 ? byte + 3 : byte)); // nowhere 20 bytes that are alike
+  assert.deepEqual(Buffer.from(joined(from, difference(from, numbers))), Buffer.from(numbers));
+  assert.ok(stored(numbers) < 500, `${stored(numbers)} bytes`);
 });
 
-test("the same programs make the same files", () => {
-  assert.deepEqual(liveFiles(built), liveFiles(built));
+test("the same programs make the same files, each smaller than the program compressed, and the program again", async () => {
+  const files = liveFiles(built);
+  assert.deepEqual(liveFiles(built), files);
+  await engineOf(chapter);
+  const { joined } = globalThis.PushbackLive;
+  const page = {}; // its window
+  for (const { text } of files.filter(({ name }) => name.startsWith("programs/"))) new Function("self", text)(page);
+  const { common: _, ...programs } = page.PUSHBACK_PROGRAMS;
+  const unpacked = ({ packed }) => gunzipSync(Buffer.from(packed, "base64"));
+  const whole = (program) =>
+    program.from ? joined(whole(page.PUSHBACK_PROGRAMS[program.from]), unpacked(program)) : unpacked(program);
+  assert.deepEqual(Object.keys(programs).sort(), experimentsIn(built));
+  for (const [name, program] of Object.entries(programs)) {
+    const made = Buffer.concat(["js", "wasm"].map((ending) => fs.readFileSync(path.join(built, `${name}.${ending}`))));
+    assert.ok(Buffer.from(whole(program)).equals(made), name);
+    assert.ok(program.packed.length < gzipSync(made).length, name);
+    // What a page loads: the program, what it starts from, and at most one more.
+    assert.ok(program.from === "common" || programs[program.from].from === "common", name);
+  }
 });
 
 /// Scrolls to the first small picture as soon as there is one, and notes when it is drawn, s after the address was asked for.

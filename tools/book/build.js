@@ -76,7 +76,7 @@ function config(eleventy) {
   for (const entry of pages) {
     const { html, layout, address: permalink } = entry;
     delete entry.html;
-    eleventy.addTemplate(`${permalink.replace(/\W/g, "_")}.html`, html, {
+    eleventy.addTemplate(`${permalink.replace(/\W/g, "_")}.html`, bare(html), {
       entry,
       layout,
       permalink,
@@ -91,6 +91,11 @@ function config(eleventy) {
     copy(file, `assets/fonts/${path.basename(file)}`);
 }
 
+/// Without the quotes that HTML can do without.
+function bare(html) {
+  return html.replace(/<[a-z][^<>]*>/g, (tag) => tag.replace(/="([^\s"'=<>`]+)"(?=[\s>])/g, "=$1"));
+}
+
 /// The text faces: {style, files} of those alphabets that the pages use.
 function textFonts() {
   const faces = ["source-serif-4", "source-sans-3", "source-code-pro"].flatMap((font) =>
@@ -98,7 +103,7 @@ function textFonts() {
       const folder = `node_modules/@fontsource-variable/${font}`;
       const all = fs.readFileSync(`${folder}/${style}`, "utf8").match(/@font-face {[^}]*}/g);
       return all
-        .filter((face) => /-(latin|greek)(-ext)?-wght/.test(face))
+        .filter((face) => /-(latin(-ext)?|greek)-wght/.test(face))
         .map((face) => ({ face, file: `${folder}/${/files\/[^)]*woff2/.exec(face)[0]}` }));
     }),
   );

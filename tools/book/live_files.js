@@ -40,7 +40,10 @@ export function liveFiles(folder) {
   ];
 }
 
-/// The first experiment as a whole, and of each what differs from it, compressed: together a tenth of their size.
+const large = 200e3; // bytes, compressed
+
+/// The first experiment as a whole, and of each what differs from it, compressed: together a tenth of their size. An experiment that
+/// differs from the first by much is what those after it start from.
 function programs(folder) {
   const names = experimentsIn(folder);
   if (!names.length) return [];
@@ -51,11 +54,12 @@ function programs(folder) {
     name: `programs/${name}.js`,
     text: `(self.PUSHBACK_PROGRAMS = self.PUSHBACK_PROGRAMS || {})["${name}"] = ${JSON.stringify(program)};\n`,
   });
-  const common = whole(names[0]);
-  return [
-    script("common", { packed: packed(common) }),
-    ...names.map((name) =>
-      script(name, { loader: read(name, "js").length, packed: packed(difference(common, whole(name))) }),
-    ),
-  ];
+  let [from, start] = ["common", whole(names[0])];
+  const scripts = [script(from, { packed: packed(start) })];
+  for (const name of names) {
+    const program = { from, loader: read(name, "js").length, packed: packed(difference(start, whole(name))) };
+    scripts.push(script(name, program));
+    if (from === "common" && program.packed.length > large * (4 / 3)) [from, start] = [name, whole(name)];
+  }
+  return scripts;
 }

@@ -131,7 +131,8 @@ function formula(tex, display, page, line) {
       strict,
       output: "htmlAndMathml",
     });
-    rendered.set(key, display ? `<div class="formula">${html}</div>` : html);
+    const own = html.replace(' xmlns="http://www.w3.org/1998/Math/MathML"', ""); // which HTML knows
+    rendered.set(key, display ? `<div class="formula">${own}</div>` : own);
     return rendered.get(key);
   } catch (error) {
     page.problem(line, `the formula $${tex.trim()}$ is none: ${error.message.replace(/^KaTeX parse error: /, "")}`);

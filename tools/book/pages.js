@@ -210,7 +210,7 @@ function sourcePages(book, root) {
   };
   const files = book.sources.map((source) => {
     const link = (included) => shown.has(included) && relative(source.address, shown.get(included).address);
-    const lines = sourceLines(root, source.file, link).map((line, i) => `<span id="L${i + 1}">${line}\n</span>`);
+    const lines = sourceLines(root, source.file, link).map((line, i) => `<i id="L${i + 1}">${line}\n</i>`);
     return { ...common(source), html: `<pre class="numbered"><code>${lines.join("")}</code></pre>` };
   });
   const folders = book.folders.map((folder) => {

@@ -42,19 +42,19 @@ const letters = new Map(
 );
 
 /// The lines of the code, as HTML of their own: what a highlighter opens over an end of line is closed there and opened again.
-/// What has no colour of its own has no element.
+/// What has no colour of its own has no element. The elements are `i`: no other is shorter.
 export function highlightedLines(code, language) {
   const html = hljs.getLanguage(language) ? hljs.highlight(code, { language }).value : escaped(code);
   const open = [];
   const coloured = (tag, kind) => {
-    if (tag === "</span>") return open.pop() && tag;
-    open.push(letters.has(kind) ? `<span class="${letters.get(kind)}">` : "");
+    if (tag === "</span>") return open.pop() && "</i>";
+    open.push(letters.has(kind) ? `<i class="${letters.get(kind)}">` : "");
     return open.at(-1);
   };
   return html.split("\n").map((line) => {
     const before = open.join("");
     const inside = line.replace(/<span class="([^"]*)">|<\/span>/g, coloured);
-    return before + inside + "</span>".repeat(open.filter(Boolean).length);
+    return before + inside + "</i>".repeat(open.filter(Boolean).length);
   });
 }
 
@@ -88,13 +88,10 @@ export function includedBy(root, file) {
 export function sourceLines(root, file, link) {
   const lines = highlightedLines(fs.readFileSync(path.join(root, file), "utf8").trimEnd(), languageOf(file));
   return lines.map((line) =>
-    line.replace(
-      /(<span class="s">&quot;)((?:pushback\/)?([^&]+))(&quot;<\/span>)/,
-      (all, open, name, included, close) => {
-        const target = line.includes("include") && link(included);
-        return target ? `${open}<a href="${target}">${name}</a>${close}` : all;
-      },
-    ),
+    line.replace(/(<i class="s">&quot;)((?:pushback\/)?([^&]+))(&quot;<\/i>)/, (all, open, name, included, close) => {
+      const target = line.includes("include") && link(included);
+      return target ? `${open}<a href="${target}">${name}</a>${close}` : all;
+    }),
   );
 }
 

@@ -37,40 +37,52 @@
       end = place + size;
       length += size;
     }
-    const whole = new Uint8Array(length + difference.length - at);
+    let added = at; // these bytes, and behind them those between the parts
+    at += length;
+    const whole = new Uint8Array(difference.length - added);
     let done = 0;
     for (const { before, place, size } of parts) {
       whole.set(difference.subarray(at, at + before), done);
-      whole.set(from.subarray(place, place + size), done + before);
       at += before;
-      done += before + size;
+      done += before;
+      for (let i = 0; i < size; ++i) whole[done++] = from[place + i] + difference[added++]; // modulo 256
     }
     whole.set(difference.subarray(at), done);
     return whole;
   };
 
-  let common = null;
+  /** What `make` promises for a name: once, until it fails. The next time may be better. */
+  function once(promises, name, make) {
+    if (!promises.has(name)) {
+      promises.set(name, make());
+      promises.get(name).catch(() => promises.delete(name));
+    }
+    return promises.get(name);
+  }
+
+  const wholes = new Map();
+  /** The bytes of a program, its loader and its code, of what differs from another and the other's bytes. */
+  const bytesOf = (name, root) =>
+    once(wholes, name, async () => {
+      await live.loadScript(`${root}/live/programs/${name}.js`);
+      const { from, packed } = self.PUSHBACK_PROGRAMS[name];
+      if (!from) return unpacked(packed);
+      const [other, own] = await Promise.all([bytesOf(from, root), unpacked(packed)]);
+      return live.joined(other, own);
+    });
+
   const programs = new Map();
   /** { create, module } of an experiment: its loader and its code, compiled. Loaded once, however many are played. */
-  live.program = function (name, root) {
-    if (!programs.has(name)) {
-      const load = async () => {
-        const script = (which) => live.loadScript(`${root}/live/programs/${which}.js`);
-        await Promise.all([script("common"), script(name)]);
-        const { loader, packed } = self.PUSHBACK_PROGRAMS[name];
-        common = common || unpacked(self.PUSHBACK_PROGRAMS.common.packed);
-        const bytes = live.joined(await common, await unpacked(packed));
-        const text = new TextDecoder().decode(bytes.subarray(0, loader));
-        return {
-          create: new Function(`${text}; return createPushbackLive;`)(),
-          module: await WebAssembly.compile(bytes.subarray(loader)),
-        };
+  live.program = (name, root) =>
+    once(programs, name, async () => {
+      const bytes = await bytesOf(name, root);
+      const { loader } = self.PUSHBACK_PROGRAMS[name];
+      const text = new TextDecoder().decode(bytes.subarray(0, loader));
+      return {
+        create: new Function(`${text}; return createPushbackLive;`)(),
+        module: await WebAssembly.compile(bytes.subarray(loader)),
       };
-      programs.set(name, load());
-      programs.get(name).catch(() => programs.delete(name)); // the next time may be better
-    }
-    return programs.get(name);
-  };
+    });
 
   live.Engine = class {
     static async load(name, root) {
