@@ -771,7 +771,8 @@ TEST_CASE("a top and a pendulum at a wall are played beside the ten, each solver
     std::vector<std::string> further;
     for (std::size_t i = all_motions().size(); i < motions.size(); ++i)
       further.push_back(motions[i].substr(0, motions[i].find(':')));
-    CHECK(further == std::vector<std::string>{"top", "pendulum-at-wall", "gaps", "superball", "conveyor"});
+    CHECK(further == std::vector<std::string>{"top", "pendulum-at-wall", "gaps", "superball", "conveyor", "grasp",
+                                              "chaplygin", "hulls-1015"});
   }
   CHECK(contains(call_program(MOTION_PROGRAM, "top").out, "direct-joints/SMALL-STEPS/SWEEPS"));
   CHECK(lines_of(call_program(MOTION_PROGRAM, "pendulum-at-wall").out).size() ==
@@ -781,6 +782,7 @@ TEST_CASE("a top and a pendulum at a wall are played beside the ten, each solver
   for (const Motion& motion : all_motions()) CHECK(has_contacts(motion) == motion.pins.empty());
   CHECK(!has_contacts(any_motion_named("top")));
   CHECK(has_contacts(any_motion_named("pendulum-at-wall")));
+  CHECK(has_contacts(any_motion_named("grasp")));
 
   const auto error = [](const std::string& motion, const std::string& setting) {
     const Ended played = call_program(MOTION_WIDE_PROGRAM, motion + " " + setting + " --at-least 0");

@@ -183,6 +183,9 @@ class Mujoco : public PlayerInSubsteps {
   double row_solves_ = 0;
 };
 
+/// Of a thousand bodies at rest the rows have no room: a step has a dense matrix of rows and velocities, and 2 GB at most.
+constexpr int most_bodies = 200;
+
 /// What its contacts must be able to do, and what only some methods are for.
 enum class For { all, pins, friction };
 
@@ -194,7 +197,8 @@ Method method(const std::string& name, const std::string& title, const Choice& c
                 World world;
                 motion.fill(world);  // MuJoCo has no restitution, but springs
                 return (world.bodies.back().restitution > 0) == bounces && !has_conveyor(motion) &&
-                       (what != For::pins || !motion.pins.empty()) && (what != For::friction || motion.pins.empty());
+                       moving_bodies(motion) <= most_bodies && (what != For::pins || !motion.pins.empty()) &&
+                       (what != For::friction || has_contacts(motion));
               },
           .begin = [choice](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
             return std::make_unique<Mujoco>(motion, setting, choice);

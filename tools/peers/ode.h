@@ -4,6 +4,7 @@
 #include <ode/ode.h>
 
 #include <stdexcept>
+#include <vector>
 
 #include "pushback/common/bodies/body.h"
 
@@ -15,6 +16,25 @@ inline void start_ode() {
   if (!ready) throw std::runtime_error("ODE does not start");
   dSetMessageHandler([](int, const char*, va_list) {});
 }
+
+/// A hull as ODE wants it, which does not copy it.
+struct OdeHull {
+  std::vector<dReal> planes, points;
+  std::vector<unsigned int> polygons;
+
+  explicit OdeHull(const Polyhedron& solid) {
+    for (const Polyhedron::Face& face : solid.faces) {
+      planes.insert(planes.end(), {face.normal.x(), face.normal.y(), face.normal.z(), face.offset});
+      polygons.push_back(static_cast<unsigned int>(face.corners.size()));
+      polygons.insert(polygons.end(), face.corners.begin(), face.corners.end());
+    }
+    for (const Vec3& corner : solid.corners) points.insert(points.end(), {corner.x(), corner.y(), corner.z()});
+  }
+  dGeomID made(dSpaceID space) const {
+    return dCreateConvex(space, planes.data(), static_cast<unsigned int>(planes.size() / 4), points.data(),
+                         static_cast<unsigned int>(points.size() / 3), polygons.data());
+  }
+};
 
 inline dMass mass_of(const Body& body) {
   const Eigen::Vector3d inertia = body.principal_inverse_inertia.cast<double>().cwiseInverse();

@@ -17,25 +17,6 @@ namespace {
 /// So many contacts at most are solved directly in a step: of more, as in a stack of ten, bodies fly off.
 constexpr int most_direct = 16;
 
-/// A hull as ODE wants it, which does not copy it.
-struct Solid {
-  std::vector<dReal> planes, points;
-  std::vector<unsigned int> polygons;
-
-  explicit Solid(const Polyhedron& solid) {
-    for (const Polyhedron::Face& face : solid.faces) {
-      planes.insert(planes.end(), {face.normal.x(), face.normal.y(), face.normal.z(), face.offset});
-      polygons.push_back(static_cast<unsigned int>(face.corners.size()));
-      polygons.insert(polygons.end(), face.corners.begin(), face.corners.end());
-    }
-    for (const Vec3& corner : solid.corners) points.insert(points.end(), {corner.x(), corner.y(), corner.z()});
-  }
-  dGeomID made(dSpaceID space) const {
-    return dCreateConvex(space, planes.data(), static_cast<unsigned int>(planes.size() / 4), points.data(),
-                         static_cast<unsigned int>(points.size() / 3), polygons.data());
-  }
-};
-
 class Ode : public Engine {
  public:
   Ode(const World& world, const PeerSetting& setting)
@@ -201,7 +182,7 @@ class Ode : public Engine {
   dSpaceID space_;
   dJointGroupID contacts_;
   JoinedPairs joined_;
-  std::list<Solid> solids_;
+  std::list<OdeHull> solids_;
   std::vector<Made> bodies_;
   int found_ = 0;  // contacts, in the latest step
 };

@@ -5,7 +5,9 @@
 #include "pushback/chapters/24_half_step/top.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/basics/named.h"
+#include "pushback/tools/study/chaplygin.h"
 #include "pushback/tools/study/further_motions.h"
+#include "pushback/tools/study/held_motions.h"
 
 namespace pushback {
 
@@ -85,6 +87,43 @@ Motion conveyor() {
           .most_passes = 2048};
 }
 
+Motion grasp() {
+  const further::Grasp tongs;
+  return {.name = "grasp",
+          .title = "tongs hold a box by friction",
+          .fill = tongs,
+          .seconds = tongs.seconds,
+          .truth = [tongs](int frames) { return further::staying(tongs, frames); },
+          .pins = tongs.pins(),
+          .most_substeps = 256,
+          .most_sweeps = 64,
+          .most_passes = 1024};
+}
+
+Motion chaplygin() {
+  const further::Chaplygin ball;
+  return {.name = "chaplygin",
+          .title = "a ball of three moments of inertia rolls",
+          .fill = ball,
+          .seconds = ball.seconds,
+          .truth = [ball](int frames) { return ball.truth(frames); },
+          .most_substeps = 1024,
+          .most_sweeps = 16,
+          .most_passes = 2048};
+}
+
+Motion hulls() {
+  const further::PileOfHulls pile;
+  return {.name = "hulls-1015",
+          .title = "a pyramid of 1,015 hulls",
+          .fill = pile,
+          .seconds = pile.seconds,
+          .truth = [pile](int frames) { return further::staying(pile, frames); },
+          .most_substeps = 8,
+          .most_sweeps = 16,
+          .most_passes = 16};
+}
+
 }  // namespace
 
 const std::vector<Motion>& every_motion() {
@@ -95,6 +134,9 @@ const std::vector<Motion>& every_motion() {
     all.push_back(gaps());
     all.push_back(superball());
     all.push_back(conveyor());
+    all.push_back(grasp());
+    all.push_back(chaplygin());
+    all.push_back(hulls());
     return all;
   }();
   return motions;
@@ -109,6 +151,13 @@ bool has_contacts(const Motion& motion) {
   motion.fill(world);
   const auto stands = [](const Body& body) { return !body.movable(); };
   return motion.pins.empty() || std::any_of(world.bodies.begin(), world.bodies.end(), stands);
+}
+
+int moving_bodies(const Motion& motion) {
+  World world;
+  motion.fill(world);
+  return static_cast<int>(
+      std::count_if(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.movable(); }));
 }
 
 bool has_conveyor(const Motion& motion) {

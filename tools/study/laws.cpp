@@ -99,7 +99,8 @@ std::string table_of_limits(const std::vector<MotionMeasured>& all) {
        {std::vector<std::string>{"bounce", "incline", "sliding", "rolling", "break"},
         {"stack-10", "pyramid-10", "heavy-on-light"},
         {"pendulum", "chain", "top", "pendulum-at-wall"},
-        {"gaps", "superball", "conveyor"}}) {
+        {"gaps", "superball", "conveyor"},
+        {"grasp", "chaplygin", "hulls-1015"}}) {
     std::vector<const MotionMeasured*> motions;
     for (const std::string& name : names)
       for (const MotionMeasured& measured : all)

@@ -42,6 +42,7 @@ inline std::optional<Hop> hop_of(const Motion& motion) {
   const Body& body = world.bodies.back();
   const double slip = static_cast<double>(body.velocity.norm()), mu = static_cast<double>(body.friction);
   if (slip == 0 || mu == 0 || !motion.pins.empty()) return {};
+  if (!body.angular_velocity.isZero(0)) return {};  // it may roll
   if (body.velocity.y() != 0 || world.bodies.front().conveys) return {};
   double k = 1;
   if (const auto* ball = std::get_if<Sphere>(&body.shape))
