@@ -235,7 +235,7 @@ TEST_CASE("the committed table is read back to the byte, its page is what it mak
            {head + "no-such" + line.substr(line.find(',')), "no-such"},
            {head + "stack-10,no such stage,a,b,1,0,0,,0,0,30\n", "no such stage"},
            {head + line, "line 3 should be of stack-10, 00 naive"},
-           {csv.substr(0, csv.rfind('\n', csv.size() - 2) + 1), "should be of ragdoll, 19 direct contacts"},
+           {csv.substr(0, csv.rfind('\n', csv.size() - 2) + 1), "should be of motor-at-limit, 19 direct contacts"},
            {csv + line, "should be of stack-10"},
            {csv + csv.substr(csv.rfind('\n', csv.size() - 2) + 1), "lines were expected"},
            {head + "stack-10,00 naive,drift after 10 s,mm,one,0,0,,0,0,30\n", "'one' where a number"},

@@ -7,6 +7,7 @@
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/15_limits_motors_springs/limits.h"
+#include "pushback/chapters/15_limits_motors_springs/motor.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/peers/engine.h"
@@ -63,6 +64,12 @@ Json joint_json(const World& world, const Joint& joint) {
       json["axis"] = json_of(shape.axis);
       json["axis_b"] = json_of(shape.axis_b);
       json["high"] = shape.high;
+      break;
+    case JointShape::motor:
+      json["kind"] = "motor";
+      json["axis"] = json_of(shape.axis);
+      json["speed"] = shape.speed;
+      json["torque"] = shape.torque;
   }
   return json;
 }
@@ -200,7 +207,9 @@ Joint joint_from(const From& from, const World& world) {
     return twist_limits(world, a, b, from.vector("axis"), from.number("low"), from.number("high"));
   if (kind == "cone_limit")
     return cone_limit(world, a, b, from.vector("axis"), from.vector("axis_b"), from.number("high"));
-  from.wrong("kind", "ball_and_socket, hinge, angle_limits, twist_limits or cone_limit");
+  if (kind == "motor")
+    return motor_at_speed(world, a, b, from.vector("axis"), from.number("speed"), from.number("torque"));
+  from.wrong("kind", "ball_and_socket, hinge, angle_limits, twist_limits, cone_limit or motor");
 }
 
 }  // namespace

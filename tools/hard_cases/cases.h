@@ -15,6 +15,9 @@ std::vector<HardCase> impact_cases();    ///< dominoes, bodies born in each othe
 std::vector<HardCase> no_solution_cases();  ///< what forces alone cannot solve: Painleve's rod, a body squeezed
 std::vector<HardCase> scale_cases();        ///< far, thin, tiny, spinning
 std::vector<HardCase> joint_cases();        ///< chains and a bridge with heavy loads
+std::vector<HardCase> ball_cases();         ///< a tennis ball on a basketball
+std::vector<HardCase> edge_cases();         ///< just before, and just beyond, what friction and thickness hold
+std::vector<HardCase> mechanism_cases();    ///< a linkage through its dead points, a motor against a limit
 std::vector<HardCase> step_cases();         ///< other time steps, contacts given twice, bodies in another order
 
 }  // namespace pushback

@@ -6,21 +6,12 @@
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/hard_cases/cases.h"
+#include "pushback/tools/hard_cases/gap.h"
 #include "pushback/tools/hard_cases/standing.h"
 
 namespace pushback {
 
 namespace {
-
-/// m, of points that a joint holds on each other.
-Real gap_of(const World& world, const Joint& joint) {
-  Equations equations;
-  joint.ask(body_of(world, joint.a), body_of(world, joint.b), {world.time, frame}, equations);
-  Real squared = 0;
-  for (const Equation& equation : equations)
-    squared += equation.jacobian.n.isZero(0) ? 0 : equation.error * equation.error;
-  return std::sqrt(squared);
-}
 
 /// %, of the length of all that is joined in one line: how much longer the gaps make it.
 Real stretch_of(const World& world, Real length) {

@@ -142,7 +142,8 @@ const std::vector<HardCase>& hard_cases() {
   static const std::vector<HardCase> all = [] {
     std::vector<HardCase> list;
     for (auto&& group : {stack_cases(), pile_cases(), stone_cases(), friction_cases(), bounce_cases(), impact_cases(),
-                         guided_cases(), no_solution_cases(), scale_cases(), step_cases(), joint_cases()})
+                         guided_cases(), no_solution_cases(), scale_cases(), step_cases(), joint_cases(), ball_cases(),
+                         edge_cases(), mechanism_cases()})
       list.insert(list.end(), group.begin(), group.end());
     return list;
   }();

@@ -15,7 +15,7 @@ constexpr Ink dark{34, 34, 51}, grey{102, 102, 119}, white{255, 255, 255};
 constexpr Ink pass_fill{0, 85, 136}, fail_fill{255, 238, 221}, fail_ink{153, 51, 0}, gold{255, 187, 0},
     none_fill{238, 238, 238};
 // Pixels. A page shows the picture half as wide: text of 24 is then as high as its own.
-constexpr int width = 1600, margin = 24, label = 300, between_groups = 16, gap = 3, row_height = 34, legend_line = 40;
+constexpr int width = 1600, margin = 24, label = 300, between_groups = 16, gap = 3, row_height = 32, legend_line = 40;
 constexpr float text = 24;
 
 /// Only every 17th level of each channel: letters are still smooth, and half of the file is saved.

@@ -180,13 +180,19 @@ Box3d::Made& Box3d::made_for(const Joint& joint, JointShape::Kind kind) {
   return *found;
 }
 
-/// Limits are of the joint itself here. The cone is about the z axis of A's frame, the twist about that of B's.
+/// Limits and motors are of the joint itself here. The cone is about the z axis of A's frame, the twist about that of B's.
 void Box3d::limit(const World& world, const Joint& joint, const JointShape& shape) {
   if (shape.kind == JointShape::angle_limits) {
     const Made& hinge = made_for(joint, JointShape::hinge);
     const bool along = hinge.shape.axis.dot(shape.axis) > 0;
     b3RevoluteJoint_SetLimits(hinge.id, real(along ? shape.low : -shape.high), real(along ? shape.high : -shape.low));
     return b3RevoluteJoint_EnableLimit(hinge.id, true);
+  }
+  if (shape.kind == JointShape::motor) {
+    const Made& hinge = made_for(joint, JointShape::hinge);
+    b3RevoluteJoint_SetMotorSpeed(hinge.id, real(hinge.shape.axis.dot(shape.axis) > 0 ? shape.speed : -shape.speed));
+    b3RevoluteJoint_SetMaxMotorTorque(hinge.id, real(shape.torque));
+    return b3RevoluteJoint_EnableMotor(hinge.id, true);
   }
   Made& socket = made_for(joint, JointShape::ball_and_socket);
   const bool cone = shape.kind == JointShape::cone_limit;

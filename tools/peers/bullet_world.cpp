@@ -77,6 +77,7 @@ class Bullet : public Engine {
       its(body).applyCentralForce(bullet(body.force));
       its(body).applyTorque(bullet(body.torque));
     }
+    for (const Motor& motor : motors_) motor.hinge->setMaxMotorImpulse(static_cast<btScalar>(motor.torque * h));
     dynamics_->stepSimulation(static_cast<btScalar>(h), 0);
   }
 
@@ -130,6 +131,8 @@ class Bullet : public Engine {
         return add_turns(shape, joint, no_limit, static_cast<btScalar>(shape.high));
       case JointShape::cone_limit:
         return add_turns(shape, joint, static_cast<btScalar>(shape.high), no_limit);
+      case JointShape::motor:
+        return drive(shape, joint);
     }
   }
   void add(std::unique_ptr<btTypedConstraint> made, const Joint& joint) {
@@ -146,11 +149,20 @@ class Bullet : public Engine {
     }
     throw not_had(joint.name + " without the joint that they limit");
   }
-  void limit(const JointShape& shape, const Joint& joint) {
-    auto& hinge = made_for<btHingeConstraint>(joint);
+  bool along(const btHingeConstraint& hinge, const JointShape& shape, const Joint& joint) {
     const btVector3 axis =
         its(joint.a).getCenterOfMassTransform().getBasis() * hinge.getAFrame().getBasis().getColumn(2);
-    const bool along = axis.dot(bullet(shape.axis)) > 0;
+    return axis.dot(bullet(shape.axis)) > 0;
+  }
+  /// Bullet bounds the impulse of a step: set in each.
+  void drive(const JointShape& shape, const Joint& joint) {
+    auto& hinge = made_for<btHingeConstraint>(joint);
+    hinge.enableAngularMotor(true, static_cast<btScalar>(along(hinge, shape, joint) ? shape.speed : -shape.speed), 0);
+    motors_.push_back({&hinge, shape.torque});
+  }
+  void limit(const JointShape& shape, const Joint& joint) {
+    auto& hinge = made_for<btHingeConstraint>(joint);
+    const bool along = this->along(hinge, shape, joint);
     hinge.setLimit(static_cast<btScalar>(along ? shape.low : -shape.high),
                    static_cast<btScalar>(along ? shape.high : -shape.low), 1);
   }
@@ -167,6 +179,11 @@ class Bullet : public Engine {
     add(std::move(made), joint);
   }
 
+  struct Motor {
+    btHingeConstraint* hinge;
+    Real torque;  // N m
+  };
+
   bool tuned_;
   Slab slab_;
   btDefaultCollisionConfiguration configuration_;
@@ -177,6 +194,7 @@ class Bullet : public Engine {
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;
   std::vector<std::pair<int, int>> pairs_;  // of each joint
+  std::vector<Motor> motors_;
   std::optional<btDiscreteDynamicsWorld> dynamics_;
 };
 

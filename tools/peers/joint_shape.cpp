@@ -82,6 +82,13 @@ class Cone {
   Vec3 s_, u_;
 };
 
+/// One at a speed asks for the same wherever its bodies are.
+bool goes_to_an_angle(const Joint& joint, const Body& a, const Body& b, const Vec3& axis) {
+  Body turned = b;
+  turned.turned(Real(0.1), axis);
+  return asked(joint, a, turned).front().error != asked(joint, a, b).front().error;
+}
+
 }  // namespace
 
 JointShape shape_of(const World& world, const Joint& joint) {
@@ -103,6 +110,12 @@ JointShape shape_of(const World& world, const Joint& joint) {
             .low = -left_of(equations[0]),
             .high = left_of(equations[1])};
   if (joint.name == "a cone limit") return Cone(joint, a, b)();
+  if (joint.name == "a motor") {
+    const Equation& turning = equations[0];
+    const Vec3 axis = turning.jacobian.rb_n.normalized();
+    if (goes_to_an_angle(joint, a, b, axis)) throw not_had("a motor to an angle");
+    return {.kind = JointShape::motor, .axis = axis, .speed = -turning.bias, .torque = turning.hi};
+  }
   throw not_had(joint.name);
 }
 

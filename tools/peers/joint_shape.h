@@ -7,13 +7,14 @@ namespace pushback {
 
 /// World axes, as the bodies stand now.
 struct JointShape {
-  enum class Kind { ball_and_socket, hinge, angle_limits, twist_limits, cone_limit };
+  enum class Kind { ball_and_socket, hinge, angle_limits, twist_limits, cone_limit, motor };
   using enum Kind;
   Kind kind;
   Vec3 anchor_a = Vec3::Zero(), anchor_b = Vec3::Zero();  ///< m; of a ball and socket, and of a hinge
-  Vec3 axis = Vec3::Zero();    ///< unit; of a hinge and of limits of a turn; of a cone limit the one that A carries
+  Vec3 axis = Vec3::Zero();  ///< unit; of a hinge, a motor and limits of a turn; of a cone limit the one that A carries
   Vec3 axis_b = Vec3::Zero();  ///< unit; of a cone limit the one that B carries
   Real low = 0, high = 0;      ///< rad; of limits, from where the bodies stand now. Of a cone: high, its half angle
+  Real speed = 0, torque = 0;  ///< rad/s of B against A about the axis, and the most in N m; of a motor
 };
 
 /// Throws not_had, naming the joint, where it is none of these.

@@ -50,11 +50,11 @@ class Jolt : public Engine {
   Eigen::Vector3d place(std::size_t body) const;
 
  private:
-  /// A joint with its limits: each is a single constraint of Jolt's.
+  /// A joint with its limits and its motor: each is a single constraint of Jolt's.
   struct Asked {
     const Joint* joint;
     JointShape shape;
-    std::optional<JointShape> turn, cone;  // angle or twist limits, and a cone
+    std::optional<JointShape> turn, cone, motor;  // angle or twist limits, a cone, and what drives a hinge
   };
 
   JPH::Body& its(int index) const;

@@ -46,6 +46,13 @@ JPH::RefConst<JPH::Shape> made(const Settings& settings, const char* what) {
   return result.Get();
 }
 
+/// `axis`: the hinge's.
+void add_motor(JPH::HingeConstraint& hinge, const JointShape& motor, const Vec3& axis) {
+  hinge.GetMotorSettings().SetTorqueLimit(real(motor.torque));
+  hinge.SetTargetAngularVelocity(real(axis.dot(motor.axis) > 0 ? motor.speed : -motor.speed));
+  hinge.SetMotorState(JPH::EMotorState::Velocity);
+}
+
 }  // namespace
 
 void start_jolt() {
@@ -82,15 +89,18 @@ Jolt::Jolt(const World& world, const JoltChoice& choice) : choice_(choice) {
   for (const Joint& joint : world.joints) {
     const JointShape shape = pushback::shape_of(world, joint);
     if (shape.kind == JointShape::ball_and_socket || shape.kind == JointShape::hinge) {
-      joints.push_back({&joint, shape, {}, {}});
+      joints.push_back({&joint, shape, {}, {}, {}});
       continue;
     }
-    const auto kind = shape.kind == JointShape::angle_limits ? JointShape::hinge : JointShape::ball_and_socket;
+    const bool of_hinge = shape.kind == JointShape::angle_limits || shape.kind == JointShape::motor;
+    const auto kind = of_hinge ? JointShape::hinge : JointShape::ball_and_socket;
     const auto limited = std::find_if(joints.begin(), joints.end(), [&](const Asked& asked) {
       return asked.joint->a == joint.a && asked.joint->b == joint.b && asked.shape.kind == kind;
     });
     if (limited == joints.end()) throw not_had(joint.name + " without the joint that they limit");
-    (shape.kind == JointShape::cone_limit ? limited->cone : limited->turn) = shape;
+    (shape.kind == JointShape::cone_limit ? limited->cone
+     : shape.kind == JointShape::motor    ? limited->motor
+                                          : limited->turn) = shape;
   }
   for (const Asked& asked : joints) add(asked);
 }
@@ -214,7 +224,9 @@ void Jolt::add(const Asked& asked) {
       settings.mLimitsMin = std::max(real(asked.turn->low), -JPH::JPH_PI);
       settings.mLimitsMax = std::min(real(asked.turn->high), JPH::JPH_PI);
     }
-    system_.AddConstraint(settings.Create(a, b));
+    const JPH::Ref<JPH::TwoBodyConstraint> made = settings.Create(a, b);
+    if (asked.motor) add_motor(static_cast<JPH::HingeConstraint&>(*made), *asked.motor, axis);
+    system_.AddConstraint(made);
   } else if (asked.cone || asked.turn) {
     add_socket_with_limits(asked);
   } else {

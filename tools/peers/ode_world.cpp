@@ -80,6 +80,12 @@ class Ode : public Engine {
     double friction, restitution;
   };
 
+  struct Hinge {
+    dJointID id;
+    int a, b;
+    Vec3 axis;
+  };
+
   dBodyID body_of(int index) const {
     return index == the_world ? nullptr : bodies_[static_cast<std::size_t>(index)].body;
   }
@@ -149,11 +155,33 @@ class Ode : public Engine {
         dJointID made = dJointCreateHinge(world_, nullptr);
         dJointAttach(made, a, b);
         dJointSetHingeAnchor(made, at.x(), at.y(), at.z());
+        hinges_.push_back({made, joint.a, joint.b, shape.axis});
         return dJointSetHingeAxis(made, shape.axis.x(), shape.axis.y(), shape.axis.z());
+      }
+      case JointShape::angle_limits: {
+        const auto [hinge, along] = hinge_of(shape, joint);
+        dJointSetHingeParam(hinge, dParamLoStop, along ? shape.low : -shape.high);
+        return dJointSetHingeParam(hinge, dParamHiStop, along ? shape.high : -shape.low);
+      }
+      case JointShape::motor: {
+        const auto [hinge, along] = hinge_of(shape, joint);
+        dJointSetHingeParam(hinge, dParamVel, along ? shape.speed : -shape.speed);
+        return dJointSetHingeParam(hinge, dParamFMax, shape.torque);
       }
       default:
         throw not_had(joint.name);
     }
+  }
+
+  /// The hinge that the two have, and whether it turns about the axis of `shape` as ODE counts: its first body against its second.
+  /// Of a body and the world, the first is the body.
+  std::pair<dJointID, bool> hinge_of(const JointShape& shape, const Joint& joint) const {
+    for (const Hinge& hinge : hinges_) {
+      if (hinge.a != joint.a || hinge.b != joint.b) continue;
+      const bool b_first = body_of(joint.a) == nullptr;
+      return {hinge.id, (hinge.axis.dot(shape.axis) > 0) == b_first};
+    }
+    throw not_had(joint.name + " without the hinge that they are of");
   }
 
   void collide(dGeomID a, dGeomID b) {
@@ -184,6 +212,7 @@ class Ode : public Engine {
   JoinedPairs joined_;
   std::list<OdeHull> solids_;
   std::vector<Made> bodies_;
+  std::vector<Hinge> hinges_;
   int found_ = 0;  // contacts, in the latest step
 };
 

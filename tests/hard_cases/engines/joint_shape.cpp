@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pushback/chapters/13_joints/hinge.h"
+#include "pushback/chapters/15_limits_motors_springs/motor.h"
 #include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
 #include "pushback/common/bodies/random.h"
 #include "tests/support/catch.h"
@@ -77,6 +78,20 @@ TEST_CASE("a cone limit: both directions, and the angle, also where they are one
     CHECK((shape.axis.dot(s) * shape.axis_b - u).norm() < Real(1e-7));  // both, or neither, are reversed
     CHECK(shape.high == Approx(half).margin(1e-6));
   }
+}
+
+TEST_CASE("a motor at a speed: the axis, the speed and the torque; one to an angle is named") {
+  World world = two_bodies();
+  const Vec3 axis = Vec3(2, 1, -1).normalized();
+  for (const Real speed : {Real(-2), Real(0.5)}) {
+    const JointShape shape = shape_of(world, motor_at_speed(world, 0, 1, axis, speed, 7));
+    CHECK(shape.kind == JointShape::motor);
+    CHECK(shape.axis.dot(axis) == Approx(1).margin(exact));
+    CHECK(shape.speed == Approx(speed).epsilon(exact));
+    CHECK(shape.torque == 7);
+  }
+  const Joint servo = motor_to_angle(world, 0, 1, axis, [](Real) { return Real(0); }, 7);
+  CHECK(complaint([&] { shape_of(world, servo); }).find("not possible: a motor to an angle") != std::string::npos);
 }
 
 TEST_CASE("every joint of the ragdoll is read, and what is unknown is named") {
