@@ -40,7 +40,6 @@ struct DirectJoints : WarmJoints {
   const JointMatrix& matrix() const { return matrix_; }
 
  private:
-  static bool limited(const Row& row) { return std::isfinite(row.lo) || std::isfinite(row.hi); }
   bool guess(StepContext& step);
   void solve_at_once();
   void find_wrong();

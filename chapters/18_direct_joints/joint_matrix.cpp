@@ -156,15 +156,15 @@ void JointMatrix::assemble(const JointRows& rows) {
     }
 }
 
-void JointMatrix::eliminate(const Column& column, const std::vector<char>& taken) {
+void JointMatrix::eliminate(const Column& column, const JointRows& rows, const std::vector<char>& taken) {
   double* const l = &values_[column.values];
   double* const inverse = &inverse_pivots_[column.first];
   with_number(column.rows, [&](auto n) {
     for (int c = 0; c < n; ++c) {
       const std::size_t row = column.first + std::size_t(c);
-      const double pivot = l[c * n + c];
-      const bool counts = taken[row] && pivot > static_cast<double>(least_pivot) * diagonal_[row];
-      inverse[c] = counts ? 1 / pivot : 0;
+      const double pivot = l[c * n + c], least = static_cast<double>(least_pivot) * diagonal_[row];
+      const bool counts = taken[row] && (pivot > least || limited(rows[row]));
+      inverse[c] = counts && least > 0 ? 1 / std::max(pivot, least) : 0;
       for (int i = c + 1; i < n; ++i) {
         const double scaled = l[i * n + c] * inverse[c];
         for (int j = c + 1; j <= i; ++j) l[i * n + j] -= scaled * l[j * n + c];
@@ -205,7 +205,7 @@ void JointMatrix::eliminate(const Column& column, const std::vector<char>& taken
 void JointMatrix::factor(const JointRows& rows, const std::vector<Held>& joints, const std::vector<char>& taken) {
   if (joints != joints_) analyse(joints);
   assemble(rows);
-  for (const int joint : order_) eliminate(columns_[static_cast<std::size_t>(joint)], taken);
+  for (const int joint : order_) eliminate(columns_[static_cast<std::size_t>(joint)], rows, taken);
 }
 
 void JointMatrix::solve(std::span<double> x) const {

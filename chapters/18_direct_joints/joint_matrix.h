@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,11 @@
 #include "pushback/chapters/18_direct_joints/joint_graph.h"
 
 namespace pushback {
+
+/// Whether there are limits to its impulse.
+inline bool limited(const Row& row) {
+  return std::isfinite(row.lo) || std::isfinite(row.hi);
+}
 
 /// A = J M^-1 J^T + Gamma = L D L^T
 ///
@@ -18,7 +24,9 @@ namespace pushback {
 /// hold the same bodies.   Baraff, "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996.
 ///
 /// Rows may ask for the same thing twice. 1 / D_i is the mass that row i feels while the rows before it hold, 1 / A_ii what it feels
-/// alone. A row that feels 1 / least_pivot times as much gets no impulse: the others hold it.
+/// alone. A row that feels 1 / least_pivot times as much gets no impulse: the others hold it. If it has limits, it may ask for another
+/// speed than they do, as a motor that drives against a stop. Then its D_i counts as least_pivot A_ii, and impulses grow until one of
+/// them is at its limit.
 class JointMatrix {
  public:
   static constexpr Real least_pivot = Real(std::numeric_limits<Real>::digits > 24 ? 1e-8 : 3e-4);  ///< of D_i / A_ii
@@ -62,7 +70,7 @@ class JointMatrix {
   int rows_of(const Block& block) const { return columns_[static_cast<std::size_t>(block.joint)].rows; }
   void analyse(const std::vector<Held>& joints);
   void assemble(const JointRows& rows);
-  void eliminate(const Column& column, const std::vector<char>& taken);
+  void eliminate(const Column& column, const JointRows& rows, const std::vector<char>& taken);
 
   std::vector<Held> joints_;  // what it was analysed for
   std::vector<int> order_;    // of elimination

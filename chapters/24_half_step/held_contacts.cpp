@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pushback/common/basics/input.h"
+#include "pushback/common/world/measure.h"
 
 namespace pushback {
 
@@ -23,6 +24,15 @@ Vec3 components(const Vec3& impulse, const Vec3& normal) {
 /// N s, for each N s along the normal of a contact that slides this way.
 Vec3 pushes(const Contact& contact, const Vec3& slides) {
   return contact.normal - contact.friction * slides;
+}
+
+/// m/s, world axes, `arm` from the body's centre: the mean speed there in a drift of h, less that as it begins. A ball whose moments of
+/// inertia differ changes w as it flies, and its arm stays.
+Vec3 gained_in_drift(const Body& body, const Vec3& arm, Real h) {
+  const Vec3 &w = body.angular_velocity, &inverse = body.principal_inverse_inertia;
+  const bool ball = std::holds_alternative<Sphere>(body.shape);
+  if (!ball || inverse.maxCoeff() == inverse.minCoeff() || w.isZero(0)) return Vec3::Zero();
+  return -h / 2 * (body.inverse_inertia * w.cross(spin_momentum(body))).cross(arm);
 }
 
 }  // namespace
@@ -83,14 +93,18 @@ void HeldContacts::detected(const World& world) {
   }
 }
 
+/// J v + b, m/s, world axes.
+Vec3 HeldContacts::speed_of(const World& world, const Taking& taking) {
+  const Contact& contact = world.contacts[taking.contact];
+  const auto [a, b] = world.bodies_of(contact);
+  return b.velocity_at(contact.point) - a.velocity_at(contact.point) + taking.bias * contact.normal + taking.turned;
+}
+
 /// The impulses of the stage before, on the bodies. What moves before them is q.
 void HeldContacts::give_guess(World& world, Real h) {
   double largest = 0;
   for (const Taking& taking : taking_) {
-    const Contact& contact = world.contacts[taking.contact];
-    const auto [a, b] = world.bodies_of(contact);
-    const Vec3 speed = b.velocity_at(contact.point) - a.velocity_at(contact.point) + taking.bias * contact.normal;
-    largest = std::max(largest, static_cast<double>(speed.squaredNorm()));
+    largest = std::max(largest, static_cast<double>(speed_of(world, taking).squaredNorm()));
   }
   unit_ = std::sqrt(largest);
   for (Taking& taking : taking_) {
@@ -112,8 +126,7 @@ double HeldContacts::off(const World& world) const {
   double largest = 0;
   for (const Taking& taking : taking_) {
     const Contact& contact = world.contacts[taking.contact];
-    const auto [a, b] = world.bodies_of(contact);
-    const Vec3 speed = b.velocity_at(contact.point) - a.velocity_at(contact.point) + taking.bias * contact.normal;
+    const Vec3 speed = speed_of(world, taking);
     if (taking.sliding()) {
       const Real r = taking.impulse.dot(contact.normal), u = speed.dot(contact.normal),
                  off = r - std::max(Real(0), r - u);
@@ -143,6 +156,7 @@ void HeldContacts::place(World& world) {
   const auto add = [&](std::size_t k, const Vec3& direction) {
     rows_.emplace_back(world, world.contacts[taking_[k].contact], direction, k);
     rows_.back().impulse = taking_[k].impulse.dot(direction);
+    rows_.back().bias = taking_[k].turned.dot(direction);
   };
   for (std::size_t k = 0; k < taking_.size(); ++k) {
     Taking& taking = taking_[k];
@@ -190,9 +204,7 @@ bool HeldContacts::turns_back(const World& world) {
   bool any = false;
   for (Taking& taking : taking_) {
     if (!taking.sliding()) continue;
-    const Contact& contact = world.contacts[taking.contact];
-    const auto [a, b] = world.bodies_of(contact);
-    if ((b.velocity_at(contact.point) - a.velocity_at(contact.point)).dot(taking.slides) >= 0) continue;
+    if (speed_of(world, taking).dot(taking.slides) >= 0) continue;
     taking.slides.setZero();
     any = true;
   }
@@ -268,7 +280,14 @@ void HeldContacts::begin_pressing(World& world, Real h) {
     const Real slip = known_[i].slip.norm();
     const bool slides = slip > creeps && world.contacts[i].friction > 0;
     const Real bias = gap < 0 ? -std::min({-gap / h, -10 * gap, fastest}) : gap / h;
-    taking_.push_back({i, bias, Vec3::Zero(), slides ? Vec3(known_[i].slip / slip) : Vec3::Zero()});
+    const Vec3& n = world.contacts[i].normal;
+    const Vec3 sideways = slides ? Vec3(known_[i].slip / slip) : Vec3::Zero();
+    taking_.push_back({i, bias, Vec3::Zero(), Vec3::Zero(), sideways});
+    if (slides || world.contacts[i].friction == 0) continue;
+    const auto [a, b] = world.bodies_of(world.contacts[i]);
+    const Vec3& at = world.contacts[i].point;
+    const Vec3 turned = gained_in_drift(b, at - b.position, h) - gained_in_drift(a, at - a.position, h);
+    taking_.back().turned = turned - turned.dot(n) * n;
   }
   give_guess(world, h);
 }
@@ -293,7 +312,8 @@ void HeldContacts::begin_projecting(World& world, Real h) {
       continue;
     }
     const bool bounces = known.approach < -threshold;
-    taking_.push_back({i, bounces ? world.contacts[i].restitution * known.approach : 0, Vec3::Zero(), Vec3::Zero()});
+    const Real bias = bounces ? world.contacts[i].restitution * known.approach : 0;
+    taking_.push_back({i, bias, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
   }
   give_guess(world, h);
 }

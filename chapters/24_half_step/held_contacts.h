@@ -14,11 +14,13 @@ WarmDirectContacts exact_direct_contacts();
 
 /// All contacts solved at once, in each stage from what they bore in the step before:
 ///
-///   positions     gap + h J v >= 0,  lambda >= 0      along J where the drift begins; what sticks has not slid when it ends
+///   positions     gap + h J v >= 0,  lambda >= 0      along J where the drift begins
 ///   velocities    J v >= 0,          lambda >= 0      along J where the bodies are, for those that touch there
 ///
-/// with friction inside the cone in both. Where bodies have met in this step, faster than `threshold`, the second is
-/// J v >= -e v_n, v_n before the step.
+/// with friction inside the cone in both. What sticks is not to have slid when the drift ends. A ball whose moments of inertia differ
+/// changes w as it drifts, so where it rolls the first stage asks, with r the arm of the contact,
+///
+///   J_t v + h/2 (a x r)_t = 0,   a = -I^-1 (w x I w)      of both bodies: the mean speed of the drift
 ///
 /// Sliding friction depends on a velocity. In the second stage it is against the slip that is left, in the first against the slip
 /// before the step, lambda (n - mu t): backwards in time each is the other, and the step is of second order where the slip turns,
@@ -92,12 +94,14 @@ class HeldContacts {
   struct Taking {  // part in a stage
     std::size_t contact;
     Real bias;     // b of its normal, m/s
+    Vec3 turned;   // b along the surface, m/s, world axes: see above
     Vec3 impulse;  // N s
     Vec3 slides;   // unit: against it friction acts. 0 where the law is to find out
 
     bool sliding() const { return !slides.isZero(0); }
   };
   bool holds(const ContactId& id) const;
+  static Vec3 speed_of(const World& world, const Taking& taking);
   void give_guess(World& world, Real h);
   double off(const World& world) const;
   void place(World& world);

@@ -49,21 +49,6 @@ void show(const Table& peers, const fs::path& folder, bool images) {
   fmt::print("\n{}\n", (folder / (images ? "peers.png" : "peers.md")).string());
 }
 
-/// What has been played before, where what is played now is not all: the outcomes of the others. Throws InvalidInput where a
-/// pair was never played.
-void take_over(Table& into, const Table& from) {
-  for (std::size_t row = 0; row < from.cases.size(); ++row) {
-    for (std::size_t column = 0; column < from.stages.size(); ++column) {
-      for (std::size_t r = 0; r < into.cases.size(); ++r) {
-        for (std::size_t c = 0; c < into.stages.size(); ++c) {
-          if (into.cases[r].name == from.cases[row].name && into.stages[c].name == from.stages[column].name)
-            into.outcomes[r * into.stages.size() + c] = from.at(row, column);
-        }
-      }
-    }
-  }
-}
-
 /// Those settings of which one of the two has been played, in the order of all.
 std::vector<Stage> in_either(const std::vector<Stage>& one, const std::vector<Stage>& other) {
   const auto has = [](const std::vector<Stage>& list, const Stage& stage) {
@@ -146,16 +131,7 @@ int main(int argc, char** argv) {
         giving_up);
     if (keep) {
       const Table old = read_table_csv(before, peer_stages());
-      Table renewed = empty_table(hard_cases(), in_either(old.stages, table.stages));
-      take_over(renewed, old);
-      take_over(renewed, table);
-      for (std::size_t pair = 0; pair < renewed.outcomes.size(); ++pair) {
-        if (renewed.outcomes[pair].numbers.empty())
-          throw InvalidInput(fmt::format("{} was never played under {}: name it, too",
-                                         renewed.cases[pair / renewed.stages.size()].name,
-                                         renewed.stages[pair % renewed.stages.size()].name));
-      }
-      table = std::move(renewed);
+      table = renewed(old, table, in_either(old.stages, table.stages));
     }
     write_text_file(into / "peers.csv", table_csv(table));
     if (whole || keep) show(table, into, !no_images);

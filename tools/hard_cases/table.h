@@ -60,6 +60,9 @@ std::string table_csv(const Table& table);
 /// Back from it: what is then written and drawn is the same. Throws InvalidInput where it is no such table, or of other cases,
 /// stages or criteria than there are.
 Table read_table_csv(const std::string& text, const std::vector<Stage>& stages = table_stages());
+/// Of all cases under these stages: what `now` has, and where it has nothing, what `before` has. Throws InvalidInput where neither has a
+/// pair.
+Table renewed(const Table& before, const Table& now, std::vector<Stage> stages);
 /// For GitHub: a row a case, a column a stage, the chapters and the others in a table each; below them what every case
 /// stresses and what is asked of it. `folder`: where the page will be, for its links to the chapters.
 std::string table_md(const Table& table, const std::filesystem::path& folder);

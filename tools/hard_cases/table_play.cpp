@@ -4,6 +4,7 @@
 #include <mutex>
 #include <thread>
 
+#include "pushback/common/basics/input.h"
 #include "pushback/tools/hard_cases/apart.h"
 #include "pushback/tools/hard_cases/table.h"
 
@@ -34,7 +35,32 @@ void in_parallel(std::size_t count, int threads, const std::function<void(std::s
   if (problem) std::rethrow_exception(problem);
 }
 
+void take_over(Table& into, const Table& from) {
+  for (std::size_t row = 0; row < from.cases.size(); ++row) {
+    for (std::size_t column = 0; column < from.stages.size(); ++column) {
+      for (std::size_t pair = 0; pair < into.outcomes.size(); ++pair) {
+        if (into.cases[pair / into.stages.size()].name == from.cases[row].name &&
+            into.stages[pair % into.stages.size()].name == from.stages[column].name)
+          into.outcomes[pair] = from.at(row, column);
+      }
+    }
+  }
+}
+
 }  // namespace
+
+Table renewed(const Table& before, const Table& now, std::vector<Stage> stages) {
+  Table table = empty_table(hard_cases(), std::move(stages));
+  take_over(table, before);
+  take_over(table, now);
+  for (std::size_t pair = 0; pair < table.outcomes.size(); ++pair) {
+    if (table.outcomes[pair].numbers.empty())
+      throw InvalidInput(fmt::format("{} was never played under {}: name it, too",
+                                     table.cases[pair / table.stages.size()].name,
+                                     table.stages[pair % table.stages.size()].name));
+  }
+  return table;
+}
 
 Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress,
            const GivingUp& giving_up) {
