@@ -493,7 +493,6 @@ TEST_CASE("the table of the machine says how many settings of each engine were t
 TEST_CASE("a program that fails, or prints what is no measurement, is named") {
   for (const auto& [answers, part] : std::vector<std::pair<std::string, std::string>>{
            {"*) exit 3;;", "failed"},
-           {"*) kill -9 $$;;", "failed"},
            {"*) echo garbage;;", "garbage"},
            {"*) echo \"$s error soon seconds 1 row-solves 5\";;", "soon"},
            {"*) echo \"$s error 1x seconds 1 row-solves 5\";;", "1x"},
@@ -521,6 +520,31 @@ TEST_CASE("a program that fails, or prints what is no measurement, is named") {
   RoundOptions options = programs.options(0);
   options.engines = {{"motion_that_is_not_there", "x"}};
   CHECK(contains(failure(tried(2, 1, 2), options), "motion_that_is_not_there"));
+}
+
+TEST_CASE("a program that crashes loses the settings by which it does, and the others are measured") {
+  StandIns programs;
+  programs.add("motion_odd", "a/SMALL-STEPS/SWEEPS: method\\n",
+               "a/2/*) kill -9 $$;; *) echo \"$s error 1e-3 seconds 2e-2 row-solves 5\";;");
+  RoundOptions options = programs.options(2);
+  std::vector<std::string> said;
+  options.say = [&](const std::string& what) { said.push_back(what); };
+  const Measurements all = measure(tried(4, 1, 4), options);
+  REQUIRE(all.size() == 3);
+  for (const Measured& one : all) {
+    CHECK(std::isinf(one.error) == (one.substeps == 2));
+    CHECK_FALSE(one.late);
+  }
+  CHECK(std::count(said.begin(), said.end(), "bounce: motion_odd crashed, by a/2/1") == 1);
+  CHECK(all[2].seconds.size() == 3);  // what is near the front is timed on
+  CHECK(contains(csv_of({{"bounce", all}}), "a,2,1,lost,"));
+  CHECK(read_csv(csv_of({{"bounce", all}})).at("bounce").size() == 3);
+  StandIns broken;  // a list of methods is no play
+  std::ofstream(broken.options(0).programs / "motion_gone") << "#!/bin/sh\nkill -9 $$\n";
+  fs::permissions(broken.options(0).programs / "motion_gone", fs::perms::owner_all);
+  RoundOptions gone = broken.options(0);
+  gone.engines = {{"motion_gone", "x"}};
+  CHECK(contains(failure(tried(1, 1, 1), gone), "crashed"));
 }
 
 TEST_CASE("engines are ours, and those of others that are there") {

@@ -56,6 +56,8 @@ class Ode : public PlayerInSubsteps {
 
   void substep() override {
     rows_ = 3 * pins_;
+    for (const Made& made : bodies_)  // a box around it that no number holds would end the program
+      if (!(made.place().cwiseAbs().maxCoeff() < 1e8)) throw InvalidInput("a body of ODE is lost");
     dSpaceCollide(space_, this, [](void* ode, dGeomID a, dGeomID b) { static_cast<Ode*>(ode)->collide(a, b); });
     if (without_normal_) throw InvalidInput("ODE finds a contact that has no normal");
     if (choice_.exact) dWorldStep(world_, dt_);

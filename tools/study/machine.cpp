@@ -17,6 +17,7 @@ std::string table_of_machine(const MachineReport& run, const std::vector<Engine>
   std::string text = "| measured | |\n| --- | --- |\n";
   text += fmt::format("| on | {} |\n", processor());
   text += fmt::format("| in | {:.0f} min, one program at a time |\n", std::ceil(run.took.count() / 60));
+  if (run.resumed > 0) text += fmt::format("| motions measured before, by a run that was ended | {} |\n", run.resumed);
   text += fmt::format("| load of 1, 5, 15 min as it began | {} |\n", run.load_before);
   text += fmt::format("| as it ended, this run itself being 1 | {} |\n\n", run.load_after);
   text += "| engine | version | settings tried | timed again near a front | lost | given up |\n";

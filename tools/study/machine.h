@@ -16,6 +16,7 @@ struct MachineReport {
   std::string load_before, load_after;
   std::chrono::duration<double> took;
   std::vector<std::string> versions;  ///< of the engines, in their order
+  int resumed = 0;                    ///< motions that were measured before, by a run that was ended
 };
 
 /// Markdown: the machine and the engines, and how many settings of each were tried.

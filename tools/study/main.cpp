@@ -15,7 +15,7 @@ using namespace pushback::study;
 namespace {
 
 struct Asked {
-  bool quick = false, others = false, redraw = false, methods = false;
+  bool quick = false, others = false, redraw = false, methods = false, resume = false;
   int rounds = 0;
   std::vector<std::string> only;
   std::string out = "renders", shard = "1/1", mine, adapter;
@@ -98,6 +98,7 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   };
   if (asked.parts > 0) return tell(join(asked.parts, folder));
   const Shard shard = shard_of(asked.shard);
+  if (asked.resume && !shard.whole()) throw InvalidInput("--resume is for the whole, not for --shard: a part is small");
   if (asked.redraw) {
     make_writable_folder(folder);
     return tell(read_csv(read_text_file(folder / "study.csv")));
@@ -121,18 +122,25 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
     fmt::print("{}\n", what);
     std::fflush(stdout);
   };
-  MachineReport run{.load_before = load_now(), .load_after = "", .took = {}, .versions = {}};
+  MachineReport run{.load_before = load_now(), .load_after = "", .took = {}, .versions = {}, .resumed = 0};
   for (const Engine& engine : engines) run.versions.push_back(version_of(engine, programs));
   const auto began = std::chrono::steady_clock::now();
   AllMeasured all;
+  const std::filesystem::path kept = folder / "study.csv";
+  if (asked.resume && std::filesystem::exists(kept)) all = read_csv(read_text_file(kept));
   for (const Piece& piece : pieces) {
+    const std::string& name = piece.motion->name;
+    if (asked.resume && all.contains(name)) {
+      ++run.resumed;
+      continue;
+    }
     options.engines = piece.engines;
     const Measurements found = measure(*piece.motion, options);
-    all[piece.motion->name].insert(all[piece.motion->name].end(), found.begin(), found.end());
+    all[name].insert(all[name].end(), found.begin(), found.end());
+    write_text_file(kept, csv_of(all));  // the run may yet be ended
   }
   run.took = std::chrono::steady_clock::now() - began;
   run.load_after = load_now();
-  write_text_file(folder / "study.csv", csv_of(all));
   write_text_file(folder / "machine.md", table_of_machine(run, engines, all));
   if (shard.whole()) tell(all);
   else write_text_file(folder / "origin.txt", origin_text(origin_here()));
@@ -151,6 +159,9 @@ int main(int argc, char** argv) {
   line.option("--adapter", asked.adapter, "A program that hands motions to another engine, as one more engine");
   line.option("--rounds", asked.rounds, "In which all that is near a front is timed; 3, or 1 with --quick")
       .between(1, 1000);
+  line.flag(
+      "--resume", asked.resume,
+      "Motions that study.csv in that folder has stay as they are, of a run that was ended; the others are measured");
   line.flag("--redraw", asked.redraw, "Nothing is measured: pictures and tables of what is in study.csv");
   line.option("--only", asked.only, "These motions");
   line.option("--shard", asked.shard, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");

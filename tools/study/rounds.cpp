@@ -20,12 +20,18 @@ namespace {
 
 constexpr double slack = 1.25;  // times as slow as the front, and still timed again
 
-std::vector<std::string> said_by(const std::vector<std::string>& command) {
+/// Nothing where the program crashed.
+std::optional<std::vector<std::string>> said_or_crashed(const std::vector<std::string>& command) {
   const Ended ended = run_program(command);
-  if (ended.status != 0)
-    throw std::runtime_error(fmt::format("'{}' failed: {}", fmt::join(command, " "),
-                                         ended.signal != 0 ? strsignal(ended.signal) : ended.err));
+  if (ended.signal != 0) return {};
+  if (ended.status != 0) throw std::runtime_error(fmt::format("'{}' failed: {}", fmt::join(command, " "), ended.err));
   return lines_of(ended.out);
+}
+
+std::vector<std::string> said_by(const std::vector<std::string>& command) {
+  auto said = said_or_crashed(command);
+  if (!said) throw std::runtime_error(fmt::format("'{}' failed: it crashed", fmt::join(command, " ")));
+  return *std::move(said);
 }
 
 bool read_number(const std::string& word, double& into) {
@@ -76,7 +82,7 @@ class Asking {
     }
     return all;
   }
-  /// Plays those with these indices once more.
+  /// Plays those with these indices once more. Where the engine crashes, each is played by itself: what crashes alone is lost.
   void play(Measurements& all, const Indices& which) const {
     for (std::size_t first = 0; first < which.size();) {  // those of one engine in one call
       const std::string engine = all[which[first]].engine;
@@ -85,11 +91,15 @@ class Asking {
       for (; last < which.size() && all[which[last]].engine == engine; ++last)
         asked.push_back(all[which[last]].setting());
       for (const std::string& word : patience()) asked.push_back(word);
-      const std::vector<std::string> lines = said_by(asked);
-      if (lines.size() != last - first)
+      const auto lines = said_or_crashed(asked);
+      if (lines && lines->size() != last - first)
         throw std::runtime_error(
-            fmt::format("{} printed {} lines for {} settings", engine, lines.size(), last - first));
-      for (std::size_t i = first; i < last; ++i) read(lines[i - first], all[which[i]]);
+            fmt::format("{} printed {} lines for {} settings", engine, lines->size(), last - first));
+      for (std::size_t i = first; i < last; ++i) {
+        if (lines) read((*lines)[i - first], all[which[i]]);
+        else if (last - first > 1) play(all, {which[i]});
+        else lose(all[which[i]]);
+      }
       first = last;
     }
   }
@@ -120,6 +130,12 @@ class Asking {
     into.late = error == "late";
     into.error = *found;
     into.seconds.insert(std::upper_bound(into.seconds.begin(), into.seconds.end(), seconds), seconds);
+  }
+
+  void lose(Measured& one) const {
+    options_.say(fmt::format("{}: {} crashed, by {}", motion_.name, one.engine, one.setting()));
+    one.error = std::numeric_limits<double>::infinity();
+    one.seconds.insert(one.seconds.begin(), 0);  // nobody knows
   }
 
   const Motion& motion_;

@@ -80,7 +80,7 @@ TEST_CASE("a cone limit: both directions, and the angle, also where they are one
   }
 }
 
-TEST_CASE("a motor at a speed: the axis, the speed and the torque; one to an angle is named") {
+TEST_CASE("a motor at a speed: the axis, the speed and the torque, and one to an angle is named") {
   World world = two_bodies();
   const Vec3 axis = Vec3(2, 1, -1).normalized();
   for (const Real speed : {Real(-2), Real(0.5)}) {
