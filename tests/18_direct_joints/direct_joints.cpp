@@ -255,7 +255,7 @@ TEST_CASE(
       world.add(box({Real(0.5), 1, Real(0.02)}, 30).at({Real(0.5), 0, 0}));
       world.joints.push_back(hinge(world, the_world, 0, Vec3::Zero(), Vec3::UnitY()));
       world.joints.push_back(angle_limits(world, the_world, 0, Vec3::UnitY(), Real(-0.5), Real(0.2)));
-      world.joints.push_back(motor_at_speed(world, the_world, 0, Vec3::UnitY(), 1, 10));
+      world.joints.push_back(motor_at_speed(world, the_world, 0, Vec3::UnitY(), 1, 100));
       if (motor_first) std::swap(world.joints[1], world.joints[2]);
     });
   play("a stop", [](World& world) {

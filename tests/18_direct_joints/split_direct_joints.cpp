@@ -4,6 +4,8 @@
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/chapters/13_joints/study.h"
 #include "pushback/chapters/14_joints_under_load/structures.h"
+#include "pushback/chapters/15_limits_motors_springs/limits.h"
+#include "pushback/chapters/15_limits_motors_springs/motor.h"
 #include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
@@ -165,5 +167,24 @@ TEST_CASE(
       else substeps(other, sweeping, h, 4, 1);
       for (std::size_t i = 0; i < ring.bodies.size(); ++i) REQUIRE(ring.bodies[i].position == other.bodies[i].position);
     }
+  }
+}
+
+TEST_CASE(
+    "split direct joints: a motor that drives a door against its stop gives way, whichever of the two is asked first") {
+  for (const bool motor_first : {false, true}) {
+    World world;
+    world.gravity.setZero();
+    world.add(box({Real(0.5), 1, Real(0.02)}, 30).at({Real(0.5), 0, 0}));
+    world.joints.push_back(hinge(world, the_world, 0, Vec3::Zero(), Vec3::UnitY()));
+    world.joints.push_back(angle_limits(world, the_world, 0, Vec3::UnitY(), Real(-0.5), Real(0.2)));
+    world.joints.push_back(motor_at_speed(world, the_world, 0, Vec3::UnitY(), 1, 100));
+    if (motor_first) std::swap(world.joints[1], world.joints[2]);
+    Solver<SplitDirectJoints> solver;
+    for (int step = 0; step < 120; ++step) world.step(solver, Real(1) / 60, 1);
+    const Vec3 along = world.bodies[0].orientation * Vec3::UnitX();
+    INFO("the motor first: " << motor_first);
+    CHECK(std::abs(std::atan2(-along.z(), along.x()) - Real(0.2)) < Real(1e-3));
+    CHECK(world.bodies[0].angular_velocity.norm() < Real(1e-3));
   }
 }
