@@ -248,16 +248,6 @@ TEST_CASE(
   play("a man", [](World& world) { down_the_stairs(world); });
   play("motors too weak for what they turn", [](World& world) { pointers(world, follow_torque / 10); });
   play("winches", TwoWinches{});
-  for (const bool motor_first :
-       {false, true})  // of the two rows about one axis, the one that is asked later depends on the other
-    play("a motor drives a door against its stop", [motor_first](World& world) {
-      world.gravity.setZero();
-      world.add(box({Real(0.5), 1, Real(0.02)}, 30).at({Real(0.5), 0, 0}));
-      world.joints.push_back(hinge(world, the_world, 0, Vec3::Zero(), Vec3::UnitY()));
-      world.joints.push_back(angle_limits(world, the_world, 0, Vec3::UnitY(), Real(-0.5), Real(0.2)));
-      world.joints.push_back(motor_at_speed(world, the_world, 0, Vec3::UnitY(), 1, 100));
-      if (motor_first) std::swap(world.joints[1], world.joints[2]);
-    });
   play("a stop", [](World& world) {
     bar_and_stop(world);
     world.joints.push_back(stop_of_bar(world));
