@@ -13,6 +13,7 @@ namespace {
 constexpr Real deepest =
     Real(5e-3);  // m: half steps let it out by a tenth in a hundredth of a second, and only against gravity
 constexpr Real fast = Real(0.15);   // rad, in a step
+constexpr Real along = Real(1e-6);  // of a belt's speed, at right angles to the face: rounding
 constexpr Real apart = Real(1e-6);  // m: what is nearer touches, and does not meet
 
 /// Each equation of the joint holds, rigidly and in both directions.
@@ -22,6 +23,13 @@ bool rigid(const World& world, const Joint& joint, Equations& equations) {
   return std::all_of(equations.begin(), equations.end(), [](const Equation& equation) {
     return equation.softness == 0 && std::isinf(equation.lo) && std::isinf(equation.hi);
   });
+}
+
+/// Other than straight along its own face, as a belt does, whose surface only rubs.
+bool moves(const Body& ground, const Contact& at) {
+  if (ground.velocity == Vec3::Zero() && ground.angular_velocity == Vec3::Zero()) return false;
+  const bool straight = ground.conveys && ground.angular_velocity == Vec3::Zero();
+  return !straight || std::abs(ground.velocity.dot(at.normal)) > along * ground.velocity.norm();
 }
 
 }  // namespace
@@ -60,11 +68,12 @@ void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real 
       first = end;
     }
   };
-  each_pair([&world](Island& island, auto first, auto) {
+  each_pair([&world](Island& island, auto first, auto end) {
     ++island.near;
     const auto [a, b] = world.bodies_of(*first);
     const Body& ground = a.movable() ? b : a;
-    island.refused |= !ground.movable() && (ground.velocity != Vec3::Zero() || ground.angular_velocity != Vec3::Zero());
+    island.refused |=
+        !ground.movable() && std::any_of(first, end, [&ground](const Contact& at) { return moves(ground, at); });
   });
   each_pair([&](Island& island, auto first, auto end) {
     const auto [a, b] = world.bodies_of(*first);

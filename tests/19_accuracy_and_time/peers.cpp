@@ -195,11 +195,12 @@ TEST_CASE("A box is carried by a belt where an engine has belts, and the others 
   const Motion& belt = any_motion_named("conveyor");
   for (const Method& method : peer_methods()) {
     INFO(method.name);
-    CHECK(method.plays(belt) == method.name.starts_with("ode"));
+    CHECK(method.plays(belt) != method.name.starts_with("mujoco"));
     if (!method.plays(belt)) continue;
-    // ODE's pyramid on fixed axes has a limit of its own.
+    // ODE's pyramid on fixed axes has a limit of its own. In double Bullet turns its pyramid by what slips where nothing does: rounding.
+    const double each = method.name.starts_with("bullet-double") ? 0.09 : 0.03;
     for (const int substeps : {4, 16})
-      CHECK(error_of(method, belt, substeps) < (method.name == "ode" ? 0.21 : 0.03 / substeps));
+      CHECK(error_of(method, belt, substeps) < (method.name == "ode" ? 0.21 : each / substeps));
   }
 }
 

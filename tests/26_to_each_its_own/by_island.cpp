@@ -369,6 +369,42 @@ TEST_CASE("by island: the same chain, let go near where it hangs, has the least 
   }
 }
 
+TEST_CASE("by island: a belt takes a box along, in half steps") {
+  constexpr Real speed = 3, mu = Real(0.4), slips = speed / (mu * g);
+  World world;
+  world.add(ground().rough(mu).conveying({speed, 0, 0}));
+  const int put = world.add(box({Real(0.2), Real(0.1), Real(0.2)}, 5).at({0, Real(0.1), 0}).rough(mu));
+  ByIsland solver;
+  solver.few.substeps = 4;
+  while (world.time < 2) {
+    world.step(solver, h);
+    const Real t = world.time, sliding = std::min(t, slips);
+    CHECK(solver.moved_by(put) == MovedBy::half_steps);
+    CHECK(std::abs(world.body(put).position.x() - mu * g * sliding * sliding / 2 - speed * (t - sliding)) < 1e-5);
+  }
+  CHECK(world.body(put).velocity.x() == Approx(speed).epsilon(1e-9));
+}
+
+TEST_CASE("by island: what a belt's end pushes, and what lies on a lift or goes round a curve, is left to substeps") {
+  const Body small = box({Real(0.2), Real(0.1), Real(0.2)}, 5);
+  World world;
+  world.add(ground());
+  const auto put = [&](const Body& on, const Vec3& where) {
+    world.add(on);
+    return world.add(Body(small).at(where));
+  };
+  const Body slab = box({1, Real(0.1), 1}, 1).fixed();
+  const int pushed = put(Body(slab).at({-1, Real(0.1), 0}).conveying({2, 0, 0}), {Real(0.2), Real(0.1), 0}),
+            lifted = put(Body(slab).at({9, Real(0.1), 0}).moving({0, 1, 0}), {9, Real(0.3), 0}),
+            turned = put(Body(slab).at({18, Real(0.1), 0}).conveying(Vec3::Zero()).spinning({0, 1, 0}),
+                         {18, Real(0.3), Real(0.5)}),
+            carried = put(Body(slab).at({27, Real(0.1), 0}).conveying({2, 0, 0}), {27, Real(0.3), 0});
+  ByIsland solver;
+  world.step(solver, h);
+  for (const int body : {pushed, lifted, turned}) CHECK(solver.moved_by(body) == MovedBy::substeps);
+  CHECK(solver.moved_by(carried) == MovedBy::half_steps);
+}
+
 TEST_CASE("by island: each body of an island is said to have the island's substeps, others have none") {
   World world;
   world.add(sphere(Real(0.1), 1).at({0, 5, 9}));

@@ -98,8 +98,10 @@ void Box3d::add(const Body& body) {
   description.type = body.movable() ? b3_dynamicBody : is_driven(body) ? b3_kinematicBody : b3_staticBody;
   description.position = vector(body.position);
   description.rotation = turn(body.orientation);
-  description.linearVelocity = vector(body.velocity);
-  description.angularVelocity = vector(body.angular_velocity);
+  if (!body.conveys) {
+    description.linearVelocity = vector(body.velocity);
+    description.angularVelocity = vector(body.angular_velocity);
+  }
   description.enableSleep = false;
   description.allowFastRotation = choice_.stiff;
   const b3BodyId made = b3CreateBody(world_, &description);
@@ -120,6 +122,7 @@ void Box3d::add_shape(b3BodyId made, const Body& body) const {
   b3ShapeDef description = b3DefaultShapeDef();
   description.baseMaterial.friction = real(body.friction);
   description.baseMaterial.restitution = real(body.restitution);
+  if (body.conveys) description.baseMaterial.tangentVelocity = vector(body.orientation.conjugate() * body.velocity);
   if (const auto* ball = std::get_if<Sphere>(&body.shape)) {
     const b3Sphere sphere{b3Vec3_zero, real(ball->radius)};
     b3CreateSphereShape(made, &description, &sphere);

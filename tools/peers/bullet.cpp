@@ -47,6 +47,35 @@ class Counting : public Solver, public Counts {
   }
 };
 
+/// m/s, of the body's surface.
+btVector3 belt_of(const btRigidBody& body) {
+  const auto* belt = static_cast<const btVector3*>(body.getUserPointer());
+  return belt == nullptr ? btVector3(0, 0, 0) : *belt;
+}
+
+/// Called for each contact of each step. Bullet takes the speeds of surfaces along directions of friction that are handed to it: here
+/// the same as its own, along the slip and across it.
+bool hand_over_belts(btManifoldPoint& point, void* one, void* other) {
+  const auto &a = *static_cast<const btRigidBody*>(one), &b = *static_cast<const btRigidBody*>(other);
+  const btVector3 wanted = belt_of(b) - belt_of(a);  // of the velocity of a against b
+  const btVector3& normal = point.m_normalWorldOnB;
+  const auto velocity = [](const btRigidBody& body, const btVector3& at) {
+    return body.getVelocityInLocalPoint(at - body.getCenterOfMassPosition());
+  };
+  btVector3 slip = velocity(a, point.getPositionWorldOnA()) - velocity(b, point.getPositionWorldOnB()) - wanted;
+  slip -= normal.dot(slip) * normal;
+  if (slip.length2() > SIMD_EPSILON) {
+    point.m_lateralFrictionDir1 = slip.normalized();
+    point.m_lateralFrictionDir2 = point.m_lateralFrictionDir1.cross(normal);
+  } else {
+    btPlaneSpace1(normal, point.m_lateralFrictionDir1, point.m_lateralFrictionDir2);
+  }
+  point.m_contactMotion1 = point.m_lateralFrictionDir1.dot(wanted);
+  point.m_contactMotion2 = point.m_lateralFrictionDir2.dot(wanted);
+  point.m_contactPointFlags |= BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
+  return true;
+}
+
 class Bullet : public PlayerInSubsteps {
  public:
   Bullet(const Motion& motion, const Setting& setting, const Choice& choice)
@@ -61,6 +90,9 @@ class Bullet : public PlayerInSubsteps {
     info.m_restitutionVelocityThreshold = 0;
     info.m_globalCfm = choice.softness * dt_;
     if (choice.split) info.m_splitImpulsePenetrationThreshold = 0;
+    const bool belts = has_conveyor(motion);
+    if (belts) info.m_solverMode |= SOLVER_ENABLE_FRICTION_DIRECTION_CACHING;
+    gContactProcessedCallback = belts ? hand_over_belts : nullptr;
     slab_.used = std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) {
       return std::holds_alternative<Box>(body.shape) || std::holds_alternative<Hull>(body.shape);
     });
@@ -97,8 +129,13 @@ class Bullet : public PlayerInSubsteps {
     info.m_restitution = static_cast<btScalar>(std::sqrt(body.restitution));
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     btRigidBody& made = *bodies_.back();
-    made.setLinearVelocity(bullet(body.velocity));
-    made.setAngularVelocity(bullet(body.angular_velocity));
+    if (body.conveys) {
+      belts_.push_back(std::make_unique<btVector3>(bullet(body.velocity)));
+      made.setUserPointer(belts_.back().get());
+    } else {
+      made.setLinearVelocity(bullet(body.velocity));
+      made.setAngularVelocity(bullet(body.angular_velocity));
+    }
     made.setActivationState(DISABLE_DEACTIVATION);
     if (choice_.split) made.setContactProcessingThreshold(0);
     dynamics_->addRigidBody(&made);
@@ -124,6 +161,7 @@ class Bullet : public PlayerInSubsteps {
   btDbvtBroadphase broad_phase_;
   std::unique_ptr<btConstraintSolver> solver_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+  std::vector<std::unique_ptr<btVector3>> belts_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<std::unique_ptr<btTypedConstraint>> pins_;
   Places put_;  // where the bodies were at first, of which those that nothing moves have another origin here
@@ -146,10 +184,7 @@ Method method(const std::string& name, const std::string& title, const Choice& c
   return {.name = (in_double ? "bullet-double" : "bullet") + name,
           .title = title + (in_double ? ", double" : ", float"),
           // Solved directly, all rows make one dense matrix: those of a thousand bodies at rest would take 14 GB.
-          .plays =
-              [choice](const Motion& motion) {
-                return !has_conveyor(motion) && (!choice.direct || moving_bodies(motion) <= 200);
-              },
+          .plays = [choice](const Motion& motion) { return !choice.direct || moving_bodies(motion) <= 200; },
           .begin = [choice](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
             return std::make_unique<Bullet>(motion, setting, choice);
           },

@@ -32,9 +32,9 @@ InvalidInput not_had(const std::string& what);
 /// Throws not_had where the body has what no engine here is told of: a skin, groups, a surface that conveys.
 void check_plain(const Body& body);
 
-/// An immovable body whose velocity moves it.
+/// An immovable body whose velocity moves it; that of a conveyor moves its surface alone.
 inline bool is_driven(const Body& body) {
-  return !body.movable() && (!body.velocity.isZero(0) || !body.angular_velocity.isZero(0));
+  return !body.movable() && !body.conveys && (!body.velocity.isZero(0) || !body.angular_velocity.isZero(0));
 }
 
 }  // namespace pushback

@@ -9,6 +9,7 @@
 #include <Jolt/Physics/Body/Body.h>
 #include <Jolt/Physics/Collision/BroadPhase/BroadPhaseLayerInterfaceTable.h>
 #include <Jolt/Physics/Collision/BroadPhase/ObjectVsBroadPhaseLayerFilterTable.h>
+#include <Jolt/Physics/Collision/ContactListener.h>
 #include <Jolt/Physics/Collision/GroupFilterTable.h>
 #include <Jolt/Physics/Collision/ObjectLayerPairFilterTable.h>
 #include <Jolt/Physics/PhysicsSystem.h>
@@ -31,6 +32,22 @@ struct JoltChoice {
 
 /// Once in a program, before anything else of Jolt's.
 void start_jolt();
+
+/// Contacts of surfaces that convey.
+class Belts : public JPH::ContactListener {
+ public:
+  /// m/s, world axes; 0 where no surface of the body conveys.
+  std::vector<JPH::Vec3> speeds;  // in the order of Body::GetUserData
+
+  void OnContactAdded(const JPH::Body& one, const JPH::Body& other, const JPH::ContactManifold&,
+                      JPH::ContactSettings& settings) override {
+    settings.mRelativeLinearSurfaceVelocity = speeds[other.GetUserData()] - speeds[one.GetUserData()];
+  }
+  void OnContactPersisted(const JPH::Body& one, const JPH::Body& other, const JPH::ContactManifold& manifold,
+                          JPH::ContactSettings& settings) override {
+    OnContactAdded(one, other, manifold, settings);
+  }
+};
 
 class Jolt : public Engine {
  public:
@@ -69,6 +86,7 @@ class Jolt : public Engine {
   std::optional<JPH::ObjectVsBroadPhaseLayerFilterTable> layer_pairs_;
   JPH::TempAllocatorImplWithMallocFallback memory_{8 << 20};
   JPH::JobSystemSingleThreaded jobs_{JPH::cMaxPhysicsJobs};
+  Belts belts_;
   JPH::PhysicsSystem system_;
   JPH::Ref<JPH::GroupFilterTable> unjoined_;
   std::vector<JPH::Body*> bodies_;

@@ -84,7 +84,11 @@ Jolt::Jolt(const World& world, const JoltChoice& choice) : choice_(choice) {
   }
   system_.SetPhysicsSettings(settings);
   unjoined_ = new JPH::GroupFilterTable(count);
-  for (const Body& body : world.bodies) add(body);
+  for (const Body& body : world.bodies) {
+    add(body);
+    belts_.speeds.push_back(body.conveys ? vector(body.velocity) : JPH::Vec3::sZero());
+    if (body.conveys) system_.SetContactListener(&belts_);
+  }
   std::vector<Asked> joints;
   for (const Joint& joint : world.joints) {
     const JointShape shape = pushback::shape_of(world, joint);
@@ -189,6 +193,7 @@ void Jolt::add(const Body& body) {
   settings.mMaxLinearVelocity = settings.mMaxAngularVelocity = most_speed;
   settings.mAllowSleeping = false;
   settings.mApplyGyroscopicForce = choice_.tuned;
+  settings.mUserData = static_cast<JPH::uint64>(body.index);
   settings.mCollisionGroup =
       JPH::CollisionGroup(unjoined_, 0, static_cast<JPH::CollisionGroup::SubGroupID>(body.index));
   if (body.movable()) {

@@ -87,9 +87,10 @@ std::vector<Contender> contenders(const fs::path& programs) {
 std::string two_digits(double number) {
   return number < 100 ? fmt::format("{:.2g}", number) : fmt::format("{:.0f}", number);
 }
-std::string error_said(double error) {
-  if (std::isinf(error)) return "lost";
-  return error < 1e-6 ? "< 1e-6" : two_digits(error);
+/// What is lost before it has moved has taken no time.
+std::string said(double error, double us) {
+  const std::string off = std::isinf(error) ? "lost" : error < 1e-6 ? "< 1e-6" : two_digits(error);
+  return us > 0 ? fmt::format("{}; {}", off, two_digits(us)) : off;
 }
 
 std::string table_of(const std::vector<Contender>& all, int rounds) {
@@ -110,7 +111,7 @@ std::string table_of(const std::vector<Contender>& all, int rounds) {
     table += fmt::format("\n| {} |", motion.title);
     for (std::size_t i = 0; i < all.size(); ++i) {
       const double us = 1e6 * median(seconds[i]) / static_cast<double>(motion.frames());
-      table += std::isnan(errors[i]) ? " – |" : fmt::format(" {}; {} |", error_said(errors[i]), two_digits(us));
+      table += std::isnan(errors[i]) ? " – |" : fmt::format(" {} |", said(errors[i], us));
     }
   }
   return table + "\n";
