@@ -165,7 +165,8 @@ TEST_CASE("a conveyor: a box that is put on it slips v^2 / (2 mu g) and then rid
     Real slip = 0;
     for (Real speed = mu * g * substep; speed < v; speed += mu * g * substep) slip += (v - speed) * substep;
     const Real slipped = v * 120 * h - world.bodies[1].position.x();
-    CHECK(std::abs(slipped - slip) < Real(1e-3) * slip);
+    const bool half_steps = by.name == "26 by island";  // of second order: what is in a step counts as it is
+    CHECK(std::abs(slipped - (half_steps ? v * v / (2 * mu * g) : slip)) < Real(half_steps ? 2e-4 : 1e-3) * slip);
     CHECK(std::abs(slip - v * v / (2 * mu * g)) < v * substep);
     CHECK(std::abs(world.bodies[1].velocity.x() - v) < by.exact);
     CHECK(world.bodies[0].position == belt.position);

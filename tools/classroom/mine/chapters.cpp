@@ -268,10 +268,11 @@ Exercise exercise_of_chapter(int chapter) {
   if (chapter <= last_of_one_line)
     for (const SlipOfLoop& slip : slips_of_loop(chapter)) mistakes.push_back({slip.name, slip.hint, slip.solver});
   if (chapter > 0) mistakes.push_back(not_begun(chapter));
-  const ChapterOfMine& told = chapter_of_mine(two_digits(chapter));
+  const std::string digits = two_digits(chapter);
+  const ChapterOfMine& told = chapter_of_mine(digits);
   Exercise made = exercise_of<WholeSolver>(told.title, told.hints, checks, plain(chapter), std::move(mistakes));
   if (chapter > last_of_one_line) add_mistakes_of_loops(made, chapter);
-  made.name = "mine_" + two_digits(chapter);
+  made.name = "mine_" + digits;
   made.behind = as_answer;
   for (std::size_t i = 0; i < made.checks.size(); ++i) made.checks[i].stage = chapter_of_check(i);
   made.object = kit().folder / "libwhole_solver_scenes.a";
