@@ -46,29 +46,39 @@ inline Real sticks_early(Real deceleration, Real h) {
   return deceleration * h * h / 2;
 }
 
-/// m: how far the bodies among `of` have sunk into what carries them, the deepest: along contacts, from what is fixed, the
-/// shortest way. A stack of N boxes on springs sinks by the sum of all its depths, and that is the error of its law. Depth
-/// is counted where somebody is pressed.
+/// m: how far the bodies among `of` have sunk into what carries them, the deepest. A stack of N boxes on springs sinks by the sum of all
+/// its depths, and that is the error of its law. A body that several carry has sunk by the mean of what these have, and of the depths
+/// between, each by its part of the load:
+///
+///   s_b = sum of J (s_a + depth) / sum of J,   J: the impulse upwards from a, N s;   0 where nothing carries
 template <class Among>
 Real sunken(const World& world, const Among& among) {
-  constexpr Real nowhere = std::numeric_limits<Real>::infinity();
-  std::vector<Real> sunk(world.bodies.size(), nowhere);
-  for (const Body& body : world.bodies)
-    if (!body.movable()) sunk[std::size_t(body.index)] = 0;
+  struct Carries {
+    std::size_t below, above;
+    Real impulse, depth;  // N s; m
+  };
+  std::vector<Carries> all;
+  std::vector<Real> load(world.bodies.size());
+  for (const Contact& contact : world.contacts) {
+    const Real upwards = -contact.impulse.dot(world.gravity.normalized());
+    if (contact.depth < 0 || upwards == 0) continue;
+    std::size_t below = contact.id.body_a, above = contact.id.body_b;
+    if (upwards < 0) std::swap(below, above);
+    if (!world.bodies[above].movable()) continue;
+    all.push_back({below, above, std::abs(upwards), contact.depth});
+    load[above] += std::abs(upwards);
+  }
+  std::vector<Real> sunk(world.bodies.size()), now(world.bodies.size());
   bool changed = true;
   for (std::size_t round = 0; changed && round < world.bodies.size(); ++round) {
-    changed = false;
-    for (const Contact& contact : world.contacts) {
-      if (contact.depth < 0 || contact.impulse.isZero(0)) continue;
-      Real &a = sunk[contact.id.body_a], &b = sunk[contact.id.body_b];
-      for (auto [from, to] : {std::pair(&a, &b), {&b, &a}})
-        if (*from + contact.depth < *to) *to = *from + contact.depth, changed = true;
-    }
+    std::fill(now.begin(), now.end(), Real(0));
+    for (const Carries& one : all) now[one.above] += one.impulse / load[one.above] * (sunk[one.below] + one.depth);
+    changed = now != sunk;
+    sunk.swap(now);
   }
   Real deepest = 0;
   for (const Body& body : world.bodies)
-    if (body.movable() && among(body.index) && sunk[std::size_t(body.index)] < nowhere)
-      deepest = std::max(deepest, sunk[std::size_t(body.index)]);
+    if (body.movable() && among(body.index)) deepest = std::max(deepest, sunk[std::size_t(body.index)]);
   return deepest;
 }
 

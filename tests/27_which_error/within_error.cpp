@@ -309,6 +309,40 @@ TEST_CASE("within an error: a stack on springs has sunk by the sum of its depths
   CHECK(sunken(world, all) == 0);
 }
 
+TEST_CASE("within an error: a pyramid that settles on springs stays within it, and by what it has sunk is known") {
+  World world;
+  pyramid(world, 12);
+  const World begun = world;
+  WithinError solver;
+  solver.error = Real(1e-3);
+  solver.savings.at_first = solver.savings.part = 0;  // no half steps
+  const int top = world.bodies.back().index;
+  const auto off = [&](int body) { return (world.body(body).position - begun.body(body).position).norm(); };
+  for (int i = 0; i < 60; ++i) {
+    world.step(solver, h);
+    REQUIRE(solver.moved_by(top) == MovedBy::substeps);
+    for (const Body& body : world.bodies) CHECK(off(body.index) <= solver.error);
+    CHECK(sunken(world, [](int) { return true; }) == Approx(off(top)).epsilon(0.25));
+  }
+}
+
+TEST_CASE("within an error: what two carry unequally has sunk by the mean of both, each by its part of the load") {
+  World world;  // two weights on a board that lies on two supports: of the load the left one has 3/4
+  world.add(ground());
+  for (const Real x : {Real(-1), Real(1)}) world.add(box({Real(0.1), Real(0.5), Real(0.5)}, 10).at({x, Real(0.5), 0}));
+  world.add(box({Real(1.2), Real(0.1), Real(0.5)}, Real(0.1)).at({0, Real(1.1), 0}));
+  world.add(box({Real(0.1), Real(0.1), Real(0.1)}, 100).at({Real(-0.5), Real(1.3), 0}));
+  Wide<Real> springs;
+  springs.spring.hertz = 30;
+  for (int i = 0; i < 600; ++i) world.step(springs, h);
+  const auto sunk = [&](int body, Real from) { return from - world.body(body).position.y(); };
+  CHECK(sunk(1, Real(0.5)) > 2 * sunk(2, Real(0.5)));
+  const Real left = sunk(1, Real(0.5)), right = sunk(2, Real(0.5)),
+             board = sunken(world, [](int body) { return body == 3; });
+  CHECK(board > (3 * left + right) / 4);
+  CHECK(sunken(world, [](int body) { return body == 4; }) == Approx(sunk(4, Real(1.3))).epsilon(0.1));
+}
+
 TEST_CASE("within an error: of a body that was not there nothing is known") {
   WithinError solver;
   CHECK(solver.known(3).how == MovedBy::nothing);
