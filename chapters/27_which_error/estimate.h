@@ -73,7 +73,8 @@ Real sunken(const World& world, const Among& among) {
   for (std::size_t round = 0; changed && round < world.bodies.size(); ++round) {
     std::fill(now.begin(), now.end(), Real(0));
     for (const Carries& one : all) now[one.above] += one.impulse / load[one.above] * (sunk[one.below] + one.depth);
-    changed = now != sunk;
+    changed = !std::equal(now.begin(), now.end(), sunk.begin(),
+                          [](Real one, Real other) { return std::abs(one - other) <= one / 1000; });
     sunk.swap(now);
   }
   Real deepest = 0;
