@@ -25,7 +25,7 @@ bool rigid(const World& world, const Joint& joint, Equations& equations) {
   });
 }
 
-/// Other than straight along its own face, as a belt does, whose surface only rubs.
+/// Whether the ground moves, or its surface does otherwise than straight along its face, as a belt that only rubs.
 bool moves(const Body& ground, const Contact& at) {
   if (ground.velocity == Vec3::Zero() && ground.angular_velocity == Vec3::Zero()) return false;
   const bool straight = ground.conveys && ground.angular_velocity == Vec3::Zero();
