@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "pushback/chapters/13_joints/weld.h"
 #include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/world/query.h"
 #include "tests/support/call.h"
@@ -52,11 +53,10 @@ TEST_CASE("bodies and queries: a lift goes up by 2 m in 4 s, and turns by a quar
   const int lift = world.add(box({1, 0.125, 1}, 1).fixed());
   const int load = world.add(box({0.25, 0.25, 0.25}, 30).at({0.5, 0.375, 0}));
 
-  const int substeps = solver.plan(dt).all_substeps();
   for (int i = 1; i <= 240; ++i) {
     const Real share = (1 - std::cos(pi * Real(i) / 240)) / 2;  // 0 to 1, beginning and ending at rest
     const Quat turn(Eigen::AngleAxis<Real>(share * pi / 2, Vec3::UnitY()));
-    world.bodies[std::size_t(lift)].moved_to({0, 2 * share, 0}, turn, dt, substeps);
+    world.bodies[std::size_t(lift)].moved_to({0, 2 * share, 0}, turn, dt);
     world.step(solver, dt);
   }
 
@@ -77,6 +77,43 @@ TEST_CASE("bodies and queries: a conveyor with a roller at its end") {
   for (int i = 0; i < 240; ++i) world.step(solver, h);
   CHECK(world.bodies[2].position.y() < -1);  // over the roller, and down
   CHECK(world.bodies[0].position == Vec3(-3, -0.25, 0));
+}
+
+TEST_CASE("bodies and queries: a removed body leaves an empty place, and what lay on it falls") {
+  World world;
+  Recommended solver;
+  world.add(ground());
+  const int crate = world.add(box({0.25, 0.25, 0.25}, 10).at({0, 0.25, 0}));
+  const int ball = world.add(sphere(0.25, 5).at({0, 0.75, 0}));
+  for (int i = 0; i < 60; ++i) world.step(solver, h);
+  CHECK(world.bodies[std::size_t(ball)].position.y() == Approx(0.75).epsilon(1e-3));
+  world.remove(crate);
+  for (int i = 0; i < 60; ++i) world.step(solver, h);
+  CHECK(world.bodies[std::size_t(ball)].position.y() == Approx(0.25).epsilon(1e-3));
+  CHECK(world.bodies.size() == 3);
+}
+
+TEST_CASE("bodies and queries: a joint that bears more than it may is gone after the step") {
+  for (const Real most : {Real(98), Real(99)}) {  // N, of 98.1
+    World world;
+    Recommended solver;
+    const int lamp = world.add(sphere(0.25, 10).at({0, 2, 0}));
+    world.joints.push_back(ball_and_socket(world, the_world, lamp, {0, 3, 0}));
+    world.joints.back().breaks_at.force = most;
+    for (int i = 0; i < 10; ++i) world.step(solver, h);
+    CHECK(world.joints.size() == (most > 10 * g ? 1 : 0));
+    if (!world.joints.empty()) CHECK(load_of(world, world.joints[0], h).force == Approx(10 * g).epsilon(1e-6));
+  }
+  for (const Real most : {Real(98), Real(99)}) {  // N m: a beam on a wall, its weight at an arm of 1 m
+    World world;
+    Recommended solver;
+    const int beam = world.add(box({0.5, 0.125, 0.125}, 10).at({1, 0, 0}));
+    world.joints.push_back(weld(world, the_world, beam, {0, 0, 0}));
+    world.joints.back().breaks_at.torque = most;
+    for (int i = 0; i < 10; ++i) world.step(solver, h);
+    CHECK(world.joints.size() == (most > 10 * g ? 1 : 0));
+    if (!world.joints.empty()) CHECK(load_of(world, world.joints[0], h).torque == Approx(10 * g).epsilon(1e-6));
+  }
 }
 
 TEST_CASE("bodies and queries: by how much a face gives way that its surface runs away from is on the page") {

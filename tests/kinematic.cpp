@@ -68,14 +68,14 @@ TEST_CASE("moved by hand: one step takes the body to the place and into the turn
       const Vec3 where = body.position + random.vector(1);
       const Quat by_turn(Eigen::AngleAxis<Real>(random.between(0, Real(3)), random.direction()));
       const Quat to = by_turn * body.orientation;
-      body.moved_to(where, Quat(i % 2 == 0 ? to.coeffs() : -to.coeffs()), h, by.substeps);  // the same orientation
+      body.moved_to(where, Quat(i % 2 == 0 ? to.coeffs() : -to.coeffs()), h);  // the same orientation
       const Vec3 velocity = body.velocity;
       by.step(world);
       REQUIRE((body.position - where).norm() < arrives);
       REQUIRE((body.orientation.conjugate() * to).vec().norm() < arrives);
       REQUIRE(body.velocity == velocity);
     }
-    world.bodies[0].moved_to(world.bodies[0].position, world.bodies[0].orientation, h, by.substeps);
+    world.bodies[0].moved_to(world.bodies[0].position, world.bodies[0].orientation, h);
     CHECK(world.bodies[0].velocity.isZero(0));
     CHECK(world.bodies[0].angular_velocity.norm() < arrives);
   }
@@ -84,23 +84,20 @@ TEST_CASE("moved by hand: one step takes the body to the place and into the turn
 TEST_CASE("moved by hand: what cannot be done is refused by name") {
   const Vec3 zero = Vec3::Zero();
   const Quat none = Quat::Identity();
-  const auto said = [&](Body body, const Vec3& where, const Quat& to, Real dt, int substeps) {
-    return complaint([&] { body.moved_to(where, to, dt, substeps); });
+  const auto said = [&](Body body, const Vec3& where, const Quat& to, Real dt) {
+    return complaint([&] { body.moved_to(where, to, dt); });
   };
   const Body fixed = sphere(1, 1).fixed();
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
-  CHECK(said(sphere(1, 1), zero, none, h, 1) ==
+  CHECK(said(sphere(1, 1), zero, none, h) ==
         "body to move by hand can move by itself: an immovable one that does not convey is needed");
-  CHECK(said(Body(fixed).conveying({1, 0, 0}), zero, none, h, 1) ==
+  CHECK(said(Body(fixed).conveying({1, 0, 0}), zero, none, h) ==
         "body to move by hand conveys: an immovable one that does not convey is needed");
-  CHECK(said(fixed, {nan, 0, 0}, none, h, 1) == "place to move to is (nan, 0, 0): three finite numbers are needed");
-  CHECK(said(fixed, zero, Quat(0, 0, 0, 0), h, 1) ==
+  CHECK(said(fixed, {nan, 0, 0}, none, h) == "place to move to is (nan, 0, 0): three finite numbers are needed");
+  CHECK(said(fixed, zero, Quat(0, 0, 0, 0), h) ==
         "length of the orientation quaternion is 0: a finite number above 0 is needed");
-  CHECK(said(fixed, zero, none, 0, 1) == "dt is 0: a finite number above 0 is needed");
-  CHECK(said(fixed, zero, none, h, 0) == "substeps is 0: a whole number, 1 or more, is needed");
-  const Quat half_turn(0, 0, 1, 0);
-  CHECK(said(fixed, zero, half_turn, h, 1).find("turn of a body moved by hand is 3.14159") == 0);
-  CHECK(said(fixed, zero, half_turn, h, 2).empty());
+  CHECK(said(fixed, zero, none, 0) == "dt is 0: a finite number above 0 is needed");
+  CHECK(said(fixed, zero, Quat(0, 0, 1, 0), h).empty());  // half a turn
   CHECK(complaint([nan] { sphere(1, 1).conveying({nan, 0, 0}); }) ==
         "surface velocity is (nan, 0, 0): three finite numbers are needed");
   World world;
@@ -121,7 +118,7 @@ TEST_CASE("a lift: a box on it presses with m (g + a), and where the lift falls 
       Real v_before = 0;  // m/s, as the last 60 steps begin
       for (int i = 1; i <= 120; ++i) {
         const Real t = Real(i) * h;
-        world.bodies[0].moved_to({0, Real(-0.25) + a * t * t / 2, 0}, Quat::Identity(), h, by.substeps);
+        world.bodies[0].moved_to({0, Real(-0.25) + a * t * t / 2, 0}, Quat::Identity(), h);
         by.step(world);
         if (i == 60) v_before = world.bodies[1].velocity.y();
         if (i > 60 && detects_once) CHECK(std::abs(pressed(world) - force) < by.exact * mass * g);

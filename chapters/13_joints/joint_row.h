@@ -7,7 +7,8 @@ namespace pushback {
 
 /// It wants J V + b + gamma lambda = 0: with gamma > 0 it is a spring with a damper, and gamma joins K.
 struct JointRow : Row {
-  Real softness;  // gamma, 1/kg or 1/(kg m^2); 0: it holds
+  Real softness;      // gamma, 1/kg or 1/(kg m^2); 0: it holds
+  Real reported = 0;  // of `impulse`, what its joint has counted so far, N s
 
   JointRow(Body& first, Body& second, const Jacobian& jacobian, std::size_t joint, Real gamma)
       : Row(first, second, jacobian, joint), softness(gamma) {

@@ -42,6 +42,14 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
     for (JointRow& row : joint_rows_) row.solve();
     rows_solved += joint_rows_.size();
   }
+  /// What each joint bears: all that its rows have applied.
+  void report(StepContext& step) {
+    each_row([&](JointRow& row, std::size_t n) {
+      std::vector<Real>& impulses = step.world.joints[row.owner].impulses;
+      if (n == impulses.size()) impulses.push_back(0);
+      impulses[n] += row.impulse - std::exchange(row.reported, row.impulse);
+    });
+  }
   /// Only under a solver that relaxes (chapter 12): the same equations where the bodies are now, and C is not fed back.
   /// Springs stay as they were: the speed that they add is wanted. The next substep begins where the bodies are now, and uses what was
   /// asked here.
@@ -60,6 +68,15 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
   const JointRows& joint_rows() const { return joint_rows_; }
 
  protected:
+  /// `use(row, n)`: the n-th of its joint, from 0.
+  template <class Use>
+  void each_row(const Use& use) {
+    for (std::size_t i = 0, n = 0; i < joint_rows_.size(); ++i) {
+      n = i > 0 && joint_rows_[i].owner == joint_rows_[i - 1].owner ? n + 1 : 0;
+      use(joint_rows_[i], n);
+    }
+  }
+
   JointRows joint_rows_;
 
  private:

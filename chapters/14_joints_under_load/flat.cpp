@@ -147,8 +147,8 @@ void FlatSolver::solve(World& world, Real dt, int sweeps) {
     row.a = &world.body(joint.a);
     row.b = &world.body(joint.b);
     joint.ask(*row.a, *row.b, {world.time, dt}, equations_);
-    joint.impulses.resize(equations_.size() - joints_.size());
-    for (Real& kept : joint.impulses) {
+    joint.last_impulses.resize(equations_.size() - joints_.size());
+    for (Real& kept : joint.last_impulses) {
       const Equation& equation = equations_[joints_.size()];
       place(row, equation);
       row.bias += joint_beta / dt * equation.error;

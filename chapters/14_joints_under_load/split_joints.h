@@ -42,6 +42,7 @@ struct SplitJoints : WarmJoints {
     for (int i = 0; i < rounds_; ++i) WarmJoints::sweep(step);
   }
   void report(StepContext& step) {
+    Joints::report(step);
     if (!pushed_) remember(step);
     pushed_ = false;
   }

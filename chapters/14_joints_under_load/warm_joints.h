@@ -13,7 +13,10 @@ struct WarmJoints : Joints {
       if (n < impulses.size()) row.reach(scale * impulses[n]);
     });
   }
-  void report(StepContext& step) { remember(step); }
+  void report(StepContext& step) {
+    Joints::report(step);
+    remember(step);
+  }
 
  protected:
   void remember(StepContext& step) {
@@ -25,11 +28,7 @@ struct WarmJoints : Joints {
   /// `use(row, impulses, n)`: the n-th of its joint, from 0; and what the joint keeps, N s.
   template <class Use>
   void each_row(StepContext& step, const Use& use) {
-    for (std::size_t i = 0, n = 0; i < joint_rows_.size(); ++i) {
-      JointRow& row = joint_rows_[i];
-      n = i > 0 && row.owner == joint_rows_[i - 1].owner ? n + 1 : 0;
-      use(row, step.world.joints[row.owner].impulses, n);
-    }
+    Joints::each_row([&](JointRow& row, std::size_t n) { use(row, step.world.joints[row.owner].last_impulses, n); });
   }
 };
 

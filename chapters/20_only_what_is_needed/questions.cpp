@@ -77,22 +77,6 @@ Answer Tumbling::in(const World& world) {
   return {true, fmt::format("the inertia of {} differs from axis to axis", name_of(*body))};
 }
 
-void check_bodies_of(const Force& force, const World& world) {
-  for (const int i : force.bodies) {
-    if (i >= 0 && std::size_t(i) < world.bodies.size()) continue;
-    throw InvalidInput(
-        fmt::format("{} acts on body {}: of {} bodies, the first is 0", force.name, i, world.bodies.size()));
-  }
-}
-
-void check_bodies_of(const Joint& joint, const World& world) {
-  for (const int i : {joint.a, joint.b}) {
-    if (i == the_world || (i >= 0 && std::size_t(i) < world.bodies.size())) continue;
-    throw InvalidInput(
-        fmt::format("{} holds body {}: of {} bodies, the first is 0", joint.name, i, world.bodies.size()));
-  }
-}
-
 Answer Pulling::in(const World& world) {
   for (const Force& force : world.forces) check_bodies_of(force, world);
   if (!world.forces.empty()) {

@@ -50,10 +50,6 @@ struct Pulling {
   static Answer in(const World& world);
 };
 
-/// Throws InvalidInput if a force acts on a body that is not there, or a joint holds one.
-void check_bodies_of(const Force& force, const World& world);
-void check_bodies_of(const Joint& joint, const World& world);
-
 /// Those to which the answer is yes.
 template <class... Questions>
 struct CalledFor {

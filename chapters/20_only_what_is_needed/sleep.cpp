@@ -43,12 +43,17 @@ bool acts_on_all(const Force& force) {
 void Sleep::check(World& world) {
   require_not_negative("time to fall asleep", seconds);
   require_not_negative("place of a sleeper", place);
-  if (world.bodies.size() < rest_.size()) throw InvalidInput("a world with sleepers has lost a body: make a new Sleep");
+  if (world.bodies.size() < rest_.size())
+    throw InvalidInput("a world with sleepers has lost a body: World::remove takes bodies out");
+  check_places(world);
+  feel_hands(world);
   for (std::size_t i = rest_.size(); i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
     const bool plane = std::holds_alternative<HalfSpace>(body.shape);
     (body.movable() ? awake_ : plane ? planes_ : fixed_).push_back(int(i));
-    rest_.emplace_back().reach = plane ? 0 : reach_of(body);
+    Rest& its = rest_.emplace_back();
+    its.reach = plane ? 0 : reach_of(body);
+    if (!body.movable()) its.position = body.position, its.orientation = body.orientation;
     arranged_ = arranged_ && (body.movable() || plane);
   }
   const auto driven = [&world](int i) { return moves(world.bodies[std::size_t(i)]); };
@@ -59,8 +64,7 @@ void Sleep::check(World& world) {
   for (const auto* which : {&awake_, &driven_, &planes_}) {
     for (const int i : *which) check_state(world.bodies[std::size_t(i)]);
   }
-  for (const Force& force : world.forces) check_bodies_of(force, world);
-  for (const Joint& joint : world.joints) check_bodies_of(joint, world);
+  for (const int i : awake_) world.bodies[std::size_t(i)].refresh_inertia();  // its orientation may have been set by hand
 
   const bool plane_moves = std::any_of(planes_.begin(), planes_.end(), driven);
   nobody_may_sleep_ = plane_moves || std::any_of(world.forces.begin(), world.forces.end(), acts_on_all);
@@ -69,6 +73,38 @@ void Sleep::check(World& world) {
   gravity_ = world.gravity;
   forces_ = world.forces.size();
   joints_ = world.joints.size();
+}
+
+/// What has been done by hand, since the latest step, to those that do not take part.
+void Sleep::feel_hands(World& world) {
+  for (std::size_t i = 0; i < rest_.size(); ++i) {
+    const Body& body = world.bodies[i];
+    Rest& its = rest_[i];
+    if (body.removed) {
+      if (!its.removed) forget(world, int(i));
+      continue;
+    }
+    if (!body.asleep && body.movable()) continue;
+    const bool elsewhere = body.position != its.position || body.orientation.coeffs() != its.orientation.coeffs();
+    if (body.asleep) {
+      const bool pushed = moves(body) || !body.force.isZero(0) || !body.torque.isZero(0);
+      if (elsewhere || pushed) wake_island(world, its.island);
+    } else if (elsewhere) {
+      const bool by_its_velocity = std::binary_search(driven_.begin(), driven_.end(), int(i));
+      if (!by_its_velocity) wake(world, int(i));
+      its.position = body.position, its.orientation = body.orientation;
+    }
+  }
+}
+
+/// A body that has been removed. What touched it wakes.
+void Sleep::forget(World& world, int body) {
+  wake(world, body);
+  for (std::vector<int>* some : {&awake_, &planes_, &fixed_, &driven_}) std::erase(*some, body);
+  std::erase_if(woken_, [id = std::uint32_t(body)](const Contact& contact) {
+    return contact.id.body_a == id || contact.id.body_b == id;
+  });
+  rest(body).removed = true;
 }
 
 void Sleep::feel_forces(World& world) {
@@ -255,6 +291,7 @@ void Sleep::put_to_sleep(World& world, const std::vector<int>& bodies) {
     body.angular_velocity.setZero();
     body.asleep = true;
     rest(i).island = island;
+    rest(i).position = body.position, rest(i).orientation = body.orientation;
   }
   Island& sleeping = islands_[std::size_t(island)];
   sleeping.bodies = bodies;

@@ -15,8 +15,10 @@ namespace pushback {
 ///   - a body that is awake, or an immovable one that has a velocity, comes to touch it;
 ///   - a spring or another Force pulls at it otherwise than when it fell asleep;
 ///   - it is joined to something that moves all the same, or by a joint that is driven;
+///   - one of its bodies is given a velocity, a force or another place by hand;
+///   - what it touches is moved by hand, or removed;
 ///   - gravity changes, or forces or joints are added or taken away: then all wake;
-///   - it is told to: whoever changes a sleeping body, or what it lies on, by hand has to call `wake`.
+///   - it is told to: whoever changes anything else of a sleeping body, its mass or its groups, has to call `wake`.
 ///
 /// Where a Force acts on all bodies alike, none sleeps: nobody knows what it will do next.
 class Sleep {
@@ -50,15 +52,18 @@ class Sleep {
     std::vector<int> bodies;
     Contacts contacts;  // with what they carried
   };
-  struct Rest {
+  struct Rest {  // of one that sleeps, or that nothing moves: where it is
     Vec3 position = Vec3::Constant(std::numeric_limits<Real>::quiet_NaN());  // far from everywhere
     Quat orientation = Quat::Identity();
     Real reach = 0;                                  // m, from the centre of mass to the farthest point of the shape
     Real seconds = 0;                                // since the body is there
     int island = -1;                                 // in islands_, of a body that sleeps
+    bool removed = false;
     std::optional<std::pair<Vec3, Vec3>> pull = {};  // force and torque in its first step asleep
   };
 
+  void feel_hands(World& world);
+  void forget(World& world, int body);
   void feel_forces(World& world);
   void feel_joints(World& world);
   bool someone_touched(World& world, const Margin& margin);

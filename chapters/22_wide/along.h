@@ -174,7 +174,11 @@ void ride(const Bundles<Real>& all, Bundle<Real>& bundle, const typename Lanes::
                              .radius_a = load<Lanes>(bundle.radius_a, at),
                              .radius_b = load<Lanes>(bundle.radius_b, at)};
   const Lanes once = either(placed, Lanes(1), Lanes(0));  // a lane beside them keeps its bits
-  for (int c = bundle.first; c < bundle.end; ++c) give(pairs.given, bundle, all.contacts[c], Lanes(-once), at);
+  for (int c = bundle.first; c < bundle.end; ++c) {  // what has been given along the n of before is summed along it
+    WideContact<Real>& contact = all.contacts[c];
+    give(pairs.given, bundle, contact, Lanes(-once), at);
+    add(once * impulse_of<Lanes>(bundle, contact, at), contact.sum, at);
+  }
   const Orientation<Lanes> turn = riding.turn_of_normal(riding.found(all.points[bundle.first], at));
   keep(placed, rotated(turn, riding.found_n), bundle.n, at);
   keep(placed, rotated(turn, load<Lanes>(bundle.found_tangent1, at)), bundle.tangent1, at);
@@ -191,6 +195,7 @@ void ride(const Bundles<Real>& all, Bundle<Real>& bundle, const typename Lanes::
     const Lanes k22 = ride(contact.tangent2, tangent2, pairs.levers, placed, at);
     place(bundle, contact, placed, point.C, K, k11, k22, pairs, at);
     give(pairs.given, bundle, contact, once, at);
+    add(-once * impulse_of<Lanes>(bundle, contact, at), contact.sum, at);
   }
 }
 

@@ -99,6 +99,17 @@ void give(Pairs<Lanes>& given, const Bundle<Real>& bundle, const WideContact<Rea
   given.apply(times * load<Lanes>(contact.tangent1.impulse, at), {bundle.tangent1, contact.tangent1, at});
   given.apply(times * load<Lanes>(contact.tangent2.impulse, at), {bundle.tangent2, contact.tangent2, at});
 }
+/// N s, on B, world axes.
+template <class Lanes, class Real>
+Vec<Lanes> impulse_of(const Bundle<Real>& bundle, const WideContact<Real>& contact, int at) {
+  return load<Lanes>(contact.normal.impulse, at) * load<Lanes>(bundle.n, at) +
+         load<Lanes>(contact.tangent1.impulse, at) * load<Lanes>(bundle.tangent1, at) +
+         load<Lanes>(contact.tangent2.impulse, at) * load<Lanes>(bundle.tangent2, at);
+}
+template <class Lanes, class Real>
+void add(const Vec<Lanes>& vectors, EightVectors<Real>& to, int at) {
+  store(load<Lanes>(to, at) + vectors, to, at);
+}
 
 }  // namespace
 }  // namespace pushback

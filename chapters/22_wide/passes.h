@@ -157,9 +157,7 @@ void solve_friction_of(const Bundle<Real>& bundle, WideContact<Real>& contact, P
   store(total1, contact.tangent1.impulse, at);
   store(total2, contact.tangent2.impulse, at);
   if constexpr (last) {
-    store(Lanes(load<Lanes>(contact.sum.x, at) + pushed), contact.sum.x, at);
-    store(Lanes(load<Lanes>(contact.sum.y, at) + total1), contact.sum.y, at);
-    store(Lanes(load<Lanes>(contact.sum.z, at) + total2), contact.sum.z, at);
+    add(impulse_of<Lanes>(bundle, contact, at), contact.sum, at);
   }
 }
 

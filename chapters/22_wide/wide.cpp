@@ -348,7 +348,9 @@ void Wide<Scalar, JointEffect>::integrate_positions(World& world, Real h) {
       Body& body = world.bodies[i];
       if (body.conveys) continue;
       body.position += h * body.velocity;
-      if (body.angular_velocity != Vec3::Zero()) eight.add(body, h);
+      if (body.angular_velocity == Vec3::Zero()) continue;
+      if (body.movable()) eight.add(body, h);
+      else spin_freely(body, h);
     }
     eight.turn(h);
   });
@@ -446,9 +448,8 @@ void Wide<Scalar, JointEffect>::write_back(Contact& contact, std::size_t i) cons
                   vector_of(wide.normal.ra_n, lane).dot(angular(a_moved));
   const Scalar pushed = wide.normal.impulse.of[lane], rubbed1 = wide.tangent1.impulse.of[lane],
                rubbed2 = wide.tangent2.impulse.of[lane];
-  const Vec3 t1 = vector_of(bundle.tangent1, lane), t2 = vector_of(bundle.tangent2, lane),
-             sum = vector_of(wide.sum, lane);
-  contact.impulse = sum.x() * n + sum.y() * t1 + sum.z() * t2;
+  const Vec3 t1 = vector_of(bundle.tangent1, lane), t2 = vector_of(bundle.tangent2, lane);
+  contact.impulse = vector_of(wide.sum, lane);
   contact.last_impulse =
       static_cast<Real>(pushed) * n + static_cast<Real>(rubbed1) * t1 + static_cast<Real>(rubbed2) * t2;
   contact.state = state_of(known_[i], bundle.friction.of[lane], pushed, rubbed1, rubbed2);

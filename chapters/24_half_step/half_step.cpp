@@ -14,6 +14,7 @@ void drift(Body& body, Real h) {
   if (body.conveys) return;
   body.position += h * body.velocity;
   if (body.angular_velocity == Vec3::Zero()) return;
+  if (!body.movable()) return spin_freely(body, h);
   const Vec3 spin = body.orientation.conjugate() * body.angular_velocity;
   const Vec3& inverse = body.principal_inverse_inertia;
   const Vec3 momentum = spin.cwiseQuotient(inverse);
@@ -364,6 +365,10 @@ void HalfStep::solve(World& world, Real h, int /*sweeps*/) {
     body.velocity.setZero();
     body.angular_velocity.setZero();
   }
+}
+
+void HalfStep::done(World& world) {
+  if (!alone_) contacts_.report_sums(world);
 }
 
 void HalfStep::moved(World& world, Real /*h*/) {

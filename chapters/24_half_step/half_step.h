@@ -50,6 +50,8 @@ class HalfStep : public StepSolver {
   void detected(World& world, Real h) override;
   /// The whole step, with its own drift. `sweeps` do not matter.
   void solve(World& world, Real h, int sweeps) override;
+  /// Contacts keep what they bore for the next step, and report what was given in this one.
+  void done(World& world) override;
   /// World::step has moved the bodies, which `solve` left standing still where they are to be: they get their velocities.
   void moved(World& world, Real h) override;
   Solved solved() const override { return {joints_.rows() + contacts_.rows(), off_}; }

@@ -74,6 +74,7 @@ void HeldContacts::begin(const World& world) {
   newton_.forget();
   newton_.factored = 0;
   known_.clear();
+  sums_.clear();
   auto old = world.contacts_before.begin();  // both lists ascend: walk them side by side
   for (const Contact& contact : world.contacts) {
     Known& known = known_.emplace_back(Known{.id = contact.id});
@@ -81,6 +82,22 @@ void HeldContacts::begin(const World& world) {
     if (old != world.contacts_before.end() && old->id == contact.id)
       known.borne = world.impulse_scale(1) * old->impulse;
   }
+}
+
+/// N s, on B, world axes.
+void HeldContacts::add_up(const World& world, std::size_t contact, const Vec3& impulse) {
+  std::size_t& at = known_[contact].sum;
+  if (at == none) at = sums_.size(), sums_.emplace_back();
+  const Vec3 sum = sums_[at].impulse + impulse;
+  sums_[at] = world.contacts[contact];
+  sums_[at].impulse = sum;
+}
+
+void HeldContacts::add(const World& world, std::size_t contact, const Vec3& impulses) {
+  known_[contact].total += impulses;
+  const Vec3& n = world.contacts[contact].normal;
+  const auto [tangent1, tangent2] = tangents_of(n);
+  add_up(world, contact, impulses[0] * n + impulses[1] * tangent1 + impulses[2] * tangent2);
 }
 
 void HeldContacts::detected(const World& world) {
@@ -297,6 +314,7 @@ void HeldContacts::end_pressing(const World& world, Real h) {
     Known& known = known_[taking.contact];
     known.pressing = taking.impulse;
     known.total += components(taking.impulse, world.contacts[taking.contact].normal);
+    add_up(world, taking.contact, taking.impulse);
     if (known.borne.isZero(0)) known.borne = 2 / h * taking.impulse;
     known.pressed = taking.impulse.dot(world.contacts[taking.contact].normal) > 0;
   }
@@ -322,6 +340,7 @@ void HeldContacts::end_projecting(const World& world, Real h) {
   for (const Taking& taking : taking_) {
     Known& known = known_[taking.contact];
     known.total += components(taking.impulse, world.contacts[taking.contact].normal);
+    add_up(world, taking.contact, taking.impulse);
     known.last = taking.impulse;
     known.borne = (known.pressing + taking.impulse) / h;
   }
@@ -343,6 +362,28 @@ void HeldContacts::report(World& world) const {
     if (normal <= 0 || contact.friction <= 0) continue;  // nothing sticks or slides
     contact.state = aside < (1 - rounding) * contact.friction * normal ? ContactState::sticking : ContactState::sliding;
   }
+}
+
+void HeldContacts::report_sums(World& world) const {
+  Contacts sums = sums_;
+  std::stable_sort(sums.begin(), sums.end(), [](const Contact& p, const Contact& q) { return p.id < q.id; });
+  Contacts all;
+  auto sum = sums.begin();  // both lists ascend: walk them side by side
+  const auto parted = [&] {
+    if (!all.empty() && all.back().id == sum->id) return void(all.back().impulse += sum->impulse);  // it had come back
+    all.push_back(*sum);
+    all.back().parted = true;
+    all.back().last_impulse.setZero();
+  };
+  for (const Contact& contact : world.contacts) {
+    for (; sum != sums.end() && sum->id < contact.id; ++sum) parted();
+    all.push_back(contact);
+    all.back().impulse.setZero();
+    for (; sum != sums.end() && sum->id == contact.id; ++sum) all.back().impulse += sum->impulse;
+  }
+  for (; sum != sums.end(); ++sum) parted();
+  std::erase_if(all, [](const Contact& contact) { return contact.parted && contact.impulse.isZero(0); });
+  world.contacts.swap(all);
 }
 
 }  // namespace pushback

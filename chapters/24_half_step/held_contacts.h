@@ -53,7 +53,7 @@ class HeldContacts {
   void project(World& world, Real h);
   /// What has acted at a contact of World::contacts between two steps: N s along its normal, its first and its second tangent. `look`
   /// once all of it has.
-  void add(std::size_t contact, const Vec3& impulses) { known_[contact].total += impulses; }
+  void add(const World& world, std::size_t contact, const Vec3& impulses);
   /// Adds to the acceleration of each body, m/s^2, what it has from its contacts if they bear what they bore in the stage before.
   void add_borne(const World& world, std::vector<Vec3>& accelerations) const;
 
@@ -71,8 +71,10 @@ class HeldContacts {
   /// The law is to find out who slides, and where to. Rows have to be made anew.
   void find_out();
 
-  /// Contact::impulse: what acted since `begin`; and Contact::state.
+  /// Contact::impulse: what acted since `begin`, drawn back to the cone of now; and Contact::state. From there the next step starts.
   void report(World& world) const;
+  /// Contact::impulse: the momentum that was given since `begin`. What has parted is listed as well.
+  void report_sums(World& world) const;
 
   /// Matrices that were factored since `begin`. None where the guess was the solution.
   int factored() const { return newton_.factored; }
@@ -90,7 +92,9 @@ class HeldContacts {
     Real approach = 0;             // J v as the step began, m/s
     Vec3 slip = Vec3::Zero();      // u_t then, m/s
     bool pressed = false;          // in the first stage
+    std::size_t sum = none;        // its place in sums_
   };
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   struct Taking {  // part in a stage
     std::size_t contact;
     Real bias;     // b of its normal, m/s
@@ -102,6 +106,7 @@ class HeldContacts {
   };
   bool holds(const ContactId& id) const;
   static Vec3 speed_of(const World& world, const Taking& taking);
+  void add_up(const World& world, std::size_t contact, const Vec3& impulse);
   void give_guess(World& world, Real h);
   double off(const World& world) const;
   void place(World& world);
@@ -115,6 +120,7 @@ class HeldContacts {
   Contacts touching_;  // those of taking_
   Rows rows_;
   std::vector<Known> known_, known_before_;  // of World::contacts, ascending
+  Contacts sums_;  // since `begin`, in the order in which they first acted: one that parts and comes back is there twice
 };
 
 }  // namespace pushback

@@ -42,7 +42,7 @@ void HeldJoints::begin(const World& world) {
                   : !std::isfinite(equation.lo) && !std::isfinite(equation.hi) ? Kind::rigid
                   : !joint.driven && equation.lo == 0 && equation.hi > 0       ? Kind::limit
                                                                                : Kind::motor;
-      if (n < joint.impulses.size()) held.borne = world.impulse_scale(1) * joint.impulses[n];
+      if (n < joint.last_impulses.size()) held.borne = world.impulse_scale(1) * joint.last_impulses[n];
       taken_.push_back(held.kind == Kind::rigid);
       springs_ = springs_ || held.kind == Kind::spring;
       linear_ = linear_ && (held.kind == Kind::rigid || held.kind == Kind::spring);
@@ -295,9 +295,13 @@ void HeldJoints::struck() {
 void HeldJoints::report(World& world) const {
   auto held = held_.begin();
   for (std::size_t k = 0; k < joints_.size(); ++k) {
-    std::vector<Real>& impulses = world.joints[joints_[k]].impulses;
-    impulses.clear();
-    for (int n = 0; n < joints_held_[k].rows; ++n) impulses.push_back(held++->total);
+    Joint& joint = world.joints[joints_[k]];
+    joint.impulses.resize(static_cast<std::size_t>(joints_held_[k].rows));
+    joint.last_impulses.clear();
+    for (Real& impulse : joint.impulses) {
+      joint.last_impulses.push_back((held++)->total);
+      impulse += joint.last_impulses.back();
+    }
   }
 }
 

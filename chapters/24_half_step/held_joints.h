@@ -47,7 +47,7 @@ class HeldJoints {
   void strike(NewtonFromGuess& newton);
   /// Its impulses count.
   void struck();
-  /// Joint::impulses: what acted since `begin`.
+  /// Joint::impulses and last_impulses: what acted since `begin`.
   void report(World& world) const;
 
   bool empty() const { return held_.empty(); }

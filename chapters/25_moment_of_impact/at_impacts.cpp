@@ -110,7 +110,8 @@ void AtImpacts::bounce(World& world, Real h, const std::vector<std::size_t>& whi
                                      contacts[k].id.body_a, contacts[k].id.body_b, -step.speed_error(k)));
   const std::size_t count = which.size();
   for (std::size_t k = 0; k < count; ++k)
-    contacts_.add(which[k], {rows[k].impulse, rows[count + 2 * k].impulse, rows[count + 2 * k + 1].impulse});
+    contacts_.add(world, which[k],
+                  {rows[k].impulse, rows[count + 2 * k].impulse, rows[count + 2 * k + 1].impulse});
 }
 
 /// False where none approach.

@@ -107,9 +107,7 @@ void ByIsland::share_out(const World& world) {
 
 /// World::contacts stay those of the step before, with the impulses of its last substep.
 void ByIsland::find_contacts(World& world, const Plan& plan, Real dt) {
-  if (world.last_impulses_known)
-    for (Contact& contact : world.contacts) contact.impulse = contact.last_impulse;
-  world.last_impulses_known = false;
+  start_from_last_substep(world);
   before_.swap(world.contacts);
   world.find_contacts(plan.margin, plan.workers->of_bodies(world.bodies.size()));
   found_.swap(world.contacts);

@@ -98,10 +98,10 @@ class IslandWorld {
       Contact& copy = whole.contacts.emplace_back(contact);
       copy.id.body_a = static_cast<std::uint32_t>(bodies_[contact.id.body_a]);
       copy.id.body_b = static_cast<std::uint32_t>(bodies_[contact.id.body_b]);
-      copy.last_impulse = part * contact.impulse;
+      copy.last_impulse = part * contact.last_impulse;
     }
     for (const std::size_t joint : joints_)
-      for (Real& impulse : whole.joints[joint].impulses) impulse *= part;
+      for (Real& impulse : whole.joints[joint].last_impulses) impulse *= part;
   }
   const std::vector<int>& bodies() const { return bodies_; }
   int lowest() const { return lowest_; }

@@ -61,15 +61,14 @@ void ByIsland::move_others(World& world, Real dt, int sweeps) {
   if (std::none_of(world.bodies.begin(), world.bodies.end(), by_many)) {
     world.contacts_before.swap(world.contacts);
     world.contacts.clear();
-    const int parts = many.plan(dt).all_substeps();  // as Body::moved_to expects
     for (Body& body : world.bodies) {
       if (body.movable()) continue;
       keep_velocity(body);
-      for (int i = 0; i < parts && body.velocity.squaredNorm() + body.angular_velocity.squaredNorm() > 0; ++i)
-        move(body, dt / static_cast<Real>(parts));
+      integrate_velocity(body, world.gravity, dt);  // which clears its forces
+      move(body, dt);
     }
     world.time += dt;
-    world.dt_before = dt / static_cast<Real>(parts);
+    world.dt_before = dt / static_cast<Real>(many.plan(dt).all_substeps());
     return;
   }
   std::erase_if(found_, [&](const Contact& contact) {

@@ -50,6 +50,7 @@ struct Step {
   double seconds;  // that it took
   Real known;      // m
   int bodies_kept, bodies;
+  std::size_t contacts;
   Known most;  // of the body whose step was worst
   std::map<std::string, int> ways;
 };
@@ -96,7 +97,13 @@ Played play(World world, Real error, int steps) {
   for (int i = 0; i < steps; ++i) {
     const auto began = std::chrono::steady_clock::now();
     solver.within.whole_step(world, dt, 1);
-    Step step{std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(), 0, 0, 0, {}, {}};
+    Step step{std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(),
+              0,
+              0,
+              0,
+              world.contacts.size(),
+              {},
+              {}};
     for (Body& body : world.bodies) {
       if (!body.movable()) continue;
       const Known known = solver.within.known(body.index);
@@ -216,6 +223,21 @@ void draw(const std::filesystem::path& folder, const std::string& name, const st
                                     .curves = {{"", times, substeps, line_colour(3)}}}});
 }
 
+/// Says so if what was predicted is of another scene: bodies meet after the rehearsal that had not met in it.
+void warn_of_later_contacts(const Played& rehearsal, const Played& played) {
+  const auto more = [](const Step& p, const Step& q) { return p.contacts < q.contacts; };
+  const auto most = std::max_element(rehearsal.steps.begin(), rehearsal.steps.end(), more)->contacts;
+  const auto first = std::find_if(played.steps.begin(), played.steps.end(),
+                                  [most](const Step& step) { return step.contacts > 2 * most; });
+  if (first == played.steps.end()) return;
+  const auto at = static_cast<std::size_t>(first - played.steps.begin());
+  fmt::print(
+      "The prediction does not hold: the rehearsal ended at {:.2g} s with at most {} contacts, and at {:.2g} s there are "
+      "{}.\n",
+      static_cast<double>(rehearsal.worlds.back().time), most, static_cast<double>(played.worlds[at].time),
+      first->contacts);
+}
+
 void tell(const Played& played, const std::vector<Real>& off, Real error, const std::string& asked) {
   std::map<std::string, double> ways;
   for (const Step& step : played.steps)
@@ -232,8 +254,8 @@ void tell(const Played& played, const std::vector<Real>& off, Real error, const 
   for (const Step& step : played.steps) unkept += step.bodies_kept < step.bodies;
   if (unkept > 0)
     fmt::print(
-        "In {} of {} steps {} is not kept by some island: who touches first, or sticks, is decided otherwise in more "
-        "substeps, or their bound is reached.\n",
+        "In {} of {} steps {} is not kept by some island: something bounces, who touches first or sticks is decided "
+        "otherwise in more substeps, or their bound is reached.\n",
         unkept, played.steps.size(), asked);
   if (const std::optional<Real> rate = growth(off, error))
     fmt::print(
@@ -316,6 +338,7 @@ int choose_or_read(const std::vector<Scene>& scenes, const std::function<World(c
     std::fflush(stdout);
     const Played played = play(begin, error, steps);
     const std::vector<Real> off = measure(begin, played, error, finer);
+    warn_of_later_contacts(first, played);
     tell(played, off, error, asked);
     if (no_images) return;
     draw(out / "choose" / slug(name), name, asked, played, off);

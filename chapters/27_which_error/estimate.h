@@ -61,7 +61,7 @@ Real sunken(const World& world, const Among& among) {
   std::vector<Real> load(world.bodies.size());
   for (const Contact& contact : world.contacts) {
     const Real upwards = -contact.impulse.dot(world.gravity.normalized());
-    if (contact.depth < 0 || upwards == 0) continue;
+    if (contact.parted || contact.depth < 0 || upwards == 0) continue;
     std::size_t below = contact.id.body_a, above = contact.id.body_b;
     if (upwards < 0) std::swap(below, above);
     if (!world.bodies[above].movable()) continue;

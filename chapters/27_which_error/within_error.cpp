@@ -29,6 +29,13 @@ Real roughest(const World& world) {
   return mu;
 }
 
+/// Whether something has bounced: how far off that is, two steps from the same start do not tell, as both find the same impact.
+bool bounced(const World& world) {
+  return std::any_of(world.contacts.begin(), world.contacts.end(), [](const Contact& contact) {
+    return contact.restitution > 0 && !contact.impulse.isZero(0);
+  });
+}
+
 /// rad/s.
 Real fastest_spin(const World& world) {
   Real fastest = 0;
@@ -144,9 +151,11 @@ void WithinError::find_substeps(IslandWorld& island, Memory& memory, const World
     off = find_enough(island, memory, whole, allowed, 2 * most_of_second_order, most_substeps);
   }
   if (!island.held) return;
+  const bool is_kept = look.kept;
+  if (meets && bounced(island.world)) look.kept = false;
   look.spin = fastest_spin(island.world);
   look.off = off;
-  const int needed = look.kept || joints ? memory.substeps : begun;
+  const int needed = is_kept || joints ? memory.substeps : begun;
   memory.next = fewer_will_do(off, look.order()) ? needed / 2 : needed;
 }
 
@@ -239,22 +248,24 @@ void WithinError::move_others(World& world, Real dt, int sweeps) {
   find_meetings(found, before, world, dt);
 }
 
-/// What came faster than a step of fall makes it, and comes no more.
+/// What came faster than a step of fall makes it, and comes no more, where joints have a part in it; and what has bounced.
 void WithinError::find_meetings(const Contacts& found, const World& before, const World& after, Real dt) {
+  const auto meet = [this, &after](const Contact& contact) {
+    for (const std::size_t body : {contact.id.body_a, contact.id.body_b})
+      if (after.bodies[body].movable()) met_[std::size_t(calls_.island_of(static_cast<int>(body)))] = true;
+  };
+  for (const Contact& contact : after.contacts)
+    if (contact.restitution > 0 && !contact.impulse.isZero(0) && separating_speed(before, contact) < -many.threshold)
+      meet(contact);
   std::vector<bool> is_joined(after.bodies.size());
   for (const Joint& joint : after.joints)
     for (const int body : {joint.a, joint.b})
       if (body != the_world) is_joined[std::size_t(body)] = true;
   for (const Contact& contact : found) {
-    const auto a = std::size_t(contact.id.body_a), b = std::size_t(contact.id.body_b);
-    const auto parting = [&](const World& world) {
-      const Vec3 of_a = world.bodies[a].velocity_at(contact.point), of_b = world.bodies[b].velocity_at(contact.point);
-      return (of_b - of_a).dot(contact.normal);
-    };
-    const Real came = parting(before);
-    if ((!is_joined[a] && !is_joined[b]) || came > -dt * after.gravity.norm() || parting(after) < came / 2) continue;
-    for (const Body* body : {&after.bodies[a], &after.bodies[b]})
-      if (body->movable()) met_[std::size_t(calls_.island_of(body->index))] = true;
+    const Real came = separating_speed(before, contact);
+    if ((is_joined[contact.id.body_a] || is_joined[contact.id.body_b]) && came <= -dt * after.gravity.norm() &&
+        separating_speed(after, contact) >= came / 2)
+      meet(contact);
   }
 }
 

@@ -36,8 +36,9 @@ struct Known {
 /// every fourth step is taken twice. A chain that whips is looked at sooner: see off_when. Where more substeps do not lessen it, it is
 /// no error of the step: something is decided otherwise, who touches first, or sticks. Then it is left, and said.
 ///
-/// Where bodies that are joined meet something and `many` moves them, it finds the impact first and then what joints make of it. How far
-/// off that is, no number of substeps tells, so it is said that the step is not kept.
+/// Where something bounces, it may be off by more than two steps tell: both find the same impact, and a later one magnifies what they
+/// are off. Where bodies that are joined meet something and `many` moves them, it finds the impact first and then what joints make of it.
+/// How far off that is, no number of substeps tells. In both, it is said that the step is not kept.
 ///
 /// In a pile that moves such decisions are made all the time, and what their speeds differ by is lost in the next contact. So of
 /// `many` the speeds are not counted.

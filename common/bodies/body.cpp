@@ -92,7 +92,7 @@ Body& Body::conveying(const Vec3& surface_velocity) {
   return *this;
 }
 
-Body& Body::moved_to(const Vec3& where, const Quat& to, Real dt, int substeps) {
+Body& Body::moved_to(const Vec3& where, const Quat& to, Real dt) {
   if (movable() || conveys) {
     throw InvalidInput(fmt::format("body to move by hand {}: an immovable one that does not convey is needed",
                                    movable() ? "can move by itself" : "conveys"));
@@ -102,17 +102,9 @@ Body& Body::moved_to(const Vec3& where, const Quat& to, Real dt, int substeps) {
   require_finite("orientation's scalar part", to.w());
   require_positive("length of the orientation quaternion", to.norm());
   require_positive("dt", dt);
-  if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
-  Quat turn = to.normalized() * orientation.conjugate();
-  if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
-  const Real sine = turn.vec().norm(), half_angle = std::atan2(sine, turn.w()) / static_cast<Real>(substeps);
-  if (!(half_angle < pi / 2 * (1 - 16 * std::numeric_limits<Real>::epsilon()))) {
-    throw InvalidInput(
-        fmt::format("turn of a body moved by hand is {} rad in one substep: less than pi is needed", 2 * half_angle));
-  }
+  const Eigen::AngleAxis<Real> turn(to.normalized() * orientation.conjugate());  // by at most pi
   velocity = (where - position) / dt;
-  angular_velocity.setZero();
-  if (sine > 0) angular_velocity = 2 * static_cast<Real>(substeps) / dt * std::tan(half_angle) / sine * turn.vec();
+  angular_velocity = turn.angle() / dt * turn.axis();
   return *this;
 }
 

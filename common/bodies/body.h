@@ -38,6 +38,7 @@ struct alignas(64) Body {
   Real skin = 0;                        ///< m; other bodies are kept this far from the shape
   int index = -1;                       ///< place in World::bodies, set by World::add
   bool asleep = false;                  ///< rests, and is left out of the simulation for now
+  bool removed = false;                 ///< an empty place: see World::remove
   bool conveys = false;                 ///< immovable, and stays in its place: its velocities are those of its surface
   int colour = -1;                      ///< which colour of the palette draws it; -1: by its index
   std::uint32_t groups = 1;             ///< bits: what it is; see may_touch
@@ -67,14 +68,13 @@ struct alignas(64) Body {
   Body& conveying(const Vec3& surface_velocity);
 
   /// Moves an immovable body by hand: sets both velocities so that the next step, of dt seconds, takes the body there, by
-  /// the shorter turn. The velocities stay after the step, so call this before each step. `substeps`: Plan::all_substeps()
-  /// of the solver's plan. The turn of a substep is q' = normalise(q + h/2 (0, w) q), an angle of 2 atan(h |w| / 2), hence
-  ///
-  ///   w = 2/h tan(angle / (2 substeps)),   h = dt / substeps
-  ///
-  /// Throws InvalidInput if the body can move by itself, a number is not finite, dt is not above 0, or one substep would have to
-  /// turn the body by pi.
-  Body& moved_to(const Vec3& where, const Quat& to, Real dt, int substeps);
+  /// the shorter turn, in however many substeps. The velocities stay after the step, so call this before each step. Throws
+  /// InvalidInput if the body can move by itself or conveys, a number is not finite, or dt is not above 0.
+  Body& moved_to(const Vec3& where, const Quat& to, Real dt);
+  [[deprecated("moved_to needs no substeps any more")]] Body& moved_to(const Vec3& where, const Quat& to, Real dt,
+                                                                       int /*substeps*/) {
+    return moved_to(where, to, dt);
+  }
 };
 
 /// Whether contacts between the two are detected: each one touches a group that the other is in.

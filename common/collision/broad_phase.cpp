@@ -166,6 +166,7 @@ std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const 
   entries.reserve(bodies.size());
   std::vector<int> half_spaces;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i]->removed) continue;
     if (std::holds_alternative<HalfSpace>(bodies[i]->shape)) half_spaces.push_back(int(i));
     else entries.push_back({{Vec3::Zero(), Vec3::Zero()}, int(i), bodies[i]->movable()});
   }

@@ -23,7 +23,7 @@ Bounds bounds_of(const Body& body, const Margin& margin);
 
 using BodyPair = std::pair<int, int>;  ///< indices, first < second
 
-/// Every pair whose bounds overlap and of which at least one body can move, in ascending order of (first, second).
+/// Every pair whose bounds overlap and of which at least one body can move; empty places are in none. In ascending order of (first, second).
 std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const Margin& margin = {},
                                  Workers& workers = alone());
 /// Those among the bodies with the indices `which`: ascending, none twice. How many others there are costs no time.

@@ -34,12 +34,15 @@ struct Contact {
   Real friction = 0;           ///< mu of the pair
   Real restitution = 0;        ///< e of the pair
   bool ahead = false;  ///< n is not that between what is nearest now, but that with which they would touch: see Margin
+  /// It acted earlier in the step and was not detected again. All but `impulse` is as it was when it last acted.
+  bool parted = false;
   ContactId id;        ///< and with it which bodies: A is id.body_a, B is id.body_b
 
-  /// N s, on B, world axes: all that the solver applied here in the latest step, the sum over its substeps. In
+  /// N s, on B, world axes: the momentum that B gained and A lost here in the latest step, over all its substeps. In
   /// World::contacts_before, and while a solver is at work: what one substep applied.
   Vec3 impulse = Vec3::Zero();
-  Vec3 last_impulse = Vec3::Zero();          ///< N s, on B, world axes: what the step's last substep applied
+  /// N s, on B, world axes: what the step's last substep applied, from which the next step starts. 0 if it has parted.
+  Vec3 last_impulse = Vec3::Zero();
   ContactState state = ContactState::fresh;  ///< what the solver did here
 };
 

@@ -90,7 +90,8 @@ void add_moving(Picture& picture, const World& world, std::optional<Real> arrow)
   }
   if (!arrow) return;
   const Real size = typical_size(world);
-  for (const Contact& contact : world.contacts) add_contact(picture, contact, *arrow, size);
+  for (const Contact& contact : world.contacts)
+    if (!contact.parted) add_contact(picture, contact, *arrow, size);
 }
 
 }  // namespace
@@ -99,7 +100,7 @@ Picture picture_of(const World& world, const Camera& camera, std::optional<Real>
   Picture picture;
   picture.camera = camera;
   for (const Body& body : world.bodies) {
-    if (!body.movable()) add_body(picture, body);
+    if (!body.movable() && !body.removed) add_body(picture, body);
   }
   add_moving(picture, world, arrow);
   return picture;

@@ -10,7 +10,8 @@ namespace {
 
 std::vector<ContactId> ids_of(const Contacts& contacts) {
   std::vector<ContactId> ids;
-  for (const Contact& contact : contacts) ids.push_back(contact.id);
+  for (const Contact& contact : contacts)
+    if (!contact.parted) ids.push_back(contact.id);
   return ids;
 }
 
@@ -87,8 +88,8 @@ Sample Experiment::Played::step() {
   sample.momentum = momentum(world);
   sample.angular_momentum = angular_momentum(world);
   sample.overlap = deepest_overlap(world);
-  sample.contacts = static_cast<int>(world.contacts.size());
   std::vector<ContactId> now = ids_of(world.contacts);
+  sample.contacts = static_cast<int>(now.size());
   sample.found = count_missing(now, contacts_before_);
   sample.lost = count_missing(contacts_before_, now);
   contacts_before_ = std::move(now);

@@ -28,6 +28,27 @@ void check_joined(const World& world, const std::string& joint, int a, int b) {
   }
 }
 
+Load load_of(const World& world, const Joint& joint, Real dt) {
+  Equations equations;
+  joint.ask(world.body(joint.a), world.body(joint.b), {world.time, dt}, equations);
+  Vec3 pushed = Vec3::Zero(), turned = Vec3::Zero();  // N s, N m s
+  for (std::size_t i = 0; i < std::min(equations.size(), joint.impulses.size()); ++i) {
+    const Jacobian& j = equations[i].jacobian;
+    if (j.n.isZero(0)) turned += joint.impulses[i] * j.rb_n;
+    else pushed += joint.impulses[i] * j.n;
+  }
+  return {pushed.norm() / dt, turned.norm() / dt};
+}
+
+void break_joints(World& world, Real dt) {
+  std::erase_if(world.joints, [&](const Joint& joint) {
+    const Load& most = joint.breaks_at;
+    if (std::isinf(most.force) && std::isinf(most.torque)) return false;
+    const Load now = load_of(world, joint, dt);
+    return now.force > most.force || now.torque > most.torque;
+  });
+}
+
 void check_no_joints(const std::vector<Joint>& joints) {
   if (joints.empty()) return;
   throw InvalidInput(

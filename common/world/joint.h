@@ -34,6 +34,12 @@ struct Equation {
 };
 using Equations = std::vector<Equation>;
 
+/// What a joint bears, or may bear at most.
+struct Load {
+  Real force;   ///< N
+  Real torque;  ///< N m, beside that of the force
+};
+
 /// Something that holds two bodies together, or one to the world.
 struct Joint {
   std::string name;  ///< "a hinge"
@@ -45,9 +51,18 @@ struct Joint {
   bool driven =
       false;  ///< asks for a motion, or for something else at another time: what it holds does not come to rest
   bool colliding = false;  ///< whether the two may touch. Mostly they overlap where they are joined
-  /// Of each of its equations in the latest step, in their order: N s, or N m s. Kept by solvers that start from it.
+  /// A step in which it bears more, on average, is its last: World::step takes it out of the world then.
+  Load breaks_at = {std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()};
+  /// N s, or N m s, for each of its equations, in their order: all that the solver applied in the latest step.
   std::vector<Real> impulses = {};
+  /// The same for the step's last substep alone, without what only closed gaps. Kept by solvers that start from it.
+  std::vector<Real> last_impulses = {};
 };
+
+/// What a joint has borne in the latest step, of dt (s), along its equations as they are now.
+Load load_of(const World& world, const Joint& joint, Real dt);
+/// Takes out of the world what has borne more than it may. World::step calls it.
+void break_joints(World& world, Real dt);
 
 /// World::body, for those who know the world by its name only.
 const Body& body_of(const World& world, int index);

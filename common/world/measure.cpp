@@ -49,7 +49,8 @@ Vec3 angular_momentum(const World& world) {
 
 Real deepest_overlap(const World& world) {
   Real deepest = 0;
-  for (const Contact& contact : world.contacts) deepest = std::max(deepest, contact.depth);
+  for (const Contact& contact : world.contacts)
+    if (!contact.parted) deepest = std::max(deepest, contact.depth);
   return deepest;
 }
 

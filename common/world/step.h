@@ -1,6 +1,8 @@
 /// The order of a step.
 #pragma once
 
+#include <algorithm>
+
 #include "pushback/common/world/step_parts.h"
 
 namespace pushback {
@@ -21,13 +23,14 @@ void integrate_velocities(World& world, Real h, Simulated& simulated) {
   });
 }
 
-/// The part of a step that follows one detection: its substeps, of h each.
+/// The part of a step that follows one detection: its substeps, of h each. `first`: it is the step's first part.
 template <class Simulated>
-void step_part(World& world, StepSolver& solver, const Plan& plan, Real h, int sweeps, Simulated& simulated) {
+void step_part(World& world, StepSolver& solver, const Plan& plan, const ForcesOfSubsteps& forces, Real h, int sweeps,
+               bool first, Simulated& simulated) {
+  if (!first) forces.apply_by_hand(world);
   simulated.check(world);
   check_solvable(world, solver);
   solver.check(world, h);
-  const ForcesOfSubsteps forces(world, plan);
   const bool solver_moves = plan.moves_bodies && !forces.turn_bodies(world) && world.joints.empty();
   detect(world, simulated, plan.margin);
   solver.detected(world, h);
@@ -44,7 +47,10 @@ void step_part(World& world, StepSolver& solver, const Plan& plan, Real h, int s
     world.dt_before = h;
   }
   if (solver_moves) simulated.each(world, [](Body& body) { body.refresh_inertia(); });
+  if (plan.substeps == 1)
+    for (Contact& contact : world.contacts) contact.last_impulse = contact.impulse;
   solver.done(world);
+  world.last_impulses_known = true;
 }
 
 /// Moves those who are simulated on by dt seconds. Throws as World::step does.
@@ -53,13 +59,15 @@ void step(World& world, StepSolver& solver, Real dt, int sweeps, Simulated& simu
   check_step(dt, sweeps, world.gravity);
   const Plan plan = solver.plan(dt);
   const Real of_detection = dt / static_cast<Real>(plan.detections);
+  const ForcesOfSubsteps forces(world, plan);
+  for (Joint& joint : world.joints) std::fill(joint.impulses.begin(), joint.impulses.end(), 0);
   ImpulseSums sums;
   for (int i = 0; i < plan.detections; ++i) {
-    if (i > 0) sums.keep(world);
-    step_part(world, solver, plan, of_detection / static_cast<Real>(plan.substeps), sweeps, simulated);
-    sums.add(world, plan);
+    step_part(world, solver, plan, forces, of_detection / static_cast<Real>(plan.substeps), sweeps, i == 0, simulated);
+    if (plan.detections > 1) sums.add(world);
     simulated.end(world, of_detection);
   }
+  if (plan.detections > 1) sums.write_to(world);
 }
 
 }  // namespace pushback

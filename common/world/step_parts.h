@@ -12,8 +12,10 @@ namespace pushback {
 struct Everybody {
   Workers* workers = &alone();
 
-  static void check(const World& world) {
+  static void check(World& world) {
+    check_places(world);
     for (const Body& body : world.bodies) check_state(body);
+    for (Body& body : world.bodies) body.refresh_inertia();  // of one whose orientation has been set by hand
   }
   void find_contacts(World& world, const Margin& margin = {}) const { world.find_contacts(margin, *workers); }
   /// `act` changes its body and reads no other.
@@ -32,6 +34,8 @@ class ForcesOfSubsteps {
  public:
   /// Before any Force has acted.
   ForcesOfSubsteps(const World& world, const Plan& plan);
+  /// What was put on bodies by hand, before contacts are detected again.
+  void apply_by_hand(World& world) const;
   void apply(World& world) const;
   /// Whether one of them may turn a body.
   bool turn_bodies(const World& world) const;
@@ -43,16 +47,19 @@ class ForcesOfSubsteps {
 /// Makes contacts_before of the contacts, with what the latest substep applied there.
 void remember_contacts(World& world);
 
+/// The impulses of a step become those of its last substep, from which solvers start; and what has parted is no contact any more.
+void start_from_last_substep(World& world);
+
 /// What was applied at each contact in one step, summed over its detections.
 class ImpulseSums {
  public:
-  /// Before contacts are detected anew.
-  void keep(const World& world);
   /// Once the substeps since a detection are over.
-  void add(World& world, const Plan& plan);
+  void add(const World& world);
+  /// After the last of them: World::contacts get the sums, and what acted and has parted is listed as well.
+  void write_to(World& world);
 
  private:
-  std::vector<std::pair<ContactId, Vec3>> sums_;  // N s, so far; ascending
+  Contacts sums_;  // so far, ascending
 };
 
 }  // namespace pushback

@@ -53,9 +53,9 @@ class StepSolver {
   virtual void integrate_positions(World& world, Real h);
   /// The bodies have moved.
   virtual void moved(World&, Real /*h*/) {}
-  /// The last substep since the contacts were detected is over. With one substep to a detection, the step makes
-  /// Contact::last_impulse of Contact::impulse, and sums over the detections; with several, `done` writes both: what the
-  /// last substep applied, and the sum over them all.
+  /// The last substep since the contacts were detected is over. With several substeps to a detection, `done` writes what the last
+  /// one applied, Contact::last_impulse, and the sum over them all, Contact::impulse. With one, the step has made the former of the
+  /// latter before it calls this. The step sums over the detections.
   virtual void done(World&) {}
   /// A whole step of World::step, whose arguments have not been checked yet. For who divides a world, or a step, in a way of its own;
   /// all others leave it to the order in step.h, which calls what stands above.

@@ -24,12 +24,78 @@ void check_step(Real dt, int sweeps, const Vec3& gravity) {
   require_finite("gravity", gravity);
 }
 
+namespace {
+
+bool is_there(const World& world, int body) {
+  return body >= 0 && std::size_t(body) < world.bodies.size() && !world.bodies[std::size_t(body)].removed;
+}
+
+}  // namespace
+
+void World::remove(int body) {
+  if (!is_there(*this, body))
+    throw InvalidInput(fmt::format("body to remove is {}: the index of a body in the world is needed", body));
+  Body empty;
+  empty.index = body;
+  empty.groups = empty.touches = 0;
+  empty.removed = true;
+  bodies[std::size_t(body)] = empty;
+  std::erase_if(joints, [body](const Joint& joint) { return joint.a == body || joint.b == body; });
+  std::erase_if(forces, [body](const Force& force) {
+    return std::find(force.bodies.begin(), force.bodies.end(), body) != force.bodies.end();
+  });
+  for (Contacts* all : {&contacts, &contacts_before})
+    std::erase_if(*all, [id = std::uint32_t(body)](const Contact& at) {
+      return at.id.body_a == id || at.id.body_b == id;
+    });
+}
+
+void check_bodies_of(const Force& force, const World& world) {
+  for (const int i : force.bodies)
+    if (!is_there(world, i))
+      throw InvalidInput(
+          fmt::format("{} acts on body {}: of {} bodies, the first is 0", force.name, i, world.bodies.size()));
+}
+
+void check_bodies_of(const Joint& joint, const World& world) {
+  for (const int i : {joint.a, joint.b})
+    if (i != the_world && !is_there(world, i))
+      throw InvalidInput(
+          fmt::format("{} holds body {}: of {} bodies, the first is 0", joint.name, i, world.bodies.size()));
+  if (joint.a == joint.b)
+    throw InvalidInput(fmt::format("{} joins body {} to itself: two different ones are needed", joint.name, joint.a));
+}
+
+void check_places(const World& world) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+    if (world.bodies[i].index != static_cast<int>(i))
+      throw InvalidInput(
+          fmt::format("index of the body at place {} of World::bodies is {}: {} is needed. World::add puts a body in, "
+                      "World::remove takes it out",
+                      i, world.bodies[i].index, i));
+  for (const Force& force : world.forces) check_bodies_of(force, world);
+  for (const Joint& joint : world.joints) check_bodies_of(joint, world);
+  for (const Contact& at : world.contacts)
+    if (at.id.body_b >= world.bodies.size())
+      throw InvalidInput(
+          fmt::format("a contact of the step before is with body {}, and World::bodies has {}: World::remove is needed "
+                      "to take a body out",
+                      at.id.body_b, world.bodies.size()));
+}
+
 void check_state(const Body& body) {
-  require_finite("position", body.position);
-  require_finite("velocity", body.velocity);
-  require_finite("angular velocity", body.angular_velocity);
-  require_finite("orientation's vector part", Vec3(body.orientation.vec()));
-  require_finite("orientation's scalar part", body.orientation.w());
+  const auto require = [&body](const char* what, const auto& value, bool finite) {
+    if (!finite) require_finite(fmt::format("{} of body {}", what, body.index), value);
+  };
+  require("position", body.position, body.position.allFinite());
+  require("velocity", body.velocity, body.velocity.allFinite());
+  require("angular velocity", body.angular_velocity, body.angular_velocity.allFinite());
+  require("force", body.force, body.force.allFinite());
+  require("torque", body.torque, body.torque.allFinite());
+  constexpr Real rounding = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-5);
+  if (!(std::abs(body.orientation.squaredNorm() - 1) <= rounding))
+    throw InvalidInput(fmt::format("length of the orientation of body {} is {}: 1 is needed, as Body::oriented makes it",
+                                   body.index, body.orientation.norm()));
 }
 
 void keep_velocity(Body& body) {
@@ -96,6 +162,14 @@ bool tumbles(const Body& body) {
 
 namespace {
 
+/// About w, which stays.
+void spin_exactly(Body& body, Real dt) {
+  const Real spin = body.angular_velocity.norm();
+  if (spin == 0) return;
+  body.orientation = Quat(Eigen::AngleAxis<Real>(dt * spin, body.angular_velocity / spin)) * body.orientation;
+  body.orientation.normalize();
+}
+
 /// q' = normalise(q + h/2 q (0, w)).   `spin`: w, body axes.
 Quat turned(const Quat& q, const Vec3& spin, Real dt) {
   const Vec3 half = dt / 2 * spin;
@@ -120,6 +194,7 @@ void spin_evenly(Body& body, Real dt) {
 // A body that turns by several radians in a step is more than Newton's method can follow. It is turned about L instead, as
 // if it were symmetric: that leaves p as it is, and with it the energy.
 void spin_freely(Body& body, Real dt) {
+  if (!body.movable()) return spin_exactly(body, dt);
   if (!tumbles(body)) return spin_evenly(body, dt);
   Quat& q = body.orientation;
   const Quat q_before = q;

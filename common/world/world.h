@@ -35,7 +35,8 @@ class World {
   std::vector<Force> forces;  ///< see forces.h
   std::vector<Joint> joints;  ///< each with what it bore in the latest step
   Real time = 0;              ///< s, simulated so far
-  /// What touched in the latest step, in ascending order of id, with what the solver did there.
+  /// What touched in the latest step, in ascending order of id, with what the solver did there. A contact that acted in the step is
+  /// here also if it has parted.
   Contacts contacts;
   /// Those of the detection before it, each with the impulse of the latest substep that had it, for solvers that start from
   /// there. Contacts of bodies that have just been woken are among them.
@@ -48,6 +49,10 @@ class World {
 
   /// Puts a body into the world and returns its index. Throws InvalidInput if a number in it cannot be simulated.
   int add(const Body& body);
+
+  /// Takes a body out of the world, with its joints, the forces that name it and all that is remembered of its contacts. Its place
+  /// stays, empty: the indices of all other bodies mean what they meant. Throws InvalidInput unless there is a body at this index.
+  void remove(int body);
 
   /// Moves everything on by dt seconds; see step.h. `sweeps`: in each substep; by default what the solver's plan says. Throws
   /// InvalidInput unless dt > 0, sweeps >= 0, every body's state is finite, and the solver can solve what is here; then
@@ -85,7 +90,12 @@ Real separating_speed(const World& world, const Contact& at);
 
 /// Throws InvalidInput unless dt > 0, sweeps >= 0 and the gravity is finite.
 void check_step(Real dt, int sweeps, const Vec3& gravity);
-/// Throws InvalidInput unless every number of the body's state is finite.
+/// Throws InvalidInput if a force acts on a body that is not there, or a joint holds one.
+void check_bodies_of(const Force& force, const World& world);
+void check_bodies_of(const Joint& joint, const World& world);
+/// The same for all of them, and unless each body's index is its place in World::bodies.
+void check_places(const World& world);
+/// Throws InvalidInput unless every number of the body's state is finite, and its orientation of unit length.
 void check_state(const Body& body);
 /// velocity_before and angular_velocity_before.
 void keep_velocity(Body& body);
@@ -99,9 +109,10 @@ void move(Body& body, Real dt);
 /// Whether a body's inertia differs from axis to axis, so that a free spin does not keep its axis.
 bool tumbles(const Body& body);
 /// Turns a body by dt seconds of its own spin, all but its I^-1. Nothing acts on it, so its angular momentum L stays as it is, and
-/// where it tumbles the angular velocity has to follow (the gyroscopic term, w x I w).
+/// where it tumbles the angular velocity has to follow (the gyroscopic term, w x I w). One that nothing moves turns by w dt exactly, in
+/// however many substeps.
 void spin_freely(Body& body, Real dt);
-/// The same for one that does not tumble: its angular velocity stays.   q' = normalise(q + h/2 (0, w) q)
+/// The same for a movable one that does not tumble: its angular velocity stays.   q' = normalise(q + h/2 (0, w) q)
 void spin_evenly(Body& body, Real dt);
 
 }  // namespace pushback

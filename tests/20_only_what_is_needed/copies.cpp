@@ -70,7 +70,7 @@ struct State {
       : bodies(hash_of(world)), contacts(world.contacts.size()), time(world.time), dt_before(world.dt_before) {
     for (const Contact& contact : world.contacts) impulses += contact.impulse.norm();
     for (const Joint& joint : world.joints)
-      for (const Real impulse : joint.impulses) impulses += std::abs(impulse);
+      for (const Real impulse : joint.last_impulses) impulses += std::abs(impulse);
     for (const Body& body : world.bodies) pulls.push_back(body.force);
   }
   bool operator==(const State&) const = default;

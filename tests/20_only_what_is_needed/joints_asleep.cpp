@@ -270,7 +270,7 @@ TEST_CASE("a woken chain starts from what its joints bore when it fell asleep") 
     while (!world.bodies[1].asleep && world.time < 60) step();
     for (int i = 0; i < 600; ++i) step();
     if (forget)
-      for (Joint& joint : world.joints) joint.impulses.clear();
+      for (Joint& joint : world.joints) joint.last_impulses.clear();
     sleep.wake(world, 1);
     step();
     return largest_speed(world);

@@ -678,11 +678,11 @@ TEST_CASE("sleep: a lift that is moved by hand wakes whom it carries, and who ha
   dormitory.step_until_asleep({1});
   Body& lift = dormitory.world.bodies[0];
   for (int i = 1; i <= 60; ++i) {
-    lift.moved_to({0, -1 + Real(i) / 60, 0}, Quat::Identity(), h, 1);
+    lift.moved_to({0, -1 + Real(i) / 60, 0}, Quat::Identity(), h);
     dormitory.step();
     CHECK(dormitory.asleep().empty());
   }
-  lift.moved_to(lift.position, lift.orientation, h, 1);
+  lift.moved_to(lift.position, lift.orientation, h);
   dormitory.step_until_asleep({1});
   CHECK(std::abs(dormitory.world.bodies[1].position.y() - Real(1.5)) < Real(0.01));
 }

@@ -73,7 +73,7 @@ std::vector<std::uint64_t> state_of(const World& world) {
       for (int axis = 0; axis < 3; ++axis) found.push_back(bits(v[axis]));
   }
   for (const Joint& joint : world.joints)
-    for (const Real impulse : joint.impulses) found.push_back(bits(impulse));
+    for (const Real impulse : joint.last_impulses) found.push_back(bits(impulse));
   return found;
 }
 

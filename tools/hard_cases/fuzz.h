@@ -13,7 +13,7 @@ struct Finding {
   Account account;
 };
 
-/// The stages that fuzz() can watch from inside.
+/// All solvers of the catalogue. What they say they did is held against what they did, and some are watched from inside as well.
 std::vector<std::string> fuzzed_stages();
 
 /// 60 steps of a scene. Throws InvalidInput for a stage that is not one of fuzzed_stages(). `log`: the scene and

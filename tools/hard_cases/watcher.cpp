@@ -113,7 +113,7 @@ void Watcher::look(const World& world, Real dt, int substeps, const std::functio
     }
   }
   for (const Contact& contact : world.contacts) {
-    deepest_ = std::max(deepest_, contact.depth);
+    if (!contact.parted) deepest_ = std::max(deepest_, contact.depth);
     const Vec3& impulse = impulse_of_substep(world, contact);
     const Real pressed = impulse.dot(contact.normal);
     const Real slack = rounding * impulse.norm();

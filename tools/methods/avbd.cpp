@@ -64,6 +64,7 @@ void Avbd::add_joints(World& world, Real h) {
     equations.clear();
     joint.ask(a, b, {world.time, h}, equations);
     joint.impulses.resize(equations.size(), 0);
+    joint.last_impulses.resize(equations.size(), 0);
     if (!a.movable() && !b.movable()) continue;
     for (std::size_t i = 0; i < equations.size(); ++i, ++index) {
       Bond& bond = bonds_.emplace_back(Bond{joint.a, joint.b, false, 0, 1, {}});
@@ -73,7 +74,7 @@ void Avbd::add_joints(World& world, Real h) {
       row.unit = Row(a, b, row.jacobian, 0).effective_mass / (h * h);
       if (index == known_joints_.size()) known_joints_.push_back(least_penalty);
       row.k = std::clamp(penalty_kept * known_joints_[index], least_penalty, most_penalty) * row.unit;
-      row.lambda = world.impulse_scale(h) / h * error_kept * penalty_kept * joint.impulses[i];
+      row.lambda = world.impulse_scale(h) / h * error_kept * penalty_kept * joint.last_impulses[i];
     }
   }
 }
@@ -170,9 +171,10 @@ void Avbd::solve(World& world, Real h, int sweeps) {
   std::size_t bond = contacts, index = 0;
   for (Joint& joint : world.joints) {
     if (!world.body(joint.a).movable() && !world.body(joint.b).movable()) continue;
-    for (Real& impulse : joint.impulses) {
+    for (std::size_t i = 0; i < joint.impulses.size(); ++i) {
       const Force& row = bonds_[bond++].forces[0];
-      impulse = h * row.lambda;
+      joint.last_impulses[i] = h * row.lambda;
+      joint.impulses[i] += joint.last_impulses[i];
       known_joints_[index++] = row.k / row.unit;
     }
   }

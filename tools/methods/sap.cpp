@@ -94,7 +94,7 @@ void Sap::add_joints(World& world, Real h) {
     Body &a = world.body(joint.a), &b = world.body(joint.b);
     equations.clear();
     joint.ask(a, b, {world.time, h}, equations);
-    joint.impulses.assign(equations.size(), 0);
+    joint.impulses.resize(equations.size(), 0);
     if (!a.movable() && !b.movable()) continue;
     for (const Equation& one : equations) {
       const Jacobian& j = one.jacobian;
@@ -135,7 +135,7 @@ void Sap::write(World& world, const SapProblem::Vector& v) const {
   for (Joint& joint : world.joints) {
     if (!world.body(joint.a).movable() && !world.body(joint.b).movable()) continue;
     for (Real& impulse : joint.impulses) {
-      impulse = static_cast<Real>(row->law.at(row->along(v) + row->rest).impulse[0]);
+      impulse += static_cast<Real>(row->law.at(row->along(v) + row->rest).impulse[0]);
       ++row;
     }
   }
