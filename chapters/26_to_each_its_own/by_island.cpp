@@ -242,7 +242,7 @@ Real ByIsland::take(IslandWorld& island, const World& whole, int substeps, Real 
   const Real motion_before = kinetic_energy(world), before = motion_before + potential_energy(world);
   bool solved = true;
   try {
-    world.step(solver, dt, sweeps);
+    solver.whole_step(world, dt, sweeps);
   } catch (const InvalidInput&) {
     solved = false;
   }

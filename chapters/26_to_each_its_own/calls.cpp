@@ -25,11 +25,12 @@ bool rigid(const World& world, const Joint& joint, Equations& equations) {
   });
 }
 
-/// Whether the ground moves, or its surface does otherwise than straight along its face, as a belt that only rubs.
-bool moves(const Body& ground, const Contact& at) {
+/// Whether the ground turns, or its surface moves otherwise than straight along its face, as a belt that only rubs. What only goes from
+/// place to place, as a lift does, carries what half steps move.
+bool turns_or_pushes(const Body& ground, const Contact& at) {
   if (ground.velocity == Vec3::Zero() && ground.angular_velocity == Vec3::Zero()) return false;
-  const bool straight = ground.conveys && ground.angular_velocity == Vec3::Zero();
-  return !straight || std::abs(ground.velocity.dot(at.normal)) > along * ground.velocity.norm();
+  if (ground.angular_velocity != Vec3::Zero()) return true;
+  return ground.conveys && std::abs(ground.velocity.dot(at.normal)) > along * ground.velocity.norm();
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real 
     const auto [a, b] = world.bodies_of(*first);
     const Body& ground = a.movable() ? b : a;
     island.refused |=
-        !ground.movable() && std::any_of(first, end, [&ground](const Contact& at) { return moves(ground, at); });
+        !ground.movable() && std::any_of(first, end, [&ground](const Contact& at) { return turns_or_pushes(ground, at); });
   });
   each_pair([&](Island& island, auto first, auto end) {
     const auto [a, b] = world.bodies_of(*first);

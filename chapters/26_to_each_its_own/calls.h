@@ -31,8 +31,8 @@ Real tip_speed(const Body& body, Real dt);
 ///
 ///   flight       if it is one body, without a contact
 ///   half steps   if it has contacts, or rigid joints that form a tree; or both, if contacts are few
-///   substeps     else: where many meet or turn fast, a Force may act, a body sleeps or is moved by hand, or overlap is more than half steps
-///                let out soon
+///   substeps     else: where many meet or turn fast, a Force may act, a body sleeps, ground turns, or overlap is more than half steps let
+///                out soon
 class Calls {
  public:
   /// `contacts`: all within the margin, ascending. What arrives faster than `threshold`, m/s, within dt is an impact.

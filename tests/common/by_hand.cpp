@@ -2,6 +2,7 @@
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
+#include "pushback/chapters/20_only_what_is_needed/sleep.h"
 #include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/step.h"
@@ -104,12 +105,14 @@ TEST_CASE("by hand: numbers that are not finite, and an orientation that is none
 }
 
 TEST_CASE("by hand: an orientation of unit length is taken, and the inertia follows") {
-  const Quat turn(Eigen::AngleAxis<Real>(Real(0.5), Vec3(1, 2, 3).normalized()));
+  World turned_before;
+  turned_before.add(box({1, Real(0.5), Real(0.25)}, 10).turned(Real(0.5), {1, 2, 3}));
+  const Quat turn = turned_before.bodies[0].orientation;
   const auto spun = [&turn](StepSolver& solver, bool by_hand) {
     World world;
     world.gravity.setZero();
-    world.add(box({1, Real(0.5), Real(0.25)}, 10).oriented(by_hand ? Quat::Identity() : turn));
-    if (by_hand) world.bodies[0].orientation = turn;
+    world.add(by_hand ? box({1, Real(0.5), Real(0.25)}, 10) : turned_before.bodies[0]);
+    world.bodies[0].orientation = turn;
     world.bodies[0].torque = {1, 0, 0};
     world.step(solver, h);
     return hash_of(world);
