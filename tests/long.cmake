@@ -40,6 +40,13 @@ else()
   add_fuzz_test(long "all together" 5001 5000)
   set(soak_steps 100000)
 endif()
+# Solvers without books: whether what they report is what bodies have gained.
+set(others "00 naive,01 velocity,02 clamping,03 Baumgarte,04 slop,05 restitution,06 friction,08 friction cone,09 from surface"
+  "09 sequential,10 split impulse,10 non-linear Gauss-Seidel,14 joints 20 times,18 direct joint solve,21 detected once")
+list(JOIN others "," others)
+add_test(NAME "fuzz: random scenes 1 to 40, momentum under all other solvers" COMMAND hard_cases_fuzz --scenes 40 --stage ${others})
+add_test(NAME "fuzz: random scenes 41 to 1000, momentum under all other solvers" COMMAND hard_cases_fuzz --first 41 --scenes 960 --stage ${others})
+set_tests_properties("fuzz: random scenes 41 to 1000, momentum under all other solvers" PROPERTIES LABELS long)
 target_compile_definitions(test_soak PRIVATE SOAK_STEPS=${soak_steps})
 
 # What is parsed from text, by libFuzzer: only clang++ has that, and only where the sanitizers look.

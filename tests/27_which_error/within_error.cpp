@@ -343,6 +343,30 @@ TEST_CASE("within an error: what two carry unequally has sunk by the mean of bot
   CHECK(sunken(world, [](int body) { return body == 4; }) == Approx(sunk(4, Real(1.3))).epsilon(0.1));
 }
 
+TEST_CASE("within an error: no step in which something bounces is said to be kept, by half steps or by substeps") {
+  for (const bool piled : {false, true}) {  // beside a pile that many contacts leave to substeps
+    World world;
+    world.add(ground());
+    const int ball = world.add(capsule(Real(0.25), Real(0.5), 30).turned(1, {1, 2, 3}).at({0, 2, 0}).bouncy(Real(0.8)));
+    for (int i = 0; piled && i < 12; ++i)
+      world.add(box({Real(0.3), Real(0.3), Real(0.3)}, 10).turned(Real(i), {1, 2, 3}).at({0, 3 + Real(i), 0}));
+    WithinError solver;
+    solver.error = Real(1e-3);
+    int bounces = 0;
+    for (int step = 0; step < 120; ++step) {
+      const World before = world;
+      world.step(solver, h);
+      for (const Contact& contact : world.contacts) {
+        const bool touches = contact.id.body_a == std::uint32_t(ball) || contact.id.body_b == std::uint32_t(ball);
+        if (!touches || contact.impulse.isZero(0) || separating_speed(before, contact) > Real(-0.2)) continue;
+        ++bounces;
+        CHECK_FALSE(solver.known(ball).kept);
+      }
+    }
+    CHECK(bounces > 1);
+  }
+}
+
 TEST_CASE("within an error: of a body that was not there nothing is known") {
   WithinError solver;
   CHECK(solver.known(3).how == MovedBy::nothing);

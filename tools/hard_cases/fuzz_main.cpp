@@ -116,7 +116,7 @@ int main(int argc, char** argv) {
           fmt::print("scene {}, {}: known to fail, and did not\n", first + i, stage);
         }
       }
-      print_account(stage, account);
+      if (account.solves > 0) print_account(stage, account);
     }
     if (!save.empty()) {
       write_text_file(save, saved);

@@ -55,11 +55,12 @@ void Xpbd::whole_step(World& world, Real dt, int sweeps) {
   const Plan its_plan = plan(dt);
   const Real h = dt / static_cast<Real>(substeps);
   Everybody everybody{its_plan.workers};
+  const ForcesOfSubsteps forces(world, {.detections = substeps});
   ImpulseSums sums;
   for (int i = 0; i < substeps || i == 0; ++i) {
+    if (i > 0) forces.apply_by_hand(world);
     everybody.check(world);
     check(world, h);
-    if (i > 0) sums.keep(world);
     remember_contacts(world);
     for (const Force& force : world.forces) force.apply(world);
     integrate_velocities(world, h, everybody);
@@ -68,8 +69,11 @@ void Xpbd::whole_step(World& world, Real dt, int sweeps) {
     everybody.find_contacts(world, its_plan.margin);
     detected(world, h);
     moved(world, h);
-    sums.add(world, its_plan);
+    for (Contact& contact : world.contacts) contact.last_impulse = contact.impulse;
+    world.last_impulses_known = true;
+    sums.add(world);
   }
+  sums.write_to(world);
 }
 
 void Xpbd::detected(World& world, Real) {
