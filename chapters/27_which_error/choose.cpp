@@ -4,6 +4,7 @@
 #include <map>
 
 #include "pushback/chapters/27_which_error/scenes.h"
+#include "pushback/common/basics/files.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/picture_of.h"
@@ -43,7 +44,11 @@ Real quantity(const std::string& option, const std::string& text, const std::map
     throw InvalidInput(fmt::format("{} is '{}': a number above 0 with a unit is needed, one of {}", option, text,
                                    fmt::join(names, ", ")));
   }
-  return static_cast<Real>(number) * found->second;
+  const Real value = static_cast<Real>(number) * found->second;
+  if (!(value >= Real(1e-15) && value <= 1000))
+    throw InvalidInput(
+        fmt::format("{} is '{}': from 1e-15 to 1000 {} is needed", option, text, units.contains("m") ? "m" : "s"));
+  return value;
 }
 
 struct Step {
@@ -165,7 +170,6 @@ Camera camera_for(const std::vector<World>& worlds) {
 
 void draw(const std::filesystem::path& folder, const std::string& name, const std::string& asked, const Played& played,
           const std::vector<Real>& off) {
-  std::filesystem::create_directories(folder);
   const Camera camera = camera_for(played.worlds);
   Painter painter(cell_width * 2, cell_width * 9 / 8);
   Sheet sheet;
@@ -310,15 +314,17 @@ int choose_or_read(const std::vector<Scene>& scenes, const std::function<World(c
     const std::map<std::string, Real> lengths{{"m", 1}, {"cm", Real(1e-2)}, {"mm", Real(1e-3)}, {"um", Real(1e-6)}};
     Real error = quantity("--error", error_text, lengths);
     std::string asked = error_text;
-    if (budget.given()) {
-      const Real most = quantity("--budget", budget_text, {{"s", 1}, {"ms", Real(1e-3)}, {"us", Real(1e-6)}});
+    std::optional<Real> most;
+    if (budget.given()) most = quantity("--budget", budget_text, {{"s", 1}, {"ms", Real(1e-3)}, {"us", Real(1e-6)}});
+    if (!no_images) make_writable_folder(out / "choose" / slug(name));
+    if (most) {
       std::optional<Real> best;
       for (int power = 0; power <= 10; ++power) {
         const Real tried = Real(0.1) * std::pow(Real(10), -static_cast<Real>(power) / 2);
         const Played first = play(begin, tried, rehearsed(steps));
         const Real took = static_cast<Real>(first.seconds_of_step());
         fmt::print("within {:<8} {:8.3g} us a step\n", length_said(tried) + ":", 1e6 * took);
-        if (took <= most) best = tried;
+        if (took <= *most) best = tried;
       }
       if (!best)
         throw InvalidInput(fmt::format("--budget is {}: none of these errors is to be had for that", budget_text));

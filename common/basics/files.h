@@ -10,6 +10,8 @@ namespace pushback {
 void make_writable_folder(const std::filesystem::path& folder);
 /// Written beside its place and moved there when whole. Throws InvalidInput, naming the file, where that fails.
 void write_text_file(const std::filesystem::path& file, const std::string& text);
+/// Throws InvalidInput, naming the file and the reason, where write_text_file would: to call before a long piece of work.
+void require_writable_file(const std::filesystem::path& file);
 /// All of it. Throws InvalidInput, naming the file, where it cannot be read.
 std::string read_text_file(const std::filesystem::path& file);
 /// A folder for files that nobody keeps: it is gone with this. Throws std::runtime_error where none can be made.

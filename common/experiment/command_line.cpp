@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/film.h"
+#include "pushback/common/experiment/option_checks.h"
 
 namespace pushback {
 
@@ -18,20 +18,15 @@ void add_parameter(CLI::App& app, const ParameterWithDefault& added) {
   const std::string& unit = parameter.unit;
   const std::string known_as = symbol.empty() || unit.empty() ? symbol + unit : symbol + ", " + unit;
   const std::string help = known_as.empty() ? parameter.what : parameter.what + " (" + known_as + ")";
-  const CLI::Validator check(
-      [least = parameter.least, most = parameter.most, whole = added.whole](const std::string& word) -> std::string {
-        double number = 0;
-        if (CLI::detail::lexical_cast(word, number) && number >= least && number <= most &&
-            (!whole || number == std::floor(number)))
-          return {};
-        return fmt::format("'{}' is not allowed: a {} from {} to {} is needed", word, whole ? "whole number" : "number",
-                           least, most);
-      },
-      fmt::format("{}..{}", parameter.least, parameter.most));
+  const auto number = [&parameter](auto zero) {
+    using Number = decltype(zero);
+    return number_check(static_cast<Number>(parameter.least), static_cast<Number>(parameter.most));
+  };
+  const CLI::Validator check = added.whole ? number(0) : number(0.0);
   std::visit(
       [&](auto* value) {
         CLI::Option* option = app.add_option(parameter.flag, *value, help);
-        option->capture_default_str()->check(check)->group("This experiment");
+        option->capture_default_str()->transform(check)->group("This experiment");
         if constexpr (!std::is_arithmetic_v<std::decay_t<decltype(*value)>>) option->delimiter(',');
       },
       added.variable);
@@ -47,18 +42,21 @@ std::optional<int> Experiment::read_command_line(int argc, const char* const* ar
   common("--out", out_, "Folder in which the folder of this experiment is made");
   common("--size", size_, "Pixels of a frame, WIDTHxHEIGHT; the sheet's pictures have its shape");
   app.add_option("--seconds", seconds_, "Simulated time of every variant; each scene's own unless given")
+      ->transform(number_check<Real>())
       ->group("Every experiment");
   common("--passes", passes_, "Passes that a picture of the sheet is averaged from: fewer are faster, and coarser")
-      ->check(CLI::Range(1, 4096));
+      ->transform(number_check(1, 4096));
   CLI::Option* frames = common("--frames", frames_, "Frames of each variant to keep, evenly spread over its time");
+  frames->transform(number_check(0, 100000));
   app.add_option("--film", film_, "A film of each scene, its variants side by side: film.mp4, or of another ending")
       ->expected(0, 1)
       ->default_str("mp4")
       ->check(CLI::IsMember(film_formats()))
       ->excludes(frames)
       ->group("Every experiment");
-  common("--sweeps", sweeps_, "Sweeps over the rows in each step, also where a variant has a number of its own");
-  common("--dt", dt_, "Time step, s");
+  common("--sweeps", sweeps_, "Sweeps over the rows in each step, also where a variant has a number of its own")
+      ->transform(number_check(1, 1000000));
+  common("--dt", dt_, "Time step, s")->transform(number_check(Real(1e-6), Real(1)));
   app.add_option("--variants", only_, "Only these variants, by the names that --list prints, separated by commas")
       ->delimiter(',')
       ->group("Every experiment");
@@ -78,6 +76,7 @@ std::optional<int> Experiment::read_command_line(int argc, const char* const* ar
     others += fmt::format("  {} ...  {}; {} --help says how\n", command.flag, command.what, command.flag);
   if (!others.empty()) app.footer("Instead, as the first word:\n" + others);
   try {
+    refuse_empty_words(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);

@@ -81,14 +81,9 @@ int Experiment::run(int argc, const char* const* argv, const std::function<void(
       throw InvalidInput(fmt::format("--size is '{}': WIDTHxHEIGHT is needed, each from 16 to 8192", size_));
     }
     if (told_.contains("--seconds")) require_positive("--seconds", seconds_);
-    require_between("--dt", dt_, Real(1e-6), 1);
     if (seconds_ / dt_ > 1e7)
       throw InvalidInput(fmt::format("--seconds is {}: at most {:.4g}, ten million steps of {} s, is needed", seconds_,
                                      1e7 * dt_, dt_));
-    if (sweeps_ < 1 || sweeps_ > 1000000)
-      throw InvalidInput(fmt::format("--sweeps is {}: a whole number from 1 to 1000000 is needed", sweeps_));
-    if (frames_ < 0 || frames_ > 100000)
-      throw InvalidInput(fmt::format("--frames is {}: a whole number from 0 to 100000 is needed", frames_));
     if (!film_.empty() && no_images_) throw InvalidInput("--film and --no-images exclude each other");
     if (!film_.empty()) require_ffmpeg();
     const std::optional<AnySolver> mine = mine_.empty() ? std::optional<AnySolver>() : loaded_solver(mine_);

@@ -84,9 +84,11 @@ void write_film(const fs::path& file, const std::vector<fs::path>& folders, doub
   command.insert(command.end(), format->options.begin(), format->options.end());
   command.push_back(unfinished.string());
   const Ended ffmpeg = run_program(command, 600);
-  if (ffmpeg.status != 0)
-    throw std::runtime_error(fmt::format("ffmpeg could not make {}: {}", file.string(), ffmpeg.err));
   std::error_code error;
+  if (ffmpeg.status != 0) {
+    fs::remove(unfinished, error);
+    throw std::runtime_error(fmt::format("ffmpeg could not make {}: {}", file.string(), ffmpeg.err));
+  }
   fs::rename(unfinished, file, error);
   if (error) throw InvalidInput(fmt::format("film '{}' cannot be written: {}", file.string(), error.message()));
 }

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <set>
 
+#include "pushback/common/experiment/option_checks.h"
+
 namespace pushback {
 
 using Option = CommandLine::Option;
@@ -18,11 +20,11 @@ Option& Option::shows_default() {
   return *this;
 }
 Option& Option::between(int least, int most) {
-  option_->check(CLI::Range(least, most));
+  *option_->get_validator("number") = number_check(least, most);
   return *this;
 }
 Option& Option::between(double least, double most) {
-  option_->check(CLI::Range(least, most));
+  *option_->get_validator("number") = number_check(least, most);
   return *this;
 }
 Option& Option::one_of(const std::vector<std::string>& words) {
@@ -58,7 +60,10 @@ Option CommandLine::flag(const std::string& name, bool& value, const std::string
 }
 template <class Value>
 Option CommandLine::option(const std::string& name, Value& value, const std::string& help) {
-  return Option(app_->add_option(name, value, help));
+  CLI::Option* const option = app_->add_option(name, value, help);
+  if constexpr (std::is_arithmetic_v<Value>) option->transform(number_check<Value>());
+  else if constexpr (std::is_same_v<Value, std::set<std::uint64_t>>) option->transform(number_check<std::uint64_t>());
+  return Option(option);
 }
 template Option CommandLine::option(const std::string&, int&, const std::string&);
 template Option CommandLine::option(const std::string&, double&, const std::string&);
@@ -78,6 +83,7 @@ void CommandLine::ends_with(const std::string& text) {
 
 int CommandLine::run(int argc, const char* const* argv, const std::function<void()>& work) {
   try {
+    refuse_empty_words(*app_, argc, argv);
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
     return app_->exit(problem) == 0 ? 0 : 2;
@@ -86,6 +92,9 @@ int CommandLine::run(int argc, const char* const* argv, const std::function<void
     work();
   } catch (const InvalidInput& problem) {
     fmt::print(stderr, "{}\n", problem.what());
+    return 2;
+  } catch (const std::filesystem::filesystem_error& problem) {
+    fmt::print(stderr, "'{}': {}\n", problem.path1().string(), problem.code().message());
     return 2;
   } catch (const std::exception& problem) {
     fmt::print(stderr, "{}\n", problem.what());

@@ -4,6 +4,7 @@
 #include <stb/stb_image_write.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <climits>
 #include <cstdlib>
 #include <fstream>
@@ -47,6 +48,7 @@ class Draft {
     std::error_code failure;
     std::filesystem::rename(draft_, file_, failure);
     kept_ = !failure;
+    errno = failure.value();
     return kept_;
   }
 
@@ -109,7 +111,7 @@ void write_png(const std::filesystem::path& file, const Image& image) {
   const std::string bytes = in_png(image);
   Draft draft(file);
   if (!draft.write(bytes) || !draft.keep()) {
-    throw InvalidInput(fmt::format("{} cannot be written", file.string()));
+    throw InvalidInput(fmt::format("{} cannot be written: {}", file.string(), std::generic_category().message(errno)));
   }
 }
 

@@ -19,7 +19,9 @@ int World::add(const Body& body) {
 }
 
 void check_step(Real dt, int sweeps, const Vec3& gravity) {
-  require_positive("dt", dt);
+  constexpr Real longest = 1;  // s: some solvers divide a step into substeps of 0.5 ms, however many that takes
+  if (!(dt > 0 && dt <= longest))
+    throw InvalidInput(fmt::format("dt is {}: a number above 0 and up to {} s is needed", dt, longest));
   if (sweeps < 0) throw InvalidInput(fmt::format("sweeps is {}: a whole number, 0 or more, is needed", sweeps));
   require_finite("gravity", gravity);
 }

@@ -67,16 +67,32 @@ TEST_CASE("what cannot be written is refused, and nothing is left behind") {
   refused("07-pyramid", "file is required");
   refused("07-pyramd " + file, "scene is '07-pyramd': one of these is needed: 00-one-hit, ");
   refused(file + " 07-pyramid", "scene is '");
-  refused("07-pyramid --step -1 " + file, "--step: Value -1 not in range");
+  refused("07-pyramid --step -1 " + file, "--step: '-1' is not allowed: a whole number from 0 to 1000000 is needed");
   refused("07-pyramid --step 1.5 " + file, "--step");
   refused("07-pyramid --step many " + file, "--step");
   refused("13-beads --step 3 " + file, "13-beads has no contacts after 3 steps");
   refused("07-pyramid " + in_quotes(scratch / "no" / "a.dat"), "cannot be written");
+  refused("07-pyramid " + in_quotes(scratch / ""), "' cannot be written: it is a folder");
+  refused("07-pyramid --step 1000000 " + in_quotes(scratch / "no" / "a.dat"), "cannot be written");  // at once
   CHECK(!fs::exists(scratch / "a.dat"));
+  CHECK(!fs::exists(scratch / "a.dat.part"));
   const Ended help = call_program(EXPORT_PROGRAM, "--help");
   CHECK(help.status == 0);
   CHECK(contains(help.out, "--step"));
   CHECK(contains(help.out, "20-ice"));
+}
+
+TEST_CASE("a disk with no room left: status 2, the system's reason, and no unfinished file") {
+  const Scratch scratch;
+  const auto with_room_for_1_kib = [&](const std::string& words) {  // the nearest to a full disk that needs no rights
+    return pushback::run_program({"bash", "-c", "trap '' XFSZ; ulimit -f 1; exec " + words}, 20);
+  };
+  const std::string file = in_quotes(scratch / "a.dat");
+  const Ended ended = with_room_for_1_kib(std::string(EXPORT_PROGRAM) + " 07-pyramid " + file);
+  INFO(ended.out << ended.err);
+  CHECK(ended.status == 2);
+  CHECK(contains(ended.err, "a.dat' cannot be written: File too large"));
+  CHECK(fs::is_empty(scratch / ""));
 }
 
 TEST_CASE("solve says how well it did, and what it cannot do") {

@@ -322,21 +322,111 @@ TEST_CASE("a scene that cannot be read is refused: which body, which field, what
   refused("[]", "the scene is []: an object is needed");
   refused("{}", "the scene has no bodies");
   refused(R"({"bodies": 3})", "bodies of the scene is 3: a list is needed");
-  refused(R"({"gravity": [0, 1], "bodies": []})", "gravity of the scene is [0,1]: three numbers is needed");
+  refused(R"({"gravity": [0, 1], "bodies": []})",
+          "gravity of the scene is [0,1]: three numbers from -1000000 to 1000000 is needed");
   refused(R"({"bodies": [{}]})", "body 0 has no mass");
   refused(R"({"bodies": [{"shape": {"kind": "torus"}, "mass": 1, "position": [0, 0, 0]}]})",
           "kind of shape of body 0 is \"torus\": sphere, box, capsule, hull or half_space is needed");
-  refused(R"({"bodies": [{"shape": {"kind": "sphere", "radius": -1}, "mass": 1, "position": [0, 0, 0]}]})", "body 0: ");
+  refused(R"({"bodies": [{"shape": {"kind": "sphere", "radius": -1}, "mass": 1, "position": [0, 0, 0]}]})",
+          "radius of shape of body 0 is -1: a number from 1e-09");
   refused(R"({"bodies": [{"shape": {"kind": "sphere", "radius": "big"}, "mass": 1, "position": [0, 0, 0]}]})",
-          "radius of shape of body 0 is \"big\": a number is needed");
+          "radius of shape of body 0 is \"big\": a number from 1e-09 to 1000000 is needed");
   refused(R"({"bodies": [)" + ground +
               R"(, {"shape": {"kind": "sphere", "radius": 1}, "mass": "heavy", "position": [0, 0, 0]}]})",
           "mass of body 1 is \"heavy\"");
   refused(R"({"bodies": [)" + ground + R"(], "joints": [{"kind": "weld", "a": null, "b": 0}]})",
           "kind of joint 0 is \"weld\"");
+  refused(R"({"bodies": []})", "bodies of the scene is []: a list of one body or more is needed");
   Scratch scratch;
   write_text_file(scratch / "scene.json", "{");
   CHECK(contains(complaint([&] { scene_in(scratch / "scene.json"); }), "is no JSON"));
+}
+
+TEST_CASE("a scene with a wrong field or a number that no step can use is refused by the name of its body or joint") {
+  const Json good = Json::parse(R"({
+    "gravity": [0, -9.81, 0],
+    "bodies": [{"shape": {"kind": "half_space", "normal": [0, 1, 0]}, "mass": null, "position": [0, 0, 0]},
+               {"shape": {"kind": "box", "half_extents": [1, 1, 1]}, "mass": 1, "position": [0, 1, 0],
+                "orientation": [1, 0, 0, 0], "velocity": [0, 0, 0], "angular_velocity": [0, 0, 0],
+                "inertia": [1, 1, 1], "friction": 0.5, "restitution": 0}],
+    "joints": [{"kind": "hinge", "a": null, "b": 1, "anchor": [0, 1, 0], "axis": [0, 0, 1], "colliding": false},
+               {"kind": "motor", "a": null, "b": 1, "axis": [0, 0, 1], "speed": 1, "torque": 1},
+               {"kind": "angle_limits", "a": null, "b": 1, "axis": [0, 0, 1], "low": -1, "high": 1}]})");
+  CHECK(scene_of(good).joints.size() == 3);
+  struct Wrong {
+    const char *place, *value, *said;
+  };
+  for (const auto& [place, value, said] : std::vector<Wrong>{
+           {"/gravty", "[0, 0, 0]", "the scene has the field 'gravty': only gravity, bodies, joints are allowed"},
+           {"/gravity", "[0, -1e300, 0]", "gravity of the scene is [0,-1e+300,0]"},
+           {"/bodies/0/mass", "5", "mass of body 0 is 5: null, since a half-space never moves,"},
+           {"/bodies/0/inertia", "[1, 1, 1]", "inertia of body 0 is [1,1,1]: null"},
+           {"/bodies/0/shape/normal", "[0, 0, 0]", "normal of shape of body 0 is [0,0,0]: a vector that is not 0"},
+           {"/bodies/0/shape/radius", "1", "shape of body 0 has the field 'radius': only kind, normal are allowed"},
+           {"/bodies/1/frction", "0.1", "body 1 has the field 'frction': only position, "},
+           {"/bodies/1/friction", "-1", "friction of body 1 is -1: a number from 0 to 1000000"},
+           {"/bodies/1/restitution", "1.5", "restitution of body 1 is 1.5: a number from 0 to 1"},
+           {"/bodies/1/restitution", "true", "restitution of body 1 is true: a number"},
+           {"/bodies/1/mass", "0", "mass of body 1 is 0: a number from 1e-12 to 1000000000000"},
+           {"/bodies/1/mass", "1e300", "mass of body 1 is 1e+300"},
+           {"/bodies/1/mass", "1e-300", "mass of body 1 is 1e-300"},
+           {"/bodies/1/inertia", "[1, 1, 100]",
+            "inertia of body 1 is [1,1,100]: three numbers, none larger than the sum"},
+           {"/bodies/1/inertia", "[0, 1, 1]", "inertia of body 1 is [0,1,1]: three numbers from 1e-30"},
+           {"/bodies/1/inertia", "null", "inertia of body 1 is null: three numbers"},
+           {"/bodies/1/position", "[1e300, 0, 0]", "position of body 1 is [1e+300,0,0]: three numbers from -1000000"},
+           {"/bodies/1/position", "[0, 0]", "position of body 1 is [0,0]: three numbers"},
+           {"/bodies/1/velocity", "[0, -1e7, 0]", "velocity of body 1 is"},
+           {"/bodies/1/angular_velocity", "[0, 0, 1e300]", "angular_velocity of body 1 is"},
+           {"/bodies/1/orientation", "[0, 0, 0, 0]",
+            "orientation of body 1 is [0,0,0,0]: four numbers, w x y z, of length 1,"},
+           {"/bodies/1/orientation", "[1e300, 0, 0, 0]", "orientation of body 1 is"},
+           {"/bodies/1/shape/half_extents", "[1, 0, 1]",
+            "half_extents of shape of body 1 is [1,0,1]: three numbers from 1e-09"},
+           {"/bodies/1/shape/half_extents", "[1, 1e300, 1]", "half_extents of shape of body 1 is"},
+           {"/joints/0/b", "4294967297", "b of joint 0 is 4294967297: the index of a body, from 0 to 1, or null"},
+           {"/joints/0/b", "2", "b of joint 0 is 2: the index of a body, from 0 to 1, or null"},
+           {"/joints/0/b", "-1", "b of joint 0 is -1: the index"},
+           {"/joints/0/b", "1.0", "b of joint 0 is 1.0: the index"},
+           {"/joints/0/b", "0", "joint 0"},  // neither can move
+           {"/joints/0/anchr", "[0, 0, 0]",
+            "joint 0 has the field 'anchr': only kind, a, b, colliding, anchor, axis are"},
+           {"/joints/0/low", "0", "joint 0 has the field 'low'"},
+           {"/joints/0/anchor", "[0, 1e9, 0]", "anchor of joint 0 is [0,1000000000.0,0]"},
+           {"/joints/0/axis", "[0, 0, 0]", "axis of joint 0 is [0,0,0]: a vector that is not 0"},
+           {"/joints/0/colliding", "1", "colliding of joint 0 is 1: true or false"},
+           {"/joints/1/speed", "1e300", "speed of joint 1 is 1e+300: a number from -1000000"},
+           {"/joints/1/torque", "-1", "torque of joint 1 is -1: a number from 0 to 1000000000000"},
+           {"/joints/2/low", "-1e300", "low of joint 2 is -1e+300"},
+           {"/joints/2/low", "2", "joint 2"}}) {
+    Json wrong = good;
+    wrong[Json::json_pointer(place)] = Json::parse(value);
+    const std::string complained = complaint([&] { scene_of(wrong); });
+    INFO(place << " " << value << "\n" << complained);
+    CHECK(contains(complained, said));
+  }
+}
+
+TEST_CASE("a scene's file with a field twice, deep nesting or an unknown field around the scene is refused") {
+  const Scratch scratch;
+  const std::string body = R"({"shape": {"kind": "sphere", "radius": 1}, "mass": 1, "position": [0, 0, 0]})";
+  const std::string twice =
+      R"({"shape": {"kind": "sphere", "radius": 1, "radius": 2}, "mass": 1, "position": [0, 0, 0]})";
+  const std::string deep(100000, '[');
+  for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
+           {R"({"bodies": [)" + body + "," + twice + "]}", "shape of body 1 has the field 'radius' twice"},
+           {R"({"scene": {"bodies": [)" + twice + "]}}", "shape of body 0 has the field 'radius' twice"},
+           {R"({"bodies": [], "bodies": [)" + body + "]}", "the scene has the field 'bodies' twice"},
+           {R"({"bodies": )" + deep, "nested"},
+           {R"({"pushback": "motion", "lacks": "a conveyor"})", "scene.json has no scene"},
+           {R"({"sceen": 1, "scene": {"bodies": [)" + body + "]}}", "scene.json has the field 'sceen'"},
+           {R"({"bodies": [{"mass": 1e400}]})", "is no JSON"}}) {
+    write_text_file(scratch / "scene.json", text);
+    const std::string complained = complaint([&] { scene_in(scratch / "scene.json"); });
+    INFO(text.substr(0, 200) << "\n" << complained);
+    CHECK(contains(complained, said));
+  }
+  CHECK(contains(complaint([&] { scene_in(scratch / ""); }), "is a folder"));
 }
 
 TEST_CASE("the scene on the page can be read") {

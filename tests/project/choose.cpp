@@ -57,22 +57,54 @@ TEST_CASE("choose: a budget that buys anything has the least error, and one that
 
 TEST_CASE("choose: what cannot be meant is named, with status 2, and nothing is written") {
   const Scratch scratch;
-  for (const auto& [words, named] :
-       std::vector<std::pair<std::string, std::string>>{{"nowhere", "scene is 'nowhere'"},
-                                                        {"06-slide --error 1", "--error is '1'"},
-                                                        {"06-slide --error -1mm", "--error is '-1mm'"},
-                                                        {"06-slide --error nanmm", "--error is 'nanmm'"},
-                                                        {"06-slide --error 1mile", "--error is '1mile'"},
-                                                        {"06-slide --budget 1mm", "--budget is '1mm'"},
-                                                        {"06-slide --seconds nan", "--seconds"},
-                                                        {"06-slide --seconds 1000", "--seconds"},
-                                                        {"06-slide --finer 1", "--finer"},
-                                                        {"06-slide --error 1mm --budget 1ms", "--budget"}}) {
+  for (const auto& [words, named] : std::vector<std::pair<std::string, std::string>>{
+           {"nowhere", "scene is 'nowhere'"},
+           {"06-slide --error 1", "--error is '1'"},
+           {"06-slide --error -1mm", "--error is '-1mm'"},
+           {"06-slide --error nanmm", "--error is 'nanmm'"},
+           {"06-slide --error inf", "--error is 'inf'"},
+           {"06-slide --error infmm", "--error is 'infmm'"},
+           {"06-slide --error 1e9m", "--error is '1e9m': from 1e-15 to 1000 m"},
+           {"06-slide --out=", "--out"},
+           {"06-slide --error 1mile", "--error is '1mile'"},
+           {"06-slide --budget 1mm", "--budget is '1mm'"},
+           {"06-slide --seconds nan", "--seconds"},
+           {"06-slide --seconds 1000", "--seconds"},
+           {"06-slide --finer 1", "--finer"},
+           {"06-slide --error 1mm --budget 1ms", "--budget"}}) {
     const Ended ended = call_program(CHOOSE_PROGRAM, words + " --out '" + (scratch / "out").string() + "'");
     INFO(words << "\n" << ended.out << ended.err);
     CHECK(ended.status == 2);
     CHECK(ended.err.find(named) != std::string::npos);
     CHECK_FALSE(fs::exists(scratch / "out"));
+  }
+}
+
+TEST_CASE("choose: a folder for pictures that cannot be made is refused before anything is played") {
+  const Scratch scratch;
+  std::ofstream(scratch / "file") << "a regular file";
+  const std::string out = (scratch / "file").string();
+  for (const char* words : {"26-yard --seconds 60", "26-yard --seconds 60 --budget 1us"}) {
+    const Ended ended = call_program(CHOOSE_PROGRAM, std::string(words) + " --out '" + out + "'");
+    INFO(ended.out << ended.err);
+    CHECK(ended.status == 2);
+    CHECK(ended.out.empty());
+    CHECK(contains(ended.err, "--out: folder '" + out));
+  }
+}
+
+TEST_CASE("choose: a scene's file that is a folder, or in which nothing can move, is refused") {
+  const Scratch scratch;
+  fs::create_directory(scratch / "folder.json");
+  std::ofstream(scratch / "still.json")
+      << R"({"bodies": [{"shape": {"kind": "half_space", "normal": [0, 1, 0]}, "mass": null, "position": [0, 0, 0]}]})";
+  for (const auto& [file, said] : {std::pair("folder.json", "folder.json' is a folder: a file is needed"),
+                                   {"still.json", "still.json: no body can move"},
+                                   {"none.json", "none.json' cannot be read: No such file"}}) {
+    const Ended ended = call_program(CHOOSE_PROGRAM, "--no-images '" + (scratch / file).string() + "'");
+    INFO(file << "\n" << ended.out << ended.err);
+    CHECK(ended.status == 2);
+    CHECK(contains(ended.err, said));
   }
 }
 

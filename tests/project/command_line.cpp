@@ -200,7 +200,21 @@ TEST_CASE("a value that cannot be used: status 2, a message that names it, and n
            {"03_baumgarte", "--sweeps 0", {"--sweeps", "0"}},
            {"03_baumgarte", "--sweeps -3", {"--sweeps", "-3"}},
            {"03_baumgarte", "--sweeps 1.5", {"--sweeps", "1.5"}},
-           {"03_baumgarte", "--frames -1", {"--frames", "-1"}},
+           {"03_baumgarte", "--frames -1", {"--frames", "-1", "from 0 to 100000"}},
+           {"03_baumgarte", "--frames 1e9", {"--frames", "1e9", "from 0 to 100000"}},
+           {"03_baumgarte", "--frames 4294967297", {"--frames", "4294967297", "from 0 to 100000"}},
+           {"03_baumgarte", "--frames 0x10", {"--frames", "0x10", "from 0 to 100000"}},
+           {"03_baumgarte", "--passes 1e3", {"--passes", "1e3", "from 1 to 4096"}},
+           {"03_baumgarte", "--dt 1e6", {"--dt", "1e6", "from 1e-06 to 1"}},
+           {"03_baumgarte", "--out ''", {"--out", "''"}},
+           {"03_baumgarte", "--out=", {"--out", "''"}},
+           {"03_baumgarte", "--variants ''", {"--variants", "''"}},
+           {"03_baumgarte", "''", {"''"}},
+           {"03_baumgarte", "--beta 0.2,,0.4", {"--beta", "'0.2,,0.4'", "between any two commas"}},
+           {"03_baumgarte", "--beta=0.2,", {"--beta", "'0.2,'"}},
+           {"03_baumgarte", "--beta 0.1 ,0.2", {"--beta", "',0.2'"}},
+           {"07_warm_start", "--sweep-counts 1,2,,3", {"--sweep-counts", "'1,2,,3'"}},
+           {"07_warm_start", "--sweep-counts 1e2", {"--sweep-counts", "'1e2'", "whole number"}},
            {"03_baumgarte", "--seconds -1", {"--seconds", "-1"}},
            {"03_baumgarte", "--seconds 0", {"--seconds", "0"}},
            {"03_baumgarte", "--seconds nan", {"--seconds", "nan"}},
@@ -245,6 +259,38 @@ TEST_CASE("a value that cannot be used: status 2, a message that names it, and n
     for (const std::string& name : wrong.named) CHECK(contains(outcome.err, name));
     CHECK(outcome.err.size() < 300);  // to be read by a person
     CHECK_FALSE(fs::exists(scratch / "out"));
+  }
+}
+
+TEST_CASE("a number with a leading zero is decimal") {
+  CHECK(contains(call("11_substeps", "--list --substeps 010").out, "10 substeps"));
+}
+
+TEST_CASE("commands refuse numbers that no program can use: status 2, the value, and what is allowed") {
+  struct Wrong {
+    std::string program, arguments, value, allowed;
+  };
+  for (const Wrong& wrong : std::vector<Wrong>{
+           {"hard_cases_fuzz", "--scenes -1", "'-1'", "a whole number from 1 to 1000000000"},
+           {"hard_cases_fuzz", "--scenes 18446744073709551615", "'18446744073709551615'", "from 1 to 1000000000"},
+           {"hard_cases_fuzz", "--scenes 5x", "'5x'", "from 1 to 1000000000"},
+           {"hard_cases_fuzz", "--seed -1", "'-1'", "a whole number from 0 to 18446744073709551615"},
+           {"hard_cases_fuzz", "--first -3", "'-3'", "a whole number from 0 to 18446744073709551615"},
+           {"hard_cases_fuzz", "--known 3,-4", "'-4'", "a whole number from 0 to 18446744073709551615"},
+           {"hard_cases_fuzz", "--known 3,,4", "'3,,4'", "between any two commas"},
+           {"hard_cases_fuzz", "--save ''", "''", "a value is needed"},
+           {"growth", "--tolerance nan", "'nan'", "a number from 0 to 1000000"},
+           {"solve", "none.dat --tolerance nan", "'nan'", "a number from 0 to 1000000"},
+           {"solve", "none.dat --sweeps 1e3", "'1e3'", "a whole number from 0 to 100000000"},
+           {"solve", "none.dat --write ''", "''", "a value is needed"},
+       }) {
+    const Ended outcome = call(wrong.program, wrong.arguments);
+    INFO(wrong.program << " " << wrong.arguments << ": " << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(contains(outcome.err, wrong.arguments.substr(wrong.arguments.find("--"), 6)));
+    CHECK(contains(outcome.err, wrong.value));
+    CHECK(contains(outcome.err, wrong.allowed));
   }
 }
 

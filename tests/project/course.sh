@@ -69,6 +69,13 @@ course test --preset && expect 2 "unknown preset ''"
 course clean up && expect 2 "'clean' takes no words"
 course clean -- up && expect 2 "'clean' hands no options on"
 course --yes && expect 2 "which command?"
+course fuzz --shards 2 -- --seed=3 && expect 2 "divide and join by themselves: no --seed=3" && expect_not "cmake"
+
+# A checkout in which nothing can be written.
+mv "$scratch/home/build" "$scratch/home/built" && touch "$scratch/home/build"
+course render && expect 2 "nothing can be written into $scratch/home" "git clone $scratch/home pushback" && expect_not "cmake"
+course --help && expect 0
+rm "$scratch/home/build" && mv "$scratch/home/built" "$scratch/home/build"
 
 # Drawing is a part of the build: CMake and Ninja themselves, here with programs in the place of chapters.
 for tool in awk cmake cut ninja sha256sum sh xargs; do ln -sf "$(type -P $tool)" "$scratch/bin/$tool"; done
@@ -134,6 +141,9 @@ expect 0 $'== chapter 03_three\na 03_three\nb 03_three\nrun 03_three: --beta 1.4
 chapter 04_four "echo no such beta >&2; exit 3"
 course render 04 -- --beta 2 && expect 1 "no such beta" "04_four failed with exit status 3"
 course render 03 04 -- --beta 2 && expect 1 "run 03_three" "no such beta" "04_four failed with exit status 3" && expect_not "rendered"
+chapter 04_four "echo unknown option --bogus >&2; exit 2"
+course render 04 -- --bogus && expect 2 "unknown option --bogus" "04_four failed with exit status 2"
+course render 03 04 -- --bogus && expect 2 "run 03_three" "unknown option --bogus" "04_four failed with exit status 2" && expect_not "rendered"
 rm "$scratch/bin/cmake" && ln -s "$(type -P cmake)" "$scratch/bin/cmake"
 course render 03 10 && expect 0 "1 of 2 drawn in " "Drawing renders/03_three/sheet.png"
 stand_in cmake 'echo "cmake $*"'
@@ -155,8 +165,13 @@ mkdir -p "$scratch/home/tests/04_four"
 touch "$scratch/home/tests/04_four/"{four,not_built}.cpp
 printf 'build tests/test_%s: link\n' 04_four four >"$scratch/home/build/release/build.ninja"
 course test 04 && expect 0 "--target test_04_four test_four" "-R ^04_four:|^four:" && expect_not "not_built"
-course test 03 && expect 1 "no tests belong to 03" && expect_not "ctest"
+course test 03 && expect 2 "no tests belong to 03" && expect_not "ctest"
 course test 99 && expect 2 "unknown chapter '99'" "the chapters are: 03_three 04_four 10_ten"
+stand_in ctest 'case "$*" in *-N*nosuch*) echo "Total Tests: 0" ;; *-N*) echo "Total Tests: 3" ;; *) echo "ctest $*" ;; esac'
+course test nosuchtest && expect 2 "no test has 'nosuchtest' in its name; --long adds the long ones" && expect_not "ctest --preset"
+course test friction nosuchtest && expect 2 "'nosuchtest'" && expect_not "ctest --preset"
+course test --long nosuchtest && expect 2 "no test has 'nosuchtest' in its name" && expect_not "--long adds"
+course test friction && expect 0 "-R friction"
 stand_in ctest 'exit 8'
 course test && expect 8
 
@@ -222,13 +237,15 @@ stand_in id 'echo 0'
 export ABSENT=none
 course render 03 && expect 0 && expect_not "packages"
 export ABSENT=libfmt-dev
-course render 03 && expect 0 "these packages are missing" "  libfmt-dev" "packages installed"
+course render 03 && expect 1 "these packages are missing" "  libfmt-dev" "no terminal to ask at; --yes installs" "apt-get install --no-install-recommends libfmt-dev"
+[[ ! -e $scratch/apt.log ]] || { echo "packages were installed, and nobody was asked"; failures=$((failures + 1)); }
+course render 03 --yes && expect 0 "these packages are missing" "  libfmt-dev" "packages installed"
 output=$(cat "$scratch/apt.log") status=0
 expect 0 " update" " install --no-install-recommends libfmt-dev"
 export ABSENT=ffmpeg  # needed for films alone
 course render 03 && expect 0 && expect_not "packages"
-course render 03 --film && expect 0 "  ffmpeg" "packages installed"
-course render 03 -- --film webm && expect 0 "  ffmpeg" "packages installed"
+course render 03 --film --yes && expect 0 "  ffmpeg" "packages installed"
+course render 03 --yes -- --film webm && expect 0 "  ffmpeg" "packages installed"
 for package in git zip unzip bubblewrap; do  # what tests call; none of a chapter's own does
   export ABSENT=$package
   course test && [[ $output == *"  $package"$'\n'* ]] || { echo "the tests do not get $package"; failures=$((failures + 1)); }
@@ -245,35 +262,39 @@ stand_in apt-cache 'echo "Package: $2"'
 export ABSENT=libfmt-dev
 stand_in id 'echo 1000'
 command="apt-get update && apt-get install --no-install-recommends libfmt-dev"
-course render 03 && expect 1 "only root may install packages, and sudo does not help here" "$command"
+course render 03 --yes && expect 1 "only root may install packages, and sudo does not help here" "$command"
 stand_in sudo 'exit 1'
-course render 03 && expect 1 "only root may install packages, and sudo does not help here" "$command"
+course render 03 --yes && expect 1 "only root may install packages, and sudo does not help here" "$command"
 stand_in sudo '[ "$1" = -n ] && shift && exec "$@"'
-course render 03 && expect 0 "packages installed"
+course render 03 --yes && expect 0 "packages installed"
 stand_in apt-get 'echo "E: no network"; exit 100'
-course render 03 && expect 1 "E: no network" "apt-get failed." "$command"
+course render 03 --yes && expect 1 "E: no network" "apt-get failed." "$command"
 
 # Where the distribution has no OSMesa, EGL takes its place.
 stand_in id 'echo 0'
 stand_in apt-cache '[ "$2" = libosmesa6-dev ] || echo "Package: $2"'
 stand_in apt-get 'echo "apt-get $*"'
 stand_in dpkg-query 'shift 3; for p; do case $p in *mesa*|*gl*) ;; *) printf " installed:%s " "$p";; esac; done'
-course render 03 && expect 0 "  libegl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri" && expect_not libosmesa6-dev
+course render 03 --yes && expect 0 "  libegl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri" && expect_not libosmesa6-dev
 
 # The book: Node and its packages where they are missing, once; then it is built, shown, or refused.
 course book --srve && expect 2 "unknown option '--srve'" "the options are: --yes --preset --help --still --serve"
 course book 03 && expect 2 "'book' takes no words"
+stand_in dpkg-query 'true'
+course book --yes -- --bogus && expect 2 "unknown option '--bogus'" "--address URL, --repository URL" && expect_not "packages are missing"
+course book --yes -- --address ftp://x && expect 2 "--address is 'ftp://x'" "https://" && expect_not "packages are missing"
+course book --yes -- --repository && expect 2 "--repository is ''" && expect_not "packages are missing"
 mkdir -p "$scratch/home/tools/book"
 touch "$scratch"/home/tools/book/{package.json,package-lock.json,.npmrc}
 for tool in cmp cp ln; do ln -sf "$(type -P $tool)" "$scratch/bin/$tool"; done
 stand_in dpkg-query 'true'
-course book --still && expect 1 "  nodejs npm" "npm ci failed" && expect_not "g++"
+course book --yes --still && expect 1 "  nodejs npm" "npm ci failed" && expect_not "g++"
 stand_in npm 'echo "npm $*"'
 stand_in node 'echo "node $*"'
 course book --still && expect 0 "npm ci --prefix build/node" "node tools/book/build.js --still" "the book: build/book/index.html" && expect_not "packages are missing"
 expect_not cmake
 # Experiments run in it where em++ can be had; where it cannot, the pages keep their pictures, and that is said and is a failure.
-course book && expect 1 "  emscripten cmake" "no em++" "keep their still pictures" "node tools/book/build.js" "the book: build/book/index.html" "it has no experiments"
+course book --yes && expect 1 "  emscripten cmake" "no em++" "keep their still pictures" "node tools/book/build.js" "the book: build/book/index.html" "it has no experiments"
 expect_not "cmake --build" && expect_not "nodejs"
 course book --serve && expect 1 "it has no experiments" && expect_not "serve.js"
 # Tests of it, of which one runs an experiment: compiled for it alone, unless all are; left out where there is no compiler, but not in CI.
@@ -289,12 +310,13 @@ stand_in apt-get 'case " $* " in
   *" emscripten "*) printf "#!/bin/sh\n" >"${0%/*}/em++"; chmod +x "${0%/*}/em++" ;;
 esac'
 stand_in chmod 'exec /bin/chmod "$@"'
-course book && expect 0 "  emscripten cmake" "cmake --build --preset wasm" "node tools/book/build.js" && expect_not "conflicts"
+course book --yes && expect 0 "  emscripten cmake" "cmake --build --preset wasm" "node tools/book/build.js" && expect_not "conflicts"
 rm -f "$scratch/bin/em++"
-CI=true course test --book live_page && expect 0 "  emscripten cmake" "--target 04_slop wide" && expect_not "conflicts"
+CI=true course test --yes --book live_page && expect 0 "  emscripten cmake" "--target 04_slop wide" && expect_not "conflicts"
 rm -f "$scratch/bin/"{em++,chmod}
 stand_in apt-get 'echo "apt-get $*"'
 stand_in em++ 'true'
+course book --still -- --address https://x.org/book --repository=http://y.org && expect 0 "build.js --still --address https://x.org/book --repository=http://y.org"
 course test --book pages && expect 0 "1 tests/book/pages.mjs" && expect_not "cmake"
 course test --book && expect 0 "cmake --build --preset wasm" "--target 04_slop wide" "1 tests/book/live_page.mjs tests/book/pages.mjs"
 mkdir -p "$scratch/home/build/wasm/programs"
@@ -308,6 +330,8 @@ echo newer >"$scratch/home/tools/book/package-lock.json"
 course book --still && expect 0 "npm ci --prefix build/node"
 stand_in node '[ "$1" != tools/book/build.js ]'
 course book --still && expect 1 "the book was not built"
+
+stand_in dpkg-query 'shift 3; printf " installed:%s " "$@"'
 
 # Random scenes.
 printf '#!/bin/sh\necho "fuzz: $*"\nexit 1\n' >"$scratch/home/build/release/programs/hard_cases_fuzz"

@@ -333,7 +333,7 @@ TEST_CASE("what cannot be graded is refused, and nothing is left behind") {
     CHECK(ended.status == 2);
     CHECK(contains(ended.err, "--shard is '" + shard + "'"));
   }
-  for (const std::string line : {"03 5 1", "03 0 1", "03 1 -1", "03 1", "99 1 1", "03 1 1 1"}) {
+  for (const std::string line : {"03 5 1", "03 0 1", "03 1 -1", "03 1 2000000000", "03 1", "99 1 1", "03 1 1 1"}) {
     write_text_file(all.scratch / "points", "\n" + line + "\n");
     CHECK(all.grade("--points " + (all.scratch / "points").string()).status == 2);
   }

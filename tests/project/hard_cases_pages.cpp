@@ -8,16 +8,19 @@
 ///   14 mm<!-- peers; slop; ODE; 10 mm -->     by another engine, of renders/hard_cases/peers.csv; the name of a setting is whole
 ///   17<!-- peers; passes; ODE tuned -->, or lacks: so many cases it passes, or has not all that they ask for
 ///   3<!-- peers; nobody -->, or ours, engine, both, nothing: the groups of passed_by
-///   42<!-- passes; together -->, 3<!-- fails; together -->, 49<!-- cases -->, Forty-nine<!-- cases in words -->
+///   42<!-- passes; together -->, 3<!-- fails; together -->, 49<!-- cases -->, Forty-nine<!-- cases in words -->,
+///   Six<!-- cases with joints in words -->, Eighteen<!-- motions in words -->: of the study
 /// PUSHBACK_WRITE_FIGURES=1 in the environment writes the figures anew.
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cstdlib>
 #include <limits>
 #include <map>
 #include <regex>
 
+#include "pushback/common/experiment/parameter.h"
 #include "pushback/tools/hard_cases/peers.h"
+#include "pushback/tools/study/every_motion.h"
 #include "tests/support/call.h"
 
 using namespace pushback;
@@ -81,13 +84,9 @@ std::string stage_with(const std::string& word) {
 }
 
 std::string in_words(std::size_t count) {
-  static const std::array<const char*, 10> ones{"",      "-one", "-two",   "-three", "-four",
-                                                "-five", "-six", "-seven", "-eight", "-nine"};
-  static const std::array<const char*, 10> tens{"",      "",      "Twenty",  "Thirty", "Forty",
-                                                "Fifty", "Sixty", "Seventy", "Eighty", "Ninety"};
-  REQUIRE(count >= 20);
-  REQUIRE(count < 100);
-  return std::string(tens[count / 10]) + ones[count % 10];
+  std::string words = spelled(static_cast<double>(count));
+  words[0] = static_cast<char>(std::toupper(words[0]));
+  return words;
 }
 
 const Table& beside_engines() {
@@ -137,6 +136,13 @@ std::string figure_of(const std::vector<std::string>& mark) {
   if (mark[0] == "peers") return figure_of_peers(mark);
   if (mark[0] == "cases") return std::to_string(hard_cases().size());
   if (mark[0] == "cases in words") return in_words(hard_cases().size());
+  if (mark[0] == "motions in words") return in_words(every_motion().size());
+  if (mark[0] == "cases with joints in words")
+    return in_words(static_cast<std::size_t>(std::ranges::count_if(hard_cases(), [](const HardCase& hard_case) {
+      World world;
+      hard_case.scene.fill(world);
+      return !world.joints.empty();
+    })));
   const std::string stage = mark.size() > 1 ? stage_with(mark[1]) : "";
   if (stage.empty()) return {};
   if (mark[0] == "passes" || mark[0] == "fails") return std::to_string(cells_of(stage, mark[0] == "passes"));
@@ -235,21 +241,23 @@ TEST_CASE("every figure on a page that names its cell of the table is that cell'
     for (std::sregex_iterator mark(text.begin(), text.end(), comment), end; mark != end; ++mark) {
       if ((*mark)[1].str().rfind(" live: ", 0) == 0) continue;  // a picture of the book
       const std::vector<std::string> parts = parts_of((*mark)[1]);
-      if (parts.size() == 1 && parts[0] != "cases" && parts[0] != "cases in words") continue;  // of a generated table
+      if (parts.size() == 1 && parts[0] != "cases" && !parts[0].ends_with("in words"))
+        continue;  // of a generated table
       const std::string figure = figure_of(parts);
       const auto at = static_cast<std::size_t>(mark->position());
       INFO(page << ": " << text.substr(at > 60 ? at - 60 : 0, std::min<std::size_t>(at, 60)) << (*mark)[0] << " is "
                 << figure);
       CHECK_FALSE(figure.empty());
       if (!write) CHECK(ends_with(text.substr(0, at), figure));
-      const std::size_t begin = start_of_figure(text, at, parts[0] == "cases in words");
+      const std::size_t begin = start_of_figure(text, at, parts[0].ends_with("in words"));
       renewed += text.substr(copied, begin - copied) + figure;
       copied = at;
       ++seen[parts[0]];
     }
     if (write && copied > 0) std::ofstream(page, std::ios::binary) << renewed << text.substr(copied);
   }
-  CHECK(seen["cases in words"] >= 1);
+  for (const char* words : {"cases in words", "cases with joints in words", "motions in words"})
+    CHECK(seen[words] >= 1);
   CHECK(seen["passes"] >= 1);
   CHECK(seen["fails"] >= 1);
   for (const HardCase& hard_case : hard_cases()) {

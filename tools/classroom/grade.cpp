@@ -244,6 +244,7 @@ std::string points_text(const std::vector<const Exercise*>& exercises) {
 }
 
 Points::Points(const std::vector<Exercise>& all, const fs::path& file) {
+  constexpr int most = 1000000;  // so that no sum overflows
   int number = 0;
   for (const std::string& line : lines_of(read_text_file(file))) {
     ++number;
@@ -255,10 +256,10 @@ Points::Points(const std::vector<Exercise>& all, const fs::path& file) {
     int points = 0;
     const bool read = static_cast<bool>(in >> word >> check >> points) && !(in >> rest);
     const Exercise* exercise = read ? &exercise_named(all, word) : nullptr;
-    if (!read || check < 1 || check > exercise->checks.size() || points < 0)
+    if (!read || check < 1 || check > exercise->checks.size() || points < 0 || points > most)
       throw InvalidInput(fmt::format(
-          "{}, line {}: '{}': an exercise, the number of one of its checks, and points, 0 or more, are needed",
-          file.string(), number, line));
+          "{}, line {}: '{}': an exercise, the number of one of its checks, and points from 0 to {} are needed",
+          file.string(), number, line, most));
     set_[{exercise->name, check - 1}] = points;
   }
 }

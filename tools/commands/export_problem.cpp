@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
       .shows_default();
   line.ends_with(fmt::format("The scenes: {}", fmt::join(names_of(scenes), ", ")));
   return line.run(argc, argv, [&] {
+    require_writable_file(file);
     World world;
     const ContactProblem problem = problem_after(named("scene", scenes, name), steps, world);
     write_text_file(file, problem_text(problem));

@@ -32,6 +32,7 @@ void check_place_of_solution(const Asked& asked) {
   if (std::filesystem::is_directory(to, error) || !std::filesystem::is_directory(folder, error))
     throw InvalidInput(
         fmt::format("--write is '{}': the name of a file in a folder that is there is needed", asked.write));
+  require_writable_file(to);
 }
 
 const std::string pivoting = "pivoting";  // no column of the tables: they are of problems with friction

@@ -67,10 +67,11 @@ Findings read_parts(const std::vector<std::string>& files) {
 int main(int argc, char** argv) {
   CommandLine line("Random scenes, watched: what must hold in any scene and under any solver", "fuzz");
   std::vector<std::string> only = fuzzed_stages();
-  std::uint64_t first = 1, scenes = 500, seed = 0;
+  std::uint64_t first = 1, seed = 0;
+  int scenes = 500;
   line.option("--stage", only, "Stages, separated by commas").split_at_commas().one_of(fuzzed_stages());
   line.option("--first", first, "The first seed").shows_default();
-  line.option("--scenes", scenes, "How many seeds from there on").shows_default();
+  line.option("--scenes", scenes, "How many seeds from there on").between(1, 1000000000).shows_default();
   std::set<std::uint64_t> known;
   line.option("--known", known, "Seeds that are known to fail; one that does not is a failure too").split_at_commas();
   bool no_room = false;
@@ -84,6 +85,7 @@ int main(int argc, char** argv) {
   const CommandLine::Option one = line.option("--seed", seed, "Only this scene, and print every step");
   return line.run(argc, argv, [&] {
     const Shard shard = shard_of(shard_text);
+    if (!save.empty()) require_writable_file(save);
     const Findings known_parts = read_parts(parts);
     std::string saved;
     const bool replay = one.given();
@@ -100,7 +102,7 @@ int main(int argc, char** argv) {
     };
     for (const std::string& stage : only) {
       Account account;
-      for (std::uint64_t i = 0; i < scenes; ++i) {
+      for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(scenes); ++i) {
         if (!shard.has(i)) continue;
         ++runs;
         if (replay) fmt::print("scene {}, {}\n", first + i, stage);

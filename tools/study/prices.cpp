@@ -128,10 +128,10 @@ int main(int argc, char** argv) {
   line.option("--rounds", rounds, "Each plays so often, in turn; times are medians").between(1, 1000).shows_default();
   line.option("--out", out, "The folder to write to").shows_default();
   return line.run(argc, argv, [&] {
-    const std::string load = study::load_now();
-    const std::string table = table_of(contenders(fs::canonical("/proc/self/exe").parent_path()), rounds);
     const fs::path folder = fs::path(out) / "26_to_each_its_own";
     make_writable_folder(folder);
+    const std::string load = study::load_now();
+    const std::string table = table_of(contenders(fs::canonical("/proc/self/exe").parent_path()), rounds);
     write_text_file(folder / "prices.md", fmt::format("{}\nLoad of the machine before and after: {} and {}.\n", table,
                                                       load, study::load_now()));
     fmt::print("{}", table);
