@@ -160,7 +160,7 @@ int first_difference(const Fill& fill, Stepper one, Stepper other, int steps, co
   World world, same;
   fill(world);
   fill(same);
-  const auto same_impulses = [](const Joint& p, const Joint& q) { return p.impulses == q.impulses; };
+  const auto same_impulses = [](const Joint& p, const Joint& q) { return p.last_impulses == q.last_impulses; };
   for (int step = 1; step <= steps; ++step) {
     one(world, dt_of(step), sweeps_of(step));
     other(same, dt_of(step), sweeps_of(step));

@@ -46,7 +46,6 @@ void Sleep::check(World& world) {
   if (world.bodies.size() < rest_.size())
     throw InvalidInput("a world with sleepers has lost a body: World::remove takes bodies out");
   check_places(world);
-  feel_hands(world);
   for (std::size_t i = rest_.size(); i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
     const bool plane = std::holds_alternative<HalfSpace>(body.shape);
@@ -64,6 +63,7 @@ void Sleep::check(World& world) {
   for (const auto* which : {&awake_, &driven_, &planes_}) {
     for (const int i : *which) check_state(world.bodies[std::size_t(i)]);
   }
+  feel_hands(world);
   for (const int i : awake_) world.bodies[std::size_t(i)].refresh_inertia();  // its orientation may have been set by hand
 
   const bool plane_moves = std::any_of(planes_.begin(), planes_.end(), driven);
@@ -90,7 +90,7 @@ void Sleep::feel_hands(World& world) {
       const bool pushed = moves(body) || !body.force.isZero(0) || !body.torque.isZero(0);
       if (elsewhere || pushed) wake_island(world, its.island);
     } else if (elsewhere) {
-      const bool by_its_velocity = std::binary_search(driven_.begin(), driven_.end(), int(i));
+      const bool by_its_velocity = std::binary_search(driven_before_.begin(), driven_before_.end(), int(i));
       if (!by_its_velocity) wake(world, int(i));
       its.position = body.position, its.orientation = body.orientation;
     }
@@ -100,7 +100,7 @@ void Sleep::feel_hands(World& world) {
 /// A body that has been removed. What touched it wakes.
 void Sleep::forget(World& world, int body) {
   wake(world, body);
-  for (std::vector<int>* some : {&awake_, &planes_, &fixed_, &driven_}) std::erase(*some, body);
+  for (std::vector<int>* some : {&awake_, &planes_, &fixed_, &driven_, &driven_before_}) std::erase(*some, body);
   std::erase_if(woken_, [id = std::uint32_t(body)](const Contact& contact) {
     return contact.id.body_a == id || contact.id.body_b == id;
   });

@@ -7,7 +7,7 @@
 # The first three are for find_package(Pushback), which takes them as COMPONENTS.
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/pushback)
-set(recommended_needs whole_problem direct_contacts direct_joints wide half_step moment_of_impact to_each_its_own which_error)
+set(recommended_needs whole_problem direct_contacts direct_joints only_what_is_needed wide half_step moment_of_impact to_each_its_own which_error)
 set(simulation_targets pushback_settings pushback_simulation ${recommended_needs})
 get_property(chapters_targets GLOBAL PROPERTY chapter_libraries)
 list(REMOVE_ITEM chapters_targets ${recommended_needs})

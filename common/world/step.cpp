@@ -44,8 +44,10 @@ bool ForcesOfSubsteps::turn_bodies(const World& world) const {
 }
 
 void start_from_last_substep(World& world) {
+  std::erase_if(world.contacts, [count = world.bodies.size()](const Contact& contact) {
+    return contact.parted || contact.id.body_b >= count;
+  });
   if (!world.last_impulses_known) return;
-  std::erase_if(world.contacts, [](const Contact& contact) { return contact.parted; });
   for (Contact& contact : world.contacts) contact.impulse = contact.last_impulse;
   world.last_impulses_known = false;
 }

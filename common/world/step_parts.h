@@ -47,7 +47,8 @@ class ForcesOfSubsteps {
 /// Makes contacts_before of the contacts, with what the latest substep applied there.
 void remember_contacts(World& world);
 
-/// The impulses of a step become those of its last substep, from which solvers start; and what has parted is no contact any more.
+/// The impulses of a step become those of its last substep, from which solvers start. What has parted is no contact any more, nor is
+/// what touched a body that is gone.
 void start_from_last_substep(World& world);
 
 /// What was applied at each contact in one step, summed over its detections.

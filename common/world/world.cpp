@@ -77,12 +77,6 @@ void check_places(const World& world) {
                       i, world.bodies[i].index, i));
   for (const Force& force : world.forces) check_bodies_of(force, world);
   for (const Joint& joint : world.joints) check_bodies_of(joint, world);
-  for (const Contact& at : world.contacts)
-    if (at.id.body_b >= world.bodies.size())
-      throw InvalidInput(
-          fmt::format("a contact of the step before is with body {}, and World::bodies has {}: World::remove is needed "
-                      "to take a body out",
-                      at.id.body_b, world.bodies.size()));
 }
 
 void check_state(const Body& body) {

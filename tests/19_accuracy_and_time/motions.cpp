@@ -527,7 +527,7 @@ TEST_CASE("what cannot be played is refused, with the value and what is allowed,
   refused("bounce full/1/1 nothing/1/1", {"'nothing'"});
   refused("bounce joints/1/1", {"'joints'", "full", "plays bounce"});
   refused("chain full/1/1", {"'full'", "split-joints", "plays chain"});
-  refused("bounce ''", {"''", "full"});
+  refused("bounce ''", {"'' is not allowed"});
   refused("bounce full/0/1", {"'0' in 'full/0/1'", "from 1 to 65536"});
   refused("bounce full/65537/1", {"'65537'", "from 1 to 65536"});
   refused("bounce full/-4/1", {"'-4'", "from 1 to 65536"});

@@ -428,7 +428,7 @@ TEST_CASE("What is joined and meets something by substeps is not said to be kept
   CHECK(unkept <= 4);  // it meets the wall twice, and not in every step
 }
 
-TEST_CASE("within an error: a double pendulum that meets a wall is where it should be, and said to be") {
+TEST_CASE("within an error: a double pendulum that meets a wall is where it should be, although nothing is claimed for its bounces") {
   const moment_of_impact_scenes::PendulumAtWall pendulum;
   const std::vector<Places> truth = pendulum.truth(120);
   World world;
@@ -437,7 +437,7 @@ TEST_CASE("within an error: a double pendulum that meets a wall is where it shou
     const Fared fared = fare(world, error, truth);
     INFO("within " << error << " m: " << fared.off << " of it");
     CHECK(fared.off < Real(0.25));
-    CHECK(fared.said);
+    CHECK_FALSE(fared.said);
   }
 }
 
