@@ -106,8 +106,9 @@ Json scene_json(const World& world) {
 
 namespace {
 
-// SI units. Whatever a scene has between these, a step computes with finite numbers.
-constexpr Real largest = 1e6;           // of a length, a speed, a spin, an acceleration, an angle
+// SI units. Whatever a scene has between these, steps end soon, and with finite numbers.
+constexpr Real largest = 1e6;           // of a length, an acceleration, an angle
+constexpr Real fastest = 1e5;           // also of a spin
 constexpr Real smallest_length = 1e-9;  // also of an axis
 constexpr Real smallest_mass = 1e-12, largest_mass = 1e12;
 constexpr Real smallest_inertia = 1e-30, largest_inertia = 1e24;  // of such masses and lengths
@@ -254,8 +255,8 @@ Body body_from(const From& from) {
   // A hull as it comes has its own axes: the file's turn comes after.
   const Quat turn = from.has("orientation") ? from.quaternion("orientation") : Quat::Identity();
   body.oriented(turn * body.orientation).at(from.vector("position") + turn * (is_hull ? body.position : Vec3::Zero()));
-  if (from.has("velocity")) body.moving(from.vector("velocity"));
-  if (from.has("angular_velocity")) body.spinning(from.vector("angular_velocity"));
+  if (from.has("velocity")) body.moving(from.vector("velocity", -fastest, fastest));
+  if (from.has("angular_velocity")) body.spinning(from.vector("angular_velocity", -fastest, fastest));
   if (from.has("friction")) body.rough(from.number("friction", 0, largest));
   if (from.has("restitution")) body.bouncy(from.number("restitution", 0, 1));
   return body;
@@ -291,7 +292,7 @@ Joint joint_from(const From& from, const World& world) {
   }
   if (kind == "motor") {
     has_only({"axis", "speed", "torque"});
-    return motor_at_speed(world, a, b, from.direction("axis"), from.number("speed", -largest, largest),
+    return motor_at_speed(world, a, b, from.direction("axis"), from.number("speed", -fastest, fastest),
                           from.number("torque", 0, largest_torque));
   }
   from.wrong("kind", "ball_and_socket, hinge, angle_limits, twist_limits, cone_limit or motor");
