@@ -51,24 +51,26 @@ CLI::Validator number_check() {
 
 /// Throws CLI::ValidationError at an empty word, and at an empty place in a list: CLI11 would skip both.
 inline void refuse_empty_words(const CLI::App& app, int argc, const char* const* argv) {
-  const CLI::Option* option = nullptr;
+  const CLI::Option* option = nullptr;  // that takes the next word
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     std::string value = word;
     if (word.starts_with('-')) {
       const std::size_t equals = word.find('=');
       if (const CLI::Option* const named = app.get_option_no_throw(word.substr(0, equals))) {
-        option = named;
+        option = named->get_items_expected_max() > 0 ? named : nullptr;
         if (equals == std::string::npos) continue;
         value = word.substr(equals + 1);
       }
     }
     const std::string name = option == nullptr ? "an argument" : option->get_name();
     if (value.empty()) throw CLI::ValidationError(name, "'' is not allowed: a value is needed");
-    if (option == nullptr || option->get_delimiter() != ',') continue;
-    if (value.starts_with(',') || value.ends_with(',') || value.find(",,") != std::string::npos)
+    if (option == nullptr) continue;
+    if (option->get_delimiter() == ',' &&
+        (value.starts_with(',') || value.ends_with(',') || value.find(",,") != std::string::npos))
       throw CLI::ValidationError(name,
                                  fmt::format("'{}' is not allowed: a value between any two commas is needed", value));
+    if (option->get_items_expected_max() == 1) option = nullptr;
   }
 }
 

@@ -55,7 +55,7 @@ class World {
   void remove(int body);
 
   /// Moves everything on by dt seconds; see step.h. `sweeps`: in each substep; by default what the solver's plan says. Throws
-  /// InvalidInput unless dt > 0, sweeps >= 0, every body's state is finite, and the solver can solve what is here; then
+  /// InvalidInput unless 0 < dt <= 1, sweeps >= 0, every body's state is finite, and the solver can solve what is here; then
   /// nothing has changed. (Where a state becomes infinite between two detections of one step, the world stays as it was
   /// before the later one.)
   void step(StepSolver& solver, Real dt, int sweeps);
@@ -88,7 +88,7 @@ Real separating_speed(const World& world, const Contact& at);
 
 // ---- what a step does to one body by itself -------------------------------------------------------------------------
 
-/// Throws InvalidInput unless dt > 0, sweeps >= 0 and the gravity is finite.
+/// Throws InvalidInput unless 0 < dt <= 1, sweeps >= 0 and the gravity is finite.
 void check_step(Real dt, int sweeps, const Vec3& gravity);
 /// Throws InvalidInput if a force acts on a body that is not there, or a joint holds one.
 void check_bodies_of(const Force& force, const World& world);

@@ -385,7 +385,7 @@ TEST_CASE("what cannot be meant: status 2, a message that names it, and nothing 
   for (const Wrong& wrong : std::vector<Wrong>{
            {"stak-20", {"case is 'stak-20': one of these is needed: stack-10"}},
 
-           {"stack-10 ''", {"'' is not allowed"}},
+           {"stack-10 ''", {"an argument: '' is not allowed"}},
            {"--stages frction", {"stage is 'frction'", "07 warm start"}},
            {"--stages 07,banana", {"stage is 'banana'"}},
            {"--quick --stages soft", {"stage is 'soft'"}},
