@@ -27,6 +27,19 @@ struct Touching {
   void begin() {
     for (Body& body : world.bodies) keep_velocity(body);
   }
+  /// Velocities that just these impulses, N s, one a contact, bring to rest.
+  void thrown_by(const Numbers& impulses) {
+    for (std::size_t i = 0; i < impulses.size(); ++i) {
+      const Contact& c = world.contacts[i];
+      const auto [a, b] = world.bodies_of(c);
+      const Vec3 impulse = impulses[i] * c.normal;
+      a.velocity += a.inverse_mass * impulse;
+      a.angular_velocity += a.inverse_inertia * (c.point - a.position).cross(impulse);
+      b.velocity -= b.inverse_mass * impulse;
+      b.angular_velocity -= b.inverse_inertia * (c.point - b.position).cross(impulse);
+    }
+    begin();
+  }
   void solve(StepSolver& solver, int sweeps) {
     solver.check(world, h);
     solver.detected(world, h);
@@ -156,19 +169,6 @@ struct Pile : Touching {
     near(2, 3, {Real(0.5), Real(1.6), Real(0.2)}, Vec3(Real(-0.5), 1, 0));
     found = world.contacts;
   }
-  /// Velocities that just these impulses, N s, one a contact, bring to rest.
-  void thrown_by(const Numbers& impulses) {
-    for (std::size_t i = 0; i < impulses.size(); ++i) {
-      const Contact& c = world.contacts[i];
-      const auto [a, b] = world.bodies_of(c);
-      const Vec3 impulse = impulses[i] * c.normal;
-      a.velocity += a.inverse_mass * impulse;
-      a.angular_velocity += a.inverse_inertia * (c.point - a.position).cross(impulse);
-      b.velocity -= b.inverse_mass * impulse;
-      b.angular_velocity -= b.inverse_inertia * (c.point - b.position).cross(impulse);
-    }
-    begin();
-  }
 };
 
 inline std::vector<Quantity> of_a_pile() {
@@ -197,6 +197,66 @@ inline Numbers numbers_of(const Pile& pile) {
 }
 
 inline constexpr int to_the_end = 2000;  // sweeps, after which a pile has converged
+
+/// Two bodies on the ground and against each other. Each two of the three touch in three points, whose features are 1, 2
+/// and 3 for all of them.
+struct ManyPoints : Touching {
+  explicit ManyPoints(Random& random) : Touching(random) {
+    world.add(ground());
+    for (const int side : {-1, 1}) {
+      Body body = lump(random);
+      world.add(body.at(Vec3(static_cast<Real>(side), 1, 0) + random.vector(Real(0.1))));
+    }
+    const auto several = [&](std::uint32_t a, std::uint32_t b, const Vec3& middle, const Vec3& normal) {
+      const Vec3 tilted = (normal + random.vector(Real(0.2))).normalized();
+      const auto [tangent1, tangent2] = tangents_of(tilted);
+      for (const std::uint32_t feature : {1u, 2u, 3u}) {
+        const Real angle = static_cast<Real>(feature) * 2 * pi / 3;
+        const Vec3 off = Real(0.5) * (std::cos(angle) * tangent1 + std::sin(angle) * tangent2);
+        touch(a, b, middle + off + random.vector(Real(0.1)), tilted, feature);
+      }
+    };
+    several(0, 1, {-1, Real(0.3), 0}, Vec3::UnitY());
+    several(0, 2, {1, Real(0.3), 0}, Vec3::UnitY());
+    several(1, 2, {0, 1, 0}, Vec3::UnitX());
+  }
+};
+
+inline std::vector<Quantity> of_many_points() {
+  std::vector<Quantity> all;
+  for (const char* bodies : {"body 1 and the ground", "body 2 and the ground", "bodies 1 and 2"})
+    for (const char* point : {"a new point", "point 2", "point 3"})
+      all.push_back(
+          {fmt::format("after a step without a sweep, {} between {} parts with", point, bodies), "m/s", exact});
+  return all;
+}
+
+/// Each point carries another load in the first step. Then the bodies slide on, so far that a point stands where another one
+/// stood. Between each two of them point 1 is gone, and a new one is there. One normal has turned round, so that its old push
+/// would pull.
+inline Numbers each_point_starts(Random& random, const WholeSolver& answer) {
+  ManyPoints points(random);
+  Numbers loads;
+  for (std::size_t i = 0; i < points.world.contacts.size(); ++i) loads.push_back(random.between(1, 5));
+  points.thrown_by(loads);
+  Contacts found = points.world.contacts;
+  const auto solver = answer.make();
+  points.solve(*solver, to_the_end);
+  const Vec3 way = found[2].point - found[1].point;
+  for (Contact& c : found) {
+    c.point += way;
+    if (c.id.feature == 1) c.id.feature = 0;
+  }
+  found.back().normal = -found.back().normal;
+  for (Body& body : points.world.bodies)
+    if (body.movable()) body.position += way;
+  points.next(points.h * random.between(Real(0.5), Real(1.5)), found);
+  points.begin();
+  points.solve(*solver, 0);
+  Numbers numbers;
+  for (const Contact& c : found) numbers.push_back(separating_speed(points.world, c));
+  return numbers;
+}
 
 /// A beam over the ground, which is met by it in two points, as far left as right of its middle.
 struct Beam : Touching {
