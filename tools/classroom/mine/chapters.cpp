@@ -77,12 +77,11 @@ Mistake<WholeSolver> not_begun(int chapter) {
           plain(before)};
 }
 
-/// A mistake of an earlier chapter in the solver of this one. It shows in the checks of the chapters up to its own, where
-/// what has come since has nothing to do; of the later ones nothing is said: they are as if it were right.
-Exercise::Known of_earlier(const std::string& name, const std::string& hint, int its, const WholeSolver& slip,
-                           int chapter) {
+/// A mistake of an earlier chapter in the solver of a later one. It shows in the checks of the chapters up to its own, where
+/// what has come since has nothing to do. Of the later ones nothing is said.
+Exercise::Known of_earlier(const std::string& name, const std::string& hint, int its, const WholeSolver& slip) {
   return {name, hint, [=](std::size_t check, Random& random) {
-            return play(check, random, chapter_of_check(check) <= its ? slip : plain(chapter));
+            return chapter_of_check(check) <= its ? play(check, random, slip) : Numbers();
           }};
 }
 
@@ -90,18 +89,16 @@ Exercise::Known of_earlier(const std::string& name, const std::string& hint, int
 void add_mistakes_of_loops(Exercise& exercise, int chapter) {
   std::vector<Exercise::Known>& all = exercise.mistakes;
   for (int its = chapter; its >= 0; its = predecessor(its))
-    for (const SlipOfLoop& slip : slips_of_loop(its))
-      all.push_back(of_earlier(slip.name, slip.hint, its, slip.solver, chapter));
+    for (const SlipOfLoop& slip : slips_of_loop(its)) all.push_back(of_earlier(slip.name, slip.hint, its, slip.solver));
   for (int its = predecessor(chapter); its > 0; its = predecessor(its))
     all.push_back(of_earlier(fmt::format("chapter {} lost", two_digits(its)),
                              fmt::format("these are the numbers of chapter {}. What chapter {} adds is not there any "
                                          "more, or has no effect.",
                                          two_digits(predecessor(its)), two_digits(its)),
-                             its, plain(predecessor(its)), chapter));
+                             its, plain(predecessor(its))));
   for (const KnownSlip& known : known_slips())
     if (chapter > last_of_one_line && known.last >= last_of_one_line)
-      all.push_back(
-          of_earlier(known.name, known.hint, last_of_one_line, loop_with(last_of_one_line, known.slip), chapter));
+      all.push_back(of_earlier(known.name, known.hint, last_of_one_line, loop_with(last_of_one_line, known.slip)));
 }
 
 void replace_all(std::string& text, const std::string& what, const std::string& by) {

@@ -198,8 +198,9 @@ inline Numbers numbers_of(const Pile& pile) {
 
 inline constexpr int to_the_end = 2000;  // sweeps, after which a pile has converged
 
-/// Two bodies on the ground and against each other. Each two of the three touch in three points, whose features are 1, 2
-/// and 3 for all of them.
+/// Two bodies that touch the ground in three points each, and each other in one. Features are 1, 2 and 3 for both, and 2. No row
+/// follows from the others, so no order of rows changes an impulse. The points are a nanometre apart, because 21 makes those
+/// soft that have no gap.
 struct ManyPoints : Touching {
   explicit ManyPoints(Random& random) : Touching(random) {
     world.add(ground());
@@ -207,32 +208,33 @@ struct ManyPoints : Touching {
       Body body = lump(random);
       world.add(body.at(Vec3(static_cast<Real>(side), 1, 0) + random.vector(Real(0.1))));
     }
-    const auto several = [&](std::uint32_t a, std::uint32_t b, const Vec3& middle, const Vec3& normal) {
-      const Vec3 tilted = (normal + random.vector(Real(0.2))).normalized();
-      const auto [tangent1, tangent2] = tangents_of(tilted);
+    for (const std::uint32_t body : {1u, 2u}) {
+      const Vec3 normal = (Vec3::UnitY() + random.vector(Real(0.2))).normalized();
+      const auto [tangent1, tangent2] = tangents_of(normal);
       for (const std::uint32_t feature : {1u, 2u, 3u}) {
         const Real angle = static_cast<Real>(feature) * 2 * pi / 3;
         const Vec3 off = Real(0.5) * (std::cos(angle) * tangent1 + std::sin(angle) * tangent2);
-        touch(a, b, middle + off + random.vector(Real(0.1)), tilted, feature);
+        const Vec3 below = world.bodies[body].position - Real(0.7) * normal;
+        touch(0, body, below + off + random.vector(Real(0.1)), normal, feature);
       }
-    };
-    several(0, 1, {-1, Real(0.3), 0}, Vec3::UnitY());
-    several(0, 2, {1, Real(0.3), 0}, Vec3::UnitY());
-    several(1, 2, {0, 1, 0}, Vec3::UnitX());
+    }
+    touch(1, 2, Vec3(0, 1, 0) + random.vector(Real(0.1)), Vec3::UnitX(), 2);
+    for (Contact& c : world.contacts) c.depth = Real(-1e-9);
   }
 };
 
 inline std::vector<Quantity> of_many_points() {
   std::vector<Quantity> all;
-  for (const char* bodies : {"body 1 and the ground", "body 2 and the ground", "bodies 1 and 2"})
+  const std::string first = "after a step without a sweep, ";
+  for (const char* body : {"body 1", "body 2"})
     for (const char* point : {"a new point", "point 2", "point 3"})
-      all.push_back(
-          {fmt::format("after a step without a sweep, {} between {} parts with", point, bodies), "m/s", exact});
+      all.push_back({fmt::format("{}{} between {} and the ground parts with", first, point, body), "m/s", exact});
+  all.push_back({first + "the point between bodies 1 and 2 parts with", "m/s", exact});
   return all;
 }
 
 /// Each point carries another load in the first step. Then the bodies slide on, so far that a point stands where another one
-/// stood. Between each two of them point 1 is gone, and a new one is there. One normal has turned round, so that its old push
+/// stood. Point 1 of each on the ground is gone, and a new one is there. One normal has turned round, so that its old push
 /// would pull.
 inline Numbers each_point_starts(Random& random, const WholeSolver& answer) {
   ManyPoints points(random);
@@ -241,13 +243,13 @@ inline Numbers each_point_starts(Random& random, const WholeSolver& answer) {
   points.thrown_by(loads);
   Contacts found = points.world.contacts;
   const auto solver = answer.make();
-  points.solve(*solver, to_the_end);
+  points.substep(*solver, to_the_end);
   const Vec3 way = found[2].point - found[1].point;
   for (Contact& c : found) {
     c.point += way;
     if (c.id.feature == 1) c.id.feature = 0;
   }
-  found.back().normal = -found.back().normal;
+  found[5].normal = -found[5].normal;
   for (Body& body : points.world.bodies)
     if (body.movable()) body.position += way;
   points.next(points.h * random.between(Real(0.5), Real(1.5)), found);
