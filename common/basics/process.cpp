@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -78,14 +79,18 @@ Ended run_program(std::vector<std::string> command, double seconds, std::string_
   // Nothing else that is open here: another thread's program may have its input and output among it.
   posix_spawn_file_actions_addclosefrom_np(&actions, 3);
   pid_t child = 0;
+  const auto begin = std::chrono::steady_clock::now();
   const int failure = posix_spawnp(&child, words[0], &actions, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failure != 0) throw std::runtime_error(fmt::format("'{}' could not be started", fmt::join(command, " ")));
   const int status = end_of(child, watcher);
   const int ended = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  constexpr int killed = 128 + 9;  // it was still there five seconds after it had been asked to end
-  return {ended == killed ? 124 : ended, passages[1].text(), passages[2].text(),
-          WIFSIGNALED(status) ? WTERMSIG(status) : 0};
+  // `timeout` returns 124, or 137 for a program that was still there five seconds after it had been asked to end. A program
+  // that returns one of them earlier was not ended by `timeout`.
+  const bool out_of_time = (ended == 124 || ended == 128 + SIGKILL) && seconds > 0 &&
+                           std::chrono::steady_clock::now() - begin >= std::chrono::duration<double>(seconds);
+  return {out_of_time ? 124 : ended, passages[1].text(), passages[2].text(), WIFSIGNALED(status) ? WTERMSIG(status) : 0,
+          out_of_time};
 }
 
 }  // namespace pushback

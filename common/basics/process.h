@@ -14,7 +14,8 @@ namespace pushback {
 struct Ended {
   int status = -1;  ///< 127 where there is no such program, 124 where it took too long, -1 where a signal ended it
   std::string out, err;
-  int signal = 0;  ///< the one that ended it; 0: none
+  int signal = 0;            ///< the one that ended it; 0: none
+  bool out_of_time = false;  ///< it took too long; a program may also return 124 by itself
 };
 
 /// Is called while a program runs, with the process that is the root of all that it starts. Says after how long it wants to be

@@ -60,7 +60,7 @@ struct Exercise {
     std::optional<Recorded> recorded;
     int stage = 0;  ///< of a whole solver's: the chapter that asks for it
   };
-  /// What is measured in a scene of this check with an answer that is known.
+  /// What is measured in a scene of this check with an answer that is known. Of a mistake it may be empty: nothing is known.
   using Played = std::function<Numbers(std::size_t check, Random&)>;
   struct Known {
     std::string name, hint;

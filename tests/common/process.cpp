@@ -31,9 +31,19 @@ TEST_CASE("how a program ended is told: its status, what it said, no such progra
   const Ended killed = run_program({"sh", "-c", "kill -ABRT $$"});
   CHECK(killed.status == -1);
   CHECK(killed.signal == SIGABRT);
+  for (const int status : {124, 137}) {  // those of `timeout`, before the time is over
+    const Ended early = run_program({"sh", "-c", "exit " + std::to_string(status)}, 20);
+    CHECK(early.status == status);
+    CHECK_FALSE(early.out_of_time);
+  }
   const auto before = std::chrono::steady_clock::now();
-  CHECK(run_program({"sleep", "60"}, 0.2).status == 124);
-  CHECK(run_program({"sh", "-c", "trap '' TERM; exec sleep 60"}, 0.2).status == 124);  // does not do as it is asked
+  for (const std::vector<std::string>& sleeps :
+       {std::vector<std::string>{"sleep", "60"},
+        {"sh", "-c", "trap '' TERM; exec sleep 60"}}) {  // deaf to what it is asked
+    const Ended slept = run_program(sleeps, 0.2);
+    CHECK(slept.status == 124);
+    CHECK(slept.out_of_time);
+  }
   CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(30));
 }
 

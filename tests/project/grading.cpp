@@ -189,8 +189,15 @@ TEST_CASE("a class's own solvers are graded up to a chapter: where each stands, 
 
 TEST_CASE("where a class stands in the hard cases: a column for each solver that compiles", "[checked]") {
   Solvers all;
-  const std::string some = "'" + (all.scratch / "anna").string() + "' '" + (all.scratch / "dora").string() + "' '" +
-                           (all.scratch / "eve").string() + "' ";
+  for (const auto& [student, does] :
+       {std::pair{"kurt", "kill(0, SIGKILL)"}, {"lea", "std::abort()"}, {"max", "_exit(124)"}})
+    all.write(student, "solver.h",
+              fmt::format("#include <unistd.h>\n#include <csignal>\n#include <cstdlib>\n{}override {{}}\n"
+                          "  MySolver() {{ {}; }}\n}};\n",
+                          Solvers::begins, does));
+  std::string some;
+  for (const std::string name : {"anna", "dora", "eve", "kurt", "lea", "max"})
+    some += "'" + (all.scratch / name).string() + "' ";
   const Ended played = call_program(
       GRADE_PROGRAM, some + "--exercises mine-06 --jobs 2 --hard-cases --out " + (all.scratch / "out").string(), 300);
   if (contains(played.err, "there is no sandbox here")) return;
@@ -199,6 +206,12 @@ TEST_CASE("where a class stands in the hard cases: a column for each solver that
   CHECK(contains(played.out, "\n08 friction cone   19\nanna "));
   CHECK(contains(played.out, "\ndora                0\n"));
   CHECK(contains(played.out, "\neve                 –  it does not compile as a library: error: expected"));
+  for (const char* truth :
+       {"\nkurt                –  its cases were not played to their end: the program was ended by the signal 9\n",
+        "\nlea                 –  its cases were not played to their end: the program was ended by the signal 6\n",
+        "\nmax                 –  its cases were not played to their end: the program ended by itself, with "
+        "the status 124\n"})
+    CHECK(contains(played.out, truth));
   CHECK(fs::exists(all.scratch / "out/hard_cases/overview.png"));
   const std::string table = text_of(all.scratch / "out/hard_cases/table.csv");
   CHECK(contains(table, "\nstack-10,anna,"));
@@ -262,7 +275,7 @@ TEST_CASE(
   for (const std::string none : {"link", "link2", "link3", "buried", "buried2"}) graded(none, "03 0/6 (not handed in)");
   for (const std::string bad : {"dots", "absolute", "escaped", "twice", "twice2", "large", "large2", "many", "many2",
                                 "junk", "junk2", "secret"})
-    graded(bad, "03 0/6 (archive)");
+    graded(bad, "03 0/6 (not taken)");
   const std::string json = text_of(all.scratch / "out/results.json");
   CHECK(contains(json, "leads out of its folder"));
   CHECK(contains(json, "it has 1501 entries, at most 1000 are taken"));
@@ -300,7 +313,63 @@ TEST_CASE("a file among the folders of a class is named, and the others are grad
   CHECK_FALSE(fs::exists(all.scratch / "none"));
 }
 
-TEST_CASE("a folder whose files are in another one, or too large, has handed in nothing") {
+TEST_CASE("a folder is searched as an archive is: at most two folders deep, and one file of each name is taken") {
+  Class all;
+  const fs::path anna = all.scratch / "anna", name = "03_baumgarte.h";
+  for (const std::string folder : {"deep/x/exercises", "buried/x/y/z", "twice/a", "twice/b", "upper/old"}) {
+    fs::create_directories(all.scratch / folder);
+    write_text_file(all.scratch / folder / name, folder == "upper/old" ? "#error\n" : text_of(anna / name));
+  }
+  fs::copy_file(anna / name, all.scratch / "upper" / name);
+  fs::create_directory_symlink(all.scratch / "nowhere", all.scratch / "upper/a link");
+  for (const std::string folder : {"deep", "buried", "twice", "upper"})
+    all.folders += "'" + (all.scratch / folder).string() + "' ";
+  const Ended ended = all.grade("--no-sheet");
+  CHECK(contains(ended.out, "deep        6 of 6  03 6/6\n"));
+  CHECK(contains(ended.out, "buried      0 of 6  03 0/6 (not handed in)\n"));
+  CHECK(contains(ended.out, "twice       0 of 6  03 0/6 (not taken)\n"));
+  CHECK(contains(ended.out, "upper       6 of 6  03 6/6\n"));
+  CHECK(contains(text_of(all.scratch / "out/results.json"), "is not taken: there are 2 files 03_baumgarte.h in it."));
+
+  Solvers mine;
+  fs::create_directories(mine.scratch / "ines/hand-in");
+  fs::rename(mine.scratch / "anna/mine", mine.scratch / "ines/hand-in/mine");
+  const Ended solver = call_program(
+      GRADE_PROGRAM,
+      (mine.scratch / "ines").string() + " --exercises mine-06 --no-sandbox --out " + (mine.scratch / "out").string(),
+      120);
+  CHECK(contains(solver.out, "19/19, stands at 06\n"));
+}
+
+TEST_CASE("what a student's name would do to a terminal or to a file of results is spelled out") {
+  Class all;
+  const std::string evil = "a\x1b[2Jb\r\n\x7f\xc2\x9b\xe2\x80\xae\xff";
+  fs::rename(all.scratch / "anna", all.scratch / evil);
+  REQUIRE(run_program({"tar", "-cf", all.scratch / (evil + ".x.tar"), "-C", all.scratch / "", evil}).status == 0);
+  write_text_file(all.scratch / ("stray" + evil), "");
+  std::vector<std::string> command{GRADE_PROGRAM, "--exercises", "03", "--no-sandbox", "--out", all.scratch / "out"};
+  for (const std::string& name : {evil, evil + ".x.tar", "stray" + evil, std::string("dora")})
+    command.push_back(all.scratch / name);
+  const Ended ended = run_program(command, 120);
+  const std::string spelled = R"(a\x1b[2Jb\x0d\x0a\x7f\xc2\x9b\xe2\x80\xae\xff)";
+  CHECK(contains(ended.out, spelled + "    "));
+  CHECK(contains(ended.out, spelled + ".x  "));
+  CHECK(contains(ended.err, "stray" + spelled + "' is no folder"));
+  CHECK(fs::exists(all.scratch / ("out/sheets/" + spelled + "/03_baumgarte.png")));
+  for (const std::string& text :
+       {ended.out, ended.err, text_of(all.scratch / "out/results.json"), text_of(all.scratch / "out/results.xml")})
+    for (const std::string raw : {"\x1b", "\r", "\x7f", "\xc2\x9b", "\xe2\x80\xae", "\xff"}) {
+      INFO(text);
+      CHECK_FALSE(contains(text, raw));
+    }
+  fs::rename(all.scratch / "dora", all.scratch / "dörá 名");
+  CHECK(contains(call_program(GRADE_PROGRAM, "'" + (all.scratch / "dörá 名").string() +
+                                                 "' --exercises 03 --no-sandbox --out " + (all.scratch / "o").string())
+                     .out,
+                 "dörá 名"));
+}
+
+TEST_CASE("a link to a folder, or a file that is too large, is not handed in") {
   Class all;
   const fs::path name = "03_baumgarte.h", linked = all.scratch / "linked", large = all.scratch / "large";
   fs::create_directories(linked);

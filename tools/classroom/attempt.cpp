@@ -81,11 +81,14 @@ struct Problem {
   std::string kind, text;
 };
 
-/// Why a program that did not come to its end has ended. The sandbox gives signals back as a shell does.
-Problem problem_of(const Ended& ended, const std::string& where, const Limits& limits,
+/// Why a program that did not come to its end has ended. The sandbox gives signals back as a shell does. The kernel ends a
+/// program that is over its processor time by SIGXCPU or SIGKILL, and a program may send both to itself. The time tells them
+/// apart: half of it is enough, because a Watch looks only now and then.
+Problem problem_of(const Ended& ended, double processor_seconds, const std::string& where, const Limits& limits,
                    const std::string& last_printed) {
   const auto by_signal = [&](int signal) { return ended.signal == signal || ended.status == 128 + signal; };
-  if (ended.status == 124 || by_signal(SIGXCPU) || by_signal(SIGKILL))
+  if (ended.out_of_time ||
+      ((by_signal(SIGXCPU) || by_signal(SIGKILL)) && processor_seconds > 0.5 * limits.seconds))
     return {"time", fmt::format("{}, your program had no answer after {} s of processor time, or {} s by the clock. "
                                 "Look for a loop that never ends.",
                                 where, limits.seconds, Limits::patience * limits.seconds)};
@@ -95,7 +98,7 @@ Problem problem_of(const Ended& ended, const std::string& where, const Limits& l
   if (by_signal(SIGFPE)) return {"crash", where + ", your program divided a whole number by 0."};
   if (by_signal(SIGXFSZ))
     return {"files", where + ", your program wrote more than 64 MB. Look for a line that prints, in a loop."};
-  for (const int signal : {SIGALRM, SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2})
+  for (const int signal : {SIGALRM, SIGHUP, SIGINT, SIGKILL, SIGPIPE, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU})
     if (by_signal(signal)) return {"crash", fmt::format("{}, your program was ended by the signal {}.", where, signal)};
   if (ended.status < 0 || ended.status > 128)
     return {"crash",
@@ -110,7 +113,7 @@ Problem problem_of(const Ended& ended, const std::string& where, const Limits& l
 /// Why there is no program.
 std::string built_not(const Ended& ended, const std::string& too_much, const fs::path& own, const Limits& limits) {
   if (!too_much.empty()) return fmt::format("the compiler took {}, and was stopped.", too_much);
-  if (ended.status == 124 || ended.err.find("CPU time limit exceeded") != std::string::npos)
+  if (ended.out_of_time || ended.err.find("CPU time limit exceeded") != std::string::npos)
     return fmt::format("the compiler was not done after {} s of processor time, or {} s by the clock.",
                        limits.compile_seconds, Limits::patience * limits.compile_seconds);
   return shortened(first_error(shortened(ended.err, 100'000), own), 1000);
@@ -132,6 +135,7 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
         fs::copy_file(entry.path(), scratch.path / entry.path().filename(), fs::copy_options::skip_existing);
   /// Apart from us, within limits; `too_much` says which budget it has exceeded.
   std::string too_much;
+  double processor_seconds = 0;
   const auto run = [&](const Command& command, const std::vector<fs::path>& readable, Sandbox::Folder may_be,
                        int seconds, int megabytes, const std::string& input) {
     Watch watch({megabytes, limits.processes}, sandbox != nullptr);
@@ -140,6 +144,7 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
         run_program(sandbox ? sandbox->around(within, scratch.path, readable, may_be) : within,
                     Limits::patience * seconds, input, [&](int process) { return watch.look(process); });
     too_much = watch.exceeded();
+    processor_seconds = watch.processor_seconds();
     return ended;
   };
   const auto build = [&](const Command& command, const std::vector<fs::path>& readable) {
@@ -211,7 +216,7 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
     outcome.kind = "exception";
   } else {
     const std::vector<std::string> printed = lines_of(ended.err);
-    const Problem problem = problem_of(ended, where, limits, printed.empty() ? "" : printed.back());
+    const Problem problem = problem_of(ended, processor_seconds, where, limits, printed.empty() ? "" : printed.back());
     outcome.kind = problem.kind;
     outcome.problem = problem.text;
   }

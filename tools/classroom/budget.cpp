@@ -42,7 +42,8 @@ std::int64_t bytes_in(const std::string& text, const std::string& name) {
 
 struct Process {
   int id = 0, parent = 0, threads = 0;
-  int depth = 0;  ///< below the program that is watched
+  long user_ticks = 0, system_ticks = 0;  ///< of the processor
+  int depth = 0;                          ///< below the program that is watched
 };
 
 std::vector<Process> all_processes() {
@@ -59,6 +60,8 @@ std::vector<Process> all_processes() {
     for (int field = 3; at < text.size() && field <= 20; ++field) {
       at = std::min(text.find_first_not_of(' ', at), text.size());
       if (field == 4) std::from_chars(text.data() + at, text.data() + text.size(), process.parent);
+      if (field == 14) std::from_chars(text.data() + at, text.data() + text.size(), process.user_ticks);
+      if (field == 15) std::from_chars(text.data() + at, text.data() + text.size(), process.system_ticks);
       if (field == 20) std::from_chars(text.data() + at, text.data() + text.size(), process.threads);
       at = std::min(text.find(' ', at), text.size());
     }
@@ -114,7 +117,12 @@ std::chrono::milliseconds Watch::look(int program) {
   constexpr int wrapping = 2;  // bubblewrap outside, and inside as the first process
   if (sandboxed_) std::erase_if(counted, [](const Process& process) { return process.depth <= wrapping; });
   int processes = 0;
-  for (const Process& process : counted) processes += std::max(1, process.threads);
+  for (const Process& process : counted) {
+    processes += std::max(1, process.threads);
+    const double seconds =
+        static_cast<double>(process.user_ticks + process.system_ticks) / static_cast<double>(sysconf(_SC_CLK_TCK));
+    processor_seconds_ = std::max(processor_seconds_, seconds);
+  }
   if (processes > budget_.processes) {
     exceeded_ = fmt::format("more than {} processes and threads", budget_.processes);
   } else if (!counted.empty()) {

@@ -22,11 +22,14 @@ class Watch {
   std::chrono::milliseconds look(int program);
   /// "more than 32 processes"; empty: it has kept to its budget.
   const std::string& exceeded() const { return exceeded_; }
+  /// Of that process which has taken the most, when it was last seen.
+  double processor_seconds() const { return processor_seconds_; }
 
  private:
   Budget budget_;
   bool sandboxed_;
   std::string exceeded_;
+  double processor_seconds_ = 0;
 };
 
 }  // namespace pushback

@@ -61,8 +61,8 @@ Json graded(const Grading& grading, const Exercise& exercise, const std::string&
     return attempt(own, *file, seed, sandbox, grading.limits);
   };
   if (!handed_in.problem().empty()) {
-    verdict.mistake = "archive";
-    verdict.sentence = fmt::format("the archive is not taken: {}.", handed_in.problem());
+    verdict.mistake = "not taken";
+    verdict.sentence = fmt::format("what was handed in is not taken: {}.", handed_in.problem());
     verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
   } else if (!file) {
     verdict.mistake = "not handed in";

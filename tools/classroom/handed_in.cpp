@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::uintmax_t most_bytes = 1'000'000;  // of a file
 constexpr std::size_t most_entries = 1000;        // of an archive
-constexpr std::size_t most_headers = 50;          // beside a solver
-constexpr std::size_t deepest = 3;                // top folder, exercises, file
+constexpr std::size_t most_headers = 50;          // next to a solver
+constexpr int deepest = 3;                        // top folder, exercises, file
 
 using Command = std::vector<std::string>;
 
@@ -68,7 +68,8 @@ class Archive {
     for (std::size_t i = 0; i < names.size(); ++i) {
       for (const fs::path& part : fs::path(names[i]))
         if (part == ".." || part == "/" || names[i].find('\\') != std::string::npos)
-          throw Unreadable{fmt::format("'{}' in it leads out of its folder, or has a \\ in its name", names[i])};
+          throw Unreadable{
+              fmt::format("'{}' in it leads out of its folder, or has a \\ in its name", visible(names[i]))};
       all.push_back({names[i], types[i][0] == '-' || types[i][0] == '?'});
     }
     return all;
@@ -89,7 +90,7 @@ class Archive {
     if (ended.status == 0) return ended.out;
     if (ended.status == 127)
       throw InvalidInput(
-          fmt::format("'{}' cannot be read without {}: is the package installed?", file_.string(), words[0]));
+          fmt::format("'{}' cannot be read without {}: is the package installed?", visible(file_), words[0]));
     if (ended.signal == SIGXFSZ || ended.status == 128 + SIGXFSZ || ended.out.size() >= most_bytes)
       throw Unreadable{"a file in it, or its list of files, is larger than 1 MB"};
     throw Unreadable{said_of(ended.err, words[0])};
@@ -100,7 +101,7 @@ class Archive {
       for (std::size_t at; (at = line.find(file_.string())) != std::string::npos;)
         line.erase(at, file_.string().size());
       line.erase(0, line.find_first_not_of("[]:,; "));
-      if (line.find(' ') != std::string::npos) return fmt::format("it cannot be read ({}: {})", program, line);
+      if (line.find(' ') != std::string::npos) return fmt::format("it cannot be read ({}: {})", program, visible(line));
     }
     return "it takes too long or too much memory to read";
   }
@@ -109,97 +110,138 @@ class Archive {
   const Sandbox* sandbox_;
 };
 
-std::size_t depth_of(const std::string& name) {
+/// Reads a folder as an Archive reads an archive. Follows no links.
+class Folder {
+ public:
+  explicit Folder(const fs::path& folder) : folder_(folder) {}
+
+  std::vector<Entry> entries() const {
+    std::vector<Entry> all;
+    const auto options = fs::directory_options::skip_permission_denied;
+    for (fs::recursive_directory_iterator it(folder_, options), end; it != end; ++it) {
+      if (it.depth() + 1 == deepest) it.disable_recursion_pending();
+      if (fs::is_regular_file(it->symlink_status()) && it->file_size() < most_bytes)
+        all.push_back({it->path().lexically_relative(folder_), true});
+    }
+    return all;
+  }
+
+  std::string text_of(const std::string& name) const { return read_text_file(folder_ / name); }
+
+ private:
+  fs::path folder_;
+};
+
+int depth_of(const std::string& name) {
   const fs::path path = fs::path(name).lexically_normal();
-  return static_cast<std::size_t>(std::distance(path.begin(), path.end()));
+  return static_cast<int>(std::distance(path.begin(), path.end()));
 }
 
 bool is_header(const fs::path& file) {
   return file.extension() == ".h" && file.filename() != ".h";
 }
 
-/// Leaves the files of these exercises in `folder`.
-void unpack(const Archive& archive, const std::vector<const Exercise*>& exercises, const fs::path& folder) {
-  const std::vector<Entry> entries = archive.entries();
-  bool solver = false;
+/// The name of the file, of those in the fewest folders; empty: there is none.
+std::string found_in(const std::vector<Entry>& entries, const std::string& wanted) {
+  std::vector<std::string> found;
+  int depth = deepest;
+  for (const Entry& entry : entries) {
+    const int its = depth_of(entry.name);
+    if (!entry.is_file || fs::path(entry.name).filename() != wanted || its > depth) continue;
+    if (its < depth) found.clear();
+    depth = its;
+    found.push_back(entry.name);
+  }
+  if (found.size() > 1) throw Unreadable{fmt::format("there are {} files {} in it", found.size(), wanted)};
+  return found.empty() ? "" : found[0];
+}
+
+/// Leaves the files of these exercises in `folder`, and solver.h with the headers next to it in `solver`.
+template <class Source>
+void unpack(const Source& source, const std::vector<const Exercise*>& exercises, const fs::path& folder,
+            const fs::path& solver) {
+  const std::vector<Entry> entries = source.entries();
+  bool taken = false;
   for (const Exercise* exercise : exercises) {
-    if (exercise->whole() && std::exchange(solver, true)) continue;  // one for all chapters
-    const std::string wanted = file_of(*exercise);
-    std::vector<std::string> found;
-    for (const Entry& entry : entries)
-      if (entry.is_file && fs::path(entry.name).filename() == wanted && depth_of(entry.name) <= deepest)
-        found.push_back(entry.name);
-    if (found.size() > 1) throw Unreadable{fmt::format("there are {} files {} in it", found.size(), wanted)};
+    if (exercise->whole() && std::exchange(taken, true)) continue;  // one for all chapters
+    const std::string found = found_in(entries, file_of(*exercise));
     if (found.empty()) continue;
-    write_text_file(folder / wanted, archive.text_of(found[0]));
+    const fs::path& to = exercise->whole() ? solver : folder;
+    write_text_file(to / file_of(*exercise), source.text_of(found));
     if (!exercise->whole()) continue;
     std::size_t count = 0;
     for (const Entry& entry : entries) {
       const fs::path name(entry.name);
-      if (!entry.is_file || entry.name == found[0] || !is_header(name) ||
-          name.parent_path() != fs::path(found[0]).parent_path())
+      if (!entry.is_file || entry.name == found || !is_header(name) ||
+          name.parent_path() != fs::path(found).parent_path())
         continue;
       if (++count > most_headers)
-        throw Unreadable{fmt::format("more than {} headers are beside solver.h", most_headers)};
-      write_text_file(folder / name.filename(), archive.text_of(entry.name));
+        throw Unreadable{fmt::format("more than {} headers are next to solver.h", most_headers)};
+      write_text_file(to / name.filename(), source.text_of(entry.name));
     }
   }
 }
 
-/// Copies solver.h and the headers beside it, as far as they are files of less than 1 MB and no links.
-bool copy_solver(const fs::path& from, const fs::path& to) {
-  const auto taken = [](const fs::path& file) {
-    return fs::is_regular_file(fs::symlink_status(file)) && fs::file_size(file) < most_bytes;
-  };
-  if (fs::is_symlink(from) || !taken(from / "solver.h")) return false;
-  std::size_t count = 0;
-  for (const auto& entry : fs::directory_iterator(from))
-    if (is_header(entry.path()) && taken(entry.path()) && ++count <= most_headers + 1)
-      write_text_file(to / entry.path().filename(), read_text_file(entry.path()));
-  write_text_file(to / "solver.h", read_text_file(from / "solver.h"));
-  return true;
-}
-
 }  // namespace
+
+std::string visible(const std::string& text) {
+  std::string shown;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto byte = [&](std::size_t i) {
+      return static_cast<unsigned char>(at + i < text.size() ? text[at + i] : 0);
+    };
+    std::size_t length = byte(0) < 0x80   ? 1
+                         : byte(0) < 0xc0 ? 0
+                         : byte(0) < 0xe0 ? 2
+                         : byte(0) < 0xf0 ? 3
+                         : byte(0) < 0xf5 ? 4
+                                          : 0;
+    unsigned letter = length <= 1 ? byte(0) : byte(0) & (0xffu >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+      letter = letter << 6 | (byte(i) & 0x3fu);
+      if ((byte(i) & 0xc0) != 0x80) length = 0;
+    }
+    constexpr unsigned least[] = {~0u, 0, 0x80, 0x800, 0x10000};
+    const bool is_utf8 = letter >= least[length] && letter <= 0x10ffff && (letter < 0xd800 || letter > 0xdfff);
+    const bool controls = letter < 0x20 || (letter >= 0x7f && letter < 0xa0) ||
+                          (letter >= 0x2028 && letter <= 0x202e) || (letter >= 0x2066 && letter <= 0x2069);
+    const std::size_t taken = is_utf8 ? length : 1;
+    if (is_utf8 && !controls) shown += text.substr(at, taken);
+    else
+      for (std::size_t i = 0; i < taken; ++i) shown += fmt::format("\\x{:02x}", byte(i));
+    at += taken;
+  }
+  return shown;
+}
 
 std::string file_of(const Exercise& exercise) {
   return exercise.whole() ? "solver.h" : exercise.name + ".h";
 }
 
 std::string students_name(const fs::path& given) {
-  if (fs::is_directory(given)) return fs::canonical(given).filename().string();
+  if (fs::is_directory(given)) return visible(fs::canonical(given).filename());
   const std::string name = given.filename().string();
   const std::string_view ending = ending_of(name);
   if (!fs::is_regular_file(given) || ending.empty())
     throw InvalidInput(
         fmt::format("'{}' is no folder, and no archive (.zip, .tar, .tar.gz, .tgz, .tar.xz, .tar.bz2): one for each "
                     "student is needed",
-                    given.string()));
-  return name.substr(0, name.size() - ending.size());
+                    visible(given)));
+  return visible(name.substr(0, name.size() - ending.size()));
 }
 
-HandedIn::HandedIn(const fs::path& given, const std::vector<const Exercise*>& exercises, const Sandbox* sandbox)
-    : folder_(given) {
-  if (!fs::is_directory(given)) {
-    folder_ = unpacked_.emplace().path;
-    try {
-      unpack(Archive(given, sandbox), exercises, folder_);
-    } catch (const Unreadable& problem) {
-      problem_ = problem.why;
-    }
+HandedIn::HandedIn(const fs::path& given, const std::vector<const Exercise*>& exercises, const Sandbox* sandbox) {
+  try {
+    if (fs::is_directory(given)) unpack(Folder(given), exercises, files_.path, solver_.path);
+    else unpack(Archive(given, sandbox), exercises, files_.path, solver_.path);
+  } catch (const Unreadable& problem) {
+    problem_ = problem.why;
   }
-  const bool wanted = std::any_of(exercises.begin(), exercises.end(), [](const Exercise* one) { return one->whole(); });
-  if (wanted && !copy_solver(folder_ / "mine", solver_.emplace().path) && !copy_solver(folder_, solver_->path))
-    solver_.reset();
 }
 
 std::optional<fs::path> HandedIn::file(const Exercise& exercise) const {
-  if (exercise.whole()) return solver_ ? std::optional(solver_->path / "solver.h") : std::nullopt;
-  for (const fs::path& file : {folder_ / (exercise.name + ".h"), folder_ / "exercises" / (exercise.name + ".h")})
-    if (fs::is_regular_file(fs::symlink_status(file)) && !fs::is_symlink(file.parent_path()) &&
-        fs::file_size(file) < most_bytes)
-      return file;
-  return std::nullopt;
+  const fs::path file = (exercise.whole() ? solver_ : files_).path / file_of(exercise);
+  return fs::exists(file) ? std::optional(file) : std::nullopt;
 }
 
 }  // namespace pushback

@@ -71,13 +71,14 @@ bool same_numbers(const Exercise& exercise, const Attempt& one, const Attempt& o
   return true;
 }
 
-/// The mistakes that would show the numbers of the check `first`, which fails, and fail no check that was passed; of these
-/// those that explain the most of the other checks. In the exercise's order, each name once.
+/// The mistakes that would show the numbers of the check `first`, which fails, and fail no check that was passed. Of these,
+/// those that leave the fewest checks unexplained, and then those that explain the most. In the exercise's order, each name
+/// once.
 std::vector<const Exercise::Known*> likely_mistakes(const Exercise& exercise, std::uint64_t seed,
                                                     const std::vector<NumbersOfScenes>& right, const Attempt& outcome,
                                                     const std::vector<Passed>& checks, std::size_t first) {
   std::vector<const Exercise::Known*> likely;
-  std::size_t most = 0;
+  std::pair<int, int> best;
   for (const auto& mistake : exercise.mistakes) {
     const auto fails = [&](std::size_t check, const NumbersOfScenes& mistaken) {
       return furthest(exercise.checks[check].quantities, right[check], mistaken).by > 1;
@@ -86,17 +87,19 @@ std::vector<const Exercise::Known*> likely_mistakes(const Exercise& exercise, st
       return resembles(exercise.checks[check].quantities, right[check], mistaken, outcome.numbers[check]);
     };
     const NumbersOfScenes there = scenes_of(mistake.played, seed, first);
-    if (!fails(first, there) || !shows(first, there)) continue;
-    std::size_t explained = 0;
+    if (there[0].empty() || !fails(first, there) || !shows(first, there)) continue;
+    int explained = 0, unexplained = 0;
     bool contradicted = false;
     for (std::size_t i = 0; i < checks.size() && checks[i] != Passed::not_reached; ++i) {
       const NumbersOfScenes mistaken = scenes_of(mistake.played, seed, i);
+      if (mistaken[0].empty()) continue;
       contradicted = contradicted || (checks[i] == Passed::yes && fails(i, mistaken));
-      explained += shows(i, mistaken);
+      (shows(i, mistaken) ? explained : unexplained) += 1;
     }
-    if (contradicted || explained < most) continue;
-    if (explained > most) likely.clear();
-    most = explained;
+    const std::pair rank(-unexplained, explained);
+    if (contradicted || (!likely.empty() && rank < best)) continue;
+    if (rank > best) likely.clear();
+    best = rank;
     if (std::none_of(likely.begin(), likely.end(), [&](const auto* other) { return other->name == mistake.name; }))
       likely.push_back(&mistake);
   }

@@ -29,7 +29,7 @@ Outcome outcome_apart(const HardCase& hard_case, const Stage& stage, double seco
   command.insert(command.begin() + 1, hard_case.name);
   command.insert(command.end(), {"--starts", std::to_string(hard_case.starts), "--out", scratch.path});
   const Ended ended = run_program(command, seconds);
-  if (ended.status == 124) return without_end(hard_case, fmt::format("{} within {:g} s", no_end, seconds));
+  if (ended.out_of_time) return without_end(hard_case, fmt::format("{} within {:g} s", no_end, seconds));
   if (ended.signal != 0) return without_end(hard_case, fmt::format("crashed: {}", strsignal(ended.signal)));
   const std::vector<std::string> said = lines_of(ended.err);
   if (ended.status != 0) return without_end(hard_case, "threw: " + (said.empty() ? "no words" : said.back()));

@@ -77,25 +77,28 @@ Mistake<WholeSolver> not_begun(int chapter) {
           plain(before)};
 }
 
-/// A mistake of an earlier chapter in the solver of this one. It shows in the checks of the chapters up to its own, where
-/// what has come since has nothing to do; of the later ones nothing is said: they are as if it were right.
-Exercise::Known of_earlier(const std::string& name, const std::string& hint, int its, const WholeSolver& slip,
-                           int chapter) {
+/// A mistake of an earlier chapter in the solver of a later one. It shows in the checks of the chapters up to its own, where
+/// what has come since has nothing to do. Of the later ones nothing is said.
+Exercise::Known of_earlier(const std::string& name, const std::string& hint, int its, const WholeSolver& slip) {
   return {name, hint, [=](std::size_t check, Random& random) {
-            return play(check, random, chapter_of_check(check) <= its ? slip : plain(chapter));
+            return chapter_of_check(check) <= its ? play(check, random, slip) : Numbers();
           }};
 }
 
-/// From 09 on: after those of this chapter all of those that it grew from, as far back as they are known.
+/// After those of this chapter all of those that it grew from, as far back as they are known.
 void add_mistakes_of_loops(Exercise& exercise, int chapter) {
   std::vector<Exercise::Known>& all = exercise.mistakes;
-  for (int its = chapter; its > last_of_one_line; its = predecessor(its))
-    for (const SlipOfLoop& slip : slips_of_loop(its))
-      all.push_back(of_earlier(slip.name, slip.hint, its, slip.solver, chapter));
+  for (int its = chapter; its >= 0; its = predecessor(its))
+    for (const SlipOfLoop& slip : slips_of_loop(its)) all.push_back(of_earlier(slip.name, slip.hint, its, slip.solver));
+  for (int its = predecessor(chapter); its > 0; its = predecessor(its))
+    all.push_back(of_earlier(fmt::format("chapter {} lost", two_digits(its)),
+                             fmt::format("these are the numbers of chapter {}. What chapter {} adds is not there any "
+                                         "more, or has no effect.",
+                                         two_digits(predecessor(its)), two_digits(its)),
+                             its, plain(predecessor(its))));
   for (const KnownSlip& known : known_slips())
-    if (known.last >= last_of_one_line)
-      all.push_back(
-          of_earlier(known.name, known.hint, last_of_one_line, loop_with(last_of_one_line, known.slip), chapter));
+    if (chapter > last_of_one_line && known.last >= last_of_one_line)
+      all.push_back(of_earlier(known.name, known.hint, last_of_one_line, loop_with(last_of_one_line, known.slip)));
 }
 
 void replace_all(std::string& text, const std::string& what, const std::string& by) {
@@ -265,13 +268,11 @@ Exercise exercise_of_chapter(int chapter) {
   for (const KnownSlip& known : known_slips())
     if (chapter <= last_of_one_line && known.chapter <= chapter && chapter <= known.last)
       mistakes.push_back({known.name, known.hint, loop_with(chapter, known.slip)});
-  if (chapter <= last_of_one_line)
-    for (const SlipOfLoop& slip : slips_of_loop(chapter)) mistakes.push_back({slip.name, slip.hint, slip.solver});
   if (chapter > 0) mistakes.push_back(not_begun(chapter));
   const std::string digits = two_digits(chapter);
   const ChapterOfMine& told = chapter_of_mine(digits);
   Exercise made = exercise_of<WholeSolver>(told.title, told.hints, checks, plain(chapter), std::move(mistakes));
-  if (chapter > last_of_one_line) add_mistakes_of_loops(made, chapter);
+  add_mistakes_of_loops(made, chapter);
   made.name = "mine_" + digits;
   made.behind = as_answer;
   for (std::size_t i = 0; i < made.checks.size(); ++i) made.checks[i].stage = chapter_of_check(i);

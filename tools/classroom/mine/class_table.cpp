@@ -40,6 +40,14 @@ struct Column {
   std::optional<Table> table;
 };
 
+/// The sandbox gives signals back as a shell does.
+std::string end_of(const Ended& ended) {
+  const int signal = ended.status > 128 ? ended.status - 128 : ended.signal;
+  if (signal != 0) return fmt::format("the program was ended by the signal {}", signal);
+  if (!ended.err.empty()) return last_line(ended.err);
+  return fmt::format("the program ended by itself, with the status {}", ended.status);
+}
+
 /// Two columns, the reference and "mine".
 Column column_of(const std::string& student, const fs::path& given, const Grading& grading, const Sandbox* sandbox) {
   Column made{student, {}, {}};
@@ -47,7 +55,7 @@ Column column_of(const std::string& student, const fs::path& given, const Gradin
   const HandedIn handed_in(given, {&whole}, sandbox);
   const std::optional<fs::path> file = handed_in.file(whole);
   if (!handed_in.problem().empty() || !file) {
-    made.problem = file ? handed_in.problem() : "there is no solver.h";
+    made.problem = handed_in.problem().empty() ? "there is no solver.h" : handed_in.problem();
     return made;
   }
   const ScratchFolder out;
@@ -67,8 +75,8 @@ Column column_of(const std::string& student, const fs::path& given, const Gradin
   const fs::path csv = out.path / "hard_cases" / "part" / "table.csv";
   if (!fs::is_regular_file(fs::symlink_status(csv))) {
     made.problem = !watch.exceeded().empty() ? "it took " + watch.exceeded()
-                   : ended.status == 124     ? fmt::format("its cases were not done after {} s", longest)
-                                             : "its cases were not played to their end: " + last_line(ended.err);
+                   : ended.out_of_time       ? fmt::format("its cases were not done after {} s", longest)
+                                             : "its cases were not played to their end: " + end_of(ended);
     return made;
   }
   std::vector<Stage> stages = table_stages();
@@ -172,7 +180,7 @@ void play_class(const Grading& grading) {
     fmt::print("{:<{}}  {:>3}\n", all.stages[column].name, wide, passed);
   }
   for (const Column& column : columns)
-    if (!column.table) fmt::print("{:<{}}    –  {}\n", column.student, wide, column.problem);
+    if (!column.table) fmt::print("{:<{}}    –  {}\n", column.student, wide, visible(column.problem));
 }
 
 }  // namespace pushback

@@ -169,6 +169,7 @@ std::vector<CheckOfChapter> checks_of_detected_once() {
       {21,
        all,
        {"bodies of any shape slide as the cone says, before and after they have moved", 1, sliding, lumps_slide_on}},
+      {21, all, {"of several points, each starts from its own impulse", 1, of_many_points(), each_point_starts}},
       {21,
        all,
        {"a guess stays within the cone of the normal of now",

@@ -94,7 +94,7 @@ struct Lane {
 void run(Lane& lane, double at_most) {
   if (!lane.problem.empty()) return;
   const Ended ended = run_program(lane.call, at_most);
-  if (ended.status == 124) lane.problem = fmt::format("no end within {:g} s", at_most);
+  if (ended.out_of_time) lane.problem = fmt::format("no end within {:g} s", at_most);
   else if (ended.signal != 0) lane.problem = fmt::format("crashed: {}", strsignal(ended.signal));
   else if (ended.status != 0) lane.problem = last_line(ended.err);
   else if (const std::optional<Lap> lap = read_lap(ended.out)) {

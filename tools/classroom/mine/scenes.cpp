@@ -38,11 +38,12 @@ Numbers moved_apart(Random& random, const WholeSolver& answer) {
           1000 * (pair.world.bodies[1].position - upper).dot(normal)};
 }
 
-/// The same solver twice: in the second step nothing of the first is left.
+/// The same solver twice: in the second step nothing of the first is left, and the bodies touch elsewhere.
 Numbers pile_stops(Random& random, const WholeSolver& answer) {
   Pile pile(random);
   const auto solver = answer.make();
   for (int step = 0; step < 2; ++step) {
+    for (Contact& c : pile.world.contacts) c.point += random.vector(Real(0.05));
     Numbers impulses;
     for (std::size_t i = 0; i < pile.world.contacts.size(); ++i) impulses.push_back(random.between(1, 5));
     pile.thrown_by(impulses);
@@ -129,7 +130,11 @@ Numbers bounces_back(Random& random, const WholeSolver& answer) {
   Falling pair(random, meeting(random));
   pair.contact().restitution = random.between(Real(0.2), Real(0.9));
   pair.solve(*answer.make(), few(random));
-  return numbers_of_fall(pair);
+  Numbers numbers = numbers_of_fall(pair);
+  Falling slower(random, -random.between(Real(0.11), Real(0.15)));
+  slower.contact().restitution = pair.contact().restitution;
+  numbers.push_back(solved(slower, answer, few(random))[0]);
+  return numbers;
 }
 
 Numbers too_slow(Random& random, const WholeSolver& answer) {
@@ -377,6 +382,8 @@ std::vector<CheckOfChapter> made() {
     all.push_back({"your friction points away from the direction against the slip by", "°", 1e-4});
     return all;
   }();
+  std::vector<Quantity> of_two_falls = of_a_fall;
+  of_two_falls.push_back({"bodies that met just fast enough to bounce part with", "m/s", exact});
   const Quantity meets_apart{"bodies that are still apart and meet, part with", "m/s", exact};
   const Quantity leaves_apart{"bodies that are still apart and leave, part with", "m/s", exact};
   const std::vector<int> all{};
@@ -406,7 +413,7 @@ std::vector<CheckOfChapter> made() {
       {3, all, {"bodies that are still apart are neither pushed nor let in", 1, {meets_apart, leaves_apart}, apart}},
       {4, {12}, {"bodies that are less deep than the slop are left alone", 1, of_a_pair, shallow}},
       {4, {10, 12}, {"bodies that are deeper part with β (d − slop) / h", 1, of_a_pair, deep}},
-      {5, {9}, {"bodies part e times as fast as they met before this step's gravity", 1, of_a_fall, bounces_back}},
+      {5, {9}, {"bodies part e times as fast as they met before this step's gravity", 1, of_two_falls, bounces_back}},
       {5,
        all,
        {"who meets too slowly, or leaves, does not bounce",
@@ -430,6 +437,7 @@ std::vector<CheckOfChapter> made() {
        all,
        {"without a sweep, bodies get what the same point had one step before, to the scale of h", 1,
         of_what_is_remembered(), remembered}},
+      {7, all, {"of several points, each starts from its own impulse", 1, of_many_points(), each_point_starts}},
       {7, all, {"a guess that was too much is taken back", 1, of_a_pair, guess_taken_back}},
       {7, all, {"the guess changes no bounce", 1, of_a_pair, bounce_after_guess}},
       {7,

@@ -24,22 +24,27 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 
 }  // namespace
 
-/// slips NN edits.txt flat.h flat.cpp made.cpp
+/// slips NN edits.txt made.cpp, and the files of the loop
 int main(int argc, char** argv) {
   try {
-    if (argc != 6) throw std::runtime_error("slips NN edits.txt flat.h flat.cpp made.cpp");
-    const std::string number = argv[1], loop = text_of(argv[3]) + text_of(argv[4]);
-    std::ofstream made(argv[5]);
+    if (argc < 5) throw std::runtime_error("slips NN edits.txt made.cpp flat.h flat.cpp");
+    const std::string number = argv[1];
+    std::string loop;
+    for (int file = 4; file < argc; ++file) loop += text_of(argv[file]);
+    std::ofstream made(argv[3]);
     made << "#include \"pushback/tools/classroom/mine/slips_of_loops.h\"\n\n";
     std::string listed;
     int count = 0;
     for (auto& [name, hint, text] : pushback::edited_loops(text_of(argv[2]), loop)) {
       const std::string its = "slip_" + std::to_string(count++) + "_of_" + number;
       replace_all(text, "#pragma once\n", "");
-      const std::size_t own = text.find("/flat.h\"");
-      const std::size_t begin = text.rfind('\n', own) + 1;
-      text.erase(begin, text.find('\n', own) + 1 - begin);
+      if (const std::size_t own = text.find("/flat.h\""); own != std::string::npos) {
+        const std::size_t begin = text.rfind('\n', own) + 1;
+        text.erase(begin, text.find('\n', own) + 1 - begin);
+      }
       replace_all(text, "flat_" + number, its);
+      replace_all(text, "namespace pushback {", "namespace pushback::" + its + " {");  // as 00 has them
+      replace_all(text, "NaiveOnce", "FlatSolver");
       made << text << "\n";
       listed += "    {R\"(" + name + ")\", R\"(" + hint + ")\", whole_solver<" + its + "::FlatSolver>()},\n";
     }

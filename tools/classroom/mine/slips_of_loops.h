@@ -17,8 +17,11 @@ struct SlipOfLoop {
 /// Empty for a chapter that has no such file.
 const std::vector<SlipOfLoop>& slips_of_loop(int chapter);
 
+std::vector<SlipOfLoop> slips_of_loop_00();
 std::vector<SlipOfLoop> slips_of_loop_01();
 std::vector<SlipOfLoop> slips_of_loop_02();
+std::vector<SlipOfLoop> slips_of_loop_03();
+std::vector<SlipOfLoop> slips_of_loop_05();
 std::vector<SlipOfLoop> slips_of_loop_06();
 std::vector<SlipOfLoop> slips_of_loop_07();
 std::vector<SlipOfLoop> slips_of_loop_08();
