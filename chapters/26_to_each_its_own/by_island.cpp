@@ -211,8 +211,9 @@ void ByIsland::move_island(IslandWorld& island, const World& whole, Real dt, int
     const double took = solver.work() + of_look * calls_.contacts(island.lowest()) * memory.substeps;
     if (island.held) purse->succeed(price - took, savings.most * price);
     else purse->fail(took, savings.at_once);
-  } else if (!island.held) {
-    const int failures = island.joined_and_near() ? memory.failures : 0;
+  }
+  if (!island.held && (!purse || solver.too_large())) {  // too large: it stays so while the same bodies touch
+    const int failures = purse || island.joined_and_near() ? memory.failures : 0;
     memory = {.waits = waits_after_failing << failures, .failures = std::min(failures + 1, most_failures)};
   }
   if (island.held) memory.failures = 0;
