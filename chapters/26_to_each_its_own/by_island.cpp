@@ -173,7 +173,8 @@ void ByIsland::divide(World& world) {
   };
   for (const Contact& contact : found_) {
     const auto [a, b] = world.bodies_of(contact);
-    if (IslandWorld* island = island_of(a, b)) island->add(a.index), island->add(b.index);
+    if (IslandWorld* island = island_of(a, b))
+      if (!a.movable() || !b.movable()) island->add((a.movable() ? b : a).index);
   }
   for (const Joint& joint : world.joints)
     if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b)))
