@@ -125,8 +125,7 @@ void ByIsland::find_contacts(World& world, const Plan& plan, Real dt) {
 /// Contacts of pairs that are as near as the ways of both, and have none yet. Returns whether there are any.
 template <class Wanted>
 bool ByIsland::find_more(const World& world, const std::vector<Real>& ways, const Wanted& wanted) {
-  const Real farthest = ways.empty() ? 0 : *std::max_element(ways.begin(), ways.end());
-  if (farthest <= 0) return false;
+  if (std::none_of(ways.begin(), ways.end(), [](Real way) { return way > 0; })) return false;
   const std::size_t known = found_.size();
   const auto are_known = [&](std::size_t a, std::size_t b) {
     const Contact least{.id = {std::uint32_t(a), std::uint32_t(b), 0}};
@@ -134,7 +133,7 @@ bool ByIsland::find_more(const World& world, const std::vector<Real>& ways, cons
     return at != end && at->id.body_a == least.id.body_a && at->id.body_b == least.id.body_b;
   };
   const JoinedPairs not_to_touch(world.joints);
-  for (const auto& [first, second] : near_pairs(world.bodies, Margin{.least = 2 * farthest})) {
+  for (const auto& [first, second] : near_pairs(world.bodies, ways)) {
     const auto p = std::size_t(first), q = std::size_t(second);
     const Body &a = world.bodies[p], &b = world.bodies[q];
     if (wanted(p, q) && may_touch(a, b) && !not_to_touch.contain(first, second) && !are_known(p, q))
