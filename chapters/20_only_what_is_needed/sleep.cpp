@@ -1,7 +1,6 @@
 #include "pushback/chapters/20_only_what_is_needed/sleep.h"
 
 #include <algorithm>
-#include <map>
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/collision/collide.h"
@@ -149,6 +148,7 @@ void Sleep::find_contacts(World& world, const Margin& margin) {
 /// Finds the contacts. Returns whether somebody had to be woken: then they are not all there yet.
 bool Sleep::someone_touched(World& world, const Margin& margin) {
   if (!arranged_) arrange(world);
+  std::sort(awake_.begin(), awake_.end());  // those that have just woken are last
   simulated_ = awake_;
   insert_ascending(simulated_, driven_);
   std::vector<int> swept = simulated_;
@@ -200,7 +200,7 @@ void Sleep::wake_island(World& world, int island) {
     world.bodies[std::size_t(i)].asleep = false;
     rest(i) = {.reach = rest(i).reach};
   }
-  insert_ascending(awake_, woken.bodies);
+  awake_.insert(awake_.end(), woken.bodies.begin(), woken.bodies.end());
   woken_.insert(woken_.end(), woken.contacts.begin(), woken.contacts.end());
   woken = {};
   arranged_ = false;
@@ -278,33 +278,33 @@ void Sleep::end(World& world, Real dt) {
     if (rest(i).seconds < seconds) restless.push_back(island);
   }
   for (const int island : restless) islands.erase(island);
-  for (const auto& [island, bodies] : islands) put_to_sleep(world, bodies);
+  if (!islands.empty()) put_to_sleep(world, islands);
 }
 
-void Sleep::put_to_sleep(World& world, const std::vector<int>& bodies) {
-  const auto empty = std::find_if(islands_.begin(), islands_.end(), [](const Island& i) { return i.bodies.empty(); });
-  const int island = int(empty - islands_.begin());
-  if (empty == islands_.end()) islands_.emplace_back();
-  for (const int i : bodies) {
-    Body& body = world.bodies[std::size_t(i)];
-    body.velocity.setZero();
-    body.angular_velocity.setZero();
-    body.asleep = true;
-    rest(i).island = island;
-    rest(i).position = body.position, rest(i).orientation = body.orientation;
+/// All at once. With a pass over bodies and contacts for each island, n islands that fall asleep in one step would take n^2 time.
+void Sleep::put_to_sleep(World& world, const std::map<int, std::vector<int>>& islands) {
+  std::size_t place = 0;
+  for (const auto& [lowest, bodies] : islands) {
+    while (place < islands_.size() && !islands_[place].bodies.empty()) ++place;
+    if (place == islands_.size()) islands_.emplace_back();
+    islands_[place].bodies = bodies;
+    for (const int i : bodies) {
+      Body& body = world.bodies[std::size_t(i)];
+      body.velocity.setZero();
+      body.angular_velocity.setZero();
+      body.asleep = true;
+      rest(i).island = int(place);
+      rest(i).position = body.position, rest(i).orientation = body.orientation;
+    }
   }
-  Island& sleeping = islands_[std::size_t(island)];
-  sleeping.bodies = bodies;
-  for (const Contact& contact : world.contacts) {
-    const auto [a, b] = world.bodies_of(contact);
-    if (!a.asleep && !b.asleep) continue;
-    if (rest((a.asleep ? a : b).index).island != island) continue;
-    sleeping.contacts.push_back(contact);
-    sleeping.contacts.back().impulse = contact.last_impulse;  // what they start from when they wake
+  for (const Contact& contact : world.contacts) {  // a body that slept before touches nothing: else it would be awake
+    const int island = std::max(rest(int(contact.id.body_a)).island, rest(int(contact.id.body_b)).island);
+    if (island < 0) continue;
+    Contacts& contacts = islands_[std::size_t(island)].contacts;
+    contacts.push_back(contact);
+    contacts.back().impulse = contact.last_impulse;  // what they start from when they wake
   }
-  std::vector<int> still_awake;
-  std::set_difference(awake_.begin(), awake_.end(), bodies.begin(), bodies.end(), std::back_inserter(still_awake));
-  awake_ = std::move(still_awake);
+  std::erase_if(awake_, [this](int i) { return rest(i).island >= 0; });
   arranged_ = false;
 }
 

@@ -1,6 +1,7 @@
 /// Bodies that rest are not simulated.
 #pragma once
 
+#include <map>
 #include <optional>
 
 #include "pushback/chapters/20_only_what_is_needed/islands.h"
@@ -68,7 +69,7 @@ class Sleep {
   void feel_joints(World& world);
   bool someone_touched(World& world, const Margin& margin);
   void wake_island(World& world, int island);
-  void put_to_sleep(World& world, const std::vector<int>& bodies);
+  void put_to_sleep(World& world, const std::map<int, std::vector<int>>& islands);
   void arrange(const World& world);
   Rest& rest(int body) { return rest_[std::size_t(body)]; }
 

@@ -7,17 +7,21 @@
 
 namespace pushback {
 
-void BodyMatrix::begin(int bodies, const Pairs& pairs) {
-  if (columns_.size() != static_cast<std::size_t>(bodies) || pairs != pairs_) analyse(bodies, pairs);
+bool BodyMatrix::begin(int bodies, const Pairs& pairs, double most) {
+  const bool known = order_.size() == static_cast<std::size_t>(bodies) && pairs == pairs_;
+  if (!known || (!whole_ && of_factor_ <= most)) analyse(bodies, pairs, most);
+  if (of_factor_ > most) return false;
   for (Column& column : columns_) column.diagonal.setIdentity();
   for (Entry& entry : entries_) {
     entry.lower.setZero();
     entry.upper.setZero();
   }
+  return true;
 }
 
-void BodyMatrix::analyse(int bodies, const Pairs& pairs) {
+void BodyMatrix::analyse(int bodies, const Pairs& pairs, double most) {
   pairs_ = pairs;
+  whole_ = false;
   std::vector<Eigen::Triplet<double>> pattern;
   for (int body = 0; body < bodies; ++body) pattern.emplace_back(body, body, 1);
   for (const auto& [one, other] : pairs) {
@@ -37,14 +41,19 @@ void BodyMatrix::analyse(int bodies, const Pairs& pairs) {
   for (const auto& [one, other] : pairs)
     if (earlier(one, other)) later[static_cast<std::size_t>(one)].push_back(other);
     else later[static_cast<std::size_t>(other)].push_back(one);
+  of_factor_ = 0;
   for (const int body : order_) {
     auto& own = later[static_cast<std::size_t>(body)];
     std::sort(own.begin(), own.end(), [this](int one, int other) { return earlier(one, other); });
     own.erase(std::unique(own.begin(), own.end()), own.end());
+    const auto blocks = static_cast<double>(own.size());
+    of_factor_ += 216 * (1 + 2 * blocks + blocks * (blocks - 1));
+    if (of_factor_ > most) return;  // before any block exists: blocks take far more time and memory
     if (own.empty()) continue;
     auto& next = later[static_cast<std::size_t>(own.front())];
     next.insert(next.end(), own.begin() + 1, own.end());
   }
+  whole_ = true;
   columns_.resize(order_.size());
   entries_.clear();
   for (std::size_t body = 0; body < later.size(); ++body) {
@@ -64,8 +73,9 @@ void BodyMatrix::analyse(int bodies, const Pairs& pairs) {
 BodyMatrix::Entry& BodyMatrix::entry_of(int one, int other) {
   if (!earlier(one, other)) std::swap(one, other);
   const Column& column = column_of(one);
-  return *std::find_if(entries_.begin() + std::ptrdiff_t(column.begin), entries_.begin() + std::ptrdiff_t(column.end),
-                       [other](const Entry& entry) { return entry.later == other; });
+  return *std::lower_bound(entries_.begin() + std::ptrdiff_t(column.begin),
+                           entries_.begin() + std::ptrdiff_t(column.end), other,
+                           [this](const Entry& entry, int body) { return earlier(entry.later, body); });
 }
 
 void BodyMatrix::add(int row, int column, const Block& block) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -16,8 +17,9 @@ class BodyMatrix {
   using Six = Eigen::Matrix<double, 6, 1>;
   using Pairs = std::vector<std::pair<int, int>>;
 
-  /// A = 1. `pairs`: the places of those that share a block, each below `bodies`, the lower one first.
-  void begin(int bodies, const Pairs& pairs);
+  /// A = 1. `pairs`: the places of those that share a block, each below `bodies`, the lower one first. False if `factor` would take
+  /// more than `most` multiplications. Then there is no matrix. Finding that out takes far fewer.
+  bool begin(int bodies, const Pairs& pairs, double most = std::numeric_limits<double>::infinity());
   /// To the block in the row of one body and the column of another: itself, or one of its pairs.
   void add(int row, int column, const Block& block);
   /// There are no pivots between bodies. False where a block on the diagonal is singular.
@@ -25,9 +27,7 @@ class BodyMatrix {
   /// A x = b, after `factor`. x is b at first.
   void solve(std::vector<Six>& x) const;
   /// Multiplications of `factor`, and of `solve`, after `begin`.
-  double of_factor() const {
-    return 216 * static_cast<double>(columns_.size() + 2 * entries_.size() + 2 * updates_.size());
-  }
+  double of_factor() const { return of_factor_; }
   double of_solve() const { return 36 * static_cast<double>(columns_.size() + 2 * entries_.size()); }
 
  private:
@@ -40,7 +40,7 @@ class BodyMatrix {
     std::size_t updates;     // in updates_: of each pair of its entries, the entry that its elimination changes
     Block diagonal;          // after `factor` its inverse
   };
-  void analyse(int bodies, const Pairs& pairs);
+  void analyse(int bodies, const Pairs& pairs, double most);
   bool earlier(int one, int other) const {
     return position_[static_cast<std::size_t>(one)] < position_[static_cast<std::size_t>(other)];
   }
@@ -54,6 +54,8 @@ class BodyMatrix {
   std::vector<Column> columns_;
   std::vector<Entry> entries_;
   std::vector<std::size_t> updates_;
+  double of_factor_ = 0;  // if not `whole_`, as many as were counted
+  bool whole_ = false;    // else counting stopped, as there are too many
 };
 
 }  // namespace pushback

@@ -59,6 +59,8 @@ class HalfStep : public StepSolver {
   int halvings() const { return halvings_; }
   /// In the latest step: of Newton's method, all together. None where what contacts bore before is what they bear.
   int rounds() const { return rounds_ + contacts_.factored(); }
+  /// Whether the latest step was refused because a single matrix of its contacts would take more than `most_work`.
+  bool too_large() const { return contacts_.too_large(); }
   /// In the latest step: multiplications, roughly, of all systems and sweeps. A step that was refused has them, too.
   double work() const { return (most_work - together_.work) + (most_work - contacts_.work_left()); }
 

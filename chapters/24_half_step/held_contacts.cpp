@@ -69,10 +69,11 @@ void HeldContacts::look(const World& world) {
 }
 
 void HeldContacts::begin(const World& world) {
-  newton_.work = most_work;
+  newton_.work = newton_.largest = most_work;
   newton_.near = 1e-3;
   newton_.forget();
   newton_.factored = 0;
+  newton_.too_large = false;
   known_.clear();
   sums_.clear();
   auto old = world.contacts_before.begin();  // both lists ascend: walk them side by side

@@ -78,6 +78,8 @@ class HeldContacts {
 
   /// Matrices that were factored since `begin`. None where the guess was the solution.
   int factored() const { return newton_.factored; }
+  /// Whether the first matrix since `begin` would have taken more than most_work, so that it was not made.
+  bool too_large() const { return newton_.too_large && newton_.factored == 0; }
   /// Of most_work.
   double work_left() const { return newton_.work; }
   int rows() const { return 3 * static_cast<int>(taking_.size()); }

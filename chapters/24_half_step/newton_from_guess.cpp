@@ -137,9 +137,10 @@ bool NewtonFromGuess::has_matrix() const {
 }
 
 bool NewtonFromGuess::factor(double pull) {
-  ++factored;
-  matrix_.begin(bodies_, pairs_);
   kept_.clear();
+  too_large = !matrix_.begin(bodies_, pairs_, largest);
+  if (too_large) return false;
+  ++factored;
   work -= of_assembly * static_cast<double>(groups_.size()) + matrix_.of_factor();
   for (Group& group : groups_) {
     const double k = group.w.trace() / group.count;

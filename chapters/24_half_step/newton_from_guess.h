@@ -45,6 +45,8 @@ class NewtonFromGuess {
   double near = 0;   ///< m/s: where no row is wrong by more, it needs little pull, and little is faster
   /// Multiplications, roughly, that are left to it. Once they are spent, it stops where it is.
   double work = std::numeric_limits<double>::infinity();
+  double largest = std::numeric_limits<double>::infinity();  ///< multiplications that a single matrix may take
+  bool too_large = false;                                    ///< whether the latest one would have taken more
 
  private:
   using Three = Eigen::Vector3d;

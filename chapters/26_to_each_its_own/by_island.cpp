@@ -123,8 +123,7 @@ void ByIsland::find_contacts(World& world, const Plan& plan, Real dt) {
 /// Contacts of pairs that are as near as the ways of both, and have none yet. Returns whether there are any.
 template <class Wanted>
 bool ByIsland::find_more(const World& world, const std::vector<Real>& ways, const Wanted& wanted) {
-  const Real farthest = ways.empty() ? 0 : *std::max_element(ways.begin(), ways.end());
-  if (farthest <= 0) return false;
+  if (std::none_of(ways.begin(), ways.end(), [](Real way) { return way > 0; })) return false;
   const std::size_t known = found_.size();
   const auto are_known = [&](std::size_t a, std::size_t b) {
     const Contact least{.id = {std::uint32_t(a), std::uint32_t(b), 0}};
@@ -132,7 +131,7 @@ bool ByIsland::find_more(const World& world, const std::vector<Real>& ways, cons
     return at != end && at->id.body_a == least.id.body_a && at->id.body_b == least.id.body_b;
   };
   const JoinedPairs not_to_touch(world.joints);
-  for (const auto& [first, second] : near_pairs(world.bodies, Margin{.least = 2 * farthest})) {
+  for (const auto& [first, second] : near_pairs(world.bodies, ways)) {
     const auto p = std::size_t(first), q = std::size_t(second);
     const Body &a = world.bodies[p], &b = world.bodies[q];
     if (wanted(p, q) && may_touch(a, b) && !not_to_touch.contain(first, second) && !are_known(p, q))
@@ -171,7 +170,8 @@ void ByIsland::divide(World& world) {
   };
   for (const Contact& contact : found_) {
     const auto [a, b] = world.bodies_of(contact);
-    if (IslandWorld* island = island_of(a, b)) island->add(a.index), island->add(b.index);
+    if (IslandWorld* island = island_of(a, b))
+      if (!a.movable() || !b.movable()) island->add((a.movable() ? b : a).index);
   }
   for (const Joint& joint : world.joints)
     if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b)))
@@ -209,8 +209,9 @@ void ByIsland::move_island(IslandWorld& island, const World& whole, Real dt, int
     const double took = solver.work() + of_look * calls_.contacts(island.lowest()) * memory.substeps;
     if (island.held) purse->succeed(price - took, savings.most * price);
     else purse->fail(took, savings.at_once);
-  } else if (!island.held) {
-    const int failures = island.joined_and_near() ? memory.failures : 0;
+  }
+  if (!island.held && (!purse || solver.too_large())) {  // too large: it stays so while the same bodies touch
+    const int failures = purse || island.joined_and_near() ? memory.failures : 0;
     memory = {.waits = waits_after_failing << failures, .failures = std::min(failures + 1, most_failures)};
   }
   if (island.held) memory.failures = 0;

@@ -46,10 +46,11 @@ class IslandWorld {
     world.last_impulses_known = false;
   }
   /// A body, as often as one likes; all of them before what follows.
-  void add(int body) {
-    if (std::find(bodies_.begin(), bodies_.end(), body) == bodies_.end()) bodies_.push_back(body);
+  void add(int body) { bodies_.push_back(body); }
+  void sort() {
+    std::sort(bodies_.begin(), bodies_.end());
+    bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
   }
-  void sort() { std::sort(bodies_.begin(), bodies_.end()); }
   /// A contact of the step before, if both bodies are here.
   void add(const Contact& contact) {
     const int a = here(static_cast<int>(contact.id.body_a)), b = here(static_cast<int>(contact.id.body_b));

@@ -68,14 +68,25 @@ Real sunken(const World& world, const Among& among) {
     all.push_back({below, above, std::abs(upwards), contact.depth});
     load[above] += std::abs(upwards);
   }
-  std::vector<Real> sunk(world.bodies.size()), now(world.bodies.size());
+  // From the bottom up: then one or two rounds are enough for a pile of any height.
+  const auto lower = [&world](const Carries& p, const Carries& q) {
+    const auto fallen = [&world](std::size_t body) { return world.bodies[body].position.dot(world.gravity); };
+    const Real one = fallen(p.above), other = fallen(q.above);
+    return one != other ? one > other : p.above < q.above;
+  };
+  std::stable_sort(all.begin(), all.end(), lower);
+  std::vector<Real> sunk(world.bodies.size());
   bool changed = true;
   for (std::size_t round = 0; changed && round < world.bodies.size(); ++round) {
-    std::fill(now.begin(), now.end(), Real(0));
-    for (const Carries& one : all) now[one.above] += one.impulse / load[one.above] * (sunk[one.below] + one.depth);
-    changed = !std::equal(now.begin(), now.end(), sunk.begin(),
-                          [](Real one, Real other) { return std::abs(one - other) <= one / 1000; });
-    sunk.swap(now);
+    changed = false;
+    for (auto one = all.begin(); one != all.end();) {
+      const std::size_t above = one->above;
+      Real now = 0;
+      for (; one != all.end() && one->above == above; ++one)
+        now += one->impulse / load[above] * (sunk[one->below] + one->depth);
+      changed |= std::abs(now - sunk[above]) > now / 1000;
+      sunk[above] = now;
+    }
   }
   Real deepest = 0;
   for (const Body& body : world.bodies)

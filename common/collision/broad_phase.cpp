@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 namespace pushback {
 
@@ -56,14 +57,35 @@ struct Entry {
   bool movable;
 };
 
-/// The world axis along which the middles of the bounds are spread most.
-int widest_axis(const std::vector<Entry>& entries) {
-  Vec3 mean = Vec3::Zero(), variance = Vec3::Zero();
-  for (const Entry& entry : entries) mean += (entry.bounds.low + entry.bounds.high) / Real(2 * entries.size());
-  for (const Entry& entry : entries) variance += ((entry.bounds.low + entry.bounds.high) / 2 - mean).cwiseAbs2();
-  if (variance.x() >= variance.y() && variance.x() >= variance.z()) return 0;
-  return variance.y() >= variance.z() ? 1 : 2;
-}
+/// The range and the mean size of the bounds along each axis, without the few that are farthest out or largest: one of these would
+/// otherwise make the columns of all others wide.
+struct Spread {
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero(), size = Vec3::Zero();
+
+  explicit Spread(const std::vector<Entry>& entries) {
+    if (entries.empty()) return;
+    const std::size_t count = entries.size(), far = std::min(std::size_t(std::sqrt(Real(count))), (count - 1) / 2),
+                      large = std::min<std::size_t>(far, 16);
+    std::vector<Real> values(count);
+    const auto lowest_but = [&](std::size_t few, const auto& value) {
+      std::transform(entries.begin(), entries.end(), values.begin(), value);
+      std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(few), values.end());
+      return values[few];
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = lowest_but(far, [axis](const Entry& entry) { return entry.bounds.low[axis]; });
+      high[axis] = -lowest_but(far, [axis](const Entry& entry) { return -entry.bounds.high[axis]; });
+      lowest_but(count - 1 - large,
+                 [axis](const Entry& entry) { return entry.bounds.high[axis] - entry.bounds.low[axis]; });
+      size[axis] = std::accumulate(values.begin(), values.end() - std::ptrdiff_t(large), Real(0)) / Real(count - large);
+    }
+  }
+  int widest_axis() const {
+    int axis = 0;
+    (high - low).maxCoeff(&axis);
+    return axis;
+  }
+};
 
 /// Whether the lowest corner of the bounds, as seen along the plane's normal, is not above the plane.
 bool reaches_into(const Bounds& bounds, const Vec3& normal, const Vec3& point_on_plane) {
@@ -92,13 +114,8 @@ class Columns {
     std::array<int, 2> first, last;
   };
 
-  Columns(const std::vector<Entry>& entries, int u, int v) : across_{u, v} {
-    Vec3 low = Vec3::Constant(std::numeric_limits<Real>::max()), high = -low, size = Vec3::Zero();
-    for (const Entry& entry : entries) {
-      low = low.cwiseMin(entry.bounds.low);
-      high = high.cwiseMax(entry.bounds.high);
-      size += (entry.bounds.high - entry.bounds.low) / Real(entries.size());
-    }
+  Columns(const std::vector<Entry>& entries, const Spread& spread, int u, int v) : across_{u, v} {
+    const auto& [low, high, size] = spread;
     const Real most = std::sqrt(Real(entries.size()));
     for (std::size_t i = 0; i < 2; ++i) {
       const int axis = across_[i];
@@ -129,10 +146,10 @@ class Columns {
 
  private:
   std::size_t column_at(int u, int v) const { return std::size_t(u) * std::size_t(count_[1]) + std::size_t(v); }
-  /// It ascends with the coordinate: two bounds that overlap have a column in common.
+  /// It ascends with the coordinate: two bounds that overlap have a column in common. What is farther out belongs to the outermost one.
   int along(std::size_t i, Real coordinate) const {
     if (count_[i] == 1) return 0;
-    return std::clamp(int((coordinate - origin_[i]) * per_length_[i]), 0, count_[i] - 1);
+    return int(std::clamp((coordinate - origin_[i]) * per_length_[i], Real(0), Real(count_[i] - 1)));
   }
   Span span_of(const Bounds& bounds) const {
     const auto [u, v] = across_;
@@ -155,13 +172,15 @@ class Columns {
   std::vector<int> places_;
 };
 
-/// The near pairs of these, each known by its place among them.
+/// The near pairs of these, each known by its place among them; `ways` replaces the margin if it is not empty.
 // Sort and sweep: in the order of their low ends along one axis, each body can only meet those that begin before it
 // ends.
 //   D. Baraff, Dynamic simulation of non-penetrating rigid bodies, PhD thesis, Cornell, 1992.
-std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const Margin& margin, Workers& workers) {
+std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const Margin& margin,
+                                  std::span<const Real> ways, Workers& workers) {
   constexpr std::size_t least = 128;  // bodies
   constexpr std::size_t least_columns = 16;
+  const auto margin_of = [&](int index) { return ways.empty() ? margin : Margin{.least = ways[std::size_t(index)]}; };
   std::vector<Entry> entries;
   entries.reserve(bodies.size());
   std::vector<int> half_spaces;
@@ -172,14 +191,15 @@ std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const 
   }
   workers.each(entries.size(), least, [&](Part part) {
     for (std::size_t i = part.begin; i < part.end; ++i)
-      entries[i].bounds = bounds_of(*bodies[std::size_t(entries[i].index)], margin);
+      entries[i].bounds = bounds_of(*bodies[std::size_t(entries[i].index)], margin_of(entries[i].index));
   });
 
   std::vector<BodyPair> pairs;
   for (const int half_space : half_spaces) {  // not swept: every body begins before a half-space ends
     const Body& plane = *bodies[std::size_t(half_space)];
     const Vec3 normal = plane.orientation * std::get<HalfSpace>(plane.shape).normal;
-    const Real nearer = margin.ahead * std::max(Real(0), plane.velocity.dot(normal));
+    const Real nearer =
+        ways.empty() ? margin.ahead * std::max(Real(0), plane.velocity.dot(normal)) : ways[std::size_t(half_space)];
     const Vec3 highest = plane.position + (nearer + plane.skin) * normal;
     for (const Entry& entry : entries) {
       if (entry.movable && reaches_into(entry.bounds, normal, highest)) {
@@ -188,11 +208,12 @@ std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const 
     }
   }
 
-  const int axis = widest_axis(entries), u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const Spread spread(entries);
+  const int axis = spread.widest_axis(), u = (axis + 1) % 3, v = (axis + 2) % 3;
   std::sort(entries.begin(), entries.end(), [axis](const Entry& p, const Entry& q) {
     return p.bounds.low[axis] != q.bounds.low[axis] ? p.bounds.low[axis] < q.bounds.low[axis] : p.index < q.index;
   });
-  const Columns columns(entries, u, v);
+  const Columns columns(entries, spread, u, v);
   std::vector<std::vector<BodyPair>> of_others(workers.parts(columns.count(), least_columns) - 1);
   workers.each(columns.count(), least_columns, [&](Part part) {
     std::vector<BodyPair>& into = part.index == 0 ? pairs : of_others[part.index - 1];
@@ -225,13 +246,22 @@ std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const 
   return in_order(pairs, bodies.size());
 }
 
-}  // namespace
-
-std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const Margin& margin, Workers& workers) {
+std::vector<const Body*> all_of(const std::vector<Body>& bodies) {
   std::vector<const Body*> all;
   all.reserve(bodies.size());
   for (const Body& body : bodies) all.push_back(&body);
-  return near_places(all, margin, workers);
+  return all;
+}
+
+}  // namespace
+
+std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const Margin& margin, Workers& workers) {
+  return near_places(all_of(bodies), margin, {}, workers);
+}
+
+std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const std::vector<Real>& ways) {
+  assert(ways.size() == bodies.size());
+  return near_places(all_of(bodies), {}, ways, alone());
 }
 
 std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<const int> which, const Margin& margin) {
@@ -239,7 +269,7 @@ std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<cons
   std::vector<const Body*> these;
   these.reserve(which.size());
   for (const int index : which) these.push_back(&bodies[std::size_t(index)]);
-  std::vector<BodyPair> pairs = near_places(these, margin, alone());
+  std::vector<BodyPair> pairs = near_places(these, margin, {}, alone());
   for (BodyPair& pair : pairs) pair = {which[std::size_t(pair.first)], which[std::size_t(pair.second)]};
   return pairs;  // in order still: indices ascend as places do
 }

@@ -26,6 +26,8 @@ using BodyPair = std::pair<int, int>;  ///< indices, first < second
 /// Every pair whose bounds overlap and of which at least one body can move; empty places are in none. In ascending order of (first, second).
 std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const Margin& margin = {},
                                  Workers& workers = alone());
+/// The same if each body may move by up to its way, m, in any direction. Bodies that go far cost only the pairs that they may meet.
+std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const std::vector<Real>& ways);
 /// Those among the bodies with the indices `which`: ascending, none twice. How many others there are costs no time.
 std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<const int> which,
                                  const Margin& margin = {});

@@ -64,6 +64,38 @@ TEST_CASE("half step: a matrix between bodies is solved as a dense one is") {
   }
 }
 
+TEST_CASE("half step: a matrix whose factors would take too many multiplications is refused before it is made") {
+  BodyMatrix::Pairs pairs;  // a cube of 6 x 6 x 6
+  const auto at = [](int x, int y, int z) { return 36 * x + 6 * y + z; };
+  for (int x = 0; x < 6; ++x)
+    for (int y = 0; y < 6; ++y)
+      for (int z = 0; z < 6; ++z) {
+        if (z < 5) pairs.emplace_back(at(x, y, z), at(x, y, z + 1));
+        if (y < 5) pairs.emplace_back(at(x, y, z), at(x, y + 1, z));
+        if (x < 5) pairs.emplace_back(at(x, y, z), at(x + 1, y, z));
+      }
+  BodyMatrix matrix;
+  REQUIRE(matrix.begin(216, pairs));
+  const double all = matrix.of_factor();
+  CHECK(all > 216 * (216 + 2 * static_cast<double>(pairs.size())));  // factors have more blocks than the matrix
+  BodyMatrix bounded;
+  for (const double part : {0.5, 0.01, 0.99}) {
+    CHECK_FALSE(bounded.begin(216, pairs, part * all));
+    CHECK(bounded.of_factor() > part * all);
+    CHECK(bounded.of_factor() <= all);
+  }
+  for (const double most : {all, 2 * all, all / 2}) {
+    REQUIRE(bounded.begin(216, pairs, most) == (most >= all));
+    CHECK(bounded.of_factor() == all);
+  }
+  REQUIRE(bounded.begin(216, pairs, all));
+  for (int i = 0; i < 216; ++i) bounded.add(i, i, BodyMatrix::Block::Identity());
+  REQUIRE(bounded.factor());
+  std::vector<BodyMatrix::Six> x(216, BodyMatrix::Six::Ones());
+  bounded.solve(x);
+  for (const BodyMatrix::Six& of_body : x) CHECK(of_body == BodyMatrix::Six::Constant(0.5));
+}
+
 TEST_CASE("half step: contacts that stick, slide and part are all found, from nothing") {
   World world;
   world.add(ground());

@@ -170,3 +170,27 @@ TEST_CASE("by island: what half steps take of a heap that falls and comes to res
   CHECK(held > 0);
   CHECK(overrun < 1.1);  // what had been begun
 }
+
+TEST_CASE("by island: the first step of touching balls stays within its bound, however many there are") {
+  for (const int across : {4, 8, 12}) {
+    CAPTURE(across);
+    World world;
+    world.add(ground());
+    for (int i = 0; i < across * across * across; ++i)
+      world.add(sphere(Real(0.5), 1)
+                    .at({static_cast<Real>(i % across), static_cast<Real>(i / across / across) + Real(0.5),
+                         static_cast<Real>(i / across % across)}));
+    Watched solver;
+    world.step(solver, h);
+    REQUIRE(solver.tries.size() == 1);
+    const Watched::Try first = solver.tries.front();
+    CHECK(first.held == (across == 4));
+    CHECK(first.took < 2 * first.allowed);  // the last matrix may exceed the bound, but is not larger than it
+    if (across < 12) continue;
+    CHECK(first.took < 2 * first.price);  // a single matrix is too large, and is not made
+    for (int i = 0; i < 9; ++i) {         // nor tried again soon
+      world.step(solver, h);
+      CHECK(solver.tries.empty());
+    }
+  }
+}

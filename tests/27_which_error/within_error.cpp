@@ -309,6 +309,24 @@ TEST_CASE("within an error: a stack on springs has sunk by the sum of its depths
   CHECK(sunken(world, all) == 0);
 }
 
+TEST_CASE("within an error: the top of a pile has sunk by the sum of all depths, however high the pile is") {
+  constexpr int boxes = 3000;
+  constexpr Real depth = Real(1e-5);  // m: of each contact
+  World world;
+  stack(world, boxes);
+  std::reverse(world.bodies.begin() + 1, world.bodies.end());  // from the top down: the order of bodies does not matter
+  for (std::size_t i = 1; i < world.bodies.size(); ++i) {
+    world.bodies[i].index = static_cast<int>(i);
+    const bool lowest = i + 1 == world.bodies.size();
+    Contact& contact = world.contacts.emplace_back();
+    contact.id = {std::uint32_t(lowest ? 0 : i), std::uint32_t(lowest ? i : i + 1), 0};
+    contact.normal = lowest ? Vec3::UnitY() : Vec3(-Vec3::UnitY());
+    contact.impulse = static_cast<Real>(i) * contact.normal;
+    contact.depth = depth;
+  }
+  CHECK(sunken(world, [](int) { return true; }) == Approx(boxes * depth).epsilon(1e-3));
+}
+
 TEST_CASE("within an error: a pyramid that settles on springs stays within it, and by what it has sunk is known") {
   World world;
   pyramid(world, 12);

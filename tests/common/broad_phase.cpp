@@ -148,6 +148,35 @@ TEST_CASE("whatever their sizes, and however far some are away, the pairs are th
   }
 }
 
+TEST_CASE("bodies that may move are near if their ways reach, and one that goes far adds no pairs of others") {
+  Random random(10);
+  for (const int count : {1, 10, 200}) {
+    World world = random_world(count, 4, random);
+    std::vector<Real> ways;
+    for (int i = 0; i < count; ++i) ways.push_back(i % 3 == 0 ? 0 : random.between(0, Real(0.5)));
+    std::vector<Body> grown = world.bodies;  // by a skin
+    for (std::size_t i = 0; i < grown.size(); ++i) {
+      Body& body = grown[i];
+      if (is_half_space(body)) body.position += ways[i] * (body.orientation * std::get<HalfSpace>(body.shape).normal);
+      else body.skin += ways[i];
+    }
+    REQUIRE(near_pairs(world.bodies, ways) == every_near_pair(grown));
+    if (count < 10) continue;
+    std::fill(ways.begin(), ways.end(), Real(0));
+    const std::vector<BodyPair> before = near_pairs(world.bodies);
+    REQUIRE(near_pairs(world.bodies, ways) == before);
+    constexpr int goes_far = 1;
+    ways[goes_far] = 50;
+    std::vector<BodyPair> now = near_pairs(world.bodies, ways);
+    REQUIRE(std::erase_if(now, [](const BodyPair& pair) {
+              return pair.first == goes_far || pair.second == goes_far;
+            }) == world.bodies.size() - 1);
+    std::vector<BodyPair> others = before;
+    std::erase_if(others, [](const BodyPair& pair) { return pair.first == goes_far || pair.second == goes_far; });
+    REQUIRE(now == others);
+  }
+}
+
 TEST_CASE("no pair that touches is missed") {
   Random random(7);
   for (int scene = 0; scene < 10; ++scene) {
