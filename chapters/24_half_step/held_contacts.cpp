@@ -52,7 +52,7 @@ bool HeldContacts::holds(const ContactId& id) const {
 
 void HeldContacts::add_borne(const World& world, std::vector<Vec3>& accelerations) const {
   for (const Known& known : known_) {
-    if (known.borne.isZero(0)) continue;
+    if (known.borne.isZero(0) || !holds(known.id)) continue;
     accelerations[known.id.body_a] -= world.bodies[known.id.body_a].inverse_mass * known.borne;
     accelerations[known.id.body_b] += world.bodies[known.id.body_b].inverse_mass * known.borne;
   }
@@ -107,7 +107,12 @@ void HeldContacts::detected(const World& world) {
   auto old = known_before_.begin();
   for (const Contact& contact : world.contacts) {
     while (old != known_before_.end() && old->id < contact.id) ++old;
-    known_.push_back(old != known_before_.end() && old->id == contact.id ? *old : Known{.id = contact.id});
+    if (old != known_before_.end() && old->id == contact.id) {
+      known_.push_back(*old);
+      continue;
+    }
+    known_.push_back({.id = contact.id});  // it was not known when the step began: so fast it has come
+    known_.back().approach = separating_speed(world, contact);
   }
 }
 
@@ -297,7 +302,8 @@ void HeldContacts::begin_pressing(World& world, Real h) {
     const Real depth = world.contacts[i].depth, gap = std::abs(depth) > level ? -depth : 0;
     const Real slip = known_[i].slip.norm();
     const bool slides = slip > creeps && world.contacts[i].friction > 0;
-    const Real bias = gap < 0 ? -std::min({-gap / h, -10 * gap, fastest}) : gap / h;
+    const Real bias = (gap < 0 ? -std::min({-gap / h, -10 * gap, fastest}) : gap / h) - known_[i].bends / h;
+    known_[i].bends = 0;
     const Vec3& n = world.contacts[i].normal;
     const Vec3 sideways = slides ? Vec3(known_[i].slip / slip) : Vec3::Zero();
     taking_.push_back({i, bias, Vec3::Zero(), Vec3::Zero(), sideways});

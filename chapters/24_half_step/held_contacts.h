@@ -40,6 +40,7 @@ class HeldContacts {
   bool from_afar = true;       ///< where Newton's method does not get there from the guess; else it is refused
   /// Of these pairs alone, ascending, contacts are held; without, of all.
   std::optional<std::vector<BodyPair>> only;
+  bool holds(const ContactId& id) const;
 
   /// World::contacts are those where the bodies are. What each bore in the latest step comes from World::contacts_before.
   void begin(const World& world);
@@ -49,12 +50,16 @@ class HeldContacts {
   void press(World& world, Real h);
   /// World::contacts are those where the bodies are now.
   void detected(const World& world);
+  /// The drift after the next `press` turns this contact of World::contacts further in than J says, by so many m more than was known:
+  /// it is to end as much higher.
+  void bends(std::size_t contact, Real depth) { known_[contact].bends += depth; }
   /// The second.
   void project(World& world, Real h);
   /// What has acted at a contact of World::contacts between two steps: N s along its normal, its first and its second tangent. `look`
   /// once all of it has.
   void add(const World& world, std::size_t contact, const Vec3& impulses);
-  /// Adds to the acceleration of each body, m/s^2, what it has from its contacts if they bear what they bore in the stage before.
+  /// Adds to the acceleration of each body, m/s^2, what it has from contacts that are held, if they bear what they bore in the stage
+  /// before.
   void add_borne(const World& world, std::vector<Vec3>& accelerations) const;
 
   // ---- together with joints: each stage in two parts, between which somebody else solves --------------------------
@@ -94,6 +99,7 @@ class HeldContacts {
     Real approach = 0;             // J v as the step began, m/s
     Vec3 slip = Vec3::Zero();      // u_t then, m/s
     bool pressed = false;          // in the first stage
+    Real bends = 0;                // m: by how much the next drift turns it further in than J says
     std::size_t sum = none;        // its place in sums_
   };
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -106,7 +112,6 @@ class HeldContacts {
 
     bool sliding() const { return !slides.isZero(0); }
   };
-  bool holds(const ContactId& id) const;
   static Vec3 speed_of(const World& world, const Taking& taking);
   void add_up(const World& world, std::size_t contact, const Vec3& impulse);
   void give_guess(World& world, Real h);

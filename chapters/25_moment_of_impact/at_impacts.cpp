@@ -14,6 +14,9 @@ namespace {
 
 constexpr Real touches = HeldContacts::touches;
 constexpr Real stands = std::numeric_limits<Real>::digits > 24 ? Real(1e-6) : Real(1e-3);  // m/s: slower is no impact
+constexpr int most_tries = 50;  // to end a part of a step where something touches
+constexpr int most_bends = 3;   // of these, the first: with what the drift has turned in
+constexpr Real brief = Real(1e-7);  // s
 constexpr double of_look = 500;   // multiplications for each pair of corners: some ten rounds of first_touch
 constexpr int most_pairs = 1000;  // solved in sequence, before all are at the same time
 
@@ -216,13 +219,42 @@ std::optional<Real> AtImpacts::next_touch(const World& world, const std::vector<
   return first;
 }
 
+/// Of the held contacts after a drift: those that it has let in further than `sinks`, or further than their pair was before; by how much.
+/// `begun`: World::contacts before.
+std::vector<AtImpacts::Sunk> AtImpacts::sunk_since(const World& world, const Contacts& begun) const {
+  std::vector<Sunk> sunk;
+  auto old = begun.begin();  // both lists ascend: walk them side by side
+  for (const Contact& at : world.contacts) {
+    if (at.depth <= sinks || !contacts_.holds(at.id)) continue;
+    while (old != begun.end() && pair_of(*old) < pair_of(at)) ++old;
+    Real depth = 0;  // of the pair before
+    auto same = begun.end();
+    for (auto i = old; i != begun.end() && pair_of(*i) == pair_of(at); ++i) {
+      depth = std::max(depth, i->depth);
+      if (i->id == at.id) same = i;
+    }
+    if (at.depth <= depth + sinks / 10) continue;
+    const auto drifted = [&](std::size_t body) -> Vec3 {
+      return before_[body].velocity + before_[body].angular_velocity.cross(at.point - world.bodies[body].position);
+    };
+    const Real approach = at.normal.dot(drifted(at.id.body_a) - drifted(at.id.body_b));
+    sunk.push_back({.since = approach > 0 ? at.depth / approach : std::numeric_limits<Real>::infinity()});
+    if (same != begun.end() && same->depth > -touches) {
+      sunk.back().known = same - begun.begin();
+      sunk.back().by = at.depth - std::max(same->depth, Real(0));
+    }
+  }
+  return sunk;
+}
+
 /// s: how long ago those of World::contacts that are not held have touched that overlap, below 0. Where none do, when those touch that
 /// were to. 0: now, or nobody knows.
-Real AtImpacts::touch_in(const World& world) const {
+Real AtImpacts::touch_in(const World& world, const Contacts& begun) const {
   Real longest = 0;
+  for (const Sunk& sunk : sunk_since(world, begun)) longest = std::max(longest, sunk.since);
   for (const Contact& at : world.contacts) {
     if (at.depth <= touches) continue;
-    if (std::binary_search(contacts_.only->begin(), contacts_.only->end(), pair_of(at))) continue;
+    if (contacts_.holds(at.id)) continue;
     const Real approach = -separating_speed(world, at);
     longest = std::max(longest, approach > 0 ? at.depth / approach : std::numeric_limits<Real>::infinity());
   }
@@ -242,10 +274,37 @@ bool AtImpacts::touch_already(const Contacts& contacts) const {
                      [this](const Contact& at) { return pair_of(at) == *first_ && at.depth > -touches; });
 }
 
+/// For `within` s, in which nobody else touches, or until what is held sinks in. Returns how long it took.
+Real AtImpacts::move_free(World& world, Real within) {
+  if (contacts_.only && contacts_.only->empty()) {
+    HalfStep::advance(world, within);
+    return within;
+  }
+  const Moment begin = moment(world);
+  HeldContacts held = begin.held;  // with what is known of the drift
+  Real part = within;
+  for (int tries = 0;; ++tries) {
+    HalfStep::advance(world, part);
+    const std::vector<Sunk> sunk = sunk_since(world, begin.contacts);
+    if (sunk.empty() || part <= brief || tries == most_tries) return part;
+    const double work = begin.held.work_left() - contacts_.work_left();
+    back_to(world, begin);
+    spend(work);
+    Real since = 0;
+    for (const Sunk& at : sunk) {
+      if (tries < most_bends && at.known >= 0) held.bends(static_cast<std::size_t>(at.known), at.by);
+      else since = std::max(since, at.since);
+    }
+    if (since > 0) {
+      held = begin.held;
+      part = since < part ? part - since : part / 2;
+    }
+    contacts_ = held;
+  }
+}
+
 /// Until somebody touches, or for `within` s. Returns how long it took.
 Real AtImpacts::move_joined(World& world, Real within) {
-  constexpr int most_tries = 50;
-  constexpr Real brief = Real(1e-7);  // s
   const Moment begin = moment(world);
   const Real most = try_step(world, begin, within);
   Real part = most;
@@ -271,7 +330,7 @@ Real AtImpacts::move_joined(World& world, Real within) {
   if (touch) again(*touch);
   else find();
   for (int tries = 0; tries < most_tries; ++tries) {
-    const Real off = touch_in(world);
+    const Real off = touch_in(world, begin.contacts);
     if (off == 0 || part + off > most) break;
     again(part + off > 0 ? part + off : part / 2);
   }
@@ -286,7 +345,8 @@ void AtImpacts::advance(World& world, Real h) {
       bound_reached_ = held_ = true;
       contacts_.only.reset();
       look_ahead(world, h);
-      return HalfStep::advance(world, left);
+      while (left > 0) left -= move_free(world, left);
+      return;
     }
     hold_touching(world, h);
     if (!world.joints.empty()) {
@@ -295,8 +355,7 @@ void AtImpacts::advance(World& world, Real h) {
     }
     accelerate_bodies(world);
     const Real part = next_touch(world, world.bodies, left).value_or(left);
-    if (part > 0) HalfStep::advance(world, part);
-    left -= part;
+    left -= part > 0 ? move_free(world, part) : 0;
   }
 }
 

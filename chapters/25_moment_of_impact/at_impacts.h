@@ -19,6 +19,9 @@ enum class Impacts { sequential, simultaneous };
 /// and again, until the step is over. So nothing that is apart when a step begins can pass through anything else. A pair that
 /// stays in touch is held as in chapter 24, also where it touches next.
 ///
+/// What is held may come down with its other end, or turn so far in a drift that it sinks in. Then the drift is taken again until that
+/// begins.
+///
 /// Bounces end. What leaves with u and is pressed back by a is there again after 2 u / a, then slower by e: infinitely many bounces take
 ///
 ///   T = 2 u / (a (1 - e))
@@ -32,6 +35,8 @@ enum class Impacts { sequential, simultaneous };
 /// step is not cut for it.
 class AtImpacts : public HalfStep {
  public:
+  static constexpr Real sinks = Real(1e-4);  ///< m: by no more than this does a drift let in what is held
+
   AtImpacts() { tolerance = std::min(tolerance, HeldContacts::touches / 4); }  // m: what joints are off is no gap
 
   Impacts impacts = Impacts::simultaneous;
@@ -63,8 +68,15 @@ class AtImpacts : public HalfStep {
   void hold_touching(World& world, Real h);
   void look_ahead(World& world, Real h);
   std::optional<Real> next_touch(const World& world, const std::vector<Body>& bodies, Real within);
-  Real touch_in(const World& world) const;
+  Real touch_in(const World& world, const Contacts& begun) const;
+  struct Sunk {
+    Real since;                  // s: so long ago it has begun; infinite where nobody knows
+    std::ptrdiff_t known = -1;   // its place in `begun`, where it touched
+    Real by = 0;                 // m: then
+  };
+  std::vector<Sunk> sunk_since(const World& world, const Contacts& begun) const;
   bool touch_already(const Contacts& contacts) const;
+  Real move_free(World& world, Real within);
   Real move_joined(World& world, Real within);
 
   std::vector<std::size_t> touching_, of_pair_;  // places in World::contacts
