@@ -105,8 +105,8 @@ void AtImpacts::bounce(World& world, Real h, const std::vector<std::size_t>& whi
   direct_.work = exact_direct_contacts().work;
   StepContext step{world, contacts, rows, h};
   bool solved = true;
-  if (world.joints.empty()) direct_.start(step);
-  else solved = strike(world, contacts, rows, h);
+  if (!world.joints.empty()) solved = strike(world, contacts, rows, h);
+  else strike_free(step);
   for (std::size_t k = 0; k < contacts.size(); ++k)
     if (!solved || !(step.speed_error(k) >= -rounding))
       throw InvalidInput(fmt::format("where bodies {} and {} meet, {} m/s are left: impacts need solved contacts",
@@ -115,6 +115,28 @@ void AtImpacts::bounce(World& world, Real h, const std::vector<std::size_t>& whi
   for (std::size_t k = 0; k < count; ++k)
     contacts_.add(world, which[k],
                   {rows[k].impulse, rows[count + 2 * k].impulse, rows[count + 2 * k + 1].impulse});
+}
+
+/// Newton's rule and friction together may give energy (Kane 1984). Then all leave slower, by the largest of a half, a quarter, an eighth
+/// and nothing at which they do not: without what leaves, friction only takes.
+void AtImpacts::strike_free(StepContext& step) {
+  constexpr Real rounding = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-4);
+  const bool rubs = std::any_of(step.contacts.begin(), step.contacts.end(), [](const Contact& at) { return at.friction > 0; });
+  const Real before = kinetic_energy(step.world);
+  const Contacts contacts = step.contacts;
+  const std::vector<State> states(step.world.bodies.begin(), step.world.bodies.end());
+  Rows& rows = step.rows;
+  for (int tries = 1;; ++tries) {
+    direct_.start(step);
+    const bool leaves = std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.bias != 0; });
+    if (!rubs || !leaves || kinetic_energy(step.world) <= (1 + rounding) * before) return;
+    for (std::size_t i = 0; i < states.size(); ++i) states[i].give(step.world.bodies[i]);
+    step.contacts = contacts;
+    for (Row& row : rows) {
+      row.impulse = 0;
+      row.bias = tries < 4 ? row.bias / 2 : 0;
+    }
+  }
 }
 
 /// False where none approach.

@@ -14,7 +14,8 @@ enum class Impacts { sequential, simultaneous };
 ///
 ///   1. the first time at which any of them touch, see first_touch.h
 ///   2. a half step until then; pairs that stay in touch are held in it, as chapter 24 does
-///   3. where bodies touch and approach, an impact:  J v >= -e v_n,  impulses inside the cone, solved directly (chapter 17)
+///   3. where bodies touch and approach, an impact:  J v >= -e v_n,  impulses inside the cone, solved directly (chapter 17); with a
+///      smaller e where that and friction would give energy
 ///
 /// and again, until the step is over. So nothing that is apart when a step begins can pass through anything else. A pair that
 /// stays in touch is held as in chapter 24, also where it touches next.
@@ -49,7 +50,8 @@ class AtImpacts : public HalfStep {
   int events() const { return events_; }
   /// In the latest step: whether `most_events` were too few.
   bool bound_reached() const { return bound_reached_; }
-  /// In the latest step, J: the kinetic energy that impacts have taken. Below 0 where Newton's rule and friction gave some.
+  /// In the latest step, J: the kinetic energy that impacts have taken. Below 0 where Newton's rule and friction gave some, which only
+  /// joined bodies are left.
   Real taken() const { return taken_; }
   /// In the latest step: whether contacts were held.
   bool held() const { return held_; }
@@ -61,6 +63,7 @@ class AtImpacts : public HalfStep {
 
  private:
   bool impact(World& world, Real h);
+  void strike_free(StepContext& step);
   void bounce(World& world, Real h, const std::vector<std::size_t>& which);
   void accelerate_bodies(const World& world);
   Real try_step(World& world, const Moment& begin, Real within);

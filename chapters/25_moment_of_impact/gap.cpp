@@ -9,13 +9,6 @@ namespace pushback {
 
 namespace {
 
-/// Everything within `roundness` of a core: the point, segment or polyhedron of which `farthest` finds corners.
-Real roundness(const Body& body) {
-  if (const auto* ball = std::get_if<Sphere>(&body.shape)) return ball->radius + body.skin;
-  if (const auto* capsule = std::get_if<Capsule>(&body.shape)) return capsule->radius + body.skin;
-  return body.skin;
-}
-
 /// The point of a core that lies farthest along a direction, in body axes.
 struct Farthest {
   const Vec3& along;
@@ -122,6 +115,12 @@ Gap from_plane(const Body& plane, const Body& body) {
 }
 
 }  // namespace
+
+Real roundness(const Body& body) {
+  if (const auto* ball = std::get_if<Sphere>(&body.shape)) return ball->radius + body.skin;
+  if (const auto* capsule = std::get_if<Capsule>(&body.shape)) return capsule->radius + body.skin;
+  return body.skin;
+}
 
 Gap gap_between(const Body& a, const Body& b) {
   if (std::holds_alternative<HalfSpace>(a.shape)) return from_plane(a, b);

@@ -18,6 +18,8 @@ struct Gap {
 ///   Gilbert, Johnson, Keerthi, IEEE J. Robotics and Automation 4(2), 1988.
 Gap gap_between(const Body& a, const Body& b);
 
+/// m: a body is everything within this of its core, which is a point, a segment or a polyhedron.
+Real roundness(const Body& body);
 /// The points, in body axes, that a shape is the hull of, but for what is round: one for a sphere, two for a capsule. A half-space has
 /// one on its plane.
 std::vector<Vec3> corners_of_core(const Body& body);

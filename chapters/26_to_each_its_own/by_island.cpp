@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "pushback/chapters/25_moment_of_impact/gap.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/collision/collide.h"
 #include "pushback/common/world/measure.h"
@@ -112,12 +113,18 @@ void ByIsland::find_contacts(World& world, const Plan& plan, Real dt) {
   world.find_contacts(plan.margin, plan.workers->of_bodies(world.bodies.size()));
   found_.swap(world.contacts);
   world.contacts.swap(before_);
-  std::vector<Real> tips;  // where the ends of what spins may come: the margin follows centres
-  for (const Body& body : world.bodies) tips.push_back(dt * tip_speed(body, dt));
+  std::vector<Real> ways;  // where the ends of what turns may come: the margin follows centres
+  std::vector<bool> turns;
+  for (const Body& body : world.bodies) {
+    const Real tips = way_of_tips(body, dt);
+    ways.push_back(dt * body.velocity.norm() + tips);
+    turns.push_back(tips > many.margin / 2);
+  }
   for (const Joint& joint : world.joints)  // cutting a step is for what is free
     for (const int body : {joint.a, joint.b})
-      if (body != the_world) tips[std::size_t(body)] = 0;
-  find_more(world, tips, [&tips](std::size_t p, std::size_t q) { return tips[p] > 0 || tips[q] > 0; });
+      if (body != the_world) turns[std::size_t(body)] = false;
+  if (std::find(turns.begin(), turns.end(), true) != turns.end())
+    find_more(world, ways, [&turns](std::size_t p, std::size_t q) { return turns[p] || turns[q]; });
 }
 
 /// Contacts of pairs that are as near as the ways of both, and have none yet. Returns whether there are any.
@@ -134,8 +141,17 @@ bool ByIsland::find_more(const World& world, const std::vector<Real>& ways, cons
   for (const auto& [first, second] : near_pairs(world.bodies, ways)) {
     const auto p = std::size_t(first), q = std::size_t(second);
     const Body &a = world.bodies[p], &b = world.bodies[q];
-    if (wanted(p, q) && may_touch(a, b) && !not_to_touch.contain(first, second) && !are_known(p, q))
-      collide(a, b, found_, {.least = ways[p] + ways[q]});
+    if (!wanted(p, q) || !may_touch(a, b) || not_to_touch.contain(first, second) || are_known(p, q)) continue;
+    const std::size_t count = found_.size();
+    collide(a, b, found_, {.least = ways[p] + ways[q]});
+    if (found_.size() > count) continue;
+    // A corner that is nearest to a corner is beside both faces, and no contact.
+    const Gap gap = gap_between(a, b);
+    if (gap.distance > ways[p] + ways[q]) continue;
+    found_.push_back({.id = {std::uint32_t(p), std::uint32_t(q), beside}});
+    found_.back().point = a.position;
+    found_.back().normal = gap.normal;
+    found_.back().depth = -gap.distance;
   }
   if (found_.size() == known) return false;
   std::inplace_merge(found_.begin(), found_.begin() + std::ptrdiff_t(known), found_.end(), lower);
@@ -205,6 +221,11 @@ void ByIsland::move_island(IslandWorld& island, const World& whole, Real dt, int
     solver.from_afar = false;
   }
   find_substeps(island, memory, whole, dt, sweeps);
+  if (island.held && !island.impact && !purse && lets_in(island)) {
+    island.impact = true;
+    island.solver().set_as(few);
+    find_substeps(island, memory, whole, dt, sweeps);
+  }
   if (purse) {
     const double took = solver.work() + of_look * calls_.contacts(island.lowest()) * memory.substeps;
     if (island.held) purse->succeed(price - took, savings.most * price);
@@ -215,6 +236,13 @@ void ByIsland::move_island(IslandWorld& island, const World& whole, Real dt, int
     memory = {.waits = waits_after_failing << failures, .failures = std::min(failures + 1, most_failures)};
   }
   if (island.held) memory.failures = 0;
+}
+
+/// Whether half steps have let something in that they did not know of.
+bool ByIsland::lets_in(const IslandWorld& island) {
+  const Real most = std::max(AtImpacts::sinks, calls_.deepest(island.lowest()) + AtImpacts::sinks / 10);
+  return std::any_of(island.world.contacts.begin(), island.world.contacts.end(),
+                     [most](const Contact& at) { return !at.parted && at.depth > most; });
 }
 
 int ByIsland::most_half_steps(const IslandWorld& island, Real dt) const {
@@ -284,7 +312,7 @@ bool ByIsland::others_were_met(const World& world, Real dt) {
       if (!after.movable()) continue;
       const Real expected = ways[at] + many.margin / 2;
       const auto reaches = [joints, dt](const Body& body) {
-        return dt * (body.velocity.norm() + (joints ? tip_speed(body, dt) : 0));
+        return dt * body.velocity.norm() + (joints ? way_of_tips(body, dt) : 0);
       };
       ways[at] = std::max(reaches(world.bodies[at]), reaches(after));
       may_meet[at] = bounced || (joints && ways[at] > expected);

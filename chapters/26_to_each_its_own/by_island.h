@@ -4,6 +4,8 @@
 ///   world.step(solver, 1.0 / 60);
 #pragma once
 
+#include <limits>
+
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/chapters/26_to_each_its_own/calls.h"
 #include "pushback/chapters/26_to_each_its_own/island_world.h"
@@ -44,7 +46,8 @@ class ByIsland : public ForwardingSolver {
 
   ByIsland() {
     few.substeps = 2;
-    few.most_work = joined.most_work = 1e6;  // one or two ms
+    few.most_work = 4e6;                    // some ms, of which bodies that slide over each other as they spin take most
+    joined.most_work = 1e6;
     joined.substeps = 4;
     // m g times what joints are off is to be well below the least that E may be off: g h^2 / 2 of `energy`, 14 nm at 1/60 s.
     if constexpr (std::numeric_limits<Real>::digits > 24) joined.tolerance /= 10;
@@ -88,6 +91,9 @@ class ByIsland : public ForwardingSolver {
   /// All that `many` moves. What is moved otherwise stands still meanwhile, and its joints are not there.
   virtual void move_others(World& world, Real dt, int sweeps);
 
+  /// The feature of what is near, and no contact.
+  static constexpr std::uint32_t beside = std::numeric_limits<std::uint32_t>::max();
+
   Calls calls_;
   Contacts found_;  // in this step, by detection
   Solved solved_;   // of all islands so far
@@ -105,6 +111,7 @@ class ByIsland : public ForwardingSolver {
     return !calls_.many(island) || purses_[std::size_t(island)].can_pay(savings.of_contact * calls_.contacts(island));
   }
   void move_island(IslandWorld& island, const World& whole, Real dt, int sweeps);
+  bool lets_in(const IslandWorld& island);
   bool others_were_met(const World& world, Real dt);
   template <class Wanted>
   bool find_more(const World& world, const std::vector<Real>& ways, const Wanted& wanted);

@@ -10,9 +10,8 @@ namespace pushback {
 
 namespace {
 
-constexpr Real deepest =
+constexpr Real too_deep =
     Real(5e-3);  // m: half steps let it out by a tenth in a hundredth of a second, and only against gravity
-constexpr Real fast = Real(0.15);   // rad, in a step
 constexpr Real along = Real(1e-6);  // of a belt's speed, at right angles to the face: rounding
 constexpr Real apart = Real(1e-6);  // m: what is nearer touches, and does not meet
 
@@ -33,12 +32,41 @@ bool turns_or_pushes(const Body& ground, const Contact& at) {
   return ground.conveys && std::abs(ground.velocity.dot(at.normal)) > along * ground.velocity.norm();
 }
 
+/// Of a body's corners the one that may get farthest along a direction within dt. One at r from the body's position turns that way by no
+/// more than  dt n . (w x r) + dt^2/2 w^2 |r|.
+struct Corner {
+  Real at;     // m, along it, from the world's origin
+  Real speed;  // m/s, as the body turns
+  Real way;    // m, in dt
+};
+Corner first_to_get(const Body& body, const Vec3& along, Real dt) {
+  const Quat to_body = body.orientation.conjugate();
+  const Vec3& w = body.angular_velocity;
+  const Vec3 n = to_body * along, turning = body.movable() ? to_body * along.cross(w) : Vec3::Zero();
+  const Real bend = dt * dt / 2 * w.squaredNorm(), centre = along.dot(body.position);
+  Corner first{.at = -std::numeric_limits<Real>::infinity(), .speed = 0, .way = 0};
+  for (const Vec3& r : corners_of_core(body)) {
+    const Corner corner{centre + n.dot(r), turning.dot(r), dt * turning.dot(r) + bend * r.norm()};
+    if (corner.at + corner.way > first.at + first.way) first = corner;
+  }
+  return first;
+}
+
+/// Along a direction in which bodies are apart: whether a corner of one that turns may arrive within dt, faster than `threshold`, m/s.
+bool corners_arrive(const Body& a, const Body& b, const Vec3& normal, Real dt, Real threshold, Real falls) {
+  const auto turns = [](const Body& body) { return body.movable() && !body.angular_velocity.isZero(0); };
+  if (!turns(a) && !turns(b)) return false;
+  const Corner of_a = first_to_get(a, normal, dt), of_b = first_to_get(b, -normal, dt);
+  const Real gap = -of_a.at - of_b.at - roundness(a) - roundness(b), comes = normal.dot(a.velocity - b.velocity);
+  const Real approach = comes + of_a.speed + of_b.speed;
+  return approach > threshold && gap <= dt * (comes + falls) + of_a.way + of_b.way && (gap > apart || approach > falls);
+}
+
 }  // namespace
 
-Real tip_speed(const Body& body, Real dt) {
+Real way_of_tips(const Body& body, Real dt) {
   const Real spin = body.angular_velocity.norm();
-  if (!body.movable() || spin * dt < fast) return 0;
-  return reach_of_core(body) * std::min(spin, 2 / dt);
+  return !body.movable() || spin == 0 ? 0 : reach_of_core(body) * std::min(dt * spin, Real(2));
 }
 
 void Calls::find(const World& world, const Contacts& contacts, Real dt, Real threshold, const Limits& limits) {
@@ -77,18 +105,24 @@ void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real 
         !ground.movable() && std::any_of(first, end, [&ground](const Contact& at) { return turns_or_pushes(ground, at); });
   });
   each_pair([&](Island& island, auto first, auto end) {
-    const auto [a, b] = world.bodies_of(*first);
-    const Real tips = tip_speed(a, dt) + tip_speed(b, dt);
+    const Contact& nearest =
+        *std::max_element(first, end, [](const Contact& p, const Contact& q) { return p.depth < q.depth; });
     int acting = 0;
     for (; first != end; ++first) {
-      const Real gap = -first->depth, approach = -separating_speed(world, *first) + tips;
-      island.refused |= -gap > deepest;
+      const Real gap = -first->depth, approach = -separating_speed(world, *first);
+      island.refused |= -gap > too_deep;
       island.impact |= first->ahead;  // they meet elsewhere than where they are nearest
       island.overlap += std::max(Real(0), -gap);
+      island.deepest = std::max(island.deepest, -gap);
       if (gap > dt * (std::max(Real(0), approach) + falls)) continue;
       ++acting;
       // What rests does not arrive: its speed is rounding.
       island.impact |= approach > threshold && (gap > apart || approach > falls);
+    }
+    const auto [a, b] = world.bodies_of(nearest);
+    if (corners_arrive(a, b, nearest.normal, dt, threshold, falls)) {  // where no contact is yet
+      acting = std::max(acting, 1);
+      island.impact = true;
     }
     island.contacts += acting;
     island.pairs += acting > 0;

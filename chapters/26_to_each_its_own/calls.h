@@ -24,8 +24,8 @@ struct Limits {
   int most_meeting = 40;    ///< where bodies meet that touch in one point each, as balls do: they part at once
 };
 
-/// m/s: of the tips of a body that turns so fast that in dt they go where its centre's motion does not tell; 0 for any other.
-Real tip_speed(const Body& body, Real dt);
+/// m: how far the tips of a body may get in dt as it turns.
+Real way_of_tips(const Body& body, Real dt);
 
 /// Bodies that may touch in this step, or are joined, form an island (chapter 20). It calls for
 ///
@@ -49,6 +49,8 @@ class Calls {
   bool near(int island) const { return of_[std::size_t(island)].near > 0; }
   /// m: of all of its contacts together.
   Real overlap(int island) const { return of_[std::size_t(island)].overlap; }
+  /// m: of the deepest one, 0 where none overlap.
+  Real deepest(int island) const { return of_[std::size_t(island)].deepest; }
   /// Contacts of the island that may act in this step, and whether they are more than a few.
   int contacts(int island) const { return of_[std::size_t(island)].contacts; }
   bool many(int island) const { return of_[std::size_t(island)].many; }
@@ -60,7 +62,7 @@ class Calls {
     int near = 0;                 // pairs within the margin
     int contacts = 0, pairs = 0;  // that may act in this step
     int joints = 0;
-    Real overlap = 0;  // m
+    Real overlap = 0, deepest = 0;  // m
     bool impact = false, refused = false, many = false, turns = false;
     bool kept = true;  // all of its bodies had half steps in the step before
   };

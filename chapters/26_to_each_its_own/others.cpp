@@ -73,7 +73,7 @@ void ByIsland::move_others(World& world, Real dt, int sweeps) {
   }
   std::erase_if(found_, [&](const Contact& contact) {
     const auto [a, b] = world.bodies_of(contact);
-    return !by_many(a.movable() ? a : b);
+    return !by_many(a.movable() ? a : b) || contact.id.feature == beside;
   });
   Real fastest = 0;
   for (const Body& body : world.bodies)
