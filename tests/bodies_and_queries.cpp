@@ -67,16 +67,42 @@ TEST_CASE("bodies and queries: a lift goes up by 2 m in 4 s, and turns by a quar
 TEST_CASE("bodies and queries: a conveyor with a roller at its end") {
   World world;
   Recommended solver;
-  world.add(box({3, 0.25, 1}, 1).fixed().at({-3, -0.25, 0}).conveying({1, 0, 0}));
+  world.add(box({3, 0.25, 1}, 1).fixed().at({-3, -0.24, 0}).conveying({1, 0, 0}));  // 1 cm above the ground
   const Body roller = capsule(0.25, 1, 1).turned(pi / 2, Vec3::UnitX()).fixed();
-  world.add(Body(roller).at({0, -0.25, 0}).spinning({0, 0, -4}));  // 4 rad/s on 0.25 m: 1 m/s as well
+  world.add(Body(roller).at({0, -0.24, 0}).spinning({0, 0, -4}));  // 4 rad/s on 0.25 m: 1 m/s as well
 
-  world.add(box({0.25, 0.125, 0.25}, 10).at({-2, 0.125, 0}));
+  world.add(box({0.25, 0.125, 0.25}, 10).at({-2, 0.135, 0}));
   for (int i = 0; i < 60; ++i) world.step(solver, h);
   CHECK(std::abs(world.bodies[2].velocity.x() - 1) < Real(1e-3));
   for (int i = 0; i < 240; ++i) world.step(solver, h);
   CHECK(world.bodies[2].position.y() < -1);  // over the roller, and down
-  CHECK(world.bodies[0].position == Vec3(-3, -0.25, 0));
+  CHECK(world.bodies[0].position == Vec3(-3, -0.24, 0));
+}
+
+namespace {
+
+/// m/s: of a box after a second on the page's belt, whose surface is `above` the ground.
+template <class Solver>
+Real speed_on_belt(Real above) {
+  World world;
+  Solver solver;
+  world.add(ground());
+  world.add(box({3, 0.25, 1}, 1).fixed().at({-3, above - Real(0.25), 0}).conveying({1, 0, 0}));
+  world.add(box({0.2, 0.2, 0.2}, 5).at({-5, above + Real(0.2), 0}));
+  for (int i = 0; i < 60; ++i) world.step(solver, Real(1) / 60);
+  return world.bodies[2].velocity.x();
+}
+
+}  // namespace
+
+TEST_CASE("bodies and queries: a belt that stands out of the ground conveys, one in its plane does not") {
+  CHECK(speed_on_belt<Recommended>(Real(0.01)) == Approx(1).epsilon(1e-3));
+  CHECK(speed_on_belt<Exact>(Real(0.01)) == Approx(1).epsilon(1e-3));
+  CHECK(speed_on_belt<Fast>(Real(0.01)) == Approx(1).epsilon(1e-2));
+  if (!in_double) return;  // the page is about double
+  const std::string sentence = fmt::format("after a second it moves at {:.2f} m/s", speed_on_belt<Recommended>(0));
+  INFO(sentence);
+  CHECK(text_of(fs::path(SOURCE_DIR) / "docs/bodies_and_queries.md").find(sentence) != std::string::npos);
 }
 
 TEST_CASE("bodies and queries: a removed body leaves an empty place, and what lay on it falls") {

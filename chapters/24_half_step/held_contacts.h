@@ -127,7 +127,8 @@ class HeldContacts {
   Contacts touching_;  // those of taking_
   Rows rows_;
   std::vector<Known> known_, known_before_;  // of World::contacts, ascending
-  Contacts sums_;  // since `begin`, in the order in which they first acted: one that parts and comes back is there twice
+  Contacts
+      sums_;  // since `begin`, in the order in which they first acted: one that parts and comes back is there twice
 };
 
 }  // namespace pushback

@@ -14,11 +14,11 @@ namespace {
 
 constexpr Real touches = HeldContacts::touches;
 constexpr Real stands = std::numeric_limits<Real>::digits > 24 ? Real(1e-6) : Real(1e-3);  // m/s: slower is no impact
-constexpr int most_tries = 50;  // to end a part of a step where something touches
-constexpr int most_bends = 3;   // of these, the first: with what the drift has turned in
+constexpr int most_tries = 50;      // to end a part of a step where something touches
+constexpr int most_bends = 3;       // of these, the first: with what the drift has turned in
 constexpr Real brief = Real(1e-7);  // s
-constexpr double of_look = 500;   // multiplications for each pair of corners: some ten rounds of first_touch
-constexpr int most_pairs = 1000;  // solved in sequence, before all are at the same time
+constexpr double of_look = 500;     // multiplications for each pair of corners: some ten rounds of first_touch
+constexpr int most_pairs = 1000;    // solved in sequence, before all are at the same time
 
 BodyPair pair_of(const Contact& at) {
   return {static_cast<int>(at.id.body_a), static_cast<int>(at.id.body_b)};
@@ -113,15 +113,15 @@ void AtImpacts::bounce(World& world, Real h, const std::vector<std::size_t>& whi
                                      contacts[k].id.body_a, contacts[k].id.body_b, -step.speed_error(k)));
   const std::size_t count = which.size();
   for (std::size_t k = 0; k < count; ++k)
-    contacts_.add(world, which[k],
-                  {rows[k].impulse, rows[count + 2 * k].impulse, rows[count + 2 * k + 1].impulse});
+    contacts_.add(world, which[k], {rows[k].impulse, rows[count + 2 * k].impulse, rows[count + 2 * k + 1].impulse});
 }
 
 /// Newton's rule and friction together may give energy (Kane 1984). Then all leave slower, by the largest of a half, a quarter, an eighth
 /// and nothing at which they do not: without what leaves, friction only takes.
 void AtImpacts::strike_free(StepContext& step) {
   constexpr Real rounding = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-4);
-  const bool rubs = std::any_of(step.contacts.begin(), step.contacts.end(), [](const Contact& at) { return at.friction > 0; });
+  const bool rubs =
+      std::any_of(step.contacts.begin(), step.contacts.end(), [](const Contact& at) { return at.friction > 0; });
   const Real before = kinetic_energy(step.world);
   const Contacts contacts = step.contacts;
   const std::vector<State> states(step.world.bodies.begin(), step.world.bodies.end());
@@ -255,7 +255,7 @@ std::vector<AtImpacts::Sunk> AtImpacts::sunk_since(const World& world, const Con
       depth = std::max(depth, i->depth);
       if (i->id == at.id) same = i;
     }
-    if (at.depth <= depth + sinks / 10) continue;
+    if (at.depth <= depth + sinks / 100) continue;
     const auto drifted = [&](std::size_t body) -> Vec3 {
       return before_[body].velocity + before_[body].angular_velocity.cross(at.point - world.bodies[body].position);
     };

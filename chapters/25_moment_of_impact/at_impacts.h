@@ -73,9 +73,9 @@ class AtImpacts : public HalfStep {
   std::optional<Real> next_touch(const World& world, const std::vector<Body>& bodies, Real within);
   Real touch_in(const World& world, const Contacts& begun) const;
   struct Sunk {
-    Real since;                  // s: so long ago it has begun; infinite where nobody knows
-    std::ptrdiff_t known = -1;   // its place in `begun`, where it touched
-    Real by = 0;                 // m: then
+    Real since;                 // s: so long ago it has begun; infinite where nobody knows
+    std::ptrdiff_t known = -1;  // its place in `begun`, where it touched
+    Real by = 0;                // m: then
   };
   std::vector<Sunk> sunk_since(const World& world, const Contacts& begun) const;
   bool touch_already(const Contacts& contacts) const;

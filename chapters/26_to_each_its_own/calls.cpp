@@ -101,8 +101,8 @@ void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real 
     ++island.near;
     const auto [a, b] = world.bodies_of(*first);
     const Body& ground = a.movable() ? b : a;
-    island.refused |=
-        !ground.movable() && std::any_of(first, end, [&ground](const Contact& at) { return turns_or_pushes(ground, at); });
+    island.refused |= !ground.movable() &&
+                      std::any_of(first, end, [&ground](const Contact& at) { return turns_or_pushes(ground, at); });
   });
   each_pair([&](Island& island, auto first, auto end) {
     const Contact& nearest =

@@ -34,8 +34,8 @@ class MySolver : public pushback::StepSolver {
       const auto [t1, t2] = pushback::tangents_of(c.normal);
       for (const Vec3& t : {t1, t2}) tangents_.push_back(row_of(c, t));
     }
-    for (std::vector<Row>* rows : {&normals_, &tangents_})
-      for (Row& row : *rows) reach(row, row.contact->impulse.dot(row.n));
+    for (Row& row : normals_) reach(row, std::max(0., row.contact->impulse.dot(row.n)));
+    for (Row& row : tangents_) reach(row, row.contact->impulse.dot(row.n));
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       for (Row& row : normals_) reach(row, std::max(0., solved(row)));
       for (std::size_t t = 0; t < tangents_.size(); ++t) {
