@@ -14,11 +14,12 @@ namespace {
 
 constexpr Real touches = HeldContacts::touches;
 constexpr Real stands = std::numeric_limits<Real>::digits > 24 ? Real(1e-6) : Real(1e-3);  // m/s: slower is no impact
-constexpr int most_tries = 50;      // to end a part of a step where something touches
-constexpr int most_bends = 3;       // of these, the first: with what the drift has turned in
-constexpr Real brief = Real(1e-7);  // s
-constexpr double of_look = 500;     // multiplications for each pair of corners: some ten rounds of first_touch
-constexpr int most_pairs = 1000;    // solved in sequence, before all are at the same time
+constexpr int most_tries = 50;          // to end a part of a step where something touches
+constexpr int most_bends = 3;           // of these, the first: with what the drift has turned in
+constexpr Real by_aiming = Real(1e-3);  // of T: so much more may a drift leave that is aimed higher
+constexpr Real brief = Real(1e-7);      // s
+constexpr double of_look = 500;         // multiplications for each pair of corners: some ten rounds of first_touch
+constexpr int most_pairs = 1000;        // solved in sequence, before all are at the same time
 
 BodyPair pair_of(const Contact& at) {
   return {static_cast<int>(at.id.body_a), static_cast<int>(at.id.body_b)};
@@ -241,9 +242,9 @@ std::optional<Real> AtImpacts::next_touch(const World& world, const std::vector<
   return first;
 }
 
-/// Of the held contacts after a drift: those that it has let in further than `sinks`, or further than their pair was before; by how much.
-/// `begun`: World::contacts before.
-std::vector<AtImpacts::Sunk> AtImpacts::sunk_since(const World& world, const Contacts& begun) const {
+/// Of the held contacts after a drift of h s: those that it has let in further than `sinks`, or further than their pair was before; by how
+/// much. `begun`: World::contacts before. What a turn bends a way by is h^2/2 w^2 r.
+std::vector<AtImpacts::Sunk> AtImpacts::sunk_since(const World& world, const Contacts& begun, Real h) const {
   std::vector<Sunk> sunk;
   auto old = begun.begin();  // both lists ascend: walk them side by side
   for (const Contact& at : world.contacts) {
@@ -256,14 +257,18 @@ std::vector<AtImpacts::Sunk> AtImpacts::sunk_since(const World& world, const Con
       if (i->id == at.id) same = i;
     }
     if (at.depth <= depth + sinks / 100) continue;
-    const auto drifted = [&](std::size_t body) -> Vec3 {
-      return before_[body].velocity + before_[body].angular_velocity.cross(at.point - world.bodies[body].position);
-    };
-    const Real approach = at.normal.dot(drifted(at.id.body_a) - drifted(at.id.body_b));
+    Vec3 speed = Vec3::Zero();
+    Real bend = 0;
+    for (const auto& [body, sign] : {std::pair(at.id.body_a, 1), std::pair(at.id.body_b, -1)}) {
+      const Vec3 arm = at.point - world.bodies[body].position;
+      speed += sign * (before_[body].velocity + before_[body].angular_velocity.cross(arm));
+      bend += h * h / 2 * before_[body].angular_velocity.squaredNorm() * arm.norm();
+    }
+    const Real approach = at.normal.dot(speed);
     sunk.push_back({.since = approach > 0 ? at.depth / approach : std::numeric_limits<Real>::infinity()});
     if (same != begun.end() && same->depth > -touches) {
-      sunk.back().known = same - begun.begin();
       sunk.back().by = at.depth - std::max(same->depth, Real(0));
+      if (sunk.back().by <= 8 * bend) sunk.back().known = same - begun.begin();
     }
   }
   return sunk;
@@ -271,9 +276,9 @@ std::vector<AtImpacts::Sunk> AtImpacts::sunk_since(const World& world, const Con
 
 /// s: how long ago those of World::contacts that are not held have touched that overlap, below 0. Where none do, when those touch that
 /// were to. 0: now, or nobody knows.
-Real AtImpacts::touch_in(const World& world, const Contacts& begun) const {
+Real AtImpacts::touch_in(const World& world, const Contacts& begun, Real h) const {
   Real longest = 0;
-  for (const Sunk& sunk : sunk_since(world, begun)) longest = std::max(longest, sunk.since);
+  for (const Sunk& sunk : sunk_since(world, begun, h)) longest = std::max(longest, sunk.since);
   for (const Contact& at : world.contacts) {
     if (at.depth <= touches) continue;
     if (contacts_.holds(at.id)) continue;
@@ -304,22 +309,27 @@ Real AtImpacts::move_free(World& world, Real within) {
   }
   const Moment begin = moment(world);
   HeldContacts held = begin.held;  // with what is known of the drift
-  Real part = within;
+  Real part = within, plain = 0;   // J: after a drift that is not aimed higher
+  bool higher = false;
   for (int tries = 0;; ++tries) {
     HalfStep::advance(world, part);
-    const std::vector<Sunk> sunk = sunk_since(world, begin.contacts);
-    if (sunk.empty() || part <= brief || tries == most_tries) return part;
+    const Real motion = kinetic_energy(world), energy = motion + potential_energy(world);
+    if (!higher) plain = energy;
+    const bool gains = higher && energy > plain + by_aiming * motion;
+    const std::vector<Sunk> sunk = sunk_since(world, begin.contacts, part);
+    if (!gains && (sunk.empty() || part <= brief || tries >= most_tries)) return part;
     const double work = begin.held.work_left() - contacts_.work_left();
     back_to(world, begin);
     spend(work);
+    if (gains) tries = most_bends;
+    higher = tries < most_bends && std::all_of(sunk.begin(), sunk.end(), [](const Sunk& at) { return at.known >= 0; });
     Real since = 0;
-    for (const Sunk& at : sunk) {
-      if (tries < most_bends && at.known >= 0) held.bends(static_cast<std::size_t>(at.known), at.by);
-      else since = std::max(since, at.since);
-    }
-    if (since > 0) {
+    for (const Sunk& at : sunk) since = std::max(since, at.since);
+    if (higher) {
+      for (const Sunk& at : sunk) held.bends(static_cast<std::size_t>(at.known), at.by);
+    } else {
       held = begin.held;
-      part = since < part ? part - since : part / 2;
+      part = since > 0 && since < part ? part - since : part / 2;
     }
     contacts_ = held;
   }
@@ -352,7 +362,7 @@ Real AtImpacts::move_joined(World& world, Real within) {
   if (touch) again(*touch);
   else find();
   for (int tries = 0; tries < most_tries; ++tries) {
-    const Real off = touch_in(world, begin.contacts);
+    const Real off = touch_in(world, begin.contacts, part);
     if (off == 0 || part + off > most) break;
     again(part + off > 0 ? part + off : part / 2);
   }

@@ -71,13 +71,13 @@ class AtImpacts : public HalfStep {
   void hold_touching(World& world, Real h);
   void look_ahead(World& world, Real h);
   std::optional<Real> next_touch(const World& world, const std::vector<Body>& bodies, Real within);
-  Real touch_in(const World& world, const Contacts& begun) const;
+  Real touch_in(const World& world, const Contacts& begun, Real h) const;
   struct Sunk {
     Real since;                 // s: so long ago it has begun; infinite where nobody knows
-    std::ptrdiff_t known = -1;  // its place in `begun`, where it touched
-    Real by = 0;                // m: then
+    std::ptrdiff_t known = -1;  // its place in `begun`, where it touched and the turn tells all of it
+    Real by = 0;                // m
   };
-  std::vector<Sunk> sunk_since(const World& world, const Contacts& begun) const;
+  std::vector<Sunk> sunk_since(const World& world, const Contacts& begun, Real h) const;
   bool touch_already(const Contacts& contacts) const;
   Real move_free(World& world, Real within);
   Real move_joined(World& world, Real within);

@@ -223,6 +223,7 @@ void ByIsland::move_island(IslandWorld& island, const World& whole, Real dt, int
   find_substeps(island, memory, whole, dt, sweeps);
   if (island.held && !island.impact && !purse && lets_in(island)) {
     island.impact = true;
+    calls_.have_met(island.lowest());
     island.solver().set_as(few);
     find_substeps(island, memory, whole, dt, sweeps);
   }
@@ -252,8 +253,9 @@ int ByIsland::most_half_steps(const IslandWorld& island, Real dt) const {
 }
 
 void ByIsland::find_substeps(IslandWorld& island, Memory& memory, const World& whole, Real dt, int sweeps) {
-  const int most = most_half_steps(island, dt);
-  memory.substeps = island.world.joints.empty() ? most : std::max(memory.next, joined.substeps);
+  const bool few_meet = island.impact && island.world.joints.empty() && !calls_.many(island.lowest());
+  const int least = most_half_steps(island, dt), most = few_meet ? 4 * least : least;
+  memory.substeps = island.world.joints.empty() ? least : std::max(memory.next, joined.substeps);
   Real off = 0;
   for (;; memory.substeps *= 2) {
     off = take(island, whole, memory.substeps, dt, sweeps);

@@ -46,8 +46,7 @@ class ByIsland : public ForwardingSolver {
 
   ByIsland() {
     few.substeps = 2;
-    few.most_work = 4e6;  // some ms, of which bodies that slide over each other as they spin take most
-    joined.most_work = 1e6;
+    few.most_work = joined.most_work = 1e6;  // one or two ms
     joined.substeps = 4;
     // m g times what joints are off is to be well below the least that E may be off: g h^2 / 2 of `energy`, 14 nm at 1/60 s.
     if constexpr (std::numeric_limits<Real>::digits > 24) joined.tolerance /= 10;

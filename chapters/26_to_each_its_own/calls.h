@@ -45,6 +45,8 @@ class Calls {
   int island_of(int body) { return islands_.island_of(body); }
   /// Whether bodies may meet in this step; `island`: its lowest body.
   bool impact(int island) const { return of_[std::size_t(island)].impact; }
+  /// They have, although nobody expected it.
+  void have_met(int island) { of_[std::size_t(island)].impact = true; }
   /// Whether any are within the margin. Where joints pull them together, these may meet as well.
   bool near(int island) const { return of_[std::size_t(island)].near > 0; }
   /// m: of all of its contacts together.
