@@ -241,10 +241,16 @@ std::vector<std::string> fuzzed_stages() {
 
 Finding fuzz(const RandomScene& scene, const std::string& stage, bool log) {
   const NamedSolver& solver = solver_named(stage);
-  const Finding finding = accounted(scene, solver);
-  for (const FuzzedStage& with_books : stages_with_books)
-    if (finding.broken.empty() && with_books.name == stage) return with_books.watched(scene, log);
-  return finding;
+  try {
+    const Finding finding = accounted(scene, solver);
+    for (const FuzzedStage& with_books : stages_with_books)
+      if (finding.broken.empty() && with_books.name == stage) return with_books.watched(scene, log);
+    return finding;
+  } catch (const InvalidInput& refused) {  // a part of a step began from what the part before had left
+    Finding finding;
+    finding.broken = refused.what();
+    return finding;
+  }
 }
 
 }  // namespace pushback

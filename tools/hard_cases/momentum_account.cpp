@@ -50,14 +50,19 @@ std::string MomentumAccount::look(const World& after, Real dt, Real epsilon) {
       size[i] += impulse.norm();
     }
   }
+  const auto by_forces = [&](const Body& was) -> Vec3 { return dt * (before_.gravity / was.inverse_mass + was.force); };
+  for (std::size_t i = 0; i < count; ++i) {
+    const Body &was = before_.bodies[i], &is = after.bodies[i];
+    if (!is.movable()) continue;
+    const Real moved = (push_out + is.velocity.norm() + was.velocity.norm()) / is.inverse_mass;
+    largest_ = std::max({largest_, size[i], moved, by_forces(was).norm()});
+  }
   std::string wrong;
   for (std::size_t i = 0; i < count && wrong.empty(); ++i) {
     const Body &was = before_.bodies[i], &is = after.bodies[i];
     if (!is.movable() || !known[i]) continue;
-    const Real mass = 1 / is.inverse_mass;
-    const Vec3 change = mass * (is.velocity - was.velocity), by_forces = dt * (mass * before_.gravity + was.force);
-    largest_ = std::max({largest_, size[i], mass * (push_out + is.velocity.norm() + was.velocity.norm()), by_forces.norm()});
-    const Real off = (change - by_forces - given[i]).norm();
+    const Vec3 change = (is.velocity - was.velocity) / is.inverse_mass;
+    const Real off = (change - by_forces(was) - given[i]).norm();
     if (!(off <= units * epsilon * largest_))
       wrong = fmt::format("body {} gained {:.6g} N s more than is reported, of {:.3g} N s", i, off, size[i]);
   }
