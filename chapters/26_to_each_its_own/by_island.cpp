@@ -239,10 +239,12 @@ void ByIsland::move_island(IslandWorld& island, const World& whole, Real dt, int
   if (island.held) memory.failures = 0;
 }
 
-/// Whether half steps have let something in that they did not know of.
+/// Whether half steps have let something in that they did not know of. What was as deep before has no room, as in a press.
 bool ByIsland::lets_in(const IslandWorld& island) {
-  const Real most = std::max(AtImpacts::sinks, calls_.deepest(island.lowest()) + AtImpacts::sinks / 10);
-  return std::any_of(island.world.contacts.begin(), island.world.contacts.end(),
+  const Real before = calls_.deepest(island.lowest()),
+             most = std::max(AtImpacts::sinks, before + AtImpacts::sinks / 10);
+  return before <= 10 * AtImpacts::sinks &&
+         std::any_of(island.world.contacts.begin(), island.world.contacts.end(),
                      [most](const Contact& at) { return !at.parted && at.depth > most; });
 }
 
