@@ -101,8 +101,11 @@ void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real 
     ++island.near;
     const auto [a, b] = world.bodies_of(*first);
     const Body& ground = a.movable() ? b : a;
-    island.refused |= !ground.movable() &&
-                      std::any_of(first, end, [&ground](const Contact& at) { return turns_or_pushes(ground, at); });
+    if (ground.movable()) return;
+    island.refused |= std::any_of(first, end, [&ground](const Contact& at) { return turns_or_pushes(ground, at); });
+    const Vec3 goes = ground.conveys ? Vec3::Zero() : ground.velocity;
+    island.refused |= island.ground_goes.value_or(goes) != goes;  // as in a press
+    island.ground_goes = goes;
   });
   each_pair([&](Island& island, auto first, auto end) {
     const Contact& nearest =

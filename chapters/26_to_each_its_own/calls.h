@@ -1,6 +1,7 @@
 /// What each island of a world calls for.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "pushback/chapters/20_only_what_is_needed/islands.h"
@@ -31,7 +32,7 @@ Real way_of_tips(const Body& body, Real dt);
 ///
 ///   flight       if it is one body, without a contact
 ///   half steps   if it has contacts, or rigid joints that form a tree; or both, if contacts are few
-///   substeps     else: where many meet or turn fast, a Force may act, a body sleeps, ground turns, or overlap is more than half steps let
+///   substeps     else: where many meet or turn fast, a Force may act, a body sleeps, ground turns or moves in two ways, or overlap is more than half steps let
 ///                out soon
 class Calls {
  public:
@@ -64,7 +65,8 @@ class Calls {
     int near = 0;                 // pairs within the margin
     int contacts = 0, pairs = 0;  // that may act in this step
     int joints = 0;
-    Real overlap = 0, deepest = 0;  // m
+    Real overlap = 0, deepest = 0;    // m
+    std::optional<Vec3> ground_goes;  // m/s: all that is immovable and near
     bool impact = false, refused = false, many = false, turns = false;
     bool kept = true;  // all of its bodies had half steps in the step before
   };
