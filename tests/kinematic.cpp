@@ -86,7 +86,8 @@ TEST_CASE("a lift that shakes: a box on it does not creep, where each island has
     World world;
     world.add(box({3, Real(0.25), 3}, 1).fixed().at({0, Real(-0.25), 0}));
     world.add(box({Real(0.4), Real(0.5), Real(0.3)}, 50).at({Real(0.7), Real(0.5), Real(0.2)}));
-    for (int i = 1; i <= 3600; ++i) {  // a minute, at up to 6.4 m/s^2: it stays in touch, and nothing pushes it sideways
+    for (int i = 1; i <= 3600;
+         ++i) {  // a minute, at up to 6.4 m/s^2: it stays in touch, and nothing pushes it sideways
       const Real up = Real(0.1) * (1 - std::cos(8 * h * Real(i)));
       world.bodies[0].moved_to({0, up - Real(0.25), 0}, Quat::Identity(), h);
       world.step(solver, h);

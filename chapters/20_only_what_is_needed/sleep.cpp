@@ -63,7 +63,8 @@ void Sleep::check(World& world) {
     for (const int i : *which) check_state(world.bodies[std::size_t(i)]);
   }
   feel_hands(world);
-  for (const int i : awake_) world.bodies[std::size_t(i)].refresh_inertia();  // its orientation may have been set by hand
+  for (const int i : awake_)
+    world.bodies[std::size_t(i)].refresh_inertia();  // its orientation may have been set by hand
 
   const bool plane_moves = std::any_of(planes_.begin(), planes_.end(), driven);
   nobody_may_sleep_ = plane_moves || std::any_of(world.forces.begin(), world.forces.end(), acts_on_all);

@@ -56,9 +56,9 @@ class Sleep {
   struct Rest {  // of one that sleeps, or that nothing moves: where it is
     Vec3 position = Vec3::Constant(std::numeric_limits<Real>::quiet_NaN());  // far from everywhere
     Quat orientation = Quat::Identity();
-    Real reach = 0;                                  // m, from the centre of mass to the farthest point of the shape
-    Real seconds = 0;                                // since the body is there
-    int island = -1;                                 // in islands_, of a body that sleeps
+    Real reach = 0;    // m, from the centre of mass to the farthest point of the shape
+    Real seconds = 0;  // since the body is there
+    int island = -1;   // in islands_, of a body that sleeps
     bool removed = false;
     std::optional<std::pair<Vec3, Vec3>> pull = {};  // force and torque in its first step asleep
   };

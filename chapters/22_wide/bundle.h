@@ -40,7 +40,7 @@ struct WideContact {
   WideRow<Real> normal, tangent1, tangent2;
   Eight<Real> found, restitution, rigid_mass, step_size;  ///< C_0, e, 1 / K, 1 / k; all 0 where a pair has fewer points
   Eight<Real> bias, softness, mass, bounce;               ///< b, gamma, 1 / (K + gamma), e v_n, of this pass
-  EightVectors<Real> sum;  ///< N s, on B, world axes: over the substeps so far
+  EightVectors<Real> sum;                                 ///< N s, on B, world axes: over the substeps so far
 };
 /// Eight pairs, no two of which share a body that moves.
 template <class Real>

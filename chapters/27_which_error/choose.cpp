@@ -236,7 +236,8 @@ void warn_of_later_contacts(const Played& rehearsal, const Played& played) {
   if (first == played.steps.end()) return;
   const auto at = static_cast<std::size_t>(first - played.steps.begin());
   fmt::print(
-      "The prediction does not hold: the rehearsal ended at {:.2g} s with at most {} contacts, and at {:.2g} s there are "
+      "The prediction does not hold: the rehearsal ended at {:.2g} s with at most {} contacts, and at {:.2g} s there "
+      "are "
       "{}.\n",
       static_cast<double>(rehearsal.worlds.back().time), most, static_cast<double>(played.worlds[at].time),
       first->contacts);

@@ -31,9 +31,8 @@ Real roughest(const World& world) {
 
 /// Whether something has bounced: how far off that is, two steps from the same start do not tell, as both find the same impact.
 bool bounced(const World& world) {
-  return std::any_of(world.contacts.begin(), world.contacts.end(), [](const Contact& contact) {
-    return contact.restitution > 0 && !contact.impulse.isZero(0);
-  });
+  return std::any_of(world.contacts.begin(), world.contacts.end(),
+                     [](const Contact& contact) { return contact.restitution > 0 && !contact.impulse.isZero(0); });
 }
 
 /// rad/s.

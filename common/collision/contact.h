@@ -36,7 +36,7 @@ struct Contact {
   bool ahead = false;  ///< n is not that between what is nearest now, but that with which they would touch: see Margin
   /// It acted earlier in the step and was not detected again. All but `impulse` is as it was when it last acted.
   bool parted = false;
-  ContactId id;        ///< and with it which bodies: A is id.body_a, B is id.body_b
+  ContactId id;  ///< and with it which bodies: A is id.body_a, B is id.body_b
 
   /// N s, on B, world axes: the momentum that B gained and A lost here in the latest step, over all its substeps. In
   /// World::contacts_before, and while a solver is at work: what one substep applied.

@@ -47,9 +47,8 @@ void World::remove(int body) {
     return std::find(force.bodies.begin(), force.bodies.end(), body) != force.bodies.end();
   });
   for (Contacts* all : {&contacts, &contacts_before})
-    std::erase_if(*all, [id = std::uint32_t(body)](const Contact& at) {
-      return at.id.body_a == id || at.id.body_b == id;
-    });
+    std::erase_if(*all,
+                  [id = std::uint32_t(body)](const Contact& at) { return at.id.body_a == id || at.id.body_b == id; });
 }
 
 void check_bodies_of(const Force& force, const World& world) {
@@ -90,8 +89,9 @@ void check_state(const Body& body) {
   require("torque", body.torque, body.torque.allFinite());
   constexpr Real rounding = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-5);
   if (!(std::abs(body.orientation.squaredNorm() - 1) <= rounding))
-    throw InvalidInput(fmt::format("length of the orientation of body {} is {}: 1 is needed, as Body::oriented makes it",
-                                   body.index, body.orientation.norm()));
+    throw InvalidInput(
+        fmt::format("length of the orientation of body {} is {}: 1 is needed, as Body::oriented makes it", body.index,
+                    body.orientation.norm()));
 }
 
 void keep_velocity(Body& body) {

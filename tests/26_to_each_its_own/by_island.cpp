@@ -385,7 +385,8 @@ TEST_CASE("by island: a belt takes a box along, in half steps") {
   CHECK(world.body(put).velocity.x() == Approx(speed).epsilon(1e-9));
 }
 
-TEST_CASE("by island: what a belt's end pushes or what goes round a curve is left to substeps, what lies on a lift is not") {
+TEST_CASE(
+    "by island: what a belt's end pushes or what goes round a curve is left to substeps, what lies on a lift is not") {
   const Body small = box({Real(0.2), Real(0.1), Real(0.2)}, 5);
   World world;
   world.add(ground());

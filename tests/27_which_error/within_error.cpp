@@ -446,7 +446,9 @@ TEST_CASE("What is joined and meets something by substeps is not said to be kept
   CHECK(unkept <= 4);  // it meets the wall twice, and not in every step
 }
 
-TEST_CASE("within an error: a double pendulum that meets a wall is where it should be, although nothing is claimed for its bounces") {
+TEST_CASE(
+    "within an error: a double pendulum that meets a wall is where it should be, although nothing is claimed for its "
+    "bounces") {
   const moment_of_impact_scenes::PendulumAtWall pendulum;
   const std::vector<Places> truth = pendulum.truth(120);
   World world;

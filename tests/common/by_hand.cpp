@@ -107,13 +107,15 @@ TEST_CASE("by hand: joints and forces that name no body of the world are refused
   all_refuse("a push acts on body -1", [](World& world) { world.forces.push_back({[](World&) {}, "a push", {-1}}); });
 }
 
-TEST_CASE("by hand: numbers that are not finite, and an orientation that is none, are refused by the name of the body") {
+TEST_CASE(
+    "by hand: numbers that are not finite, and an orientation that is none, are refused by the name of the body") {
   const Real nan = std::numeric_limits<Real>::quiet_NaN(), inf = std::numeric_limits<Real>::infinity();
   all_refuse("force of body 3 is (0, nan, 0)", [nan](World& world) { world.bodies[3].force.y() = nan; });
   all_refuse("torque of body 7 is (inf, 0, 0)", [inf](World& world) { world.bodies[7].torque.x() = inf; });
   all_refuse("velocity of body 3 is (nan", [nan](World& world) { world.bodies[3].velocity.x() = nan; });
   all_refuse("length of the orientation of body 2 is 2", [](World& world) { world.bodies[2].orientation.w() = 2; });
-  all_refuse("length of the orientation of body 2 is nan", [nan](World& world) { world.bodies[2].orientation.x() = nan; });
+  all_refuse("length of the orientation of body 2 is nan",
+             [nan](World& world) { world.bodies[2].orientation.x() = nan; });
 }
 
 TEST_CASE("by hand: an orientation of unit length is taken, and the inertia follows") {

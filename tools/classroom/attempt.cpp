@@ -87,8 +87,7 @@ struct Problem {
 Problem problem_of(const Ended& ended, double processor_seconds, const std::string& where, const Limits& limits,
                    const std::string& last_printed) {
   const auto by_signal = [&](int signal) { return ended.signal == signal || ended.status == 128 + signal; };
-  if (ended.out_of_time ||
-      ((by_signal(SIGXCPU) || by_signal(SIGKILL)) && processor_seconds > 0.5 * limits.seconds))
+  if (ended.out_of_time || ((by_signal(SIGXCPU) || by_signal(SIGKILL)) && processor_seconds > 0.5 * limits.seconds))
     return {"time", fmt::format("{}, your program had no answer after {} s of processor time, or {} s by the clock. "
                                 "Look for a loop that never ends.",
                                 where, limits.seconds, Limits::patience * limits.seconds)};
