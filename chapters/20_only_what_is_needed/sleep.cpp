@@ -284,17 +284,17 @@ void Sleep::end(World& world, Real dt) {
 
 /// All at once. With a pass over bodies and contacts for each island, n islands that fall asleep in one step would take n^2 time.
 void Sleep::put_to_sleep(World& world, const std::map<int, std::vector<int>>& islands) {
-  std::size_t place = 0;
+  std::size_t empty = 0;
   for (const auto& [lowest, bodies] : islands) {
-    while (place < islands_.size() && !islands_[place].bodies.empty()) ++place;
-    if (place == islands_.size()) islands_.emplace_back();
-    islands_[place].bodies = bodies;
+    while (empty < islands_.size() && !islands_[empty].bodies.empty()) ++empty;
+    if (empty == islands_.size()) islands_.emplace_back();
+    islands_[empty].bodies = bodies;
     for (const int i : bodies) {
       Body& body = world.bodies[std::size_t(i)];
       body.velocity.setZero();
       body.angular_velocity.setZero();
       body.asleep = true;
-      rest(i).island = int(place);
+      rest(i).island = int(empty);
       rest(i).position = body.position, rest(i).orientation = body.orientation;
     }
   }

@@ -39,11 +39,11 @@ struct Corner {
   Real speed;  // m/s, as the body turns
   Real way;    // m, in dt
 };
-Corner first_to_get(const Body& body, const Vec3& along, Real dt) {
+Corner first_to_get(const Body& body, const Vec3& direction, Real dt) {
   const Quat to_body = body.orientation.conjugate();
   const Vec3& w = body.angular_velocity;
-  const Vec3 n = to_body * along, turning = body.movable() ? to_body * along.cross(w) : Vec3::Zero();
-  const Real bend = dt * dt / 2 * w.squaredNorm(), centre = along.dot(body.position);
+  const Vec3 n = to_body * direction, turning = body.movable() ? to_body * direction.cross(w) : Vec3::Zero();
+  const Real bend = dt * dt / 2 * w.squaredNorm(), centre = direction.dot(body.position);
   Corner first{.at = -std::numeric_limits<Real>::infinity(), .speed = 0, .way = 0};
   for (const Vec3& r : corners_of_core(body)) {
     const Corner corner{centre + n.dot(r), turning.dot(r), dt * turning.dot(r) + bend * r.norm()};
