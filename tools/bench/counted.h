@@ -17,6 +17,7 @@ inline Work counted_work;
 
 struct CountedMask {
   bool holds;
+  CountedMask operator!() const { return {!holds}; }
   friend CountedMask operator&&(CountedMask p, CountedMask q) { return {p.holds && q.holds}; }
   friend CountedMask operator||(CountedMask p, CountedMask q) { return {p.holds || q.holds}; }
   friend bool any_of(CountedMask mask) { return mask.holds; }
@@ -27,6 +28,7 @@ struct CountedMask {
 template <class Scalar>
 class Counted {
  public:
+  using value_type = Scalar;
   using mask_type = CountedMask;
   Counted() = default;
   Counted(Scalar number) : number_(number) {}

@@ -39,7 +39,7 @@ struct Noted {
     with.prepare_substep = [](const All& all, const WidePushOut<Scalar>& out) {
       return noted<aiming>([&] { return of.prepare_substep(all, out); });
     };
-    with.carry = [](const All& all, Scalar from) { noted<carrying>([&] { of.carry(all, from); }); };
+    with.along = [](const All& all) { noted<carrying>([&] { of.along(all); }); };
     with.relax = [](const All& all) { noted<relaxing>([&] { of.relax(all); }); };
     with.solve_normals = [](const All& all) { return noted<pushing>([&] { return of.solve_normals(all); }); };
     with.solve_friction = [](const All& all) { noted<rubbing>([&] { of.solve_friction(all); }); };
@@ -75,7 +75,7 @@ Passes<Scalar> counted_passes() {
           1,
           prepare<Lane, Scalar>,
           prepare_substep<Lane, Scalar>,
-          carry_along<Lane, Scalar>,
+          along<Lane, Scalar>,
           relax<Lane, Scalar>,
           solve_normals<Lane, Scalar>,
           solve_friction<Lane, Scalar>,
