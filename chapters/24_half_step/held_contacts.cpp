@@ -111,7 +111,7 @@ void HeldContacts::detected(const World& world) {
       known_.push_back(*old);
       continue;
     }
-    known_.push_back({.id = contact.id});  // it was not known when the step began: so fast it has come
+    known_.push_back({.id = contact.id});  // new since the step began: this is its approach
     known_.back().approach = separating_speed(world, contact);
   }
 }

@@ -50,8 +50,8 @@ class HeldContacts {
   void press(World& world, Real h);
   /// World::contacts are those where the bodies are now.
   void detected(const World& world);
-  /// The drift after the next `press` turns this contact of World::contacts further in than J says, by so many m more than was known:
-  /// it is to end as much higher.
+  /// The drift after the next `press` turns this contact of World::contacts in by `depth` m more than J and earlier calls account for.
+  /// The press aims higher by that much.
   void bends(std::size_t contact, Real depth) { known_[contact].bends += depth; }
   /// The second.
   void project(World& world, Real h);
@@ -127,8 +127,7 @@ class HeldContacts {
   Contacts touching_;  // those of taking_
   Rows rows_;
   std::vector<Known> known_, known_before_;  // of World::contacts, ascending
-  Contacts
-      sums_;  // since `begin`, in the order in which they first acted: one that parts and comes back is there twice
+  Contacts sums_;  // since `begin`, in the order of first action; a contact that parts and returns appears twice
 };
 
 }  // namespace pushback

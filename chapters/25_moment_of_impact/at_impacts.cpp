@@ -117,8 +117,8 @@ void AtImpacts::bounce(World& world, Real h, const std::vector<std::size_t>& whi
     contacts_.add(world, which[k], {rows[k].impulse, rows[count + 2 * k].impulse, rows[count + 2 * k + 1].impulse});
 }
 
-/// Newton's rule and friction together may give energy (Kane 1984). Then all leave slower, by the largest of a half, a quarter, an eighth
-/// and nothing at which they do not: without what leaves, friction only takes.
+/// Newton's rule and friction together may add energy (Kane 1984). Then every target speed is halved, up to three times, and set to 0 at
+/// last: without restitution the kinetic energy cannot grow.
 void AtImpacts::strike_free(StepContext& step) {
   constexpr Real rounding = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-4);
   const bool rubs =
@@ -242,8 +242,8 @@ std::optional<Real> AtImpacts::next_touch(const World& world, const std::vector<
   return first;
 }
 
-/// Of the held contacts after a drift of h s: those that it has let in further than `sinks`, or further than their pair was before; by how
-/// much. `begun`: World::contacts before. What a turn bends a way by is h^2/2 w^2 r.
+/// Held contacts that a drift of h s has let in by more than `sinks` and deeper than their pair was in `begun`, World::contacts before the
+/// drift. A turn moves a point off its straight path by at most h^2/2 w^2 r.
 std::vector<AtImpacts::Sunk> AtImpacts::sunk_since(const World& world, const Contacts& begun, Real h) const {
   std::vector<Sunk> sunk;
   auto old = begun.begin();  // both lists ascend: walk them side by side
@@ -301,7 +301,7 @@ bool AtImpacts::touch_already(const Contacts& contacts) const {
                      [this](const Contact& at) { return pair_of(at) == *first_ && at.depth > -touches; });
 }
 
-/// For `within` s, in which nobody else touches, or until what is held sinks in. Returns how long it took.
+/// Drifts for at most `within` s, in which no other pair touches. Ends earlier if a held contact sinks in. Returns the time, s.
 Real AtImpacts::move_free(World& world, Real within) {
   if (contacts_.only && contacts_.only->empty()) {
     HalfStep::advance(world, within);

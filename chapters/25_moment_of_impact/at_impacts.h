@@ -20,8 +20,8 @@ enum class Impacts { sequential, simultaneous };
 /// and again, until the step is over. So nothing that is apart when a step begins can pass through anything else. A pair that
 /// stays in touch is held as in chapter 24, also where it touches next.
 ///
-/// What is held may come down with its other end, or turn so far in a drift that it sinks in. Then the drift is taken again until that
-/// begins.
+/// A held body may come down with its other end, or turn so far in a drift that it sinks in. The drift is then repeated, and ends when the
+/// sinking begins.
 ///
 /// Bounces end. What leaves with u and is pressed back by a is there again after 2 u / a, then slower by e: infinitely many bounces take
 ///
@@ -73,7 +73,7 @@ class AtImpacts : public HalfStep {
   std::optional<Real> next_touch(const World& world, const std::vector<Body>& bodies, Real within);
   Real touch_in(const World& world, const Contacts& begun, Real h) const;
   struct Sunk {
-    Real since;                 // s: so long ago it has begun; infinite where nobody knows
+    Real since;                 // s: since it began to sink; infinite if unknown
     std::ptrdiff_t known = -1;  // its place in `begun`, where it touched and the turn tells all of it
     Real by = 0;                // m
   };

@@ -145,7 +145,7 @@ bool ByIsland::find_more(const World& world, const std::vector<Real>& ways, cons
     const std::size_t count = found_.size();
     collide(a, b, found_, {.least = ways[p] + ways[q]});
     if (found_.size() > count) continue;
-    // A corner that is nearest to a corner is beside both faces, and no contact.
+    // Collision detection finds no contact where two corners are nearest to each other.
     const Gap gap = gap_between(a, b);
     if (gap.distance > ways[p] + ways[q]) continue;
     found_.push_back({.id = {std::uint32_t(p), std::uint32_t(q), beside}});
@@ -239,7 +239,8 @@ void ByIsland::move_island(IslandWorld& island, const World& whole, Real dt, int
   if (island.held) memory.failures = 0;
 }
 
-/// Whether half steps have let something in that they did not know of. What was as deep before has no room, as in a press.
+/// Whether half steps have let a contact in that they had not detected. Islands that were deep before are left out: in a press there is no
+/// room.
 bool ByIsland::lets_in(const IslandWorld& island) {
   const Real before = calls_.deepest(island.lowest()),
              most = std::max(AtImpacts::sinks, before + AtImpacts::sinks / 10);

@@ -90,7 +90,7 @@ class ByIsland : public ForwardingSolver {
   /// All that `many` moves. What is moved otherwise stands still meanwhile, and its joints are not there.
   virtual void move_others(World& world, Real dt, int sweeps);
 
-  /// The feature of what is near, and no contact.
+  /// The feature id of a pair that is near but has no contact.
   static constexpr std::uint32_t beside = std::numeric_limits<std::uint32_t>::max();
 
   Calls calls_;

@@ -32,8 +32,8 @@ bool turns_or_pushes(const Body& ground, const Contact& at) {
   return ground.conveys && std::abs(ground.velocity.dot(at.normal)) > along * ground.velocity.norm();
 }
 
-/// Of a body's corners the one that may get farthest along a direction within dt. One at r from the body's position turns that way by no
-/// more than  dt n . (w x r) + dt^2/2 w^2 |r|.
+/// The corner of a body that may get farthest along a direction n within dt. A turn moves a corner at r from the body's position by no more
+/// than  dt n . (w x r) + dt^2/2 w^2 |r|  along n.
 struct Corner {
   Real at;     // m, along it, from the world's origin
   Real speed;  // m/s, as the body turns

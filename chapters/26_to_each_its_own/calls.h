@@ -32,8 +32,8 @@ Real way_of_tips(const Body& body, Real dt);
 ///
 ///   flight       if it is one body, without a contact
 ///   half steps   if it has contacts, or rigid joints that form a tree; or both, if contacts are few
-///   substeps     else: where many meet or turn fast, a Force may act, a body sleeps, ground turns or moves in two ways, or overlap is more than half steps let
-///                out soon
+///   substeps     else: if many meet or turn fast, a Force may act, a body sleeps, ground turns or moves in two ways, or overlap is more
+///                than half steps let out soon
 class Calls {
  public:
   /// `contacts`: all within the margin, ascending. What arrives faster than `threshold`, m/s, within dt is an impact.
@@ -46,7 +46,7 @@ class Calls {
   int island_of(int body) { return islands_.island_of(body); }
   /// Whether bodies may meet in this step; `island`: its lowest body.
   bool impact(int island) const { return of_[std::size_t(island)].impact; }
-  /// They have, although nobody expected it.
+  /// Marks an island whose bodies met unexpectedly.
   void have_met(int island) { of_[std::size_t(island)].impact = true; }
   /// Whether any are within the margin. Where joints pull them together, these may meet as well.
   bool near(int island) const { return of_[std::size_t(island)].near > 0; }

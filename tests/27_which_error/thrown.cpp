@@ -57,7 +57,7 @@ TEST_CASE("thrown bodies: no impact gives energy, however rough and elastic") {
   }
 }
 
-TEST_CASE("an end that comes down beside one that leaves is seen: a capsule keeps its 128.9 J") {
+TEST_CASE("a capsule whose far end lands while the other leaves keeps its 128.9 J") {
   if (!in_double) return;
   World world;
   world.gravity.setZero();
