@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,8 @@ class CommandLine {
     Option& at_most_once();
     Option& without(const Option& other);
     Option& from_environment(const std::string& variable);
+    Option& under(const std::string& heading);      ///< in the help text
+    Option& meant_alone(const std::string& value);  ///< what the name says without a value
     bool given() const;
 
    private:
@@ -51,6 +55,10 @@ class CommandLine {
   void version(const std::string& text, const std::string& help);
   void ends_with(const std::string& text);
 
+  /// Reads the command line. Returns an exit status where that is all: 0 after a help text, 2 after a message on what cannot be used.
+  std::optional<int> read(int argc, const char* const* argv);
+  /// The names of the options that were given.
+  std::set<std::string> given() const;
   /// Reads the command line and does the work. Returns the program's exit status: 0; 2 after a message where a value cannot be
   /// used; 1 where something else went wrong.
   int run(int argc, const char* const* argv, const std::function<void()>& work);
