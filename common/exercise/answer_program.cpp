@@ -5,7 +5,6 @@
 #include <iostream>
 
 #include "pushback/common/exercise/answer_program.h"
-#include "pushback/common/exercise/shown.h"
 
 using namespace pushback;
 
@@ -25,11 +24,7 @@ int main() {
       say(fmt::format("check {}", check));
       Random random = random_of(seed, check, scene);
       try {
-        const Recording recording;
-        const Numbers numbers = students_numbers(check, random);
-        for (const Instant& instant : recording.instants())
-          say(fmt::format("shown {}", fmt::join(numbers_of(instant), " ")));
-        say(fmt::format("numbers {}", fmt::join(numbers, " ")));
+        say(fmt::format("numbers {}", fmt::join(students_numbers(check, random), " ")));
       } catch (const std::bad_alloc&) {
         say("memory");
         return 1;

@@ -1,10 +1,7 @@
-/// An exercise that checks itself: scenes that are played with an answer, the numbers that they measure, and how each known
-/// mistake shows in these numbers.
+/// An exercise that checks itself: scenes that are played with an answer, and the numbers that they measure.
 #pragma once
 
 #include <functional>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,19 +18,6 @@ struct Quantity {
   double tolerance;  ///< how far it may be from the right one
 };
 
-/// How something goes on during a scene, for the picture alone. Its values, one after the other, stand behind the quantities.
-struct Recorded {
-  std::string words;  ///< "depth of your box"
-  std::string unit;
-  std::string over;  ///< what it is plotted against, from 0 on: "step"
-};
-
-/// What `play` of such a check returns.
-inline Numbers with_record(Numbers quantities, const Numbers& recorded) {
-  quantities.insert(quantities.end(), recorded.begin(), recorded.end());
-  return quantities;
-}
-
 /// `Answer` is what an exercise asks of the student: functions, or an effect.
 template <class Answer>
 struct Check {
@@ -42,8 +26,11 @@ struct Check {
   std::vector<Quantity> quantities;
   std::function<Numbers(Random&, const Answer&)>
       play;  ///< a scene made of random numbers: its quantities, in their order
+  /// What is physically wrong with any answer that fails: goes on from "your column leaves with 0.31 m/s where 0 is right: ".
+  std::string hint = {};
 };
 
+/// Of a whole solver: a hint for answers that show its numbers.
 template <class Answer>
 struct Mistake {
   std::string name;  ///< "each correction clamped"; a mistake that can be written in two ways stands here twice
@@ -57,7 +44,7 @@ struct Exercise {
     std::string says;
     int points;
     std::vector<Quantity> quantities;
-    std::optional<Recorded> recorded;
+    std::string hint;
     int stage = 0;  ///< of a whole solver's: the chapter that asks for it
   };
   /// What is measured in a scene of this check with an answer that is known. Of a mistake it may be empty: nothing is known.
@@ -71,10 +58,11 @@ struct Exercise {
   std::vector<std::string> hints;  ///< one more at each `--hint`
   std::vector<Line> checks;
   Played right;
-  std::vector<Known> mistakes;
-  std::string name = {};    ///< of its file: 03_baumgarte, 15_limits_motors_springs_transfer; from its folder
-  std::string folder = {};  ///< chapters/03_baumgarte/exercise
-  std::string object = {};  ///< of a teacher's own, and of a whole solver: what a student's program is linked with
+  std::vector<Known> mistakes;  ///< of a whole solver alone
+  Played untouched = {};        ///< the file with the gap, as students get it
+  std::string name = {};        ///< of its file: 03_baumgarte, 15_limits_motors_springs_transfer; from its folder
+  std::string folder = {};      ///< chapters/03_baumgarte/exercise
+  std::string object = {};      ///< of a teacher's own, and of a whole solver: what a student's program is linked with
   /// Of a whole solver alone, whose file is solver.h with headers beside it: what is compiled behind the student's text, which
   /// keeps the numbers of its lines.
   std::string behind = {};
@@ -90,27 +78,23 @@ struct Exercise {
   bool graded() const { return !in_page && !whole(); }
 };
 
-/// `recorded`: for a check, by its number from 0 on, what follows its quantities.
 template <class Answer>
 Exercise exercise_of(std::string title, std::vector<std::string> hints, const std::vector<Check<Answer>>& checks,
-                     const Answer& right, std::vector<Mistake<Answer>> mistakes,
-                     const std::map<std::size_t, Recorded>& recorded = {}) {
+                     const Answer& right, const std::vector<Mistake<Answer>>& mistakes = {}) {
   const auto played = [checks](const Answer& answer) {
     return [checks, answer](std::size_t check, Random& random) { return checks[check].play(random, answer); };
   };
   Exercise made{std::move(title), std::move(hints), {}, played(right), {}};
-  for (const auto& check : checks) made.checks.push_back({check.says, check.points, check.quantities, {}});
-  for (const auto& [check, what] : recorded) made.checks.at(check).recorded = what;
-  for (auto& mistake : mistakes) made.mistakes.push_back({mistake.name, mistake.hint, played(mistake.answer)});
+  for (const auto& check : checks) made.checks.push_back({check.says, check.points, check.quantities, check.hint});
+  for (const auto& mistake : mistakes) made.mistakes.push_back({mistake.name, mistake.hint, played(mistake.answer)});
   return made;
 }
 
 /// The same of a rebuild, in which students write what the chapter's page shows.
 template <class Answer>
 Exercise rebuild_of(std::string title, std::vector<std::string> hints, const std::vector<Check<Answer>>& checks,
-                    const Answer& right, std::vector<Mistake<Answer>> mistakes,
-                    const std::map<std::size_t, Recorded>& recorded = {}) {
-  Exercise made = exercise_of<Answer>(std::move(title), std::move(hints), checks, right, std::move(mistakes), recorded);
+                    const Answer& right) {
+  Exercise made = exercise_of<Answer>(std::move(title), std::move(hints), checks, right);
   made.in_page = true;
   return made;
 }

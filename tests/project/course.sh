@@ -375,11 +375,6 @@ course exercise 15-transfer --hint && expect 1 "--target exercise" "exercise: 15
 course exercise && expect 1 "exercise:  in $scratch/sub" && expect_not "only this once"
 rm "$scratch/home/build/release/programs/exercise"
 course exercise && expect 127 "is built first, only this once"
-mkdir -p "$scratch/home/build/release/tests"
-printf '#!/bin/sh\necho "answers: $*"\nexit 1\n' >"$scratch/home/build/release/tests/exercise_answers"
-chmod +x "$scratch/home/build/release/tests/exercise_answers"
-course exercise --quality && expect 1 "--target exercise_answers" "answers: " && expect_not "--quality"
-course exercise 03 --quality 15-transfer && expect 1 "answers: 03 15-transfer"
 # The chapter whose picture is drawn is built, too; what --seed and --in are given is no chapter.
 course mine 03 --hint && expect 1 "--target mine 03_three" "mine: 03 --hint in $scratch/sub"
 course mine 03 --seed 4 --in 10 && expect 1 "--target mine 03_three" "mine: 03 --seed 4 --in 10 in $scratch/sub" &&

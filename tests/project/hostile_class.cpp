@@ -86,7 +86,7 @@ class HostileClass {
   /// Options, and what comes of them. The class is graded from its own folder, so that "-rf" looks like an option.
   Ended grade(const std::string& options) const {
     std::vector<std::string> command{"env", "-C", folder_ / "class", "SECRET_TOKEN=key-of-the-teacher", GRADE_PROGRAM};
-    std::istringstream in(options + " --exercises 03 --seed 1 --no-sheet --out " + (folder_ / "out").string());
+    std::istringstream in(options + " --exercises 03 --seed 1 --out " + (folder_ / "out").string());
     for (std::string word; in >> word;) command.push_back(word);
     command.emplace_back("--");
     for (const std::string& name : names_) command.push_back(name.substr(6));

@@ -55,8 +55,7 @@ TEST_CASE("an exercise of one's own is listed, checked, handed out and graded be
   CHECK(wrong.err.empty());
   CHECK(wrong.status == 1);
   CHECK(contains(wrong.out, "  ✗ a wagon that can be stopped stands, and stays\n"));
-  CHECK(contains(wrong.out, "it looks as if the brake had no bound."));
-  CHECK(fs::exists(tasks.scratch / "anna/brake.png"));
+  CHECK(contains(wrong.out, "the brake gives -m v where that is less than F h"));
   tasks.write("anna", right);
   CHECK(contains(call_program(EXERCISE_PROGRAM, "brake" + anna + tasks.with, 120).out, "Solved."));
 
@@ -67,29 +66,12 @@ TEST_CASE("an exercise of one's own is listed, checked, handed out and graded be
                        " --exercises brake --no-sandbox --out " + (tasks.scratch / "out").string(),
                    120);
   CHECK(contains(graded.out, "anna       3 of 3  brake 3/3\n"));
-  CHECK(contains(graded.out, "brake 0/3 (no bound)\n"));
+  CHECK(contains(graded.out, "brake 0/3\n"));
   const Ended handout =
       call_program(HANDOUT_PROGRAM, (tasks.scratch / "handout").string() + " --with brake" + tasks.with, 120);
   CHECK(handout.status == 0);
   CHECK(text_of(tasks.scratch / "handout/brake.h") == text_of(tasks.brake / "student.h"));
   CHECK(contains(text_of(tasks.scratch / "handout.points"), "brake 3 1  # a wagon that rolls backwards"));
-}
-
-TEST_CASE("the example's checks tell its mistakes apart") {
-  Tasks tasks;
-  const std::vector<Exercise> all = exercises_with(tasks.folder);
-  const Exercise& exercise = exercise_named(all, "brake");
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const auto sent = [&](const Exercise::Played& answer) {
-      Attempt outcome;
-      for (std::size_t check = 0; check < exercise.checks.size(); ++check)
-        outcome.numbers.push_back(scenes_of(answer, seed, check));
-      return outcome;
-    };
-    CHECK(judge(exercise, seed, sent(exercise.right)).passed());
-    for (const auto& mistake : exercise.mistakes)
-      CHECK(judge(exercise, seed, sent(mistake.played)).mistake == mistake.name);
-  }
 }
 
 TEST_CASE("a file may not read what is right of an exercise of one's own") {

@@ -1,10 +1,14 @@
-/// What students may write into the gap of an exercise, and how the verdict calls each: tests/NN_name/exercise/*.txt.
+/// What students may write into the gap of an exercise: tests/NN_name/exercise/*.txt.
 #pragma once
+
+#include <set>
+#include <sstream>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/tools/classroom/attempt.h"
+#include "pushback/tools/classroom/mine/edits.h"
 #include "pushback/tools/classroom/student_files.h"
 
 namespace pushback {
@@ -29,33 +33,39 @@ inline std::string lines_of_the_gap(const Exercise& exercise) {
 }
 
 struct WrittenAnswer {
-  std::string
-      name;  ///< "right", the name of its mistake, "nothing changes", or "unnamed: " and what no hint is known for
-  std::string lines;
+  std::string title;                 ///< "right", or "1 3: cap forgotten"
+  std::set<std::size_t> fails = {};  ///< the numbers of the checks, from 1 on
+  std::string lines = {};
 };
 
+/// `== title`, and its lines; where they begin with - and +, they are an edit of the first answer.
 inline std::vector<WrittenAnswer> written_answers(const Exercise& exercise, const std::filesystem::path& tests) {
   const std::filesystem::path file =
       tests / std::filesystem::path(exercise.folder).lexically_relative("chapters").begin()->string() / "exercise" /
       (exercise.transfer() ? "transfer.txt" : "answers.txt");
   std::vector<WrittenAnswer> answers;
   for (const std::string& line : lines_of(read_text_file(file))) {
-    if (line.starts_with("== ")) answers.push_back({line.substr(3), ""});
-    else if (!answers.empty()) answers.back().lines += line + "\n";
+    if (line.starts_with("== ")) {
+      answers.push_back({line.substr(3)});
+      std::istringstream numbers(line.substr(3));
+      for (std::size_t number; numbers >> number;) answers.back().fails.insert(number);
+    } else if (!answers.empty()) {
+      answers.back().lines += line + "\n";
+    }
   }
+  for (WrittenAnswer& answer : answers)
+    if (answer.lines.starts_with("- "))
+      answer.lines = edited_loops("== " + answer.title + "\n" + answer.lines, answers[0].lines)[0].text;
   return answers;
 }
 
-/// The verdict on this text as a student's file; compared with the untouched one where there are `untouched_files`.
+/// The verdict on this text as a student's file.
 inline Verdict verdict_on(const Exercise& exercise, const std::string& text, std::uint64_t seed,
-                          const Sandbox* sandbox = nullptr, const Limits& limits = {},
-                          UntouchedFiles* untouched_files = nullptr) {
+                          const Sandbox* sandbox = nullptr, const Limits& limits = {}) {
   const ScratchFolder scratch;
   const std::filesystem::path file = scratch.path / (exercise.name + ".h");
   write_text_file(file, text);
-  const Attempt outcome = attempt(exercise, file, seed, sandbox, limits);
-  if (!untouched_files) return judge(exercise, seed, outcome);
-  return judge(exercise, seed, outcome, [&] { return untouched_files->attempt(exercise, seed); });
+  return judge(exercise, seed, attempt(exercise, file, seed, sandbox, limits));
 }
 
 /// Why there is none here; empty: there is.

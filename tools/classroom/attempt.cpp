@@ -9,7 +9,6 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
-#include "pushback/common/exercise/shown.h"
 #include "pushback/tools/classroom/budget.h"
 #include "pushback/tools/classroom/compiler_words.h"
 #include "pushback/tools/classroom/kit.h"
@@ -68,15 +67,6 @@ std::string shortened(std::string text, std::size_t most) {
   return text.substr(0, most) + " ...";
 }
 
-/// Of the scene whose numbers come next. No more and no longer ones than a scene has: who knows the word may write anything.
-void keep_shown(Attempt& outcome, std::string_view text) {
-  constexpr std::size_t longest = 25 * most_numbers_shown;  // characters
-  const std::size_t check = outcome.numbers.size() - 1, scene = outcome.numbers.back().size();
-  if (scene >= scenes_of_a_check || text.size() > longest) return;
-  std::vector<Numbers>& instants = outcome.shown[{check, scene}];
-  if (instants.size() < most_instants) instants.push_back(numbers_in(text));
-}
-
 struct Problem {
   std::string kind, text;
 };
@@ -121,11 +111,11 @@ std::string built_not(const Ended& ended, const std::string& too_much, const fs:
 }  // namespace
 
 Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t seed, const Sandbox* sandbox,
-                const Limits& limits, const fs::path& kept) {
+                const Limits& limits) {
   Attempt outcome;
   const ScratchFolder scratch;
   const fs::path own = scratch.path / file.filename(), object = scratch.path / "answer.o",
-                 program = kept.empty() ? scratch.path / "answer" : kept, headers = kit().folder / "headers.h",
+                 program = scratch.path / "answer", headers = kit().folder / "headers.h",
                  answer = kit().folder / "answer.cpp";
   write_text_file(own, read_text_file(file) + exercise.behind);
   if (exercise.own())  // as "asked.h"; the folder itself has the answer
@@ -155,22 +145,19 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
   std::vector<fs::path> needed{headers, answer};
   for (const char* parsed : {"headers.h.gch", "headers.h.pch"})
     if (fs::exists(kit().folder / parsed)) needed.push_back(kit().folder / parsed);
-  Ended ended{.status = 0, .out = {}, .err = {}};
-  if (!fs::exists(program)) {
-    ended = build(compile, needed);
-    if (ended.status == 0) {
-      // Not before now: the compiler could put what is in them into the program, and they hold what is right.
-      Command link = kit().words_of("link.txt");
-      std::vector<fs::path> libraries;
-      for (const std::string& word : link)
-        if (word.starts_with("/") && !word.starts_with("/usr/")) libraries.emplace_back(word);
-      link.insert(link.begin() + 1, {"-fno-use-linker-plugin", "-o", program, object});
-      if (exercise.own()) {
-        link.insert(link.begin() + 5, exercise.object);
-        libraries.emplace_back(exercise.object);
-      }
-      ended = build(link, libraries);
+  Ended ended = build(compile, needed);
+  if (ended.status == 0) {
+    // Not before now: the compiler could put what is in them into the program, and they hold what is right.
+    Command link = kit().words_of("link.txt");
+    std::vector<fs::path> libraries;
+    for (const std::string& word : link)
+      if (word.starts_with("/") && !word.starts_with("/usr/")) libraries.emplace_back(word);
+    link.insert(link.begin() + 1, {"-fno-use-linker-plugin", "-o", program, object});
+    if (exercise.own()) {
+      link.insert(link.begin() + 5, exercise.object);
+      libraries.emplace_back(exercise.object);
     }
+    ended = build(link, libraries);
   }
   if (ended.status != 0) {
     outcome.kind = "does not compile";
@@ -191,8 +178,6 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
       if (check < exercise.checks.size()) outcome.numbers.resize(std::max(outcome.numbers.size(), check + 1));
     } else if (said.starts_with("numbers") && !outcome.numbers.empty())
       outcome.numbers.back().push_back(numbers_in(said.substr(7)));
-    else if (said.starts_with("shown ") && !outcome.numbers.empty())
-      keep_shown(outcome, std::string_view(said).substr(6));
     else if (said == "end") complete = true;
     else if (said == "memory") outcome.kind = "memory";
     else if (said.starts_with("exception ")) outcome.kind = said;
@@ -221,16 +206,6 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
   }
   outcome.problem = shortened(outcome.problem, 1000);
   return outcome;
-}
-
-Attempt UntouchedFiles::attempt(const Exercise& exercise, std::uint64_t seed) {
-  const std::lock_guard alone(of(exercise));
-  return pushback::attempt(exercise, stub_of(exercise), seed, nullptr, {}, programs_.path / exercise.name);
-}
-
-std::mutex& UntouchedFiles::of(const Exercise& exercise) {
-  const std::lock_guard alone(talking_);
-  return compiling_[exercise.name];
 }
 
 }  // namespace pushback

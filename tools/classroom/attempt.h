@@ -2,8 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <mutex>
 
 #include "pushback/tools/classroom/judge.h"
 #include "pushback/tools/classroom/sandbox.h"
@@ -23,22 +21,8 @@ struct Limits {
   static constexpr int patience = 6;
 };
 
-/// `sandbox`: none where it is null. `program`: where it is kept, to be run again; one that is there is not compiled anew.
+/// `sandbox`: none where it is null.
 Attempt attempt(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed, const Sandbox* sandbox,
-                const Limits& limits = {}, const std::filesystem::path& program = {});
-
-/// The files with a gap, as students get them: compiled at most once each, and run with the seed of whoever is compared with them.
-/// May be asked by several threads.
-class UntouchedFiles {
- public:
-  /// Trusted, and so in no sandbox.
-  Attempt attempt(const Exercise& exercise, std::uint64_t seed);
-
- private:
-  std::mutex& of(const Exercise& exercise);
-  ScratchFolder programs_;
-  std::mutex talking_;
-  std::map<std::string, std::mutex> compiling_;  // by exercise
-};
+                const Limits& limits = {});
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// What a compiler says, for who reads it for the first time.
+/// What a compiler says of a student's file.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace pushback {
 
-/// The first error in these messages of g++, clang++ or the linker: the line of the student's file that it comes from, also where
-/// it shows elsewhere, the line itself, and what it means.
+/// The first error in the student's file among these messages of g++, clang++ or the linker, with the line that it is in. If all
+/// show elsewhere: the first of them, with the line of the file that is named first.
 std::string first_error(const std::string& messages, const std::filesystem::path& students_file);
 
 }  // namespace pushback

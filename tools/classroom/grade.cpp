@@ -17,7 +17,6 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/tools/classroom/handed_in.h"
-#include "pushback/tools/classroom/result_sheet.h"
 #include "pushback/tools/classroom/student_files.h"
 
 namespace pushback {
@@ -48,11 +47,9 @@ std::string stands_at(const Exercise& exercise, int fails) {
   return last < 0 ? "none" : fmt::format("{:02}", last);
 }
 
-Json graded(const Grading& grading, const Exercise& exercise, const std::string& student, const HandedIn& handed_in,
-            std::uint64_t seed, const Sandbox* sandbox, UntouchedFiles& untouched_files) {
+Json graded(const Grading& grading, const Exercise& exercise, const HandedIn& handed_in, std::uint64_t seed,
+            const Sandbox* sandbox) {
   const std::optional<fs::path> file = handed_in.file(exercise);
-  const fs::path sheet = grading.out / "sheets" / student / (exercise.name + ".png");
-  fs::remove(sheet);
   Verdict verdict;
   std::string printed;
   const auto attempted = [&] {
@@ -74,14 +71,8 @@ Json graded(const Grading& grading, const Exercise& exercise, const std::string&
     verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
   } else {
     const Attempt outcome = attempted();
-    verdict = exercise.whole()
-                  ? judge(exercise, seed, outcome)
-                  : judge(exercise, seed, outcome, [&] { return untouched_files.attempt(exercise, seed); });
+    verdict = judge(exercise, seed, outcome);
     printed = outcome.printed.substr(0, 1000);
-    if (grading.sheets && !exercise.whole()) {  // a page of 30 checks shows nobody anything
-      fs::create_directories(sheet.parent_path());
-      write_result_sheet(sheet, exercise, seed, outcome, verdict);
-    }
   }
   Json made{{"exercise", short_name(exercise)},
             {"points", 0},
@@ -124,8 +115,8 @@ std::vector<std::string> headers_beside(const fs::path& file) {
 /// What a student's result follows from.
 std::string fingerprint(const Grading& grading, const HandedIn& handed_in, std::uint64_t seed) {
   const Limits& limits = grading.limits;
-  std::string all = fmt::format("{} {} {} {} {} {} {} {}", seed, grading.sandboxed, grading.sheets, limits.seconds,
-                                limits.megabytes, limits.processes, limits.compile_seconds, limits.compile_megabytes);
+  std::string all = fmt::format("{} {} {} {} {} {} {}", seed, grading.sandboxed, limits.seconds, limits.megabytes,
+                                limits.processes, limits.compile_seconds, limits.compile_megabytes);
   all += handed_in.problem();
   for (const Exercise* exercise : grading.exercises) {
     all += short_name(*exercise);
@@ -295,7 +286,6 @@ void grade(const Grading& grading) {
   for (const auto& student : students)
     if (grading.shard.has(number++)) mine.push_back(student);
   std::atomic<std::size_t> next = 0;
-  UntouchedFiles untouched_files;
   std::mutex talking;
   std::exception_ptr failure;
   const auto work = [&] {
@@ -309,8 +299,8 @@ void grade(const Grading& grading) {
         if (before && (*before)["fingerprint"] == follows_from) continue;
         Json result{{"student", name}, {"fingerprint", follows_from}, {"exercises", Json::array()}};
         for (const Exercise* exercise : grading.exercises)
-          result["exercises"].push_back(graded(grading, *exercise, name, handed_in, seed ^ hash_of(name),
-                                               sandbox ? &*sandbox : nullptr, untouched_files));
+          result["exercises"].push_back(
+              graded(grading, *exercise, handed_in, seed ^ hash_of(name), sandbox ? &*sandbox : nullptr));
         write_text_file(file, dumped(result));
         const std::lock_guard guard(talking);
         fmt::print(stderr, "graded: {}\n", name);

@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
   Grading grading;
   std::vector<std::string> words;
   std::string points, tasks, shard = "1/1";
-  bool no_sandbox = false, no_sheet = false, hard_cases = false;
+  bool no_sandbox = false, hard_cases = false;
   CommandLine line("Grades what students have handed in: a folder or an archive each, with files as 03_baumgarte.h.",
                    "./course grade");
   line.option("FOLDER", grading.given,
@@ -69,7 +69,6 @@ int main(int argc, char** argv) {
       .between(1, 3600)
       .shows_default();
   line.flag("--no-sandbox", no_sandbox, "Run what students wrote with all rights that you have yourself");
-  line.flag("--no-sheet", no_sheet, "No pictures of the students' numbers beside the right ones");
   line.flag("--hard-cases", hard_cases,
             "Then play all hard cases with each student's solver.h: a column each in hard_cases/, for comparison");
   line.option("--tasks", tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
@@ -87,7 +86,6 @@ int main(int argc, char** argv) {
           fmt::format("--points: '{}' names no exercise that is graded; --exercises may name others", points));
     grading.shard = shard_of(shard);
     grading.sandboxed = !no_sandbox;
-    grading.sheets = !no_sheet;
     grade(grading);
     if (hard_cases) play_hard_cases_of(grading);
   });

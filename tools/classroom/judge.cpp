@@ -12,8 +12,7 @@ namespace {
 
 bool is_whole(const Exercise::Line& check, const NumbersOfScenes& scenes) {
   return scenes.size() == scenes_of_a_check && std::all_of(scenes.begin(), scenes.end(), [&](const Numbers& numbers) {
-           return numbers.size() == check.quantities.size() ||
-                  (check.recorded && numbers.size() > check.quantities.size());
+           return numbers.size() == check.quantities.size();
          });
 }
 
@@ -51,22 +50,25 @@ bool resembles(const std::vector<Quantity>& quantities, const NumbersOfScenes& r
   return true;
 }
 
-/// Whether an answer is, as far as its numbers tell, the file that it began as.
-bool same_numbers(const Exercise& exercise, const Attempt& one, const Attempt& other) {
-  if (one.numbers.size() != other.numbers.size()) return false;
-  for (std::size_t i = 0; i < one.numbers.size(); ++i) {
-    if (one.numbers[i].size() != other.numbers[i].size()) return false;
-    for (std::size_t scene = 0; scene < one.numbers[i].size(); ++scene) {
-      const Numbers &a = one.numbers[i][scene], &b = other.numbers[i][scene];
-      if (a.size() != b.size()) return false;
-      for (std::size_t j = 0; j < std::min(a.size(), exercise.checks[i].quantities.size()); ++j) {
-        if (a[j] == b[j] || (std::isnan(a[j]) && std::isnan(b[j]))) continue;
-        // A compiler may round otherwise where other code stands beside.
-        const Real rounding = 1000 * std::numeric_limits<Real>::epsilon() * std::abs(a[j]);
-        if (!(std::abs(a[j] - b[j]) <= std::max<double>(rounding, exercise.checks[i].quantities[j].tolerance / 1000)))
-          return false;
-      }
-    }
+/// As far as the numbers tell. A compiler may round otherwise where other code stands beside.
+bool are_same(const std::vector<Quantity>& quantities, const Numbers& one, const Numbers& other) {
+  if (one.size() != other.size() || one.size() != quantities.size()) return false;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    if (one[i] == other[i] || (std::isnan(one[i]) && std::isnan(other[i]))) continue;
+    const Real rounding = 1000 * std::numeric_limits<Real>::epsilon() * std::abs(one[i]);
+    if (!(std::abs(one[i] - other[i]) <= std::max<double>(rounding, quantities[i].tolerance / 1000))) return false;
+  }
+  return true;
+}
+
+/// Whether an answer is the file that it began as.
+bool is_untouched(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome) {
+  if (!exercise.untouched) return false;
+  for (std::size_t i = 0; i < outcome.numbers.size(); ++i) {
+    const NumbersOfScenes gap = scenes_of(exercise.untouched, seed, i);
+    for (std::size_t scene = 0; scene < outcome.numbers[i].size(); ++scene)
+      if (scene >= gap.size() || !are_same(exercise.checks[i].quantities, gap[scene], outcome.numbers[i][scene]))
+        return false;
   }
   return true;
 }
@@ -106,11 +108,33 @@ std::vector<const Exercise::Known*> likely_mistakes(const Exercise& exercise, st
   return likely;
 }
 
+/// "0.31 m/s"; less than the tolerance is 0.
+std::string in_words(Real value, const Quantity& quantity, int digits_shown) {
+  const std::string digits = std::abs(value) < quantity.tolerance ? "0" : fmt::format("{:.{}g}", value, digits_shown);
+  return digits + (quantity.unit.empty() ? "" : " " + quantity.unit);
+}
+
 constexpr std::size_t most_named = 3;  // of mistakes that show the same: more are no hint
 
 constexpr const char* nothing_changes =
-    "your lines change nothing: the numbers are those of the file with the gap. Is a copy changed (`Row row = "
+    ": your lines change nothing: the numbers are those of the file with the gap. Is a copy changed (`Row row = "
     "step.rows[i]` in the place of `Row& row`), or a result never used?";
+constexpr const char* not_a_number =
+    ": look for 0/0, the root of a negative number, or a variable that nothing was written into.";
+
+void name_mistakes(Verdict& verdict, std::vector<const Exercise::Known*> likely) {
+  if (likely.size() > most_named) likely.clear();
+  std::vector<std::string> names, hints;
+  for (const Exercise::Known* mistake : likely) {
+    names.push_back(mistake->name);
+    hints.push_back(mistake->hint);
+  }
+  verdict.mistake = fmt::format("{}", fmt::join(names, " or "));
+  if (names.empty()) verdict.sentence += ". None of the mistakes that are known here shows these numbers alone.";
+  else
+    verdict.sentence +=
+        fmt::format(": {}{}", names.size() > 1 ? "it is one of these: " : "", fmt::join(hints, " Or: "));
+}
 
 }  // namespace
 
@@ -123,11 +147,6 @@ NumbersOfScenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, st
   return scenes;
 }
 
-std::string in_words(Real value, const Quantity& quantity, int digits_shown) {
-  const std::string digits = std::abs(value) < quantity.tolerance ? "0" : fmt::format("{:.{}g}", value, digits_shown);
-  return digits + (quantity.unit.empty() ? "" : " " + quantity.unit);
-}
-
 std::string Verdict::in_words() const {
   if (passed()) return "Solved.";
   std::string words = sentence;
@@ -135,7 +154,7 @@ std::string Verdict::in_words() const {
   return words;
 }
 
-Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome, const Untouched& untouched) {
+Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome) {
   Verdict verdict;
   std::vector<NumbersOfScenes> right;
   std::optional<std::size_t> first;  // of the checks that fail
@@ -168,34 +187,21 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outco
   };
   while (both().first == both().second && digits < 12) ++digits;
   const auto [measured, should_be] = both();
-  verdict.changes_nothing = untouched && same_numbers(exercise, outcome, untouched());
-  if (std::isnan(is) && !verdict.changes_nothing) {
-    verdict.mistake = "not a number";
-    verdict.sentence = fmt::format(
-        "{} NaN, which is not a number, where {} is right: look for 0/0, the root of a negative number, or a variable "
-        "that nothing was written into.",
-        quantity.words, should_be);
-    return verdict;
-  }
-
-  std::vector<const Exercise::Known*> likely = likely_mistakes(exercise, seed, right, outcome, verdict.checks, *first);
-  std::vector<std::string> names, hints;
-  if (verdict.changes_nothing) {
-    names.emplace_back("nothing changes");
-    hints.emplace_back(nothing_changes);
-  }
-  if (names.size() + likely.size() > most_named) likely.clear();
-  for (const Exercise::Known* mistake : likely) {
-    names.push_back(mistake->name);
-    hints.push_back(mistake->hint);
-  }
-  if (!likely.empty()) verdict.resembles = likely.front();
-  verdict.mistake = fmt::format("{}", fmt::join(names, " or "));
+  verdict.changes_nothing = is_untouched(exercise, seed, outcome);
   verdict.sentence = fmt::format("{} {} where {} is right", quantity.words, measured, should_be);
-  if (names.empty()) verdict.sentence += ". None of the mistakes that are known here shows these numbers alone.";
-  else
-    verdict.sentence +=
-        fmt::format(": {}{}", names.size() > 1 ? "it is one of these: " : "", fmt::join(hints, " Or: "));
+  if (verdict.changes_nothing) {
+    verdict.mistake = "nothing changes";
+    verdict.sentence += nothing_changes;
+  } else if (std::isnan(is)) {
+    verdict.mistake = "not a number";
+    verdict.sentence =
+        fmt::format("{} NaN, which is not a number, where {} is right{}", quantity.words, should_be, not_a_number);
+    return verdict;
+  } else if (!exercise.checks[*first].hint.empty()) {
+    verdict.sentence += ": " + exercise.checks[*first].hint;
+  } else {
+    name_mistakes(verdict, likely_mistakes(exercise, seed, right, outcome, verdict.checks, *first));
+  }
   if (!outcome.problem.empty()) verdict.sentence += " And then: " + outcome.problem;
   return verdict;
 }

@@ -10,7 +10,6 @@
 #include "pushback/tools/classroom/kit.h"
 #include "pushback/tools/classroom/own_tasks.h"
 #include "pushback/tools/classroom/package.h"
-#include "pushback/tools/classroom/result_sheet.h"
 #include "pushback/tools/classroom/student_files.h"
 
 using namespace pushback;
@@ -26,7 +25,7 @@ struct Asked {
   std::string own_folder;                  // to be made
   std::uint64_t seed = 0;                  // 0: another one each time
   std::vector<std::string> with, without;  // of those in the folder to be made
-  bool hint = false, reset = false, watch = false, all = false, no_sheet = false;
+  bool hint = false, reset = false, watch = false, all = false;
 };
 
 std::string chapter_of(const Exercise& exercise) {
@@ -61,13 +60,12 @@ struct Checked {
   std::string lines;  ///< each check, and in the end the verdict
 };
 
-/// Compiles, runs and judges a file in which something is written; draws its picture.
+/// Compiles, runs and judges a file in which something is written.
 Checked checked(const Exercise& exercise, StudentFiles& files, const Asked& asked) {
   std::string lines = heading(exercise);
   const std::uint64_t seed = asked.seed != 0 ? asked.seed : std::random_device{}();
   const Attempt outcome = attempt(exercise, files.file(exercise), seed, nullptr, limits);
-  static UntouchedFiles untouched_files;
-  const Verdict verdict = judge(exercise, seed, outcome, [&] { return untouched_files.attempt(exercise, seed); });
+  const Verdict verdict = judge(exercise, seed, outcome);
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
     const Passed passed = verdict.checks[i];
     lines += fmt::format("  {} {}\n",
@@ -82,9 +80,6 @@ Checked checked(const Exercise& exercise, StudentFiles& files, const Asked& aske
   if (printed.size() > 10)
     lines += fmt::format("  | ... and {} lines more that your file printed\n", printed.size() - 10);
   if (verdict.passed()) files.set_solved(exercise);
-  const fs::path sheet = files.sheet(exercise);
-  if (!asked.no_sheet && write_result_sheet(sheet, exercise, seed, outcome, verdict))
-    lines += fmt::format("  Your numbers beside the right ones, as a picture: {}\n", sheet.string());
   if (!verdict.passed())
     lines += fmt::format("  One hint more: {} {} --hint. The same scenes again: --seed {}\n", kit().call(),
                          short_name(exercise), seed);
@@ -160,7 +155,6 @@ int main(int argc, char** argv) {
   line.flag("--hint", asked.hint, "One hint more each time");
   line.flag("--reset", asked.reset, "The file as it was; yours is kept, with .old at its end, then .old2, ...");
   line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
-  line.flag("--no-sheet", asked.no_sheet, "No picture of your numbers beside the right ones");
   line.option("--seed", asked.seed, "The same random scenes as last time");
   line.flag("--all", asked.all, "Every file that you have written in and that is not solved");
   line.option("--in", asked.folder, "The folder with your files, exercises/ by default");

@@ -40,9 +40,12 @@ void compile(const fs::path& folder, const std::string& name, const fs::path& ob
   fmt::print(stderr, "compiling the task {}\n", name);
   const ScratchFolder scratch;
   const fs::path source = scratch.path / "task.cpp", made = scratch.path / "task.o", shared = scratch.path / "task.so";
-  write_text_file(source, fmt::format("#include {}\nextern \"C\" void pushback_task(pushback::Exercise& made) {{ made "
-                                      "= pushback::exercise_{}::exercise(); }}\n",
-                                      quoted(folder / "checks.cpp"), name));
+  write_text_file(source,
+                  fmt::format("#include {0}\n#define student untouched\n#include {1}\nextern \"C\" void "
+                              "pushback_task(pushback::Exercise& made) {{\n  using namespace pushback;\n  made = "
+                              "exercise_{2}::exercise();\n  made.untouched = [](std::size_t check, Random& "
+                              "random) {{ return play(check, random, untouched::answer); }};\n}}\n",
+                              quoted(folder / "checks.cpp"), quoted(folder / "student.h"), name));
   Command command = kit().words_of("compile.txt");
   const Command linked{command[0], "-shared", "-o", shared, made};
   const Command more{"-fPIC", "-ffunction-sections", "-fdata-sections", "-c", source, "-o", made};

@@ -35,8 +35,6 @@ class StudentFiles {
   std::filesystem::path file(const Exercise& exercise) const { return folder_ / (exercise.name + ".h"); }
   /// Beside it, or where all tasks are.
   std::filesystem::path task(const Exercise& exercise) const;
-  /// The picture of its numbers.
-  std::filesystem::path sheet(const Exercise& exercise) const { return folder_ / (exercise.name + ".png"); }
   bool has(const Exercise& exercise) const { return std::filesystem::exists(file(exercise)); }
   /// Its code differs from that of the file with the gap.
   bool begun(const Exercise& exercise) const;

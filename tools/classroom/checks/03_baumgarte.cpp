@@ -1,6 +1,5 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/03_baumgarte/exercise/asked.h"
-#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_03 {
 
@@ -21,7 +20,7 @@ struct Capped : Effect {
 struct Ball {
   Real depth, h, beta, cap, asked = 0, speed = 0;
 
-  Real solved(Random& random, const Answer& answer, std::size_t quantity) const {
+  Real solved(Random& random, const Answer& answer) const {
     World world;
     const Real radius = random.between(Real(0.3), Real(0.5));
     world.gravity.setZero();
@@ -31,7 +30,6 @@ struct Ball {
     Solver<Clamping, Capped> solver;
     static_cast<Capped&>(solver) = {{}, answer, beta, cap, asked};
     solver.solve(world, h, 1);
-    show(world, {quantity});
     return world.bodies[1].velocity.y();
   }
 };
@@ -59,8 +57,10 @@ std::vector<Check<Answer>> checks() {
          const Real longer = random.between(Real(0.2), Real(0.3));
          slow.depth *= longer / slow.h;
          slow.h = longer;
-         return {shallow.solved(random, answer, 0), very.solved(random, answer, 1), slow.solved(random, answer, 2)};
-       }},
+         return {shallow.solved(random, answer), very.solved(random, answer), slow.solved(random, answer)};
+       },
+       "below the cap the push-out takes away the part β of the overlap in one step. Its speed is β d / h, and b is "
+       "minus that, however fast the ball is."},
       {"a deep ball leaves at the cap",
        2,
        {{"your deep ball leaves with", "m/s", 1e-6},
@@ -70,8 +70,9 @@ std::vector<Check<Answer>> checks() {
          const Ball deep = ball_wanting(random, cap * random.between(Real(1.5), 3), cap);
          Ball lost = deep;
          lost.depth = random.between(Real(1.2), 2);
-         return {deep.solved(random, answer, 0), lost.solved(random, answer, 1)};
-       }},
+         return {deep.solved(random, answer), lost.solved(random, answer)};
+       },
+       "what is too deep is pushed out at the cap, which is a speed as β d / h is."},
       {"a ball that is to bounce faster than the cap does",
        2,
        {{"your ball, which is to bounce faster than the cap, leaves with", "m/s", 1e-6},
@@ -84,8 +85,9 @@ std::vector<Check<Answer>> checks() {
          fast.asked = cap * random.between(Real(2.5), 4);
          slow.asked = cap * random.between(Real(0.1), Real(0.6));
          shallow.asked = cap * random.between(Real(0.4), Real(0.9));
-         return {fast.solved(random, answer, 0), slow.solved(random, answer, 1), shallow.solved(random, answer, 2)};
-       }},
+         return {fast.solved(random, answer), slow.solved(random, answer), shallow.solved(random, answer)};
+       },
+       "the cap is on the push-out only. Of two wishes the one for more speed stays, which is the lesser b."},
       {"a ball that is still apart goes its way, and is not let in",
        1,
        {{"your ball, which is still above the ground and leaving, leaves with", "m/s", 1e-6},
@@ -99,121 +101,9 @@ std::vector<Check<Answer>> checks() {
          Ball bouncing = leaving;
          bouncing.speed = 0;
          bouncing.asked = cap * random.between(Real(0.5), 2);
-         return {leaving.solved(random, answer, 0), coming.solved(random, answer, 1),
-                 bouncing.solved(random, answer, 2)};
-       }},
-  };
-}
-
-std::vector<Mistake<Answer>> mistakes() {
-  const std::string everything =
-      "it looks as if the cap were on all of b. It is for the push-out alone: a bounce is as fast as it is.";
-  const std::string apart =
-      "it looks as if points that are still apart were pushed, too. Where C > 0 there is no overlap to undo.";
-  const std::string lost =
-      "it looks as if b were simply overwritten. Cap the push-out first, then keep the lesser of it and of the b that "
-      "is there.";
-  return {
-      {"h for 1/h",
-       "it looks as if β d were multiplied by h. A distance divided by a time is a speed: β d / h.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::min(row.bias, std::max(-cap, beta * h * row.separation));
-       }}},
-      {"1/h forgotten",
-       "it looks as if 1/h were forgotten. β d is a distance; to cover it within one step, the speed is β d / h.",
-       {[](Row& row, Real beta, Real cap, Real) {
-         row.bias = std::min(row.bias, std::max(-cap, beta * row.separation));
-       }}},
-      {"β/h²",
-       "it looks as if β d were divided by h twice, so that nearly all is at the cap. A distance divided by a time is "
-       "a speed: β d / h.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::min(row.bias, std::max(-cap, beta / (h * h) * row.separation));
-       }}},
-      {"β forgotten",
-       "it looks as if β were forgotten. One step is to take away the part β of the overlap, not all of it.",
-       {[](Row& row, Real, Real cap, Real h) { row.bias = std::min(row.bias, std::max(-cap, row.separation / h)); }}},
-      {"wishes added",
-       "it looks as if the wishes were added up. Each is a speed that is enough for its effect: keep the lesser b, by "
-       "min.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias += std::min(Real(0), std::max(-cap, beta / h * row.separation));
-       }}},
-      {"max for min",
-       "it looks as if the greater b were kept, by max. b is minus a speed: of two wishes the lesser b is the one for "
-       "more speed.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::max(row.bias, std::max(-cap, beta / h * row.separation));
-       }}},
-      {"sign of the push-out",
-       "it looks as if the push-out had the wrong sign. C is negative where bodies overlap, and so is b = β/h C: minus "
-       "the wanted speed.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::min(row.bias, std::max(-cap, -beta / h * row.separation));
-       }}},
-      {"the cap by h",
-       "it looks as if the cap were multiplied by h. It is a speed already, in m/s, as β d / h is.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::min(row.bias, std::max(-cap * h, beta / h * row.separation));
-       }}},
-      {"the speed taken off",
-       "it looks as if the ball's own speed were taken off b. The solver compares b with J V by itself: b is minus the "
-       "speed that is wanted, however fast the ball is.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::min(row.bias, std::max(-cap, beta / h * row.separation - row.speed()));
-       }}},
-      {"no b for points that are apart",
-       "it looks as if b became 0 where the points are apart. A bounce may have asked for a speed there: leave its b "
-       "as it is.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = row.separation < 0 ? std::min(row.bias, std::max(-cap, beta / h * row.separation)) : 0;
-       }}},
-      {"a push-out only where nothing else is asked",
-       "it looks as if the push-out counted only where no other effect asks for a speed. Of two wishes, the one for "
-       "more speed stays: the lesser b, by min.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         if (row.bias == 0) row.bias = std::min(row.bias, std::max(-cap, beta / h * row.separation));
-       }}},
-      {"cap forgotten",
-       "it looks as if there were no cap. Below it all is as in chapter 03, above it the speed is the cap's.",
-       {[](Row& row, Real beta, Real, Real h) { row.bias = std::min(row.bias, beta / h * row.separation); }}},
-      {"cap on everything", everything, {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::max(-cap, std::min(row.bias, beta / h * row.separation));
-       }}},
-      {"a depth capped",
-       "it looks as if the cap were compared with a depth. It is a speed: cap β d / h, not d.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::min(row.bias, beta / h * std::max(-cap, row.separation));
-       }}},
-      {"always at the cap",
-       "it looks as if every push-out were at least as fast as the cap. A cap is the most: the greater of two negative "
-       "b.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::min({row.bias, -cap, beta / h * row.separation});
-       }}},
-      {"always at the cap",
-       "it looks as if every push-out were as fast as the cap. A cap is the most: below it, the speed is β d / h.",
-       {[](Row& row, Real, Real cap, Real) { row.bias = row.separation < 0 ? std::min(row.bias, -cap) : row.bias; }}},
-      {"sign of the cap",
-       "it looks as if the cap had the wrong sign. b is minus a speed: it is capped at -cap.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::min(row.bias, std::max(cap, beta / h * row.separation));
-       }}},
-      {"deep ones left in",
-       "it looks as if what would be too fast were not pushed at all. It is to be pushed at the cap.",
-       {[](Row& row, Real beta, Real cap, Real h) {
-         const Real b = beta / h * row.separation;
-         if (b >= -cap) row.bias = std::min(row.bias, b);
-       }}},
-      {"min forgotten", lost, {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::max(-cap, beta / h * row.separation);
-       }}},
-      {"min forgotten", lost, {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::max(-cap, beta / h * std::min(Real(0), row.separation));
-       }}},
-      {"a push on points that are apart", apart, {[](Row& row, Real beta, Real cap, Real h) {
-         row.bias = std::min(row.bias, std::max(-cap, -beta / h * std::abs(row.separation)));
-       }}},
+         return {leaving.solved(random, answer), coming.solved(random, answer), bouncing.solved(random, answer)};
+       },
+       "where C > 0 there is no overlap to undo, and b stays as it is."},
   };
 }
 
@@ -233,7 +123,7 @@ Exercise exercise() {
       {"A cap is the most that the push-out may ask for. Which of the two speeds, β d / h and the cap, is it?",
        "b is minus a speed, so the lesser of two speeds is the greater of two negative b.",
        "The cap is on the push-out alone. First cap it, then compare it with the b that is there."},
-      checks(), {right}, mistakes());
+      checks(), {right});
 }
 
 }  // namespace pushback::exercise_03

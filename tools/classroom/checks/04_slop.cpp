@@ -1,6 +1,5 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/04_slop/exercise/asked.h"
-#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_04 {
 
@@ -23,19 +22,18 @@ struct Setting {
         slop(random.between(Real(0.003), Real(0.006))),
         gap(random.between(Real(0.002), Real(0.008))) {}
 
-  void solve(World& world, const Answer& answer, int sweeps, const std::vector<std::size_t>& quantities = {}) const {
+  void solve(World& world, const Answer& answer, int sweeps) const {
     Solver<Clamping, Margin> solver;
     static_cast<Margin&>(solver) = {{}, answer, beta, slop};
     solver.solve(world, h, sweeps);
-    show(world, quantities);
   }
   /// A ball without weight, so far above the ground (m) and so fast upwards (m/s): its speed after the step's solver.
-  Real ball(Real separation, Real speed, const Answer& answer, const std::vector<std::size_t>& quantities = {}) const {
+  Real ball(Real separation, Real speed, const Answer& answer) const {
     World world;
     world.add(ground());
     world.add(sphere(Real(0.3), 10).at({0, Real(0.3) + separation, 0}).moving({0, speed, 0}));
     world.contacts = {{.normal = {0, 1, 0}, .depth = -separation, .id = {0, 1, 0}}};
-    solve(world, answer, 1, quantities);
+    solve(world, answer, 1);
     return world.bodies[1].velocity.y();
   }
 };
@@ -49,9 +47,11 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const Setting at(random);
          const Real just_reaches = at.gap / at.h;
-         return {at.ball(at.gap, -just_reaches * random.between(Real(0.4), Real(0.8)), answer, {0}),
-                 at.ball(at.gap, just_reaches * random.between(Real(0.1), Real(0.5)), answer, {1})};
-       }},
+         return {at.ball(at.gap, -just_reaches * random.between(Real(0.4), Real(0.8)), answer),
+                 at.ball(at.gap, just_reaches * random.between(Real(0.1), Real(0.5)), answer)};
+       },
+       "a contact only pushes, and b = C/h lets the whole gap close in this step. What comes by less than that, or "
+       "leaves, feels nothing."},
       {"what would pass the surface in this step ends on it",
        2,
        {{"your fast ball moves on with", "m/s", 1e-6},
@@ -60,7 +60,9 @@ std::vector<Check<Answer>> checks() {
          const Setting at(random);
          const Real speed = at.ball(at.gap, -at.gap / at.h * random.between(4, 8), answer);
          return {speed, 1000 * (at.gap + at.h * speed)};
-       }},
+       },
+       "the whole gap may be closed in this step, and not more. C is a distance and C/h the speed, without β and "
+       "without the slop."},
       {"what overlaps stays where it is up to the slop, and comes up at β (d − slop) / h beyond",
        2,
        {{"your deep ball comes up with", "m/s", 1e-6},
@@ -68,8 +70,10 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const Setting at(random);
          const Real deep = at.slop * random.between(2, 4), shallow = at.slop * random.between(Real(0.3), Real(0.7));
-         return {at.ball(-deep, 0, answer, {0}), at.ball(-shallow, -random.between(2, 3), answer, {1})};
-       }},
+         return {at.ball(-deep, 0, answer), at.ball(-shallow, -random.between(2, 3), answer)};
+       },
+       "up to the slop an overlap neither grows nor is pushed out. What is deeper comes up by the part β of C + slop "
+       "in a step, at the speed β (d - slop) / h."},
       {"a box that touches with one edge comes down on the other",
        1,
        {{"your box, which has touched with one edge, turns with", "rad/s", 1e-6},
@@ -88,129 +92,14 @@ std::vector<Check<Answer>> checks() {
          at.solve(world, answer, 100);
          return {world.bodies[1].angular_velocity.z(),
                  1000 * (at.gap + at.h * separating_speed(world, world.contacts[0]))};
-       }},
+       },
+       "each corner has a gap of its own. One may be closed in this step, while the other corner stays on the ground."},
   };
-}
-
-Real of_chapter_04(Real c, Real beta, Real slop, Real h) {
-  return beta / h * std::min(Real(0), c + slop);
 }
 
 void right(Row& row, Real beta, Real slop, Real h) {
   const Real c = row.separation;
-  row.bias = c > 0 ? c / h : of_chapter_04(c, beta, slop, h);
-}
-
-std::vector<Mistake<Answer>> mistakes() {
-  const std::string hovers =
-      "it looks as if b were 0 while the bodies are apart. J V + b >= 0 with b = 0 forbids every approach: the body "
-      "stops in mid-air. A positive b lets it come nearer.";
-  const std::string slop_on_gap =
-      "it looks as if the slop were added to the gap. The body then passes the surface and stops as deep as the slop: "
-      "of bodies that are apart, nothing is to be left.";
-  return {
-      {"stops in mid-air", hovers, {[](Row& row, Real beta, Real slop, Real h) {
-         row.bias = of_chapter_04(row.separation, beta, slop, h);
-       }}},
-      {"the part β of the gap",
-       "it looks as if the bodies might close the part β of the gap only. β is to take an overlap away gently; an "
-       "approach through air needs no gentleness, and it would slow down everything that comes near.",
-       {[](Row& row, Real beta, Real slop, Real h) {
-         const Real c = row.separation;
-         row.bias = c > 0 ? beta / h * c : of_chapter_04(c, beta, slop, h);
-       }}},
-      {"1/h forgotten",
-       "it looks as if 1/h were forgotten. C is a distance. To close it within one step, the speed is C / h.",
-       {[](Row& row, Real beta, Real slop, Real h) {
-         const Real c = row.separation;
-         row.bias = c > 0 ? c : of_chapter_04(c, beta, slop, h);
-       }}},
-      {"a push on points that are apart",
-       "it looks as if points that are apart were pushed farther apart. b is minus the separating speed: with b > 0 "
-       "the bodies may approach with b.",
-       {[](Row& row, Real beta, Real slop, Real h) {
-         const Real c = row.separation;
-         row.bias = c > 0 ? -c / h : of_chapter_04(c, beta, slop, h);
-       }}},
-      {"slop on the gap", slop_on_gap, {[](Row& row, Real beta, Real slop, Real h) {
-         const Real c = row.separation;
-         row.bias = c > 0 ? (c + slop) / h : of_chapter_04(c, beta, slop, h);
-       }}},
-      {"slop on the gap", slop_on_gap, {[](Row& row, Real beta, Real slop, Real h) {
-         const Real c = row.separation + slop;
-         row.bias = c > 0 ? c / h : beta / h * c;
-       }}},
-      {"let through",
-       "it looks as if the row of a point that is apart did nothing. The body passes the surface within this step, and "
-       "the next finds it deep in the ground.",
-       {[](Row& row, Real beta, Real slop, Real h) {
-         row.bias = of_chapter_04(row.separation, beta, slop, h);
-         if (row.separation > 0) row.hi = 0;
-       }}},
-      {"min left out",
-       "it looks as if it were β/h (C + slop) everywhere. Where C + slop is positive, this lets a body sink as deep as "
-       "the slop, and slows it down where it is apart.",
-       {[](Row& row, Real beta, Real slop, Real h) { row.bias = beta / h * (row.separation + slop); }}},
-      {"the whole overlap at once",
-       "it looks as if β were forgotten. A gap may be closed within one step; an overlap is to go by the part β a "
-       "step, or it throws the body out.",
-       {[](Row& row, Real, Real slop, Real h) {
-         const Real c = row.separation;
-         row.bias = c > 0 ? c / h : std::min(Real(0), c + slop) / h;
-       }}},
-      {"no slop",
-       "it looks as if there were no slop. The margin keeps points that are apart; an overlap up to the slop still is "
-       "to be left alone.",
-       {[](Row& row, Real beta, Real, Real h) {
-         const Real c = row.separation;
-         row.bias = c > 0 ? c / h : beta / h * c;
-       }}},
-      {"dead zone",
-       "it looks as if the slop were a dead zone: nothing up to it, all of the overlap beyond. What counts is how much "
-       "deeper it is, C + slop.",
-       {[](Row& row, Real beta, Real slop, Real h) {
-         const Real c = row.separation;
-         row.bias = c > 0 ? c / h : c < -slop ? beta / h * c : 0;
-       }}},
-      {"1/h forgotten in the overlap",
-       "it looks as if 1/h were forgotten where bodies overlap. C is a distance; to take the part β of it away in one "
-       "step, the speed is β C / h.",
-       {[](Row& row, Real beta, Real slop, Real h) {
-         const Real c = row.separation;
-         row.bias = c > 0 ? c / h : beta * std::min(Real(0), c + slop);
-       }}},
-      {"slop taken off the gap",
-       "it looks as if the slop were taken off the gap. The body then stops above the surface, or is pushed away from "
-       "it: of bodies that are apart, the whole gap may be closed.",
-       {[](Row& row, Real beta, Real slop, Real h) {
-         const Real c = row.separation;
-         row.bias = c > 0 ? (c - slop) / h : of_chapter_04(c, beta, slop, h);
-       }}},
-      {"sign of the slop",
-       "it looks as if the slop had the wrong sign. C is negative where bodies overlap, so C + slop is the lesser "
-       "overlap, and what is less deep than the slop is left alone.",
-       {[](Row& row, Real beta, Real slop, Real h) {
-         const Real c = row.separation;
-         row.bias = c > 0 ? c / h : beta / h * std::min(Real(0), c - slop);
-       }}},
-      {"shallow ones pushed out",
-       "it looks as if an overlap less than the slop were closed as a gap is, within one step. C is negative there: C "
-       "/ h throws the body out. Up to the slop, an overlap is left alone.",
-       {[](Row& row, Real beta, Real slop, Real h) {
-         const Real c = row.separation;
-         row.bias = c > -slop ? c / h : beta / h * (c + slop);
-       }}},
-      {"it pulls",
-       "it looks as if the row pulled. A body that leaves, or is too slow to reach the surface, feels nothing: a "
-       "contact only pushes, and its sum is not below 0.",
-       {[](Row& row, Real beta, Real slop, Real h) {
-         right(row, beta, slop, h);
-         row.lo = -std::numeric_limits<Real>::infinity();
-       }}},
-      {"overlap left in",
-       "it looks as if b were 0 at every overlap. What is deeper than the slop is to come up.",
-       {[](Row& row, Real, Real, Real h) { row.bias = std::max(Real(0), row.separation / h); }}},
-  };
+  row.bias = c > 0 ? c / h : beta / h * std::min(Real(0), c + slop);
 }
 
 }  // namespace
@@ -227,7 +116,7 @@ Exercise exercise() {
        "A body that is C above the ground and comes with the speed v is at C - h v after the step. Which v brings it "
        "to 0?",
        "That is two cases. The first has neither β nor the slop in it, the second is the bias of chapter 04."},
-      checks(), {right}, mistakes());
+      checks(), {right});
 }
 
 }  // namespace pushback::exercise_04

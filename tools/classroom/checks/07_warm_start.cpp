@@ -1,6 +1,5 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/07_warm_start/exercise/asked.h"
-#include "pushback/common/exercise/shown.h"
 
 namespace pushback::exercise_07 {
 
@@ -45,7 +44,7 @@ struct Balls {
     answer.keep(memory, {bearing(left, part_left, dt), bearing(right, part_right, dt)}, dt);
   }
   /// m/s, upwards, of each ball: gravity has pulled in this step, and the memory has answered.
-  Numbers started(const std::vector<ContactId>& ids, Real dt, const std::vector<std::size_t>& quantities = {}) {
+  Numbers started(const std::vector<ContactId>& ids, Real dt) {
     world.contacts.clear();
     for (const ContactId& id : ids) world.contacts.push_back(bearing(id, 0, dt));
     for (Body& body : world.bodies) {
@@ -55,7 +54,6 @@ struct Balls {
     Solver<Clamping, Starting> solver;
     static_cast<Starting&>(solver) = {{}, answer, memory};
     solver.solve(world, dt, 0);
-    show(world, quantities);
     Numbers speeds;
     for (const Body& body : world.bodies)
       if (body.movable()) speeds.push_back(body.velocity.y());
@@ -80,13 +78,15 @@ std::vector<Check<Answer>> checks() {
          const Real h = random.between(Real(0.01), Real(0.015)), ratio = random.between(Real(0.3), Real(0.6));
          balls.keep({first}, before, 2 * h);
          balls.keep({first}, latest, h);
-         const Numbers shorter = balls.started({first, second}, ratio * h, {0, 2});
-         const Real longer = balls.started({first, second}, h / ratio, {1})[0];
+         const Numbers shorter = balls.started({first, second}, ratio * h);
+         const Real longer = balls.started({first, second}, h / ratio)[0];
          const Real part_left = random.between(Real(0.1), Real(0.2)), part_right = random.between(Real(0.4), Real(0.6));
          balls.keep_two(left, part_left, right, part_right, h);
-         const Real in_two = balls.started({left, right}, ratio * h, {3, 4})[2];
+         const Real in_two = balls.started({left, right}, ratio * h)[2];
          return {shorter[0], longer, shorter[1], in_two, balls.world.bodies[3].angular_velocity.z()};
-       }},
+       },
+       "a point starts with the force that it had in the latest step in which it touched. The impulse is that force "
+       "times the new h, and the whole id says which point it is."},
       {"a point that is lost for a few steps comes back with its force",
        2,
        {{"your ball, whose contact was lost right after it first touched, starts with", "m/s", 1e-6},
@@ -97,18 +97,20 @@ std::vector<Check<Answer>> checks() {
          const Real part = random.between(Real(0.5), Real(0.8));
          balls.keep({second}, part, random.between(Real(0.0205), Real(0.0245)));
          balls.keep({}, 0, random.between(Real(0.015), Real(0.018)));
-         const Real early = balls.started({second}, random.between(Real(0.005), Real(0.01)), {0})[1];
+         const Real early = balls.started({second}, random.between(Real(0.005), Real(0.01)))[1];
          for (int step = 0; step < 4; ++step) {
            const Real more = random.between(Real(0.1), Real(0.2)) * static_cast<Real>(1 + step);
            balls.keep({first}, more, random.between(Real(0.0205), Real(0.0245)));
          }
          for (int step = 0; step < 3; ++step) balls.keep({}, 0, random.between(Real(0.0175), Real(0.019)));
-         const Real late = balls.started({first}, random.between(Real(0.005), Real(0.01)), {1})[0];
+         const Real late = balls.started({first}, random.between(Real(0.005), Real(0.01)))[0];
          Balls quick(random, 1, answer);
          quick.keep({first}, random.between(Real(0.5), Real(0.8)), Real(0.002));
          for (int step = 0; step < 27; ++step) quick.keep({}, 0, random.between(Real(0.00195), Real(0.0021)));
-         return {early, late, quick.started({first}, Real(0.002), {2})[0]};
-       }},
+         return {early, late, quick.started({first}, Real(0.002))[0]};
+       },
+       "a point is remembered for 0.1 s after it last touched, with the force of that step. Its age is in seconds, and "
+       "grows by the dt of each step that goes by."},
       {"a point that is lost for long is forgotten",
        1,
        {{"your ball, which was up and away for long, starts with", "m/s", 1e-6},
@@ -118,12 +120,14 @@ std::vector<Check<Answer>> checks() {
          const Real part = random.between(Real(0.5), Real(0.8));
          balls.keep({first}, part, random.between(Real(0.015), Real(0.02)));
          for (int step = 0; step < 8; ++step) balls.keep({}, 0, random.between(Real(0.0175), Real(0.0235)));
-         const Real many = balls.started({first}, random.between(Real(0.005), Real(0.01)), {0})[0];
+         const Real many = balls.started({first}, random.between(Real(0.005), Real(0.01)))[0];
          Balls slow(random, 1, answer);
          slow.keep({first}, random.between(Real(0.5), Real(0.8)), Real(0.002));
          for (int step = 0; step < 5; ++step) slow.keep({}, 0, random.between(Real(0.043), Real(0.045)));
-         return {many, slow.started({first}, random.between(Real(0.03), Real(0.04)), {1})[0]};
-       }},
+         return {many, slow.started({first}, random.between(Real(0.03), Real(0.04)))[0]};
+       },
+       "0.1 s after it last touched, a point is forgotten. Whatever lay there has gone, and its impulse would be a "
+       "kick from the past."},
       {"a body that is put elsewhere leaves its impulses behind, and nobody else does",
        2,
        {{"your ball that has not been moved starts with", "m/s", 1e-6},
@@ -136,227 +140,26 @@ std::vector<Check<Answer>> checks() {
          balls.keep(ids, random.between(Real(0.5), Real(0.8)), h);
          answer.put_elsewhere(balls.memory, 2);
          return balls.started(ids, random.between(Real(0.5), Real(0.9)) * h);
-       }},
+       },
+       "its impulses held the body where it was. All points in which it is A or B are forgotten, and no others."},
   };
-}
-
-const Remembered* known(const Memory& memory, const ContactId& id) {
-  for (const Remembered& one : memory)
-    if (one.id == id) return &one;
-  return nullptr;
-}
-void forget_points(Memory& memory, const Contacts& contacts) {
-  for (const Contact& contact : contacts)
-    std::erase_if(memory, [&](const Remembered& one) { return one.id == contact.id; });
-}
-void add_points(Memory& memory, const Contacts& contacts, Real dt) {
-  for (const Contact& contact : contacts) memory.push_back({contact.id, contact.impulse, dt, 0});
-}
-void grow_older(Memory& memory, Real dt) {
-  for (Remembered& one : memory) one.age += dt;
-}
-void forget_old(Memory& memory) {
-  std::erase_if(memory, [](const Remembered& one) { return one.age > lasts; });
 }
 
 Vec3 guess(const Memory& memory, const ContactId& id, Real dt) {
-  const Remembered* one = known(memory, id);
-  return one ? Vec3(dt / one->dt * one->impulse) : Vec3::Zero();
+  for (const Remembered& one : memory)
+    if (one.id == id) return dt / one.dt * one.impulse;
+  return Vec3::Zero();
 }
 void keep(Memory& memory, const Contacts& contacts, Real dt) {
-  grow_older(memory, dt);
-  forget_points(memory, contacts);
-  add_points(memory, contacts, dt);
-  forget_old(memory);
+  for (Remembered& one : memory) one.age += dt;
+  for (const Contact& contact : contacts) {
+    std::erase_if(memory, [&](const Remembered& one) { return one.id == contact.id; });
+    memory.push_back({contact.id, contact.impulse, dt, 0});
+  }
+  std::erase_if(memory, [](const Remembered& one) { return one.age > lasts; });
 }
 void put_elsewhere(Memory& memory, std::uint32_t body) {
   std::erase_if(memory, [&](const Remembered& one) { return one.id.body_a == body || one.id.body_b == body; });
-}
-
-/// Age is of when a point first touched. `starts_with` its own step or not.
-template <bool starts_with>
-void keep_by_first_touch(Memory& memory, const Contacts& contacts, Real dt) {
-  if (!starts_with) grow_older(memory, dt);
-  for (const Contact& contact : contacts) {
-    auto same = std::find_if(memory.begin(), memory.end(), [&](const Remembered& one) { return one.id == contact.id; });
-    const Real age = same == memory.end() ? 0 : same->age;
-    if (same != memory.end()) memory.erase(same);
-    memory.push_back({contact.id, contact.impulse, dt, age});
-  }
-  if (starts_with) grow_older(memory, dt);
-  forget_old(memory);
-}
-
-bool same_bodies(const ContactId& one, const ContactId& other) {
-  return one.body_a == other.body_a && one.body_b == other.body_b;
-}
-Vec3 guess_of_pair(const Memory& memory, const ContactId& id, Real dt) {
-  for (const Remembered& one : memory)
-    if (same_bodies(one.id, id)) return dt / one.dt * one.impulse;
-  return Vec3::Zero();
-}
-void keep_of_pair(Memory& memory, const Contacts& contacts, Real dt) {
-  grow_older(memory, dt);
-  for (const Contact& contact : contacts) {
-    std::erase_if(memory, [&](const Remembered& one) { return same_bodies(one.id, contact.id); });
-    memory.push_back({contact.id, contact.impulse, dt, 0});
-  }
-  forget_old(memory);
-}
-
-std::vector<Mistake<Answer>> mistakes() {
-  const std::string by_bodies =
-      "it looks as if only the bodies were compared. Two bodies may touch in several points, each with a load of its "
-      "own: compare the whole id.";
-  const std::string one_side =
-      "it looks as if only points were forgotten in which the body is A, or only those in which it is B. Which of the "
-      "two it is, is decided by its index: look at both.";
-  const std::string first_touch =
-      "it looks as if a point's age were never set back to 0. It counts from the latest step in which the point "
-      "touched, not from the first.";
-  return {
-      {"no rescaling",
-       "it looks as if the old impulse were taken as it was. What is taken over is the force; an impulse is h times "
-       "that.",
-       {[](const Memory& memory, const ContactId& id, Real) {
-          const Remembered* one = known(memory, id);
-          return one ? one->impulse : Vec3::Zero();
-        },
-        keep, put_elsewhere}},
-      {"rescaled the wrong way",
-       "it looks as if the impulse were multiplied by h_then / h_new. In a shorter step the same force gives less "
-       "impulse.",
-       {[](const Memory& memory, const ContactId& id, Real dt) {
-          const Remembered* one = known(memory, id);
-          return one ? Vec3(one->dt / dt * one->impulse) : Vec3::Zero();
-        },
-        keep, put_elsewhere}},
-      {"rescaled by the latest step",
-       "it looks as if h_then were the length of the latest step. It is that of the step in which this point last "
-       "touched.",
-       {guess,
-        [](Memory& memory, const Contacts& contacts, Real dt) {
-          keep(memory, contacts, dt);
-          for (Remembered& one : memory) one.dt = dt;
-        },
-        put_elsewhere}},
-      {"the oldest impulse",
-       "it looks as if the point answered with what it had some steps ago. Is an older entry of the same id still in "
-       "the memory, and found first?",
-       {guess,
-        [](Memory& memory, const Contacts& contacts, Real dt) {
-          grow_older(memory, dt);
-          add_points(memory, contacts, dt);
-          forget_old(memory);
-        },
-        put_elsewhere}},
-      {"forgotten at once",
-       "it looks as if a point were forgotten as soon as it does not touch. That is chapter 07. Here it is kept for "
-       "0.1 s; its age is in seconds, not in steps.",
-       {guess,
-        [](Memory& memory, const Contacts& contacts, Real dt) {
-          memory.clear();
-          add_points(memory, contacts, dt);
-        },
-        put_elsewhere}},
-      {"never forgotten",
-       "it looks as if a point were remembered for ever. After 0.1 s whatever lay there has gone, and the ball gets a "
-       "kick from the past.",
-       {guess,
-        [](Memory& memory, const Contacts& contacts, Real dt) {
-          forget_points(memory, contacts);
-          add_points(memory, contacts, dt);
-        },
-        put_elsewhere}},
-      {"age in steps",
-       "it looks as if age were counted in steps. 0.1 s are fifty steps of 2 ms, and less than three of 40 ms: a point "
-       "grows older by dt in each step.",
-       {guess,
-        [](Memory& memory, const Contacts& contacts, Real dt) {
-          grow_older(memory, Real(1) / 60);
-          forget_points(memory, contacts);
-          add_points(memory, contacts, dt);
-          forget_old(memory);
-        },
-        put_elsewhere}},
-      {"twice as old",
-       "it looks as if a point grew older by twice the step. It is forgotten 0.1 s after it last touched: its age "
-       "grows by dt once in each step.",
-       {guess,
-        [](Memory& memory, const Contacts& contacts, Real dt) {
-          grow_older(memory, dt);
-          keep(memory, contacts, dt);
-        },
-        put_elsewhere}},
-      {"older by the step of the touch",
-       "it looks as if a point grew older by the length of the step in which it touched. Age is the time that has "
-       "passed since: it grows by the dt of each step that goes by.",
-       {guess,
-        [](Memory& memory, const Contacts& contacts, Real dt) {
-          for (Remembered& one : memory) one.age += one.dt;
-          forget_points(memory, contacts);
-          add_points(memory, contacts, dt);
-          forget_old(memory);
-        },
-        put_elsewhere}},
-      {"impulses added up",
-       "it looks as if the impulses of several steps were added up. A point is known with what acted on it in the "
-       "latest step in which it touched, and with nothing of before.",
-       {guess,
-        [](Memory& memory, const Contacts& contacts, Real dt) {
-          grow_older(memory, dt);
-          for (const Contact& contact : contacts) {
-            const Remembered* old = known(memory, contact.id);
-            const Vec3 sum = contact.impulse + (old ? old->impulse : Vec3::Zero());
-            std::erase_if(memory, [&](const Remembered& one) { return one.id == contact.id; });
-            memory.push_back({contact.id, sum, dt, 0});
-          }
-          forget_old(memory);
-        },
-        put_elsewhere}},
-      {"by bodies", by_bodies, {guess_of_pair, keep, put_elsewhere}},
-      {"by bodies", by_bodies, {guess_of_pair, keep_of_pair, put_elsewhere}},
-      {"by bodies", by_bodies, {guess, keep_of_pair, put_elsewhere}},
-      {"by the feature alone",
-       "it looks as if only the feature were compared. Features are numbered anew for each pair of bodies: compare the "
-       "whole id.",
-       {[](const Memory& memory, const ContactId& id, Real dt) {
-          for (const Remembered& one : memory)
-            if (one.id.feature == id.feature) return Vec3(dt / one.dt * one.impulse);
-          return Vec3(Vec3::Zero());
-        },
-        keep, put_elsewhere}},
-      {"age of the first touch", first_touch, {guess, keep_by_first_touch<false>, put_elsewhere}},
-      {"age of the first touch", first_touch, {guess, keep_by_first_touch<true>, put_elsewhere}},
-      {"everybody forgets",
-       "it looks as if everybody forgot when one body was put elsewhere. All other piles then start cold.",
-       {guess, keep, [](Memory& memory, std::uint32_t) { memory.clear(); }}},
-      {"one side forgets",
-       one_side,
-       {guess, keep,
-        [](Memory& memory, std::uint32_t body) {
-          std::erase_if(memory, [&](const Remembered& one) { return one.id.body_a == body; });
-        }}},
-      {"one side forgets",
-       one_side,
-       {guess, keep,
-        [](Memory& memory, std::uint32_t body) {
-          std::erase_if(memory, [&](const Remembered& one) { return one.id.body_b == body; });
-        }}},
-      {"the others forget",
-       "it looks as if the body that was put elsewhere kept its points, and all others lost theirs. erase_if takes out "
-       "those for which the condition is true.",
-       {guess, keep,
-        [](Memory& memory, std::uint32_t body) {
-          std::erase_if(memory, [&](const Remembered& one) { return one.id.body_a != body && one.id.body_b != body; });
-        }}},
-      {"nobody forgets",
-       "it looks as if the body took its impulses along. They held it where it was; where it is now they are a kick.",
-       {guess, keep, [](Memory&, std::uint32_t) {}}},
-      {"nothing kept",
-       "it looks as if nothing were remembered. After a step, keep puts each contact with its impulse into memory.",
-       {guess, [](Memory&, const Contacts&, Real) {}, put_elsewhere}},
-  };
 }
 
 }  // namespace
@@ -372,7 +175,7 @@ Exercise exercise() {
        "keep, in this order: all entries grow older by dt; the points that touch are entered anew, with age 0, and "
        "their older entries go; who is older than `lasts` goes.",
        "put_elsewhere: an entry goes if one.id.body_a or one.id.body_b is the body."},
-      checks(), {guess, keep, put_elsewhere}, mistakes());
+      checks(), {guess, keep, put_elsewhere});
 }
 
 }  // namespace pushback::exercise_07

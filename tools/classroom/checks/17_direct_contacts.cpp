@@ -105,7 +105,9 @@ std::vector<Check<Answer>> checks() {
            numbers.push_back(static_cast<Real>(answer.pivot(another, enters)));
          }
          return numbers;
-       }},
+       },
+       "the first variable to reach 0 leaves, which is the least value / entry among positive entries. With any other "
+       "one a value becomes negative, and a contact pulls."},
       {"the equations say the same as before",
        1,
        {{"put into the equations as they were, your values are off by", "", 1e-6}, entries},
@@ -114,7 +116,9 @@ std::vector<Check<Answer>> checks() {
          const Eigen::MatrixXd before = tableau.t;
          answer.pivot(tableau, entering);
          return {static_cast<Real>(off(before, values_of(tableau))), static_cast<Real>(tableau.t.sum())};
-       }},
+       },
+       "the row of the one that leaves is solved for the entering variable and put into all others. A pivot writes the "
+       "same equations in another way, the last column included."},
       {"where no variable ever reaches 0, none leaves",
        1,
        {leaves, entries},
@@ -122,7 +126,9 @@ std::vector<Check<Answer>> checks() {
          auto [tableau, entering] = ray(random);
          const Index left = answer.pivot(tableau, entering);
          return {static_cast<Real>(left), static_cast<Real>(tableau.t.sum())};
-       }},
+       },
+       "a variable whose entry is not positive never reaches 0. Where all are like that none leaves, -1, and the "
+       "tableau stays as it is."},
       {"pivot after pivot, all contacts are solved",
        2,
        {{"with your pivots the largest |min(λ, u)| is", "", 1e-6}, {"the number of your pivots is", "", 1e-6}},
@@ -134,217 +140,23 @@ std::vector<Check<Answer>> checks() {
          for (double& speed : b) speed = between(random, -2, 1);
          return solved(mixed * mixed.transpose() / static_cast<double>(n) + 0.1 * Eigen::MatrixXd::Identity(n, n), b,
                        answer);
-       }},
+       },
+       "pivot after pivot the first to reach 0 leaves and is given back, since its partner enters next, and the basis "
+       "says which variable each row is solved for."},
   };
-}
-
-/// The row with the least of this among those that count; -1 where none does.
-template <class Counts, class Of>
-Index least(const Tableau& tableau, const Counts& counts, const Of& of) {
-  Index best = -1;
-  for (Index i = 0; i < tableau.t.rows(); ++i)
-    if (counts(i) && (best < 0 || of(i) < of(best))) best = i;
-  return best;
-}
-
-Index first_to_leave(const Tableau& tableau, Index entering) {
-  const Eigen::MatrixXd& t = tableau.t;
-  return least(
-      tableau, [&](Index i) { return t(i, entering) > 0; },
-      [&](Index i) { return t(i, t.cols() - 1) / t(i, entering); });
-}
-
-void eliminate(Eigen::MatrixXd& t, Index row, Index entering) {
-  t.row(row) /= t(row, entering);
-  for (Index i = 0; i < t.rows(); ++i)
-    if (i != row) t.row(i) -= t(i, entering) * t.row(row).eval();
-}
-
-template <class Choose, class Eliminate>
-Index pivoted(Tableau& tableau, Index entering, const Choose& choose, const Eliminate& eliminated) {
-  const Index row = choose(tableau, entering);
-  if (row < 0) return -1;
-  eliminated(tableau.t, row, entering);
-  return std::exchange(tableau.basis[static_cast<std::size_t>(row)], entering);
 }
 
 Index right(Tableau& tableau, Index entering) {
-  return pivoted(tableau, entering, first_to_leave, eliminate);
-}
-
-template <class Choose>
-Index chosen_by(Tableau& tableau, Index entering, const Choose& choose) {
-  return pivoted(tableau, entering, choose, eliminate);
-}
-
-template <class Eliminate>
-Index eliminated_by(Tableau& tableau, Index entering, const Eliminate& eliminated) {
-  return pivoted(tableau, entering, first_to_leave, eliminated);
-}
-
-/// Column by column from the left, in place.
-void eliminate_in_place(Eigen::MatrixXd& t, Index row, Index entering) {
+  Eigen::MatrixXd& t = tableau.t;
+  const auto ratio = [&](Index i) { return t(i, t.cols() - 1) / t(i, entering); };
+  Index row = -1;
   for (Index i = 0; i < t.rows(); ++i)
-    for (Index j = 0; j < t.cols() && i != row; ++j) t(i, j) -= t(i, entering) * t(row, j);
-}
-
-std::vector<Mistake<Answer>> mistakes() {
-  const std::string in_use =
-      "it looks as if a number were changed while it was still in use. Once the loop over the columns has passed the "
-      "entering one, its entry is 1 or 0, and the rest of the row is divided or taken away by that: keep it first.";
-  return {
-      {"the largest ratio",
-       "it looks as if the last variable to reach 0 left, instead of the first. By then the first is negative: a "
-       "contact pulls.",
-       {[](Tableau& tableau, Index entering) {
-         return chosen_by(tableau, entering, [](const Tableau& its, Index e) {
-           const Eigen::MatrixXd& t = its.t;
-           return least(
-               its, [&](Index i) { return t(i, e) > 0; }, [&](Index i) { return -t(i, t.cols() - 1) / t(i, e); });
-         });
-       }}},
-      {"negative entries too",
-       "it looks as if a row with a negative entry were chosen. Its variable grows with the entering one, and never "
-       "reaches 0: the entering one would have to fall.",
-       {[](Tableau& tableau, Index entering) {
-         return chosen_by(tableau, entering, [](const Tableau& its, Index e) {
-           const Eigen::MatrixXd& t = its.t;
-           return least(
-               its, [&](Index i) { return t(i, e) != 0; }, [&](Index i) { return t(i, t.cols() - 1) / t(i, e); });
-         });
-       }}},
-      {"the first row to begin with",
-       "it looks as if the search began with row 0, whatever its entry. Where that is negative, its ratio is, too, and "
-       "no other row comes below it.",
-       {[](Tableau& tableau, Index entering) {
-         return chosen_by(tableau, entering, [](const Tableau& its, Index e) {
-           const Eigen::MatrixXd& t = its.t;
-           return least(
-               its, [&](Index i) { return i == 0 || t(i, e) > 0; },
-               [&](Index i) { return t(i, t.cols() - 1) / t(i, e); });
-         });
-       }}},
-      {"the largest entry",
-       "it looks as if the row with the largest entry were chosen, as Gauss would for small rounding errors. Here the "
-       "row says who leaves: the first to reach 0.",
-       {[](Tableau& tableau, Index entering) {
-         return chosen_by(tableau, entering, [](const Tableau& its, Index e) {
-           return least(its, [&](Index i) { return its.t(i, e) > 0; }, [&](Index i) { return -its.t(i, e); });
-         });
-       }}},
-      {"the least value",
-       "it looks as if the variable with the least value left. Who is first to reach 0 depends on how fast it falls, "
-       "too: the ratio counts.",
-       {[](Tableau& tableau, Index entering) {
-         return chosen_by(tableau, entering, [](const Tableau& its, Index e) {
-           return least(
-               its, [&](Index i) { return its.t(i, e) > 0; }, [&](Index i) { return its.t(i, its.t.cols() - 1); });
-         });
-       }}},
-      {"row not divided",
-       "it looks as if the row of the one that leaves were not divided by its entry. It has to be solved for the "
-       "entering variable, with 1 before it.",
-       {[](Tableau& tableau, Index entering) {
-         return eliminated_by(tableau, entering, [](Eigen::MatrixXd& t, Index row, Index e) {
-           const Eigen::VectorXd whole = t.row(row);
-           eliminate(t, row, e);
-           t.row(row) = whole;
-         });
-       }}},
-      {"row not divided",
-       "it looks as if the row of the one that leaves were not divided by its entry, neither before nor while it was "
-       "taken away from the others.",
-       {[](Tableau& tableau, Index entering) {
-         return eliminated_by(tableau, entering, [](Eigen::MatrixXd& t, Index row, Index e) {
-           for (Index i = 0; i < t.rows(); ++i)
-             if (i != row) t.row(i) -= t(i, e) * t.row(row).eval();
-         });
-       }}},
-      {"the row taken away from itself",
-       "it looks as if the row were taken away from itself as well, which leaves nothing of it. It is put into all "
-       "other rows.",
-       {[](Tableau& tableau, Index entering) {
-         return eliminated_by(tableau, entering, [](Eigen::MatrixXd& t, Index row, Index e) {
-           eliminate(t, row, e);
-           t.row(row).setZero();
-         });
-       }}},
-      {"others left as they were",
-       "it looks as if only the row of the one that leaves were changed. The entering variable stands in the other "
-       "equations, too: put it in there.",
-       {[](Tableau& tableau, Index entering) {
-         return eliminated_by(tableau, entering,
-                              [](Eigen::MatrixXd& t, Index row, Index e) { t.row(row) /= t(row, e); });
-       }}},
-      {"values forgotten",
-       "it looks as if the last column were left as it was. What each equation equals is part of it.",
-       {[](Tableau& tableau, Index entering) {
-         return eliminated_by(tableau, entering, [](Eigen::MatrixXd& t, Index row, Index e) {
-           const Eigen::VectorXd values = t.rightCols<1>();
-           eliminate(t, row, e);
-           t.rightCols<1>() = values;
-         });
-       }}},
-      {"only the values",
-       "it looks as if only the last column were changed. The next pivot finds the equations as they were, with values "
-       "that belong to others.",
-       {[](Tableau& tableau, Index entering) {
-         return eliminated_by(tableau, entering, [](Eigen::MatrixXd& t, Index row, Index e) {
-           Eigen::MatrixXd all = t;
-           eliminate(all, row, e);
-           t.rightCols<1>() = all.rightCols<1>();
-         });
-       }}},
-      {"changed while in use", in_use, {[](Tableau& tableau, Index entering) {
-         return eliminated_by(tableau, entering, [](Eigen::MatrixXd& t, Index row, Index e) {
-           for (Index j = 0; j < t.cols(); ++j) t(row, j) /= t(row, e);
-           eliminate_in_place(t, row, e);
-         });
-       }}},
-      {"changed while in use", in_use, {[](Tableau& tableau, Index entering) {
-         return eliminated_by(tableau, entering, [](Eigen::MatrixXd& t, Index row, Index e) {
-           t.row(row) /= t(row, e);
-           eliminate_in_place(t, row, e);
-         });
-       }}},
-      {"changed while in use", in_use, {[](Tableau& tableau, Index entering) {
-         return eliminated_by(tableau, entering, [](Eigen::MatrixXd& t, Index row, Index e) {
-           for (Index j = 0; j < t.cols(); ++j) t(row, j) /= t(row, e);
-           for (Index i = 0; i < t.rows(); ++i)
-             if (i != row) t.row(i) -= t(i, e) * t.row(row).eval();
-         });
-       }}},
-      {"sign",
-       "it looks as if the row were added to the others. The entering variable is to vanish from them: take the row "
-       "away, times their entry.",
-       {[](Tableau& tableau, Index entering) {
-         return eliminated_by(tableau, entering, [](Eigen::MatrixXd& t, Index row, Index e) {
-           t.row(row) /= t(row, e);
-           for (Index i = 0; i < t.rows(); ++i)
-             if (i != row) t.row(i) += t(i, e) * t.row(row).eval();
-         });
-       }}},
-      {"basis not written",
-       "it looks as if basis[row] were left as it was. The row is solved for the entering variable now, and nobody "
-       "knows.",
-       {[](Tableau& tableau, Index entering) {
-         const Index row = first_to_leave(tableau, entering);
-         if (row < 0) return Index(-1);
-         eliminate(tableau.t, row, entering);
-         return tableau.basis[static_cast<std::size_t>(row)];
-       }}},
-      {"the one that enters given back",
-       "it looks as if basis[row] were read after it was written: the variable that enters is given back, instead of "
-       "the one that leaves.",
-       {[](Tableau& tableau, Index entering) { return right(tableau, entering) < 0 ? -1 : entering; }}},
-      {"the row given back",
-       "it looks as if the row were given back. Asked is which variable leaves: its number stands in basis[row].",
-       {[](Tableau& tableau, Index entering) {
-         const Index row = first_to_leave(tableau, entering);
-         right(tableau, entering);
-         return row;
-       }}},
-  };
+    if (t(i, entering) > 0 && (row < 0 || ratio(i) < ratio(row))) row = i;
+  if (row < 0) return -1;
+  t.row(row) /= t(row, entering);
+  for (Index i = 0; i < t.rows(); ++i)
+    if (i != row) t.row(i) -= t(i, entering) * t.row(row).eval();
+  return std::exchange(tableau.basis[static_cast<std::size_t>(row)], entering);
 }
 
 }  // namespace
@@ -362,7 +174,7 @@ Exercise exercise() {
        "back -1. Begin with no row, not with row 0.",
        "Divide that row by its entry under `entering`. Then take it away from each other row, times that row's entry "
        "under `entering`. Remember basis[row], write `entering` into it, and give back what you remembered."},
-      checks(), {right}, mistakes());
+      checks(), {right});
 }
 
 }  // namespace pushback::exercise_17

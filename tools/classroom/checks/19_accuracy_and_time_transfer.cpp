@@ -60,7 +60,9 @@ std::vector<Check<Answer>> checks() {
        {{"on its way up your box is at", "m", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          return {push_of(random, between(random, 0.3, 0.7), between(random, 0.4, 0.9)).asked(answer)};
-       }},
+       },
+       "on the way up weight and friction both brake the box, with g sin and μ g cos of the slope. It is at v t - a "
+       "t²/2."},
       {"where friction holds it, it stays",
        1,
        {{"long after it has stopped, your box, which friction holds, is at", "m", 1e-6},
@@ -70,7 +72,9 @@ std::vector<Check<Answer>> checks() {
          Push rests = stays;
          rests.speed = 0;
          return {stays.asked(answer), rests.asked(answer)};
-       }},
+       },
+       "where μ is more than the tangent of the slope, friction bears all that pulls the box down, and just that. The "
+       "box stays where it stopped."},
       {"where friction does not hold it, it slides back",
        2,
        {{"after it has stopped your box, which slides back, is at", "m", 1e-6},
@@ -93,13 +97,16 @@ std::vector<Check<Answer>> checks() {
            numbers.push_back(push.asked(answer));
          }
          return numbers;
-       }},
+       },
+       "where μ is less than the tangent of the slope, the box slides back from rest, from where it stopped and from "
+       "that moment on. Friction opposes the motion, so it pulls up then."},
       {"without friction it comes back as it went",
        1,
        {{"without friction your box is on its way back at", "m", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          return {push_of(random, 0, between(random, 1.2, 1.8)).asked(answer)};
-       }},
+       },
+       "without friction the acceleration is g sin of the slope, up and down, all the time."},
       {"a solver comes nearer to it with shorter steps",
        1,
        {{"a simulation with 2 substeps is away from your truth by", "mm", 1e-2},
@@ -108,138 +115,17 @@ std::vector<Check<Answer>> checks() {
          Push push = push_of(random, between(random, 0.1, 0.3), 0);
          push.speed = between(random, 1, 2);  // it has stopped after 0.3 s at most
          return {off(push, 2, answer), off(push, 8, answer)};
-       }},
+       },
+       "a simulation comes nearer to the truth with shorter steps. This box goes up, stops and slides back, and where "
+       "your truth is wrong, the simulation stays away from it."},
   };
 }
-
-/// With these accelerations down the slope, m/s^2, on the way up and on the way back.
-double way_of(double speed, double up, double back, bool held, double t) {
-  const double turn = speed / up;
-  if (t < turn) return speed * t - up * t * t / 2;
-  const double top = speed * speed / (2 * up);
-  return held ? top : top - back * (t - turn) * (t - turn) / 2;
-}
-
-/// What pulls down the slope, and what friction can do, m/s^2.
-struct Pulls {
-  double pull, rub;
-  Pulls(double slope, double mu) : pull(g * std::sin(slope)), rub(g * mu * std::cos(slope)) {}
-  bool held() const { return rub >= pull; }
-};
 
 double right(double speed, double slope, double mu, double t) {
-  const Pulls its(slope, mu);
-  return way_of(speed, its.pull + its.rub, its.pull - its.rub, its.held(), t);
-}
-
-std::vector<Mistake<Answer>> mistakes() {
-  const std::string turns =
-      "it looks as if friction pulled down the slope all the time. It opposes the motion: once the box slides back, "
-      "friction pulls up.";
-  return {
-      {"friction does not turn round", turns, {[](double speed, double slope, double mu, double t) {
-         const Pulls its(slope, mu);
-         return way_of(speed, its.pull + its.rub, its.pull + its.rub, false, t);
-       }}},
-      {"friction does not turn round", turns, {[](double speed, double slope, double mu, double t) {
-         const Pulls its(slope, mu);
-         return way_of(speed, its.pull + its.rub, its.pull + its.rub, its.held(), t);
-       }}},
-      {"never held",
-       "it looks as if nothing ever held the box. Where μ > tan of the slope, friction can bear all that pulls it "
-       "down, and bears just that: it is no force that moves a box up.",
-       {[](double speed, double slope, double mu, double t) {
-         const Pulls its(slope, mu);
-         return way_of(speed, its.pull + its.rub, its.pull - its.rub, false, t);
-       }}},
-      {"always held",
-       "it looks as if a box that has stopped always stayed. Friction bears no more than μ m g cos of the slope; where "
-       "its weight pulls more than that, it slides back.",
-       {[](double speed, double slope, double mu, double t) {
-         const Pulls its(slope, mu);
-         return way_of(speed, its.pull + its.rub, 0, true, t);
-       }}},
-      {"held the wrong way round",
-       "it looks as if μ and the slope were compared the wrong way round. It is a rough box that stays.",
-       {[](double speed, double slope, double mu, double t) {
-         const Pulls its(slope, mu);
-         return way_of(speed, its.pull + its.rub, its.pull - its.rub, !its.held(), t);
-       }}},
-      {"μ compared with the sine",
-       "it looks as if μ were compared with the sine of the slope. On a slope the box presses with m g cos only, so "
-       "that its tangent counts.",
-       {[](double speed, double slope, double mu, double t) {
-         const Pulls its(slope, mu);
-         return way_of(speed, its.pull + its.rub, its.pull - its.rub, g * mu >= its.pull, t);
-       }}},
-      {"time from the start",
-       "it looks as if the time of the way back were counted from the start. It slides back from rest, at the moment "
-       "at which it stopped.",
-       {[](double speed, double slope, double mu, double t) {
-         const Pulls its(slope, mu);
-         const double up = its.pull + its.rub, turn = speed / up;
-         if (t < turn || its.held()) return way_of(speed, up, 0, true, t);
-         return speed * turn / 2 - (its.pull - its.rub) * t * t / 2;
-       }}},
-      {"the top forgotten",
-       "it looks as if the way back were counted from the start's place. It slides back from where it stopped, v² / 2a "
-       "further up.",
-       {[](double speed, double slope, double mu, double t) {
-         const Pulls its(slope, mu);
-         const double up = its.pull + its.rub, top = speed * speed / (2 * up);
-         const double found = way_of(speed, up, its.pull - its.rub, its.held(), t);
-         return t < speed / up || its.held() ? found : found - top;
-       }}},
-      {"the weight for the pressing force",
-       "it looks as if friction were μ m g. On a slope the box presses with m g cos of the slope only.",
-       {[](double speed, double slope, double mu, double t) {
-         const double pull = g * std::sin(slope), rub = g * mu;
-         return way_of(speed, pull + rub, pull - rub, rub >= pull, t);
-       }}},
-      {"the weight for the pressing force",
-       "it looks as if friction were μ m g. On a slope the box presses with m g cos of the slope only.",
-       {[](double speed, double slope, double mu, double t) {
-         const double pull = g * std::sin(slope), rub = g * mu;
-         return way_of(speed, pull + rub, pull - rub, mu >= std::tan(slope), t);
-       }}},
-      {"sine and cosine exchanged",
-       "it looks as if sine and cosine were exchanged. On flat ground, nothing pulls along the slope, and all of the "
-       "weight presses.",
-       {[](double speed, double slope, double mu, double t) {
-         const double pull = g * std::cos(slope), rub = g * mu * std::sin(slope);
-         return way_of(speed, pull + rub, pull - rub, rub >= pull, t);
-       }}},
-      {"sine and cosine exchanged",
-       "it looks as if sine and cosine were exchanged. On flat ground, nothing pulls along the slope, and all of the "
-       "weight presses.",
-       {[](double speed, double slope, double mu, double t) {
-         const double pull = g * std::cos(slope), rub = g * mu * std::sin(slope);
-         return way_of(speed, pull + rub, pull - rub, mu >= std::tan(slope), t);
-       }}},
-      {"no weight on the way up",
-       "it looks as if only friction braked the box on its way up, as on flat ground. Its weight pulls it down the "
-       "slope as well.",
-       {[](double speed, double slope, double mu, double t) {
-         const Pulls its(slope, mu);
-         if (its.rub <= 0) return speed * t;
-         return way_of(speed, its.rub, its.pull - its.rub, its.held(), t);
-       }}},
-      {"no friction on the way up",
-       "it looks as if only its weight braked the box on its way up. Friction opposes the motion, upwards too.",
-       {[](double speed, double slope, double mu, double t) {
-         const Pulls its(slope, mu);
-         return way_of(speed, its.pull, its.pull - its.rub, its.held(), t);
-       }}},
-      {"½ forgotten",
-       "it looks as if ½ were forgotten before a t². The mean speed of a motion that starts or ends at rest is half of "
-       "its largest.",
-       {[](double speed, double slope, double mu, double t) {
-         const Pulls its(slope, mu);
-         const double up = its.pull + its.rub, back = its.pull - its.rub, turn = speed / up;
-         if (t < turn) return speed * t - up * t * t;
-         return speed * turn - up * turn * turn - (its.held() ? 0 : back * (t - turn) * (t - turn));
-       }}},
-  };
+  const double pull = g * std::sin(slope), rub = g * mu * std::cos(slope), up = pull + rub, turn = speed / up;
+  if (t < turn) return speed * t - up * t * t / 2;
+  const double top = speed * speed / (2 * up);
+  return rub >= pull ? top : top - (pull - rub) * (t - turn) * (t - turn) / 2;
 }
 
 }  // namespace
@@ -256,7 +142,7 @@ Exercise exercise() {
        "that moment.",
        "Whether it is held is a question of two forces: what pulls it down the slope, and the most that friction can "
        "bear."},
-      checks(), {right}, mistakes());
+      checks(), {right});
 }
 
 }  // namespace pushback::exercise_19_transfer

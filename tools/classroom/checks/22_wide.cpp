@@ -97,7 +97,9 @@ std::vector<Check<Answer>> checks() {
          const Graph graph = some_graph(random, 0);
          const Colours colours = colours_by(answer, graph);
          return {clashes(graph, colours), momentum_lost(graph, colours, random), sum_of(colours)};
-       }},
+       },
+       "two pairs of one colour that meet in a body both read its velocity and both write it, and one of the two "
+       "pushes is lost. A pair takes the first colour that neither body has."},
       {"what cannot move may be in any number of pairs of one colour",
        1,
        {{"with three bodies that cannot move, two pairs of one colour meet in one that can", "times", 0.5},
@@ -106,7 +108,9 @@ std::vector<Check<Answer>> checks() {
          const Graph graph = some_graph(random, 3);
          const Colours colours = colours_by(answer, graph);
          return {clashes(graph, colours), sum_of(colours)};
-       }},
+       },
+       "nothing changes the velocity of a body that cannot move. Pairs of one colour may meet there, and nowhere "
+       "else."},
       {"a column of boxes needs two colours",
        1,
        {{"in your column two pairs of one colour meet in a box", "times", 0.5},
@@ -119,7 +123,9 @@ std::vector<Check<Answer>> checks() {
          Graph star{Movable(41, true), {}};
          for (std::size_t i = 1; i <= 40; ++i) star.pairs.push_back({0, i});
          return {clashes(graph, colours), count_of(colours), sum_of(colours), sum_of(colours_by(answer, star))};
-       }},
+       },
+       "a pair takes the first colour that neither of its bodies has so far. A higher one is a set more, and sets are "
+       "solved one after the other."},
   };
 }
 
@@ -136,90 +142,6 @@ Colours right(const Pairs& pairs, const Movable& movable) {
   return colours;
 }
 
-/// The rule of the page, and what can be done wrong in it.
-struct Wrong {
-  bool a_seen = true, b_seen = true, a_marked = true, b_marked = true;
-  bool fixed_count = false, both_needed = false, above_all = false;
-};
-
-Colours greedy(const Pairs& pairs, const Movable& movable, const Wrong& wrong) {
-  std::vector<std::uint64_t> taken(movable.size(), 0);
-  Colours colours;
-  for (const auto& [a, b] : pairs) {
-    const auto seen_at = [&](std::size_t body, bool seen) {
-      return seen && (movable[body] || wrong.fixed_count) ? taken[body] : 0;
-    };
-    const std::uint64_t at_a = seen_at(a, wrong.a_seen), at_b = seen_at(b, wrong.b_seen);
-    const std::uint64_t both = wrong.both_needed ? at_a & at_b : at_a | at_b;
-    const int colour = wrong.above_all ? 64 - std::countl_zero(both) : std::countr_one(both);
-    colours.push_back(colour);
-    if (wrong.a_marked) taken[a] |= std::uint64_t(1) << colour;
-    if (wrong.b_marked) taken[b] |= std::uint64_t(1) << colour;
-  }
-  return colours;
-}
-
-std::vector<Mistake<Answer>> mistakes() {
-  return {
-      {"all in one set",
-       "it looks as if all pairs had one colour. Two pairs that meet in a body both read its velocity and both write "
-       "it: one of the two pushes is lost.",
-       {[](const Pairs& pairs, const Movable&) { return Colours(pairs.size(), 0); }}},
-      {"a colour for each pair",
-       "it looks as if each pair had a colour of its own. That is one after the other again: nothing is solved side by "
-       "side.",
-       {[](const Pairs& pairs, const Movable&) {
-         Colours colours;
-         for (std::size_t i = 0; i < pairs.size(); ++i) colours.push_back(static_cast<int>(i));
-         return colours;
-       }}},
-      {"two colours in turn",
-       "it looks as if pairs had two colours in turn. That is right for a column alone: the colour depends on what the "
-       "two bodies already have.",
-       {[](const Pairs& pairs, const Movable&) {
-         Colours colours;
-         for (std::size_t i = 0; i < pairs.size(); ++i) colours.push_back(static_cast<int>(i % 2));
-         return colours;
-       }}},
-      {"the ground shared",
-       "it looks as if bodies that cannot move counted. Nothing changes their velocity, so pairs that meet only there "
-       "can be solved side by side.",
-       {[](const Pairs& pairs, const Movable& movable) { return greedy(pairs, movable, {.fixed_count = true}); }}},
-      {"only A's colours",
-       "it looks as if only the colours of body A were looked at. The colour has to be free in both bodies.",
-       {[](const Pairs& pairs, const Movable& movable) { return greedy(pairs, movable, {.b_seen = false}); }}},
-      {"only B's colours",
-       "it looks as if only the colours of body B were looked at. The colour has to be free in both bodies.",
-       {[](const Pairs& pairs, const Movable& movable) { return greedy(pairs, movable, {.a_seen = false}); }}},
-      {"taken in A alone",
-       "it looks as if the colour were noted for body A alone. B has it from now on, too.",
-       {[](const Pairs& pairs, const Movable& movable) { return greedy(pairs, movable, {.b_marked = false}); }}},
-      {"taken in B alone",
-       "it looks as if the colour were noted for body B alone. A has it from now on, too.",
-       {[](const Pairs& pairs, const Movable& movable) { return greedy(pairs, movable, {.a_marked = false}); }}},
-      {"free in one of them",
-       "it looks as if a colour counted as free when one of the two bodies does not have it. Neither may have it.",
-       {[](const Pairs& pairs, const Movable& movable) { return greedy(pairs, movable, {.both_needed = true}); }}},
-      {"above all that are taken",
-       "it looks as if the colour were one more than the highest that either body has. Gaps below it stay unused, and "
-       "there are more colours than are needed.",
-       {[](const Pairs& pairs, const Movable& movable) { return greedy(pairs, movable, {.above_all = true}); }}},
-      {"pairs with the ground left out",
-       "it looks as if pairs with a body that cannot move had colour 0 in any case, and their other body did not take "
-       "note. The body that can move is in that pair as in any other.",
-       {[](const Pairs& pairs, const Movable& movable) {
-         Pairs others;
-         for (const Pair& pair : pairs)
-           if (movable[pair.a] && movable[pair.b]) others.push_back(pair);
-         const Colours of_others = greedy(others, movable, {});
-         Colours colours;
-         std::size_t next = 0;
-         for (const Pair& pair : pairs) colours.push_back(movable[pair.a] && movable[pair.b] ? of_others[next++] : 0);
-         return colours;
-       }}},
-  };
-}
-
 }  // namespace
 
 Numbers play(std::size_t check, Random& random, const Answer& answer) {
@@ -233,7 +155,7 @@ Exercise exercise() {
        "The colour of a pair is the first that neither of its bodies has; a body that cannot move never stands in the "
        "way.",
        "std::countr_one(taken[a] | taken[b]) is the number of the first free bit. Then set that bit in both."},
-      checks(), {right}, mistakes());
+      checks(), {right});
 }
 
 }  // namespace pushback::exercise_22

@@ -106,7 +106,9 @@ std::vector<Check<Answer>> checks() {
            again += static_cast<Real>(std::max(0, count - 1));
          }
          return {solved, again};
-       }},
+       },
+       "each bundle is solved by one thread, once. Of each set it has a share of its own, and numbers go on from set "
+       "to set."},
       {"nobody begins a set before all are done with the one before",
        2,
        {{"so many bundles are solved in the phase of their set:", "", 0.5},
@@ -120,13 +122,14 @@ std::vector<Check<Answer>> checks() {
                      [&](int bundle, std::size_t phase) { in_time += set_of(bundle, work.sizes) == phase ? 1 : 0; });
          const std::vector<Real> waits = waits_of(threads);
          return {in_time, *std::min_element(waits.begin(), waits.end()), *std::max_element(waits.begin(), waits.end())};
-       }},
+       },
+       "bundles of different sets share bodies. So all threads wait after each set, after the last one and without a "
+       "share as well, and not within a set."},
       {"no thread has more than its share",
        1,
        {{"the bundles of the busiest thread of each phase, added up, are", "", 0.5}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         return {busiest(threads_of(answer, some_work(random)))};
-       }},
+       [](Random& random, const Answer& answer) -> Numbers { return {busiest(threads_of(answer, some_work(random)))}; },
+       "all wait for the busiest thread. The shares of a set differ by one bundle at most."},
       {"balls in a row end as with one thread",
        1,
        {{"the velocities of your balls differ from those of one thread by", "m/s", 1e-9},
@@ -145,134 +148,9 @@ std::vector<Check<Answer>> checks() {
            energy += found[i] * found[i] / 2;
          }
          return {most, energy};
-       }},
-  };
-}
-
-std::vector<Mistake<Answer>> mistakes() {
-  return {
-      {"nothing solved", "it looks as if no thread did anything yet.", {[](Thread&, const Sizes&) {}}},
-      {"all by each",
-       "it looks as if every thread solved all bundles. Each takes a share of its own: thread.who says which.",
-       {[](Thread& thread, const Sizes& sizes) {
-         int bundle = 0;
-         for (const int size : sizes) {
-           for (int i = 0; i < size; ++i) thread.solve(bundle++);
-           thread.wait_for_all();
-         }
-       }}},
-      {"all by the first",
-       "it looks as if the first thread solved all bundles, and the others only waited. That is one thread again.",
-       {[](Thread& thread, const Sizes& sizes) {
-         int bundle = 0;
-         for (const int size : sizes) {
-           for (int i = 0; i < size; ++i, ++bundle)
-             if (thread.who == 0) thread.solve(bundle);
-           thread.wait_for_all();
-         }
-       }}},
-      {"no wait",
-       "it looks as if nobody waited. A thread that is done early begins the next set, whose bundles share bodies with "
-       "those that others still solve.",
-       {[](Thread& thread, const Sizes& sizes) {
-         Thread waiting(thread.who, thread.count);
-         right(waiting, sizes);
-         for (const auto& phase : waiting.done())
-           for (const int bundle : phase) thread.solve(bundle);
-       }}},
-      {"one wait at the end",
-       "it looks as if threads waited once, at the end of the sweep. They have to after each set.",
-       {[](Thread& thread, const Sizes& sizes) {
-         Thread waiting(thread.who, thread.count);
-         right(waiting, sizes);
-         for (const auto& phase : waiting.done())
-           for (const int bundle : phase) thread.solve(bundle);
-         thread.wait_for_all();
-       }}},
-      {"a share of the whole list",
-       "it looks as if a thread's share were cut from the list of all bundles. It is cut from each set: all threads "
-       "solve the same set at the same time.",
-       {[](Thread& thread, const Sizes& sizes) {
-         const int all = std::accumulate(sizes.begin(), sizes.end(), 0);
-         for (int i = all * thread.who / thread.count; i < all * (thread.who + 1) / thread.count; ++i) thread.solve(i);
-         thread.wait_for_all();
-       }}},
-      {"a wait after each bundle",
-       "it looks as if a thread waited after each of its bundles. Within a set nobody has to wait; and who has fewer "
-       "bundles waits less often than the others, which then wait for ever.",
-       {[](Thread& thread, const Sizes& sizes) {
-         Thread waiting(thread.who, thread.count);
-         right(waiting, sizes);
-         for (const auto& phase : waiting.done())
-           for (const int bundle : phase) thread.solve(bundle), thread.wait_for_all();
-       }}},
-      {"no wait after the last set",
-       "it looks as if nobody waited after the last set. What follows the sweep reads what others may still be "
-       "writing.",
-       {[](Thread& thread, const Sizes& sizes) {
-         Thread waiting(thread.who, thread.count);
-         right(waiting, sizes);
-         for (std::size_t set = 0; set < sizes.size(); ++set) {
-           if (set > 0) thread.wait_for_all();
-           for (const int bundle : waiting.done()[set]) thread.solve(bundle);
-         }
-       }}},
-      {"no wait without a share",
-       "it looks as if a thread that has no bundle in a set did not wait. It would begin the next set at once, and the "
-       "others would wait for it in vain.",
-       {[](Thread& thread, const Sizes& sizes) {
-         Thread waiting(thread.who, thread.count);
-         right(waiting, sizes);
-         for (std::size_t set = 0; set < sizes.size(); ++set) {
-           for (const int bundle : waiting.done()[set]) thread.solve(bundle);
-           if (!waiting.done()[set].empty()) thread.wait_for_all();
-         }
-       }}},
-      {"the rest left out",
-       "it looks as if n / T were rounded down for every thread, so that the last bundles of a set belong to nobody. "
-       "Multiply first: n t / T.",
-       {[](Thread& thread, const Sizes& sizes) {
-         int first = 0;
-         for (const int size : sizes) {
-           const int share = size / thread.count;
-           for (int i = share * thread.who; i < share * (thread.who + 1); ++i) thread.solve(first + i);
-           thread.wait_for_all();
-           first += size;
-         }
-       }}},
-      {"the rest to the last",
-       "it looks as if the last thread had what is left over. The others wait for it.",
-       {[](Thread& thread, const Sizes& sizes) {
-         int first = 0;
-         for (const int size : sizes) {
-           const int share = size / thread.count, begin = share * thread.who;
-           const int end = thread.who + 1 == thread.count ? size : begin + share;
-           for (int i = begin; i < end; ++i) thread.solve(first + i);
-           thread.wait_for_all();
-           first += size;
-         }
-       }}},
-      {"its end included",
-       "it looks as if a share reached as far as the first bundle of the next one. It ends before that.",
-       {[](Thread& thread, const Sizes& sizes) {
-         int first = 0;
-         for (const int size : sizes) {
-           const int begin = size * thread.who / thread.count, end = size * (thread.who + 1) / thread.count;
-           for (int i = begin; i <= std::min(end, size - 1); ++i) thread.solve(first + i);
-           thread.wait_for_all();
-           first += size;
-         }
-       }}},
-      {"numbered anew in each set",
-       "it looks as if bundles were counted from 0 in each set. Their numbers go on: the first of set 1 follows the "
-       "last of set 0.",
-       {[](Thread& thread, const Sizes& sizes) {
-         for (const int size : sizes) {
-           const int begin = size * thread.who / thread.count, end = size * (thread.who + 1) / thread.count;
-           for (int i = begin; i < end; ++i) thread.solve(i);
-           thread.wait_for_all();
-         }
-       }}},
+       },
+       "a bundle that is left out, is solved twice, or comes before its turn leaves other velocities behind than one "
+       "thread does."},
   };
 }
 
@@ -288,7 +166,7 @@ Exercise exercise() {
                              "Of a set with n bundles, this thread has those from n who / count to before n (who + 1) "
                              "/ count, counted from the first of the set.",
                              "Then thread.wait_for_all(), in every set, also where this thread had nothing to do."},
-                            checks(), {right}, mistakes());
+                            checks(), {right});
 }
 
 }  // namespace pushback::exercise_23

@@ -37,7 +37,9 @@ std::vector<Check<Answer>> checks() {
          const double one = between(random, 1, 2), other = between(random, 2.5, 4);
          return {static_cast<Real>(said_of(answer, truth, c, one).order),
                  static_cast<Real>(said_of(answer, truth, -c, other).order)};
-       }},
+       },
+       "half of the step divides an error of order p by 2^p. The first difference is 2^p times the second, and p is "
+       "its logarithm to the base 2."},
       {"how far the best of the three is off",
        2,
        {{"the best of the three is off, by you, by", "mm", 1e-4},
@@ -47,7 +49,9 @@ std::vector<Check<Answer>> checks() {
          const double one = between(random, 1.2, 2), other = between(random, 1.2, 2);
          return {static_cast<Real>(1000 * said_of(answer, truth, c, one).error),
                  static_cast<Real>(1000 * said_of(answer, truth, -c, other).error)};
-       }},
+       },
+       "half is off by 2^p times as much as quarter, so their difference is 2^p - 1 times the error of quarter. How "
+       "far it is off is 0 or more."},
       {"what would be better",
        2,
        {{"better would be, by you,", "m", 1e-6}, {"where they rise, better would be, by you,", "m", 1e-6}},
@@ -55,7 +59,9 @@ std::vector<Check<Answer>> checks() {
          const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8), p = between(random, 1.2, 3);
          return {static_cast<Real>(said_of(answer, truth, c, p).better),
                  static_cast<Real>(said_of(answer, truth, -c, p).better)};
-       }},
+       },
+       "from half to quarter it came nearer to the truth. What would be better lies beyond quarter, by as much as "
+       "quarter is off."},
       {"three steps of this chapter",
        1,
        {{"the order of the whole step is, by you,", "", 1e-4},
@@ -69,93 +75,15 @@ std::vector<Check<Answer>> checks() {
                answer.judge(way(step, begin, 16), way(step, begin, 32), way(step, begin, 64)).order);
          };
          return {order_of(plain_24::whole_step), order_of(plain_24::half_step), order_of(composed_step)};
-       }},
+       },
+       "the three steps are of the orders 1, 2 and 4, which the differences of their own results tell."},
   };
-}
-
-/// The order that the differences have, and what is made of the latter of them.
-Judged from(double half, double quarter, double order, double divided) {
-  return {order, std::abs(half - quarter) / divided, quarter + (quarter - half) / divided};
-}
-double order_in(double whole, double half, double quarter) {
-  return std::log2(std::abs((whole - half) / (half - quarter)));
 }
 
 Judged right(double whole, double half, double quarter) {
-  const double p = order_in(whole, half, quarter);
-  return from(half, quarter, p, std::exp2(p) - 1);
-}
-
-constexpr auto signed_error = "it looks as if the error had a sign. How far it is off is 0 or more.";
-
-std::vector<Mistake<Answer>> mistakes() {
-  const std::string difference =
-      "it looks as if the difference of the last two were taken for the error. They are both off: half is off by 2^p "
-      "times as much as quarter, so the difference is 2^p - 1 times what is left.";
-  return {
-      {"the natural logarithm",
-       "it looks as if it were a logarithm to another base. The step falls by the factor 2, so the base is 2.",
-       {[](double whole, double half, double quarter) {
-         const double p = std::log(std::abs((whole - half) / (half - quarter)));
-         return from(half, quarter, p, std::exp2(p) - 1);
-       }}},
-      {"the natural logarithm",
-       "it looks as if it were a logarithm to another base. The step falls by the factor 2, so the base is 2.",
-       {[](double whole, double half, double quarter) {
-         const double p = order_in(whole, half, quarter);
-         return from(half, quarter, p * std::log(2), std::exp2(p) - 1);
-       }}},
-      {"the logarithm forgotten",
-       "it looks as if the ratio of the differences were taken for the order. The ratio is 2^p.",
-       {[](double whole, double half, double quarter) {
-         const double p = order_in(whole, half, quarter);
-         return from(half, quarter, std::exp2(p), std::exp2(p) - 1);
-       }}},
-      {"the ratio turned round",
-       "it looks as if the ratio stood the wrong way round. The first difference is the larger one.",
-       {[](double whole, double half, double quarter) {
-         const double p = order_in(whole, half, quarter);
-         return from(half, quarter, -p, std::exp2(p) - 1);
-       }}},
-      {"the difference for the error", difference, {[](double whole, double half, double quarter) {
-         return from(half, quarter, order_in(whole, half, quarter), 1);
-       }}},
-      {"2^p for 2^p - 1",
-       "it looks as if the difference were divided by 2^p. half is off by 2^p times as much as quarter, and the "
-       "difference is what lies between the two: 2^p - 1 times.",
-       {[](double whole, double half, double quarter) {
-         const double p = order_in(whole, half, quarter);
-         return from(half, quarter, p, std::exp2(p));
-       }}},
-      {"the error of half",
-       "it looks as if it were the error of half. The best of the three is quarter, which is 2^p times nearer.",
-       {[](double whole, double half, double quarter) {
-         const double p = order_in(whole, half, quarter);
-         Judged judged = from(half, quarter, p, std::exp2(p) - 1);
-         judged.error *= std::exp2(p);
-         return judged;
-       }}},
-      {"away from the truth",
-       "it looks as if the step to the truth went back. From half to quarter it came nearer: go on in that way.",
-       {[](double whole, double half, double quarter) {
-         const double p = order_in(whole, half, quarter);
-         Judged judged = from(half, quarter, p, std::exp2(p) - 1);
-         judged.better = 2 * quarter - judged.better;
-         return judged;
-       }}},
-      {"a sign in the error", signed_error, {[](double whole, double half, double quarter) {
-         const double p = order_in(whole, half, quarter);
-         Judged judged = from(half, quarter, p, std::exp2(p) - 1);
-         judged.error = quarter - judged.better;
-         return judged;
-       }}},
-      {"a sign in the error", signed_error, {[](double whole, double half, double quarter) {
-         const double p = order_in(whole, half, quarter);
-         Judged judged = from(half, quarter, p, std::exp2(p) - 1);
-         judged.error = judged.better - quarter;
-         return judged;
-       }}},
-  };
+  const double p = std::log2(std::abs((whole - half) / (half - quarter)));
+  const double left = (quarter - half) / (std::exp2(p) - 1);
+  return {p, std::abs(left), quarter + left};
 }
 
 }  // namespace
@@ -170,7 +98,7 @@ Exercise exercise() {
       {"The truth is in none of the differences: whole - half and half - quarter are what c and p alone make.",
        "With the step h/2 the error is c h^p / 2^p. So the first difference is 2^p times the second.",
        "half - quarter = (2^p - 1) times the error of quarter. Take that error away from quarter, with its sign."},
-      checks(), {right}, mistakes());
+      checks(), {right});
 }
 
 }  // namespace pushback::exercise_24_transfer

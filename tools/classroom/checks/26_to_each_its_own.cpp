@@ -78,7 +78,10 @@ std::vector<Check<Answer>> checks() {
          ask([&] { return Seen{.contacts = few(), .refused = true}; });
          ask([&] { return Seen{.joints = joints(), .refused = true}; });
          return called;
-       }},
+       },
+       "an island's own contacts and joints say what it calls for, in the task's order: what is refused has substeps, "
+       "joints have half steps, what touches nothing flies, and few contacts, up to and with the limit, have half "
+       "steps."},
       {"an island whose contacts come and go near the limit stays what it is",
        2,
        {{"of 300 steps your island has by half steps", "", 0}, {"it changes so many times:", "", 0}},
@@ -87,7 +90,9 @@ std::vector<Check<Answer>> checks() {
          for (int i = int(contacts.size()); i < 300; ++i) contacts.push_back(whole(random, i % 100 < 50 ? 6 : 9, 13));
          const Course course = course_of(answer, contacts);
          return {static_cast<Real>(course.by_half_steps), static_cast<Real>(course.changes)};
-       }},
+       },
+       "an island that had half steps keeps them up to and with most_kept contacts, one that had substeps gets them "
+       "with most or fewer. So what comes and goes between the two changes nothing."},
       {"a step whose energy is not kept is taken again in twice as many, one that has too many comes down",
        2,
        {{"after a step that is far better than asked, stands (1) or not (0):", "", 0},
@@ -107,7 +112,9 @@ std::vector<Check<Answer>> checks() {
                  static_cast<Real>(just.substeps),         static_cast<Real>(badly.stands),
                  static_cast<Real>(badly.substeps),        static_cast<Real>(judge(4, Real(0.01)).substeps),
                  static_cast<Real>(judge(128, 2).substeps)};
-       }},
+       },
+       "a step with off at most 1 stands. Otherwise what it lost is not lost: it is taken again in twice as many, up "
+       "to most_substeps. Below an eighth half as many follow, but no fewer than least_substeps."},
       {"a chain that whips has many substeps while it does, and few before and after",
        2,
        {{"in 200 steps your chain is tried so many times:", "", 0},
@@ -124,114 +131,9 @@ std::vector<Check<Answer>> checks() {
          const Played played = chain_of(answer, size, 200);
          return {static_cast<Real>(played.tries), static_cast<Real>(played.spent), static_cast<Real>(played.most),
                  static_cast<Real>(played.given_up)};
-       }},
-  };
-}
-
-Answer with_call(Call (*call)(const Seen&, const Bounds&)) {
-  return {call, plain_26::judge_step};
-}
-Answer with_judge(Verdict (*judge)(int, Real, const Bounds&)) {
-  return {plain_26::call_of, judge};
-}
-
-std::vector<Mistake<Answer>> mistakes() {
-  return {
-      {"no memory",
-       "it looks as if an island were judged by its contacts alone. One that had half steps may keep them up to "
-       "most_kept, or it "
-       "changes with every contact that comes or goes.",
-       with_call([](const Seen& island, const Bounds& bounds) {
-         Seen forgotten = island;
-         forgotten.had_half_steps = false;
-         return plain_26::call_of(forgotten, bounds);
-       })},
-      {"most_kept for all",
-       "it looks as if most_kept were the limit of every island. Of one that had substeps it is most.",
-       with_call([](const Seen& island, const Bounds& bounds) {
-         Seen kept = island;
-         kept.had_half_steps = true;
-         return plain_26::call_of(kept, bounds);
-       })},
-      {"limits taken the other way round",
-       "it looks as if most_kept were the limit of an island that had substeps, and most that of one that had half "
-       "steps. It is the "
-       "other way round.",
-       with_call([](const Seen& island, const Bounds& bounds) {
-         Seen turned = island;
-         turned.had_half_steps = !island.had_half_steps;
-         return plain_26::call_of(turned, bounds);
-       })},
-      {"below, not up to",
-       "it looks as if an island with just as many contacts as the limit were one of many. Up to the limit it is one "
-       "of few.",
-       with_call([](const Seen& island, const Bounds& bounds) {
-         return plain_26::call_of(island, {.most = bounds.most - 1, .most_kept = bounds.most_kept - 1});
-       })},
-      {"refused too late",
-       "it looks as if joints were asked before what is refused. A limit is a joint, too, and half steps do not hold "
-       "it.",
-       with_call([](const Seen& island, const Bounds& bounds) {
-         return island.joints > 0 ? Call::half_steps : plain_26::call_of(island, bounds);
-       })},
-      {"refusal forgotten", "it looks as if nothing were refused. Half steps do not do limits, loops and Forces.",
-       with_call([](const Seen& island, const Bounds& bounds) {
-         Seen free = island;
-         free.refused = false;
-         return plain_26::call_of(free, bounds);
-       })},
-      {"joints fly", "it looks as if an island of joints without a contact flew. Its bodies hold each other.",
-       with_call([](const Seen& island, const Bounds& bounds) {
-         if (!island.refused && island.contacts == 0) return Call::flight;
-         return plain_26::call_of(island, bounds);
-       })},
-      {"the step stands anyway",
-       "it looks as if the step that was too far off were kept, and the next one were taken in twice as many. What it "
-       "lost is lost "
-       "then: it is taken again.",
-       with_judge([](int substeps, Real off, const Bounds& bounds) {
-         Verdict verdict = plain_26::judge_step(substeps, off, bounds);
-         verdict.stands = true;
-         return verdict;
-       })},
-      {"never fewer", "it looks as if the substeps never became fewer. One whip, and all that follows costs as much.",
-       with_judge([](int substeps, Real off, const Bounds& bounds) {
-         return off <= 1 ? Verdict{true, substeps} : plain_26::judge_step(substeps, off, bounds);
-       })},
-      {"fewer at once",
-       "it looks as if each step that stands made the next one coarser. Where off is 1/4 or more, half as many are too "
-       "few, and each "
-       "second step is taken twice.",
-       with_judge([](int substeps, Real off, const Bounds& bounds) {
-         return plain_26::judge_step(substeps, off <= 1 ? 0 : off, bounds);
-       })},
-      {"a quarter",
-       "it looks as if fewer substeps followed below a quarter. In half as many the error is four times as large: just "
-       "what is "
-       "allowed, and often more.",
-       with_judge([](int substeps, Real off, const Bounds& bounds) {
-         return plain_26::judge_step(substeps, off < Real(0.25) ? 0 : off, bounds);
-       })},
-      {"fewer than the least", "it looks as if the substeps became fewer than least_substeps.",
-       with_judge([](int substeps, Real off, const Bounds& bounds) {
-         return off < Real(0.125) ? Verdict{true, substeps / 2} : plain_26::judge_step(substeps, off, bounds);
-       })},
-      {"no end",
-       "it looks as if a step were tried in more than most_substeps. What half steps do not get to in that many goes "
-       "to others.",
-       with_judge([](int substeps, Real off, const Bounds& bounds) {
-         Bounds wide = bounds;
-         wide.most_substeps = 1 << 20;
-         return plain_26::judge_step(substeps, off, wide);
-       })},
-      {"one more instead of twice",
-       "it looks as if the next try had one substep more. The error falls with their square: doubling gets there in a "
-       "few tries.",
-       with_judge([](int substeps, Real off, const Bounds& bounds) {
-         Verdict verdict = plain_26::judge_step(substeps, off, bounds);
-         if (!verdict.stands) verdict.substeps = substeps < bounds.most_substeps ? substeps + 1 : 0;
-         return verdict;
-       })},
+       },
+       "the error falls with the square of the substeps. Doubling gets there in a few tries, half as many are enough "
+       "below an eighth, and what most_substeps do not reach is left to others."},
   };
 }
 
@@ -247,7 +149,7 @@ Exercise exercise() {
       {"Begin with call: four lines, one for each sentence of the task, in its order. The first that holds decides.",
        "The limit of contacts is one of two numbers: island.had_half_steps ? bounds.most_kept : bounds.most.",
        "judge has three ends: {true, half as many or as many}, {false, twice as many}, {false, 0}."},
-      checks(), {plain_26::call_of, plain_26::judge_step}, mistakes());
+      checks(), {plain_26::call_of, plain_26::judge_step});
 }
 
 }  // namespace pushback::exercise_26

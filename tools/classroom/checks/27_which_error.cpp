@@ -57,7 +57,9 @@ std::vector<Check<Answer>> checks() {
            off.push_back(answer.off_by(place + error * std::exp2(static_cast<Real>(order)), place + error, order));
          }
          return off;
-       }},
+       },
+       "the coarse result is off by 2^p times as much as the fine one, so their difference is 2^p - 1 times the error "
+       "of the fine one. That is a length, and not below 0."},
       {"a step that is off too far is taken again in twice as many, if that helps, and never in more than the most",
        2,
        {{"after a try that is too far off, stands (1) or not (0):", "", 0},
@@ -78,7 +80,9 @@ std::vector<Check<Answer>> checks() {
          const Verdict most = judge(16, far, 4 * far), just = judge(now, random.between(Real(0.6), Real(0.99)), none);
          return {Real(badly.stands), Real(badly.substeps), Real(stuck.stands), Real(stuck.kept),
                  Real(most.stands),  Real(most.kept),      Real(just.stands),  Real(just.kept)};
-       }},
+       },
+       "what is off too far is taken again in twice as many, as long as the last doubling halved the error and no more "
+       "than the most are needed. Otherwise it stands, and is not kept."},
       {"a step that is far better than asked makes the next one coarser, if the order allows it",
        2,
        {{"order 1, off by 1/5, the next has", "", 0},
@@ -94,7 +98,9 @@ std::vector<Check<Answer>> checks() {
          const int now = 2 * whole(random, 2, 8);
          return {next(now, Real(0.2), 1), next(now, some, 2), next(now, some, 4), next(now, little, 4),
                  next(2, little, 2)};
-       }},
+       },
+       "half as many substeps are off by 2^p times as much. The next step has half as many if that is below 1/2, but "
+       "no fewer than the least."},
       {"a motion has many substeps where it needs them, few before and after, and none are wasted where they do not "
        "help",
        2,
@@ -111,88 +117,9 @@ std::vector<Check<Answer>> checks() {
          const auto stuck = [](int step) { return step >= 140 && step < 150 ? Real(5) : 0; };
          const Played played = motion_of(answer, 2, size, stuck, 200);
          return {Real(played.tries), Real(played.spent), Real(played.most), Real(played.not_kept)};
-       }},
-  };
-}
-
-Answer with_estimate(Real (*off_by)(Real, Real, int)) {
-  return {off_by, plain_27::judge_try};
-}
-Answer with_judge(Verdict (*judge)(const Tried&, const Bounds&)) {
-  return {plain_27::off_by, judge};
-}
-
-std::vector<Mistake<Answer>> mistakes() {
-  return {
-      {"the difference itself",
-       "it looks as if the difference were taken for the error. It is 2^p - 1 times the error of the finer result.",
-       with_estimate([](Real coarse, Real fine, int) { return std::abs(coarse - fine); })},
-      {"divided by 2^p",
-       "it looks as if the difference were divided by 2^p. The coarse result is off by 2^p parts, the fine one by one: "
-       "their difference is 2^p - 1.",
-       with_estimate([](Real coarse, Real fine, int order) {
-         return std::abs(coarse - fine) / std::exp2(static_cast<Real>(order));
-       })},
-      {"order two for all",
-       "it looks as if the difference were divided by 3 for every order. That is 2^p - 1 for p = 2.",
-       with_estimate([](Real coarse, Real fine, int) { return std::abs(coarse - fine) / 3; })},
-      {"the coarse one's error",
-       "it looks as if you gave the error of the coarse result. The fine one is used, and its error is 2^p times "
-       "smaller.",
-       with_estimate([](Real coarse, Real fine, int order) {
-         return std::abs(coarse - fine) * std::exp2(static_cast<Real>(order)) / parts_of_difference(order);
-       })},
-      {"with its sign",
-       "it looks as if the error had a sign. On one side of where it belongs a body would be kept however far off it "
-       "is.",
-       with_estimate([](Real coarse, Real fine, int order) { return (coarse - fine) / parts_of_difference(order); })},
-      {"the step stands anyway",
-       "it looks as if the step that was too far off stood, and the next one were taken in twice as many. What it is "
-       "off by stays then: it is taken again.",
-       with_judge([](const Tried& tried, const Bounds& bounds) {
-         Verdict verdict = plain_27::judge_try(tried, bounds);
-         verdict.stands = true;
-         return verdict;
-       })},
-      {"no end where nothing helps",
-       "it looks as if the try before were not looked at. Where doubling does not halve the error, more of it is "
-       "wasted.",
-       with_judge([](const Tried& tried, const Bounds& bounds) {
-         return plain_27::judge_try({tried.substeps, tried.off, none, tried.order}, bounds);
-       })},
-      {"more than the most", "it looks as if a step were tried in more than bounds.most.",
-       with_judge([](const Tried& tried, const Bounds& bounds) {
-         return plain_27::judge_try(tried, {bounds.least, 1 << 20});
-       })},
-      {"said to be kept",
-       "it looks as if every step that stands were said to be kept. One that stands because nothing helps is not.",
-       with_judge([](const Tried& tried, const Bounds& bounds) {
-         Verdict verdict = plain_27::judge_try(tried, bounds);
-         verdict.kept |= verdict.stands;
-         return verdict;
-       })},
-      {"never fewer", "it looks as if the substeps never became fewer. One jerk, and all that follows costs as much.",
-       with_judge([](const Tried& tried, const Bounds& bounds) {
-         Verdict verdict = plain_27::judge_try(tried, bounds);
-         if (verdict.stands) verdict.substeps = tried.substeps;
-         return verdict;
-       })},
-      {"fewer at once",
-       "it looks as if each step that is kept made the next one coarser. Half as many are off by 2^p times as much: "
-       "mostly too far, and the step is taken twice.",
-       with_judge([](const Tried& tried, const Bounds& bounds) {
-         Verdict verdict = plain_27::judge_try(tried, bounds);
-         if (verdict.kept) verdict.substeps = std::max(bounds.least, tried.substeps / 2);
-         return verdict;
-       })},
-      {"fewer whatever the order",
-       "it looks as if an eighth were the bound for every order. That is 1/2 over 2^p for p = 2.",
-       with_judge([](const Tried& tried, const Bounds& bounds) {
-         return plain_27::judge_try({tried.substeps, tried.off, tried.before, 2}, bounds);
-       })},
-      {"fewer than the least", "it looks as if the substeps became fewer than bounds.least.",
-       with_judge(
-           [](const Tried& tried, const Bounds& bounds) { return plain_27::judge_try(tried, {1, bounds.most}); })},
+       },
+       "each step has as many substeps as its own error calls for: more while the motion jerks, fewer afterwards, and "
+       "none more where they do not help."},
   };
 }
 
@@ -208,7 +135,7 @@ Exercise exercise() {
       {"off_by is one line: the difference without its sign, over 2^p - 1. parts_of_difference(order) has that number.",
        "Begin judge with what is kept, then what is tried again. What is left stands, and is not kept.",
        "Fewer for the next step: off times 2^p is below 1/2, and substeps is above bounds.least."},
-      checks(), {plain_27::off_by, plain_27::judge_try}, mistakes());
+      checks(), {plain_27::off_by, plain_27::judge_try});
 }
 
 }  // namespace pushback::exercise_27
