@@ -1,325 +1,56 @@
-/// The live experiments in a real browser: every chapter that is built plays to and fro with the same bits, and each control does
-/// what it says, which is read off the simulation's state.
+/// What a reader does with an experiment, read off the simulation's state: time, parameters, the hand, the address, challenges, hard cases.
+/// After ./course book, which compiles all of them.
 import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
 import { after, before, test } from "node:test";
-import { chapters, launch, newPage, pageOf } from "./support/live.mjs";
+import { home } from "../../tools/book/experiments.js";
+import { challengeOf, challengesIn, clipOf, stateOf } from "../../tools/book/marks.js";
+import {
+  address,
+  bits,
+  engineOf,
+  experiments,
+  html,
+  launch,
+  newPage,
+  running,
+  seek,
+  settled,
+} from "./support/browser.mjs";
 
+const chapter = "03_baumgarte";
+const page03 = `chapters/${chapter}/index.html`;
+const opened = (state = "", options) => running(browser, page03, `live=${chapter}${state}`, options);
+const now = (page) => page.evaluate(() => player.engine.now);
+const names = (page) => page.evaluate(() => player.engine.lanes.map(({ name }) => name));
 let browser;
-before(async () => (browser = await launch()));
+before(async () => (browser = await launch({ draws: true })));
 after(() => browser.close());
 
-const still = { reducedMotion: "reduce" };
-const patience = 120000; // ms: a machine without a graphics card that has other work, too
-
-/// A page whose experiment runs, as `player` there; it does not play by itself.
-async function running(chapter, options = {}, address = pageOf(chapter)) {
-  const page = await newPage(browser, { ...still, ...options });
-  page.setDefaultTimeout(patience);
-  await page.goto(address);
-  await page.evaluate(async () => {
-    window.player = await window.PUSHBACK_LIVE_TEST.start();
-    for (const fold of document.querySelectorAll(".pb-fold")) fold.open = true;
-  });
-  return page;
-}
-
-/// Of all lanes: where they are, to the last bit.
-const bits = (page) => page.evaluate(() => player.engine.lanes.map(({ lane }) => player.engine.hash(lane)));
-const now = (page) => page.evaluate(() => player.engine.now);
-const settled = (page) => page.waitForFunction(() => !player.playing && player.engine.now === player.target);
-const seek = async (page, step) => {
-  await page.evaluate((to) => player.go(to), step);
-  await settled(page);
-};
-
-for (const chapter of chapters()) {
-  test(`${chapter}: every scene is drawn, and an instant has the same bits however it is reached`, async () => {
-    const page = await running(chapter);
-    const scenes = await page.evaluate(() => player.engine.description.scenes.length);
-    for (let scene = 0; scene < scenes; ++scene) {
-      const seen = await page.evaluate((which) => {
-        player.chooseScene(which);
-        const { engine } = player;
-        const all = () => engine.lanes.map(({ lane }) => engine.hash(lane)).join();
-        const last = Math.min(engine.steps, 60),
-          reached = {};
-        const began = performance.now();
-        for (let step = 1; step <= last && performance.now() - began < 4000; ++step) {
-          engine.goTo(step);
-          reached[step] = all();
-        }
-        const steps = Object.keys(reached).map(Number),
-          most = steps[steps.length - 1];
-        const wrong = [];
-        for (const step of [most - 1, 1, Math.ceil(most / 2), most, Math.ceil(most / 3)]) {
-          if (step < 1) continue;
-          engine.goTo(step);
-          if (all() !== reached[step]) wrong.push(step);
-        }
-        const colours = new Set();
-        for (const step of [0, Math.ceil(most / 3)]) {
-          engine.goTo(step); // what is fast has left the picture by then
-          player.target = engine.now;
-          player.stage.draw();
-          const gl = player.stage.canvas.getContext("webgl2");
-          const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
-          gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-          for (let i = 0; i < pixels.length; i += 4 * 37)
-            colours.add((pixels[i] << 16) | (pixels[i + 1] << 8) | pixels[i + 2]);
-        }
-        const numbers = engine.scene.numbers.map((_, i) => engine.number(0, i)[0]);
-        return { wrong, most, colours: colours.size, problem: player.stage.problem, numbers, name: engine.scene.name };
-      }, scene);
-      assert.deepEqual(seen.wrong, [], `${seen.name}: other bits`);
-      assert.equal(seen.problem, "", seen.name);
-      assert.ok(seen.colours > 20, `${seen.name}: only ${seen.colours} colours`);
-      assert.ok(
-        seen.numbers.every((text) => text.length > 0),
-        `${seen.name}: ${seen.numbers}`,
-      );
-    }
-    assert.deepEqual(page.wrong, []);
-    await page.close();
-  });
-}
-
-test("play, pause, a step on, a step back, the time line, the speed", async () => {
-  const page = await running("03_baumgarte");
-  assert.equal(await now(page), 0);
-  await page.getByRole("button", { name: "One step on" }).click();
-  await page.getByRole("button", { name: "One step on" }).click();
-  assert.equal(await now(page), 2);
-  const two = await bits(page);
-  await page.getByRole("button", { name: "One step on" }).click();
-  await page.getByRole("button", { name: "One step back" }).click();
-  assert.equal(await now(page), 2);
-  assert.deepEqual(await bits(page), two);
+test("play, pause, the time line, the speed, by buttons and by keys", async () => {
+  const page = await opened();
   await page.getByRole("slider", { name: "Time", exact: true }).fill("30");
   await settled(page);
   assert.equal(await now(page), 30);
-  await page.getByRole("slider", { name: "Time", exact: true }).fill("2");
-  await settled(page);
-  assert.deepEqual(await bits(page), two);
-  await page.getByRole("button", { name: "To the start" }).click();
-  assert.equal(await now(page), 0);
-  await page.getByRole("combobox", { name: "Speed" }).selectOption({ label: "1/32 of real time" });
-  assert.equal(await page.evaluate(() => player.speed), 1 / 32);
   await page.getByRole("combobox", { name: "Speed" }).selectOption({ label: "8 times as fast" });
-  await page.getByRole("button", { name: "Play" }).click();
+  await page.getByRole("button", { name: "Play", exact: true }).click();
   await page.waitForFunction(() => !player.playing && player.engine.now === player.engine.steps);
-  await page.getByRole("combobox", { name: "Speed" }).selectOption({ label: "1/32 of real time" });
-  await page.getByRole("button", { name: "Play" }).click();
-  assert.ok(await page.evaluate(() => player.playing));
-  await page.getByRole("button", { name: "Pause" }).click();
-  assert.equal(await page.evaluate(() => player.playing), false);
-  assert.deepEqual(page.wrong, []);
-  await page.close();
-});
-
-test("sliders are the parameters of --help, with range and reset, and change what is simulated; numbers follow", async () => {
-  const page = await running("03_baumgarte");
-  await seek(page, 20);
-  const usual = await bits(page);
-  assert.deepEqual(
-    await page.evaluate(() =>
-      player.engine.parameters.map(({ flag, symbol, unit, least, most }) => [flag, symbol, unit, least, most]),
-    ),
-    [
-      ["--beta", "β", "", 0, 2],
-      ["--depth", "d₀", "m", 0.001, 0.2],
-      ["--unstable", "", "m/s", 0.001, 10],
-      ["--sweeps", "", "", 1, 200],
-      ["--dt", "h", "s", 0.001, 0.1],
-      ["--seconds", "", "s", 0.1, 120],
-    ],
-  );
-  const depth = page.getByRole("spinbutton", { name: "Overlap at the start, as a number" });
-  await depth.fill("0.1");
-  await depth.press("Enter");
-  await settled(page);
-  assert.equal(await now(page), 20);
-  assert.notDeepEqual(await bits(page), usual);
-  assert.match(await page.evaluate(() => player.engine.scene.name), /^100 mm too deep/);
-  assert.ok((await page.evaluate(() => player.answer.first)) <= 2);
-  await page.getByRole("button", { name: "Reset: Overlap at the start" }).click();
-  await settled(page);
-  assert.deepEqual(await bits(page), usual);
-  await page.getByRole("slider", { name: "Baumgarte factors to put side by side, 4 of 4" }).fill("280");
-  await settled(page);
-  assert.deepEqual(await page.evaluate(() => player.engine.values["--beta"]), [0, 0.2, 0.5, 1.4]);
-  assert.deepEqual(await page.evaluate(() => player.engine.lanes.map(({ name }) => name)), [
-    "β = 0",
-    "β = 0.2",
-    "β = 0.5",
-    "β = 1.4",
-  ]);
-  await page.getByRole("button", { name: "Leave out: Baumgarte factors to put side by side, 1 of 4" }).click();
-  await settled(page);
-  assert.equal(await page.evaluate(() => player.engine.lanes.length), 3);
-  await page.getByRole("button", { name: "One more: Baumgarte" }).click();
-  await settled(page);
-  assert.equal(await page.evaluate(() => player.engine.lanes.length), 4);
-  await depth.fill("5");
-  await depth.press("Enter");
-  assert.match(
-    await page.getByRole("alert").textContent(),
-    /--depth: '5' is not allowed: a number from 0.001 to 0.2 is needed/,
-  );
-  assert.deepEqual(page.wrong, []);
-  await page.close();
-});
-
-test("where pictures take long, those of a slider that moves are coarse, and the one where it rests is not", async () => {
-  const page = await running("03_baumgarte");
-  await page.waitForFunction(() => player.stage.cost > 0 && !player.stage.drawing);
-  const whole = await page.evaluate(() => player.stage.canvas.width);
-  const moved = (cost) =>
-    page.evaluate((ms) => {
-      const slider = document.querySelector('.pb-sliders [data-flag="--depth"] input[type="range"]');
-      player.stage.cost = ms;
-      slider.value = Number(slider.value) + 9;
-      slider.dispatchEvent(new Event("input"));
-      player.stage.draw();
-      return player.stage.canvas.width;
-    }, cost);
-  assert.ok(Math.abs((await moved(1000)) / whole - 0.4) < 0.01);
-  await page.waitForFunction((width) => !player.stage.coarse && player.stage.canvas.width === width, whole);
-  assert.equal(await moved(10), whole);
-  assert.deepEqual(page.wrong, []);
-  await page.close();
-});
-
-test("a slider is answered by a picture after two slices of steps at most, however long all of them take", async () => {
-  const page = await running("14_joints_under_load");
-  for (const name of ["a suspension bridge, and three boxes", "a rope hung at both ends", "a cloth over a ball"]) {
-    await page.getByRole("combobox", { name: "Scene" }).selectOption({ label: name });
-    await seek(page, 60);
-    await page.waitForFunction(() => !player.stage.drawing && !player.stage.coarse && !player.asked);
-    const waiting = await page.evaluate(async () => {
-      const { stage } = player,
-        draw = stage.draw.bind(stage);
-      let waiting = 0;
-      stage.draw = () => {
-        if (stage.drawing) ++waiting;
-        draw();
-      };
-      const slider = document.querySelector('.pb-sliders [data-flag="--beta"] input[type="range"]');
-      const move = () => {
-        slider.value = Number(slider.value) + 9;
-        slider.dispatchEvent(new Event("input"));
-      };
-      for (let moved = 0; moved < 4; ++moved) {
-        move();
-        await new Promise((resolve) => setTimeout(resolve, 30));
-      }
-      while (!player.answer.complete || stage.coarse || stage.drawing || player.asked)
-        await new Promise((resolve) => setTimeout(resolve, 20));
-      move();
-      return waiting;
-    });
-    await page.waitForFunction(() => player.answer.complete);
-    assert.equal(waiting, 0, `${name}: pictures stand in line`);
-    const { first, shown, complete, slices } = await page.evaluate(() => player.answer);
-    assert.ok(first <= 2, `${name}: the first picture after ${first} slices`);
-    assert.equal(await now(page), 60);
-    console.log(
-      `${name}: a picture after ${Math.round(shown)} ms, all after ${Math.round(complete)} ms, ${slices} slices`,
-    );
-  }
-  assert.deepEqual(page.wrong, []);
-  await page.close();
-});
-
-test("a telephone's camera stays close to what rolls away and to what falls", async () => {
-  for (const chapter of ["05_restitution", "21_detected_once"]) {
-    const page = await running(chapter, { viewport: { width: 390, height: 844 } });
-    assert.ok(await page.evaluate(() => player.stage.follow));
-    for (const part of [0, 0.14, 0.3, 0.5, 1]) {
-      await seek(page, await page.evaluate((part) => Math.round(part * player.engine.steps), part));
-      const found = await page.evaluate(() => {
-        const { stage } = player,
-          { left, top, width, height } = stage.panes[0];
-        let seen = false;
-        for (let y = 2; y < height && !seen; y += 4)
-          for (let x = 2; x < width && !seen; x += 4) seen = Boolean(stage.grabAt(left + x, top + y, 0));
-        player.engine.letGo();
-        return seen;
-      });
-      assert.ok(found, `${chapter}: nothing in the picture after ${part} of the time`);
-    }
-    await page.close();
-  }
-});
-
-test("numbers stand beside what they should be, and change with the time", async () => {
-  const page = await running("03_baumgarte");
-  await page.getByRole("combobox", { name: "Scene" }).selectOption({ index: 1 });
-  await seek(page, 10);
-  const row = page.getByRole("row", { name: /exit speed/ });
-  await page.waitForFunction(() => /\(should be/.test(document.querySelector(".pb-numbers tbody").textContent));
-  const [is, should] = await page.evaluate(() => player.engine.number(0, 0));
-  assert.equal(should, "0.72 m/s"); // 0.2 * 0.06 m * 60/s
-  assert.ok((await row.textContent()).includes(is));
-  assert.equal(is, should);
-  await page.close();
-});
-
-test("scenes and variants: up to four, a wipe between two, each seen in its colour", async () => {
-  const page = await running("03_baumgarte");
-  assert.equal(await page.evaluate(() => player.engine.lanes.length), 4);
-  await page.getByRole("checkbox", { name: "β = 0.5" }).uncheck();
-  await page.getByRole("checkbox", { name: "β = 0", exact: true }).uncheck();
-  assert.deepEqual(await page.evaluate(() => player.engine.lanes.map(({ name }) => name)), ["β = 0.2", "β = 1"]);
-  await page.getByRole("checkbox", { name: "wipe" }).check();
-  await page.waitForFunction(() => player.stage.wiping);
-  await page.getByRole("slider", { name: "Where one variant ends" }).fill("250");
-  assert.equal(await page.evaluate(() => player.stage.wipe), 0.25);
-  await page.getByRole("combobox", { name: "Scene" }).selectOption({ index: 2 });
-  assert.equal(await page.evaluate(() => player.engine.sceneIndex), 2);
-  assert.deepEqual(page.wrong, []);
-  await page.close();
-});
-
-test("the picture: contacts, impulses, camera by mouse and by keys", async () => {
-  const page = await running("03_baumgarte");
-  await seek(page, 6);
-  const picture = () =>
-    page.evaluate(() => {
-      player.stage.draw();
-      return player.stage.canvas.toDataURL();
-    });
-  const whole = await picture();
-  for (const name of ["contact points", "impulses", "what should be"]) {
-    await page.getByRole("checkbox", { name }).uncheck();
-    assert.notEqual(await picture(), whole, name);
-    await page.getByRole("checkbox", { name }).check();
-    assert.equal(await picture(), whole, name);
-  }
   const canvas = page.locator(".pb-canvas");
-  await page.evaluate(() => scrollTo(0, 0));
-  const box = await canvas.boundingBox();
-  await page.mouse.move(box.x + 0.8 * box.width, box.y + 12);
-  await page.mouse.down();
-  await page.mouse.move(box.x + 0.7 * box.width, box.y + 40);
-  await page.mouse.up();
-  assert.ok(await page.evaluate(() => player.stage.camera.turn !== 0), "the camera turns");
-  assert.equal(await page.evaluate(() => player.engine.known), 6);
   await canvas.focus();
+  await page.keyboard.press("Home");
+  await page.keyboard.press(".");
+  assert.equal(await now(page), 1);
   for (const [key, changes] of [
     ["ArrowLeft", "turn"],
     ["ArrowUp", "rise"],
     ["+", "zoom"],
   ]) {
-    const before = await page.evaluate((what) => player.stage.camera[what], changes);
+    const camera = () => page.evaluate((what) => player.view.stage.camera[what], changes);
+    const before = await camera();
     await page.keyboard.press(key);
-    assert.notEqual(await page.evaluate((what) => player.stage.camera[what], changes), before, key);
+    assert.notEqual(await camera(), before, key);
   }
-  await page.keyboard.press("0");
-  assert.ok(await page.evaluate(() => player.stage.camera.isReset));
-  await page.keyboard.press(".");
-  assert.equal(await now(page), 7);
-  await page.keyboard.press(",");
-  assert.equal(await now(page), 6);
   await page.keyboard.press("Space");
   assert.ok(await page.evaluate(() => player.playing));
   await page.keyboard.press("Space");
@@ -327,43 +58,92 @@ test("the picture: contacts, impulses, camera by mouse and by keys", async () =>
   await page.close();
 });
 
+test("sliders change what is simulated, at the same instant; reset, one more, one less; what is not allowed is refused", async () => {
+  const page = await opened();
+  await seek(page, 20);
+  const usual = await bits(page);
+  const depth = page.getByRole("spinbutton", { name: "Overlap at the start, as a number" });
+  await depth.fill("0.1");
+  await depth.press("Enter");
+  await settled(page);
+  assert.equal(await now(page), 20);
+  assert.match(await page.evaluate(() => player.engine.scene.name), /^100 mm too deep/);
+  await page.getByRole("button", { name: "Reset: Overlap at the start" }).click();
+  await settled(page);
+  assert.deepEqual(await bits(page), usual);
+  await page.getByRole("slider", { name: "Baumgarte factors to put side by side, 4 of 4" }).fill("280");
+  await settled(page);
+  assert.deepEqual(await names(page), ["β = 0", "β = 0.2", "β = 0.5", "β = 1.4"]);
+  await page.getByRole("button", { name: "Leave out: Baumgarte factors to put side by side, 1 of 4" }).click();
+  await settled(page);
+  assert.equal((await names(page)).length, 3);
+  await page.getByRole("button", { name: "One more: Baumgarte" }).click();
+  await settled(page);
+  assert.equal((await names(page)).length, 4);
+  await depth.fill("5");
+  await depth.press("Enter");
+  assert.match(await page.getByRole("alert").textContent(), /--depth: '5' is not allowed/);
+  assert.deepEqual(page.wrong, []);
+  await page.close();
+});
+
+test("scenes, variants, what is drawn; numbers stand beside what they should be; a click on a curve goes there", async () => {
+  const page = await opened();
+  await page.getByRole("checkbox", { name: "β = 0.5" }).uncheck();
+  assert.deepEqual(await names(page), ["β = 0", "β = 0.2", "β = 1"]);
+  await seek(page, 6);
+  const picture = () =>
+    page.evaluate(() => {
+      player.view.stage.draw();
+      return player.view.stage.canvas.toDataURL();
+    });
+  const whole = await picture();
+  await page.getByRole("checkbox", { name: "what should be" }).uncheck();
+  assert.notEqual(await picture(), whole);
+  const over = page.locator(".pb-deck .u-over"),
+    box = await over.boundingBox();
+  await over.click({ position: { x: box.width / 2, y: box.height / 2 } });
+  await settled(page);
+  assert.equal(await now(page), 24);
+  await page.getByRole("combobox", { name: "Scene" }).selectOption({ index: 1 });
+  await seek(page, 10);
+  const [is, should] = await page.evaluate(() => player.engine.number(0, 0));
+  assert.deepEqual([is, should], ["0.72 m/s", "0.72 m/s"]); // 0.2 * 0.06 m * 60/s
+  assert.ok((await page.getByRole("row", { name: /exit speed/ }).textContent()).includes(`${is}\u00a0(should be`));
+  assert.deepEqual(page.wrong, []);
+  await page.close();
+});
+
 test("a body that is pulled follows in every variant; going back plays the pull again", async () => {
-  const page = await running("03_baumgarte");
+  const page = await opened();
   await seek(page, 40);
   const untouched = await bits(page);
   await seek(page, 10);
-  const at = await page.evaluate(() => {
-    scrollTo(0, 0);
-    const { stage, engine } = player;
-    stage.draw();
-    const pane = stage.panes[0],
-      camera = stage.cameraFor(pane);
-    const body = engine.bodies(0) - 1,
-      shift = engine.shift();
-    const place = engine.body(0, body).position.map((x, i) => x + shift[i]);
-    // Seen from the front: metres to pixels.
-    const high = 2 * (camera.eye[2] - place[2]) * Math.tan(camera.fieldOfView / 2);
+  // Where a body is found under the mouse.
+  const spot = await page.evaluate(() => {
+    player.bringIntoView();
+    const { stage } = player.view;
+    const { left, top, width, height } = stage.panes[0];
     const box = stage.canvas.getBoundingClientRect();
-    const spot = [
-      box.left + pane.left + pane.width / 2 + ((place[0] - camera.target[0]) / high) * pane.height,
-      box.top + pane.top + pane.height / 2 - ((place[1] - camera.target[1]) / high) * pane.height,
-    ];
-    return { spot, pixels: pane.height / high };
+    for (let y = 2; y < height; y += 4)
+      for (let x = 2; x < width; x += 4) {
+        if (!stage.grabAt(left + x, top + y, 0)) continue;
+        player.engine.letGo();
+        return [box.left + left + x + 2, box.top + top + y + 2];
+      }
+    return null;
   });
-  await page.mouse.move(...at.spot);
+  await page.mouse.move(...spot);
   await page.mouse.down();
   assert.ok(await page.evaluate(() => player.held && player.playing), "the body is held, and time goes on");
-  await page.evaluate(() => {
-    player.speed = 4;
-  });
-  await page.mouse.move(at.spot[0], at.spot[1] - 0.5 * at.pixels, { steps: 3 });
+  await page.evaluate(() => (player.speed = 4));
+  await page.mouse.move(spot[0], spot[1] - 60, { steps: 3 });
   await page.waitForFunction(() => player.engine.now >= 30 || !player.playing);
   await page.mouse.up();
   await page.evaluate(() => player.pause());
   await seek(page, 40);
   const pulled = await bits(page);
-  assert.notDeepEqual(pulled, untouched);
-  for (let lane = 0; lane < pulled.length; ++lane) assert.notEqual(pulled[lane], untouched[lane], `variant ${lane}`);
+  for (const lane of pulled.keys()) assert.notEqual(pulled[lane], untouched[lane], `variant ${lane}`);
   await seek(page, 5);
   await seek(page, 40);
   assert.deepEqual(await bits(page), pulled);
@@ -371,139 +151,163 @@ test("a body that is pulled follows in every variant; going back plays the pull 
   await page.close();
 });
 
-test("the address holds the state, also of what does not fit", async () => {
-  const page = await running("03_baumgarte");
-  await page.evaluate(() => player.controls.change(player.engine.parameters[0], [0.2, 1.4], true));
-  await page.getByRole("checkbox", { name: "impulses" }).uncheck();
-  await seek(page, 12);
-  await page.evaluate(() => player.stage.camera.orbit(0.3, 0.1));
+test("the address holds the state, and what it says wrongly is left as it is", async () => {
+  const page = await opened("&beta=0.2,1.4&step=12&see=1&view=0.3,0.1,1,0,0");
+  const seen = await bits(page);
   await page.evaluate(() => player.remember());
-  await page.waitForFunction(
-    () =>
-      location.hash.includes("beta=0.2%2C1.4") && location.hash.includes("step=12") && location.hash.includes("view="),
-  );
-  const seen = await bits(page),
-    address = page.url();
-  await page.close();
-  const again = await newPage(browser, still);
-  await again.goto(address);
+  await page.waitForFunction(() => location.hash.includes("scene=gravity"));
+  const again = await newPage(browser);
+  await again.goto(page.url());
   await again.waitForFunction(() => (window.player = window.PUSHBACK_LIVE_TEST.player()) && player.engine.now === 12);
   assert.deepEqual(await bits(again), seen);
-  assert.equal(await again.evaluate(() => player.shown), 5);
-  assert.deepEqual(
-    await again.evaluate(() => [player.stage.camera.turn, player.stage.camera.rise].map((x) => x.toFixed(2))),
-    ["0.30", "0.10"],
-  );
+  assert.deepEqual(await again.evaluate(() => [player.shown, player.view.stage.camera.turn]), [1, 0.3]);
   assert.deepEqual(again.wrong, []);
-  await again.goto(`${address.split("#")[0]}#live=03_baumgarte&beta=9&scene=nowhere&show=7&step=-4&view=1,2&wipe=7`);
-  await again.reload();
-  await again.waitForFunction(() => (window.player = window.PUSHBACK_LIVE_TEST.player()));
-  assert.match(await again.getByRole("alert").textContent(), /--beta: '9' is not allowed/);
-  assert.equal(await now(again), 0);
   await again.close();
+  await page.close();
+  const wrong = await opened("&beta=9&scene=nowhere&show=70&step=-4&view=1,2");
+  assert.match(await wrong.getByRole("alert").textContent(), /--beta: '9' is not allowed/);
+  assert.equal(await now(wrong), 0);
+  await wrong.close();
 });
 
-test("a picture to keep, with the parameters on it", async () => {
-  const page = await running("03_baumgarte");
-  await seek(page, 12);
-  const [download] = await Promise.all([
-    page.waitForEvent("download"),
-    page.getByRole("button", { name: "save as a picture" }).click(),
-  ]);
-  assert.equal(download.suggestedFilename(), "03_baumgarte_gravity.png");
-  const words = await page.evaluate(() => window.PushbackLive.parametersInWords(player));
-  assert.match(words, /β = 0, 0.2, 0.5, 1 {2}· {2}d₀ = 0.06 m .*h = 0.01667 s/);
+test("words that set the figure are links to its state; the browser's own way leads back to them", async () => {
+  const page = await newPage(browser);
+  await page.goto(address(page03));
+  await page.locator("summary", { hasText: "Answer" }).first().click();
+  const link = page.locator("a.sets").last();
+  const asked = new URLSearchParams((await link.getAttribute("href")).slice(1));
+  await link.click();
+  await page.waitForFunction(() => (window.player = window.PUSHBACK_LIVE_TEST.player()));
+  assert.equal(await page.evaluate(() => player.engine.scene.key), asked.get("scene"));
+  assert.equal(await page.evaluate(() => player.state.get("beta")), asked.get("beta"));
+  await page.goBack();
+  assert.equal(await page.evaluate(() => location.hash), "");
+  assert.deepEqual(page.wrong, []);
   await page.close();
 });
 
-test("curves: one a variant, a line at the instant, and a click goes there", async () => {
-  const page = await running("03_baumgarte");
-  await seek(page, 48);
-  assert.equal(await page.locator(".pb-plot").count(), 1);
-  await page.waitForFunction(() => player.curves.plots[0].plot.data[1].filter((y) => y !== null).length === 48);
-  const over = page.locator(".pb-plot .u-over"),
-    box = await over.boundingBox();
-  await over.click({ position: { x: box.width / 2, y: box.height / 2 } });
-  await settled(page);
-  assert.equal(await now(page), 24);
+test("on a telephone: a tab for each variant, nothing wider than the page, a picture that stays above what is scrolled", async () => {
+  const page = await opened("", { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
+  await page.getByRole("tab").nth(3).tap();
+  assert.deepEqual(await page.evaluate(() => player.view.stage.panes.map(({ lane }) => lane)), [3]);
+  await page.locator(".pb-foot").scrollIntoViewIfNeeded();
+  assert.ok(await page.evaluate(() => player.view.stage.canvas.getBoundingClientRect().bottom > 100));
+  assert.deepEqual(page.wrong, []);
   await page.close();
 });
 
-test("a page that asks for a guess waits for it, or for 'show me'", async () => {
-  const page = await newPage(browser, still);
-  await page.goto(pageOf("03_baumgarte", { guess: true }));
-  const there = page.getByRole("button", { name: "Guess, then run it" }),
-    here = page.getByRole("button", { name: "Run it", exact: true });
-  assert.ok((await there.isDisabled()) && (await here.isDisabled()));
-  await page.getByRole("textbox", { name: "Your guess" }).first().fill("half a metre");
-  assert.ok(await here.isEnabled()); // the guess holds at both places
-  await there.click();
-  await page.waitForFunction(() => window.PUSHBACK_LIVE_TEST.player());
-  await page.getByText("Your guess: half a metre").waitFor();
-  await page.reload();
-  await page.getByRole("button", { name: "Show me" }).click();
-  await page.waitForFunction(() => window.PUSHBACK_LIVE_TEST.player());
-  await page.close();
-});
-
-test("it plays by itself once it is asked for, but not where less motion is wanted", async () => {
-  for (const [reducedMotion, plays] of [
-    ["no-preference", true],
-    ["reduce", false],
-  ]) {
-    const page = await newPage(browser, { reducedMotion });
-    await page.goto(pageOf("03_baumgarte"));
-    await page.getByRole("button", { name: "Run it here" }).click();
-    await page.waitForFunction(() => (window.player = window.PUSHBACK_LIVE_TEST.player()));
-    assert.equal(await page.evaluate(() => player.playing || player.engine.now > 0), plays);
-    await page.close();
-  }
-});
-
-test("a context that is lost: the still picture and a sentence, then the experiment again", async () => {
-  const page = await running("03_baumgarte");
-  await seek(page, 10);
-  await page.evaluate(() => {
-    window.loser = player.stage.canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
-    loser.loseContext();
-  });
-  await page.getByText("took the graphics of this page away").waitFor();
-  assert.ok(await page.getByRole("img", { name: "The sheet" }).isVisible());
-  await page.evaluate(() => loser.restoreContext());
-  await page.waitForFunction(() => !player.stage.problem && !document.querySelector(".pb-still"));
-  await page.evaluate(() => player.stage.draw());
-  assert.equal(await page.evaluate(() => player.stage.problem), "");
-  assert.equal(await now(page), 10);
-  await page.close();
-});
-
-test("without WebGL: the still picture and a sentence; numbers and time go on", async () => {
-  const other = await launch({ webgl: false });
-  const page = await newPage(other, still);
-  await page.goto(pageOf("03_baumgarte"));
+test("without graphics, or where they are lost, the still picture and a sentence; time goes on", async () => {
+  const other = await launch();
+  const page = await newPage(other);
+  await page.goto(address(page03));
   await page.getByRole("button", { name: "Run it here" }).click();
   await page.getByText("this browser shows no WebGL 2").waitFor();
-  assert.ok(await page.getByRole("img", { name: "The sheet" }).isVisible());
+  assert.ok(await page.locator("figure.live img").isVisible());
   await page.getByRole("button", { name: "One step on" }).click();
   assert.equal(await page.evaluate(() => window.PUSHBACK_LIVE_TEST.player().engine.now), 1);
   await other.close();
+  const lost = await opened("&step=10");
+  await lost.evaluate(() => {
+    window.loser = player.view.stage.canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+    loser.loseContext();
+  });
+  await lost.getByText("took the graphics of this page away").waitFor();
+  await lost.evaluate(() => loser.restoreContext());
+  await lost.waitForFunction(() => !player.view.stage.problem && !document.querySelector(".pb-still"));
+  assert.equal(await now(lost), 10);
+  await lost.close();
 });
 
-test("a program that is not there: the still picture and a sentence", async () => {
-  const page = await newPage(browser, still);
-  await page.goto(pageOf("03_baumgarte"));
-  await page.evaluate(() => {
-    document.querySelector("figure.live").dataset.chapter = "99_none";
-  });
-  await page.getByRole("button", { name: "Run it here" }).click();
-  await page.getByText("cannot be run here").waitFor();
-  assert.ok(await page.getByRole("img", { name: "The sheet" }).isVisible());
+test("a problem of one step is solved iteration by iteration, to and fro, to the same bits", async () => {
+  const page = await running(browser, "chapters/16_whole_problem/index.html", "live=16_whole_problem&iteration=3");
+  const impulses = () =>
+    page.evaluate(() => player.engine.problem.methods.map((_, i) => Array.from(player.engine.impulses(i))));
+  const shown = (iteration) => page.waitForFunction((k) => player.iterations.drawn === k, iteration);
+  await shown(3);
+  const three = await impulses();
+  await page.getByRole("button", { name: "One iteration on" }).click();
+  await shown(4);
+  assert.notDeepEqual(await impulses(), three);
+  await page.getByRole("button", { name: "One iteration back" }).click();
+  await shown(3);
+  assert.deepEqual(await impulses(), three);
+  await page.getByRole("button", { name: "Play the iterations" }).click();
+  await page.waitForFunction(() => player.engine.iteration > 8);
+  await page.getByRole("button", { name: "Pause the iterations" }).click();
+  assert.deepEqual(page.wrong, []);
   await page.close();
 });
 
-test("360 pixels wide: nothing is wider than the page", async () => {
-  const page = await running("03_baumgarte", { viewport: { width: 360, height: 740 } });
-  await seek(page, 20);
-  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
+test("marks that ask for what does not exist are refused", async () => {
+  const engine = await engineOf(chapter);
+  const refused = (asked, why) => assert.throws(() => clipOf({ scene: "gravity", ...asked }, engine), why);
+  refused({ scene: "no-such" }, /there is no scene no-such; there are gravity, /);
+  refused({ variants: "β = 7" }, /there is no variant β = 7/);
+  refused({ values: "nosuch=1" }, /nosuch/);
+  refused({ values: "beta=x" }, /x is no number/);
+  refused({ slider: "nosuch" }, /there is no parameter/);
+  refused({ number: "nosuch" }, /there is no number nosuch/);
+  refused({ colour: "red" }, /nothing is called colour/);
+  engine.set("");
+  assert.throws(() => stateOf({ scene: "gravity", at: "99" }, engine), /99 s is not within the scene's/);
+});
+
+const challenges = challengesIn(fs.readFileSync(path.join(home, "docs/challenges.md"), "utf8"));
+globalThis.self = globalThis; // what a page's script finds in its window
+await import("../../tools/book/live/challenge.js");
+
+for (const one of challenges.filter(({ asked }) => experiments.includes(asked.chapter))) {
+  test(`${one.title}: not reached as it begins; ours is, with the score that we say`, async () => {
+    const engine = await engineOf(one.asked.chapter);
+    const asked = challengeOf(one, engine);
+    const challenge = new globalThis.PushbackLive.Challenge(asked, engine);
+    const verdict = (own) => {
+      assert.equal(challenge.begin(own), "");
+      while (engine.now < engine.steps) engine.goTo(engine.steps, 1000);
+      return challenge.verdict();
+    };
+    const begun = verdict();
+    assert.ok(!begun.met || challenge.better(asked.ours, begun.score), "it begins as good as ours");
+    const { met, score, asks } = verdict(new Map(asked.best));
+    assert.ok(met, JSON.stringify(asks));
+    assert.ok(Math.abs(score - asked.ours) < 1e-3 * Math.abs(asked.ours) + 1e-9, `its score is ${score}`);
+  });
+}
+
+test("a challenge is judged on its page, and its link is the score", async () => {
+  const one = challenges.find(({ asked }) => asked.chapter === chapter);
+  const asked = challengeOf(one, await engineOf(chapter));
+  const own = asked.best.map(([flag, value]) => `&${flag.slice(2)}=${value}`).join("");
+  const page = await opened(`&challenge=${asked.key}&dt=0.004`);
+  assert.equal(await page.evaluate(() => player.state.get("dt")), null); // it may not be changed
+  const flags = await page.evaluate(() => [...document.querySelectorAll("[data-flag]")].map((e) => e.dataset.flag));
+  assert.deepEqual(flags.sort(), [...asked.free].sort());
+  await page.getByRole("button", { name: "play it to its end" }).click();
+  await page.getByText("Not reached: no score.").waitFor();
+  await page.evaluate((state) => (location.hash = state), `live=${chapter}&challenge=${asked.key}${own}&step=9999`);
+  await page.getByText(`Your score: ${Number(asked.ours.toPrecision(4))} ${asked.unit}`).waitFor();
+  await page.getByRole("button", { name: "leave the challenge" }).click();
+  assert.equal(await page.evaluate(() => player.state.get("challenge")), null);
+  assert.deepEqual(page.wrong, []);
+  await page.close();
+});
+
+const hardCases = experiments.includes("hard_cases") ? false : "the hard cases are not compiled";
+test("each cell of the table of hard cases leads to its case under its stage", { skip: hardCases }, async () => {
+  const { scenes } = (await engineOf("hard_cases")).description;
+  const cells = [
+    ...html("renders/hard_cases/table.html").matchAll(/<td[^>]*><a href="([^"#]*)#(live=[^"]*)" title="([^"]*)"/g),
+  ];
+  assert.equal(cells.length, scenes.length * scenes[0].variants.length);
+  for (const [, , state, title] of cells) {
+    const asked = new URLSearchParams(state.replaceAll("&amp;", "&"));
+    const scene = scenes.find(({ key }) => key === asked.get("scene"));
+    assert.equal(scene?.variants[Number(asked.get("show"))].name, title, state);
+  }
+  const page = await running(browser, "docs/hard_cases.html", "live=hard_cases&scene=ball-and-chain&show=0");
+  await seek(page, 5);
+  await page.getByText(/00 naive: ended at 0.0167 s: .*joint/).waitFor();
+  assert.deepEqual(page.wrong, []);
   await page.close();
 });

@@ -2,22 +2,13 @@
 import fs from "node:fs";
 import path from "node:path";
 import { imageSize } from "image-size";
-import { challengesOf } from "./challenges.js";
+import { challengeOf, challengesIn } from "./marks.js";
 import { markdown } from "./markdown.js";
 import { addressOf, outline, relative, toRoot } from "./outline.js";
-import { includedBy, Sources } from "./sources.js";
+import { includedBy, placesOf, quotable } from "./sources.js";
 
 const copied = /\.(png|svg|webp|csv)$/;
-
-/// {pages, sources, folders, files, pictures}: `sources` are shown as pages of their own, `files` are copied as they are.
-/// `live`: the experiments that are there to be run, each an engine by its name.
-export function readBook(root, live = new Map()) {
-  const reader = new Reader(root, live);
-  for (const page of reader.pages) reader.read(page);
-  reader.checkAnchors();
-  if (reader.problems.length) throw new Problems(reader.problems);
-  return reader.book();
-}
+const challenges = "docs/challenges.md";
 
 export class Problems extends Error {
   constructor(problems) {
@@ -25,160 +16,136 @@ export class Problems extends Error {
   }
 }
 
-class Reader {
-  problems = [];
-  files = new Set();
-  pictures = [];
-  #anchors = [];
-  #shown = new Map(); // each source that is shown, and the pages that name it
-  #folders = new Set();
-  #names;
+/// {pages, sources, folders, files, pictures}: `sources` are shown as pages of their own, `files` are copied as they are.
+/// `live`: the experiments that are there to be run, each an engine by its name; `idle`: sliders that change nothing in a scene.
+export function readBook(root, live = new Map(), idle = {}) {
+  const problems = [];
+  const files = new Set();
+  const pictures = [];
+  const anchors = [];
+  const folders = new Map();
+  const shown = new Map(); // each source that is shown, and the pages that name it
+  const quotes = quotable(root);
+  const md = markdown();
+  const pages = outline(root);
+  const byFile = new Map(pages.map((page) => [page.file, page]));
 
-  constructor(root, live) {
-    this.root = root;
-    this.code = new Sources(root);
-    this.md = markdown();
-    this.pages = outline(root).map((page) => ({
-      ...page,
-      address: addressOf(page.file),
-      live: live.has(page.experiment) ? page.experiment : undefined,
-      engine: live.get(page.experiment),
-      description: page.chapter && live.get(page.experiment)?.description,
-    }));
-    this.challenged = challengesOf(root, live, (line, text) =>
-      this.problems.push(`docs/challenges.md:${line}: ${text}`),
-    );
-    this.#names = new Map(this.pages.map((page) => [page.file, page]));
-  }
+  const show = (file, page) => {
+    if (!shown.has(file)) shown.set(file, new Set());
+    if (page) shown.get(file).add(page);
+  };
 
-  read(page) {
-    page.text = fs.readFileSync(path.join(this.root, page.file), "utf8");
-    page.title ??= /^# (.*)$/m.exec(page.text)?.[1] ?? page.file;
-    page.root = toRoot(page.address);
-    page.challenged = this.challenged;
-    page.played = this.pages.find((one) => one.live === "hard_cases");
-    page.problem = (line, text) => this.problems.push(`${page.file}:${line}: ${text}`);
-    page.target = (address, line) => this.#target(page, address, line);
-    page.picture = (address, alt, heading, line) => this.#picture(page, address, alt, heading, line);
-    page.quoted = (code, line) => this.#quoted(page, code, line);
-    page.html = this.md.render(page.text, page);
-  }
-
-  checkAnchors() {
-    for (const { page, line, file, anchor } of this.#anchors) {
-      const headings = this.#names.get(file).headings;
-      if (!headings.some(({ id }) => id === anchor))
-        page.problem(line, `the link to ${file}#${anchor}: there is no such heading`);
-    }
-  }
-
-  book() {
-    const sources = [...this.#shown.keys()];
-    for (const file of sources) {
-      // grows while it is gone through
-      if (!/\.(h|cpp)$/.test(file)) continue;
-      for (const included of includedBy(this.root, file)) {
-        if (this.#shown.has(included)) continue;
-        this.#shown.set(included, new Set());
-        sources.push(included);
-      }
-    }
-    return {
-      pages: this.pages,
-      sources: sources.sort().map((file) => ({ file, address: `${file}.html`, readIn: [...this.#shown.get(file)] })),
-      folders: [...this.#folders].map((file) => ({
-        file,
-        address: `${file}/index.html`,
-        names: this.#sourcesIn(file),
-      })),
-      files: [...this.files],
-      pictures: this.pictures,
-    };
-  }
-
-  #target(page, address, line) {
+  function target(page, address, line) {
+    const wrong = (text) => (page.problem(line, text), address);
     if (/^[a-z]+:/i.test(address)) {
-      if (!/^(https?:\/\/[\w-]+(\.[\w-]+)+(\/\S*)?|mailto:\S+@\S+)$/.test(address))
-        page.problem(line, `no address has the form ${address}`);
-      return address;
+      if (/^(https?:\/\/[\w-]+(\.[\w-]+)+(\/\S*)?|mailto:\S+@\S+)$/.test(address)) return address;
+      return wrong(`no address has the form ${address}`);
     }
     const [name, anchor] = decodeURI(address).split("#");
-    const file = name
-      ? path.posix.normalize(path.posix.join(path.posix.dirname(page.file), name)).replace(/\/$/, "")
-      : page.file;
-    const there = file.startsWith("..") ? null : fs.statSync(path.join(this.root, file), { throwIfNoEntry: false });
-    if (!there) {
-      page.problem(line, `the link to ${address}: there is no such file`);
-      return address;
-    }
+    const file = name ? path.posix.join(path.posix.dirname(page.file), name).replace(/\/$/, "") : page.file;
+    const there = file.startsWith("..") ? null : fs.statSync(path.join(root, file), { throwIfNoEntry: false });
+    if (!there) return wrong(`the link to ${address}: there is no such file`);
     if (file.endsWith(".md")) {
-      if (!this.#names.has(file))
-        page.problem(line, `the link to ${address}: the book has no such page (tools/book/outline.js)`);
-      else if (anchor) this.#anchors.push({ page, line, file, anchor });
-      const to = name ? relative(page.address, addressOf(file)) : "";
-      return to + (anchor ? `#${encodeURIComponent(anchor)}` : "");
+      if (!byFile.has(file)) return wrong(`the link to ${address}: the book has no such page (tools/book/outline.js)`);
+      if (anchor) anchors.push({ page, line, file, anchor });
+      return (name ? relative(page.address, addressOf(file)) : "") + (anchor ? `#${encodeURIComponent(anchor)}` : "");
     }
-    if (anchor) page.problem(line, `the link to ${address}: an anchor in what is no page`);
+    if (anchor) return wrong(`the link to ${address}: an anchor in what is no page`);
     if (there.isDirectory()) {
-      this.#folders.add(file);
-      for (const source of this.#sourcesIn(file)) this.#show(source, page);
+      const within = fs.readdirSync(path.join(root, file)).filter((one) => /\.(h|cpp)$/.test(one));
+      folders.set(file, within);
+      for (const source of within) show(`${file}/${source}`, page);
       return relative(page.address, `${file}/index.html`);
     }
-    if (copied.test(file)) {
-      this.files.add(file);
-      return relative(page.address, file);
-    }
-    this.#show(file, page);
-    return relative(page.address, `${file}.html`);
+    if (copied.test(file)) files.add(file);
+    else show(file, page);
+    return relative(page.address, copied.test(file) ? file : `${file}.html`);
   }
 
-  #show(file, page) {
-    if (!this.#shown.has(file)) this.#shown.set(file, new Set());
-    this.#shown.get(file).add(page);
-  }
-
-  #sourcesIn(folder) {
-    return fs
-      .readdirSync(path.join(this.root, folder))
-      .filter((name) => /\.(h|cpp)$/.test(name))
-      .sort()
-      .map((name) => `${folder}/${name}`);
-  }
-
-  #picture(page, address, alt, heading, line) {
-    const src = this.#target(page, address, line);
+  function picture(page, address, alt, line) {
+    const src = target(page, address, line);
     const file = path.posix.join(path.posix.dirname(page.address), src);
-    const picture = { src, file, alt, page, heading, kind: kindOf(file) };
-    if (!this.files.has(file)) return picture; // the problem has been said
-    const bytes = fs.readFileSync(path.join(this.root, file));
-    Object.assign(picture, imageSize(bytes), { bytes: bytes.length });
-    if (picture.kind === "film") picture.still = src.replace(/\.webp$/, "_still.webp");
-    this.pictures.push(picture);
-    return picture;
+    const made = { src, file, alt, page, heading: page.headings.at(-1), kind: kindOf(file) };
+    if (!files.has(file)) return made; // the problem has been said
+    const bytes = fs.readFileSync(path.join(root, file));
+    Object.assign(made, imageSize(bytes), { bytes: bytes.length });
+    if (made.kind === "film") made.still = src.replace(/\.webp$/, "_still.webp");
+    pictures.push(made);
+    return made;
   }
 
-  #quoted(page, code, line) {
-    const { places, missing } = this.code.where(code, page.file);
-    if (missing) page.problem(line, `this code stands in no source: ${missing}`);
-    return places.map(({ file, line: at }) => {
-      this.#show(file, page);
-      return {
-        file,
-        line: at,
-        name: path.posix.basename(file),
-        href: `${relative(page.address, `${file}.html`)}#L${at}`,
-      };
+  function quoted(page, code) {
+    return placesOf(code, page.file, quotes).map(({ file, line }) => {
+      show(file, page);
+      return { file, line, href: `${relative(page.address, `${file}.html`)}#L${line}` };
     });
   }
+
+  const challenged = challengesOf(root, live, problems);
+  for (const page of pages) {
+    page.address = addressOf(page.file);
+    page.root = toRoot(page.address);
+    page.engine = live.get(page.experiment);
+    page.live = page.engine && page.experiment;
+  }
+  for (const page of pages) {
+    page.text = fs.readFileSync(path.join(root, page.file), "utf8");
+    page.title ??= /^# (.*)$/m.exec(page.text)?.[1] ?? page.file;
+    page.challenged = challenged;
+    page.played = pages.find((one) => one.live === "hard_cases");
+    page.problem = (line, text) => problems.push(`${page.file}:${line}: ${text}`);
+    page.target = (address, line) => target(page, address, line);
+    page.picture = (address, alt, line) => picture(page, address, alt, line);
+    page.quoted = (code) => quoted(page, code);
+    page.figureData = () => ({
+      chapter: page.live,
+      root: page.root,
+      idle: JSON.stringify(idle[page.live] ?? {}),
+      challenges: JSON.stringify((page.chapter && challenged.get(page.live)) || []),
+    });
+    page.html = md.render(page.text, page);
+  }
+  for (const { page, line, file, anchor } of anchors)
+    if (!byFile.get(file).headings.some(({ id }) => id === anchor))
+      page.problem(line, `the link to ${file}#${anchor}: there is no such heading`);
+  if (problems.length) throw new Problems(problems);
+
+  for (const file of shown.keys())
+    // grows while it is gone through
+    if (/\.(h|cpp)$/.test(file)) for (const included of includedBy(root, file)) show(included);
+  return {
+    pages,
+    sources: [...shown].map(([file, readIn]) => ({ file, address: `${file}.html`, readIn: [...readIn] })),
+    folders: [...folders].map(([file, names]) => ({ file, address: `${file}/index.html`, names })),
+    files: [...files],
+    pictures,
+  };
+}
+
+/// Of each chapter its challenges.
+function challengesOf(root, live, problems) {
+  const found = new Map();
+  const text = fs.existsSync(path.join(root, challenges)) ? fs.readFileSync(path.join(root, challenges), "utf8") : "";
+  for (const one of challengesIn(text)) {
+    const { chapter } = one.asked;
+    const engine = live.get(chapter);
+    if (!engine) continue;
+    try {
+      found.set(chapter, [...(found.get(chapter) ?? []), challengeOf(one, engine)]);
+    } catch (refused) {
+      problems.push(`${challenges}:${one.line}: the challenge: ${refused.message}`);
+    }
+    engine.set("");
+  }
+  return found;
 }
 
 function kindOf(file) {
   const name = path.posix.basename(file);
   if (name.startsWith("sheet")) return "sheet";
-  if (name.startsWith("guess")) return "guess";
   if (name.endsWith(".svg")) return "drawing";
   if (name.endsWith(".webp")) return "film";
-  return name.startsWith("thumbnail") ? "thumbnail" : "plot";
+  return /^(guess|thumbnail)/.exec(name)?.[0] ?? "plot";
 }
 
 /// The first picture of an animated WebP as a file of its own: its chunk of pixels, which has to fill the whole canvas.

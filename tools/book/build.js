@@ -1,19 +1,16 @@
-/// Builds the book: node tools/book/build.js [--root FOLDER] [--out FOLDER] [--still] [--address URL] [--repository URL]. Eleventy lays
-/// the pages out, writes them, and copies files. A page whose experiment is compiled for the browser can run it, unless the book is to
-/// be still. `--address`: where it will be published, for the picture of a link that somebody shares. `--repository`: what every
-/// page links to; by default where this repository was cloned from, where that is an address for browsers.
+/// Builds the book: node tools/book/build.js [--root FOLDER] [--out FOLDER] [--still] [--address URL] [--repository URL]. A page whose
+/// experiment is compiled for the browser can run it, unless the book is to be still. `--address`: where it will be published, for the
+/// picture of a link that somebody shares. `--repository`: what every page links to; by default where this repository was cloned
+/// from, where that is an address for browsers.
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
-import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
-import Eleventy from "@11ty/eleventy";
+import nunjucks from "nunjucks";
 import { Problems, readBook, stillOf } from "./book.js";
-import { engineOf } from "./experiments.js";
-import { experimentsIn, liveFiles } from "./live_files.js";
-import { courseOf, pagesOf } from "./pages.js";
+import { engineOf, experimentsIn, home, idle, liveFiles, programs } from "./experiments.js";
+import { pagesOf } from "./pages.js";
 
-const home = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 const { values } = parseArgs({
   options: {
     root: { type: "string", default: home },
@@ -29,25 +26,27 @@ const site = {
 };
 const root = path.resolve(values.root);
 const out = path.resolve(values.out ?? path.join(root, "build/book"));
-process.chdir(home); // Eleventy reads and copies relative to where it runs
-const compiled = "build/wasm/programs";
-const live = new Map();
-for (const name of values.still ? [] : experimentsIn(compiled))
-  live.set(name, await engineOf(`${compiled}/${name}.js`));
-const here = (...names) => path.relative(".", path.join(...names));
+const packages = path.join(home, "node_modules");
 
+const live = new Map();
+for (const name of values.still ? [] : experimentsIn(programs))
+  live.set(name, await engineOf(path.join(programs, `${name}.js`)));
 let book;
 try {
-  book = readBook(root, live);
+  book = readBook(root, live, idle);
 } catch (error) {
   console.error(error instanceof Problems ? error.message : error);
   process.exit(1);
 }
 const pages = pagesOf(book, root);
 fs.rmSync(out, { recursive: true, force: true });
-const eleventy = new Eleventy("tools/book", here(out), { quietMode: true, config });
-await eleventy.write();
-writeDerived();
+const layouts = nunjucks.configure(path.join(home, "tools/book/layouts"));
+for (const entry of pages) write(entry.address, layouts.render("page.njk", { entry, site }));
+for (const file of book.files) copy(path.join(root, file), file);
+for (const { kind, file } of book.pictures)
+  if (kind === "film") write(file.replace(/\.webp$/, "_still.webp"), stillOf(fs.readFileSync(path.join(root, file))));
+writeAssets();
+if (live.size) for (const { name, text } of liveFiles(programs)) write(`live/${name}`, text);
 console.log(`${pages.filter(({ sort }) => sort !== "source").length} pages, ${book.sources.length} sources`);
 
 /// Without a slash at its end. One that is no address ends the program.
@@ -66,71 +65,19 @@ function clonedFrom() {
   return name && `https://${host}/${name}`;
 }
 
-function config(eleventy) {
-  eleventy.setIncludesDirectory("layouts");
-  eleventy.setTemplateFormats("html"); // what is added below
-  eleventy.ignores.add("tools/book/live/**");
-  eleventy.setUseGitIgnore(false);
-  eleventy.addGlobalData("course", courseOf(pages));
-  eleventy.addGlobalData("site", site);
-  for (const entry of pages) {
-    const { html, layout, address: permalink } = entry;
-    delete entry.html;
-    eleventy.addTemplate(`${permalink.replace(/\W/g, "_")}.html`, bare(html), {
-      entry,
-      layout,
-      permalink,
-      templateEngineOverride: "html",
-    });
-  }
-  const copy = (from, to) => fs.existsSync(from) && eleventy.addPassthroughCopy({ [here(from)]: to });
-  for (const file of book.files) copy(path.join(root, file), file);
-  for (const name of ["style", "scripts"]) copy(`tools/book/${name}`, "assets");
-  copy("node_modules/minisearch/dist/umd/index.js", "assets/minisearch.js");
-  for (const file of [...textFonts().files, ...katexFonts().map((name) => `node_modules/katex/dist/fonts/${name}`)])
-    copy(file, `assets/fonts/${path.basename(file)}`);
+function write(file, content) {
+  fs.mkdirSync(path.dirname(path.join(out, file)), { recursive: true });
+  fs.writeFileSync(path.join(out, file), content);
 }
 
-/// Without the quotes that HTML can do without.
-function bare(html) {
-  return html.replace(/<[a-z][^<>]*>/g, (tag) => tag.replace(/="([^\s"'=<>`]+)"(?=[\s>])/g, "=$1"));
+function copy(from, to) {
+  fs.cpSync(from, path.join(out, to), { recursive: true });
 }
 
-/// The text faces: {style, files} of those alphabets that the pages use.
-function textFonts() {
-  const faces = ["source-serif-4", "source-sans-3", "source-code-pro"].flatMap((font) =>
-    ["wght.css", "wght-italic.css"].flatMap((style) => {
-      const folder = `node_modules/@fontsource-variable/${font}`;
-      const all = fs.readFileSync(`${folder}/${style}`, "utf8").match(/@font-face {[^}]*}/g);
-      return all
-        .filter((face) => /-(latin(-ext)?|greek)-wght/.test(face))
-        .map((face) => ({ face, file: `${folder}/${/files\/[^)]*woff2/.exec(face)[0]}` }));
-    }),
-  );
-  return {
-    style: faces.map(({ face }) => face.replace("./files/", "fonts/")).join("\n"),
-    files: faces.map(({ file }) => file),
-  };
-}
-
-function katexFonts() {
-  return fs.readdirSync("node_modules/katex/dist/fonts").filter((name) => name.endsWith(".woff2"));
-}
-
-/// What is made of other files: the style of formulas with the fonts that are there, stills of films, experiments, the words for
-/// the search.
-function writeDerived() {
-  const write = (file, text) => {
-    fs.mkdirSync(path.dirname(path.join(out, file)), { recursive: true });
-    fs.writeFileSync(path.join(out, file), text);
-  };
-  write("assets/fonts.css", textFonts().style);
-  const style = fs.readFileSync("node_modules/katex/dist/katex.min.css", "utf8");
-  write("assets/katex.css", style.replace(/,url\([^)]*\.(woff|ttf)\) format\("[^"]*"\)/g, ""));
-  for (const { kind, file } of book.pictures) {
-    if (kind === "film") write(file.replace(/\.webp$/, "_still.webp"), stillOf(fs.readFileSync(path.join(root, file))));
-  }
-  if (live.size) for (const { name, text } of liveFiles(compiled)) write(`live/${name}`, text);
+/// Styles, scripts, fonts, and the words for the search.
+function writeAssets() {
+  for (const folder of ["style", "scripts"]) copy(path.join(home, "tools/book", folder), "assets");
+  copy(path.join(packages, "minisearch/dist/umd/index.js"), "assets/minisearch.js");
   const words = book.pages.flatMap(({ title: page, address, sections }) =>
     sections.map(({ id, title, text }) => ({
       address: id ? `${address}#${encodeURIComponent(id)}` : address,
@@ -139,8 +86,25 @@ function writeDerived() {
       text: text.replace(/\s+/g, " ").trim(),
     })),
   );
-  write(
-    "assets/search_index.js",
-    `window.PUSHBACK_SEARCH = ${JSON.stringify(words.map((word, id) => ({ id, ...word })))};\n`,
-  );
+  const index = JSON.stringify(words.map((word, id) => ({ id, ...word })));
+  write("assets/search_index.js", `window.PUSHBACK_SEARCH = ${index};\n`);
+
+  const katex = path.join(packages, "katex/dist");
+  const style = fs.readFileSync(path.join(katex, "katex.min.css"), "utf8");
+  write("assets/katex.css", style.replace(/,url\([^)]*\.(woff|ttf)\) format\("[^"]*"\)/g, ""));
+  for (const name of fs.readdirSync(path.join(katex, "fonts")).filter((file) => file.endsWith(".woff2")))
+    copy(path.join(katex, "fonts", name), `assets/fonts/${name}`);
+  // Of the text faces those alphabets that the pages use.
+  const faces = ["source-serif-4", "source-sans-3", "source-code-pro"].flatMap((font) => {
+    const folder = path.join(packages, "@fontsource-variable", font);
+    const all = ["wght.css", "wght-italic.css"]
+      .map((name) => fs.readFileSync(path.join(folder, name), "utf8"))
+      .join("");
+    return all.match(/@font-face {[^}]*-(latin|latin-ext|greek)-wght[^}]*}/g).map((face) => {
+      const [, name] = /files\/([^)]*woff2)/.exec(face);
+      copy(path.join(folder, "files", name), `assets/fonts/${name}`);
+      return face.replace("./files/", "fonts/");
+    });
+  });
+  write("assets/fonts.css", faces.join("\n"));
 }

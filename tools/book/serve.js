@@ -4,32 +4,19 @@ import http from "node:http";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
-const types = {
-  ".css": "text/css",
-  ".csv": "text/csv",
-  ".html": "text/html",
-  ".js": "text/javascript",
-  ".json": "application/json",
-  ".png": "image/png",
-  ".svg": "image/svg+xml",
-  ".webp": "image/webp",
-  ".woff2": "font/woff2",
-};
+const types = { ".css": "text/css", ".html": "text/html", ".js": "text/javascript", ".svg": "image/svg+xml" };
 
 /// The server of a folder, listening on the loopback address; port 0: any that is free.
 export async function serve(folder, port = 0) {
   const server = http.createServer((request, response) => {
     const { pathname } = new URL(request.url, "http://localhost");
-    let file = path.join(folder, path.posix.normalize(decodeURIComponent(pathname)));
-    if (pathname.endsWith("/")) file = path.join(file, "index.html");
-    fs.readFile(file, (error, content) => {
-      const type = (!error && types[path.extname(file)]) || (error ? types[".html"] : "application/octet-stream");
-      response.writeHead(error ? 404 : 200, { "Content-Type": `${type}; charset=utf-8`, "Cache-Control": "no-store" });
-      if (!error) return response.end(content);
-      fs.readFile(path.join(folder, "404.html"), (none, page) =>
-        response.end(none ? "There is no such page.\n" : page),
-      );
-    });
+    const wanted = path.join(folder, path.posix.normalize(decodeURIComponent(pathname)));
+    const file = pathname.endsWith("/") ? path.join(wanted, "index.html") : wanted;
+    const isFile = (name) => fs.statSync(name, { throwIfNoEntry: false })?.isFile();
+    const shown = [file, path.join(folder, "404.html")].find(isFile);
+    const type = types[path.extname(shown ?? "")];
+    response.writeHead(isFile(file) ? 200 : 404, type && { "Content-Type": `${type}; charset=utf-8` });
+    response.end(shown && fs.readFileSync(shown));
   });
   await new Promise((resolve, reject) => server.once("error", reject).listen(port, "127.0.0.1", resolve));
   return server;

@@ -1,55 +1,50 @@
-/// The book in a browser: Debian's Chromium, driven by playwright-core.
+/// The built book in a browser: Debian's Chromium, driven by playwright-core.
 import fs from "node:fs";
 import path from "node:path";
-import { fileURLToPath } from "node:url";
-import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
+import { engineOf as engineIn, experimentsIn, home, programs } from "../../../tools/book/experiments.js";
 
-export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../../..");
-export const folder = path.join(root, "build/book");
+export const folder = path.join(home, "build/book");
 export const address = (page) => `file://${folder}/${page}`;
-
-/// All pages of the built book, sources among them, as seen from its folder.
-export function pagesIn(at = "") {
-  return fs.readdirSync(path.join(folder, at), { withFileTypes: true }).flatMap((entry) => {
-    const name = path.posix.join(at, entry.name);
-    if (entry.isDirectory()) return pagesIn(name);
-    return name.endsWith(".html") ? [name] : [];
-  });
-}
-
 export const html = (page) => fs.readFileSync(path.join(folder, page), "utf8");
+
+/// All pages of the book, sources among them, as seen from its folder.
+export const all = () => fs.readdirSync(folder, { recursive: true }).filter((name) => name.endsWith(".html"));
 export const isSource = (page) => html(page).includes('<body class="source">');
 
-/// The bytes that a server sends for a file: texts compressed.
-export function weight(file) {
-  const bytes = fs.readFileSync(file);
-  return /\.(html|css|js|svg)$/.test(file) ? gzipSync(bytes).length : bytes.length;
-}
+/// The experiments that are compiled, and one of them in node, without a page.
+export const experiments = experimentsIn(programs);
+export const engineOf = (name) => engineIn(path.join(programs, `${name}.js`));
 
-/// Without a GPU, nor one in software, unless `args` ask for it: pages of text are drawn faster so.
-export function launch(args = ["--disable-gpu", "--disable-software-rasterizer"]) {
+/// Pages of text are drawn faster without graphics; experiments draw by software: `draws`.
+export function launch({ draws = false } = {}) {
+  const graphics = draws
+    ? ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    : ["--disable-gpu", "--disable-software-rasterizer", "--disable-3d-apis"];
   return chromium.launch({
     executablePath: process.env.PUSHBACK_CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", ...args],
+    args: ["--no-sandbox", ...graphics],
   });
 }
 
-/// A page that keeps what went wrong on it: `page.wrong`.
+/// A page that keeps what went wrong on it: `page.wrong`. Nothing plays by itself there.
 export async function newPage(browser, options = {}) {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, ...options });
+  const page = await browser.newPage({
+    viewport: { width: 1280, height: 800 },
+    reducedMotion: "reduce",
+    ...options,
+  });
   page.setDefaultTimeout(120000); // for a machine that has much else to do
   page.wrong = [];
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.wrong.push(message.text()));
+  page.on("console", (message) => {
+    const text = message.text();
+    if (["error", "warning"].includes(message.type()) && !text.includes("GPU stall")) page.wrong.push(text);
+  });
   page.on("pageerror", (error) => page.wrong.push(error.message));
   page.on("requestfailed", (request) => {
     const { errorText } = request.failure();
     if (errorText !== "net::ERR_ABORTED") page.wrong.push(`${errorText}: ${request.url()}`); // aborted: the next page was asked for
   });
-  page.on(
-    "response",
-    (response) => response.status() >= 400 && page.wrong.push(`${response.status()}: ${response.url()}`),
-  );
   return page;
 }
 
@@ -68,3 +63,21 @@ export async function onAll(browser, items, options, work) {
   await Promise.all([worker(), worker()]);
   if (failed.length) throw new Error(failed.join("\n\n"));
 }
+
+/// The page of an experiment in the book, which shows the state that the address says: `player` there.
+export async function running(browser, page, state, options) {
+  const opened = await newPage(browser, options);
+  await opened.goto(address(`${page}#${state}`));
+  await opened.waitForFunction(() => (window.player = window.PUSHBACK_LIVE_TEST?.player()));
+  await settled(opened);
+  await opened.evaluate(() => document.querySelectorAll(".pb-fold").forEach((fold) => (fold.open = true)));
+  return opened;
+}
+export const settled = (page) =>
+  page.waitForFunction(() => !player.playing && player.engine.now === player.target && !player.asked);
+export const seek = async (page, step) => {
+  await page.evaluate((to) => player.go(to), step);
+  await settled(page);
+};
+/// Of all lanes: where they are, to the last bit.
+export const bits = (page) => page.evaluate(() => player.engine.lanes.map(({ lane }) => player.engine.hash(lane)));

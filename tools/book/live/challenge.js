@@ -16,7 +16,7 @@
   const rounded = (value) => Number(value.toPrecision(4)).toString();
 
   live.Challenge = class {
-    /** `asked`: what tools/book/challenges.js has read of a page. */
+    /** `asked`: what tools/book/marks.js has read of a page. */
     constructor(asked, engine) {
       Object.assign(this, asked, { engine });
     }
@@ -62,9 +62,9 @@
     }
   };
 
-  /** What stands above the picture while a challenge is on. `player` plays it; `leave` ends it. */
+  /** What stands above the picture while a challenge is on. `player` plays it. */
   live.ChallengePanel = class {
-    constructor(element, player, challenge, leave) {
+    constructor(element, player, challenge) {
       Object.assign(this, { element, player, challenge });
       const small = (textContent, onclick) =>
         live.make("button", { type: "button", className: "pb-small", textContent, onclick });
@@ -78,9 +78,8 @@
         " ",
         small("copy its link: it is your score", () => player.copyLink()),
         " ",
-        small("leave the challenge", leave),
+        small("leave the challenge", () => player.leaveChallenge()),
       );
-      element.hidden = false;
     }
     /** At a step; `pulled`: somebody has pulled a body. */
     update(now, pulled) {

@@ -4,29 +4,11 @@
   const live = (self.PushbackLive = self.PushbackLive || {});
   const notches = 400;
 
-  live.make = function (tag, properties = {}, ...children) {
-    const element = document.createElement(tag);
-    for (const [name, value] of Object.entries(properties)) {
-      if (name.startsWith("aria-") || name === "role" || name === "for") element.setAttribute(name, value);
-      else if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
-      else element[name] = value;
-    }
-    element.append(...children);
-    return element;
-  };
   const { make } = live;
-
-  /** Where what is in the element is made anew: what had the focus has it again. */
-  live.keepingFocus = function (element, work) {
-    const all = () => [...element.querySelectorAll("input, button, select")];
-    const had = all().indexOf(document.activeElement),
-      name = had >= 0 && document.activeElement.getAttribute("aria-label");
-    work();
-    if (had < 0) return;
-    const now = all();
-    (now.find((one) => name && one.getAttribute("aria-label") === name) || now[Math.min(had, now.length - 1)])?.focus();
-  };
   const shorter = (x) => Number(x.toPrecision(4)).toString();
+
+  const small = (textContent, label, onclick) =>
+    make("button", { type: "button", className: "pb-small", textContent, "aria-label": label, onclick });
 
   /** Between the notches of a slider and a value: by equal factors where the range spans a hundredfold. */
   class Scale {
@@ -127,14 +109,8 @@
       const title = make("span", { className: "pb-what" });
       if (symbol) title.append(make("i", { textContent: symbol }), "  ");
       title.append(what);
-      const reset = make("button", {
-        type: "button",
-        className: "pb-small",
-        textContent: "reset",
-        hidden: !this.own.has(flag),
-        "aria-label": `Reset: ${what}`,
-        onclick: () => this.change(parameter, null, true),
-      });
+      const reset = small("reset", `Reset: ${what}`, () => this.change(parameter, null, true));
+      reset.hidden = !this.own.has(flag);
       const row = make(
         "div",
         { className: "pb-parameter", role: "group", "aria-label": what },
@@ -142,37 +118,21 @@
       );
       row.dataset.flag = flag;
       if (now.length > mostSliders) {
+        const numbers = (text) =>
+          text
+            .split(/[,\s]+/)
+            .filter(Boolean)
+            .map(Number);
+        const onchange = (event) => this.change(parameter, numbers(event.target.value), true);
+        const label = `${what}, separated by commas`;
         row.append(
-          make("input", {
-            type: "text",
-            className: "pb-list",
-            value: now.join(", "),
-            "aria-label": `${what}, separated by commas`,
-            onchange: (event) =>
-              this.change(
-                parameter,
-                event.target.value
-                  .split(/[,\s]+/)
-                  .filter(Boolean)
-                  .map(Number),
-                true,
-              ),
-          }),
+          make("input", { type: "text", className: "pb-list", value: now.join(", "), "aria-label": label, onchange }),
         );
         return row;
       }
       now.forEach((value, i) => row.append(this.slider(parameter, now, i, list, unit, what)));
-      if (list && now.length < mostSliders) {
-        row.append(
-          make("button", {
-            type: "button",
-            className: "pb-small",
-            textContent: "+ one more",
-            "aria-label": `One more: ${what}`,
-            onclick: () => this.change(parameter, [...now, this.another(parameter, now)], true),
-          }),
-        );
-      }
+      const longer = () => this.change(parameter, [...now, this.another(parameter, now)], true);
+      if (list && now.length < mostSliders) row.append(small("+ one more", `One more: ${what}`, longer));
       return row;
     }
 
@@ -225,22 +185,13 @@
         number,
         make("span", { className: "pb-unit", textContent: unit }),
       );
-      if (list && now.length > 1) {
-        row.append(
-          make("button", {
-            type: "button",
-            className: "pb-small",
-            textContent: "×",
-            "aria-label": `Leave out: ${label}`,
-            onclick: () =>
-              this.change(
-                parameter,
-                now.filter((_, k) => k !== i),
-                true,
-              ),
-          }),
+      const without = () =>
+        this.change(
+          parameter,
+          now.filter((_, k) => k !== i),
+          true,
         );
-      }
+      if (list && now.length > 1) row.append(small("×", `Leave out: ${label}`, without));
       return row;
     }
 

@@ -12,8 +12,7 @@
       stroke: () => style.color,
       grid: line,
       ticks: line,
-      font: "12px system-ui, sans-serif",
-      labelFont: "12px system-ui, sans-serif",
+      ...{ font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" },
       labelSize: 18,
     };
   };
@@ -34,6 +33,10 @@
       if (size === 0 || (size > 9e-4 && size < 1e4)) return String(Number(value.toPrecision(6)));
       return value.toExponential().replace("e+", "e");
     });
+  const line = (label, look) => ({
+    ...{ label, pxAlign: 0, points: { show: false }, value: (_, value) => three(value) },
+    ...look,
+  });
   /** As wide as its longest label. */
   const fitting = (_, labels) => 18 + 7 * Math.max(3, ...(labels ?? []).map((label) => label?.length ?? 0));
 
@@ -53,6 +56,16 @@
     pen.lineTo(x, top + height);
     pen.stroke();
     pen.restore();
+  };
+
+  /** `to(x)`: where somebody points, with the button down; CSS pixels from the left. */
+  live.pointing = function (element, to) {
+    const point = (event) => to(event.clientX - element.getBoundingClientRect().left);
+    element.addEventListener("pointerdown", (event) => {
+      element.setPointerCapture(event.pointerId);
+      point(event);
+    });
+    element.addEventListener("pointermove", (event) => event.buttons & 1 && point(event));
   };
 
   /** CSS pixels: the curve that stands beside the sliders leaves room for the picture. */
@@ -113,23 +126,8 @@
             ],
             series: [
               { label: "t", value: (_, value) => `${three(value)} s` },
-              ...lanes.map((lane) => ({
-                label: `${lane.marker} ${lane.name}`,
-                stroke: lane.colour,
-                width: 2,
-                pxAlign: 0,
-                points: { show: false },
-                value: (_, value) => three(value),
-              })),
-              ...references.map(({ label }) => ({
-                label: label || "should be",
-                stroke: ink,
-                dash: [5, 4],
-                width: 1.2,
-                pxAlign: 0,
-                points: { show: false },
-                value: (_, value) => three(value),
-              })),
+              ...lanes.map((lane) => line(`${lane.marker} ${lane.name}`, { stroke: lane.colour, width: 2 })),
+              ...references.map(({ label }) => line(label || "should be", { stroke: ink, dash: [5, 4], width: 1.2 })),
             ],
             cursor: { y: false, drag: { x: false, y: false } },
             hooks: { draw: [(drawn) => live.lineAt(drawn, engine.now * engine.dt, ink())] },
@@ -137,17 +135,7 @@
           this.data(lanes, which, references),
           figure,
         );
-        const point = (event) => {
-          const x = event.clientX - plot.over.getBoundingClientRect().left;
-          this.seek(Math.round(plot.posToVal(x, "x") / dt));
-        };
-        plot.over.addEventListener("pointerdown", (event) => {
-          plot.over.setPointerCapture(event.pointerId);
-          point(event);
-        });
-        plot.over.addEventListener("pointermove", (event) => {
-          if (event.buttons & 1) point(event);
-        });
+        live.pointing(plot.over, (x) => this.seek(Math.round(plot.posToVal(x, "x") / dt)));
         this.plots.push({ plot, place, lanes, which, references });
       });
     }

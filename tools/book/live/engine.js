@@ -3,13 +3,8 @@
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
   async function unpacked(base64) {
-    if (!self.DecompressionStream)
-      throw new Error(
-        "this browser cannot unpack it: Chrome and Edge can from 80 on, Firefox from 113, Safari from 16.4",
-      );
-    const text = atob(base64);
-    const bytes = new Uint8Array(text.length);
-    for (let i = 0; i < bytes.length; ++i) bytes[i] = text.charCodeAt(i);
+    if (!self.DecompressionStream) throw new Error("this browser is too old to unpack it");
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
     return new Uint8Array(await new Response(stream).arrayBuffer());
   }
@@ -114,12 +109,8 @@
       return problem;
     }
     choose(scene, variants) {
-      return this.text(
-        this.module._live_choose(
-          scene,
-          variants.reduce((bits, place) => bits | (1 << place), 0),
-        ),
-      );
+      const bits = variants.reduce((all, place) => all | (1 << place), 0);
+      return this.text(this.module._live_choose(scene, bits));
     }
     get scene() {
       return this.description.scenes[this.module._live_scene()];
@@ -231,9 +222,9 @@
     begin() {
       this.module._live_begin();
     }
-    /** `shown`: 1 points, 2 impulses, 4 marks, 8 coarsely; `from`, `to`: the columns of the pane that are drawn. */
-    draw(lane, shown, x, y, width, height, from = 0, to = width) {
-      return this.text(this.module._live_draw(lane, shown, x, y, width, height, from, to));
+    /** `shown`: 1 points, 2 impulses, 4 marks, 8 coarsely. */
+    draw(lane, shown, x, y, width, height) {
+      return this.text(this.module._live_draw(lane, shown, x, y, width, height, 0, width));
     }
     legend() {
       return JSON.parse(this.text(this.module._live_legend()));

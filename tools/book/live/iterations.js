@@ -26,15 +26,16 @@
     }
 
     build() {
-      const { button } = live.transport,
-        { problems } = this.engine.description;
-      this.problems = make(
-        "select",
-        { "aria-label": "Problem", onchange: () => this.choose(this.problems.selectedIndex) },
-        ...problems.map((name) => make("option", { textContent: name })),
-      );
+      const div = (className, ...children) => make("div", { className }, ...children);
+      this.problems = make("select", {
+        "aria-label": "Problem",
+        onchange: () => {
+          this.begin(this.problems.selectedIndex, 0);
+          this.remember();
+        },
+      });
       this.said = make("p", { className: "pb-caption" });
-      this.playButton = button("play", "Play the iterations", () => this.toggle());
+      this.playButton = live.button("play", "Play the iterations", () => this.toggle());
       this.line = make("input", {
         type: "range",
         min: 0,
@@ -45,35 +46,23 @@
       this.clock = make("output", { className: "pb-clock" });
       this.table = make("tbody");
       this.measure = make("th", { scope: "col" });
-      const plot = make("div", { className: "pb-plot" }),
-        matrix = make("div");
-      this.plotIn = plot;
+      const head = make("thead", {}, make("tr", {}, make("td"), this.measure));
+      const matrix = make("div");
+      this.plotIn = div("pb-plot");
       this.element.append(
         make("h4", { className: "pb-heading", textContent: "One step, iteration by iteration" }),
         make("label", { className: "pb-scene" }, "The first step of ", this.problems),
         this.said,
-        make(
-          "div",
-          { className: "pb-transport", role: "group", "aria-label": "Iterations" },
-          button("begin", "Before the first iteration", () => this.go(0)),
-          button("back", "One iteration back", () => this.go(this.target - 1)),
+        div(
+          "pb-transport",
+          live.button("begin", "Before the first iteration", () => this.go(0)),
+          live.button("back", "One iteration back", () => this.go(this.target - 1)),
           this.playButton,
-          button("step", "One iteration on", () => this.go(this.target + 1)),
-          this.line,
-          this.clock,
+          live.button("step", "One iteration on", () => this.go(this.target + 1)),
+          ...[this.line, this.clock],
         ),
-        make(
-          "div",
-          { className: "pb-numbers pb-scroll" },
-          make(
-            "table",
-            { "aria-label": "What each method leaves" },
-            make("thead", {}, make("tr", {}, make("td"), this.measure)),
-            this.table,
-          ),
-        ),
-        plot,
-        matrix,
+        div("pb-numbers pb-scroll", make("table", { "aria-label": "What each method leaves" }, head, this.table)),
+        ...[this.plotIn, matrix],
       );
       this.picture = new live.MatrixPicture(matrix);
     }
@@ -81,6 +70,7 @@
     // ---- which
     begin(which = 0, iteration = 0) {
       if (this.element.hidden) return;
+      this.pause();
       const { engine } = this,
         { problems } = engine.description;
       this.which = problems[which] ? which : 0;
@@ -94,27 +84,18 @@
       this.measure.textContent = problem.measure;
       this.cells = problem.methods.map(() => make("td"));
       this.table.replaceChildren(
-        ...problem.methods.map(({ name, colour, marker }, i) => {
-          const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
-          mark.style.color = colour;
-          return make("tr", {}, make("th", { scope: "row" }, mark, name), this.cells[i]);
-        }),
+        ...problem.methods.map((method, i) =>
+          make("tr", {}, make("th", { scope: "row" }, ...live.marked(method)), this.cells[i]),
+        ),
       );
       this.drawn = null;
-      this.picture.impulses = null;
       this.picture.begin(problem, engine.matrix);
       this.beginPlot();
       this.go(iteration);
     }
-    choose(which) {
-      this.pause();
-      this.begin(which, 0);
-      this.remember();
-    }
     /** A parameter has changed, and with it the problem: the same iteration of the new one, once the slider rests. */
     changed() {
       if (this.element.hidden) return;
-      this.pause();
       this.element.inert = true;
       clearTimeout(this.beginning);
       this.beginning = setTimeout(() => {
@@ -125,14 +106,10 @@
 
     // ---- to and fro
     go(iteration) {
-      this.pause();
-      this.head(iteration);
-      this.remember();
-    }
-    head(iteration) {
-      const { most } = this.engine.problem;
-      this.target = Math.min(most, Math.max(0, Math.round(iteration) || 0));
+      this.playing = false;
+      this.target = Math.min(this.engine.problem.most, Math.max(0, Math.round(iteration) || 0));
       this.ask();
+      this.remember();
     }
     ask() {
       this.asked ||= requestAnimationFrame(() => this.frame());
@@ -169,13 +146,8 @@
     show() {
       const { engine } = this,
         { problem, iteration } = engine;
-      const name = this.playing ? "pause" : "play";
-      if (this.playButton.dataset.name !== name) {
-        this.playButton.dataset.name = name;
-        this.playButton.replaceChildren(live.transport.icon(name));
-        this.playButton.title = this.playing ? "Pause the iterations" : "Play the iterations";
-        this.playButton.setAttribute("aria-label", this.playButton.title);
-      }
+      const playing = this.playing ? "pause" : "play";
+      this.playButton.named(playing, `${this.playing ? "Pause" : "Play"} the iterations`);
       if (this.drawn === iteration) return;
       this.drawn = iteration;
       this.clock.textContent = `iteration ${iteration} of ${problem.most}`;
@@ -231,11 +203,7 @@
               stroke: colour,
               width: 2,
               pxAlign: 0,
-              points: {
-                show: (plot, at) => plot.data[at].filter((value) => value !== null).length < 3,
-                size: 9,
-                fill: colour,
-              },
+              points: { show: (plot, at) => plot.data[at].filter((value) => value !== null).length < 3, fill: colour },
             })),
           ],
           legend: { show: false }, // the table has it
@@ -245,20 +213,12 @@
         this.data(problem.methods.map(() => [1])),
         this.plotIn,
       );
-      const { over } = this.plot;
-      const point = (event) => this.go(this.plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x"));
-      over.addEventListener("pointerdown", (event) => {
-        over.setPointerCapture(event.pointerId);
-        point(event);
-      });
-      over.addEventListener("pointermove", (event) => {
-        if (event.buttons & 1) point(event);
-      });
+      live.pointing(this.plot.over, (x) => this.go(this.plot.posToVal(x, "x")));
     }
     recolour() {
       if (this.element.hidden || !this.engine.problem) return;
       this.plot?.redraw(false);
-      this.picture.draw(this.picture.impulses || []);
+      this.picture.draw(this.picture.impulses);
     }
     resize() {
       if (this.element.hidden || !this.engine.problem) return;

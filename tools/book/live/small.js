@@ -34,7 +34,7 @@
 
     /** The next one in sight that has not been seen yet begins by itself, unless nothing should. */
     next() {
-      if (this.playing || matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+      if (this.playing || live.stillness()) return;
       this.pictures.find(({ inSight, begun }) => inSight && !begun)?.play();
     }
   }

@@ -1,5 +1,5 @@
 "use strict";
-// The canvas: panes side by side, camera, hand, wipe.
+// The canvas: panes side by side, camera, hand.
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
 
@@ -10,7 +10,7 @@
   const unit = (a) => a.map((x) => x / length(a));
   const clamp = (x, low, high) => Math.min(high, Math.max(low, x));
 
-  const slow = 60; // ms: a picture that takes longer is drawn coarsely while a slider moves
+  const slow = 60; // ms: a picture that takes longer is drawn coarsely while something moves
   const coarseness = 0.4; // of its pixels along each side
   const head = 26; // CSS pixels over each pane, for the variant's name
   const gutter = 10; // CSS pixels between panes
@@ -60,53 +60,22 @@
   live.Stage = class {
     /** `player`: what is played; it is asked for lanes and told of what the hand does. */
     constructor(player, element) {
-      this.player = player;
-      this.element = element;
-      this.camera = new Camera();
-      this.follow = false;
+      Object.assign(this, { player, element, camera: new Camera(), follow: false, coarse: false });
       this.tab = 0; // the lane that is seen where there is room for one
       this.room = 0.72 * window.innerHeight; // CSS pixels of height
       this.cost = 0; // ms, of a whole picture, as far as that is known
-      this.coarse = false;
-      this.drawing = false; // whether the graphics still work on the picture that they were given
-      this.wipe = null; // the part of the width at which one variant ends and the other begins
-      this.canvas = document.createElement("canvas");
+      this.canvas = live.make("canvas", { className: "pb-canvas", tabIndex: 0, role: "img" });
       this.canvas.id = `pushback-live-${++live.Stage.count}`;
-      this.canvas.className = "pb-canvas";
-      this.canvas.tabIndex = 0;
-      this.canvas.setAttribute("role", "img");
       this.tabs = live.make("div", { className: "pb-tabs", role: "tablist", "aria-label": "Variant that is seen" });
       this.labels = live.make("div", { className: "pb-labels" });
-      this.edges = live.make("div", { className: "pb-labels", "aria-hidden": "true" });
-      this.divider = document.createElement("input");
-      Object.assign(this.divider, {
-        type: "range",
-        min: 0,
-        max: 1000,
-        value: 500,
-        className: "pb-divider",
-        hidden: true,
-      });
-      this.divider.setAttribute("aria-label", "Where one variant ends and the other begins");
-      this.divider.addEventListener("input", () => {
-        this.wipe = this.divider.value / 1000;
-        player.changed();
-      });
-      element.append(this.canvas, this.labels, this.edges, this.divider);
+      element.append(this.canvas, this.labels);
       element.before(this.tabs);
       this.problem = player.engine.open(`#${this.canvas.id}`);
       this.listen();
     }
 
-    /** Of the scene as it begins: where the bodies are. */
     begin() {
-      const { engine } = this.player;
-      this.starts = engine.lanes.map(({ lane }) => this.positions(lane));
-      this.tab = Math.min(this.tab, engine.lanes.length - 1);
-    }
-    positions(lane) {
-      const { engine } = this.player;
-      return Array.from({ length: engine.bodies(lane) }, (_, body) => engine.body(lane, body).position);
+      this.tab = Math.min(this.tab, this.player.engine.lanes.length - 1);
     }
 
     // ---- panes
@@ -114,14 +83,13 @@
     get head() {
       return this.tabbed ? 0 : head;
     }
-    /** Rectangles, CSS pixels from the upper left corner, one a lane; of a wipe one for both; one for all where it is narrow. */
+    /** Rectangles, CSS pixels from the upper left corner, one a lane; one for all where it is narrow. */
     arrange() {
       const { lanes, scene } = this.player.engine;
       const width = this.element.clientWidth || 640;
-      const wiping = this.wipe !== null && lanes.length === 2;
-      this.tabbed = width < narrow && lanes.length > 1 && !wiping;
+      this.tabbed = width < narrow && lanes.length > 1;
       const seen = this.tabbed ? [lanes[this.tab]] : lanes;
-      const count = wiping ? 1 : seen.length;
+      const count = seen.length;
       const aspect = scene.strobe && this.follow ? 1.6 : scene.aspect;
       // In as many columns as show the bodies largest.
       let best = null;
@@ -133,8 +101,7 @@
       }
       const { columns, rows, wide } = best,
         high = Math.round(Math.max(least, best.high));
-      this.panes = seen.map(({ lane }, i) => {
-        const at = wiping ? 0 : i;
+      this.panes = seen.map(({ lane }, at) => {
         const left = Math.round((at % columns) * (wide + gutter)),
           top = Math.floor(at / columns) * (high + this.head) + this.head;
         const right = Math.round((at % columns) * (wide + gutter) + wide);
@@ -148,8 +115,6 @@
       if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
       this.canvas.style.height = `${this.size.height}px`;
       this.scale = scale;
-      this.divider.hidden = !wiping;
-      this.wiping = wiping;
     }
 
     /** As far to both sides as the sheet shows, also where the pane is narrower. */
@@ -175,135 +140,89 @@
     draw() {
       this.arrange();
       this.label();
-      this.markEdges();
       if (this.problem) return;
       const { engine } = this.player,
-        shown = this.player.shown | (this.coarse ? 8 : 0);
+        shown = this.player.shown | (this.coarse ? 8 : 0),
+        began = performance.now();
       engine.begin();
       for (const pane of this.panes) {
         const pixels = (x) => Math.round(this.scale * x);
         const x = pixels(pane.left),
           width = pixels(pane.left + pane.width) - x,
           height = pixels(pane.height);
-        const y = this.canvas.height - pixels(pane.top) - height;
         engine.look(this.cameraFor(pane));
-        const at = this.wiping ? Math.round(width * this.wipe) : 0;
-        const [from, to] = !this.wiping ? [0, width] : pane.lane === 0 ? [0, at] : [at, width];
-        if (to > from) this.problem = engine.draw(pane.lane, shown, x, y, width, height, from, to);
-        if (this.problem) break;
+        const y = this.canvas.height - pixels(pane.top) - height;
+        this.problem ||= engine.draw(pane.lane, shown, x, y, width, height);
       }
-      if (!this.problem) this.time();
-    }
-    /** How long the graphics take for the picture that they were given: software may take longer than a hand waits. */
-    time() {
-      if (this.drawing) return;
-      const gl = this.canvas.getContext("webgl2"),
-        fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0),
-        began = performance.now(),
-        { coarse } = this;
-      this.drawing = true;
-      gl.flush();
-      const look = () => {
-        if (fence && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) return setTimeout(look, 4);
-        this.drawing = false;
-        if (!coarse) this.cost = performance.now() - began;
-        gl.deleteSync(fence);
-        this.player.drawn(began);
-      };
-      setTimeout(look);
+      if (this.coarse || this.problem) return;
+      // Until the picture is there: a processor that draws may take longer than a hand waits.
+      const gl = this.canvas.getContext("webgl2");
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+      this.cost = performance.now() - began;
     }
     /** Until nothing has moved for a while, where whole pictures take long. */
     hurry() {
       this.coarse = this.cost > slow;
       clearTimeout(this.refining);
+      if (!this.coarse) return;
       this.refining = setTimeout(() => {
         this.coarse = false;
         this.player.changed();
       }, 250);
     }
 
+    /** Names over the panes, or tabs; and what lies between panes. */
     label() {
-      const { lanes } = this.player.engine,
+      const { engine } = this.player,
+        { lanes } = engine,
         { make } = live;
-      const wanted = this.panes.map((pane) => {
-        const { name, colour, marker } = lanes[pane.lane];
-        return { pane, name, colour, marker, mishap: this.player.engine.mishap(pane.lane) };
-      });
-      const key = JSON.stringify([wanted, this.wiping && this.wipe, this.size, this.tabbed && lanes.length]);
+      const wanted = this.panes.map((pane) => ({ pane, ...lanes[pane.lane], mishap: engine.mishap(pane.lane) }));
+      const key = JSON.stringify([wanted, this.size, this.tabbed && lanes]);
       if (key === this.labelled) return;
       this.labelled = key;
-      const within = (className, left, top, width, height) => {
-        const element = make("div", { className });
-        Object.assign(element.style, {
-          left: `${left}px`,
-          top: `${top}px`,
-          width: `${width}px`,
-          height: `${height}px`,
-        });
+      const within = (className, left, top, width, height, ...children) => {
+        const element = make("div", { className }, ...children);
+        const box = { left, top, width, height };
+        for (const [side, value] of Object.entries(box)) element.style[side] = `${value}px`;
         return element;
       };
-      const inColour = (marker, colour) => {
-        const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
-        mark.style.color = colour;
-        return mark;
-      };
-      this.labels.replaceChildren(
-        ...wanted.map(({ pane, name, colour, marker, mishap }) => {
-          const [part, from] = this.wiping ? [0.5, pane.lane / 2] : [1, 0];
-          const label = within(
-            "pb-label",
-            pane.left + from * pane.width,
-            pane.top - this.head,
-            part * pane.width,
-            head,
-          );
-          label.style.textAlign = from ? "right" : "left";
-          if (!this.tabbed) label.append(inColour(marker, colour), mishap ? `${name}: ${mishap}` : name);
-          else label.append(mishap); // the tab has the name
-          return label;
-        }),
-        ...this.panes
-          .filter(({ left }) => left > 0)
-          .map(({ left, top, height }) => within("pb-gutter", left - gutter, top - head, gutter, height + head)),
-      );
+      const labels = wanted.map(({ pane, mishap, ...lane }) => {
+        const words = this.tabbed
+          ? [mishap]
+          : live.marked({ ...lane, name: [lane.name, mishap].filter(Boolean).join(": ") });
+        return within("pb-label", pane.left, pane.top - this.head, pane.width, head, ...words);
+      });
+      const gutters = this.panes
+        .filter(({ left }) => left > 0)
+        .map(({ left, top, height }) => within("pb-gutter", left - gutter, top - head, gutter, height + head));
       if (this.empty) {
         const { left, top } = this.empty;
-        this.labels.append(
-          within("pb-gutter", left, top - this.head, this.size.width - left, this.size.height - top + this.head),
-        );
+        const height = this.size.height - top + this.head;
+        gutters.push(within("pb-gutter", left, top - this.head, this.size.width - left, height));
       }
-      if (this.wiping) {
-        const { left, top, width, height } = this.panes[0];
-        this.labels.append(within("pb-wipe", left + this.wipe * width - 1, top, 2, height));
-      }
+      this.labels.replaceChildren(...labels, ...gutters);
       this.tabs.hidden = !this.tabbed;
-      live.keepingFocus(this.tabs, () =>
-        this.tabs.replaceChildren(
-          ...(this.tabbed ? lanes : []).map(({ lane, name, colour, marker }) =>
-            make(
-              "button",
-              {
-                type: "button",
-                role: "tab",
-                tabIndex: lane === this.tab ? 0 : -1,
-                "aria-selected": lane === this.tab,
-                "aria-controls": this.canvas.id,
-                "aria-label": name,
-                onclick: () => this.show(lane),
-                onkeydown: (event) => {
-                  const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-                  if (!by) return;
-                  event.preventDefault();
-                  this.show((lane + by + lanes.length) % lanes.length);
-                  this.tabs.children[this.tab].focus();
-                },
-              },
-              inColour(marker, colour),
-              name,
-            ),
-          ),
-        ),
-      );
+      const tabs = (this.tabbed ? lanes : []).map((lane) => this.tabOf(lane, lanes.length));
+      live.keepingFocus(this.tabs, () => this.tabs.replaceChildren(...tabs));
+    }
+    tabOf(lane, count) {
+      const seen = lane.lane === this.tab;
+      const properties = {
+        type: "button",
+        role: "tab",
+        tabIndex: seen ? 0 : -1,
+        "aria-selected": seen,
+        "aria-controls": this.canvas.id,
+        onclick: () => this.show(lane.lane),
+        onkeydown: (event) => {
+          const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+          if (!by) return;
+          event.preventDefault();
+          this.show((lane.lane + by + count) % count);
+          this.tabs.children[this.tab].focus();
+        },
+      };
+      return live.make("button", properties, ...live.marked(lane));
     }
     /** Where there is room for one variant: this one. */
     show(lane) {
@@ -311,52 +230,6 @@
       this.arrange();
       this.label();
       this.player.changed();
-    }
-
-    /** Bodies that have moved out of a pane: a mark at its edge, where they are. */
-    markEdges() {
-      const { engine } = this.player,
-        marks = [];
-      this.outside = 0;
-      if (engine.scene.magnified === 1) for (const pane of this.panes) marks.push(...this.outsideOf(pane));
-      const key = JSON.stringify(marks);
-      if (key === this.marked) return;
-      this.marked = key;
-      this.edges.replaceChildren(
-        ...marks.map(([x, y, angle]) => {
-          const mark = live.make("div", { className: "pb-edge" });
-          mark.style.transform = `translate(${x}px, ${y}px) rotate(${angle}deg)`;
-          return mark;
-        }),
-      );
-    }
-    outsideOf(pane) {
-      const { engine } = this.player,
-        { eye, target, fieldOfView } = this.cameraFor(pane),
-        shift = engine.shift();
-      const away = unit(minus(eye, target)),
-        right = unit(cross([0, 1, 0], away)),
-        up = cross(away, right);
-      const half = Math.tan(fieldOfView / 2),
-        start = this.starts[pane.lane],
-        dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
-      const marks = new Map();
-      this.positions(pane.lane).forEach((position, body) => {
-        if (length(minus(position, start[body])) < 1e-9) return;
-        const from = minus(plus(position, shift), eye),
-          ahead = -dot(from, away);
-        if (ahead <= 0) return;
-        const x = (dot(from, right) / ahead / half) * (pane.height / pane.width),
-          y = dot(from, up) / ahead / half;
-        if (Math.max(Math.abs(x), Math.abs(y)) <= 1) return;
-        ++this.outside;
-        const margin = 9, // CSS pixels
-          at = (share, from, size) => Math.round(from + clamp((size * (1 + share)) / 2, margin, size - margin));
-        const angle = Math.abs(x) > Math.abs(y) ? (x > 0 ? 0 : 180) : y > 0 ? -90 : 90;
-        const mark = [at(x, pane.left, pane.width), at(-y, pane.top, pane.height), angle];
-        marks.set(mark.map((one) => Math.round(one / 12)).join(), mark); // those of a heap are one
-      });
-      return [...marks.values()];
     }
 
     // ---- pointer
@@ -372,9 +245,8 @@
     }
     /** Whether there is a body under the finger, or close to it. */
     grabAt(x, y, slack) {
-      let pane = this.paneAt(x, y);
+      const pane = this.paneAt(x, y);
       if (!pane) return null;
-      if (this.wiping && x > pane.left + this.wipe * pane.width) pane = { ...pane, lane: 1 };
       const { engine } = this.player;
       engine.look(this.cameraFor(pane));
       const around = [[0, 0]];
@@ -392,7 +264,7 @@
         held = null;
       canvas.addEventListener("contextmenu", (event) => event.preventDefault());
       const take = (x, y, around) => {
-        held = this.player.grabbing ? this.grabAt(x, y, around) : null;
+        held = this.grabAt(x, y, around);
         if (!held) return;
         action = "pull";
         this.player.grabbed();
@@ -489,6 +361,5 @@
     }
   };
   live.Stage.count = 0;
-  live.Stage.head = head;
   live.Stage.narrow = narrow;
 })();

@@ -25,35 +25,19 @@
           "p",
           { className: "pb-strip-name" },
           `${raster.label[0].toUpperCase()}${raster.label.slice(1)}, from step to step:  `,
-          ...raster.meaning.flatMap(({ colour, text }) => {
-            const mark = make("span", { className: "pb-mark", "aria-hidden": "true" });
-            mark.style.setProperty("--pb-mark", colour);
-            return [mark, ` ${text}   `];
-          }),
+          ...raster.meaning.flatMap(({ colour, text }) => live.swatch("body", colour, ` ${text}   `)),
         ),
       );
-      for (const { lane, name, colour, marker } of engine.lanes) {
-        const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
-        mark.style.color = colour;
+      for (const lane of engine.lanes) {
         const canvas = make("canvas", { className: "pb-strip", width: engine.steps, height: rowHeight });
         canvas.setAttribute("aria-hidden", "true");
         const line = make("div", { className: "pb-strip-now" });
-        const point = (event) => {
-          const box = canvas.getBoundingClientRect();
-          this.seek(Math.round(((event.clientX - box.left) / box.width) * engine.steps));
-        };
-        canvas.addEventListener("pointerdown", (event) => {
-          canvas.setPointerCapture(event.pointerId);
-          point(event);
-        });
-        canvas.addEventListener("pointermove", (event) => {
-          if (event.buttons & 1) point(event);
-        });
+        live.pointing(canvas, (x) => this.seek(Math.round((x / canvas.clientWidth) * engine.steps)));
         this.element.append(
-          make("div", { className: "pb-strip-head" }, mark, name),
+          make("div", { className: "pb-strip-head" }, ...live.marked(lane)),
           make("div", { className: "pb-strip-frame" }, canvas, line),
         );
-        this.strips.push({ lane, canvas, line, drawn: 0 });
+        this.strips.push({ lane: lane.lane, canvas, line, drawn: 0 });
       }
     }
 

@@ -1,0 +1,115 @@
+"use strict";
+// Finds a page's figures with data-chapter and puts the experiment itself in the place of the picture, once it is asked for.
+(function () {
+  const live = (self.PushbackLive = self.PushbackLive || {});
+  const players = new Map();
+  live.stillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+  live.make = function (tag, properties = {}, ...children) {
+    const element = document.createElement(tag);
+    for (const [name, value] of Object.entries(properties)) {
+      if (name.startsWith("aria-") || name === "role") element.setAttribute(name, value);
+      else if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+      else element[name] = value;
+    }
+    element.append(...children);
+    return element;
+  };
+  const { make } = live;
+
+  const scripts = new Map();
+  /** Loads a classic script once: it also works where a page is opened from a folder. */
+  live.loadScript = function (src) {
+    if (!scripts.has(src)) {
+      const load = (resolve, reject) => {
+        const failed = () => {
+          scripts.delete(src);
+          reject(new Error(`${src} could not be loaded`));
+        };
+        document.head.append(
+          Object.assign(document.createElement("script"), { src, onload: resolve, onerror: failed }),
+        );
+      };
+      scripts.set(src, new Promise(load));
+    }
+    return scripts.get(src);
+  };
+
+  /** `state`: of an address; without it, what is started plays. */
+  async function start(figure, state = new URLSearchParams("play=1")) {
+    if (players.has(figure)) return players.get(figure);
+    const panel = figure.querySelector(".pb-start");
+    const [button, said] = panel.children;
+    button.disabled = true;
+    said.textContent = "Loading …";
+    try {
+      const engine = await live.Engine.load(figure.dataset.chapter, figure.dataset.root);
+      const player = new live.Player(figure, engine, state);
+      panel.remove();
+      players.set(figure, player);
+      return player;
+    } catch (problem) {
+      console.error(problem);
+      button.disabled = false;
+      said.textContent = `The experiment cannot be run here: ${problem.message}`;
+      return null;
+    }
+  }
+
+  function prepare(figure) {
+    const run = async () => (await start(figure))?.bringIntoView();
+    const panel = make(
+      "div",
+      { className: "pb-start" },
+      make("button", { type: "button", className: "pb-run", textContent: "Run it here", onclick: run }),
+      make("p", { role: "status" }),
+    );
+    figure.insertBefore(panel, figure.querySelector("figcaption"));
+  }
+
+  /** Shows what the address says, as it is opened or as a link of the page changes it. */
+  async function follow(figures) {
+    const state = new URLSearchParams(location.hash.slice(1));
+    const figure = figures.find((one) => one.dataset.chapter === state.get("live"));
+    if (!figure) return;
+    players.get(figure)?.arrive(state);
+    const player = await start(figure, state);
+    if (!player) figure.scrollIntoView();
+    else if (state.has("problem") || state.has("iteration")) player.iterations.element.scrollIntoView();
+    else player.bringIntoView();
+  }
+
+  /** Programs come as figures come near the window; the small ones begin then, all of them with the first. */
+  function whenNear(figures, small) {
+    const near = new IntersectionObserver(
+      (seen) => {
+        for (const { target } of seen.filter(({ isIntersecting }) => isIntersecting)) {
+          near.unobserve(target);
+          const { chapter, root } = target.dataset;
+          if (small.includes(target)) test.small ??= live.beginSmall(small);
+          else live.program(chapter, root).catch(() => {}); // said to who asks for it
+        }
+      },
+      { rootMargin: "100%" },
+    );
+    for (const figure of [...figures, ...small]) near.observe(figure);
+  }
+
+  function begin() {
+    const figures = [...document.querySelectorAll("figure.live[data-chapter]")];
+    for (const figure of figures) prepare(figure);
+    whenNear(figures, [...document.querySelectorAll("figure.small-live")]);
+    addEventListener("hashchange", () => follow(figures));
+    follow(figures);
+  }
+
+  // For tests, and for who wants to look inside: the player of a figure, once it runs.
+  const first = () => document.querySelector("figure.live[data-chapter]");
+  const test = {
+    start: (state) => start(first(), new URLSearchParams(state)),
+    player: () => players.get(first()),
+  };
+  window.PUSHBACK_LIVE_TEST = test;
+  if (document.readyState === "loading") document.addEventListener("readystatechange", begin, { once: true });
+  else queueMicrotask(begin); // once the rest of this script has run
+})();
