@@ -1,14 +1,11 @@
 /// What is remembered, and for whom; and what chapter 07's page says of its scenes, over a minute and from many starts.
 #include "pushback/chapters/07_warm_start/full_solver.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
 
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
-#include "tests/support/call.h"
 #include "tests/support/on_ground.h"
 
 using namespace pushback;
@@ -65,26 +62,6 @@ Real residual_of_stack(int boxes, int sweeps) {
   return sum;
 }
 
-/// The number of the hard cases' table for that case, stage and criterion.
-double hard_case(const std::string& name, const std::string& stage, const std::string& criterion) {
-  std::istringstream lines(text_of("renders/hard_cases/table.csv"));
-  std::string line;
-  std::getline(lines, line);
-  const std::vector<std::string> header = fields_of(line);
-  const auto cell = [&](const std::vector<std::string>& cells, const std::string& column) {
-    const auto at = std::find(header.begin(), header.end(), column);
-    REQUIRE(at != header.end());
-    return cells.at(static_cast<std::size_t>(at - header.begin()));
-  };
-  while (std::getline(lines, line)) {
-    const std::vector<std::string> cells = fields_of(line);
-    if (cell(cells, "case") == name && cell(cells, "stage") == stage && cell(cells, "criterion") == criterion)
-      return std::stod(cell(cells, "number"));
-  }
-  FAIL("renders/hard_cases/table.csv has no " << name << ", " << stage << ", " << criterion);
-  return 0;
-}
-
 }  // namespace
 
 TEST_CASE("07: in steps of 1/120 s both piles fall cold and stand for a minute warm, from each of many starts",
@@ -122,16 +99,6 @@ TEST_CASE("07: warm, ten boxes in steps of 1/60 s fall within a minute, unless t
   }
   INFO(fallen << " of 30 fall with ten sweeps");
   CHECK(fallen >= 10);
-}
-
-TEST_CASE("07: the page says of the hard case of ten boxes what its table has") {
-  const std::string said = fmt::format("{:.0f} mm from where it began after 10 s, and moving at {:.0f} mm/s",
-                                       hard_case("stack-10", "07 warm start", "drift after 10 s"),
-                                       hard_case("stack-10", "07 warm start", "speed in the last second"));
-  std::string page = text_of("chapters/07_warm_start/README.md");
-  std::replace(page.begin(), page.end(), '\n', ' ');
-  INFO("\"" << said << "\" is to stand there");
-  CHECK(page.find(said) != std::string::npos);
 }
 
 TEST_CASE("07: started warm, the same residual in fewer sweeps") {

@@ -96,19 +96,6 @@ TEST_CASE("A says what an impulse does: J V after minus J V before") {
   CHECK(SparseRows(a - transposed).norm() < 1e2 * double(std::numeric_limits<Real>::epsilon()) * a.norm());
 }
 
-TEST_CASE("the projection to the cone is the nearest point of it") {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> number(-2, 2);
-  for (int i = 0; i < 2000; ++i) {
-    const Eigen::Vector3d r(number(random), number(random), number(random));
-    const double mu = i % 5 == 0 ? 0 : std::abs(number(random));
-    const Eigen::Vector3d p = projected_to_cone(r, mu), away = r - p;
-    CHECK(std::hypot(p[1], p[2]) <= mu * p[0] + 1e-12);
-    CHECK(std::abs(away.dot(p)) < 1e-12);                         // what is left is at a right angle to it,
-    CHECK(away[0] + mu * std::hypot(away[1], away[2]) <= 1e-12);  // and in the polar cone
-  }
-}
-
 TEST_CASE("one contact that sticks, slides and parts, in closed form") {
   const Eigen::Matrix3d w = Eigen::Vector3d(2, 4, 4).asDiagonal();
   struct Case {
@@ -173,14 +160,6 @@ TEST_CASE("the problem of a solver's rows has their biases, and friction only wh
   }
 }
 
-TEST_CASE("how far W is from symmetric is a part of its largest entry") {
-  Eigen::Matrix3d w = Eigen::Vector3d(2, 4, 4).asDiagonal();
-  CHECK(asymmetry(one_contact(w, {-1, 0, 0}, 0)) == 0);
-  w(0, 2) = 1;
-  w(2, 0) = Real(0.5);
-  CHECK(asymmetry(one_contact(w, {-1, 0, 0}, 0)) == Approx(0.125));
-}
-
 TEST_CASE("conjugate gradients come further in the same sweeps, for the same law") {
   Frame frame([](World& world) { stack(world, 20); });
   const ContactProblem problem = problem_of(frame.world);
@@ -209,16 +188,6 @@ TEST_CASE("sweeps give each body its g h back, and corrections and closing speed
     CHECK(found.speed.back() < (in_double ? 1e-9 : 1e-4));
     CHECK(found.correction.back() < (in_double ? 1e-9 : 1e-4));
   }
-}
-
-TEST_CASE("curves that lie on each other become one, with the names of all") {
-  const std::vector<Real> x{1, 2};
-  const std::vector<Curve> curves =
-      merged({{"a", x, {1, Real(0.1)}, ""}, {"b", x, {1, Real(0.11)}, ""}, {"c", x, {1, Real(0.104)}, ""}});
-  REQUIRE(curves.size() == 2);
-  CHECK(curves[0].label == "a, c");
-  CHECK(curves[0].y == std::vector<Real>{1, Real(0.1)});
-  CHECK(curves[1].label == "b");
 }
 
 TEST_CASE("a problem comes back from its file in the same bits") {
@@ -266,29 +235,5 @@ TEST_CASE("a file cut short anywhere, or with a word spoilt, is refused or read,
     std::string spoilt = text;
     for (int k = 0; k < 3; ++k) spoilt[random() % spoilt.size()] = "0123456789-.e \nx"[random() % 16];
     complaint([&] { read_problem(spoilt); });
-  }
-}
-
-TEST_CASE("iteration by iteration, each method leaves what it leaves in one go, and falls") {
-  const SharedProblem step = first_step([](World& world) { pyramid(world, 5); }, Real(1) / 60);
-  IteratedProblem problem = swept_in_all_ways(step);
-  CHECK(problem.matrix.rows() == 3 * step->contacts());
-  CHECK((problem.matrix - step->w).norm() == 0);
-  const std::vector<std::string> names = sweeping_method_names();
-  REQUIRE(problem.methods.size() == names.size());
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    INFO(names[i]);
-    Vector r = Vector::Zero(step->q.size());
-    CHECK(problem.residual(r) == relative_residual(*step, r));
-    double before = problem.residual(r);
-    for (int k = 1; k <= 20; ++k) {
-      CHECK(problem.methods[i].iterate(r));
-      if (k != 1 && k != 7 && k != 20) continue;
-      const Solution in_one_go = solve_by_sweeps(*step, names[i], k, 0);
-      CHECK(r == in_one_go.r);
-      CHECK(problem.residual(r) == in_one_go.residual);
-      CHECK(problem.residual(r) < before);
-      before = problem.residual(r);
-    }
   }
 }

@@ -82,43 +82,6 @@ TEST_CASE("what cannot be written is refused, and nothing is left behind") {
   CHECK(contains(help.out, "20-ice"));
 }
 
-TEST_CASE("a disk with no room left: status 2, the system's reason, and no unfinished file") {
-  const Scratch scratch;
-  const auto with_room_for_1_kib = [&](const std::string& words) {  // the nearest to a full disk that needs no rights
-    return pushback::run_program({"bash", "-c", "trap '' XFSZ; ulimit -f 1; exec " + words}, 20);
-  };
-  const std::string file = in_quotes(scratch / "a.dat");
-  const Ended ended = with_room_for_1_kib(std::string(EXPORT_PROGRAM) + " 07-pyramid " + file);
-  INFO(ended.out << ended.err);
-  CHECK(ended.status == 2);
-  CHECK(contains(ended.err, "a.dat' cannot be written: File too large"));
-  CHECK(fs::is_empty(scratch / ""));
-}
-
-TEST_CASE("solve says how well it did, and what it cannot do") {
-  const Scratch scratch;
-  const std::string file = in_quotes(scratch / "a.dat");
-  REQUIRE(call_program(EXPORT_PROGRAM, "07-ten-boxes " + file).status == 0);
-  const Ended solved = call_program(SOLVE_PROGRAM, file + " --method cone --sweeps 7");
-  CHECK(solved.status == 0);
-  CHECK(contains(solved.out, "40 contacts"));
-  CHECK(contains(solved.out, "cone: 7 sweeps, 0 linear systems"));
-  CHECK(contains(solved.out, "\nresidual "));
-  const Ended table = call_program(SOLVE_PROGRAM, "--table " + file);
-  CHECK(table.status == 0);
-  const auto lines = lines_of(table.out);
-  REQUIRE(lines.size() == 3);
-  for (const std::string& line : lines) CHECK(std::count(line.begin(), line.end(), '|') == 9);
-  for (const std::string& wrong :
-       std::vector<std::string>{file + " --method guess", file + " --sweeps -1", file + " --tolerance -1",
-                                std::string("/no/such.dat"), file + " /no/such.dat", std::string()})
-    CHECK(call_program(SOLVE_PROGRAM, wrong).status == 2);
-  const Ended help = call_program(SOLVE_PROGRAM, "--help");
-  CHECK(help.status == 0);
-  for (const char* option : {"--method", "--sweeps", "--tolerance", "--table", "--laws", "--write"})
-    CHECK(contains(help.out, option));
-}
-
 TEST_CASE("solve writes r and u, so that another program can check them") {
   const Scratch scratch;
   const fs::path problem_file = scratch / "a.dat", solution_file = scratch / "a.txt";
@@ -165,40 +128,4 @@ TEST_CASE("solve leaves friction out where it is asked to pivot") {
   for (Eigen::Index contact = 0; contact < 4; ++contact) on_ground += found.r[3 * contact];
   CHECK(on_ground == Approx(1000 * 9.81 / 60));
   CHECK(contains(call_program(SOLVE_PROGRAM, "--help").out, "pivoting"));
-}
-
-TEST_CASE("what solve cannot write is refused before anything is solved, and nothing is left behind") {
-  const Scratch scratch;
-  REQUIRE(call_program(EXPORT_PROGRAM, "07-ten-boxes " + in_quotes(scratch / "a.dat")).status == 0);
-  const std::string file = in_quotes(scratch / "a.dat"), before = text_of(scratch / "a.dat");
-  const auto refused = [&](const std::string& arguments, const std::string& said) {
-    const Ended ended = call_program(SOLVE_PROGRAM, arguments);
-    INFO(arguments << ": " << ended.err);
-    CHECK(ended.status == 2);
-    CHECK(ended.out.empty());
-    CHECK(contains(ended.err, said));
-  };
-  const std::string write = " --write " + in_quotes(scratch / "r.txt");
-  refused(file + " " + file + write, "--write with 2 problems");
-  refused(file + " --table" + write, "--write with a table");
-  refused(file + " --laws" + write, "--write with a table");
-  refused(file + " --laws --table", "--laws");
-  refused(file + " --write " + file, "the problem itself");
-  refused(file + " --write " + in_quotes(scratch / "no" / "r.txt"), "a folder that is there");
-  refused(file + " --write " + in_quotes(scratch / "."), "the name of a file");
-  std::ofstream(scratch / "bad.dat") << "3 1 oops";
-  refused(in_quotes(scratch / "bad.dat") + write, "bad.dat");
-  CHECK(text_of(scratch / "a.dat") == before);
-  for (const auto& entry : fs::directory_iterator(scratch / "."))
-    CHECK((entry.path().filename() == "a.dat" || entry.path().filename() == "bad.dat"));
-}
-
-TEST_CASE("the table of laws has a row for each method") {
-  const Scratch scratch;
-  REQUIRE(call_program(EXPORT_PROGRAM, "07-ten-boxes " + in_quotes(scratch / "a.dat")).status == 0);
-  const Ended table = call_program(SOLVE_PROGRAM, "--laws --sweeps 20 " + in_quotes(scratch / "a.dat"));
-  CHECK(table.status == 0);
-  const auto lines = lines_of(table.out);
-  REQUIRE(lines.size() == 2 + method_names().size());
-  for (const std::string& line : lines) CHECK(std::count(line.begin(), line.end(), '|') == 9);
 }

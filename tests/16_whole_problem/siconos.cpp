@@ -109,28 +109,6 @@ TEST_CASE("what Siconos solves is solved by our residual, and what we solve by i
   }
 }
 
-TEST_CASE("Siconos says where it does not arrive, and remembers nothing from one call to the next") {
-  if (!built_in()) return;
-  const ContactProblem stack = own()[0].problem, sliding = own()[1].problem;
-  for (const std::string& method : siconos_methods()) {
-    INFO(method);
-    const SiconosAnswer cut_short = solve_by_siconos(stack, method, 1e-12, 1);
-    CHECK(!cut_short.reached);
-    CHECK(relative_residual(stack, cut_short.r) > 1e-12);
-    const Vector once = solve_by_siconos(sliding, method, 1e-6, 300).r;
-    for (const std::string& other : siconos_methods()) solve_by_siconos(stack, other, 1e-3, 50);
-    CHECK(solve_by_siconos(sliding, method, 1e-6, 300).r == once);
-  }
-}
-
-TEST_CASE("a run of Siconos that does not end is ended") {
-  if (!built_in()) return;
-  const SiconosAnswer ended = solve_by_siconos(own()[0].problem, "Siconos NSGS", 1e-30, 1000000000, 0.2);
-  CHECK(!ended.reached);
-  CHECK(ended.seconds == 0.2);
-  CHECK(ended.r.norm() == 0);
-}
-
 TEST_CASE("a method that Siconos is not asked for is refused by name") {
   CHECK(contains(complaint([] { solve_by_siconos(own()[1].problem, "Siconos GUESS", 1e-6, 10); }), "Siconos GUESS"));
 }

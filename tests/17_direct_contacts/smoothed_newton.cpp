@@ -159,24 +159,6 @@ TEST_CASE("a heap is solved while it falls and when it lies, though its systems 
   }
 }
 
-TEST_CASE("a way that was cut short is the beginning of the longer one") {
-  Frame frame(thrown);
-  const ContactProblem problem = problem_of(frame.world);
-  double last = relative_residual(problem, Vector::Zero(problem.q.size()));
-  for (int systems = 1; systems < 20; ++systems) {
-    const SmoothedSolution found = solve_smoothed(problem, {.tolerance = 0, .systems = systems});
-    CHECK(found.systems == systems);
-    CHECK(found.residual <= last);
-    last = found.residual;
-  }
-}
-
-TEST_CASE("the exponent of a power is found, and noise about it evens out") {
-  CHECK(growth_exponent({{10, 3 * std::pow(10, 1.5)}, {20, 3 * std::pow(20, 1.5)}, {70, 3 * std::pow(70, 1.5)}}) ==
-        Approx(1.5));
-  CHECK(growth_exponent({{1, 2}, {1, 0.5}, {4, 32}, {4, 8}}) == Approx(2));
-}
-
 TEST_CASE("where there is no solution, the smoothed method ends and says so") {
   Eigen::MatrixXd w = Eigen::MatrixXd::Zero(6, 6);
   for (const Eigen::Index tangent : {0, 1, 2})

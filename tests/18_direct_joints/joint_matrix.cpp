@@ -2,7 +2,6 @@
 #include "pushback/chapters/18_direct_joints/joint_matrix.h"
 
 #include <Eigen/Dense>
-#include <set>
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/13_joints/distance.h"
@@ -180,14 +179,4 @@ TEST_CASE("joint matrix: what is added, taken or joined to another body is analy
     fresh.solve(of_fresh);
     REQUIRE(of_kept == of_fresh);
   }
-}
-
-TEST_CASE("joint matrix: a cloth has loops, and L some five times as many blocks as A") {
-  World world;
-  cloth_over_ball(world);
-  const Asked asked(world);
-  JointMatrix matrix;
-  matrix.factor(asked.rows, asked.joints, asked.taken);
-  INFO(matrix.blocks() << " blocks for " << asked.pairs_that_share_a_body());
-  CHECK(matrix.blocks() < 6 * asked.pairs_that_share_a_body());
 }

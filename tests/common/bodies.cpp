@@ -155,22 +155,6 @@ TEST_CASE("the builders refuse lengths and masses that are not finite numbers ab
   REQUIRE(contains(complaint([] { sphere(1, 1).turned(1, Vec3::Zero()); }), "axis"));
 }
 
-TEST_CASE("a body that is oriented by a quaternion is the one that is turned by its angle and axis") {
-  const Vec3 axis = Vec3(1, 2, 3).normalized();
-  const Quat quat(Eigen::AngleAxis<Real>(Real(0.7), axis));
-  const Body turned = box({1, 2, 3}, 5).turned(Real(0.7), axis),
-             oriented = box({1, 2, 3}, 5).turned(2, Vec3::UnitX()).oriented(quat);
-  CHECK(oriented.orientation.angularDistance(turned.orientation) < 4 * eps);
-  CHECK((oriented.inverse_inertia - turned.inverse_inertia).norm() < 10 * eps * turned.inverse_inertia.norm());
-  World world;
-  const int added = world.add(box({1, 2, 3}, 5).oriented(Quat(3 * quat.coeffs())));
-  CHECK(std::abs(world.bodies[added].orientation.norm() - 1) < 4 * eps);
-  CHECK((world.bodies[added].inverse_inertia - turned.inverse_inertia).norm() <
-        10 * eps * turned.inverse_inertia.norm());
-  CHECK(contains(complaint([] { sphere(1, 1).oriented(Quat(0, 0, 0, 0)); }), "length of the orientation"));
-  CHECK(contains(complaint([] { sphere(1, 1).oriented(Quat(not_a_number, 0, 0, 0)); }), "orientation's scalar"));
-}
-
 TEST_CASE("the world refuses a body with a number that cannot be simulated, and names the number") {
   struct Case {
     std::string names;
@@ -225,20 +209,6 @@ TEST_CASE("the world normalises what only lacks the length 1") {
   plane.shape = HalfSpace{{0, 5, 0}};
   world.add(plane);
   REQUIRE(std::get<HalfSpace>(world.bodies[1].shape).normal.norm() == Approx(1));
-}
-
-TEST_CASE("add gives every body its index, and contacts go on to name theirs") {
-  World world;
-  REQUIRE(world.add(ground()) == 0);
-  REQUIRE(world.add(sphere(1, 1)) == 1);
-  world.find_contacts();
-  REQUIRE(world.contacts.size() == 1);
-  REQUIRE(world.add(sphere(1, 1)) == 2);
-  REQUIRE(world.bodies[2].index == 2);
-  REQUIRE(world.contacts.size() == 1);
-  const auto [a, b] = world.bodies_of(world.contacts[0]);
-  REQUIRE(&a == &world.bodies[0]);
-  REQUIRE(&b == &world.bodies[1]);
 }
 
 TEST_CASE("a step that cannot be taken is refused before anything moves") {
@@ -396,13 +366,6 @@ TEST_CASE("a box spun about its long or its short axis does not flip") {
       REQUIRE((world.bodies[0].orientation * Vec3::Unit(axis))[axis] > Real(0.99));
     }
   }
-}
-
-TEST_CASE("a ball turns by its spin times the time") {
-  Body ball = sphere(1, 1).spinning({0, 0, 2});
-  for (int i = 0; i < 1000; ++i) spin_freely(ball, Real(0.001));
-  const Vec3 turned = ball.orientation * Vec3::UnitX();
-  REQUIRE(std::atan2(turned.y(), turned.x()) == Approx(2).epsilon(1e-5));
 }
 
 TEST_CASE("the shortest turn takes one direction to another, about an axis perpendicular to both") {

@@ -2,7 +2,6 @@
 #include "pushback/chapters/00_naive_impulses/naive.h"
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/11_substeps/substeps.h"
-#include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/world/measure.h"
@@ -107,57 +106,4 @@ TEST_CASE("nothing depends on where in memory the bodies are") {
     world.bodies = std::move(copy);
   }
   CHECK(hashes == fresh_history());
-}
-
-TEST_CASE("a copy of world and solver goes on as the original does") {
-  World world;
-  pyramid_under_fire(world);
-  FullSolver solver;
-  for (int step = 0; step < 200; ++step) world.step(solver, h, 10);
-  World copy = world;
-  FullSolver copied = solver;
-  CHECK(history(copy, copied) == history(world, solver));
-}
-
-TEST_CASE("a variant in four substeps does what steps of a quarter do") {
-  const std::filesystem::path out = std::filesystem::temp_directory_path() / "pushback_substeps";
-  std::vector<std::uint64_t> hashes;
-  Experiment e("substeps", "");
-  const std::vector<std::string> words{"substeps", "--no-images", "--out", out.string()};
-  std::vector<const char*> arguments;
-  for (const std::string& word : words) arguments.push_back(word.c_str());
-  REQUIRE(e.run(static_cast<int>(arguments.size()), arguments.data(), [&] {
-    e.scene({.name = "pyramid", .fill = pyramid_under_fire, .seconds = 1});
-    e.variant("substeps", Substeps(FullSolver{}, 4)).with_exactly(3);
-    e.variant("substeps, soft", Substeps(SoftSolver{}, 4)).with_exactly(3);
-    e.number("hash", "", [&](const Run& run) {
-      hashes.push_back(hash_of(run.world));
-      return Real(0);
-    });
-  }) == 0);
-  std::filesystem::remove_all(out);
-
-  const auto quarter_steps = [](auto solver) {
-    World world;
-    pyramid_under_fire(world);
-    for (int step = 0; step < 60 * 4; ++step) world.step(solver, h / 4, 3);
-    return hash_of(world);
-  };
-  CHECK(hashes == std::vector<std::uint64_t>{quarter_steps(FullSolver{}), quarter_steps(SoftSolver{})});
-}
-
-TEST_CASE("the naive solvers repeat themselves as well") {
-  for (const bool averaged : {false, true}) {
-    World worlds[2];
-    for (World& world : worlds) {
-      pyramid_under_fire(world);
-      NaiveOnce once;
-      NaiveAveraged again;
-      for (int step = 0; step < 120; ++step) {
-        if (averaged) world.step(again, h, 10);
-        else world.step(once, h, 10);
-      }
-    }
-    CHECK(hash_of(worlds[0]) == hash_of(worlds[1]));
-  }
 }

@@ -56,19 +56,6 @@ TEST_CASE("a film has thirty frames a second, its variants side by side, in rows
   }
 }
 
-TEST_CASE("the same frames make the same film in every format", "[long]") {
-  if (!can_be_made()) return;
-  for (const std::string& ending : film_formats()) {
-    const Scratch one, other;
-    still_bodies(one / "", 2, ending.c_str(), 0);
-    still_bodies(other / "", 2, ending.c_str(), 0);
-    INFO(ending);
-    const std::string film = text_of(one / ("films/film." + ending));
-    CHECK(film.size() > 300);
-    CHECK(film == text_of(other / ("films/film." + ending)));
-  }
-}
-
 TEST_CASE("a format that is none is refused, and nothing is written") {
   const Scratch scratch;
   still_bodies(scratch / "", 1, "avi", 2);

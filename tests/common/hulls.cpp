@@ -1,27 +1,22 @@
 // Hulls: what they weigh, and where they touch. Wherever a hull is a box in disguise, it is held against a box.
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/common/basics/input.h"
 #include "pushback/common/basics/shortest_turn.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/collision/broad_phase.h"
 #include "pushback/common/collision/collide.h"
-#include "pushback/common/experiment/picture_of.h"
-#include "pushback/common/render/mesh.h"
-#include "pushback/common/render/painter.h"
-#include "pushback/common/render/palette.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/contacts_of.h"
+#include "tests/support/hulls.h"
+#include "tests/support/outside.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
@@ -31,61 +26,6 @@ namespace {
 // ---- tools --------------------------------------------------------------------------------------------------------
 
 constexpr Real tight = 5000 * eps;  // 1e-12 in double, 6e-4 in float: for lengths of about 1 m
-
-using Points = std::vector<Vec3>;
-
-Points corners_of_box(const Vec3& extents) {
-  Points points;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 side((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1);
-    points.push_back(side.cwiseProduct(extents));
-  }
-  return points;
-}
-
-/// A ramp of this size, its blade along z at the lower left, its steep side to the right.
-Points wedge(Real length, Real height, Real depth) {
-  const Real x = length / 2, z = depth / 2;
-  return {{-x, 0, -z}, {-x, 0, z}, {x, 0, -z}, {x, 0, z}, {x, height, -z}, {x, height, z}};
-}
-
-/// Stones of a round arch, each with two faces towards its neighbours.
-Points stone(int which, int count, Real inner, Real outer, Real half_depth) {
-  Points points;
-  for (const int side : {which, which + 1}) {
-    const Real angle = pi * Real(side) / Real(count);
-    for (const Real r : {inner, outer}) {
-      for (const Real z : {-half_depth, half_depth}) points.push_back({r * std::cos(angle), r * std::sin(angle), z});
-    }
-  }
-  return points;
-}
-
-Points prism(int sides, Real radius, Real half_height) {
-  Points points;
-  for (int i = 0; i < sides; ++i) {
-    const Real angle = 2 * pi * Real(i) / Real(sides);
-    for (const Real y : {-half_height, half_height}) {
-      points.push_back({radius * std::cos(angle), y, radius * std::sin(angle)});
-    }
-  }
-  return points;
-}
-
-const Polyhedron& solid_of(const Body& body) {
-  return *std::get<Hull>(body.shape).solid;
-}
-
-Points corners_of(const Body& body) {
-  if (const Box* box = std::get_if<Box>(&body.shape)) {
-    Points points = corners_of_box(box->half_extents);
-    for (Vec3& p : points) p = (body.position + body.orientation * p).eval();
-    return points;
-  }
-  Points points;
-  for (const Vec3& p : solid_of(body).corners) points.push_back(body.position + body.orientation * p);
-  return points;
-}
 
 Vec3 lengths(Random& random, Real low, Real high) {  // one statement each, as in random.h
   const Real x = random.between(low, high);
@@ -97,31 +37,6 @@ Vec3 lengths(Random& random, Real low, Real high) {  // one statement each, as i
 Body anyhow(Body body, Random& random) {
   const Real angle = random.between(-pi, pi);
   return body.turned(angle, random.direction());
-}
-
-/// Of the hull of some random points within a ball, or a wedge, a prism, a stone: about 1 m across, however turned.
-Body random_hull(Random& random) {
-  const auto length = [&] { return random.between(Real(0.2), 1); };
-  Points points;
-  const std::size_t kind = random.below(4);
-  if (kind == 0) {
-    const std::size_t count = 4 + random.below(12);
-    while (points.size() < count) {
-      const Real distance = random.between(Real(0.3), Real(0.8));
-      points.push_back(distance * random.direction());
-    }
-  } else if (kind == 1) {
-    const Real x = length(), y = length(), z = length();
-    points = wedge(2 * x, y, 2 * z);
-  } else if (kind == 2) {
-    const int sides = 3 + int(random.below(6));
-    const Real radius = length(), height = length();
-    points = prism(sides, radius, height);
-  } else {
-    points = stone(int(random.below(5)), 5, 1, 1 + length(), length());
-  }
-  const Real angle = random.between(-pi, pi);
-  return hull(points, 1).turned(angle, random.direction());
 }
 
 std::vector<std::uint32_t> names(const Contacts& contacts) {
@@ -182,14 +97,6 @@ Real least_overlap(const Points& a, const Points& b) {
   return least;
 }
 
-/// How far outside the hull a point lies, along the normals of its faces; 0 or less inside.
-Real outside(const Body& body, const Vec3& point) {
-  const Vec3 p = body.orientation.conjugate() * (point - body.position);
-  Real most = -std::numeric_limits<Real>::infinity();
-  for (const Polyhedron::Face& face : solid_of(body).faces) most = std::max(most, face.normal.dot(p) - face.offset);
-  return most;
-}
-
 void require_equal(const Vec3& a, const Vec3& b, Real tolerance = tight) {
   INFO("(" << a.transpose() << ") and (" << b.transpose() << ")");
   REQUIRE((a - b).norm() <= tolerance);
@@ -199,23 +106,6 @@ void jitter(Body& body, Random& random, Real size) {
   body.position += random.vector(size);
   const Real angle = random.between(-size, size);
   body.turned(angle, random.direction());
-}
-
-/// Calls `examine(a, b, contacts, random)` for pairs of hulls that overlap a little or a lot.
-template <class Examine>
-void for_random_pairs(int count, const Examine& examine) {
-  Random random(11);
-  for (int found = 0, tries = 0; found < count; ++tries) {
-    REQUIRE(tries < 100 * count);
-    Body a = random_hull(random).at(random.vector(1)), b = random_hull(random);
-    const Real distance = random.between(Real(0.2), Real(1.6));
-    b.position = a.position + distance * random.direction();
-    const Contacts contacts = contacts_of(a, b);
-    if (contacts.empty()) continue;
-    ++found;
-    INFO("try " << tries);
-    examine(a, b, contacts, random);
-  }
 }
 
 }  // namespace
@@ -245,31 +135,6 @@ TEST_CASE("a hull of a box's eight corners weighs what the box weighs") {
     REQUIRE((made.inverse_inertia - crate.inverse_inertia).norm() <= tight * crate.inverse_inertia.norm());
     // Of the points' own axes, if they are principal.
     if (angle == 0) REQUIRE(made.orientation.coeffs() == Quat::Identity().coeffs());
-  }
-}
-
-TEST_CASE("equal moments leave the axes as they are given, or two of them to choose once and for all") {
-  const Points cube = corners_of_box({1, 1, 1});
-  Random random(2);
-  for (int i = 0; i < 50; ++i) {
-    const Quat turn = anyhow(Body(), random).orientation;
-    Points turned, column;
-    for (const Vec3& p : cube) turned.push_back(turn * p);
-    REQUIRE(hull(turned, 1).orientation.coeffs() == Quat::Identity().coeffs());
-    for (const Vec3& p : corners_of_box({1, 3, 1})) column.push_back(turn * p);
-    const Body made = hull(column, 1);
-    for (Vec3& p : column) p += random.vector(4 * eps);
-    REQUIRE(hull(column, 1).orientation.angularDistance(made.orientation) < tight);
-  }
-}
-
-TEST_CASE("axes are called x, y and z such that they are turned as little as possible") {
-  Random random(13);
-  for (int i = 0; i < 100; ++i) {
-    const Quat turn(Eigen::AngleAxis<Real>(random.between(Real(-0.7), Real(0.7)), Vec3::Unit(int(random.below(3)))));
-    Points points;
-    for (const Vec3& p : corners_of_box({3, 1, 2})) points.push_back(turn * p);
-    REQUIRE(hull(points, 1).orientation.angularDistance(turn) < Real(1e-3) * std::sqrt(std::sqrt(eps)) + 10 * tight);
   }
 }
 
@@ -455,19 +320,6 @@ TEST_CASE("a hull of a box's corners meets planes, balls and capsules as the box
 
 // ---- properties ---------------------------------------------------------------------------------------------------
 
-TEST_CASE("hulls: normals are unit and point to b, depths are not negative, names are unique and in order") {
-  for_random_pairs(2000, [](Body& a, Body& b, const Contacts& contacts, Random&) {
-    REQUIRE(contacts.size() <= 4);
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      REQUIRE(std::abs(contacts[i].normal.norm() - 1) < tight);
-      REQUIRE(contacts[i].depth >= 0);
-      if (i > 0) REQUIRE(contacts[i - 1].id < contacts[i].id);
-    }
-    const Vec3 normal = contacts[0].normal;
-    REQUIRE(overlap_along(a, b, normal) <= overlap_along(a, b, -normal) + Real(2e-3));
-  });
-}
-
 TEST_CASE("hulls overlap as deep as their points say, and do not touch where these are apart") {
   Random random(8);
   int apart = 0, overlapping = 0, lost = 0;
@@ -494,50 +346,6 @@ TEST_CASE("hulls overlap as deep as their points say, and do not touch where the
   REQUIRE(overlapping > 200);
   INFO(lost << " of " << overlapping);
   REQUIRE(lost == 0);
-}
-
-TEST_CASE("the order of two hulls turns the normal round and keeps the depth") {
-  for_random_pairs(500, [](Body& a, Body& b, const Contacts& contacts, Random&) {
-    const Contacts other = contacts_of(b, a);
-    REQUIRE(!other.empty());
-    if ((other[0].normal + contacts[0].normal).norm() < Real(1e-3)) {
-      REQUIRE(std::abs(deepest(other) - deepest(contacts)) < Real(2e-3));
-    } else {  // each prefers its own face where both are as good
-      REQUIRE(std::abs(overlap_along(b, a, other[0].normal) - overlap_along(a, b, contacts[0].normal)) < Real(2e-3));
-    }
-  });
-}
-
-TEST_CASE("contact points of hulls lie in both, midway between their surfaces") {
-  for_random_pairs(1000, [](Body& a, Body& b, const Contacts& contacts, Random&) {
-    if (deepest(contacts) > Real(0.1)) return;  // deeper, the midpoint may lie beyond the far side of a small one
-    for (const Contact& c : contacts) {
-      REQUIRE(outside(a, c.point) <= Real(2e-3) + c.depth / 2);
-      REQUIRE(outside(b, c.point) <= Real(2e-3) + c.depth / 2);
-      REQUIRE(outside(a, c.point + (c.depth / 2 + Real(2e-3)) * c.normal) >= 0);
-      if (c.depth == deepest(contacts))
-        REQUIRE(outside(b, c.point - (c.depth / 2 + Real(2e-3)) * c.normal) >= -Real(2e-3));
-    }
-  });
-}
-
-TEST_CASE("names of hulls' contacts do not change when the pair trembles") {
-  const Real tremble = std::max(Real(1e-9), 4 * eps);
-  for_random_pairs(300, [&](Body& a, Body& b, const Contacts& contacts, Random& random) {
-    for (int i = 0; i < 5; ++i) {
-      Body other_a = a, other_b = b;
-      jitter(other_a, random, tremble);
-      jitter(other_b, random, tremble);
-      const Contacts now = contacts_of(other_a, other_b);
-      for (const Contact& c : contacts) {
-        if (c.depth < 100 * tremble) continue;
-        const bool still = std::any_of(now.begin(), now.end(), [&](const Contact& d) {
-          return d.id == c.id && (d.point - c.point).norm() < 1000 * tremble + Real(1e-6);
-        });
-        REQUIRE(still);
-      }
-    }
-  });
 }
 
 TEST_CASE("a ball or a capsule in a hull is as deep as it has to be moved") {
@@ -711,19 +519,6 @@ TEST_CASE("a wedge stands on the whole of its blade, on a plane and on a box") {
   }
 }
 
-TEST_CASE("a blade with flat ends stands on the whole of it, too") {
-  // The ends rise less steeply than the sides: they look down more squarely, but have only a corner of the blade each.
-  const Points keel = {{Real(-0.5), 0, 0},  {Real(0.5), 0, 0}, {-2, 1, Real(0.2)},
-                       {-2, 1, Real(-0.2)}, {2, 1, Real(0.2)}, {2, 1, Real(-0.2)}};
-  Body floor = ground();
-  Body table = box({3, 1, 2}, 1).at({0, -1, 0});
-  for (const Real tilt : {Real(-1e-9), Real(0), Real(1e-9), Real(1e-3)}) {
-    Body ship = hull(keel, 1).turned(tilt, Vec3::UnitZ());
-    ship.position.y() += reach(ship, -Vec3::UnitY()) - Real(0.01);
-    for (Body* below : {&floor, &table}) REQUIRE(contacts_of(*below, ship).size() == 2);
-  }
-}
-
 TEST_CASE("of two faces that look down alike the same one counts however they tremble") {
   Random random(14);
   Body floor = ground();
@@ -856,56 +651,4 @@ TEST_CASE("an arch of stones stands between its abutments") {
   const Body& keystone = world.bodies[1 + count / 2];
   REQUIRE(keystone.position.y() > Real(1.7));
   REQUIRE(largest_speed(world) < Real(1e-3));
-}
-
-// ---- pictures -----------------------------------------------------------------------------------------------------
-
-TEST_CASE("what is drawn of a hull is closed, and seen from outside everywhere") {
-  Random random(15);
-  for (int i = 0; i < 50; ++i) {
-    const Body body = random_hull(random);
-    const Mesh mesh = bevelled(solid_of(body), 0.001f);
-    const Eigen::Vector3f half_extents = half_extents_of(solid_of(body));
-    std::multiset<std::pair<int, int>> sides;
-    float volume = 0;
-    for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
-      const auto place = [&](std::size_t j) -> Eigen::Vector3f {
-        const Vertex& vertex = mesh.vertices[mesh.indices[k + j]];
-        return vertex.corner.cwiseProduct(half_extents) + 0.001f * vertex.normal;
-      };
-      volume += place(0).dot(place(1).cross(place(2))) / 6;
-      for (std::size_t j = 0; j < 3; ++j) sides.insert({mesh.indices[k + j], mesh.indices[k + (j + 1) % 3]});
-    }
-    for (const auto& side : sides) {
-      REQUIRE(sides.count(side) == 1);
-      REQUIRE(sides.count({side.second, side.first}) == 1);
-    }
-    REQUIRE(volume == Approx(solid_of(body).volume).epsilon(0.02));
-  }
-}
-
-TEST_CASE("a hull of a box's corners looks like the box") {
-  Painter painter(160, 90);
-  Picture with_box, with_hull;
-  with_box.camera = with_hull.camera = {Vec3(2, 2, 4), Vec3(0, Real(0.5), 0), Real(0.6)};
-  const Vec3 extents(Real(0.6), Real(0.5), Real(0.4));
-  const Body crate = box(extents, 1).at({0, Real(0.5), 0}), made = hull(corners_of_box(extents), 1);
-  for (Picture* picture : {&with_box, &with_hull}) {
-    picture->solids.push_back({HalfSpace{Vec3(0, 1, 0)}, Vec3::Zero(), Quat::Identity(), fixed_colour()});
-  }
-  const Image empty = painter.draw(with_box);
-  with_box.solids.push_back({crate.shape, crate.position, crate.orientation, body_colour(1)});
-  with_hull.solids.push_back({made.shape, crate.position, crate.orientation, body_colour(1)});
-  const auto far_apart = [](const Image& p, const Image& q) {
-    int count = 0;
-    for (std::size_t i = 0; i < p.pixels.size(); ++i) count += std::abs(p.pixels[i] - q.pixels[i]) > 24;
-    return count;
-  };
-  const Image as_box = painter.draw(with_box), as_hull = painter.draw(with_hull);
-  REQUIRE(far_apart(as_box, empty) > 3000);
-  REQUIRE(far_apart(as_box, as_hull) < 200);  // of 43200: where light glances off an edge
-  REQUIRE(far_apart(painter.draw(with_box), as_box) == 0);
-  // Two of one kind are two.
-  with_hull.solids.push_back({made.shape, crate.position + Vec3(Real(0.9), 0, 0), crate.orientation, body_colour(2)});
-  REQUIRE(far_apart(painter.draw(with_hull), as_hull) > 1000);
 }

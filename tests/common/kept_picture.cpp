@@ -1,8 +1,6 @@
 // Pictures that git keeps: when they count as the same, and what is written where they don't.
 #include "pushback/common/experiment/kept_picture.h"
 
-#include <cstdlib>
-
 #include "pushback/common/basics/input.h"
 #include "pushback/common/render/canvas.h"
 #include "tests/support/call.h"
@@ -37,36 +35,7 @@ Image rounded_otherwise(const Image& image) {
   return scattered(image, 1, 5);
 }
 
-bool same_pixels(const Image& a, const Image& b) {
-  return a.width == b.width && a.height == b.height && difference(a, b).mean == 0;
-}
-
 }  // namespace
-
-TEST_CASE("an image that is not the same is told apart") {
-  Image white(20, 10, 255);
-  const Image grey(20, 10, 200);
-  CHECK(difference(white, white).mean == 0);
-  CHECK(difference(white, grey).mean == 55);
-  CHECK(difference(white, grey).share == 1);
-  CHECK(difference(white, grey, 4).mean == 55);
-  CHECK(difference(white, grey, 4).share == 1);
-  CHECK_THROWS_AS(difference(white, Image(10, 20)), InvalidInput);
-  white.at(19, 9)[1] = 0;
-  CHECK(difference(white, Image(20, 10)).share == Approx(1.0 / 200));
-  CHECK(difference(white, Image(20, 10)).mean == Approx(255.0 / 600));
-}
-
-TEST_CASE("averages over squares forget what alternates, and count the squares that the edge cuts off") {
-  Image board(21, 13, 100);
-  for (int y = 0; y < 13; ++y) {
-    for (int x = 0; x < 21; ++x) board.at(x, y)[2] = (x + y) % 2 == 0 ? 60 : 140;
-  }
-  CHECK(difference(board, Image(21, 13, 100)).share == 1);
-  CHECK(difference(board, Image(21, 13, 100), 4).share ==
-        Approx(1.0 / (21 * 13)));  // the corner: a square of one pixel
-  CHECK(difference(board, Image(21, 13, 100), 4).mean < 1);
-}
 
 TEST_CASE("what rounds otherwise shows the same, and a digit, a dot, a size that has changed does not") {
   const Image sheet = small_sheet("29.8 %");
@@ -106,45 +75,6 @@ TEST_CASE("a picture that shows the same already is left as it is") {
   keep_picture(file, sheet);
   CHECK((text_of(file) == bytes));
   CHECK(std::distance(fs::directory_iterator(folder / ""), fs::directory_iterator()) == 1);
-}
-
-TEST_CASE("a palette where nobody sees it, true colour elsewhere") {
-  const Scratch folder;
-  const Image sheet = small_sheet("stands");
-  keep_picture(folder / "sheet.png", sheet);
-  CHECK(fs::file_size(folder / "sheet.png") < in_png(sheet).size() * 2 / 3);
-  CHECK_FALSE(same_pixels(read_png(folder / "sheet.png"), sheet));
-
-  const Image colours = scattered(Image(120, 80, 128), 120, 1);
-  keep_picture(folder / "colours.png", colours);
-  CHECK(same_pixels(read_png(folder / "colours.png"), colours));
-
-  const auto gradient = [](int width_of_a_level) {
-    Image image(400, 300, 100);
-    for (int y = 0; y < 300; ++y) {
-      for (int x = 0; x < 400; ++x) {
-        image.at(x, y)[0] = static_cast<std::uint8_t>(100 + x / width_of_a_level);
-        image.at(x, y)[1] = static_cast<std::uint8_t>(100 + y / width_of_a_level);
-      }
-    }
-    return image;
-  };
-  keep_picture(folder / "few.png", gradient(9));
-  CHECK_FALSE(same_pixels(read_png(folder / "few.png"), gradient(9)));
-  keep_picture(folder / "many.png", gradient(5));  // pngquant would; its mean error is 0.8 levels
-  CHECK(same_pixels(read_png(folder / "many.png"), gradient(5)));
-}
-
-TEST_CASE("without pngquant a picture is in true colour") {
-  const Scratch folder;
-  const std::string path = std::getenv("PATH");
-  fs::create_directories(folder / "bin");
-  fs::create_symlink("/usr/bin/timeout", folder / "bin/timeout");
-  setenv("PATH", (folder / "bin").c_str(), 1);
-  const Image sheet = small_sheet("stands");
-  keep_picture(folder / "sheet.png", sheet);
-  setenv("PATH", path.c_str(), 1);
-  CHECK(same_pixels(read_png(folder / "sheet.png"), sheet));
 }
 
 TEST_CASE("a picture that cannot be written leaves nothing behind") {

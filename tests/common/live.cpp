@@ -2,7 +2,6 @@
 #include "pushback/common/live/live.h"
 
 #include <cmath>
-#include <limits>
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/11_substeps/substeps.h"
@@ -107,13 +106,6 @@ TEST_CASE("what the hand does is played again where one goes back, and forgotten
   CHECK(played.hashes() == untouched);
 }
 
-TEST_CASE("nothing to hold: the ground, the air") {
-  Played played;
-  CHECK_FALSE(played.live.grab_at(0, from_the_front, 1, 0, Real(-0.9)));
-  CHECK_FALSE(played.live.grab_at(0, from_the_front, 1, Real(0.9), Real(0.9)));
-  CHECK_FALSE(played.live.held());
-}
-
 TEST_CASE("a body follows the hand, a heavy one as a light one does") {
   std::vector<Vec3> places;
   for (const Real mass : {Real(1), Real(1000)}) {
@@ -128,36 +120,6 @@ TEST_CASE("a body follows the hand, a heavy one as a light one does") {
     CHECK((world.bodies[0].position - Vec3(1, 2, 0)).norm() < 1e-3);
   }
   CHECK((places[0] - places[1]).norm() < 1e-12);
-}
-
-TEST_CASE("a long step does not make the hand unstable") {
-  World world;
-  world.gravity.setZero();
-  world.add(box({Real(0.1), Real(2), Real(0.1)}, 3));
-  world.forces.push_back(pull_of({0, {0, 2, 0}, {1, 2, 0}}, Real(0.1)));
-  FullSolver solver;
-  for (int i = 0; i < 1000; ++i) world.step(solver, Real(0.1));
-  CHECK((point_of(world.bodies[0], {0, 2, 0}) - Vec3(1, 2, 0)).norm() < Real(0.1));
-}
-
-TEST_CASE("parameters: what is named is set, all else has its default, and a slider's list gives variants") {
-  Played played;
-  Live& live = played.live;
-  CHECK(live.lanes() == 2);
-  live.set("--slop=0,0.01,0.02");
-  CHECK(played.told.slops == std::vector<Real>{0, Real(0.01), Real(0.02)});
-  live.choose(0, {0, 1, 2});
-  CHECK(live.lanes() == 3);
-  live.set("--boxes=2;--dt=0.01;--sweeps=3;--seconds=7");
-  CHECK(live.world(0).bodies.size() == 3);
-  CHECK(live.steps() == 700);
-  CHECK(played.told.slops.size() == 2);
-  CHECK(contains(live.description(), "\"sweeps\": 3"));
-  live.set("");
-  CHECK(live.world(0).bodies.size() == 5);
-  CHECK(live.steps() == 120);
-  CHECK(contains(live.description(), "\"sweeps\": 10"));
-  CHECK(contains(live.description(), R"("colours": [{"colour": "#ff0010", "text": "the top"}])"));
 }
 
 TEST_CASE("what a parameter may not be is refused by name, and nothing changes") {
@@ -191,22 +153,6 @@ TEST_CASE("what a parameter may not be is refused by name, and nothing changes")
   CHECK(live.world(1).bodies.back().position.allFinite());
 }
 
-TEST_CASE("numbers are of what was played, and none where that does not suffice") {
-  Played played;
-  Live& live = played.live;
-  CHECK(std::isnan(live.number(0, 0)));
-  live.go_to(120);
-  const Real at_the_end = live.number(0, 0);
-  live.go_to(100);
-  CHECK(live.number(0, 0) == live.samples(0)[99].overlap);
-  CHECK(live.number(0, 1) == live.series(0, 0)[89]);
-  live.go_to(89);
-  CHECK(live.number_in_words(0, 1).first == "–");
-  CHECK(live.number_in_words(0, 0).second == "0.005 m");
-  live.go_to(120);
-  CHECK(live.number(0, 0) == at_the_end);
-}
-
 TEST_CASE("a variant that can go no further stays, and the others go on") {
   Experiment e("breaks", "?");
   const auto define = [&e] {
@@ -231,30 +177,6 @@ TEST_CASE("a variant that can go no further stays, and the others go on") {
   CHECK(live.world(0).bodies[0].position.x() == Approx(Real(10) / 60));
   live.go_to(60);
   CHECK(live.world(0).bodies[0].position.x() == reached);
-}
-
-TEST_CASE("a strobe scene leaves an image at each instant, as far as its sheet goes") {
-  Experiment e("strobe", "?");
-  const auto define = [&e] {
-    e.scene({.name = "a ball",
-             .fill = [](World& world) { world.add(sphere(1, 1)); },
-             .seconds = 1,
-             .strobe = Strobe{.every = Real(0.1), .shift_per_second = {10, 0, 0}, .until = Real(0.5)}});
-    e.variant("falls", FullSolver{});
-  };
-  Live live(e, define);
-  const auto images = [&] { return live.picture(0, from_the_front, {}).solids.size(); };
-  CHECK(images() == 1);
-  live.go_to(6);
-  CHECK(images() == 2);
-  live.go_to(15);
-  CHECK(images() == 4);
-  CHECK(live.shift().x() == Approx(2.5));
-  live.go_to(60);
-  CHECK(images() == 7);
-  CHECK(live.shift().x() == Approx(5));
-  live.go_to(12);
-  CHECK(images() == 3);
 }
 
 namespace {
@@ -306,29 +228,4 @@ TEST_CASE("a problem is solved to and fro in the same bits, and a method that ha
   CHECK(iterated.now() == 20);
   iterated.go_to(-1);
   CHECK(iterated.now() == 0);
-}
-
-TEST_CASE("an experiment's problem is made where it is asked for, and anew once a parameter has changed") {
-  Experiment e("held", "?");
-  int boxes = 2, made = 0;
-  e.parameter({"--boxes", "n", "", "Boxes of the stack", 1, 12}, &boxes);
-  Live live(e, [&] {
-    e.scene({.name = "a stack", .fill = [n = boxes](World& world) { stack(world, n); }});
-    e.variant("full", FullSolver{});
-    e.iterations("halves", [&made] { return halving(made); });
-  });
-  CHECK(contains(live.description(), "\"problems\": [\"halves\"]"));
-  CHECK(made == 0);
-  CHECK_THROWS_AS(live.hold(1), InvalidInput);
-  live.hold(0);
-  CHECK(made == 1);
-  live.iterated().go_to(5);
-  live.choose(0, {0});
-  CHECK(live.iterated().now() == 5);
-  CHECK(contains(live.problem(), R"("rows": 2, "block": 1, "blockName": "pair", "iteration": "a half")"));
-  CHECK(contains(live.problem(), R"({"name": "nine", "colour": "#d55e00", "marker": "■"})"));
-  live.set("--boxes=3");
-  CHECK_THROWS_AS(live.iterated(), std::bad_optional_access);
-  live.hold(0);
-  CHECK(live.iterated().now() == 0);
 }

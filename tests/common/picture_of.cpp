@@ -12,8 +12,6 @@ using namespace pushback;
 
 namespace {
 
-constexpr int high = 281;
-
 /// Boxes of 10 m at all distances, with a contact under each.
 World boxes() {
   World world;
@@ -32,64 +30,12 @@ World boxes() {
 }
 const Camera from_above{{3, 5, 9}, {0, 0, 0}, Real(0.5)};
 
-/// By how many pixels two points are apart on the picture, by the matrix that the painter draws with.
-Real apart(const Picture& picture, const Vec3& a, const Vec3& b) {
-  const Eigen::Matrix4f clip = Frame(picture).clip_from_eye(500, high, Eigen::Vector2f::Zero());
-  const auto pixel = [&](const Vec3& at) {
-    const Eigen::Vector4f seen = clip * Vec3(at - picture.camera.eye).cast<float>().homogeneous();
-    return Eigen::Vector2f(seen.x() / seen.w() * 250, seen.y() / seen.w() * high / 2);
-  };
-  return static_cast<Real>((pixel(a) - pixel(b)).norm());
-}
-/// How many pixels a length across the line of sight takes at a point.
-Real pixels(const Picture& picture, const Vec3& at, Real length) {
-  const Vec3 ahead = (picture.camera.target - picture.camera.eye).normalized();
-  return apart(picture, at, at + length * ahead.cross(Vec3::UnitY()).normalized());
-}
-
 Vec3 turn_between(const Quat& from, const Quat& to) {
   const Eigen::AngleAxis<Real> turn(to * from.conjugate());
   return turn.angle() * turn.axis();
 }
 
-bool shows(const Legend& legend, LegendEntry::Kind kind, Ink ink) {
-  const std::vector<LegendEntry> entries = legend.entries();
-  return std::any_of(entries.begin(), entries.end(), [&](const LegendEntry& one) {
-    return one.kind == kind && one.colour.red == ink.red && one.colour.green == ink.green &&
-           one.colour.blue == ink.blue;
-  });
-}
-
 }  // namespace
-
-TEST_CASE("dots, arrows and lines are as thick on the picture wherever they are") {
-  Picture picture = picture_of(boxes(), from_above, 2);
-  REQUIRE(picture.dots.size() == 6);
-  REQUIRE(picture.arrows.size() == 6);
-  for (const Dot& dot : picture.dots)
-    CHECK(pixels(picture, dot.position, dot.radius) == Approx(0.018 * high).epsilon(1e-3));
-  for (const Arrow& arrow : picture.arrows) {
-    CHECK(pixels(picture, arrow.tail, arrow.thickness) == Approx(0.012 * high).epsilon(1e-3));
-    CHECK((arrow.tip - arrow.tail).isApprox(Vec3(0, Real(0.6), 0), Real(1e-9)));  // its length says how much
-  }
-
-  const Vec3 near{0, 0, 4}, far{0, 0, -60};
-  add_line(picture, {near, far});
-  Real length = 0;
-  for (const Line& line : picture.lines) {
-    length += (line.to - line.from).norm();
-    for (const Vec3& end : {line.from, line.to})
-      CHECK(pixels(picture, end, line.thickness) == Approx(2.5).epsilon(0.07));
-  }
-  CHECK(length == Approx((far - near).norm()));
-}
-
-TEST_CASE("a dot is never large beside the bodies") {
-  World world = boxes();
-  for (std::size_t i = 1; i < world.bodies.size(); ++i)
-    world.bodies[i].shape = Box{{Real(0.01), Real(0.01), Real(0.01)}};
-  for (const Dot& dot : picture_of(world, from_above, 2).dots) CHECK(dot.radius == Approx(0.15 * 0.02));
-}
 
 TEST_CASE("an outline lies on the body's surface") {
   const Vec3 axis = Vec3(1, 2, 3).normalized();
@@ -155,55 +101,4 @@ TEST_CASE("magnified: displacements and turns are so many times as large, and co
   const World plain = magnified(now, start, 1);
   for (std::size_t i = 0; i < now.bodies.size(); ++i)
     CHECK(plain.bodies[i].position.isApprox(now.bodies[i].position, Real(1e-12)));
-}
-
-TEST_CASE("what moves is added elsewhere, once more, and its dots have their size there") {
-  const World world = boxes();
-  Picture picture = picture_of(world, from_above, 2);
-  const Picture alone = picture;
-  const Vec3 shift{3, 1, -20};
-  const Vec3 corner = world.bodies[1].position, end = corner + Vec3::UnitX();
-  add_moving(picture, world, 2, shift, [&](Picture& added, const World&) { add_line(added, {corner, end}); });
-  REQUIRE(picture.lines.size() == 1);
-  const Line& line = picture.lines[0];
-  CHECK(line.from.isApprox(corner + shift));
-  CHECK(line.to.isApprox(end + shift));
-  CHECK(pixels(picture, (line.from + line.to) / 2, line.thickness) == Approx(line_pixels / 281 * high).epsilon(1e-3));
-  REQUIRE(picture.solids.size() == 7 + 6);  // the ground only once
-  for (std::size_t i = 0; i < 6; ++i) {
-    CHECK(picture.solids[7 + i].position.isApprox(alone.solids[1 + i].position + shift));
-    const Dot& dot = picture.dots[6 + i];
-    CHECK(dot.position.isApprox(alone.dots[i].position + shift));
-    CHECK(pixels(picture, dot.position, dot.radius) == Approx(0.018 * high).epsilon(1e-3));
-    CHECK(picture.arrows[6 + i].tip.isApprox(alone.arrows[i].tip + shift));
-  }
-}
-
-TEST_CASE("the legend names what is drawn, and nothing else") {
-  using Kind = LegendEntry::Kind;
-  World world = boxes();
-  Legend nothing;
-  World bare = world;
-  bare.contacts.clear();
-  nothing.see(picture_of(bare, from_above, 2));
-  CHECK(nothing.entries().empty());
-
-  for (Contact& contact : world.contacts) contact.state = ContactState::sliding;
-  Legend weak;
-  for (Contact& contact : world.contacts) contact.impulse *= Real(1e-3);  // arrows too short to be drawn
-  weak.see(picture_of(world, from_above, 2));
-  CHECK(weak.entries().size() == 1);
-  CHECK(shows(weak, Kind::dot, contact_ink(ContactState::sliding)));
-
-  world.contacts.front().impulse = {Real(0.3), 0, 0};
-  world.bodies.back().asleep = true;
-  Legend strong;
-  strong.see(picture_of(world, from_above, 2));
-  CHECK(strong.entries().size() == 3);
-  CHECK(shows(strong, Kind::arrow, friction_arrow_ink()));
-  CHECK_FALSE(shows(strong, Kind::arrow, normal_arrow_ink()));
-  CHECK(shows(strong, Kind::body, asleep_ink()));
-
-  nothing.add(strong);
-  CHECK(nothing.entries().size() == 3);
 }

@@ -7,6 +7,7 @@
 #include "pushback/common/world/query.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
+#include "tests/support/outside.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
@@ -16,22 +17,6 @@ namespace {
 /// m: what rounding may do to a point some metres away.
 constexpr Real exact = in_double ? Real(1e-12) : Real(1e-4);
 constexpr Real infinite = std::numeric_limits<Real>::infinity();
-
-/// Above 0 outside of the body, below 0 inside; near a face, m from its plane; near what is round, m from the surface.
-Real outside(const Body& body, const Vec3& point) {
-  const Vec3 p = body.orientation.conjugate() * (point - body.position);
-  if (const auto* s = std::get_if<Sphere>(&body.shape)) return p.norm() - s->radius;
-  if (const auto* b = std::get_if<Box>(&body.shape)) return (p.cwiseAbs() - b->half_extents).maxCoeff();
-  if (const auto* s = std::get_if<HalfSpace>(&body.shape)) return s->normal.dot(p);
-  if (const auto* c = std::get_if<Capsule>(&body.shape)) {
-    const Real y = std::clamp(p.y(), -c->half_length, c->half_length);
-    return (p - Vec3(0, y, 0)).norm() - c->radius;
-  }
-  Real most = -infinite;
-  for (const auto& face : std::get<Hull>(body.shape).solid->faces)
-    most = std::max(most, face.normal.dot(p) - face.offset);
-  return most;
-}
 
 /// Any of the five shapes, somewhere within 1 m of the origin.
 Body any_shape(Random& random) {
@@ -108,29 +93,6 @@ TEST_CASE("ray: distances in closed form") {
   REQUIRE(corner);
   CHECK(corner->distance == Approx(5 * root - std::sqrt(Real(1) - Real(0.0625))));
   CHECK((corner->point - corner->normal).norm() < exact);  // of the unit sphere
-}
-
-TEST_CASE("ray: a hull of a box's corners is hit where the box is") {
-  Random random(2);
-  int compared = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const Vec3 half(random.between(Real(0.1), 1), random.between(Real(0.1), 1), random.between(Real(0.1), 1));
-    std::vector<Vec3> corners;
-    for (int c = 0; c < 8; ++c)
-      corners.push_back(half.cwiseProduct(Vec3(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1)));
-    Body of_box = box(half, 1), of_hull = hull(corners, 1);
-    const Real angle = random.between(-pi, pi);
-    const Vec3 axis = random.direction(), where = random.vector(1);
-    of_box.turned(angle, axis).at(where);
-    of_hull.turned(angle, axis).at(where);
-    const Ray ray = any_ray(random);
-    const auto one = first_hit(ray, of_box), other = first_hit(ray, of_hull);
-    if (!one || !other) continue;  // whether an edge is just hit or just missed is up to rounding
-    ++compared;
-    CHECK(std::abs(one->distance - other->distance) < 10 * exact);
-    CHECK(one->inside == other->inside);
-  }
-  CHECK(compared > 500);
 }
 
 TEST_CASE("ray: moved and turned together with the body, it hits at the same distance") {

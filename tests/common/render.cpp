@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -135,26 +134,6 @@ TEST_CASE("resizing averages levels, in each colour, and keeps an even image as 
   CHECK(differences(resized(image, 120, 80), image) == 0);
 }
 
-TEST_CASE("an image drawn half through shows as much of what was there before") {
-  Image onto(20, 10, 100);
-  paste(Image(3, 3, 200), onto, 4, 2, 10, 6, 0.5f);
-  CHECK(onto.at(9, 5)[0] == Approx(150).margin(1));
-  CHECK(onto.at(4, 2)[2] == Approx(150).margin(1));  // up to its edges
-  CHECK(onto.at(13, 7)[1] == Approx(150).margin(1));
-  for (const auto& [x, y] : {std::pair(3, 5), {14, 5}, {9, 1}, {9, 8}}) CHECK(onto.at(x, y)[0] == 100);
-}
-
-TEST_CASE("pasting cuts off what sticks out") {
-  Image onto(4, 4, 0);
-  paste(Image(3, 3, 255), onto, 2, -2);
-  CHECK(onto.at(2, 0)[0] == 255);
-  CHECK(onto.at(3, 0)[0] == 255);
-  CHECK(onto.at(1, 0)[0] == 0);
-  CHECK(onto.at(2, 1)[0] == 0);
-  paste(Image(3, 3, 255), onto, -10, 50);  // nowhere at all
-  CHECK(onto.at(0, 3)[0] == 0);
-}
-
 TEST_CASE("text leaves ink where it says") {
   Image image(200, 60);
   write_text(image, "λₙ ≥ 0", 20, 40, 30);
@@ -177,116 +156,6 @@ TEST_CASE("text leaves ink where it says") {
   CHECK_THROWS_AS(text_width("impulse", 0), InvalidInput);
 }
 
-TEST_CASE("text off the image, or not UTF-8, does no harm") {
-  Image image(20, 20);
-  write_text(image, "off the image", -200, -10, 20);
-  write_text(image, "off the image", 500, 500, 20);
-  CHECK(differences(image, Image(20, 20)) == 0);
-  write_text(image, "\xff\xc3\xe2\x82", 0, 15, 12);
-  CHECK(differences(image, Image(20, 20)) > 0);
-}
-
-TEST_CASE("every sign that the sheets use is in the font, also in bold") {
-  for (const bool bold : {false, true}) {
-    CHECK(missing_characters("a\U000F0000", bold) == 1);  // of private use
-    for (const char* sign : {"‖", "λ", "ₙ", "⁻", "⁵", "Δ", "μ", "β", "θ", "√", "°", "·", "²", "×", "≤",
-                             "≥", "±", "→", "ω", "ε", "–", "✓", "✗", "★", "●", "■", "▲", "◆", "▼", "✚"}) {
-      INFO(sign << (bold ? " in bold" : ""));
-      CHECK(missing_characters(sign, bold) == 0);
-    }
-  }
-}
-
-TEST_CASE("wrapped text is the same text, in lines that are as long as they may be") {
-  const std::string text = "each correction ≥ 0, a Donaudampfschiffahrtsgesellschaftskapitän, and the sum of it all";
-  for (const bool bold : {false, true}) {
-    for (const int width : {60, 150, 300, 2000}) {
-      std::string again;
-      const std::vector<std::string> lines = wrapped(text, 20, width, bold);
-      for (std::size_t i = 0; i < lines.size(); ++i) {
-        INFO(width << ": " << lines[i]);
-        again += (i == 0 ? "" : " ") + lines[i];
-        CHECK((text_width(lines[i], 20, bold) <= width || lines[i].find(' ') == std::string::npos));
-        if (i + 1 == lines.size()) continue;
-        const std::string next = lines[i + 1].substr(0, lines[i + 1].find(' '));
-        CHECK(text_width(lines[i] + " " + next, 20, bold) > width);
-      }
-      CHECK(again == text);
-    }
-  }
-  CHECK(wrapped("", 20, 100).empty());
-}
-
-TEST_CASE("text is written where its alignment says, also between pixels") {
-  const int width = text_width("impulse", 20);
-  const auto ink = [](const Image& image) {  // left, right, and all of it
-    std::array<double, 3> found{1e9, 0, 0};
-    for (int y = 0; y < image.height; ++y) {
-      for (int x = 0; x < image.width; ++x) {
-        const int dark = 765 - brightness(image, x, y);
-        if (dark > 60) found = {std::min<double>(found[0], x), std::max<double>(found[1], x), found[2]};
-        found[2] += dark;
-      }
-    }
-    return found;
-  };
-  std::vector<std::array<double, 3>> all;
-  for (const Align align : {Align::left, Align::centre, Align::right}) {
-    Image image(300, 40);
-    write_text(image, "impulse", 150, 30, 20, {}, align);
-    all.push_back(ink(image));
-    CHECK(all.back()[2] == Approx(all[0][2]).epsilon(0.01));  // outlines, not moved to whole pixels
-  }
-  CHECK(all[0][0] - all[1][0] == Approx(width / 2.0).margin(1));
-  CHECK(all[0][1] - all[2][1] == Approx(width).margin(1));
-  CHECK(all[2][1] <= 150);
-}
-
-TEST_CASE("rectangles and discs fill what they should") {
-  Image image(20, 20);
-  fill_rectangle(image, -5, 4, 10, 3, {0, 0, 0}, 0.5f);
-  CHECK(image.at(0, 4)[0] == Approx(127.5).margin(1));
-  CHECK(image.at(4, 6)[1] == Approx(127.5).margin(1));
-  CHECK(image.at(5, 4)[0] == 255);
-  CHECK(image.at(0, 7)[0] == 255);
-  fill_disc(image, 14, 14, 4, {200, 0, 0});
-  CHECK(image.at(14, 14)[0] == 200);
-  CHECK(image.at(14, 14)[1] == 0);
-  CHECK(image.at(10, 10)[1] == 255);  // a corner of the square around it
-  fill_disc(image, 500, 500, 4, {});
-}
-
-TEST_CASE("a line and an arrow go from one point to the other, in their colour") {
-  Image image(40, 40);
-  draw_line(image, {4, 10}, {30, 10}, 2, {0, 100, 200});
-  for (const int x : {4, 17, 29}) {
-    CHECK((image.at(x, 10)[0] == 0 && image.at(x, 9)[1] == 100 && image.at(x, 10)[2] == 200));
-    CHECK((brightness(image, x, 8) == 765 && brightness(image, x, 11) == 765));
-  }
-  CHECK((brightness(image, 3, 10) == 765 && brightness(image, 30, 10) == 765));
-
-  // Down: shaft and head alike on both sides, the head wider, nothing behind its tip.
-  Image arrow(40, 40);
-  draw_arrow(arrow, {20, 4}, {20, 34}, 2, {0, 0, 0});
-  const auto dark = [&](int y) {
-    double sum = 0;
-    for (int x = 0; x < 40; ++x) sum += (765 - brightness(arrow, x, y)) / 765.0;
-    return sum;
-  };
-  CHECK(dark(3) == 0);
-  CHECK(dark(4) == Approx(2).margin(0.1));
-  CHECK(dark(20) == Approx(2).margin(0.1));
-  CHECK(dark(25) > 6);
-  CHECK((dark(33) > 0 && dark(33) < 1));
-  CHECK(dark(34) == 0);
-  for (int y = 0; y < 40; ++y) {
-    for (int x = 0; x < 20; ++x) CHECK(std::abs(brightness(arrow, x, y) - brightness(arrow, 39 - x, y)) <= 6);
-  }
-  Image none(9, 9);
-  draw_arrow(none, {4, 4}, {4, 4}, 2, {});
-  CHECK(differences(none, Image(9, 9)) == 0);
-}
-
 TEST_CASE("a red ball in front of the camera is red in the middle, with the background around it") {
   Painter painter(160, 90);
   const Picture picture = ball_in_the_air();
@@ -301,27 +170,6 @@ TEST_CASE("a red ball in front of the camera is red in the middle, with the back
   }
 }
 
-TEST_CASE("the floor is darker where a ball keeps the light from it") {
-  Painter painter(160, 90);
-  Picture picture;
-  picture.camera = {Vec3(0, 8, Real(0.01)), Vec3::Zero(), Real(0.8)};  // from above
-  picture.solids.push_back(floor_at_zero());
-  const Image empty = painter.draw(picture);
-  picture.solids.push_back({Sphere{Real(0.6)}, Vec3(0, Real(0.6), 0), Quat::Identity(), body_colour(0)});
-  for (const Image& image : {painter.draw(picture), painter.draw_still(picture, 4)}) {
-    int darker = 0;
-    for (int y = 0; y < 90; ++y) {
-      for (int x = 0; x < 160; ++x) {
-        const std::uint8_t* pixel = image.at(x, y);
-        const bool grey = std::abs(pixel[0] - pixel[2]) < 25;  // the floor, not the ball
-        if (grey && brightness(image, x, y) < brightness(empty, x, y) - 100) ++darker;
-      }
-    }
-    CHECK(darker > 50);
-    CHECK(std::abs(brightness(image, 5, 85) - brightness(empty, 5, 85)) < 20);  // far away it is as bright as before
-  }
-}
-
 TEST_CASE("the same picture is the same bytes, whoever draws it and whatever was drawn before") {
   Picture picture = ball_in_the_air();
   picture.solids.push_back(floor_at_zero());
@@ -333,22 +181,6 @@ TEST_CASE("the same picture is the same bytes, whoever draws it and whatever was
   CHECK(differences(first.draw(picture), once) == 0);
   CHECK(differences(second.draw(picture), once) == 0);
   CHECK(differences(second.draw_still(picture, 3), still) == 0);
-}
-
-TEST_CASE("a dot and an arrow inside a box can be seen") {
-  Painter painter(160, 90);
-  Picture picture;
-  picture.camera = {Vec3(0, 0, 6), Vec3::Zero(), Real(0.6)};
-  picture.solids.push_back({Box{Vec3(1, 1, 1)}, Vec3::Zero(), Quat::Identity(), body_colour(0)});
-  const Image empty = painter.draw(picture);
-  Picture with_dot = picture, with_arrow = picture;
-  with_dot.dots.push_back({Vec3::Zero(), Real(0.15), contact_colour(ContactState::warm)});
-  with_arrow.arrows.push_back({Vec3(0, Real(-0.5), 0), Vec3(0, Real(0.5), 0), Real(0.1), normal_arrow_colour()});
-  const Image dot = painter.draw(with_dot), arrow = painter.draw(with_arrow);
-  CHECK(dot.at(80, 45)[0] > empty.at(80, 45)[0] + 80);
-  CHECK(brightness(arrow, 80, 45) > brightness(empty, 80, 45) + 30);
-  CHECK(brightness(arrow, 80, 45) < 650);  // faint
-  CHECK(differences(dot, empty) < 400);
 }
 
 TEST_CASE("a slanted half-space is seen from outside and not from inside") {

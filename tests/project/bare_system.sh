@@ -22,7 +22,6 @@ tries=(  # each command of ./course --help, for a moment; those that read what o
   "choose 06-slide --error 1mm --seconds 0.5"
   "book --still"
   "test --book build live_page files"
-  "figures --out /tmp/figures"
   "study --quick -- --only bounce"
   "prices -- --rounds 1"
   "benchmark /tmp/benchmark"

@@ -347,11 +347,6 @@ printf '#!/bin/sh\necho "effects: $*"\nexit 2\n' >"$scratch/home/build/release/p
 chmod +x "$scratch/home/build/release/programs/effects"
 course effects 06-slope all && expect 2 "--target effects" "effects: 06-slope all"
 
-# Figures: drawn from the root of the project, wherever one stands.
-printf '#!/bin/sh\necho "figures: $* in $PWD"\n' >"$scratch/home/build/release/programs/draw_figures"
-chmod +x "$scratch/home/build/release/programs/draw_figures"
-course figures --out x && expect 0 "--target draw_figures" "figures: --out x in $scratch/home"
-
 # Contact problems: words and options go on as they are, and files are named as seen from where one stands.
 printf '#!/bin/sh\necho "solve: $* in $PWD"\nexit 2\n' >"$scratch/home/build/release/programs/solve"
 chmod +x "$scratch/home/build/release/programs/solve"

@@ -36,19 +36,6 @@ TEST_CASE("chapter 20's page counts the scenes and those that call for joints") 
   CHECK(contains(page, sentence));
 }
 
-TEST_CASE("docs/speed.md has a line for each scene in each of two tables, in their order, and no other") {
-  std::vector<std::string> wanted, shown;
-  for (int table = 0; table < 2; ++table)
-    for (const NamedScene& scene : all_scenes()) wanted.push_back(scene.name);
-  bool inside = false;
-  for (const std::string& line : lines_of(text_of(fs::path(SOURCE_DIR) / "docs/speed.md"))) {
-    if (line.starts_with("| scene | everything") || line.starts_with("| scene | one method")) inside = true;
-    else if (!line.starts_with("|")) inside = false;
-    else if (inside && !line.starts_with("| ---")) shown.push_back(line.substr(2, line.find(" |", 2) - 2));
-  }
-  CHECK(shown == wanted);
-}
-
 TEST_CASE("docs/speed.md has the bytes of a contact and of a row") {
   if (sizeof(Real) != sizeof(double)) return;  // the page is about double
   const std::string page = text_of(fs::path(SOURCE_DIR) / "docs/speed.md");

@@ -30,11 +30,6 @@ std::vector<std::string> quoted_in(const std::string& page) {
 
 }  // namespace
 
-TEST_CASE("a page's code is found in its fences, and that of other languages is not taken for it") {
-  CHECK(quoted_in("a\n```cpp\nint a;\n  int b;\n\nint c;\n```\n```sh\nls\n```\n- c\n  ```cpp\n  d();\n  ```\n") ==
-        std::vector<std::string>{"inta;intb;", "intc;", "d();"});
-}
-
 TEST_CASE("what a page quotes as code stands in a source file") {
   std::vector<std::string> sources;
   for (const std::string folder : {"chapters", "common", "docs", "tests", "tools"}) {

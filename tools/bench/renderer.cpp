@@ -37,21 +37,6 @@ void still_of_sixteen_passes(benchmark::State& state) {
 }
 BENCHMARK(still_of_sixteen_passes)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(3);
 
-/// Of a cell of a sheet: the passes, and what of them are arrows and dots.
-void cell_of_a_sheet(benchmark::State& state) {
-  Picture picture = busy_picture();
-  if (state.range(1) == 0) picture.arrows = {}, picture.dots = {};
-  Painter painter(500, 281);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(painter.draw_still(picture, static_cast<int>(state.range(0))).pixels.data());
-}
-BENCHMARK(cell_of_a_sheet)
-    ->ArgNames({"passes", "marks"})
-    ->Args({16, 1})
-    ->Args({16, 0})
-    ->Args({1, 1})
-    ->Unit(benchmark::kMillisecond);
-
 /// A pass as the painter makes it, but for what is left out.
 class Pass {
   static constexpr int width = 640, height = 360;
