@@ -241,12 +241,12 @@ EMSCRIPTEN_KEEPALIVE void live_begin() {
   marks_seen = {};
 }
 /// `shown`: 1 points, 2 impulses, 4 marks; 8: coarsely.
-EMSCRIPTEN_KEEPALIVE const char* live_draw(int lane, int shown, int x, int y, int width, int height, int from, int to) {
+EMSCRIPTEN_KEEPALIVE const char* live_draw(int lane, int shown, int x, int y, int width, int height) {
   return problem_of([&] {
     const Picture picture =
         live->picture(static_cast<std::size_t>(lane), looking, {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0});
     marks_seen.see(picture);
-    on_canvas->draw(picture, {x, y, width, height, from, to}, (shown & 8) != 0);
+    on_canvas->draw(picture, {x, y, width, height}, (shown & 8) != 0);
   });
 }
 /// [["dot", "#rrggbb", "sticking contact"], ...]

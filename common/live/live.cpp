@@ -418,9 +418,9 @@ std::string Live::description() const {
   const auto in_full = [this](const Variant& variant) {
     const auto colour = static_cast<std::size_t>(variant.colour);
     return fmt::format(
-        R"({{"name": {}, "colour": "{}", "marker": "{}", "sweeps": {}, "substeps": {}, "curves": {}, "references": {}}})",
+        R"({{"name": {}, "colour": "{}", "marker": "{}", "sweeps": {}, "curves": {}, "references": {}}})",
         pushback::quoted(variant.name), line_colour(colour), marker_of(colour), experiment_.sweeps_of(variant),
-        variant.plan(experiment_.dt_).all_substeps(), in_json(variant.curves),
+        in_json(variant.curves),
         array_of(variant.references, [](const Reference& reference) { return pushback::quoted(reference.label); }));
   };
   const auto meaning = [](const std::pair<Ink, std::string>& one) {
@@ -441,14 +441,14 @@ std::string Live::description() const {
     });
     if (act.series.empty()) series = R"([{"name": "deepest overlap", "unit": "mm", "log": false, "drawn": true}])";
     scenes.push_back(fmt::format(
-        R"({{"name": {}, "key": {}, "caption": {}, "pictures": {}, "steps": {}, "aspect": {}, "strobe": {}, "contacts": {}, "impulses": {}, "magnified": {},
+        R"({{"name": {}, "key": {}, "caption": {}, "pictures": {}, "steps": {}, "aspect": {}, "strobe": {}, "contacts": {}, "impulses": {},
 "camera": {{"eye": {}, "target": {}, "field_of_view": {}}},
 "colours": {}, "raster": {}, "series": {},
 "numbers": {},
 "variants": {}}})",
         pushback::quoted(scene.name), pushback::quoted(key_of(scene)), pushback::quoted(scene.caption),
         in_json(scene.pictures), experiment_.steps_of(scene), aspect, in_json(scene.strobe.has_value()),
-        in_json(scene.contacts != Drawn::nothing), in_json(scene.contacts == Drawn::impulses), scene.magnified,
+        in_json(scene.contacts != Drawn::nothing), in_json(scene.contacts == Drawn::impulses),
         in_json(scene.camera.eye), in_json(scene.camera.target), scene.camera.field_of_view,
         array_of(scene.colours, meaning),
         scene.raster ? fmt::format(R"({{"label": {}, "meaning": {}}})", pushback::quoted(scene.raster->label),
@@ -462,8 +462,8 @@ std::string Live::description() const {
                  }),
         array_of(here, [&](const Variant* variant) { return in_full(*variant); })));
   }
-  return fmt::format(R"({{"name": {}, "question": {}, "dt": {}, "problems": {}, "scenes": [{}]}})",
-                     pushback::quoted(experiment_.name_), pushback::quoted(experiment_.question_), experiment_.dt_,
+  return fmt::format(R"({{"name": {}, "dt": {}, "problems": {}, "scenes": [{}]}})", pushback::quoted(experiment_.name_),
+                     experiment_.dt_,
                      array_of(experiment_.posed_, [](const auto& posed) { return pushback::quoted(posed.name); }),
                      fmt::join(scenes, ",\n"));
 }

@@ -206,7 +206,7 @@ void Drawing::draw(const Frame& frame, GLuint framebuffer, const Pane& pane, con
 
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(pane.x, pane.y, pane.width, pane.height);
-  glScissor(pane.x + pane.from, pane.y, pane.to - pane.from, pane.height);
+  glScissor(pane.x, pane.y, pane.width, pane.height);
   glEnable(GL_SCISSOR_TEST);
   glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   glActiveTexture(GL_TEXTURE1);

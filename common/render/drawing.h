@@ -38,10 +38,9 @@ Lights lights_for(const Frame& frame, int pass, int passes);
 /// The part after the point of a sum of steps: points that fill the line evenly, however many are taken.
 float sequence(int index, double step);
 
-/// A rectangle of a framebuffer, pixels from its lower left corner, and the columns of it that are drawn.
+/// A rectangle of a framebuffer, pixels from its lower left corner.
 struct Pane {
   int x, y, width, height;
-  int from = 0, to = width;
 };
 
 /// Lives in the context that is current when it is made, and goes with it.

@@ -103,8 +103,8 @@ test("links lead to pages, to sources and to folders of sources", () => {
   const book = readBook(project("[c](more)"));
   assert.deepEqual(
     book.sources.map(({ file }) => file),
-    ["chapters/01_one/more/two.cpp", "chapters/01_one/one.h"],
-  ); // what is included is shown, too
+    ["chapters/01_one/more/two.cpp"],
+  );
 });
 
 test("formulas of each of GitHub's forms are rendered, in tables and lists, too; what is code is none", () => {

@@ -5,7 +5,7 @@ import { imageSize } from "image-size";
 import { challengeOf, challengesIn } from "./marks.js";
 import { markdown } from "./markdown.js";
 import { addressOf, outline, relative, toRoot } from "./outline.js";
-import { includedBy, placesOf, quotable } from "./sources.js";
+import { placesOf, quotable } from "./sources.js";
 
 const copied = /\.(png|svg|webp|csv)$/;
 const challenges = "docs/challenges.md";
@@ -32,7 +32,7 @@ export function readBook(root, live = new Map(), idle = {}) {
 
   const show = (file, page) => {
     if (!shown.has(file)) shown.set(file, new Set());
-    if (page) shown.get(file).add(page);
+    shown.get(file).add(page);
   };
 
   function target(page, address, line) {
@@ -110,9 +110,6 @@ export function readBook(root, live = new Map(), idle = {}) {
       page.problem(line, `the link to ${file}#${anchor}: there is no such heading`);
   if (problems.length) throw new Problems(problems);
 
-  for (const file of shown.keys())
-    // grows while it is gone through
-    if (/\.(h|cpp)$/.test(file)) for (const included of includedBy(root, file)) show(included);
   return {
     pages,
     sources: [...shown].map(([file, readIn]) => ({ file, address: `${file}.html`, readIn: [...readIn] })),

@@ -55,7 +55,7 @@ function alike(now, then) {
 /// What a scene shows, one after the other: names, but not how many sweeps a variant has; where bodies are; numbers and curves.
 function* seen(engine) {
   const { scene, lanes } = engine;
-  const variants = scene.variants.map(({ sweeps, substeps, ...rest }) => rest);
+  const variants = scene.variants.map(({ sweeps, ...rest }) => rest);
   const references = lanes.map(({ lane, references: all }) => all.map((_, i) => [...engine.reference(lane, i)]));
   yield JSON.stringify([{ ...scene, variants }, references, engine.steps]);
   for (let step = 1; step <= Math.min(engine.steps, most); ++step) {

@@ -1,4 +1,4 @@
-/// Sources: highlighted, with an anchor for each line; what they include; and where the code stands that a page quotes.
+/// Sources: highlighted, with an anchor for each line; and where the code stands that a page quotes.
 import fs from "node:fs";
 import path from "node:path";
 import hljs from "highlight.js/lib/common";
@@ -22,15 +22,7 @@ function languageOf(file) {
   return ending === "h" ? "cpp" : ending === "mjs" ? "js" : ending || "bash";
 }
 
-const include = /^#include "(?:pushback\/)?([^"]+)"/gm;
-
-/// The files that a source includes and that are the project's own.
-export function includedBy(root, file) {
-  const text = fs.readFileSync(path.join(root, file), "utf8");
-  return [...text.matchAll(include)].map(([, name]) => name).filter((name) => fs.existsSync(path.join(root, name)));
-}
-
-/// A whole source as HTML; `link(file)` is where an included file is shown, or nothing.
+/// A whole source as HTML; `link(file)` is where an included file is shown, if it is.
 export function sourceHtml(root, file, link) {
   const html = highlighted(fs.readFileSync(path.join(root, file), "utf8").trimEnd(), languageOf(file));
   const lines = html.split("\n").map((line, i) => {

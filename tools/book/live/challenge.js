@@ -66,19 +66,17 @@
   live.ChallengePanel = class {
     constructor(element, player, challenge) {
       Object.assign(this, { element, player, challenge });
-      const small = (textContent, onclick) =>
-        live.make("button", { type: "button", className: "pb-small", textContent, onclick });
       this.list = live.make("ul", {});
       this.said = live.make("p", { role: "status" });
       element.replaceChildren(
         live.make("p", {}, live.make("b", { textContent: challenge.title }), ` ${challenge.rule}`),
         this.list,
         this.said,
-        small("play it to its end", () => player.playToEnd()),
+        live.small("play it to its end", () => player.playToEnd()),
         " ",
-        small("copy its link: it is your score", () => player.copyLink()),
+        live.small("copy its link: it is your score", () => player.copyLink()),
         " ",
-        small("leave the challenge", () => player.leaveChallenge()),
+        live.small("leave the challenge", () => player.leaveChallenge()),
       );
     }
     /** At a step; `pulled`: somebody has pulled a body. */

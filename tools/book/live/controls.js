@@ -3,12 +3,8 @@
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
   const notches = 400;
-
   const { make } = live;
   const shorter = (x) => Number(x.toPrecision(4)).toString();
-
-  const small = (textContent, label, onclick) =>
-    make("button", { type: "button", className: "pb-small", textContent, "aria-label": label, onclick });
 
   /** Between the notches of a slider and a value: by equal factors where the range spans a hundredfold. */
   class Scale {
@@ -23,9 +19,8 @@
       return this.whole ? Math.round(value) : Number(value.toPrecision(3));
     }
     notch(value) {
-      const share = this.log
-        ? Math.log(value / this.least) / Math.log(this.most / this.least)
-        : (value - this.least) / (this.most - this.least);
+      const along = this.log ? Math.log : (x) => x;
+      const share = (along(value) - along(this.least)) / (along(this.most) - along(this.least));
       return Math.round(notches * Math.min(1, Math.max(0, share)));
     }
   }
@@ -109,8 +104,10 @@
       const title = make("span", { className: "pb-what" });
       if (symbol) title.append(make("i", { textContent: symbol }), "  ");
       title.append(what);
-      const reset = small("reset", `Reset: ${what}`, () => this.change(parameter, null, true));
-      reset.hidden = !this.own.has(flag);
+      const reset = live.small("reset", () => this.change(parameter, null, true), {
+        "aria-label": `Reset: ${what}`,
+        hidden: !this.own.has(flag),
+      });
       const row = make(
         "div",
         { className: "pb-parameter", role: "group", "aria-label": what },
@@ -118,12 +115,8 @@
       );
       row.dataset.flag = flag;
       if (now.length > mostSliders) {
-        const numbers = (text) =>
-          text
-            .split(/[,\s]+/)
-            .filter(Boolean)
-            .map(Number);
-        const onchange = (event) => this.change(parameter, numbers(event.target.value), true);
+        const onchange = ({ target }) =>
+          this.change(parameter, (target.value.match(/[^,\s]+/g) ?? []).map(Number), true);
         const label = `${what}, separated by commas`;
         row.append(
           make("input", { type: "text", className: "pb-list", value: now.join(", "), "aria-label": label, onchange }),
@@ -132,7 +125,8 @@
       }
       now.forEach((value, i) => row.append(this.slider(parameter, now, i, list, unit, what)));
       const longer = () => this.change(parameter, [...now, this.another(parameter, now)], true);
-      if (list && now.length < mostSliders) row.append(small("+ one more", `One more: ${what}`, longer));
+      if (list && now.length < mostSliders)
+        row.append(live.small("+ one more", longer, { "aria-label": `One more: ${what}` }));
       return row;
     }
 
@@ -185,13 +179,12 @@
         number,
         make("span", { className: "pb-unit", textContent: unit }),
       );
-      const without = () =>
-        this.change(
-          parameter,
-          now.filter((_, k) => k !== i),
-          true,
+      if (list && now.length > 1) {
+        const without = now.filter((_, k) => k !== i);
+        row.append(
+          live.small("×", () => this.change(parameter, without, true), { "aria-label": `Leave out: ${label}` }),
         );
-      if (list && now.length > 1) row.append(small("×", `Leave out: ${label}`, without));
+      }
       return row;
     }
 

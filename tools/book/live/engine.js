@@ -224,7 +224,7 @@
     }
     /** `shown`: 1 points, 2 impulses, 4 marks, 8 coarsely. */
     draw(lane, shown, x, y, width, height) {
-      return this.text(this.module._live_draw(lane, shown, x, y, width, height, 0, width));
+      return this.text(this.module._live_draw(lane, shown, x, y, width, height));
     }
     legend() {
       return JSON.parse(this.text(this.module._live_legend()));

@@ -16,6 +16,8 @@
     return element;
   };
   const { make } = live;
+  live.small = (textContent, onclick, more) =>
+    make("button", { type: "button", className: "pb-small", textContent, onclick, ...more });
 
   const scripts = new Map();
   /** Loads a classic script once: it also works where a page is opened from a folder. */

@@ -4,10 +4,6 @@
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
   const slice = 10; // ms of a frame for steps: what takes longer is played slower
-  const slow = 25; // ms from frame to frame: what takes longer is drawn coarsely while it moves
-
-  const minus = (a, b) => a.map((x, i) => x - b[i]);
-  const plus = (a, b, k = 1) => a.map((x, i) => x + k * b[i]);
 
   class Workshop {
     constructor(engine) {
@@ -18,18 +14,10 @@
       this.canvas = document.createElement("canvas");
       Object.assign(this.canvas, { id: "pushback-small", hidden: true });
       document.body.append(this.canvas);
-      const open = () => engine.open(`#${this.canvas.id}`);
-      this.problem = open();
-      this.canvas.addEventListener("webglcontextlost", (event) => {
-        event.preventDefault();
-        this.lost = true;
-        this.playing?.pause();
-      });
-      this.canvas.addEventListener("webglcontextrestored", () => {
-        open();
-        this.lost = false;
-        for (const picture of this.pictures) if (picture.drawn !== null) picture.draw();
-      });
+      this.problem = engine.open(`#${this.canvas.id}`);
+      this.canvas.addEventListener("webglcontextlost", () =>
+        this.pictures.forEach(({ figure }) => (figure.hidden = true)),
+      );
     }
 
     /** The next one in sight that has not been seen yet begins by itself, unless nothing should. */
@@ -53,7 +41,6 @@
       this.drawn = null; // the step that is seen
       this.begun = false;
       this.inSight = false;
-      this.coarse = false;
       this.button.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
       this.slider?.addEventListener("input", () => this.slide());
       this.listen();
@@ -120,7 +107,6 @@
     // ---- what somebody does
     play() {
       const { workshop } = this;
-      if (workshop.lost) return;
       workshop.playing?.pause();
       if (this.step >= this.steps) this.time = 0;
       this.begun = true;
@@ -132,7 +118,6 @@
     }
     pause() {
       this.workshop.playing = null;
-      this.coarse = false;
       this.label();
       this.draw();
     }
@@ -148,8 +133,6 @@
       if (!this.playing) return;
       const passed = this.before === null ? 0 : now - this.before;
       this.before = now;
-      this.coarse = this.coarse || (passed > slow && this.late);
-      this.late = passed > slow;
       this.time = Math.min(this.clip.seconds, this.time + Math.min(passed, 100) / 1000 / this.clip.slow);
       const reached = this.engine.now;
       if (this.step !== this.drawn) this.draw();
@@ -175,16 +158,16 @@
       this.slider.setAttribute("aria-valuetext", text);
     }
     draw() {
-      const { engine, workshop, canvas, clip } = this;
+      const { engine, workshop, canvas } = this;
       const scale = Math.min(2, Math.max(1, window.devicePixelRatio || 1)),
         width = Math.round(scale * canvas.clientWidth),
         height = Math.round(scale * canvas.clientHeight);
-      if (!width || !height || workshop.lost) return;
+      if (!width || !height) return;
       this.take();
       for (const one of [canvas, workshop.canvas])
         if (one.width !== width || one.height !== height) Object.assign(one, { width, height });
       const { scene, lanes } = engine;
-      const shown = (scene.contacts ? 1 : 0) | (scene.impulses ? 2 : 0) | 4 | (this.coarse ? 8 : 0);
+      const shown = (scene.contacts ? 1 : 0) | (scene.impulses ? 2 : 0) | 4;
       engine.look(this.camera(width / lanes.length / height));
       engine.begin();
       lanes.forEach(({ lane }) => {
@@ -206,23 +189,9 @@
       const { name } = engine.scene.numbers[clip.number.which];
       return `${name}: ${engine.now ? all.join(" | ") : "–"}`;
     }
-    /** As far to both sides as the scene shows; what goes across a picture is looked at from near by. */
     camera(aspect) {
-      const { engine, clip } = this;
-      const { camera, strobe, aspect: whole } = engine.scene;
-      const away = minus(camera.eye, camera.target);
-      let { target } = camera,
-        distance = Math.hypot(...away),
-        half = Math.tan(camera.field_of_view / 2);
-      if (strobe) {
-        const { centre, radius } = engine.reach();
-        target = plus(plus(centre, engine.shift()), [0, 0.15 * radius, 0]);
-        half = 0.25;
-        distance = ((1.5 * radius) / half) * Math.max(1, 1.3 / aspect);
-      } else if (aspect < whole) half *= whole / aspect;
-      half /= clip.zoom;
-      const eye = plus(target, away, distance / Math.hypot(...away));
-      return { eye, target, fieldOfView: 2 * Math.atan(half) };
+      const { eye, target, field_of_view } = live.cameraOf(this.engine, aspect, true);
+      return { eye, target, fieldOfView: 2 * Math.atan(Math.tan(field_of_view / 2) / this.clip.zoom) };
     }
   };
 

@@ -57,6 +57,25 @@
     }
   }
 
+  /**
+   * The scene's camera, which sees as far to both sides as the sheet shows, also in a narrower picture; `close`: to what goes across it
+   * in a scene of many instants.
+   */
+  live.cameraOf = function (engine, own, close) {
+    const { camera, strobe, aspect } = engine.scene;
+    const from = { ...camera };
+    if (strobe && close) {
+      const { centre, radius } = engine.reach(),
+        away = unit(minus(from.eye, from.target));
+      from.field_of_view = 0.5;
+      from.target = plus(plus(centre, engine.shift()), [0, 0.15 * radius, 0]);
+      from.eye = plus(from.target, away, (1.5 * radius) / Math.tan(0.25));
+    }
+    const wanted = strobe && close ? 1.3 : aspect;
+    if (own < wanted) from.field_of_view = 2 * Math.atan((Math.tan(from.field_of_view / 2) * wanted) / own);
+    return from;
+  };
+
   live.Stage = class {
     /** `player`: what is played; it is asked for lanes and told of what the hand does. */
     constructor(player, element) {
@@ -117,24 +136,8 @@
       this.scale = scale;
     }
 
-    /** As far to both sides as the sheet shows, also where the pane is narrower. */
     cameraFor(pane) {
-      const { engine } = this.player;
-      const scene = engine.scene;
-      const from = { ...scene.camera };
-      let aspect = scene.aspect;
-      if (scene.strobe && this.follow) {
-        const { centre, radius } = engine.reach(),
-          away = unit(minus(from.eye, from.target));
-        const shift = engine.shift();
-        from.field_of_view = 0.5;
-        from.target = plus(plus(centre, shift), [0, 0.15 * radius, 0]);
-        from.eye = plus(from.target, away, (1.5 * radius) / Math.tan(0.25));
-        aspect = 1.3;
-      }
-      const own = pane.width / pane.height;
-      if (own < aspect) from.field_of_view = 2 * Math.atan((Math.tan(from.field_of_view / 2) * aspect) / own);
-      return this.camera.seen(from);
+      return this.camera.seen(live.cameraOf(this.player.engine, pane.width / pane.height, this.follow));
     }
 
     draw() {

@@ -28,8 +28,6 @@
     button.named(shape, label);
     return button;
   };
-  const small = (textContent, onclick) =>
-    make("button", { type: "button", className: "pb-small", textContent, onclick });
   /** The marker of a variant, in its colour. */
   live.marked = ({ marker, colour, name }) => {
     const mark = make("span", { textContent: `${marker} `, "aria-hidden": "true" });
@@ -97,7 +95,7 @@
         ...[this.furtherCurves, fold("What is drawn", () => {}, this.look()), this.iterations],
         div(
           "pb-foot",
-          small("copy a link to this", () => player.copyLink()),
+          live.small("copy a link to this", () => player.copyLink()),
           make(
             "details",
             { className: "pb-help" },
@@ -170,7 +168,7 @@
         player.changed();
         player.remember();
       });
-      const back = small("camera as it was", () => {
+      const back = live.small("camera as it was", () => {
         this.stage.camera.reset();
         player.changed();
         player.remember();
