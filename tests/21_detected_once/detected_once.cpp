@@ -6,12 +6,10 @@
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/21_detected_once/scenes.h"
 #include "pushback/chapters/21_detected_once/study.h"
-#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/hard_cases/sliding.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
-#include "tests/support/sleep.h"
 #include "tests/support/substeps.h"
 #include "tests/support/yardstick.h"
 
@@ -127,15 +125,6 @@ TEST_CASE("detected once: stacks of 10 and 40 stand as they do on contacts detec
     CHECK(both.apart() < Real(0.5e-3));
     CHECK(largest_speed(both.once) < Real(1e-3));
     CHECK(deepest_overlap(both.once) == Approx(deepest_overlap(both.each)).epsilon(0.01));
-  }
-}
-
-TEST_CASE("detected once: a pyramid stands as it does on contacts detected in each substep") {
-  for (const int count : {8, 32}) {
-    const Both both([](World& world) { pyramid(world, 10); }, 5, count);
-    INFO(count << " substeps: apart " << both.apart());
-    CHECK(both.apart() < Real(1e-3));
-    CHECK(deepest_overlap(both.once) == Approx(deepest_overlap(both.each)).epsilon(0.02));
   }
 }
 
@@ -325,15 +314,6 @@ TEST_CASE("detected once: what collides off its centre and passes fast keeps its
   }
 }
 
-TEST_CASE("detected once: a ball that slides ends rolling with 5/7 of its speed") {
-  World world;
-  world.add(ground());
-  world.add(sphere(Real(0.5), 10).at({0, Real(0.5), 0}).moving({6, 0, 0}));
-  DetectedOnce solver;
-  for (int i = 0; i < 120; ++i) world.step(solver, h);
-  CHECK(world.bodies[1].velocity.x() == Approx(Real(5) / 7 * 6).epsilon(1e-3));
-}
-
 // ---- the rest of the program ----------------------------------------------------------------------------------------------
 
 TEST_CASE("detected once: without contacts joints move in the bits of chapter 14, in as many substeps") {
@@ -354,55 +334,6 @@ TEST_CASE("detected once: without contacts joints move in the bits of chapter 14
     substeps(each, of_each, h, many);
     REQUIRE(hash_of(once) == hash_of(each));
   }
-}
-
-TEST_CASE(
-    "detected once: a force put on by hand lasts for the step, and one that follows the bodies is asked in each "
-    "substep") {
-  World world;
-  world.gravity.setZero();
-  world.add(sphere(1, 2));
-  world.bodies[0].force = {6, 0, 0};
-  int asked = 0;
-  world.forces.push_back({[&asked](World&) { ++asked; }, "counts"});
-  DetectedOnce solver;
-  world.step(solver, h);
-  CHECK(world.bodies[0].velocity.x() == Approx(6 * h / 2));
-  CHECK(asked == many);
-  world.step(solver, h);
-  CHECK(world.bodies[0].velocity.x() == Approx(6 * h / 2));
-}
-
-TEST_CASE("detected once: a copied world goes on in the same bits with a new solver") {
-  World world;
-  pyramid(world, 5);
-  world.add(sphere(Real(0.4), 50).at({3, 3, Real(0.1)}).moving({-4, 0, 0}).bouncy(Real(0.5)));
-  DetectedOnce solver;
-  for (int i = 0; i < 30; ++i) world.step(solver, h);
-  World copy = world;
-  DetectedOnce fresh;
-  for (int i = 0; i < 60; ++i) {
-    world.step(solver, h);
-    copy.step(fresh, h);
-    REQUIRE(hash_of(world) == hash_of(copy));
-  }
-}
-
-TEST_CASE("detected once: asks for one sweep in a substep, and ends a step with what touches") {
-  World world;
-  stack(world, 3);
-  world.add(
-      box(Vec3::Constant(Real(0.4)), 100).at({Real(0.91), Real(0.4), 0}));  // beside the lowest, within the margin
-  DetectedOnce solver;
-  const std::size_t before = rows_solved;
-  world.step(solver, h);
-  CHECK(rows_solved - before == 2 * many * 3 * 20);  // four points, and those between the neighbours
-  CHECK(world.contacts.size() == 16);
-  for (const Contact& contact : world.contacts) CHECK(contact.depth >= 0);
-}
-
-TEST_CASE("detected once: what is called for moves in the same bits, and rests asleep until it is hit") {
-  check_called_for_and_asleep(DetectedOnce{});
 }
 
 TEST_CASE("detected once: a setting that cannot be used is refused by name, and nothing has moved") {

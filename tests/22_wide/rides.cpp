@@ -128,24 +128,6 @@ TEST_CASE("rides: a corner or a round body on a face, and two round bodies, are 
     check_rides(Body(first).with_skin(Real(0.02)), Body(second).with_skin(Real(0.03)), rides);
 }
 
-TEST_CASE("rides: what rides on nothing are edges that cross") {
-  const Body upper = box({1, Real(0.1), Real(0.1)}, 1).turned(pi / 4, Vec3::UnitX()).at({0, Real(0.3), 0});
-  const Body lower = box({Real(0.1), Real(0.1), 1}, 1).turned(pi / 4, Vec3::UnitZ());
-  const Apart pair(lower, upper);
-  CHECK(what_it_rides_on(pair.a, pair.b, pair.contact.normal, 1, 1) == Rides::nowhere);
-}
-
-TEST_CASE("rides: of two faces, the immovable one has the normal, or that with the longer arms") {
-  const Body small = box({Real(0.1), Real(0.1), Real(0.1)}, 1).at({0, Real(0.1), 0}),
-             large = box({1, 1, 1}, 1).at({0, -1, 0});
-  const Vec3 up = Vec3::UnitY();
-  CHECK(what_it_rides_on(large, small, up, 1, Real(0.1)) == Rides::on_a);
-  CHECK(what_it_rides_on(small, large, -up, Real(0.1), 1) == Rides::on_b);
-  Body fixed = small;
-  fixed.fixed();
-  CHECK(what_it_rides_on(large, fixed, up, 1, Real(0.1)) == Rides::on_b);
-}
-
 TEST_CASE("rides: a cube that rolls on its edge, detected once in 32 substeps, goes as one that is detected in each") {
   for (const Real spin : {2, 3}) {
     const auto after = [spin](StepSolver& solver, int detections) {

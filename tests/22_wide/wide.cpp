@@ -194,47 +194,6 @@ TEST_CASE("wide: what nothing touches flies in the bits of one after the other, 
   }
 }
 
-TEST_CASE("wide: a copied world goes on in the same bits with a new solver") {
-  World world;
-  heap(world);
-  Wide<float> solver;
-  for (int i = 0; i < 30; ++i) world.step(solver, h);
-  World copy = world;
-  Wide<float> fresh;
-  for (int i = 0; i < 30; ++i) {
-    world.step(solver, h);
-    copy.step(fresh, h);
-    REQUIRE(hash_of(world) == hash_of(copy));
-  }
-}
-
-TEST_CASE("wide: a pyramid needs few sets, and lanes are full where pairs are alike") {
-  World world;
-  pyramid(world, 20);
-  Wide<float> solver;
-  for (int i = 0; i < 3; ++i) world.step(solver, h);
-  CHECK(wide_scenes::sets_in(world).size() <= 6);
-  CHECK(wide_scenes::part_filled(wide_scenes::sets_in(world)) > Real(0.9));
-}
-
-TEST_CASE("wide: the part of the lanes that has a contact, counted by hand") {
-  const Sets sets{{{0, 1, 0, 4}, {0, 2, 4, 2}}, {{1, 2, 6, 1}}};  // 8 lanes 4 times, then once
-  CHECK(wide_scenes::part_filled(sets) == Approx(7.0 / 40));
-  CHECK(wide_scenes::part_filled({}) == 1);
-}
-
-TEST_CASE("wide: a stack stands whatever the order of its pairs") {
-  for (const auto order : {wide_scenes::one_by_one, wide_scenes::from_the_last, wide_scenes::shuffled, coloured}) {
-    World world;
-    stack(world, 10);
-    Wide<double> solver;
-    solver.sets_of = order;
-    for (int i = 0; i < 300; ++i) world.step(solver, h);
-    CHECK(std::hypot(world.bodies.back().position.x(), world.bodies.back().position.z()) < Real(1e-3));
-    CHECK(largest_speed(world) < Real(1e-3));
-  }
-}
-
 TEST_CASE("wide: what bounces goes, to rounding, as if it were detected in each substep") {
   World in_each, once;
   for (World* world : {&in_each, &once}) {
@@ -256,26 +215,6 @@ TEST_CASE("wide: what bounces goes, to rounding, as if it were detected in each 
 TEST_CASE(
     "wide: what is recommended moves in the same bits with what is called for, and rests asleep until it is hit") {
   check_called_for_and_asleep(Wide<Real>{});
-}
-
-TEST_CASE("wide: what a torque turns, by hand or by a force, turns in the bits of chapter 21") {
-  const Vec3 torque(1, 2, Real(-0.5));  // N m
-  for (const bool by_hand : {true, false}) {
-    World one_by_one, wide;
-    for (World* world : {&one_by_one, &wide}) {
-      world->add(box({Real(0.1), Real(0.3), Real(0.2)}, 1).spinning({3, 1, 5}));
-      if (!by_hand) world->forces.push_back({[=](World& of) { of.bodies[0].torque += torque; }});
-    }
-    DetectedOnce of_one_by_one;
-    Wide<Real> of_wide;
-    for (int i = 0; i < 20; ++i) {
-      if (by_hand)
-        for (World* world : {&one_by_one, &wide}) world->bodies[0].torque = torque;
-      one_by_one.step(of_one_by_one, h);
-      wide.step(of_wide, h);
-      REQUIRE(hash_of(one_by_one) == hash_of(wide));
-    }
-  }
 }
 
 TEST_CASE(

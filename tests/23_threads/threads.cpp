@@ -142,15 +142,6 @@ TEST_CASE("threads: each item is done once, whatever their number, and little is
   }
 }
 
-TEST_CASE("threads: several are at work at the same time") {
-  Crew crew(3);
-  std::atomic<int> here = 0;
-  crew.each(3, 1, [&](Part) {  // none gets on before all are there
-    for (++here; here < 3;) std::this_thread::yield();
-  });
-  CHECK(here == 3);
-}
-
 TEST_CASE("threads: who calls a crew that is at work elsewhere does its parts alone, at once") {
   Crew crew(2);
   std::atomic<bool> begun = false, go_on = false;
@@ -165,17 +156,6 @@ TEST_CASE("threads: who calls a crew that is at work elsewhere does its parts al
   go_on = true;
   elsewhere.join();
   CHECK(who == std::set{std::this_thread::get_id()});
-}
-
-TEST_CASE("threads: a crew that is at work shares no work within its parts") {
-  Crew crew(3);
-  std::vector<int> done(90, 0);
-  crew.each(3, 1, [&](Part outer) {
-    crew.each(30, 1, [&](Part inner) {
-      for (std::size_t i = inner.begin; i < inner.end; ++i) ++done[30 * outer.index + i];
-    });
-  });
-  CHECK(done == std::vector<int>(90, 1));
 }
 
 TEST_CASE("threads: what fails in a part fails where it was called, the first part first, and the crew goes on") {
@@ -228,38 +208,4 @@ TEST_CASE("threads: a crew is all that a program adds") {
   solver.crew = std::make_shared<Crew>(2);
   world.step(solver, 1.0 / 60);
   CHECK(world.time == Approx(1.0 / 60));
-}
-
-TEST_CASE("threads: a step of few bodies wakes nobody, unless however little is to be shared") {
-  class Counting : public Workers {
-   public:
-    explicit Counting(bool however_little) : Workers(4, however_little) {}
-    int shared = 0;
-
-   private:
-    void share(std::size_t count, const std::function<void(std::size_t)>& act) override {
-      ++shared;
-      for (std::size_t k = 0; k < count; ++k) act(k);
-    }
-  };
-  const auto rounds = [](auto fill, bool however_little) {
-    World world;
-    fill(world);
-    const auto counting = std::make_shared<Counting>(however_little);
-    Wide<float> solver = wide_with<float>(counting);
-    for (int i = 0; i < 60; ++i) world.step(solver, h);
-    return counting->shared;
-  };
-  const auto small = [](World& world) { pyramid(world, 20); };  // of 210 boxes
-  CHECK(rounds(small, false) == 0);
-  CHECK(rounds(small, true) > 60 * 4);
-  CHECK(rounds([](World& world) { heap(world); }, false) > 60 * 4);  // of 300
-}
-
-TEST_CASE("threads: any solver hands its crew on to the step") {
-  const auto crew = std::make_shared<Crew>(2);
-  AnySolver any = wide_with<float>(crew);
-  CHECK(any.plan(h).workers == crew.get());
-  CHECK(AnySolver(any).plan(h).workers == crew.get());
-  CHECK(AnySolver(Wide<float>{}).plan(h).workers == &alone());
 }

@@ -19,7 +19,6 @@
 #include "tests/24_half_step/order.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
-#include "tests/support/joint_energy.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
@@ -209,24 +208,6 @@ TEST_CASE("half step: a force that depends on the velocity is of first order") {
           for (int i = 0; i < 60; ++i) world.step(step, h);
           return std::abs(world.bodies[0].velocity.x() - std::exp(Real(-2)));
         }) == Approx(1).margin(0.1));
-}
-
-TEST_CASE("half step: a force by hand lasts for the step, and a torque turns") {
-  World world;
-  world.gravity.setZero();
-  world.add(sphere(1, 2));
-  HalfStep step;
-  step.substeps = 3;
-  for (int i = 0; i < 60; ++i) {
-    world.bodies[0].force = {4, 0, 0};
-    world.bodies[0].torque = {0, 0, 1};
-    world.step(step, h);
-  }
-  CHECK(world.bodies[0].position.x() == Approx(1).epsilon(100 * double(eps)));
-  CHECK(world.bodies[0].velocity.x() == Approx(2).epsilon(100 * double(eps)));
-  CHECK(world.bodies[0].angular_velocity.z() ==
-        Approx(world.bodies[0].principal_inverse_inertia.z()).epsilon(100 * double(eps)));
-  CHECK(world.bodies[0].force == Vec3::Zero());
 }
 
 TEST_CASE("half step: a free body keeps its momentum and its energy, and tumbles to second order") {
@@ -448,34 +429,4 @@ TEST_CASE("half step: what it does not do is refused by name, and nothing has ch
   wrong = {};
   wrong.tolerance = 0;
   has(said([](World&) {}, wrong), "tolerance");
-}
-
-TEST_CASE("half step: a copy of world and solver goes on in the same bits, and so does another solver") {
-  World world = tumbling_chain(4);
-  HalfStep step;
-  for (int i = 0; i < 20; ++i) world.step(step, h);
-  World copy = world, other = world;
-  AnySolver as_any(step);
-  HalfStep fresh;
-  for (int i = 0; i < 20; ++i) {
-    world.step(step, h);
-    copy.step(as_any, h);
-    other.step(fresh, h);
-  }
-  CHECK(hash_of(copy) == hash_of(world));
-  CHECK(hash_of(other) == hash_of(world));
-}
-
-TEST_CASE("half step: a joint knows what it bore") {
-  World world;
-  world.add(sphere(Real(0.2), 3).at({0, -1, 0}));
-  world.joints.push_back(ball_and_socket(world, the_world, 0, Vec3::Zero()));
-  for (const int substeps : {1, 4}) {
-    HalfStep step;
-    step.substeps = substeps;
-    for (int i = 0; i < 5; ++i) world.step(step, h);
-    REQUIRE(world.joints[0].impulses.size() == 3);
-    CHECK(world.joints[0].impulses[1] == Approx(3 * g * h).epsilon(in_double ? 1e-7 : 1e-3));
-    CHECK(world.bodies[0].velocity.norm() < 10 * eps);
-  }
 }

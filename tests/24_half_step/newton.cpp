@@ -4,7 +4,6 @@
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/24_half_step/newton_from_guess.h"
 #include "pushback/common/bodies/random.h"
-#include "pushback/common/world/situations.h"
 #include "tests/24_half_step/order.h"
 #include "tests/support/catch.h"
 
@@ -64,38 +63,6 @@ TEST_CASE("half step: a matrix between bodies is solved as a dense one is") {
   }
 }
 
-TEST_CASE("half step: a matrix whose factors would take too many multiplications is refused before it is made") {
-  BodyMatrix::Pairs pairs;  // a cube of 6 x 6 x 6
-  const auto at = [](int x, int y, int z) { return 36 * x + 6 * y + z; };
-  for (int x = 0; x < 6; ++x)
-    for (int y = 0; y < 6; ++y)
-      for (int z = 0; z < 6; ++z) {
-        if (z < 5) pairs.emplace_back(at(x, y, z), at(x, y, z + 1));
-        if (y < 5) pairs.emplace_back(at(x, y, z), at(x, y + 1, z));
-        if (x < 5) pairs.emplace_back(at(x, y, z), at(x + 1, y, z));
-      }
-  BodyMatrix matrix;
-  REQUIRE(matrix.begin(216, pairs));
-  const double all = matrix.of_factor();
-  CHECK(all > 216 * (216 + 2 * static_cast<double>(pairs.size())));  // factors have more blocks than the matrix
-  BodyMatrix bounded;
-  for (const double part : {0.5, 0.01, 0.99}) {
-    CHECK_FALSE(bounded.begin(216, pairs, part * all));
-    CHECK(bounded.of_factor() > part * all);
-    CHECK(bounded.of_factor() <= all);
-  }
-  for (const double most : {all, 2 * all, all / 2}) {
-    REQUIRE(bounded.begin(216, pairs, most) == (most >= all));
-    CHECK(bounded.of_factor() == all);
-  }
-  REQUIRE(bounded.begin(216, pairs, all));
-  for (int i = 0; i < 216; ++i) bounded.add(i, i, BodyMatrix::Block::Identity());
-  REQUIRE(bounded.factor());
-  std::vector<BodyMatrix::Six> x(216, BodyMatrix::Six::Ones());
-  bounded.solve(x);
-  for (const BodyMatrix::Six& of_body : x) CHECK(of_body == BodyMatrix::Six::Constant(0.5));
-}
-
 TEST_CASE("half step: contacts that stick, slide and part are all found, from nothing") {
   World world;
   world.add(ground());
@@ -138,57 +105,4 @@ TEST_CASE("half step: rows with limits, and rows that give way, are solved as ch
   CHECK(std::abs(soft.speed_error()) < rounding);
   newton.sweep(20);  // it stays
   CHECK(newton.off() < (in_double ? 1e-12 : 1e-5));
-}
-
-TEST_CASE("half step: the next system of the same rows has the matrix of the one before, another has its own") {
-  World world;
-  stack(world, 3);
-  world.begin_step(h);
-  const auto kick = [&world] {
-    for (Body& body : world.bodies)
-      if (body.movable()) body.velocity.y() -= g * h;
-  };
-  kick();
-  Rows rows = rows_of_contacts(world);
-  const std::size_t count = world.contacts.size();
-  NewtonFromGuess newton;
-  const auto add = [&](std::size_t contacts) {
-    newton.clear();
-    for (std::size_t k = 0; k < contacts; ++k)
-      newton.add_contact(rows[k], rows[count + 2 * k], rows[count + 2 * k + 1], world.contacts[k].friction);
-    newton.factored = 0;
-    newton.work = 1e9;
-  };
-  const auto matrices = [&](std::size_t contacts) {
-    add(contacts);
-    CHECK(newton.solve(world, in_double ? 1e-11 : 1e-5));
-    CHECK(newton.work < 1e9);
-    return newton.factored;
-  };
-  const auto taken = [&](double allowed) {
-    add(count);
-    newton.work = allowed;
-    newton.solve(world, 0);
-    return allowed - newton.work;
-  };
-  CHECK(matrices(count) > 0);
-  kick();
-  CHECK(matrices(count) == 0);
-  kick();
-  newton.forget();
-  CHECK(matrices(count) == 1);
-  kick();
-  const double one_step = 300 * static_cast<double>(count), kept = taken(one_step);  // it is stopped after one
-  CHECK(newton.factored == 0);
-  newton.forget();
-  kick();
-  CHECK(taken(one_step) > kept + 216 * (3 + 4 + 4));  // of_factor: three bodies in a row
-  CHECK(newton.factored == 1);
-  matrices(count);
-  for (std::size_t k = count - 4; k < count; ++k)  // the topmost box is let go
-    for (const std::size_t row : {k, count + 2 * k, count + 2 * k + 1}) {
-      rows[row].apply(-rows[row].impulse);
-      rows[row].impulse = 0;
-    }
-  CHECK(matrices(count - 4) > 0);
 }

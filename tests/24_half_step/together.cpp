@@ -7,11 +7,9 @@
 #include "pushback/chapters/15_limits_motors_springs/spring.h"
 #include "pushback/chapters/24_half_step/on_floor.h"
 #include "pushback/common/basics/input.h"
-#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/24_half_step/order.h"
 #include "tests/support/catch.h"
-#include "tests/support/complaint.h"
 
 using namespace pushback;
 
@@ -94,20 +92,6 @@ TEST_CASE("half step: a double pendulum that hits a wall stays outside, whole, a
   }
 }
 
-TEST_CASE("half step: one that bounces off the wall has its energy again, the better the shorter the steps") {
-  const auto off = [](int substeps) {
-    World world = at_a_wall(1);
-    HalfStep step;
-    step.substeps = substeps;
-    step.threshold = 0;
-    const Real begin = energy(world);
-    for (int i = 0; i < 60; ++i) world.step(step, h);
-    return std::abs(energy(world) - begin);
-  };
-  CHECK(off(64) < Real(0.05));
-  CHECK(off(64) < off(4));
-}
-
 TEST_CASE("half step: two boxes that are welded rest as one, and slide as far as one") {
   World rest;
   rest.add(ground());
@@ -135,42 +119,6 @@ TEST_CASE("half step: two boxes that are welded rest as one, and slide as far as
   CHECK(slide.bodies[1].velocity.norm() < rounding);
 }
 
-TEST_CASE("half step: chains that are dropped onto the ground stay whole, do not sink, and come to rest") {
-  for (const unsigned seed : {3U, 8U, 12U, 16U}) {
-    CAPTURE(seed);
-    Random random(seed);
-    World world;
-    world.add(ground());
-    Vec3 end(0, 1, 0);
-    for (int link = 1; link <= 4; ++link) {
-      const Vec3 next = end + Real(0.6) * random.direction().cwiseProduct(Vec3(1, Real(0.3), 1)).normalized();
-      world.add(box({Real(0.1), Real(0.15), Real(0.1)}, random.between(1, 3))
-                    .oriented(random.orientation())
-                    .at((end + next) / 2));
-      if (link > 1 && seed != 3) world.joints.push_back(ball_and_socket(world, link - 1, link, end));
-      if (link > 1 && seed == 3) {  // hinges with limits
-        const Vec3 axis = random.direction();
-        world.joints.push_back(hinge(world, link - 1, link, end, axis));
-        world.joints.push_back(angle_limits(world, link - 1, link, axis, Real(-0.5), Real(0.5)));
-      }
-      end = next;
-    }
-    REQUIRE(deepest(world) == 0);
-    HalfStep step;
-    step.substeps = 2;
-    const Real begin = energy(world);
-    Real before = begin;
-    for (int i = 0; i < 300; ++i) {
-      world.step(step, h);
-      CHECK(parted(world) <= step.tolerance);
-      CHECK(deepest(world) < 1e-3);
-      CHECK(energy(world) - before < Real(1e-3) * begin);
-      before = energy(world);
-    }
-    CHECK(kinetic_energy(world) < 1e-3 * begin);
-  }
-}
-
 TEST_CASE("half step: a pendulum stops at its limit, and rests on it") {
   World world;
   world.add(sphere(Real(0.1), 2).at({1, 0, 0}));
@@ -189,18 +137,6 @@ TEST_CASE("half step: a pendulum stops at its limit, and rests on it") {
   CHECK(world.bodies[0].velocity.norm() < (in_double ? Real(1e-7) : Real(1e-4)));
   CHECK(world.joints[1].impulses[0] == Approx(2 * g * std::cos(Real(0.7)) * h).epsilon(1e-3));
   CHECK(world.joints[1].impulses[1] == 0);
-}
-
-TEST_CASE("half step: what is beyond its limit comes back, and does not go on") {
-  World world;
-  world.gravity.setZero();
-  world.add(sphere(Real(0.1), 2).at({1, 0, 0}));
-  world.joints.push_back(hinge(world, the_world, 0, Vec3::Zero(), Vec3::UnitZ()));
-  world.joints.push_back(angle_limits(world, the_world, 0, Vec3::UnitZ(), Real(0.2), 1));
-  HalfStep step;
-  for (int i = 0; i < 10; ++i) world.step(step, h);
-  CHECK(std::atan2(world.bodies[0].position.y(), world.bodies[0].position.x()) == Approx(0.2).epsilon(1e-3));
-  CHECK(world.bodies[0].velocity.norm() < (in_double ? Real(1e-6) : Real(1e-3)));
 }
 
 TEST_CASE("half step: a motor at the limit of its force lifts as far as that goes, and then as fast as it is to") {
@@ -231,21 +167,6 @@ TEST_CASE("half step: a motor at the limit of its force lifts as far as that goe
   for (int i = 0; i < 12; ++i) weak.step(step, h);
   CHECK(weak.bodies[0].position.y() ==
         Approx(1 - (g - 5) * weak.time * weak.time / 2).epsilon(in_double ? 1e-12 : 1e-5));
-}
-
-TEST_CASE("half step: a cart climbs a slope on hinges, motors and contacts, as fast as its torque says") {
-  using namespace limits_motors_springs_scenes;
-  constexpr Real slope = Real(0.2), torque = 10;
-  World world;
-  world.add(half_space(Quat(Eigen::AngleAxis<Real>(slope, Vec3::UnitZ())) * Vec3::UnitY()).fixed().rough(1));
-  const Cart cart = add_cart(world, slope, 0);
-  drive(world, cart, 100, torque);
-  HalfStep step;
-  for (int i = 0; i < 60; ++i) world.step(step, h);
-  const Vec3 up(std::cos(slope), std::sin(slope), 0);
-  const Real a = acceleration_of_cart(slope, torque);
-  CHECK(world.bodies[std::size_t(cart.chassis)].velocity.dot(up) == Approx(a * world.time).epsilon(1e-3));
-  CHECK(parted(world) <= step.tolerance);
 }
 
 TEST_CASE("half step: joints, motors and contacts go on in the same bits, in a copy and by another solver") {

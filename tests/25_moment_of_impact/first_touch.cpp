@@ -86,16 +86,6 @@ TEST_CASE("impact: between round bodies and a plane, a gap is what collision det
   }
 }
 
-TEST_CASE("impact: boxes that touch exactly have the gap and the normal of their faces") {
-  Body a = box({1, Real(0.5), 1}, 1), b = box(Vec3::Constant(Real(0.5)), 1).at({Real(0.7), 1, Real(0.3)});
-  a.index = 0, b.index = 1;
-  for (const Real apart : {Real(0), -Real(0.01)}) {
-    const Gap gap = gap_between(a, shifted(b, {0, apart, 0}));
-    CHECK(gap.distance == Approx(apart).margin(10 * eps));
-    CHECK((gap.normal - Vec3::UnitY()).norm() < 10 * eps);
-  }
-}
-
 TEST_CASE("impact: between boxes whose faces are parallel but for rounding, a gap is not lost") {
   if (!in_double) return;
   Random random(3);

@@ -326,25 +326,6 @@ TEST_CASE("joined impact: where nobody meets anybody it is chapter 24's step, to
   CHECK(cut.events() == 0);
 }
 
-TEST_CASE("joined impact: what slides and is joined moves as by chapter 24") {
-  World world;
-  world.add(ground());
-  world.add(sphere(Real(0.5), 1).at({0, Real(0.5), 0}).moving({1, 0, 0}));
-  world.add(sphere(Real(0.2), 1).at({0, Real(1.5), 0}).moving({1, 0, 0}));
-  world.joints.push_back(ball_and_socket(world, 1, 2, {0, 1, 0}));
-  World other = world;
-  AtImpacts cut;
-  HalfStep half;
-  half.tolerance = cut.tolerance;
-  for (int i = 0; i < 30; ++i) {
-    world.step(cut, h);
-    other.step(half, h);
-    for (std::size_t k = 1; k < 3; ++k)
-      CHECK((world.bodies[k].position - other.bodies[k].position).norm() < (in_double ? 1e-8 : 1e-3));
-  }
-  CHECK(cut.events() == 0);
-}
-
 TEST_CASE("joined impact: the same bits again, also from a copy in between") {
   World one;
   PendulumAtWall{}(one);

@@ -50,9 +50,6 @@ ByIsland without_savings() {
   solver.savings.at_first = solver.savings.part = 0;
   return solver;
 }
-Real whole_energy(const World& world) {
-  return kinetic_energy(world) + potential_energy(world);
-}
 auto bits(Real number) {
   return std::bit_cast<std::conditional_t<in_double, std::uint64_t, std::uint32_t>>(number);
 }
@@ -164,19 +161,6 @@ TEST_CASE("by island: what flies is on its parabola, and keeps its angular momen
   CHECK(off < 1e-3);  // of the turn's second order, and it does not grow
 }
 
-TEST_CASE("by island: a force of one step acts in flight, for that step") {
-  World world;
-  world.add(sphere(Real(0.5), 2).at({0, 9, 0}));
-  world.bodies[0].force = {4, 0, 0};
-  ByIsland solver;
-  world.step(solver, h);
-  CHECK(world.bodies[0].velocity.x() == Approx(2 * h).epsilon(1e-6));
-  CHECK(world.bodies[0].position.x() == Approx(h * h).epsilon(1e-5));
-  CHECK(world.bodies[0].force == Vec3::Zero());
-  world.step(solver, h);
-  CHECK(world.bodies[0].velocity.x() == Approx(2 * h).epsilon(1e-6));
-}
-
 TEST_CASE("by island: an island moves in the same bits whatever other islands there are, in whatever order") {
   constexpr int steps = 120;
   const auto place = [](std::size_t part) { return 20 * static_cast<Real>(part); };
@@ -252,48 +236,6 @@ TEST_CASE("by island: one that bounces comes upon another within the step, and d
   for (const int ball : {1, 2}) CHECK(world.bodies[std::size_t(ball)].velocity.x() == Approx(6).epsilon(1e-6));
 }
 
-TEST_CASE(
-    "by island: of two that bounce and would be past each other by the step's end, neither passes through the other") {
-  World world;
-  world.gravity.setZero();
-  world.add(box({Real(0.5), 2, 2}, 1).fixed().at({Real(-0.5), 0, 0}).rough(0));
-  for (const Real at : {Real(0.15), Real(0.45)})
-    world.add(sphere(Real(0.1), 1).at({at, 0, 0}).moving({-60, 0, 0}).bouncy(1).rough(0));
-  ByIsland solver;
-  for (int i = 0; i < 3; ++i) {
-    world.step(solver, h);
-    CHECK(world.bodies[2].position.x() - world.bodies[1].position.x() > Real(0.2) - 1000 * eps);
-  }
-  for (const int ball : {1, 2}) CHECK(world.bodies[std::size_t(ball)].velocity.x() == Approx(60).epsilon(1e-6));
-}
-
-TEST_CASE("by island: elastic balls between walls keep their energy, and stay between them") {
-  World world;
-  world.gravity.setZero();
-  Random random(49);
-  constexpr int per_side = 5;
-  for (int i = 0; i < per_side * per_side; ++i) {
-    const Vec3 place{static_cast<Real>(i % per_side - 2), static_cast<Real>(i / per_side - 2), 0};
-    Vec3 velocity = random.vector(6);
-    velocity.z() = 0;
-    world.add(sphere(Real(0.3), 10).at(place).moving(velocity).bouncy(1).rough(0));
-  }
-  for (const Real at : {Real(-3.5), Real(3.5)}) {
-    world.add(box({Real(0.5), 4, Real(0.5)}, 1).fixed().at({at, 0, 0}).rough(0));
-    world.add(box({3, Real(0.5), Real(0.5)}, 1).fixed().at({0, at, 0}).rough(0));
-  }
-  const Real begin = kinetic_energy(world);
-  ByIsland solver;
-  Real off = 0;
-  for (int i = 0; i < 600; ++i) {
-    world.step(solver, h);
-    off = std::max(off, std::abs(kinetic_energy(world) / begin - 1));
-    for (const Body& body : world.bodies)
-      if (body.movable()) REQUIRE(body.position.cwiseAbs().maxCoeff() < Real(2.7) + Real(1e-4));
-  }
-  CHECK(off < (in_double ? 1e-9 : 1e-3));
-}
-
 TEST_CASE("by island: balls without walls keep their momentum through many impacts") {
   World world;
   world.gravity.setZero();
@@ -311,78 +253,6 @@ TEST_CASE("by island: balls without walls keep their momentum through many impac
   CHECK((momentum(world) - p).norm() < 1e5 * eps);
   CHECK((angular_momentum(world) - l).norm() < 1e6 * eps);
   CHECK(std::abs(kinetic_energy(world) / begin - 1) < (in_double ? 1e-9 : 1e-3));
-}
-
-TEST_CASE("by island: what half steps refuse goes to substeps, and moves") {
-  World world;
-  world.add(ground());
-  const int bar = world.add(box({1, Real(0.1), Real(0.1)}, 10).at({1, 5, 0}));
-  world.joints = {ball_and_socket(world, the_world, bar, {0, 5, 0}),
-                  angle_limits(world, the_world, bar, Vec3::UnitZ(), Real(-0.5), Real(0.5))};
-  const int deep = world.add(box(Vec3::Constant(Real(0.5)), 10).at({10, Real(0.49), 0}));
-  const int pushed = world.add(box(Vec3::Constant(Real(0.5)), 10).at({20, Real(0.5), 0}));
-  world.forces.push_back({[pushed](World& w) { w.body(pushed).force.x() += 200; }, "a push", {pushed}});
-  const int resting = world.add(box(Vec3::Constant(Real(0.5)), 10).at({30, Real(0.5), 0}));
-  ByIsland solver;
-  world.step(solver, h);
-  for (const int body : {bar, deep, pushed}) CHECK(solver.moved_by(body) == MovedBy::substeps);
-  CHECK(solver.moved_by(resting) == MovedBy::half_steps);
-  CHECK(world.body(pushed).velocity.x() > Real(0.1));
-  CHECK(world.body(bar).velocity.norm() > Real(0.01));
-}
-
-TEST_CASE("by island: a chain that whips keeps its energy, and has more substeps once it does") {
-  const to_each_its_own_scenes::Chain chain;
-  World world;
-  chain(world);
-  const Real begin = whole_energy(world);
-  ByIsland solver;
-  Real off = 0;
-  int most = 0, many = 0, least_since = 128;
-  for (int i = 0; i < 600; ++i) {
-    world.step(solver, h);
-    REQUIRE(solver.moved_by(0) == MovedBy::half_steps);
-    off = std::max(off, std::abs(whole_energy(world) - begin) / chain.fall());
-    if (i < 30) CHECK(solver.substeps_of(0) == 4);  // it falls, and is straight
-    most = std::max(most, solver.substeps_of(0));
-    if (most >= 32) least_since = std::min(least_since, solver.substeps_of(0));
-    many += solver.substeps_of(0) > 32;
-  }
-  CHECK(off < 1e-3);
-  CHECK(most >= 32);
-  CHECK(least_since == 4);
-  CHECK(most <= 128);
-  CHECK(many < 150);
-}
-
-TEST_CASE("by island: the same chain, let go near where it hangs, has the least substeps, and comes back as high") {
-  const to_each_its_own_scenes::Chain chain{.angle = Real(0.1)};
-  World world;
-  chain(world);
-  const Real begin = whole_energy(world);
-  ByIsland solver;
-  for (int i = 0; i < 600; ++i) {
-    world.step(solver, h);
-    CHECK(solver.moved_by(0) == MovedBy::half_steps);
-    CHECK(solver.substeps_of(0) == 4);
-    CHECK(std::abs(whole_energy(world) - begin) < 1e-4 * chain.fall());
-  }
-}
-
-TEST_CASE("by island: a belt takes a box along, in half steps") {
-  constexpr Real speed = 3, mu = Real(0.4), slips = speed / (mu * g);
-  World world;
-  world.add(ground().rough(mu).conveying({speed, 0, 0}));
-  const int put = world.add(box({Real(0.2), Real(0.1), Real(0.2)}, 5).at({0, Real(0.1), 0}).rough(mu));
-  ByIsland solver;
-  solver.few.substeps = 4;
-  while (world.time < 2) {
-    world.step(solver, h);
-    const Real t = world.time, sliding = std::min(t, slips);
-    CHECK(solver.moved_by(put) == MovedBy::half_steps);
-    CHECK(std::abs(world.body(put).position.x() - mu * g * sliding * sliding / 2 - speed * (t - sliding)) < 1e-5);
-  }
-  CHECK(world.body(put).velocity.x() == Approx(speed).epsilon(1e-9));
 }
 
 TEST_CASE(
@@ -404,21 +274,6 @@ TEST_CASE(
   world.step(solver, h);
   for (const int body : {pushed, turned}) CHECK(solver.moved_by(body) == MovedBy::substeps);
   for (const int body : {lifted, carried}) CHECK(solver.moved_by(body) == MovedBy::half_steps);
-}
-
-TEST_CASE("by island: each body of an island is said to have the island's substeps, others have none") {
-  World world;
-  world.add(sphere(Real(0.1), 1).at({0, 5, 9}));
-  world.add(sphere(Real(0.1), 1).at({1, 2, 0}));
-  world.add(sphere(Real(0.1), 1).at({2, 2, 0}));
-  world.joints.push_back(ball_and_socket(world, the_world, 1, {0, 2, 0}));
-  world.joints.push_back(ball_and_socket(world, 1, 2, {1, 2, 0}));
-  ByIsland solver;
-  world.step(solver, h);
-  CHECK(solver.substeps_of(0) == 0);
-  CHECK(solver.substeps_of(1) >= 4);
-  CHECK(solver.substeps_of(2) == solver.substeps_of(1));
-  CHECK(solver.substeps_of(7) == 0);
 }
 
 TEST_CASE("by island: joints come back in their order, with what they bore") {
@@ -450,44 +305,6 @@ TEST_CASE("by island: joints come back in their order, with what they bore") {
   check(1, "second, upper", the_world, 2, 10);
   check(2, "second, lower", 2, 3, 7);
   check(3, "first, upper", the_world, 0, 21);
-}
-
-TEST_CASE("by island: beside an island of substeps joints, too, say what they bore in one of these") {
-  World world;
-  stack(world, 10);
-  const int ball = world.add(sphere(Real(0.1), 4).at({9, 4, 0}));
-  world.joints = {ball_and_socket(world, the_world, ball, {9, 5, 0})};
-  ByIsland solver = without_savings();
-  for (int i = 0; i < 3; ++i) world.step(solver, h);
-  CHECK(solver.moved_by(1) == MovedBy::substeps);
-  CHECK(world.dt_before == Approx(h / 32));
-  CHECK(world.joints[0].last_impulses[1] == Approx(4 * g * h / 32).epsilon(1e-5));
-}
-
-TEST_CASE("by island: contacts ascend, and say what they bore in the step and in a substep") {
-  World world;
-  stack(world, 10);
-  const auto on_its_own =
-      static_cast<std::uint32_t>(world.add(box(Vec3::Constant(Real(0.5)), 30).at({9, Real(0.5), 0})));
-  parts[1].add(world, 20);
-  ByIsland solver = without_savings();
-  for (int i = 0; i < 30; ++i) world.step(solver, h);
-  CHECK(std::is_sorted(world.contacts.begin(), world.contacts.end(),
-                       [](const Contact& a, const Contact& b) { return a.id < b.id; }));
-  Real in_step = 0, in_substep = 0;
-  int count = 0;
-  for (const Contact& contact : world.contacts)
-    if (contact.id.body_b == on_its_own) {
-      in_step += contact.impulse.y();
-      in_substep += contact.last_impulse.y();
-      ++count;
-    }
-  CHECK(count == 4);
-  CHECK(solver.moved_by(1) == MovedBy::substeps);
-  CHECK(world.dt_before < h);
-  CHECK(in_step == Approx(30 * g * h).epsilon(1e-6));
-  CHECK(in_substep == Approx(30 * g * world.dt_before).epsilon(1e-6));
-  CHECK(solver.solved().rows > 0);
 }
 
 TEST_CASE("by island: a copy of world and solver goes on in the same bits") {

@@ -106,15 +106,6 @@ TEST_CASE(
   CHECK(call(8) == MovedBy::half_steps);
 }
 
-TEST_CASE("calls: overlap is that of all contacts together") {
-  const World world = standing(1);
-  Calls calls;
-  Contacts contacts = below_the_first(3, Real(0.001));
-  contacts[1].depth = -Real(0.001);
-  find(calls, world, contacts);
-  CHECK(calls.overlap(1) == Approx(0.002));
-}
-
 TEST_CASE("calls: many contacts have half steps while nothing arrives and nothing turns fast, few in any case") {
   World world = standing(1);
   Calls calls;
@@ -171,19 +162,6 @@ TEST_CASE("calls: the ground joins nobody, a contact between two that move does,
   CHECK_FALSE(anew.many(3));
   find(calls, world, contacts);  // both had half steps
   CHECK_FALSE(calls.many(1));
-}
-
-TEST_CASE("calls: contacts that are too far off to act in this step are not counted") {
-  const World world = standing(1);
-  const auto counted = [&](Real gap) {
-    Calls calls;
-    find(calls, world, below_the_first(20, -gap));
-    CHECK(calls.of(1) == MovedBy::half_steps);
-    CHECK(calls.many(1) == (calls.contacts(1) == 20));
-    return calls.contacts(1);
-  };
-  CHECK(counted(h * h * g * Real(0.99)) == 20);
-  CHECK(counted(h * h * g * Real(1.01)) == 0);
 }
 
 TEST_CASE("calls: many balls have half steps when they meet, many boxes do not") {

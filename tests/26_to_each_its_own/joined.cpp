@@ -27,16 +27,6 @@ Real deepest(World world) {
   world.find_contacts();
   return deepest_overlap(world);
 }
-bool all_by(const ByIsland& solver, const World& world, MovedBy how) {
-  return std::all_of(world.bodies.begin(), world.bodies.end(),
-                     [&](const Body& body) { return !body.movable() || solver.moved_by(body.index) == how; });
-}
-/// A ball on a rod that swings to a wall.
-World at_wall(Real e) {
-  World world;
-  moment_of_impact_scenes::PendulumAtWall{.links = 0, .e = e}(world);
-  return world;
-}
 
 /// Two boxes of 1 m and 3 kg beside each other, on the ground.
 World welded_boxes() {
@@ -165,102 +155,6 @@ void striker(World& world, Random& random) {
 
 }  // namespace
 
-TEST_CASE("joined, by island: a double pendulum that meets a wall has half steps, and is where Lagrange says") {
-  const moment_of_impact_scenes::PendulumAtWall scene;
-  World world;
-  scene(world);
-  ByIsland solver;
-  double off = 0;
-  for (const Places& places : scene.truth(120)) {
-    world.step(solver, h);
-    CHECK(all_by(solver, world, MovedBy::half_steps));
-    for (std::size_t i = 0; i < places.size(); ++i)
-      off = std::max(off, (world.bodies[i].position.cast<double>() - places[i]).norm());
-  }
-  CHECK(off < (in_double ? 6e-5 : 1e-2));
-}
-
-TEST_CASE("joined, by island: a bob on a rod slides round on a floor, and is where the closed form says") {
-  for (const Real mu : {Real(0), Real(0.2)}) {
-    const half_step_scenes::OnFloor round{mu};
-    World world;
-    round(world);
-    ByIsland solver;
-    Real off = 0;
-    for (int i = 0; i < 30; ++i) {
-      world.step(solver, h);
-      CHECK(solver.moved_by(1) == MovedBy::half_steps);
-      off = std::max(off, (world.bodies[1].position - round.place(world.time)).norm());
-    }
-    CHECK(off < (in_double ? Real(1e-5) : Real(1e-3)));
-  }
-}
-
-TEST_CASE("joined, by island: two boxes that are welded rest as one, and slide as far as one") {
-  World rest = welded_boxes(), slide = rest;
-  const World begin = rest;
-  ByIsland solver, other;
-  for (int i = 0; i < 120; ++i) {
-    rest.step(solver, h);
-    REQUIRE(solver.moved_by(1) == MovedBy::half_steps);
-  }
-  for (const std::size_t i : {1U, 2U})
-    CHECK((rest.bodies[i].position - begin.bodies[i].position).norm() < (in_double ? Real(1e-9) : Real(1e-3)));
-  Real carried = 0;
-  for (const Contact& contact : rest.contacts) carried += contact.impulse.y();
-  CHECK(carried == Approx(6 * g * h).epsilon(in_double ? 1e-6 : 1e-3));
-
-  for (Body& body : slide.bodies)
-    if (body.movable()) body.velocity = {4, 0, 0};
-  for (int i = 0; i < 120; ++i) slide.step(other, h);
-  const Real mu = Real(0.5), of_substep = h / 4;  // v^2 / (2 mu g), but for the substep in which it stops
-  CHECK(std::abs(slide.bodies[1].position.x() + Real(0.5) - 16 / (2 * mu * g)) <=
-        mu * g * of_substep * of_substep / 8 + (in_double ? Real(1e-8) : Real(1e-3)));
-}
-
-TEST_CASE("joined, by island: what bounces comes upon another within the step, and does not pass through it") {
-  // A dumbbell flies along itself to a wall, and a ball of its mass comes after it. They pass on their velocities, as one ball to
-  // another: centres are where they would be if both went through each other, but for their sizes.
-  constexpr Real speed = 60, r = Real(0.1), half = Real(0.15),
-                 from = Real(1.6);  // beyond the margin, and before the wall
-  World world;
-  world.gravity.setZero();
-  world.add(box({Real(0.5), 2, 2}, 1).fixed().at({Real(-0.5), 0, 0}).rough(0));
-  for (const Real side : {-half, half})
-    world.add(sphere(r, 1).at({Real(0.4) + side, 0, 0}).moving({-speed, 0, 0}).bouncy(1).rough(0));
-  world.joints.push_back(weld(world, 1, 2, {Real(0.4), 0, 0}));
-  world.add(sphere(r, 2).at({from, 0, 0}).moving({-speed, 0, 0}).bouncy(1).rough(0));
-  ByIsland solver;
-  for (int i = 0; i < 3; ++i) {
-    world.step(solver, h);
-    CHECK(world.bodies[3].position.x() - world.bodies[2].position.x() > 2 * r - (in_double ? Real(1e-8) : Real(1e-4)));
-    CHECK(world.bodies[1].position.x() > r - (in_double ? Real(1e-8) : Real(1e-4)));
-  }
-  // From 0.4 to the wall, where its centre is at r + half: 0.15 m; the ball's way is longer by its distance less both sizes.
-  const Real way = 3 * h * speed, between = from - Real(0.4) - 2 * r - half, to_wall = Real(0.4) - r - half;
-  const Real first = r + half + (way - to_wall - between), second = r + half + (way - to_wall) + 2 * r + half;
-  CHECK((world.bodies[1].position + world.bodies[2].position).x() / 2 == Approx(first).epsilon(1e-6));
-  CHECK(world.bodies[3].position.x() == Approx(second).epsilon(1e-6));
-  for (const std::size_t body : {1U, 2U, 3U}) CHECK(world.bodies[body].velocity.x() == Approx(speed).epsilon(1e-6));
-}
-
-TEST_CASE("joined, by island: the end of a rod on a pin meets what its middle never comes near") {
-  for (const Real spin : {Real(10), Real(25), Real(60)}) {
-    CAPTURE(spin);
-    World world;
-    world.gravity.setZero();
-    world.add(box({Real(1.5), Real(0.05), Real(0.05)}, 10).spinning({0, 0, spin}).bouncy(1).rough(0));
-    world.add(sphere(Real(0.1), 10).at({0, Real(1.4), 0}).bouncy(1).rough(0));
-    world.joints.push_back(ball_and_socket(world, the_world, 0, Vec3::Zero()));
-    const Real motion = kinetic_energy(world), turn = angular_momentum(world).z();
-    ByIsland solver;
-    while (world.bodies[1].velocity == Vec3::Zero() && world.time < 1) world.step(solver, h);
-    CHECK(world.bodies[1].velocity.norm() > spin / 2);
-    CHECK(kinetic_energy(world) == Approx(motion).epsilon(in_double ? 1e-6 : 1e-3));
-    CHECK(angular_momentum(world).z() == Approx(turn).epsilon(in_double ? 1e-6 : 1e-3));
-  }
-}
-
 TEST_CASE("joined, by island: who is joined to what it overlaps does not meet it, however fast") {
   World world;
   world.gravity.setZero();
@@ -275,28 +169,6 @@ TEST_CASE("joined, by island: who is joined to what it overlaps does not meet it
     CHECK(solver.moved_by(1) == MovedBy::half_steps);
   }
   CHECK(kinetic_energy(world) == Approx(motion).epsilon(in_double ? 1e-6 : 1e-3));
-}
-
-TEST_CASE("joined, by island: a ball on a pin leaves the wall with e times the speed that it came with") {
-  for (const Real e : {Real(0.3), Real(0.8)}) {
-    World world = at_wall(e);
-    ByIsland solver;
-    // Each time it falls back to the wall: its energy above that of touching at rest becomes e^2 of it.
-    const Real touching = std::asin(Real(0.5));  // rad: wall at 0.3, radius 0.2
-    const Real still = -2 * g * Real(0.2) * std::cos(touching);
-    Real before = energy(world) - still;
-    int bounces = 0;
-    for (int i = 0; i < 150 && bounces < 2; ++i) {
-      const Real came = world.bodies[0].angular_velocity.z();
-      world.step(solver, h);
-      if (came < Real(0.5) || world.bodies[0].angular_velocity.z() >= 0) continue;
-      ++bounces;
-      const Real after = energy(world) - still;
-      CHECK(after / before == Approx(e * e).epsilon(in_double ? 1e-3 : 1e-2));
-      before = after;
-    }
-    CHECK(bounces == 2);
-  }
 }
 
 TEST_CASE("joined, by island: of scenes that nobody has looked at none gains energy by half steps, and joints hold") {

@@ -7,7 +7,6 @@
 #include "pushback/chapters/24_half_step/top.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/chapters/26_to_each_its_own/scenes.h"
-#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "tests/27_which_error/played.h"
@@ -45,45 +44,10 @@ WithinError by_substeps_alone(Real error) {
   solver.savings.at_first = solver.savings.part = 0;  // nobody can pay for half steps
   return solver;
 }
-/// Counts what joints are asked: as often as half steps are taken and corrected.
-struct Asked {
-  std::shared_ptr<std::size_t> count = std::make_shared<std::size_t>(0);
-  void listen(World& world) const {
-    for (Joint& joint : world.joints)
-      joint.ask = [ask = joint.ask, n = count](const Body& a, const Body& b, const TimeStep& now,
-                                               Equations& equations) {
-        ++*n;
-        ask(a, b, now, equations);
-      };
-  }
-};
-/// Half steps taken, in parts of those that the result is made of.
-Real half_steps_taken(World world, Real error, int steps) {
-  const Asked asked;
-  asked.listen(world);
-  WithinError solver = within(error);
-  std::size_t taken = 0, needed = 0;
-  for (int i = 0; i < steps; ++i) {
-    World alone = world;
-    *asked.count = 0;
-    world.step(solver, h);
-    taken += std::exchange(*asked.count, 0);
-    const Known known = solver.known(0);
-    HalfStep half_step;
-    Composed<Suzuki> fourth_order;
-    HalfStep& step = known.order == 4 ? fourth_order : half_step;
-    step.set_as(solver.joined);
-    step.substeps = known.substeps;
-    step.tolerance = std::min(step.tolerance, error * h / 100);
-    alone.step(step, h);
-    needed += *asked.count;
-  }
-  return static_cast<Real>(taken) / static_cast<Real>(needed);
-}
 
 }  // namespace
 
-TEST_CASE("within an error: Runge's estimate of a step is what the step is off, for the ten motions") {
+TEST_CASE("within an error: Runge's estimate of a step is what the step is off, for the ten motions", "[checked]") {
   int smooth = 0;
   std::vector<std::string> others;
   for (const Motion& motion : all_motions())
@@ -203,37 +167,6 @@ TEST_CASE("within an error: the same bits with any number of threads, and a copy
   }
 }
 
-TEST_CASE(
-    "within an error: a pendulum and a chain near rest take at most a third more half steps than their results are "
-    "made of") {
-  for (const Real error : {Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5)}) {
-    World chain;
-    Chain{.angle = Real(0.1)}(chain);
-    INFO(error);
-    CHECK(half_steps_taken(pendulum(1), error, 300) < Real(1.35));
-    CHECK(half_steps_taken(chain, error, 300) < Real(1.35));
-  }
-}
-
-TEST_CASE("within an error: a pendulum's substeps follow its swings, and do not flicker") {
-  for (const Real error : {Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5)}) {
-    World world = pendulum(1);
-    WithinError solver = within(error);
-    int changes = -1;
-    std::pair<int, int> before{0, 0};
-    for (int i = 0; i < 600; ++i) {
-      world.step(solver, h);
-      const Known known = solver.known(0);
-      changes += std::exchange(before, {known.order, known.substeps}) != before;
-    }
-    INFO(error << ": " << changes);
-    // In 10 s it swings not quite seven times from one side to the other: each time up by one or two doublings and down
-    // again; and four times it changes as it begins.
-    CHECK(changes <= 4 * 7 + 4);
-    if (error == Real(1e-2)) CHECK(changes >= 2 * 6);
-  }
-}
-
 TEST_CASE("within an error: a chain that whips keeps its energy, has many substeps while it does, and few after it") {
   for (const Real error : {Real(1e-3), Real(1e-4)}) {
     World world;
@@ -309,24 +242,6 @@ TEST_CASE("within an error: a stack on springs has sunk by the sum of its depths
   CHECK(sunken(world, all) == 0);
 }
 
-TEST_CASE("within an error: the top of a pile has sunk by the sum of all depths, however high the pile is") {
-  constexpr int boxes = 3000;
-  constexpr Real depth = Real(1e-5);  // m: of each contact
-  World world;
-  stack(world, boxes);
-  std::reverse(world.bodies.begin() + 1, world.bodies.end());  // from the top down: the order of bodies does not matter
-  for (std::size_t i = 1; i < world.bodies.size(); ++i) {
-    world.bodies[i].index = static_cast<int>(i);
-    const bool lowest = i + 1 == world.bodies.size();
-    Contact& contact = world.contacts.emplace_back();
-    contact.id = {std::uint32_t(lowest ? 0 : i), std::uint32_t(lowest ? i : i + 1), 0};
-    contact.normal = lowest ? Vec3::UnitY() : Vec3(-Vec3::UnitY());
-    contact.impulse = static_cast<Real>(i) * contact.normal;
-    contact.depth = depth;
-  }
-  CHECK(sunken(world, [](int) { return true; }) == Approx(boxes * depth).epsilon(1e-3));
-}
-
 TEST_CASE("within an error: a pyramid that settles on springs stays within it, and by what it has sunk is known") {
   World world;
   pyramid(world, 12);
@@ -383,24 +298,6 @@ TEST_CASE("within an error: no step in which something bounces is said to be kep
     }
     CHECK(bounces > 1);
   }
-}
-
-TEST_CASE("within an error: of a body that was not there nothing is known") {
-  WithinError solver;
-  CHECK(solver.known(3).how == MovedBy::nothing);
-  World world = pendulum(1);
-  solver.error = Real(1e-3);
-  world.step(solver, h);
-  CHECK(solver.known(0).substeps >= 2);
-  CHECK(solver.known(0).place > 0);
-  for (const int body : {-1, 1, 99}) {
-    CHECK(solver.known(body).how == MovedBy::nothing);
-    CHECK(solver.known(body).substeps == 0);
-    CHECK(solver.known(body).place == 0);
-    CHECK(solver.known(body).kept);
-  }
-  solver.forget();
-  CHECK(solver.known(0).place == 0);
 }
 
 TEST_CASE("within an error: settings that cannot be used are named, and nothing has changed") {
