@@ -28,22 +28,25 @@ std::string trimmed(const std::string& text) {
 
 std::vector<Student> students() {
   std::vector<Student> all;
-  bool above = false;
+  const auto add = [&](const std::string& code) {
+    if (code.starts_with("^ ")) all.back().above += code.substr(2) + "\n";
+    else all.back().inside += code + "\n";
+  };
   for (const std::string& line : lines_of(text_of(SOURCE_DIR "/tests/project/hostile_class.txt"))) {
-    if (line.starts_with("== ")) {
-      std::vector<std::string> parts;
-      std::istringstream in(line.substr(3) + " ");
-      for (std::string part; std::getline(in, part, '|');) parts.push_back(trimmed(part));
-      REQUIRE(parts.size() == 4);
-      const bool soon = parts[0].starts_with("*");
-      all.push_back({parts[0].substr(soon), std::stoi(parts[1]), parts[2], parts[3], "", "", soon});
-      above = true;
-    } else if (line == "--") {
-      above = false;
-    } else if (!all.empty()) {
-      (above ? all.back().above : all.back().inside) += line + "\n";
+    std::vector<std::string> parts(5);
+    std::istringstream in(line);
+    for (std::size_t i = 0; i < 4; ++i) std::getline(in, parts[i], '|');
+    std::getline(in, parts[4]);
+    for (std::string& part : parts) part = trimmed(part);
+    if (line.starts_with("  ") && !all.empty()) add(trimmed(line));
+    else if (parts[1] == "0" || parts[1] == "6") {
+      const bool soon = parts[0].starts_with("*"), right = parts[1] == "6";
+      all.push_back(
+          {parts[0].substr(soon), std::stoi(parts[1]), parts[2], parts[3], "", right ? "@RIGHT@\n" : "", soon});
+      add(parts[4]);
     }
   }
+  REQUIRE(all.size() > 80);
   return all;
 }
 
@@ -86,7 +89,7 @@ class HostileClass {
   /// Options, and what comes of them. The class is graded from its own folder, so that "-rf" looks like an option.
   Ended grade(const std::string& options) const {
     std::vector<std::string> command{"env", "-C", folder_ / "class", "SECRET_TOKEN=key-of-the-teacher", GRADE_PROGRAM};
-    std::istringstream in(options + " --exercises 03 --seed 1 --no-sheet --out " + (folder_ / "out").string());
+    std::istringstream in(options + " --exercises 03 --seed 1 --out " + (folder_ / "out").string());
     for (std::string word; in >> word;) command.push_back(word);
     command.emplace_back("--");
     for (const std::string& name : names_) command.push_back(name.substr(6));

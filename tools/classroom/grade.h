@@ -38,11 +38,11 @@ struct Grading {
   std::uint64_t seed = 0;  ///< 0: drawn at the first time, and kept in `out`
   int jobs = 1;
   Shard shard;
-  bool sandboxed = true, sheets = true;
+  bool sandboxed = true;
   Limits limits;
 };
 
-/// Leaves a file for each student in out/students, and a picture for each exercise in out/sheets. A student whose file is of the same answers, points and seed is not graded
+/// Leaves a file for each student in out/students. A student whose file is of the same answers, points and seed is not graded
 /// again. Then results.json, results.xml and the table are of all that are there.
 void grade(const Grading& grading);
 

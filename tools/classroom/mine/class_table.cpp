@@ -14,7 +14,6 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/common/experiment/kept_picture.h"
-#include "pushback/tools/classroom/budget.h"
 #include "pushback/tools/classroom/handed_in.h"
 #include "pushback/tools/classroom/kit.h"
 #include "pushback/tools/classroom/mine/chapters.h"
@@ -64,19 +63,17 @@ Column column_of(const std::string& student, const fs::path& given, const Gradin
   if (!made.problem.empty()) return made;
   const fs::path program = program_beside("hard_cases_table");
   if (!fs::exists(program)) throw InvalidInput("a program is needed that is not built: " + program.string());
-  Command play{"prlimit", "--core=0", "--fsize=67108864", program};
+  Command play{"prlimit", "--core=0", "--fsize=67108864",
+               fmt::format("--as={}", std::int64_t{4 * grading.limits.megabytes} << 20), program};
   for (const std::string& word :
        {std::string("--stages"), std::string(reference), std::string("--mine"), library.string(),
         std::string("--no-images"), std::string("--jobs"), std::string("1"), std::string("--out"), out.path.string()})
     play.push_back(word);
-  Watch watch({4 * grading.limits.megabytes, grading.limits.processes}, sandbox != nullptr);
-  const Ended ended = run_program(sandbox ? sandbox->around(play, out.path, {program}) : play, longest, "",
-                                  [&](int process) { return watch.look(process); });
+  const Ended ended = run_program(sandbox ? sandbox->around(play, out.path, {program}) : play, longest);
   const fs::path csv = out.path / "hard_cases" / "part" / "table.csv";
   if (!fs::is_regular_file(fs::symlink_status(csv))) {
-    made.problem = !watch.exceeded().empty() ? "it took " + watch.exceeded()
-                   : ended.out_of_time       ? fmt::format("its cases were not done after {} s", longest)
-                                             : "its cases were not played to their end: " + end_of(ended);
+    made.problem = ended.out_of_time ? fmt::format("its cases were not done after {} s", longest)
+                                     : "its cases were not played to their end: " + end_of(ended);
     return made;
   }
   std::vector<Stage> stages = table_stages();
