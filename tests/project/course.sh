@@ -308,9 +308,9 @@ expect 0 "-DPUSHBACK_PEERS=ON" "--target study frozen peers" "study: --peers --o
 printf '#!/bin/sh\necho "peers: $*"\n' >"$scratch/home/build/release/programs/hard_cases_peers"
 chmod +x "$scratch/home/build/release/programs/hard_cases_peers"
 course hard-cases slop --peers -- --jobs 1
-expect 0 "-DPUSHBACK_PEERS=ON" "--target peers" "peers: slop --jobs 1" "took " && expect_not "table:"
+expect 0 "-DPUSHBACK_PEERS=ON" "--target hard_cases_peers peers" "peers: slop --jobs 1" "took " && expect_not "table:"
 touch "$scratch/sub/mine.mjs"
-course hard-cases slop -- --adapter mine.mjs && expect 0 "--target hard_cases_adapter hard_cases_peers" "peers: slop --adapter $scratch/sub/mine.mjs"
+course hard-cases slop -- --adapter mine.mjs && expect 0 "--target hard_cases_peers hard_cases_adapter" "peers: slop --adapter $scratch/sub/mine.mjs"
 
 course clean && expect 0 "git clean"
 [[ ! -e $scratch/home/build ]] || { echo "clean left build/"; failures=$((failures + 1)); }

@@ -29,7 +29,7 @@ std::string_view ending_of(const std::string& name) {
 /// Called with the archive and the folder that gets its headers. It says why it takes nothing.
 constexpr const char* unpack = R"(
 set -u
-refuse() { echo "$1"; exit 3; }
+refuse() { echo "$1"; exit 99; }
 names=$2/names
 case $1 in
   *.zip) tool=unzip; unzip -Z1 "$1" >"$names" ;;
@@ -54,9 +54,11 @@ std::string unpacked(const fs::path& archive, const fs::path& to, const Sandbox*
                                    "unpack",          file,       to};
   if (sandbox) command = sandbox->around(command, to, {file});
   const Ended ended = run_program(command, 30);
+  if (ended.status == 127)
+    throw InvalidInput(fmt::format("'{}' cannot be unpacked: are tar and unzip installed?", visible(archive)));
   const bool too_large = ended.signal == SIGXFSZ || ended.status == 128 + SIGXFSZ;
   if (ended.status == 0) return "";
-  if (ended.status == 3 && !ended.out.empty()) return visible(lines_of(ended.out).front());
+  if (ended.status == 99) return visible(lines_of(ended.out).front());
   if (too_large) return "a file in it, or its list of files, is larger than 1 MB";
   return ended.out_of_time ? "it takes too long to read" : "it cannot be read";
 }

@@ -20,7 +20,7 @@ std::string file_of(const Exercise& exercise);
 
 class HandedIn {
  public:
-  /// An archive is unpacked in the sandbox, if there is one.
+  /// An archive is unpacked in the sandbox, if there is one. Throws InvalidInput if tar or unzip is missing.
   HandedIn(const std::filesystem::path& given, const std::vector<const Exercise*>& exercises, const Sandbox* sandbox);
   /// A copy of its file, of less than 1 MB and no link, in the folder or at most two folders deeper; none if there is none. A
   /// whole solver's is solver.h, next to copies of the headers there.
