@@ -46,3 +46,13 @@ TEST_CASE("how a program ended is told: its status, what it said, no such progra
   }
   CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(30));
 }
+
+TEST_CASE("a program has none of our files open but its input and output") {
+  const int file = dup(1);  // as another thread's could be
+  REQUIRE(file > 2);
+  const Ended ended =
+      run_program({"sh", "-c", "for n in 3 4 5 6 7 8 9; do [ ! -e /proc/$$/fd/$n ] || echo $n; done"}, 20);
+  close(file);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.empty());
+}
