@@ -171,17 +171,18 @@ test("the address holds the state, and what it says wrongly is left as it is", a
 });
 
 test("words that set the figure are links to its state; the browser's own way leads back to them", async () => {
-  const page = await newPage(browser);
-  await page.goto(address(page03));
+  const page = await opened("&step=5");
   await page.locator("summary", { hasText: "Answer" }).first().click();
   const link = page.locator("a.sets").last();
   const asked = new URLSearchParams((await link.getAttribute("href")).slice(1));
   await link.click();
-  await page.waitForFunction(() => (window.player = window.PUSHBACK_LIVE_TEST.player()));
+  await page.waitForFunction((beta) => player.state.get("beta") === beta, asked.get("beta"));
   assert.equal(await page.evaluate(() => player.engine.scene.key), asked.get("scene"));
-  assert.equal(await page.evaluate(() => player.state.get("beta")), asked.get("beta"));
+  assert.ok(await page.evaluate(() => document.activeElement === player.view.stage.canvas));
   await page.goBack();
-  assert.equal(await page.evaluate(() => location.hash), "");
+  await page.waitForFunction(() => player.engine.now === 5);
+  const { top, bottom } = await link.evaluate((element) => element.getBoundingClientRect().toJSON());
+  assert.ok(top >= 0 && bottom <= 800, `the words stand from ${top} to ${bottom}`);
   assert.deepEqual(page.wrong, []);
   await page.close();
 });

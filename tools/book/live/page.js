@@ -69,16 +69,25 @@
     figure.insertBefore(panel, figure.querySelector("figcaption"));
   }
 
-  /** Shows what the address says, as it is opened or as a link of the page changes it. */
+  let asked = true; // by the address, as the page is opened, or by a link: not by the browser's way back to a sentence
+  /** Shows what the address says. */
   async function follow(figures) {
-    const state = new URLSearchParams(location.hash.slice(1));
+    const state = new URLSearchParams(location.hash.slice(1)),
+      seen = asked;
+    asked = false;
     const figure = figures.find((one) => one.dataset.chapter === state.get("live"));
     if (!figure) return;
     players.get(figure)?.arrive(state);
     const player = await start(figure, state);
+    if (!seen) return;
     if (!player) figure.scrollIntoView();
     else if (state.has("problem") || state.has("iteration")) player.iterations.element.scrollIntoView();
     else player.bringIntoView();
+  }
+  function clicked({ target }, figures) {
+    const link = target.closest?.('a[href*="#live="]');
+    asked = Boolean(link);
+    if (link?.href === location.href) follow(figures); // the address does not change then
   }
 
   /** Programs come as figures come near the window; the small ones begin then, all of them with the first. */
@@ -101,6 +110,7 @@
     const figures = [...document.querySelectorAll("figure.live[data-chapter]")];
     for (const figure of figures) prepare(figure);
     whenNear(figures, [...document.querySelectorAll("figure.small-live")]);
+    document.addEventListener("click", (event) => clicked(event, figures));
     addEventListener("hashchange", () => follow(figures));
     follow(figures);
   }
