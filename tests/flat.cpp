@@ -287,27 +287,3 @@ TEST_CASE("and each chapter is told apart from the one before it") {
   jointed_pile(jointed);
   CHECK_THROWS_AS(chapter_named("12").flat({})(jointed, Real(0.01), 1), InvalidInput);
 }
-
-TEST_CASE("as is a slop that differs in its last bit") {
-  Settings other;
-  other.slop = std::nextafter(other.slop, Real(1));
-  CHECK(first_difference(pile, chapter_named("07").composed({}), chapter_named("07").flat(other), 300) > 0);
-}
-
-TEST_CASE("the pile has contacts that are new, slide, and stick") {
-  World world;
-  pile(world);
-  FullSolver solver;
-  int fresh = 0, sliding = 0, sticking = 0;
-  for (int step = 0; step < 300; ++step) {
-    world.step(solver, Real(1) / 60);
-    for (const Contact& contact : world.contacts) {
-      fresh += contact.state == ContactState::fresh;
-      sliding += contact.state == ContactState::sliding;
-      sticking += contact.state == ContactState::sticking;
-    }
-  }
-  CHECK(fresh > 100);
-  CHECK(sliding > 100);
-  CHECK(sticking > 100);
-}

@@ -1,10 +1,7 @@
 // Bodies that are moved by hand, and conveyors: what they carry obeys closed forms, whatever solver there is.
-#include <memory>
 
-#include "pushback/chapters/23_threads/crew.h"
-#include "pushback/chapters/27_which_error/presets.h"
+#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/bodies/random.h"
-#include "pushback/common/world/measure.h"
 #include "pushback/tools/catalogue/solvers.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -78,23 +75,6 @@ TEST_CASE("moved by hand: one step takes the body to the place and into the turn
     world.bodies[0].moved_to(world.bodies[0].position, world.bodies[0].orientation, h);
     CHECK(world.bodies[0].velocity.isZero(0));
     CHECK(world.bodies[0].angular_velocity.norm() < arrives);
-  }
-}
-
-TEST_CASE("a lift that shakes: a box on it does not creep, where each island has the step that it calls for") {
-  for (AnySolver solver : {AnySolver(Recommended{}), AnySolver(Exact{})}) {
-    World world;
-    world.add(box({3, Real(0.25), 3}, 1).fixed().at({0, Real(-0.25), 0}));
-    world.add(box({Real(0.4), Real(0.5), Real(0.3)}, 50).at({Real(0.7), Real(0.5), Real(0.2)}));
-    for (int i = 1; i <= 3600;
-         ++i) {  // a minute, at up to 6.4 m/s^2: it stays in touch, and nothing pushes it sideways
-      const Real up = Real(0.1) * (1 - std::cos(8 * h * Real(i)));
-      world.bodies[0].moved_to({0, up - Real(0.25), 0}, Quat::Identity(), h);
-      world.step(solver, h);
-    }
-    const Body& load = world.bodies[1];
-    CHECK(std::hypot(load.position.x() - Real(0.7), load.position.z() - Real(0.2)) < (in_double ? 1e-9 : 1e-3));
-    CHECK(load.orientation.vec().norm() < (in_double ? 1e-9 : 1e-3));
   }
 }
 
@@ -229,32 +209,4 @@ TEST_CASE(
       CHECK(std::atan2(-x.z(), x.x()) == Approx(w * 180 * h).margin(1e-3));
       CHECK(world.bodies[0].orientation.coeffs() == Quat::Identity().coeffs());
     }
-}
-
-TEST_CASE("a roller: a round body that spins in its place carries a plank at w r") {
-  for (Tried& by : tried()) {
-    INFO(by.name);
-    const Real r = Real(0.25), w = 4;
-    World world;
-    for (int i = 0; i < 8; ++i)
-      world.add(capsule(r, 1, 1).turned(pi / 2, Vec3::UnitX()).fixed().at({Real(i) / 2, -r, 0}).spinning({0, 0, -w}));
-    world.add(box({1, half, half}, mass).at({1, half, 0}));
-    for (int i = 0; i < 60; ++i) by.step(world);
-    CHECK(world.bodies[8].velocity.x() == Approx(w * r).epsilon(1e-3));
-  }
-}
-
-TEST_CASE("conveyors: in the same bits with two threads") {
-  World world;
-  world.add(platform().conveying({1, 0, 0}));
-  for (int i = 0; i < 200; ++i) world.add(parcel().at({Real(i % 20) / 2 - 5, Real(i / 20) * Real(0.21) + half, 0}));
-  World by_two = world;
-  Recommended alone, shared;
-  shared.many.crew = std::make_shared<Crew>(2, true);
-  for (int i = 0; i < 30; ++i) {
-    world.step(alone, h);
-    by_two.step(shared, h);
-  }
-  CHECK(hash_of(world) == hash_of(by_two));
-  CHECK(world.bodies[0].position == Vec3(0, Real(-0.25), 0));
 }

@@ -1,10 +1,7 @@
 // Skins: what keeps other bodies away from a body's shape.
-#include <algorithm>
 
 #include "pushback/chapters/20_only_what_is_needed/sleep.h"
 #include "pushback/common/collision/collide.h"
-#include "pushback/common/world/measure.h"
-#include "pushback/common/world/situations.h"
 #include "pushback/tools/catalogue/solvers.h"
 #include "tests/support/any_shape.h"
 #include "tests/support/catch.h"
@@ -97,31 +94,6 @@ TEST_CASE("skin: no pair that touches by its skins is lost on the way to the nar
     by_skin += expected.size() - world.contacts.size();
   }
   CHECK(by_skin > 500);
-}
-
-TEST_CASE("skin: boxes rest at the distance of both skins, as high as boxes rest that are larger by them") {
-  for (const char* name : {"08 friction cone", "12 soft contacts", "21 detected once", "22 wide", "26 by island"}) {
-    INFO(name);
-    const Real skin = Real(0.02), half = Real(0.3);
-    World skinned, larger;
-    for (World* world : {&skinned, &larger}) {
-      const Real grown = world == &larger ? skin : 0;
-      world->add(ground());
-      for (int i = 0; i < 4; ++i) {
-        const Vec3 where(0, (2 * Real(i) + 1) * (half + skin), 0);
-        Body body = box(Vec3::Constant(half + grown), 100).at(where);
-        world->add(body.with_skin(skin - grown));
-      }
-      AnySolver solver = solver_named(name).solver;
-      for (int i = 0; i < 240; ++i) world->step(solver, h);
-    }
-    for (std::size_t i = 1; i <= 4; ++i) {
-      const Body &one = skinned.bodies[i], &other = larger.bodies[i];
-      CHECK(std::abs(one.position.y() - other.position.y()) < Real(1e-4));
-      CHECK(std::abs(one.position.y() - (2 * Real(i) - 1) * (half + skin)) < Real(0.03));
-      CHECK(one.velocity.norm() < Real(1e-3));
-    }
-  }
 }
 
 TEST_CASE("skin: a sleeper is touched by its skin") {

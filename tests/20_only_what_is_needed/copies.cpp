@@ -97,15 +97,6 @@ TEST_CASE("a copied world and its solver go on in the same bits, in every scene"
   }
 }
 
-TEST_CASE("a copied world goes on in the same bits while some sleep, and when they are woken") {
-  World world;
-  FivePiles{}(world);
-  for (const int before : {60, 85, 120, 200}) {
-    INFO(before << " steps before");
-    CHECK(first_difference(world, Needed{OnlyWhatIsNeeded(world, JointedSolver{}, Sleep{})}, before, 120) == -1);
-  }
-}
-
 TEST_CASE("a copied world goes on in the same bits under solvers that act after the bodies have moved, or directly") {
   World world;
   pyramid(world, 4);

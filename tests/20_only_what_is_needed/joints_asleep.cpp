@@ -1,7 +1,6 @@
 /// Joined bodies rest together: one island, which joints put to sleep no sooner, and wake as a whole.
 #include "pushback/chapters/13_joints/distance.h"
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
-#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
 #include "tests/support/with_joints.h"
@@ -82,46 +81,6 @@ Pair sleeping_five() {
 
 // ---- islands -----------------------------------------------------------------------------------------------------------
 
-TEST_CASE("what is joined is one island, but not through what nothing moves") {
-  Random random(9);
-  int alone = 0, together = 0;
-  for (int scene = 0; scene < 500; ++scene) {
-    World world;
-    Bodies movable;
-    const std::size_t count = 2 + random.below(30);
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool fixed = random.below(4) == 0;
-      world.add(fixed ? sphere(1, 1).fixed() : sphere(1, 1));
-      if (!fixed) movable.push_back(int(i));
-    }
-    for (std::size_t i = random.below(count); i > 0; --i) {
-      const int a = int(random.below(count + 1)) - 1, b = int(random.below(count));  // -1: the world
-      world.joints.push_back({.name = "a string", .a = a, .b = b, .ask = {}});
-    }
-    Islands islands;
-    islands.separate(movable, count);
-    islands.join(world.joints, world);
-
-    Bodies lowest(count);
-    std::iota(lowest.begin(), lowest.end(), 0);
-    for (bool flows = true; flows;) {
-      flows = false;
-      for (const Joint& joint : world.joints) {
-        if (!body_of(world, joint.a).movable() || !body_of(world, joint.b).movable()) continue;
-        int &a = lowest[std::size_t(joint.a)], &b = lowest[std::size_t(joint.b)];
-        if (a == b) continue;
-        flows = true;
-        a = b = std::min(a, b);
-      }
-    }
-    for (const int i : movable) {
-      REQUIRE(islands.island_of(i) == lowest[std::size_t(i)]);
-      ++(lowest[std::size_t(i)] == i ? alone : together);
-    }
-  }
-  CHECK(std::min(alone, together) > 500);
-}
-
 TEST_CASE("who hangs on the same immovable body, or on the world, is not joined by it") {
   Pair pair = sleeping_five();
   CHECK(pair.islands() == std::vector<Bodies>{hanging, beside});
@@ -137,20 +96,6 @@ TEST_CASE("who hangs on the same immovable body, or on the world, is not joined 
 }
 
 // ---- asleep ------------------------------------------------------------------------------------------------------------
-
-TEST_CASE("a chain at rest falls asleep, costs no row, and stays where it would hang without") {
-  World before_it;
-  hanging_chain(before_it);
-  Pair pair(before_it);
-  REQUIRE(pair.falls_asleep({1, 2, 3, 4, 5, 6, 7, 8}));
-  CHECK(pair.world.time < 2);
-  pair.step();
-  CHECK(pair.solver.joint_rows().empty());
-  pair.step(1200);
-  CHECK(pair.asleep().size() == 8);
-  CHECK(pair.apart() < slop);
-  CHECK(pair.world.time == pair.unslept.time);
-}
 
 TEST_CASE("a chain that was let go sideways swings as without sleep, and sleeps in the end") {
   World before_it;
@@ -174,20 +119,6 @@ TEST_CASE("a chain that was let go sideways swings as without sleep, and sleeps 
   CHECK(pair.world.time > 2);
   pair.step(1200);
   CHECK(pair.apart() < slop);
-}
-
-TEST_CASE("joined bodies overlap where they are joined, and do not touch, and asleep or awake") {
-  World before_it = five_hanging();
-  for (int i = 1; i <= 4; ++i) before_it.bodies[std::size_t(i)].shape = Sphere{Real(0.32)};
-  before_it.bodies[5].position.z() = 2;
-  before_it.joints[4] = distance(before_it, 0, {0, 5, 2}, 5, {0, 4, 2});
-  Pair pair(before_it);
-  pair.step();
-  CHECK(pair.world.contacts.size() == pair.unslept.contacts.size());
-  CHECK(pair.world.contacts.empty());
-  for (Joint& joint : pair.world.joints) joint.colliding = true;
-  pair.step();
-  CHECK(pair.world.contacts.size() == 4);  // 0 and 1 as well
 }
 
 // ---- waking ------------------------------------------------------------------------------------------------------------
@@ -228,15 +159,6 @@ TEST_CASE("what hangs on an immovable body that moves wakes with it, and rests o
   CHECK(pair.apart() < Real(1e-12));
   pair.change([](World& world) { world.bodies[0].velocity.setZero(); });
   CHECK(pair.falls_asleep(all_five));
-}
-
-TEST_CASE("to wake an immovable body is to wake what is joined to it") {
-  Pair pair = sleeping_five();
-  pair.sleep().wake(pair.world, 0);
-  CHECK(pair.asleep().empty());
-  REQUIRE(pair.falls_asleep(all_five));
-  pair.sleep().wake(pair.world, 3);
-  CHECK(pair.asleep() == beside);
 }
 
 TEST_CASE("a joint that is driven keeps awake what it holds, and wakes it when its motion begins") {

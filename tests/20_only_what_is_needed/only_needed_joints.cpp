@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include "pushback/chapters/00_naive_impulses/naive.h"
-#include "pushback/chapters/00_naive_impulses/scenes.h"
-#include "pushback/chapters/01_velocity_constraint/scenes.h"
 #include "pushback/chapters/13_joints/distance.h"
 #include "pushback/chapters/13_joints/weld.h"
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
@@ -14,8 +12,6 @@
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
-using namespace pushback::naive_impulses_scenes;
-using namespace pushback::velocity_constraint_scenes;
 
 namespace {
 
@@ -64,24 +60,6 @@ struct Both {
 
 // ---- what is read off a scene ------------------------------------------------------------------------------------------
 
-TEST_CASE("joints are called for where there are any, and it says which") {
-  World world;
-  world.add(sphere(1, 1));
-  world.add(box({1, 1, 1}, 1).at({3, 0, 0}));
-  const auto because = [&world] {
-    const Answer answer = Holding::in(world);
-    return fmt::format("{}: {}", answer.yes ? "yes" : "no", answer.because);
-  };
-  CHECK(because() == "no: nothing is joined");
-  world.joints = {hinge(world, 0, 1, {1, 0, 0}, {0, 1, 0})};
-  CHECK(because() == "yes: a hinge between ball 0 and box 1");
-  world.joints.push_back(ball_and_socket(world, 1, the_world, {3, 1, 0}));
-  world.joints.push_back(world.joints.back());
-  CHECK(because() == "yes: a hinge between ball 0 and box 1, and 2 more");
-  world.joints.erase(world.joints.begin());
-  CHECK(because() == "yes: a ball and socket between box 1 and the world, and 1 more");
-}
-
 TEST_CASE("a joint that holds a body that is not there is refused, and nothing has moved") {
   for (const int body : {-2, 1, 7}) {
     World world = filled(lone_pendulum);
@@ -100,77 +78,6 @@ TEST_CASE("a joint that holds a body that is not there is refused, and nothing h
     }
     CHECK(hash_of(world) == before);
     CHECK(world.time == time);
-  }
-}
-
-// ---- the same bits -----------------------------------------------------------------------------------------------------
-
-TEMPLATE_TEST_CASE("scenes with joints move in the same bits, rows and time included", "", JointedSolver,
-                   (WithJoints<Joints, Solver<Clamping, Baumgarte>>), Solver<WarmJoints>) {
-  for (const NamedScene& scene : joint_scenes()) {
-    INFO(scene.name);
-    World world;
-    scene.fill(world);
-    Both<TestType>(world).step(300);
-  }
-}
-TEST_CASE("scenes with joints move in the same bits in substeps, relaxed or not") {
-  for (const NamedScene& scene : joint_scenes()) {
-    INFO(scene.name);
-    World world;
-    scene.fill(world);
-    Both<SteadyJointedSolver>(world).step(1000, h / 32, 1);
-    Both<JointedSolver>(world).step(1000, h / 32, 1);
-  }
-}
-
-TEST_CASE("a lone pendulum is solved, by nothing but its joint") {
-  Both<JointedSolver> both(filled(lone_pendulum));
-  CHECK_FALSE(Touching::in(both.fitted).yes);
-  both.step(60);
-  CHECK(both.needed.joint_rows().size() == 3);
-  const Vec3& ball = both.fitted.bodies[0].position;
-  CHECK(ball.x() < Real(0.5));
-  CHECK(std::abs(ball.norm() - 1) < Real(0.02));
-}
-
-TEST_CASE("where nothing is joined, a solver that holds joints computes the bits of one that does not") {
-  const auto alike = [](const World& before_it, auto with, auto without, Real dt, int steps, int sweeps) {
-    World one = before_it, other = before_it;
-    for (int i = 0; i < steps; ++i) {
-      one.step(with, dt, sweeps);
-      other.step(without, dt, sweeps);
-      if (hash_of(one) != hash_of(other)) return false;
-    }
-    return with.joint_rows().empty();
-  };
-  for (const NamedScene& scene : all_scenes()) {
-    World world;
-    scene.fill(world);
-    if (!world.joints.empty()) continue;
-    INFO(scene.name);
-    CHECK(alike(world, JointedSolver{}, FullSolver{}, h, 200, 10));
-    CHECK(alike(world, SteadyJointedSolver{}, SteadySolver{}, h / 32, 200, 1));
-  }
-}
-
-// ---- time --------------------------------------------------------------------------------------------------------------
-
-TEST_CASE("time goes on by dt in each way to step, whatever is called for") {
-  for (const std::function<void(World&)>& fill :
-       std::vector<std::function<void(World&)>>{lone_pendulum, cranked, SparseHit{}, DroppedBox{}}) {
-    World whole = filled(fill), needed = whole, asleep = whole;
-    JointedSolver solver;
-    OnlyWhatIsNeeded only(needed, solver), with_sleep(asleep, solver, Sleep{});
-    for (int i = 0; i < 50; ++i) {
-      const Real dt = h / static_cast<Real>(1 + i % 3);
-      whole.step(solver, dt);
-      only.step(needed, dt);
-      with_sleep.step(asleep, dt);
-      REQUIRE(needed.time == whole.time);
-      REQUIRE(asleep.time == whole.time);
-    }
-    CHECK(whole.time > Real(0.4));
   }
 }
 

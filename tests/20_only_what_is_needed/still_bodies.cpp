@@ -65,13 +65,6 @@ const Bounds everywhere = {Vec3::Constant(-infinity), Vec3::Constant(infinity)};
 
 }  // namespace
 
-TEST_CASE("nobody is near where nobody is") {
-  REQUIRE(near(StillBodies(), everywhere).empty());
-  REQUIRE(near(StillBodies({}, {}), everywhere).empty());
-  const std::vector<Body> bodies = {sphere(1, 1)};
-  REQUIRE(near(StillBodies(bodies, {}), everywhere).empty());
-}
-
 TEST_CASE("the tree finds those that asking every one finds, in ascending order") {
   Random random(1);
   std::size_t found = 0;
@@ -90,18 +83,6 @@ TEST_CASE("the tree finds those that asking every one finds, in ascending order"
     }
   }
   REQUIRE(found > 100000);
-}
-
-TEST_CASE("a tree of thousands in a grid finds those that asking every one finds") {
-  Random random(2);
-  std::vector<Body> bodies;
-  for (int i = 0; i < 16 * 16 * 16; ++i) {  // many with the same x, y or z
-    bodies.push_back(box(Vec3::Constant(Real(0.5)), 1)
-                         .at(Real(1.1) * Vec3(Real(i % 16) - 8, Real(i / 16 % 16) - 8, Real(i / 256) - 8)));
-  }
-  const std::vector<Bounds> queries = bounds_of_all(random_bodies(200, 12, random));
-  REQUIRE(require_as_one_by_one(bodies, all_of(bodies), queries) > 500);
-  REQUIRE(near(StillBodies(bodies, all_of(bodies)), everywhere) == all_of(bodies));
 }
 
 TEST_CASE("an enormous body among small ones is found wherever it reaches, and hides none of them") {

@@ -200,22 +200,6 @@ TEST_CASE("contract: the last impulse of a contact is that of one substep") {
   }
 }
 
-TEST_CASE("contract: an arrow for the same load is as long whatever the solver") {
-  for (const NamedSolver& named : all_solvers()) {
-    if (named.name == "00 naive") continue;
-    INFO(named.name);
-    World world;
-    world.add(ground());
-    world.add(sphere(Real(0.5), 100).at({0, Real(0.5), 0}));  // one contact, so that no arrow is too short to be drawn
-    const Real arrow = fitting_arrow(world, h);
-    AnySolver solver = named.solver;
-    for (int step = 0; step < 240; ++step) world.step(solver, h);
-    Real length = 0;
-    for (const Arrow& drawn : picture_of(world, {}, arrow).arrows) length += (drawn.tip - drawn.tail).y();
-    CHECK(std::abs(length - arrow * 100 * World::g * h) < 1e-2 * length);
-  }
-}
-
 TEST_CASE("contract: contacts_before has the impulses of the latest substep, from which a solver starts") {
   Substeps<FullSolver> solver({}, 4);
   World world;
@@ -308,4 +292,10 @@ TEST_CASE("contract: who does not hold joints refuses them, in every wrapping") 
   CHECK(complaint([&] { world.step(any, h); }).find("joint") != std::string::npos);
   CHECK(complaint([&] { world.step(jointed, h); }).empty());
   CHECK(world.time == h);
+}
+
+TEST_CASE("contract: a solver's name that there is not is refused with those that there are") {
+  const std::string said = complaint([] { solver_named("03"); });
+  CHECK(said.find("solver is '03': one of these is needed: 00 naive, ") != std::string::npos);
+  CHECK(said.find(", all together") != std::string::npos);
 }

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <random>
 
-#include "pushback/common/experiment/legend.h"
 #include "pushback/common/experiment/marks.h"
 #include "pushback/common/experiment/picture_of.h"
 #include "pushback/common/render/frame.h"

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "pushback/common/basics/files.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/experiment/marker.h"
 #include "pushback/common/experiment/plot_layout.h"

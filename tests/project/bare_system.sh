@@ -28,7 +28,7 @@ tries=(  # each command of ./course --help, for a moment; those that read what o
   "run adapter tools/adapters/template.mjs"
   "fuzz -- --scenes 5"
   "fuzz --shards 2 -- --scenes 5"
-  "bench detection -- --benchmark_min_time=0.01"
+  "bench effects -- --benchmark_filter=frictionless_solving"
   "exercise"
   "mine"
   "run handout /tmp/handout --with 03"

@@ -1,9 +1,10 @@
 #include "pushback/tools/catalogue/solvers.h"
 
-#include <cxxabi.h>
 #include <fmt/format.h>
 
 #include "pushback/chapters/00_naive_impulses/naive.h"
+#include "pushback/chapters/07_warm_start/scaled.h"
+#include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/09_impacts/sequential.h"
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
@@ -15,7 +16,6 @@
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/catalogue/compiled.h"
 
 namespace pushback {
 
@@ -23,7 +23,17 @@ namespace {
 
 template <class ContactSolver>
 NamedSolver named(const char* name, const char* what) {
-  return {name, what, Compiled<ContactSolver>::solver(), Compiled<ContactSolver>::fitting};
+  const AnySolver solver = ContactSolver{};
+  return {name, what, solver, [solver](const World& world, std::optional<Sleep> sleep) {
+            return OnlyWhatIsNeeded(world, solver, std::move(sleep));
+          }};
+}
+/// With a solver for each combination of effects that a world may call for: they take long to compile.
+template <class ContactSolver>
+NamedSolver dispatched(const char* name, const char* what) {
+  return {name, what, ContactSolver{}, [](const World& world, std::optional<Sleep> sleep) {
+            return OnlyWhatIsNeeded(world, ContactSolver{}, std::move(sleep));
+          }};
 }
 
 }  // namespace
@@ -39,7 +49,7 @@ const std::vector<NamedSolver>& all_solvers() {
       named<Solver<Joints, Clamping, Baumgarte, Slop>>("04 slop", "+ a slop of 5 mm"),
       named<Solver<Joints, Clamping, Baumgarte, Slop, Restitution>>("05 restitution", "+ bounce"),
       named<Solver<Joints, Clamping, Baumgarte, Slop, Restitution, Friction>>("06 friction", "+ friction"),
-      named<JointedSolver>("07 warm start", "+ last step's impulses: the full solver; joints with split impulses"),
+      dispatched<JointedSolver>("07 warm start", "+ last step's impulses: the full solver; joints with split impulses"),
       named<Solver<SplitJoints, Clamping, Baumgarte, Slop, RestitutionFromSurface, Friction, WarmStart>>(
           "09 from surface", "the full solver, bounces computed from the surface"),
       named<Solver<SplitJoints, Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>>(
@@ -64,21 +74,12 @@ const std::vector<NamedSolver>& all_solvers() {
       named<ByIsland>(
           "26 by island",
           "each island by its own step: flight, half steps where contacts are few or joints form a tree, else 22 wide"),
-      named<Substeps<SteadyJointedSolver>>(
+      dispatched<Substeps<SteadyJointedSolver>>(
           "all together",
           "soft contacts, a friction cone, simultaneous impacts, a scaled guess; 32 substeps "
           "of one sweep, 20 over joints"),
   };
   return all;
-}
-
-std::string NamedSolver::made_of() const {
-  const std::unique_ptr<char, decltype(&std::free)> type(
-      abi::__cxa_demangle(solver.type().name(), nullptr, nullptr, nullptr), std::free);
-  std::string words = type.get();
-  const std::string ours = "pushback::";
-  for (std::size_t at = 0; (at = words.find(ours, at)) != std::string::npos;) words.erase(at, ours.size());
-  return words;
 }
 
 const NamedSolver& solver_named(const std::string& name) {

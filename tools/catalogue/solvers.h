@@ -15,10 +15,8 @@ struct NamedSolver {
   std::string name;  ///< the chapter that it ends in, and a word or two: "07 warm start"
   std::string what;  ///< in a line: what it adds to the one before it, or how it steps
   AnySolver solver;  ///< with the settings that it has by itself, and its plan; to be copied
-  std::function<OnlyWhatIsNeeded(const World&, std::optional<Sleep>)> fitting;  ///< of it, what the world calls for
-
-  /// Its type: "Solver<Joints, Clamping, Baumgarte>".
-  std::string made_of() const;
+  std::function<OnlyWhatIsNeeded(const World&, std::optional<Sleep>)>
+      fitting;  ///< of 07 and all together, what the world calls for; of others all
 };
 
 /// In the order of the chapters, one each; behind them what came after. All but the naive one hold joints.
