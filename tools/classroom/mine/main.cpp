@@ -1,9 +1,7 @@
 /// ./course mine: a solver of the reader's own, one file that grows from chapter to chapter.
 #include <algorithm>
-#include <functional>
 #include <future>
 #include <random>
-#include <thread>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/process.h"
@@ -13,6 +11,7 @@
 #include "pushback/tools/classroom/mine/my_file.h"
 #include "pushback/tools/classroom/mine/played.h"
 #include "pushback/tools/classroom/mine/verdict.h"
+#include "pushback/tools/classroom/reader.h"
 
 using namespace pushback;
 
@@ -49,12 +48,7 @@ std::string capital(std::string words) {
 /// Those of earlier chapters in one line as long as they pass; of this one, a line a check.
 void print_checks(const ChapterOfMine& chapter, const VerdictOfMine& made) {
   const auto line = [&](std::size_t i) {
-    const Passed passed = made.verdict.checks[i];
-    fmt::print("  {} {}\n",
-               passed == Passed::yes  ? "✓"
-               : passed == Passed::no ? "✗"
-                                      : "·",
-               made.exercise.checks[i].says);
+    fmt::print("{}", line_of(made.verdict.checks[i], made.exercise.checks[i].says));
   };
   std::size_t earlier = 0, kept = 0;
   for (std::size_t i = 0; i < made.exercise.checks.size() && chapter_of_check(i) < chapter.number; ++i) {
@@ -100,9 +94,7 @@ bool check(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
                           [&] { return make_library(text, fs::absolute(mine.path()), library, CompiledAs::exercise); });
   const VerdictOfMine made = verdict_of_mine(chapter.number, text, mine.path(), seed);
   print_checks(chapter, made);
-  const std::vector<std::string> printed = lines_of(made.outcome.printed);
-  for (std::size_t i = 0; i < std::min<std::size_t>(printed.size(), 10); ++i) fmt::print("  | {}\n", printed[i]);
-  if (printed.size() > 10) fmt::print("  | ... and {} lines more that your file printed\n", printed.size() - 10);
+  fmt::print("{}", lines_printed(made.outcome));
   const bool passed = made.verdict.passed();
   if (passed) fmt::print("\n  Passed. The chapter's plain loop beside yours: ./course mine {} --diff\n", number);
   else
@@ -127,14 +119,6 @@ bool check(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
   return passed;
 }
 
-void show_hints(const ChapterOfMine& chapter, MyFolder& mine) {
-  const std::size_t count = std::min(mine.hints(chapter.number) + 1, chapter.hints.size());
-  for (std::size_t i = 0; i < count; ++i) fmt::print("  {}. {}\n", i + 1, chapter.hints[i]);
-  if (count == chapter.hints.size())
-    fmt::print("  That was the last one. chapters/{}/README.md has the rest.\n", folder_of(chapter.number));
-  mine.set_hints(chapter.number, count);
-}
-
 void show_difference(const ChapterOfMine& chapter, const MyFolder& mine) {
   const std::string number = two_digits(chapter.number);
   if (!mine.passed(chapter.number))
@@ -145,24 +129,6 @@ void show_difference(const ChapterOfMine& chapter, const MyFolder& mine) {
                                    mine.file(), scratch.path / "plain.h", mine.file()});
   if (ended.status > 1) throw std::runtime_error("diff failed: " + ended.err);
   fmt::print("{}", ended.status == 0 ? "There is no difference.\n" : ended.out);
-}
-
-[[noreturn]] void watch(const MyFolder& mine, const std::function<void()>& check) {
-  fs::file_time_type seen{};
-  for (;;) {
-    const fs::file_time_type now = mine.written();
-    if (now != seen) {
-      seen = now;
-      fmt::print("\n");
-      try {
-        check();
-      } catch (const InvalidInput& problem) {
-        fmt::print("{}\n", problem.what());
-      }
-      std::fflush(stdout);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  }
 }
 
 /// `hard-cases` or `study`; true where the solver came to its end.
@@ -211,12 +177,11 @@ int main(int argc, char** argv) {
     }
     if (compares) passed = compare(mine, asked);
     else if (!chapter) list(mine);
-    else if (asked.hint) show_hints(*chapter, mine);
+    else if (asked.hint)
+      mine.set_hints(chapter->number, show_hints(chapter->hints, mine.hints(chapter->number),
+                                                 fmt::format("chapters/{}/README.md", folder_of(chapter->number))));
     else if (asked.diff) show_difference(*chapter, mine);
-    else if (asked.watch)
-      watch(mine, [&] {
-        if (mine.begun()) check(*chapter, mine, asked);
-      });
+    else if (asked.watch) watch([&] { return mine.written(); }, [&] { check(*chapter, mine, asked); });
     else passed = check(*chapter, mine, asked);
   });
   return status == 0 && !passed ? 1 : status;

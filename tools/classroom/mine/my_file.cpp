@@ -7,6 +7,7 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/classroom/kit.h"
+#include "pushback/tools/classroom/reader.h"
 
 namespace pushback {
 
@@ -54,11 +55,7 @@ MyFolder::MyFolder(const fs::path& folder) : folder_(fs::proximate(folder.empty(
 }
 
 void MyFolder::reset() {
-  if (begun()) {
-    fs::path old = file().string() + ".old";
-    for (int i = 2; fs::exists(old); ++i) old.replace_extension(fmt::format(".old{}", i));
-    fs::rename(file(), old);
-  }
+  put_away(file());
   write_text_file(file(), begun_with);
   remembered_.clear();
   write();

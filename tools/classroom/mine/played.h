@@ -2,6 +2,8 @@
 /// measure it.
 #pragma once
 
+#include <vector>
+
 #include "pushback/tools/classroom/mine/my_file.h"
 
 namespace pushback {

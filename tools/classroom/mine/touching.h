@@ -80,7 +80,7 @@ inline Body lump(Random& random) {
 
 /// Two bodies that touch in one point, and that can both move.
 struct Pair : Touching {
-  Vec3 momentum_before, angular_before, slip_before;
+  Vec3 momentum_before, angular_before;
 
   /// Their points part at `speed`, m/s; negative: they meet.
   Pair(Random& random, Real speed, bool spheres = false) : Touching(random) {
@@ -115,7 +115,6 @@ struct Pair : Touching {
   void slide(const Vec3& wanted) {
     world.bodies[1].velocity += wanted - slip();
     meet(separating_speed(world, contact()));
-    slip_before = wanted;
   }
   /// From now on B falls onto A, which nothing moves; gravity has sped B up in this step already.
   void fall(Random& random) {
