@@ -380,12 +380,10 @@ course mine 03 --hint && expect 1 "--target mine 03_three" "mine: 03 --hint in $
 course mine 03 --seed 4 --in 10 && expect 1 "--target mine 03_three" "mine: 03 --seed 4 --in 10 in $scratch/sub" &&
   expect_not "04_four" && expect_not "10_ten"
 # What compares a solver with ours needs no chapter's program, even where a case has a chapter's name.
-course mine hard-cases slop --at-most 3 && expect 1 "--target mine hard_cases_table" "mine: hard-cases slop --at-most 3 in $scratch/sub" &&
+course mine hard-cases slop && expect 1 "--target mine hard_cases_table" "mine: hard-cases slop in $scratch/sub" &&
   expect_not "04_four"
-course mine --in 10 race 07-pyramid && expect 1 "--target mine mine_lap" "mine: --in 10 race 07-pyramid in $scratch/sub"
 course mine study rolling && expect 1 "--target mine study motion_mine" "mine: study rolling in $scratch/sub"
 course grade a b --jobs 2 && expect 1 "--target grade" "grade: a b --jobs 2 in $scratch/sub"
-course grade a --hard-cases && expect 1 "--target grade class_table hard_cases_table" "grade: a --hard-cases in $scratch/sub"
 course grade -- -rf a && expect 1 "--target grade" "grade: -- -rf a in $scratch/sub"
 course handout to --with 03 && expect 1 "--target handout" "handout: to --with 03 in $scratch/sub"
 

@@ -183,14 +183,14 @@ if [[ ! -e $scratch/missing ]]; then
   [[ $(cat build/release/parts/study-*/part.sh) == *"study --out"*"--quick"*"--shard \$part/4"*"frozen --out"*"--quick --shard \$part/4"* ]] ||
     wrong "another part of the study: $(cat build/release/parts/study-*/part.sh)"
 fi
-# A class: the last call has no part, so it has all, and plays the hard cases once.
+# A class: the last call has no part, so it has all.
 if [[ -e $programs/grade ]]; then
   mkdir "$scratch/ben" && touch "$scratch/ben/03_baumgarte.h"
-  grade() { output=$(cd "$scratch" && home/course grade "an na" ben --hard-cases --shards 3 2>&1); }
+  grade() { output=$(cd "$scratch" && home/course grade "an na" ben --shards 3 2>&1); }
   grade
   grading=$(cat build/release/parts/grade-*/part.sh) all=$(cat build/release/parts/grade-*/join.sh)
-  [[ $grading == *"cd $scratch"*"/programs/grade  --shard \$part/3 an\ na ben "* && $grading != *--hard-cases* ]] || wrong "another part of grading: $grading"
-  [[ $all == *"cd $scratch"*"/programs/grade  an\ na ben --hard-cases"* ]] || wrong "another whole of grading: $all"
+  [[ $grading == *"cd $scratch"*"/programs/grade  --shard \$part/3 an\ na ben "* ]] || wrong "another part of grading: $grading"
+  [[ $all == *"cd $scratch"*"/programs/grade  an\ na ben"* ]] || wrong "another whole of grading: $all"
   folder=$(echo build/release/parts/grade-*)
   touch "$folder"/{1,2,3}.done
   grade

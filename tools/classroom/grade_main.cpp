@@ -2,45 +2,19 @@
 #include <thread>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/common/basics/process.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/classroom/grade.h"
 #include "pushback/tools/classroom/mine/chapters.h"
-#include "pushback/tools/classroom/mine/library.h"
 #include "pushback/tools/classroom/own_tasks.h"
 #include "pushback/tools/classroom/student_files.h"
 
 using namespace pushback;
 
-namespace {
-
-/// By a program of its own, which has all solvers of the project in it.
-void play_hard_cases_of(const Grading& grading) {
-  const std::filesystem::path program = program_beside("class_table");
-  if (!std::filesystem::exists(program))
-    throw InvalidInput("--hard-cases needs a program that is not built: " + program.string());
-  std::vector<std::string> command{program,
-                                   "--out",
-                                   grading.out,
-                                   "--jobs",
-                                   std::to_string(grading.jobs),
-                                   "--megabytes",
-                                   std::to_string(grading.limits.megabytes)};
-  if (!grading.sandboxed) command.emplace_back("--no-sandbox");
-  command.emplace_back("--");
-  for (const auto& given : grading.given) command.push_back(given);
-  const Ended ended = run_program(command, 0);
-  fmt::print("{}", ended.out);
-  if (ended.status != 0) throw InvalidInput("--hard-cases: " + last_line(ended.err));
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
   Grading grading;
   std::vector<std::string> words;
   std::string points, tasks, shard = "1/1";
-  bool no_sandbox = false, hard_cases = false;
+  bool no_sandbox = false;
   CommandLine line("Grades what students have handed in: a folder or an archive each, with files as 03_baumgarte.h.",
                    "./course grade");
   line.option("FOLDER", grading.given,
@@ -69,8 +43,6 @@ int main(int argc, char** argv) {
       .between(1, 3600)
       .shows_default();
   line.flag("--no-sandbox", no_sandbox, "Run what students wrote with all rights that you have yourself");
-  line.flag("--hard-cases", hard_cases,
-            "Then play all hard cases with each student's solver.h: a column each in hard_cases/, for comparison");
   line.option("--tasks", tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
   return line.run(argc, argv, [&] {
     std::vector<Exercise> all = exercises_with(tasks);
@@ -87,6 +59,5 @@ int main(int argc, char** argv) {
     grading.shard = shard_of(shard);
     grading.sandboxed = !no_sandbox;
     grade(grading);
-    if (hard_cases) play_hard_cases_of(grading);
   });
 }

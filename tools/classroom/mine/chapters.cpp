@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "pushback/chapters/00_naive_impulses/naive.h"
@@ -25,8 +26,6 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/tools/classroom/kit.h"
-#include "pushback/tools/classroom/mine/slips.h"
-#include "pushback/tools/classroom/mine/slips_of_loops.h"
 
 namespace pushback {
 
@@ -34,72 +33,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int last_of_one_line = 8;  // up to here each chapter begins from the one before it
-
-const WholeSolver& plain(int chapter) {
-  static const std::map<int, WholeSolver> loops{{0, whole_solver<NaiveOnce>()},
-                                                {1, whole_solver<flat_01::FlatSolver>()},
-                                                {2, whole_solver<flat_02::FlatSolver>()},
-                                                {3, whole_solver<flat_03::FlatSolver>()},
-                                                {4, whole_solver<flat_04::FlatSolver>()},
-                                                {5, whole_solver<flat_05::FlatSolver>()},
-                                                {6, whole_solver<flat_06::FlatSolver>()},
-                                                {7, whole_solver<flat_07::FlatSolver>()},
-                                                {8, whole_solver<flat_08::FlatSolver>()},
-                                                {9, whole_solver<flat_09::FlatSolver>()},
-                                                {10, whole_solver<flat_10::FlatSolver>()},
-                                                {11, whole_solver<flat_11::FlatSolver>()},
-                                                {12, whole_solver<flat_12::FlatSolver>()},
-                                                {13, whole_solver<flat_13::FlatSolver>()},
-                                                {14, whole_solver<flat_14::FlatSolver>()},
-                                                {21, whole_solver<flat_21::FlatSolver>()}};
-  return loops.at(chapter);
-}
-
 /// Behind the reader's text.
 constexpr const char* as_answer = R"(
 #include "pushback/common/exercise/whole_solver.h"
 namespace mine {}
-namespace empty_file {}
 namespace student {
 using namespace mine;
-using namespace empty_file;
 const pushback::WholeSolver answer = pushback::whole_solver<MySolver>();
 }
 )";
-
-/// Every chapter but the first has a solver to begin from, and as long as nothing new is in it, it shows the old numbers.
-Mistake<WholeSolver> not_begun(int chapter) {
-  const int before = predecessor(chapter);
-  return {"nothing new",
-          fmt::format("these are the numbers of chapter {}. What chapter {} adds is not there yet, or has no effect.",
-                      two_digits(before), two_digits(chapter)),
-          plain(before)};
-}
-
-/// A mistake of an earlier chapter in the solver of a later one. It shows in the checks of the chapters up to its own, where
-/// what has come since has nothing to do. Of the later ones nothing is said.
-Exercise::Known of_earlier(const std::string& name, const std::string& hint, int its, const WholeSolver& slip) {
-  return {name, hint, [=](std::size_t check, Random& random) {
-            return chapter_of_check(check) <= its ? play(check, random, slip) : Numbers();
-          }};
-}
-
-/// After those of this chapter all of those that it grew from, as far back as they are known.
-void add_mistakes_of_loops(Exercise& exercise, int chapter) {
-  std::vector<Exercise::Known>& all = exercise.mistakes;
-  for (int its = chapter; its >= 0; its = predecessor(its))
-    for (const SlipOfLoop& slip : slips_of_loop(its)) all.push_back(of_earlier(slip.name, slip.hint, its, slip.solver));
-  for (int its = predecessor(chapter); its > 0; its = predecessor(its))
-    all.push_back(of_earlier(fmt::format("chapter {} lost", two_digits(its)),
-                             fmt::format("these are the numbers of chapter {}. What chapter {} adds is not there any "
-                                         "more, or has no effect.",
-                                         two_digits(predecessor(its)), two_digits(its)),
-                             its, plain(predecessor(its))));
-  for (const KnownSlip& known : known_slips())
-    if (chapter > last_of_one_line && known.last >= last_of_one_line)
-      all.push_back(of_earlier(known.name, known.hint, last_of_one_line, loop_with(last_of_one_line, known.slip)));
-}
 
 void replace_all(std::string& text, const std::string& what, const std::string& by) {
   for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
@@ -196,11 +138,13 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
         "stays."}},
       {14,
        "joints that remember what they carry",
-       {"joint.impulses: resize it to the number of the joint's equations. Before the sweeps, each row begins with "
+       {"joint.last_impulses: resize it to the number of the joint's equations. Before the sweeps, each row begins "
+        "with "
         "world.impulse_scale(dt) times its number, and the bodies get it.",
         "Where softness is 0, keep 0.2/dt · error apart. Sweep without it, each time 20 passes over the joints; write "
-        "the sums into joint.impulses; then add it to b, and solve the joints sweeps · 20 times more.",
-        "In moved, first bring each sum back to joint.impulses, bodies included; after the last sweep, write the sums "
+        "the sums into joint.last_impulses; then add it to b, and solve the joints sweeps · 20 times more.",
+        "In moved, first bring each sum back to joint.last_impulses, bodies included; after the last sweep, write the "
+        "sums "
         "there again."}},
       {21,
        "contacts detected once, and followed through 32 substeps",
@@ -257,27 +201,46 @@ bool holds(std::size_t check, int chapter) {
 }
 
 Exercise exercise_of_chapter(int chapter) {
-  std::vector<Check<WholeSolver>> checks;
+  const ChapterOfMine& told = chapter_of_mine(two_digits(chapter));
+  Exercise made;
+  made.title = told.title;
+  made.hints = told.hints;
+  made.right = [loop = plain_solver(chapter)](std::size_t check, Random& random) { return play(check, random, loop); };
   for (std::size_t i = 0; i < checks_of_chapters().size() && chapter_of_check(i) <= chapter; ++i) {
-    checks.push_back(checks_of_chapters()[i].check);
-    if (holds(i, chapter)) continue;
-    checks.back().points = 0;
-    for (Quantity& quantity : checks.back().quantities) quantity.tolerance = std::numeric_limits<double>::infinity();
+    const CheckOfChapter& its = checks_of_chapters()[i];
+    Exercise::Line line;
+    line.says = its.says;
+    line.points = holds(i, chapter) ? 1 : 0;
+    line.quantities = its.quantities;
+    line.stage = its.chapter;
+    if (!holds(i, chapter))
+      for (Quantity& quantity : line.quantities) quantity.tolerance = std::numeric_limits<double>::infinity();
+    made.checks.push_back(line);
   }
-  std::vector<Mistake<WholeSolver>> mistakes;
-  for (const KnownSlip& known : known_slips())
-    if (chapter <= last_of_one_line && known.chapter <= chapter && chapter <= known.last)
-      mistakes.push_back({known.name, known.hint, loop_with(chapter, known.slip)});
-  if (chapter > 0) mistakes.push_back(not_begun(chapter));
-  const std::string digits = two_digits(chapter);
-  const ChapterOfMine& told = chapter_of_mine(digits);
-  Exercise made = exercise_of<WholeSolver>(told.title, told.hints, checks, plain(chapter), std::move(mistakes));
-  add_mistakes_of_loops(made, chapter);
-  made.name = "mine_" + digits;
+  made.name = "mine_" + two_digits(chapter);
   made.behind = as_answer;
-  for (std::size_t i = 0; i < made.checks.size(); ++i) made.checks[i].stage = chapter_of_check(i);
   made.object = kit().folder / "libwhole_solver_scenes.a";
   return made;
+}
+
+const WholeSolver& plain_solver(int chapter) {
+  static const std::map<int, WholeSolver> loops{{0, whole_solver<NaiveOnce>()},
+                                                {1, whole_solver<flat_01::FlatSolver>()},
+                                                {2, whole_solver<flat_02::FlatSolver>()},
+                                                {3, whole_solver<flat_03::FlatSolver>()},
+                                                {4, whole_solver<flat_04::FlatSolver>()},
+                                                {5, whole_solver<flat_05::FlatSolver>()},
+                                                {6, whole_solver<flat_06::FlatSolver>()},
+                                                {7, whole_solver<flat_07::FlatSolver>()},
+                                                {8, whole_solver<flat_08::FlatSolver>()},
+                                                {9, whole_solver<flat_09::FlatSolver>()},
+                                                {10, whole_solver<flat_10::FlatSolver>()},
+                                                {11, whole_solver<flat_11::FlatSolver>()},
+                                                {12, whole_solver<flat_12::FlatSolver>()},
+                                                {13, whole_solver<flat_13::FlatSolver>()},
+                                                {14, whole_solver<flat_14::FlatSolver>()},
+                                                {21, whole_solver<flat_21::FlatSolver>()}};
+  return loops.at(chapter);
 }
 
 std::string plain_loop(int chapter) {

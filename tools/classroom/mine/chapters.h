@@ -32,6 +32,7 @@ bool grows_from(int chapter, int earlier);
 /// Whether a right solver of this chapter passes it, as the chapter grows from the check's.
 bool holds(std::size_t check, int chapter);
 
+const WholeSolver& plain_solver(int chapter);
 /// The chapter's plain loop, flat.h and flat.cpp, as one file like the reader's own: its class is MySolver.
 std::string plain_loop(int chapter);
 

@@ -19,9 +19,8 @@ struct Wanted {
 /// Two bodies of any shape, of which one equation holds a point of one to a point of the other along n; or a turn about n.
 struct Joined : Touching {
   Vec3 n, momentum_before, angular_before;
-  bool turns;
 
-  Joined(Random& random, const Wanted& wanted) : Touching(random), n(random.direction()), turns(wanted.between_turns) {
+  Joined(Random& random, const Wanted& wanted) : Touching(random), n(random.direction()) {
     h = 1 / random.between(500, 2000);
     for (const int side : {-1, 1}) {
       Body body = lump(random);
@@ -60,86 +59,60 @@ struct Joined : Touching {
     const Body &a = world.body(its.a), &b = world.body(its.b);
     return j.n.dot(b.velocity - a.velocity) + j.rb_n.dot(b.angular_velocity) - j.ra_n.dot(a.angular_velocity);
   }
-  Real remembered() const { return world.joints[0].impulses.empty() ? 0 : world.joints[0].impulses[0]; }
+  Real remembered() const { return world.joints[0].last_impulses.empty() ? 0 : world.joints[0].last_impulses[0]; }
 };
 
-std::vector<Quantity> of_what_is_joined() {
-  return {{"along their joint, your bodies move with", "m/s or rad/s", exact},
-          {"your joint changes the momentum of both bodies together by", "N s", exact},
-          {"your impulses change the angular momentum of both bodies together by", "N m s", exact},
-          {"your first body leaves with", "m/s", exact},
-          {"your second body leaves with", "m/s", exact},
-          {"your first body turns with", "rad/s", exact},
-          {"your second body turns with", "rad/s", exact}};
-}
+const std::vector<Quantity> of_what_is_joined{
+    {"along their joint, your bodies move with", "m/s or rad/s", exact},
+    {"your joint changes the momentum of both bodies together by", "N s", exact},
+    {"your impulses change the angular momentum of both bodies together by", "N m s", exact},
+    {"your first body leaves with", "m/s", exact},
+    {"your second body leaves with", "m/s", exact},
+    {"your first body turns with", "rad/s", exact},
+    {"your second body turns with", "rad/s", exact}};
+const std::vector<Quantity> of_a_joint_with_memory =
+    with(of_what_is_joined, {{"your joint remembers an impulse of", "N s", exact}});
 
-Numbers numbers_of(const Joined& joined) {
+Numbers numbers_of(const Joined& joined, bool remembers) {
   const auto& bodies = joined.world.bodies;
-  return {joined.along(),
-          (momentum(joined.world) - joined.momentum_before).norm(),
-          (angular_momentum(joined.world) - joined.angular_before).norm(),
-          bodies[0].velocity.norm(),
-          bodies[1].velocity.norm(),
-          bodies[0].angular_velocity.norm(),
-          bodies[1].angular_velocity.norm()};
-}
-
-Numbers with_memory(Numbers numbers, const Joined& joined) {
-  numbers.push_back(joined.remembered());
+  Numbers numbers{joined.along(),
+                  (momentum(joined.world) - joined.momentum_before).norm(),
+                  (angular_momentum(joined.world) - joined.angular_before).norm(),
+                  bodies[0].velocity.norm(),
+                  bodies[1].velocity.norm(),
+                  bodies[0].angular_velocity.norm(),
+                  bodies[1].angular_velocity.norm()};
+  if (remembers) numbers.push_back(joined.remembered());
   return numbers;
 }
 
-Real gap(Random& random) {
-  return (random.below(2) == 0 ? 1 : -1) * random.between(Real(0.005), Real(0.02));
-}
+/// A step of two bodies that are joined; each number is drawn.
+struct Joining {
+  bool open = false;  ///< there is a gap
+  Range bias = {};
+  bool soft = false;
+  bool weak = false;  ///< its force has a limit
+  bool between_turns = false;
+  bool moves = false;      ///< the bodies move in the step, and the solver may change what it did
+  bool remembers = false;  ///< what the joint remembers is a number, too
 
-/// After `solve` alone.
-Numbers solved_once(Random& random, const WholeSolver& answer, const Wanted& wanted) {
-  Joined joined(random, wanted);
-  joined.solve(*answer.make(), 1 + few(random));
-  return numbers_of(joined);
-}
-
-// ---- 13 --------------------------------------------------------------------------------------------------------------
-
-Numbers holds(Random& random, const WholeSolver& answer) {
-  return solved_once(random, answer, {});
-}
-Numbers closes(Random& random, const WholeSolver& answer) {
-  return solved_once(random, answer, {.error = gap(random), .bias = random.between(Real(0.2), 1)});
-}
-Numbers holds_turn(Random& random, const WholeSolver& answer) {
-  return solved_once(random, answer, {.error = gap(random), .between_turns = true});
-}
-Numbers springs(Random& random, const WholeSolver& answer) {
-  return solved_once(random, answer, {.error = gap(random), .softness = random.over_decades(Real(0.05), 1)});
-}
-Numbers is_limited(Random& random, const WholeSolver& answer) {
-  return solved_once(random, answer, {.error = gap(random), .force = random.between(Real(0.1), Real(0.3))});
-}
-
-Numbers joint_relaxes(Random& random, const WholeSolver& answer) {
-  Joined joined(random, {.error = gap(random), .bias = random.between(Real(0.2), 1)});
-  joined.substep(*answer.make(), few(random));
-  return numbers_of(joined);
-}
-Numbers spring_stays(Random& random, const WholeSolver& answer) {
-  Joined joined(random, {.error = gap(random), .softness = random.over_decades(Real(0.05), 1)});
-  joined.substep(*answer.make(), 1);
-  return numbers_of(joined);
-}
-
-Numbers two_joints(Random& random, const WholeSolver& answer) {
-  Joined joined(random, {.error = gap(random)});
-  for (int i = 0; i < 2; ++i) {
-    Body body = lump(random);
-    joined.world.add(body.at(random.vector(1)).moving(random.vector(2)));
+  Wanted wanted(Random& random) const {
+    Wanted made;
+    if (open) made.error = (random.below(2) == 0 ? 1 : -1) * random.between(Real(0.005), Real(0.02));
+    made.bias = bias.draw(random);
+    if (soft) made.softness = random.over_decades(Real(0.05), 1);
+    if (weak) made.force = random.between(Real(0.1), Real(0.3));
+    made.between_turns = between_turns;
+    return made;
   }
-  joined.add_joint(2, 3, {.bias = random.between(Real(0.2), 1)});
-  joined.begin();
-  joined.solve(*answer.make(), few(random));
-  return {joined.along(0), joined.along(1)};
-}
+  Numbers operator()(Random& random, const WholeSolver& answer) const {
+    Joined joined(random, wanted(random));
+    const auto solver = answer.make();
+    if (moves) joined.substep(*solver, few(random));
+    else joined.solve(*solver, 1 + few(random));
+    return numbers_of(joined, remembers);
+  }
+};
 
 /// A ball on a rod, from the side; both ends of the rod stay where they are, or the ball is to follow.
 Numbers pendulum(Random& random, const WholeSolver& answer) {
@@ -152,36 +125,6 @@ Numbers pendulum(Random& random, const WholeSolver& answer) {
   for (int step = 0; step < 12; ++step) world.step(*solver, Real(1) / 60);
   const Body& now = world.bodies[0];
   return {1, 1000 * now.position.norm(), now.velocity.norm()};
-}
-
-// ---- 14 --------------------------------------------------------------------------------------------------------------
-
-Numbers begins_warm(Random& random, const WholeSolver& answer) {
-  Joined joined(random, {});
-  const auto solver = answer.make();
-  joined.substep(*solver, few(random));
-  joined.next(joined.h * random.between(Real(0.4), Real(0.9)), {});
-  joined.begin();
-  joined.solve(*solver, 0);
-  return with_memory(numbers_of(joined), joined);
-}
-
-Numbers kept_apart(Random& random, const WholeSolver& answer) {
-  Joined joined(random, {.error = gap(random)});
-  joined.solve(*answer.make(), few(random));
-  return with_memory(numbers_of(joined), joined);
-}
-
-Numbers spring_is_whole(Random& random, const WholeSolver& answer) {
-  Joined joined(random, {.error = gap(random), .softness = random.over_decades(Real(0.05), 1)});
-  joined.solve(*answer.make(), few(random));
-  return with_memory(numbers_of(joined), joined);
-}
-
-Numbers taken_back(Random& random, const WholeSolver& answer) {
-  Joined joined(random, {.error = gap(random)});
-  joined.substep(*answer.make(), few(random));
-  return with_memory(numbers_of(joined), joined);
 }
 
 /// A light ball between two heavy ones, held by a rod on either side, and thrown across: each rod spoils what the other has
@@ -205,37 +148,27 @@ struct Sling : Touching {
   }
   Numbers numbers() const {
     const auto impulse = [this](std::size_t joint) {
-      const auto& kept = world.joints[joint].impulses;
+      const auto& kept = world.joints[joint].last_impulses;
       return kept.empty() ? 0 : kept[0];
     };
+
     const Real one = std::abs(impulse(0)), other = std::abs(impulse(1));
     return {world.bodies[2].velocity.norm(), std::max(one, other), std::min(one, other)};
   }
 };
 
-Numbers many_passes(Random& random, const WholeSolver& answer) {
-  Sling sling(random, 0);
-  sling.solve(*answer.make(), 1);
-  return sling.numbers();
-}
-Numbers many_passes_close(Random& random, const WholeSolver& answer) {
-  Sling sling(random, random.between(Real(0.01), Real(0.03)));
-  sling.solve(*answer.make(), 1);
-  return sling.numbers();
-}
-Numbers many_passes_later(Random& random, const WholeSolver& answer) {
-  Sling sling(random, random.between(Real(0.01), Real(0.03)));
-  sling.substep(*answer.make(), 1);
-  return sling.numbers();
+auto slung(const Range& error, bool moves) {
+  return [=](Random& random, const WholeSolver& answer) {
+    Sling sling(random, error.draw(random));
+    if (moves) sling.substep(*answer.make(), 1);
+    else sling.solve(*answer.make(), 1);
+    return sling.numbers();
+  };
 }
 
 }  // namespace
 
 std::vector<CheckOfChapter> checks_of_joints() {
-  const std::vector<int> all{};
-  const std::vector<Quantity> joined = of_what_is_joined();
-  std::vector<Quantity> remembering = joined;
-  remembering.push_back({"your joint remembers an impulse of", "N s", exact});
   const std::vector<Quantity> of_a_sling{{"between two rods, your light ball moves with", "m/s", exact},
                                          {"of your two rods, the one that bears more remembers", "N s", exact},
                                          {"the one that bears less remembers", "N s", exact}};
@@ -243,29 +176,54 @@ std::vector<CheckOfChapter> checks_of_joints() {
                                             {"from where its rod hangs, your ball is by", "mm", exact},
                                             {"your ball swings with", "m/s", exact}};
   return {
-      {13, all, {"a joint holds two bodies, whether it pulls or pushes", 1, joined, holds}},
-      {13, all, {"what is open closes: b is the equation's own and β/h C", 1, joined, closes}},
-      {13, all, {"an equation between two turns", 1, joined, holds_turn}},
-      {13, all, {"a soft equation gives way", 1, joined, springs}},
-      {13, all, {"no joint is stronger than its limits", 1, joined, is_limited}},
-      {13, {14}, {"once bodies have moved, what closed the gap is gone", 1, joined, joint_relaxes}},
-      {13, all, {"and what a spring has added is not", 1, joined, spring_stays}},
+      {13, "a joint holds two bodies, whether it pulls or pushes", of_what_is_joined, Joining{}},
+      {13, "a gap closes: b is the equation's own and β/h C", of_what_is_joined,
+       Joining{.open = true, .bias = {0.2, 1}}},
+      {13, "an equation between two turns", of_what_is_joined, Joining{.open = true, .between_turns = true}},
+      {13, "a soft equation gives way", of_what_is_joined, Joining{.open = true, .soft = true}},
+      {13, "no joint is stronger than its limits", of_what_is_joined, Joining{.open = true, .weak = true}},
       {13,
-       all,
-       {"every joint is solved",
-        1,
-        {{"along the first of two joints, your bodies move with", "m/s", exact},
-         {"along the second one, with", "m/s", exact}},
-        two_joints}},
-      {13, {14}, {"a ball swings on a rod", 1, of_a_pendulum, pendulum}},
-      {14, all, {"without a sweep, a joint begins with what it had, to the scale of h", 1, remembering, begins_warm}},
-      {14, all, {"what closes a gap is not remembered", 1, remembering, kept_apart}},
-      {14, all, {"a spring's impulse is remembered whole", 1, remembering, spring_is_whole}},
-      {14, all, {"what has closed the gap is taken back", 1, remembering, taken_back}},
-      {14, all, {"two rods are solved 20 times in a sweep", 1, of_a_sling, many_passes}},
-      {14, all, {"and as often where they close a gap", 1, of_a_sling, many_passes_close}},
-      {14, all, {"and begin the last sweep from what is remembered", 1, of_a_sling, many_passes_later}},
-      {14, all, {"a ball swings on a rod that remembers what it bears", 1, of_a_pendulum, pendulum}},
+       "once bodies have moved, the speed that closed the gap is gone",
+       of_what_is_joined,
+       Joining{.open = true, .bias = {0.2, 1}, .moves = true},
+       {14}},
+      {13, "and what a spring has added is not", of_what_is_joined, Joining{.open = true, .soft = true, .moves = true}},
+      {13,
+       "every joint is solved",
+       {{"along the first of two joints, your bodies move with", "m/s", exact},
+        {"along the second one, with", "m/s", exact}},
+       [](Random& random, const WholeSolver& answer) -> Numbers {
+         Joined joined(random, Joining{.open = true}.wanted(random));
+         for (int i = 0; i < 2; ++i) {
+           Body body = lump(random);
+           joined.world.add(body.at(random.vector(1)).moving(random.vector(2)));
+         }
+         joined.add_joint(2, 3, Joining{.bias = {0.2, 1}}.wanted(random));
+         joined.begin();
+         joined.solve(*answer.make(), few(random));
+         return {joined.along(0), joined.along(1)};
+       }},
+      {13, "a ball swings on a rod", of_a_pendulum, pendulum, {14}},
+      {14, "without a sweep, a joint begins with what it had, to the scale of h", of_a_joint_with_memory,
+       [](Random& random, const WholeSolver& answer) -> Numbers {
+         Joined joined(random, {});
+         const auto solver = answer.make();
+         joined.substep(*solver, few(random));
+         joined.next(joined.h * random.between(Real(0.4), Real(0.9)), {});
+         joined.begin();
+         joined.solve(*solver, 0);
+         return numbers_of(joined, true);
+       }},
+      {14, "an impulse that closes a gap is not remembered", of_a_joint_with_memory,
+       Joining{.open = true, .remembers = true}},
+      {14, "a spring's impulse is remembered whole", of_a_joint_with_memory,
+       Joining{.open = true, .soft = true, .remembers = true}},
+      {14, "the impulse that has closed the gap is taken back", of_a_joint_with_memory,
+       Joining{.open = true, .moves = true, .remembers = true}},
+      {14, "two rods are solved 20 times in a sweep", of_a_sling, slung({}, false)},
+      {14, "and as often if they close a gap", of_a_sling, slung({0.01, 0.03}, false)},
+      {14, "and begin the last sweep from what is remembered", of_a_sling, slung({0.01, 0.03}, true)},
+      {14, "a ball swings on a rod that remembers its impulse", of_a_pendulum, pendulum},
   };
 }
 

@@ -9,12 +9,9 @@
 #include "pushback/common/basics/process.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/classroom/attempt.h"
-#include "pushback/tools/classroom/mine/below_command.h"
 #include "pushback/tools/classroom/mine/chapters.h"
-#include "pushback/tools/classroom/mine/drawing.h"
-#include "pushback/tools/classroom/mine/library.h"
 #include "pushback/tools/classroom/mine/my_file.h"
-#include "pushback/tools/classroom/mine/open_ended.h"
+#include "pushback/tools/classroom/mine/played.h"
 #include "pushback/tools/classroom/mine/verdict.h"
 
 using namespace pushback;
@@ -27,25 +24,17 @@ struct Asked {
   std::vector<std::string> words;
   std::string folder;      // empty: mine/ of the project
   std::uint64_t seed = 0;  // 0: another one each time
-  bool hint = false, watch = false, reset = false, diff = false, no_sheet = false, film = false;
-  bool all = false;
-  double at_most = 30;
+  bool hint = false, watch = false, reset = false, diff = false, no_sheet = false;
 };
 
 void list(const MyFolder& mine) {
   const ChapterOfMine* next = nullptr;
-  bool any_broken = false;
   for (const ChapterOfMine& chapter : chapters_of_mine()) {
-    const MyFolder::State state = mine.state(chapter.number);
-    if (!next && state != MyFolder::State::passed) next = &chapter;
-    any_broken = any_broken || state == MyFolder::State::broken;
-    const char* stands = state == MyFolder::State::passed   ? "passed"
-                         : state == MyFolder::State::broken ? "broken"
-                         : next == &chapter                 ? "next"
-                                                            : "";
+    const bool passed = mine.passed(chapter.number);
+    if (!next && !passed) next = &chapter;
+    const char* stands = passed ? "passed" : next == &chapter ? "next" : "";
     fmt::print("  {}  {:<7} {}\n", two_digits(chapter.number), stands, chapter.title);
   }
-  if (any_broken) fmt::print("broken: it had passed, and did not when it was checked last\n");
   if (next)
     fmt::print("next: chapters/{}/README.md, then {}, then ./course mine {}\n", folder_of(next->number),
                mine.file().string(), two_digits(next->number));
@@ -82,24 +71,19 @@ void print_checks(const ChapterOfMine& chapter, const VerdictOfMine& made) {
 void remember(const ChapterOfMine& chapter, const VerdictOfMine& made, MyFolder& mine) {
   if (made.verdict.passed()) {
     for (const ChapterOfMine& each : chapters_of_mine())
-      if (grows_from(chapter.number, each.number)) mine.set_state(each.number, MyFolder::State::passed);
-    return;
+      if (grows_from(chapter.number, each.number)) mine.set_passed(each.number, true);
   }
-  for (std::size_t i = 0; i < made.verdict.checks.size(); ++i) {
-    const int its = chapter_of_check(i);
-    if (made.verdict.checks[i] == Passed::no && mine.state(its) == MyFolder::State::passed)
-      mine.set_state(its, MyFolder::State::broken);
-  }
+  for (std::size_t i = 0; i < made.verdict.checks.size(); ++i)
+    if (made.verdict.checks[i] == Passed::no) mine.set_passed(chapter_of_check(i), false);
 }
 
 /// "Chapter 02, which you had passed: the points ..."
 std::string sentence(const ChapterOfMine& chapter, const VerdictOfMine& made, const MyFolder& mine) {
   const std::size_t first = made.first_failing();
   const int its = chapter_of_check(std::min(first, made.verdict.checks.size() - 1));
-  if (made.verdict.checks[first] != Passed::no || its == chapter.number) return made.verdict.in_words();
-  return fmt::format("Chapter {}, which {}: {}", two_digits(its),
-                     mine.state(its) == MyFolder::State::open ? "comes before" : "you had passed",
-                     made.verdict.sentence);
+  if (made.verdict.checks[first] != Passed::no || its == chapter.number) return made.sentence();
+  return fmt::format("Chapter {}, which {}: {}", two_digits(its), mine.passed(its) ? "you had passed" : "comes before",
+                     made.sentence());
 }
 
 /// The verdict, line by line, then the picture; true where all checks pass.
@@ -112,34 +96,33 @@ bool check(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
   const fs::path library = scratch.path / "solver.so";
   std::future<std::string> compiled;
   if (!asked.no_sheet)
-    compiled = std::async(std::launch::async, [&] { return make_library(text, mine.path(), library); });
+    compiled = std::async(std::launch::async,
+                          [&] { return make_library(text, fs::absolute(mine.path()), library, CompiledAs::exercise); });
   const VerdictOfMine made = verdict_of_mine(chapter.number, text, mine.path(), seed);
   print_checks(chapter, made);
   const std::vector<std::string> printed = lines_of(made.outcome.printed);
   for (std::size_t i = 0; i < std::min<std::size_t>(printed.size(), 10); ++i) fmt::print("  | {}\n", printed[i]);
   if (printed.size() > 10) fmt::print("  | ... and {} lines more that your file printed\n", printed.size() - 10);
-  remember(chapter, made, mine);
   const bool passed = made.verdict.passed();
   if (passed) fmt::print("\n  Passed. The chapter's plain loop beside yours: ./course mine {} --diff\n", number);
   else
     fmt::print("\n  {}\n\n  One hint more: ./course mine {} --hint. The same scenes again: --seed {}\n",
                capital(sentence(chapter, made, mine)), number, seed);
+  remember(chapter, made, mine);
   std::fflush(stdout);  // the picture takes a moment
   // What did not come to its end in a scene would not in the picture.
   if (!asked.no_sheet && made.outcome.problem.empty()) {
     const std::string uncompiled = compiled.get();
     const fs::path to = mine.path() / number;
-    const auto draw = [&](ScenesDrawn drawn, const std::string& files) {
-      const std::string wrong = uncompiled.empty() ? draw_mine(chapter.number, library, to, drawn) : uncompiled;
+    const auto draw = [&](bool all_scenes, const std::string& files) {
+      const std::string wrong = uncompiled.empty() ? draw_mine(chapter.number, library, to, all_scenes) : uncompiled;
       if (wrong.empty()) fmt::print("  Yours beside the chapter's: {}\n", (to / files).string());
       else fmt::print("  No picture was drawn: {}\n", wrong);
       std::fflush(stdout);
       return wrong.empty();
     };
-    const bool drawn = draw(ScenesDrawn::first_scene, "sheet.png, plot.png, numbers.md");
-    // Whoever still writes looks at one picture, and waits for it.
-    if (drawn && asked.film) draw(ScenesDrawn::films_too, "film.mp4, and the pictures of all its scenes");
-    else if (drawn && passed) draw(ScenesDrawn::all, "*.png: all scenes");
+    // While you still write, you wait for one picture.
+    if (draw(false, "sheet.png, plot.png, numbers.md") && passed) draw(true, "*.png: all scenes");
   }
   return passed;
 }
@@ -154,7 +137,7 @@ void show_hints(const ChapterOfMine& chapter, MyFolder& mine) {
 
 void show_difference(const ChapterOfMine& chapter, const MyFolder& mine) {
   const std::string number = two_digits(chapter.number);
-  if (mine.state(chapter.number) != MyFolder::State::passed)
+  if (!mine.passed(chapter.number))
     throw InvalidInput(fmt::format("--diff shows the plain loop once yours passes: ./course mine {}", number));
   const ScratchFolder scratch;
   write_text_file(scratch.path / "plain.h", plain_loop(chapter.number));
@@ -182,34 +165,17 @@ void show_difference(const ChapterOfMine& chapter, const MyFolder& mine) {
   }
 }
 
-/// `race`, `hard-cases` or `study`; true where the solver came to its end.
+/// `hard-cases` or `study`; true where the solver came to its end.
 bool compare(const MyFolder& mine, const Asked& asked) {
   const std::vector<std::string> words(asked.words.begin() + 1, asked.words.end());
   if (asked.words[0] == "hard-cases") {
-    const fs::path to = mine.path() / "hard_cases";
-    const bool ended = play_hard_cases(mine, {.names = words, .all = asked.all, .at_most = asked.at_most});
-    fmt::print("Yours beside the stages: {}, table.md\n", (to / "overview.png").string());
+    const bool ended = play_hard_cases(mine, words);
+    fmt::print("Yours beside the stages: {}, table.md\n", (mine.path() / "hard_cases" / "overview.png").string());
     return ended;
   }
-  if (asked.words[0] == "study") {
-    study_with_mine(mine, {.motions = words});
-    fmt::print("Error against time, yours beside ours: {}, others.md\n",
-               (mine.path() / "study" / "work_precision.png").string());
-    return true;
-  }
-  if (words.size() != 1)
-    throw InvalidInput("race takes the name of one scene, 07-pyramid for example; ./course effects --help lists them");
-  return race(mine, {.scene = words[0], .at_most = asked.at_most});
-}
-
-/// One of the three pages below chapter 00.
-bool on_page(const PageOfMine& page, MyFolder& mine, const Asked& asked) {
-  const auto check = [&] { return check_page(page, mine, asked.seed != 0 ? asked.seed : std::random_device{}()); };
-  if (asked.reset) mine.put_away(page.file());
-  if (asked.hint) show_hints(page, mine);
-  else if (asked.diff) show_difference(page, mine);
-  else if (asked.watch) watch(mine, check);
-  else return check();
+  study_with_mine(mine, words);
+  fmt::print("Error against time, yours beside ours: {}, others.md\n",
+             (mine.path() / "study" / "work_precision.png").string());
   return true;
 }
 
@@ -220,36 +186,22 @@ int main(int argc, char** argv) {
   CommandLine line("A solver of your own: one file that grows from chapter to chapter.", "./course mine");
   line.option(
       "CHAPTER", asked.words,
-      "00 to 14 and 21, or its name; none: where you stand. Or body, touch, names: what stands below, from an "
-      "empty file. Or hard-cases [NAME...]: yours beside the stages in the table of hard cases. Or race SCENE: its "
-      "time and what is off, beside ours. Or study [MOTION...]: error "
-      "against time, beside ours");
+      "00 to 14 and 21, or its name; none: where you stand. Or hard-cases [NAME...]: yours beside the stages in "
+      "the table of hard cases. Or study [MOTION...]: error against time, beside ours");
   line.flag("--hint", asked.hint, "One hint more each time");
   line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
   line.flag("--diff", asked.diff, "The chapter's plain loop beside your file, once it passes");
-  line.flag("--reset", asked.reset, "Begin anew; your file is kept, with .old at its end, then .old2, ...");
+  line.flag("--reset", asked.reset, "Begin again; your file is kept, with .old at its end, then .old2, ...");
   line.flag("--no-sheet", asked.no_sheet, "Do not draw your solver beside the chapter's");
-  line.flag("--film", asked.film, "Films, too, of each scene");
   line.option("--seed", asked.seed, "The same random scenes as last time");
   line.option("--in", asked.folder, "The folder with your file, mine/ by default");
-  line.flag("--all", asked.all, "hard-cases: beside every stage, not only those that are a plain loop");
-  line.option("--at-most", asked.at_most, "hard-cases, race: a case or a run is given up after so long, s")
-      .between(0.1, 3600.0)
-      .shows_default();
   bool passed = true;
   const int status = line.run(argc, argv, [&] {
-    require_between("--at-most", static_cast<Real>(asked.at_most), Real(0.1), 3600);  // the range lets nan pass
-    const bool compares = !asked.words.empty() &&
-                          (asked.words[0] == "hard-cases" || asked.words[0] == "race" || asked.words[0] == "study");
+    const bool compares = !asked.words.empty() && (asked.words[0] == "hard-cases" || asked.words[0] == "study");
     if (!compares && asked.words.size() > 1)
       throw InvalidInput(fmt::format("one chapter at a time: '{}' is too much", asked.words[1]));
-    if (const PageOfMine* page = asked.words.empty() ? nullptr : page_of_mine(asked.words[0])) {
-      MyFolder mine(asked.folder);
-      passed = on_page(*page, mine, asked);
-      return;
-    }
     const ChapterOfMine* chapter = asked.words.empty() || compares ? nullptr : &chapter_of_mine(asked.words[0]);
-    if (!chapter && (asked.hint || asked.watch || asked.diff || asked.film))
+    if (!chapter && (asked.hint || asked.watch || asked.diff))
       throw InvalidInput("of which chapter? Its number is needed, 03 for example");
     MyFolder mine(asked.folder);
     if (asked.reset || !mine.begun()) {

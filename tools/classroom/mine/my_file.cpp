@@ -48,22 +48,17 @@ MyFolder::MyFolder(const fs::path& folder) : folder_(fs::proximate(folder.empty(
   const fs::path file = folder_ / ".remembered";
   if (!fs::exists(file)) return;
   std::istringstream lines(read_text_file(file));
-  int chapter = 0, state = 0;
-  for (std::size_t hints = 0; lines >> chapter >> state >> hints;)
-    remembered_[chapter] = {static_cast<State>(std::clamp(state, 0, 2)), hints};
-}
-
-void MyFolder::put_away(const std::string& name) const {
-  const fs::path file = folder_ / name;
-  if (!fs::exists(file)) return;
-  fs::path old = file;
-  old += ".old";
-  for (int i = 2; fs::exists(old); ++i) old.replace_extension(fmt::format(".old{}", i));
-  fs::rename(file, old);
+  bool passed = false;
+  std::size_t hints = 0;
+  for (int chapter = 0; lines >> chapter >> passed >> hints;) remembered_[chapter] = {passed, hints};
 }
 
 void MyFolder::reset() {
-  put_away(file().filename().string());
+  if (begun()) {
+    fs::path old = file().string() + ".old";
+    for (int i = 2; fs::exists(old); ++i) old.replace_extension(fmt::format(".old{}", i));
+    fs::rename(file(), old);
+  }
   write_text_file(file(), begun_with);
   remembered_.clear();
   write();
@@ -88,12 +83,12 @@ fs::file_time_type MyFolder::written() const {
   return last;
 }
 
-MyFolder::State MyFolder::state(int chapter) const {
+bool MyFolder::passed(int chapter) const {
   const auto found = remembered_.find(chapter);
-  return found == remembered_.end() ? State::open : found->second.state;
+  return found != remembered_.end() && found->second.passed;
 }
-void MyFolder::set_state(int chapter, State state) {
-  remembered_[chapter].state = state;
+void MyFolder::set_passed(int chapter, bool passed) {
+  remembered_[chapter].passed = passed;
   write();
 }
 std::size_t MyFolder::hints(int chapter) const {
@@ -108,7 +103,7 @@ void MyFolder::set_hints(int chapter, std::size_t count) {
 void MyFolder::write() const {
   std::string text;
   for (const auto& [chapter, remembered] : remembered_)
-    text += fmt::format("{} {} {}\n", chapter, static_cast<int>(remembered.state), remembered.hints);
+    text += fmt::format("{} {} {}\n", chapter, remembered.passed ? 1 : 0, remembered.hints);
   write_text_file(folder_ / ".remembered", text);
 }
 

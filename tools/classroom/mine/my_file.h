@@ -14,24 +14,21 @@ class MyFolder {
   const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path file() const { return folder_ / "solver.h"; }
   bool begun() const { return std::filesystem::exists(file()); }
-  /// The file of this name, if there is one, gets .old at its end, or .old2, ...
-  void put_away(const std::string& name) const;
-  /// Some ten lines that compile and do nothing right. What may be there is put away.
+  /// Some ten lines that compile and do nothing right. What may be there is kept: its name gets .old at its end, or .old2, ...
   void reset();
   /// The text of the file. Throws InvalidInput, saying what to do, where it has no class MySolver.
   std::string text() const;
   /// When the file, or one beside it, was written last.
   std::filesystem::file_time_type written() const;
 
-  enum class State { open, passed, broken };  ///< broken: once passed, and no longer
-  State state(int chapter) const;
-  void set_state(int chapter, State state);
+  bool passed(int chapter) const;
+  void set_passed(int chapter, bool passed);
   std::size_t hints(int chapter) const;
   void set_hints(int chapter, std::size_t count);
 
  private:
   struct Remembered {
-    State state = State::open;
+    bool passed = false;
     std::size_t hints = 0;
   };
   void write() const;

@@ -22,10 +22,12 @@
 namespace pushback {
 
 struct CheckOfChapter {
-  int chapter;  ///< that asks for it first
-  std::vector<int>
-      ends;  ///< chapters of which, and of all that begin from them, a right solver does not pass it any more
-  Check<WholeSolver> check;
+  int chapter;       ///< that asks for it first
+  std::string says;  ///< of a right solver: "bodies that leave are let go"
+  std::vector<Quantity> quantities;
+  std::function<Numbers(Random&, const WholeSolver&)> play;  ///< the quantities in a scene made of random numbers
+  /// Chapters of which, and of all that begin from them, a right solver does not pass it any more.
+  std::vector<int> ends = {};
 };
 
 /// Those of a chapter stand together, and after those of the chapters with lower numbers.
@@ -34,10 +36,8 @@ const std::vector<CheckOfChapter>& checks_of_chapters();
 /// The chapter whose solver this one begins from; of 00, -1.
 int predecessor(int chapter);
 
-std::vector<CheckOfChapter> checks_of_impacts();        ///< 09
-std::vector<CheckOfChapter> checks_of_corrections();    ///< 10
-std::vector<CheckOfChapter> checks_of_substeps();       ///< 11 and 12
-std::vector<CheckOfChapter> checks_of_joints();         ///< 13 and 14
-std::vector<CheckOfChapter> checks_of_detected_once();  ///< 21
+std::vector<CheckOfChapter> checks_of_later_contacts();  ///< 09 to 12
+std::vector<CheckOfChapter> checks_of_joints();          ///< 13 and 14
+std::vector<CheckOfChapter> checks_of_detected_once();   ///< 21
 
 }  // namespace pushback

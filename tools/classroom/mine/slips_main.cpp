@@ -1,4 +1,4 @@
-/// Makes the known mistakes of a chapter as code: its plain loop once for each of them, in a namespace of its own.
+/// Makes code of the known mistakes of a chapter: its plain loop once for each of them, in a namespace of its own.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -22,34 +22,37 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
     text.replace(at, what.size(), by);
 }
 
+void make(const std::string& number, const std::string& edits, const std::string& loop, std::ostream& made) {
+  made << "#include \"pushback/tools/classroom/mine/slips.h\"\n\n";
+  std::string listed;
+  int count = 0;
+  for (auto& [name, hint, text] : pushback::edited_loops(edits, loop)) {
+    const std::string its = "slip_" + std::to_string(count++) + "_of_" + number;
+    replace_all(text, "#pragma once\n", "");
+    if (const std::size_t own = text.find("/flat.h\""); own != std::string::npos) {
+      const std::size_t begin = text.rfind('\n', own) + 1;
+      text.erase(begin, text.find('\n', own) + 1 - begin);
+    }
+    replace_all(text, "flat_" + number, its);
+    replace_all(text, "namespace pushback {", "namespace pushback::" + its + " {");  // as 00 has them
+    replace_all(text, "NaiveOnce", "FlatSolver");
+    made << text << "\n";
+    listed += "    {" + std::to_string(std::stoi(number)) + ", R\"(" + name + ")\", R\"(" + hint +
+              ")\", whole_solver<" + its + "::FlatSolver>()},\n";
+  }
+  made << "namespace pushback {\n\nstd::vector<Slip> slips_of_" << number << "() {\n  return {\n"
+       << listed << "  };\n}\n\n}  // namespace pushback\n";
+}
+
 }  // namespace
 
-/// slips NN edits.txt made.cpp, and the files of the loop
 int main(int argc, char** argv) {
   try {
-    if (argc < 5) throw std::runtime_error("slips NN edits.txt made.cpp flat.h flat.cpp");
-    const std::string number = argv[1];
+    if (argc < 5) throw std::runtime_error("make_slips NN edits.txt made.cpp flat.h flat.cpp");
     std::string loop;
     for (int file = 4; file < argc; ++file) loop += text_of(argv[file]);
     std::ofstream made(argv[3]);
-    made << "#include \"pushback/tools/classroom/mine/slips_of_loops.h\"\n\n";
-    std::string listed;
-    int count = 0;
-    for (auto& [name, hint, text] : pushback::edited_loops(text_of(argv[2]), loop)) {
-      const std::string its = "slip_" + std::to_string(count++) + "_of_" + number;
-      replace_all(text, "#pragma once\n", "");
-      if (const std::size_t own = text.find("/flat.h\""); own != std::string::npos) {
-        const std::size_t begin = text.rfind('\n', own) + 1;
-        text.erase(begin, text.find('\n', own) + 1 - begin);
-      }
-      replace_all(text, "flat_" + number, its);
-      replace_all(text, "namespace pushback {", "namespace pushback::" + its + " {");  // as 00 has them
-      replace_all(text, "NaiveOnce", "FlatSolver");
-      made << text << "\n";
-      listed += "    {R\"(" + name + ")\", R\"(" + hint + ")\", whole_solver<" + its + "::FlatSolver>()},\n";
-    }
-    made << "namespace pushback {\n\nstd::vector<SlipOfLoop> slips_of_loop_" << number << "() {\n  return {\n"
-         << listed << "  };\n}\n\n}  // namespace pushback\n";
+    make(argv[1], text_of(argv[2]), loop, made);
     return made.flush() ? 0 : 1;
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "%s\n", problem.what());

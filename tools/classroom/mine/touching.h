@@ -12,6 +12,11 @@ namespace pushback::touching {
 
 inline constexpr double exact = 1e-6;  // m/s, rad/s, N s ...: see scenes.h
 
+inline std::vector<Quantity> with(std::vector<Quantity> quantities, const std::vector<Quantity>& more) {
+  quantities.insert(quantities.end(), more.begin(), more.end());
+  return quantities;
+}
+
 /// Contacts that are made by hand, solved as World::step would have them solved.
 struct Touching {
   World world;
@@ -112,6 +117,14 @@ struct Pair : Touching {
     meet(separating_speed(world, contact()));
     slip_before = wanted;
   }
+  /// From now on B falls onto A, which nothing moves; gravity has sped B up in this step already.
+  void fall(Random& random) {
+    const Real speed = parting();
+    world.bodies[0].fixed().moving(Vec3::Zero()).spinning(Vec3::Zero());
+    meet(speed);
+    world.gravity = -random.between(5, 15) * contact().normal;
+    integrate_velocity(world.bodies[1], world.gravity, h);
+  }
   Real parting() const { return separating_speed(world, world.contacts[0]); }
   Real pushed() const { return world.contacts[0].impulse.dot(world.contacts[0].normal); }
   Real rubbed() const { return (world.contacts[0].impulse - pushed() * world.contacts[0].normal).norm(); }
@@ -139,10 +152,95 @@ inline Numbers numbers_of(const Pair& pair) {
           pair.pushed()};
 }
 
-inline Numbers solved(Pair& pair, const WholeSolver& answer, int sweeps) {
-  const auto solver = answer.make();
-  pair.solve(*solver, sweeps);
-  return numbers_of(pair);
+inline const std::vector<Quantity> of_what_rubs =
+    with(of_a_pair, {{"your contact keeps an impulse along the surface of", "N s", exact},
+                     {"along the surface, the points at which your bodies touch slip with", "m/s", exact}});
+
+inline const std::vector<Quantity> of_a_fall{{"the points at which your bodies touch part with", "m/s", exact},
+                                             {"the body that fell leaves with", "m/s", exact},
+                                             {"the body that fell turns with", "rad/s", exact},
+                                             {"your contact keeps an impulse along its normal of", "N s", exact}};
+
+/// A number is drawn between these two.
+struct Range {
+  double from = 0, to = 0;
+  Real draw(Random& random) const { return random.between(static_cast<Real>(from), static_cast<Real>(to)); }
+};
+inline constexpr Range fast{-6, -2}, slow{-0.05, -0.01};  // m/s, at which points part: they meet
+
+/// One step of two bodies that touch in one point, as a check wants them to; each number is drawn.
+struct Meeting {
+  Range speed;  ///< m/s, at which their points part
+  Range depth = {}, restitution = {}, friction = {};
+  Range slip = {};          ///< m/s, along the surface
+  Range rate = {50, 240};   ///< 1/s, of the steps
+  Range sweeps = {1, 4.9};  ///< rounded down
+  bool balls = false;
+  bool along_a_tangent = false;  ///< they slip; in any direction otherwise
+  bool falls = false;            ///< upon a body that nothing moves, and gravity has acted in this step already
+  bool moves = false;            ///< the bodies move in the step, and the solver may change what it did
+
+  Pair pair(Random& random) const {
+    Pair made(random, speed.draw(random), balls);
+    made.h = 1 / rate.draw(random);
+    Contact& c = made.contact();
+    c.depth = depth.draw(random);
+    c.restitution = restitution.draw(random);
+    c.friction = friction.draw(random);
+    if (slip.to > 0) {
+      const auto [tangent, other] = tangents_of(c.normal);
+      const Vec3 aside = along_a_tangent ? (random.below(2) == 0 ? tangent : other)
+                                         : Vec3(random.direction().cross(c.normal).normalized());
+      made.slide((random.below(2) == 0 ? 1 : -1) * slip.draw(random) * aside);
+    }
+    if (falls) made.fall(random);
+    return made;
+  }
+  /// The numbers of a pair, of a fall, or of what rubs.
+  Numbers solve(Pair& made, Random& random, StepSolver& solver) const {
+    const int times = static_cast<int>(sweeps.draw(random));
+    if (moves) made.substep(solver, times);
+    else made.solve(solver, times);
+    const Body& fell = made.world.bodies[1];
+    if (falls) return {made.parting(), fell.velocity.norm(), fell.angular_velocity.norm(), made.pushed()};
+    Numbers numbers = numbers_of(made);
+    if (friction.to > 0) numbers.insert(numbers.end(), {made.rubbed(), made.slip().norm()});
+    return numbers;
+  }
+  Numbers operator()(Random& random, const WholeSolver& answer) const {
+    Pair made = pair(random);
+    return solve(made, random, *answer.make());
+  }
+};
+
+/// The numbers of the first of two steps, and how fast the points of the other one part.
+inline auto beside(const Meeting& one, const Meeting& other) {
+  return [=](Random& random, const WholeSolver& answer) {
+    Numbers numbers = one(random, answer);
+    numbers.push_back(other(random, answer)[0]);
+    return numbers;
+  };
+}
+/// How fast the points of both part.
+inline auto partings(const Meeting& one, const Meeting& other) {
+  return [=](Random& random, const WholeSolver& answer) -> Numbers {
+    const Real first = one(random, answer)[0];
+    return {first, other(random, answer)[0]};
+  };
+}
+/// A step first from which the second one has an initial guess.
+inline auto after(const Meeting& before, const Meeting& now) {
+  return [=](Random& random, const WholeSolver& answer) {
+    Pair pair = before.pair(random);
+    const auto solver = answer.make();
+    before.solve(pair, random, *solver);
+    pair.next(pair.h * random.between(Real(0.5), Real(1.5)), pair.world.contacts);
+    pair.contact().restitution = now.restitution.draw(random);
+    pair.contact().depth = now.depth.draw(random);
+    pair.meet(now.speed.draw(random));
+    if (now.falls) integrate_velocity(pair.world.bodies[1], pair.world.gravity, pair.h);
+    return now.solve(pair, random, *solver);
+  };
 }
 
 /// Three boxes on the ground and on each other, which touch in six points.
@@ -288,62 +386,5 @@ inline Numbers numbers_of(const Beam& beam) {
 inline int few(Random& random) {
   return 1 + static_cast<int>(random.below(4));
 }
-
-inline Real meeting(Random& random) {
-  return -random.between(2, 6);
-}
-
-inline Real slow(Random& random) {
-  return -random.between(Real(0.01), Real(0.05));
-}
-
-/// s: steps so long that β d / h, β d and β d h differ by more than a few hundredths.
-inline Real long_step(Random& random) {
-  return random.between(Real(0.2), Real(0.5));
-}
-
-/// A body that meets one which nothing moves, and that gravity has sped up in this step before its contact is solved.
-struct Falling : Pair {
-  /// As the step began, its points parted at `speed`, m/s.
-  Falling(Random& random, Real speed) : Pair(random, speed) {
-    world.bodies[0].fixed().moving(Vec3::Zero()).spinning(Vec3::Zero());
-    meet(speed);
-    world.gravity = -random.between(5, 15) * contact().normal;
-    integrate_velocity(world.bodies[1], world.gravity, h);
-  }
-};
-
-inline const std::vector<Quantity> of_a_fall{{"the points at which your bodies touch part with", "m/s", exact},
-                                             {"the body that fell leaves with", "m/s", exact},
-                                             {"the body that fell turns with", "rad/s", exact},
-                                             {"your contact keeps an impulse along its normal of", "N s", exact}};
-
-inline Numbers numbers_of_fall(const Falling& pair) {
-  const Body& fell = pair.world.bodies[1];
-  return {pair.parting(), fell.velocity.norm(), fell.angular_velocity.norm(), pair.pushed()};
-}
-
-inline constexpr Real dt = Real(1) / 60;
-
-/// A smooth ball over the ground, which it touches in one point: no order of rows changes a number.
-struct Ball {
-  World world;
-  Real radius;
-
-  /// `gap`: m, between both; negative: it has sunk in. `speed`: m/s, downwards.
-  Ball(Random& random, Real gap, Real speed) : radius(random.between(Real(0.3), Real(0.8))) {
-    world.add(ground());
-    Body ball = sphere(radius, random.over_decades(1, 10));
-    world.add(ball.at({0, radius + gap, 0}).moving({0, -speed, 0}).rough(0));
-  }
-  Body& body() { return world.bodies[1]; }
-  /// mm
-  Real height() const { return 1000 * (world.bodies[1].position.y() - radius); }
-  /// What its contact keeps, N s.
-  Real pushed() const { return world.contacts.empty() ? 0 : world.contacts[0].impulse.y(); }
-  void step(StepSolver& solver, int steps) {
-    for (int i = 0; i < steps; ++i) world.step(solver, dt);
-  }
-};
 
 }  // namespace pushback::touching

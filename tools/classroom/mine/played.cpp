@@ -1,0 +1,152 @@
+#include "pushback/tools/classroom/mine/played.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <sstream>
+
+#include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/process.h"
+#include "pushback/tools/classroom/kit.h"
+#include "pushback/tools/classroom/mine/chapters.h"
+
+namespace pushback {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Command = std::vector<std::string>;
+
+/// Behind the reader's text.
+constexpr const char* as_library = R"(
+namespace mine {}
+using namespace mine;
+extern "C" pushback::StepSolver* make_solver(const pushback::StepSolver* like) {
+  return like ? new MySolver(static_cast<const MySolver&>(*like)) : new MySolver;
+}
+)";
+
+std::string last_line(const std::string& text) {
+  std::string last = "it said nothing";
+  for (const std::string& line : lines_of(text))
+    if (!line.empty()) last = line;
+  return last;
+}
+
+/// The first error; what is below it often follows from it.
+std::string first_error(const std::string& text) {
+  for (const std::string& line : lines_of(text))
+    if (const std::size_t at = line.find("error: "); at != line.npos) return line.substr(at);
+  return last_line(text);
+}
+
+/// The program of this name, beside ours.
+std::string built_program(const std::string& name) {
+  const fs::path program = fs::canonical("/proc/self/exe").parent_path() / name;
+  if (!fs::exists(program)) throw std::runtime_error("a program is needed that is not built: " + program.string());
+  return program;
+}
+
+fs::path made_library(const MyFolder& mine, const ScratchFolder& scratch, CompiledAs as) {
+  const fs::path library = scratch.path / "solver.so";
+  const std::string wrong = make_library(mine.text(), fs::absolute(mine.path()), library, as);
+  if (!wrong.empty()) throw std::runtime_error(wrong + ". ./course mine 00 shows all that the compiler says");
+  return library;
+}
+
+/// A program that refuses what it is asked says so in its own words.
+void refuse(const Ended& ended) {
+  if (ended.status != 2) return;
+  std::string words = ended.err;
+  while (words.ends_with('\n')) words.pop_back();
+  throw InvalidInput(words);
+}
+
+}  // namespace
+
+std::string make_library(const std::string& text, const fs::path& folder, const fs::path& library, CompiledAs as) {
+  const ScratchFolder scratch;
+  const fs::path source = scratch.path / "solver.cpp", headers = kit().folder / "headers.h";
+  write_text_file(source, text + as_library);
+  Command compile = kit().words_of("compile.txt");
+  if (as == CompiledAs::chapter) {  // the headers are parsed again then
+    std::istringstream flags(CHAPTER_FLAGS);
+    for (std::string flag; flags >> flag;) compile.push_back(flag);
+  }
+  const Command more{"-w", "-I" + folder.string(), "-include", headers, "-shared", source, "-o", library};
+  compile.insert(compile.end(), more.begin(), more.end());
+  const Ended ended = run_program(compile, 120);
+  return ended.status == 0 ? "" : "it does not compile as a library: " + first_error(ended.err);
+}
+
+std::string draw_mine(int chapter, const fs::path& library, const fs::path& to, bool all_scenes) {
+  const std::string name = folder_of(chapter);
+  const ScratchFolder scratch;
+  // What is computed beside the scenes has no variant of the reader's, and soft shadows need more passes than the eye needs to
+  // compare.
+  Command draw{built_program(name), "--mine", library, "--out", scratch.path, "--no-study", "--passes", "4"};
+  if (!all_scenes) draw.emplace_back("--first-scene");
+  const Ended ended = run_program(draw, 600);
+  if (ended.status != 0) return fmt::format("{} came to no end with your solver: {}", name, last_line(ended.err));
+  fs::remove_all(to);
+  fs::copy(scratch.path / name, to, fs::copy_options::recursive);
+  return "";
+}
+
+bool play_hard_cases(const MyFolder& mine, const std::vector<std::string>& names) {
+  const fs::path to = fs::absolute(mine.path()) / "hard_cases";
+  const ScratchFolder scratch;
+  Command play{built_program("hard_cases_table"), "--stages", "00,01,02,03,04,05,06,07,08", "--out", scratch.path};
+  play.insert(play.end(), names.begin(), names.end());
+  Command list = play;
+  list.emplace_back("--list");
+  refuse(run_program(list, 60));
+  play.insert(play.end(), {"--mine", made_library(mine, scratch, CompiledAs::exercise)});
+  if (names.empty()) fmt::print("All cases are played, which takes about a minute.\n");
+  std::fflush(stdout);
+  play.insert(play.begin(), {"env", "-C", kit().sources});  // the table has links to the chapters' pages
+  const Ended ended = run_program(play, 3600);
+  const fs::path made = scratch.path / "hard_cases" / "part";
+  if (!fs::exists(made / "overview.png"))
+    throw std::runtime_error("there is no table: " +
+                             (ended.signal != 0 ? strsignal(ended.signal) : last_line(ended.err)));
+  // The table's last line names a file that is moved now.
+  for (const std::string& line : lines_of(ended.out))
+    if (line.find(scratch.path.string()) == line.npos) fmt::print("{}\n", line);
+  std::fflush(stdout);
+  fmt::print(stderr, "{}", ended.err);
+  fs::remove_all(to);
+  fs::copy(made, to, fs::copy_options::recursive);
+  return ended.status == 0;
+}
+
+void study_with_mine(const MyFolder& mine, const std::vector<std::string>& asked) {
+  const fs::path to = fs::absolute(mine.path()) / "study";
+  const ScratchFolder scratch;
+  std::vector<std::string> motions;
+  for (const std::string& name : asked) motions.push_back(motion_named(name).name);
+  for (const Motion& motion : all_motions())
+    if (asked.empty() && motion.pins.empty()) motions.push_back(motion.name);
+  built_program("motion_mine");
+  Command study{built_program("study"), "--quick", "--mine", made_library(mine, scratch, CompiledAs::chapter), "--out",
+                scratch.path,           "--only"};
+  study.insert(study.end(), motions.begin(), motions.end());
+  fmt::print("{} of the study's motions are played in all quick settings by every solver.\n", motions.size());
+  std::fflush(stdout);
+  const Ended ended = run_program(study, 1800);
+  const fs::path made = scratch.path / "19_accuracy_and_time";
+  if (ended.status != 0 || !fs::exists(made / "work_precision.png")) {
+    const std::string said = last_line(ended.err), before = "failed: ";  // the call of a motion, with all settings
+    const std::size_t at = said.rfind(before);
+    throw std::runtime_error("there are no diagrams: " + (at == said.npos ? said : said.substr(at + before.size())));
+  }
+  fs::remove_all(to);
+  fs::create_directories(to);
+  for (const char* file : {"work_precision.png", "others.md", "study.csv", "machine.md"})
+    fs::copy(made / file, to / file);
+}
+
+}  // namespace pushback
