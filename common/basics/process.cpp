@@ -1,14 +1,13 @@
 #include "pushback/common/basics/process.h"
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <spawn.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <memory>
@@ -46,25 +45,9 @@ class Passage {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-/// Waits until a child of ours has ended; gives back how.
-int end_of(pid_t child, const ProcessWatcher& watcher) {
-  const int handle = watcher ? static_cast<int>(syscall(SYS_pidfd_open, child, 0)) : -1;  // -1 before Linux 5.3
-  int status = 0;
-  while (true) {
-    const pid_t ended = waitpid(child, &status, watcher ? WNOHANG : 0);
-    if (ended == child || (ended < 0 && errno != EINTR)) break;
-    if (ended != 0) continue;
-    pollfd end{handle, POLLIN, 0};
-    poll(&end, 1, static_cast<int>(watcher(child).count()));  // the end, or the time: a handle of -1 is not looked at
-  }
-  if (handle >= 0) close(handle);
-  return status;
-}
-
 }  // namespace
 
-Ended run_program(std::vector<std::string> command, double seconds, std::string_view input,
-                  const ProcessWatcher& watcher) {
+Ended run_program(std::vector<std::string> command, double seconds, std::string_view input) {
   // In the foreground: who interrupts us interrupts the program as well.
   command.insert(command.begin(), {"timeout", "--foreground", "--kill-after=5", fmt::format("{}", seconds)});
   std::vector<char*> words;
@@ -83,7 +66,8 @@ Ended run_program(std::vector<std::string> command, double seconds, std::string_
   const int failure = posix_spawnp(&child, words[0], &actions, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failure != 0) throw std::runtime_error(fmt::format("'{}' could not be started", fmt::join(command, " ")));
-  const int status = end_of(child, watcher);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   const int ended = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   // `timeout` returns 124, or 137 for a program that was still there five seconds after it had been asked to end. A program
   // that returns one of them earlier was not ended by `timeout`.

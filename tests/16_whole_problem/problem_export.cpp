@@ -1,4 +1,4 @@
-/// ./course export and ./course solve: a step of a scene as a file, and what is said where that cannot be.
+/// ./course run export and ./course run solve: a step of a scene as a file, and what is said where that cannot be.
 #include <fmt/format.h>
 
 #include <fstream>

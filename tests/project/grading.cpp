@@ -1,4 +1,4 @@
-/// ./course grade and ./course handout: many students, a table, JUnit XML and JSON, in parts and taken up again.
+/// ./course grade and ./course run handout: many students, a table, JUnit XML and JSON, in parts and taken up again.
 #include <map>
 #include <set>
 
@@ -48,11 +48,10 @@ TEST_CASE("a class is graded: a table, JSON and JUnit XML, and again, only what 
   const Ended first = all.grade("--jobs 2");
   CHECK(first.status == 0);
   CHECK(contains(first.out, "anna        6 of 6  03 6/6\n"));
-  CHECK(contains(first.out, "ben & co    4 of 6  03 4/6\n"));
+  CHECK(contains(first.out, "ben & co    4 of 6  03 4/6"));
   CHECK(contains(first.out, "carl        0 of 6  03 0/6 (not handed in)\n"));
   CHECK(contains(first.out, "dora        0 of 6  03 0/6 (not handed in)\n"));
-  const std::string json = text_of(all.scratch / "out/results.json"), xml = text_of(all.scratch / "out/results.xml");
-  CHECK(contains(json, "what is too deep is pushed out at the cap"));
+  const std::string xml = text_of(all.scratch / "out/results.xml");
   CHECK(contains(xml, "<testsuite name=\"anna\" tests=\"4\" failures=\"0\">"));
   CHECK(contains(xml, "<testsuite name=\"ben &amp; co\" tests=\"4\" failures=\"1\">"));
   CHECK(contains(xml, "<failure message=\"your ball, which is more than a metre deep, leaves with"));
@@ -69,16 +68,17 @@ TEST_CASE("a class is graded: a table, JSON and JUnit XML, and again, only what 
   CHECK(contains(fourth.out, "ben & co    0 of 10"));
 }
 
-namespace {
-
-/// What students get for it in all graded exercises that are named, by their names.
-void earn_nothing(const std::string& options, const std::map<std::string, std::string>& of_students) {
+TEST_CASE("who changes nothing that counts earns nothing, in all graded exercises", "[checked]") {
   const Scratch scratch;
   std::string folders;
-  for (const auto& [student, line] : of_students) {
+  std::size_t of_all = 0;
+  for (const auto& [student, line] : std::map<std::string, std::string>{
+           {"gap", ""}, {"comment", "// I do not know\n"}, {"copy", "static constexpr int nothing = 1;\n"}}) {
     fs::create_directories(scratch / student);
+    of_all = 0;
     for (const Exercise& exercise : all_exercises()) {
       if (!exercise.graded()) continue;
+      ++of_all;
       std::string text = read_text_file(stub_of(exercise));
       text.insert(text.rfind('\n', text.find("TODO")) + 1, line);
       write_text_file(scratch / student / (exercise.name + ".h"), text);
@@ -86,32 +86,15 @@ void earn_nothing(const std::string& options, const std::map<std::string, std::s
     folders += (scratch / student).string() + " ";
   }
   const Ended ended =
-      call_program(GRADE_PROGRAM, folders + "--no-sandbox --out " + (scratch / "out").string() + options, 550);
+      call_program(GRADE_PROGRAM, folders + "--jobs 2 --no-sandbox --out " + (scratch / "out").string(), 550);
   INFO(ended.out);
   CHECK(ended.status == 0);
   const std::string json = text_of(scratch / "out/results.json");
   std::size_t none = 0;
   for (std::size_t at = 0; (at = json.find("\"points\": 0,", at)) != std::string::npos; ++at) ++none;
-  const std::vector<Exercise> all = all_exercises();
-  const auto of_all = std::count_if(all.begin(), all.end(), [](const Exercise& one) { return one.graded(); });
-  CHECK(of_all == 13);
-  const std::size_t graded = contains(options, "--exercises") ? 1 : static_cast<std::size_t>(of_all);
-  CHECK(none == of_students.size() * graded);
+  CHECK(none == 3 * of_all);
   CHECK_FALSE(contains(json, "\"passed\": true"));
   CHECK_FALSE(contains(json, "does not compile"));
-}
-
-const std::map<std::string, std::string> with_a_line{{"copy", "static constexpr int nothing = 1;\n"}};
-
-}  // namespace
-
-TEST_CASE("who does nothing earns nothing, in all graded exercises") {
-  earn_nothing("", {{"gap", ""}, {"comment", "// I do not know\n"}});
-  earn_nothing(" --exercises 03", with_a_line);
-}
-
-TEST_CASE("who writes what changes nothing earns nothing, in all graded exercises", "[checked]") {
-  earn_nothing(" --jobs 2", with_a_line);
 }
 
 namespace {
@@ -168,16 +151,14 @@ TEST_CASE("a class's own solvers are graded up to a chapter: where each stands, 
   const Ended first = grade();
   INFO(first.out << first.err);
   CHECK(first.status == 0);
-  for (const char* line : {"anna      19 of 19  mine_06 19/19, stands at 06\n",
-                           "ben        4 of 19  mine_06 4/19, stands at 01",
-                           "carl       0 of 19  mine_06 0/19, stands at none",
-                           "dora       0 of 19  mine_06 0/19, stands at none (crash)",
-                           "eve        0 of 19  mine_06 0/19, stands at none (does not compile)",
-                           "frank      0 of 19  mine_06 0/19, stands at none (not handed in)",
-                           "gina       0 of 19  mine_06 0/19, stands at none (does not compile)",
-                           "hana      19 of 19  mine_06 19/19, stands at 06\n"})
+  for (const char* line :
+       {"anna      19 of 19  mine_06 19/19, stands at 06\n", "ben        4 of 19  mine_06 4/19, stands at 01",
+        "carl       0 of 19  mine_06 0/19, stands at none", "dora       0 of 19  mine_06 0/19, stands at none (crash)",
+        "eve        0 of 19  mine_06 0/19, stands at none (does not compile)",
+        "frank      0 of 19  mine_06 0/19, stands at none (not handed in)",
+        "gina       0 of 19  mine_06 0/19, stands at none (does not compile)",
+        "hana      19 of 19  mine_06 19/19, stands at 06\n"})
     CHECK(contains(first.out, line));
-  CHECK(contains(text_of(all.scratch / "out/results.json"), "\"stands\": \"01\""));
   CHECK(grade().err.empty());
   all.write("anna", "mine/mu.h", "#error\n");  // a header counts as the file does
   CHECK(grade().err == "graded: anna\n");
@@ -243,12 +224,9 @@ TEST_CASE(
                                 "junk", "junk2", "secret"})
     graded(bad, "03 0/6 (not taken)");
   const std::string json = text_of(all.scratch / "out/results.json");
-  CHECK(contains(json, "leads out of its folder"));
-  CHECK(contains(json, "it has 1501 entries, at most 1000 are taken"));
-  CHECK(contains(json, "there are 2 files 03_baumgarte.h in it"));
-  CHECK(contains(json, "is larger than 1 MB"));
-  CHECK(contains(json, "it cannot be read (unzip: "));
-  CHECK(contains(json, "it cannot be read (tar: "));
+  for (const char* why : {"leads out of its folder", "it has 1501 entries, at most 1000 are taken", "it cannot be read",
+                          "there are 2 files 03_baumgarte.h in it", "is larger than 1 MB"})
+    CHECK(contains(json, why));
   CHECK(call_program(GRADE_PROGRAM, archives + options, 120).err.empty());  // taken up again: nothing to do
   fs::remove_all(all.scratch / "out");
   CHECK(run_program({"sh", "-c", "cd " + (all.scratch / "").string() + "; find . -type f -newer in | sort"}).out ==
@@ -260,51 +238,37 @@ TEST_CASE(
             .status == 0);
 }
 
-TEST_CASE("a file among the folders of a class is named, and the others are graded") {
+TEST_CASE("of a folder, files at most two folders deep are taken: no links, nothing large, one of each name") {
   Class all;
+  const fs::path right = all.scratch / "anna/03_baumgarte.h", name = right.filename();
+  const auto folder = [&](const std::string& of) {
+    fs::create_directories(all.scratch / of);
+    return all.scratch / of;
+  };
+  for (const std::string copied : {"deep/x/exercises", "buried/x/y/z", "twice/a", "twice/b", "upper"})
+    fs::copy_file(right, folder(copied) / name);
+  write_text_file(folder("upper/old") / name, "#error\n");
+  fs::create_directory_symlink(all.scratch / "nowhere", all.scratch / "upper/a link");
+  fs::create_directory_symlink(all.scratch / "anna", folder("linked") / "exercises");
+  write_text_file(folder("large") / name, text_of(right) + "//" + std::string(1'000'000, 'x') + "\n");
+  folder("-rf");
   write_text_file(all.scratch / "points.txt", "");
-  all.folders += "'" + (all.scratch / "points.txt").string() + "' ";
-  fs::rename(all.scratch / "dora", all.scratch / "-rf");
-  all.folders.replace(all.folders.find("dora"), 4, "-rf");
+  for (const std::string one : {"deep", "buried", "twice", "upper", "linked", "large", "-rf", "points.txt"})
+    all.folders += "'" + (all.scratch / one).string() + "' ";
   const Ended ended = all.grade("");
-  CHECK(ended.status == 0);
-  CHECK(
-      contains(ended.err, "not graded: '" + (all.scratch / "points.txt").string() + "' is no folder, and no archive"));
-  CHECK(contains(ended.out, "anna        6 of 6  03 6/6\n"));
-  CHECK(contains(ended.out, "-rf         0 of 6  03 0/6 (not handed in)\n"));
-  CHECK_FALSE(fs::exists(all.scratch / "out/students/points.txt.json"));
+  INFO(ended.out);
+  for (const char* line :
+       {"deep        6 of 6  03 6/6\n", "buried      0 of 6  03 0/6 (not handed in)\n",
+        "twice       0 of 6  03 0/6 (not taken)\n", "upper       6 of 6  03 6/6\n",
+        "linked      0 of 6  03 0/6 (not handed in)\n", "large       0 of 6  03 0/6 (not handed in)\n",
+        "-rf         0 of 6  03 0/6 (not handed in)\n"})
+    CHECK(contains(ended.out, line));
+  CHECK(contains(text_of(all.scratch / "out/results.json"), "is not taken: there are 2 files 03_baumgarte.h in it."));
+  CHECK(contains(ended.err, "points.txt' is no folder, and no archive"));
   const Ended alone = call_program(
       GRADE_PROGRAM, (all.scratch / "points.txt").string() + " --no-sandbox --out " + (all.scratch / "none").string());
   CHECK(alone.status == 2);
   CHECK_FALSE(fs::exists(all.scratch / "none"));
-}
-
-TEST_CASE("a folder is searched as an archive is: at most two folders deep, and one file of each name is taken") {
-  Class all;
-  const fs::path anna = all.scratch / "anna", name = "03_baumgarte.h";
-  for (const std::string folder : {"deep/x/exercises", "buried/x/y/z", "twice/a", "twice/b", "upper/old"}) {
-    fs::create_directories(all.scratch / folder);
-    write_text_file(all.scratch / folder / name, folder == "upper/old" ? "#error\n" : text_of(anna / name));
-  }
-  fs::copy_file(anna / name, all.scratch / "upper" / name);
-  fs::create_directory_symlink(all.scratch / "nowhere", all.scratch / "upper/a link");
-  for (const std::string folder : {"deep", "buried", "twice", "upper"})
-    all.folders += "'" + (all.scratch / folder).string() + "' ";
-  const Ended ended = all.grade("");
-  CHECK(contains(ended.out, "deep        6 of 6  03 6/6\n"));
-  CHECK(contains(ended.out, "buried      0 of 6  03 0/6 (not handed in)\n"));
-  CHECK(contains(ended.out, "twice       0 of 6  03 0/6 (not taken)\n"));
-  CHECK(contains(ended.out, "upper       6 of 6  03 6/6\n"));
-  CHECK(contains(text_of(all.scratch / "out/results.json"), "is not taken: there are 2 files 03_baumgarte.h in it."));
-
-  Solvers mine;
-  fs::create_directories(mine.scratch / "ines/hand-in");
-  fs::rename(mine.scratch / "anna/mine", mine.scratch / "ines/hand-in/mine");
-  const Ended solver = call_program(
-      GRADE_PROGRAM,
-      (mine.scratch / "ines").string() + " --exercises mine-06 --no-sandbox --out " + (mine.scratch / "out").string(),
-      120);
-  CHECK(contains(solver.out, "19/19, stands at 06\n"));
 }
 
 TEST_CASE("what a student's name would do to a terminal or to a file of results is spelled out") {
@@ -332,20 +296,6 @@ TEST_CASE("what a student's name would do to a terminal or to a file of results 
                                                  "' --exercises 03 --no-sandbox --out " + (all.scratch / "o").string())
                      .out,
                  "dörá 名"));
-}
-
-TEST_CASE("a link to a folder, or a file that is too large, is not handed in") {
-  Class all;
-  const fs::path name = "03_baumgarte.h", linked = all.scratch / "linked", large = all.scratch / "large";
-  fs::create_directories(linked);
-  fs::create_directory_symlink(all.scratch / "anna", linked / "exercises");
-  fs::create_directories(large);
-  write_text_file(large / name, text_of(all.scratch / "anna" / name) + "//" + std::string(1'000'000, 'x') + "\n");
-  for (const fs::path& folder : {linked, large}) all.folders += "'" + folder.string() + "' ";
-  const Ended ended = all.grade("");
-  CHECK(contains(ended.out, "anna        6 of 6"));
-  CHECK(contains(ended.out, "large       0 of 6  03 0/6 (not handed in)\n"));
-  CHECK(contains(ended.out, "linked      0 of 6  03 0/6 (not handed in)\n"));
 }
 
 TEST_CASE("a result under other limits is another result") {

@@ -28,22 +28,25 @@ std::string trimmed(const std::string& text) {
 
 std::vector<Student> students() {
   std::vector<Student> all;
-  bool above = false;
+  const auto add = [&](const std::string& code) {
+    if (code.starts_with("^ ")) all.back().above += code.substr(2) + "\n";
+    else all.back().inside += code + "\n";
+  };
   for (const std::string& line : lines_of(text_of(SOURCE_DIR "/tests/project/hostile_class.txt"))) {
-    if (line.starts_with("== ")) {
-      std::vector<std::string> parts;
-      std::istringstream in(line.substr(3) + " ");
-      for (std::string part; std::getline(in, part, '|');) parts.push_back(trimmed(part));
-      REQUIRE(parts.size() == 4);
-      const bool soon = parts[0].starts_with("*");
-      all.push_back({parts[0].substr(soon), std::stoi(parts[1]), parts[2], parts[3], "", "", soon});
-      above = true;
-    } else if (line == "--") {
-      above = false;
-    } else if (!all.empty()) {
-      (above ? all.back().above : all.back().inside) += line + "\n";
+    std::vector<std::string> parts(5);
+    std::istringstream in(line);
+    for (std::size_t i = 0; i < 4; ++i) std::getline(in, parts[i], '|');
+    std::getline(in, parts[4]);
+    for (std::string& part : parts) part = trimmed(part);
+    if (line.starts_with("  ") && !all.empty()) add(trimmed(line));
+    else if (parts[1] == "0" || parts[1] == "6") {
+      const bool soon = parts[0].starts_with("*"), right = parts[1] == "6";
+      all.push_back(
+          {parts[0].substr(soon), std::stoi(parts[1]), parts[2], parts[3], "", right ? "@RIGHT@\n" : "", soon});
+      add(parts[4]);
     }
   }
+  REQUIRE(all.size() > 80);
   return all;
 }
 

@@ -1,4 +1,4 @@
-/// ./course benchmark FOLDER: motions with their truths, hard cases with what they ask for, as files for other programs.
+/// ./course run benchmark FOLDER: motions with their truths, hard cases with what they ask for, as files for other programs.
 #include <fmt/format.h>
 
 #include "pushback/common/basics/files.h"

@@ -1,7 +1,7 @@
 // An adapter to begin with, in JavaScript. It has no engine: bodies fly and fall, and touch nothing. Put yours where "engine" stands.
 // docs/benchmark.md says what is asked.
 //
-//   ./course adapter template.mjs       what it gets wrong
+//   ./course run adapter template.mjs       what it gets wrong
 import { createInterface } from "node:readline";
 
 let world; // engine: what is open

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <chrono>
 #include <csignal>
 #include <random>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
-#include "pushback/tools/classroom/budget.h"
 #include "pushback/tools/classroom/compiler_words.h"
 #include "pushback/tools/classroom/kit.h"
 #include "pushback/tools/classroom/student_files.h"
@@ -72,12 +72,12 @@ struct Problem {
 };
 
 /// Why a program that did not come to its end has ended. The sandbox gives signals back as a shell does. The kernel ends a
-/// program that is over its processor time by SIGXCPU or SIGKILL, and a program may send both to itself. The time tells them
-/// apart: half of it is enough, because a Watch looks only now and then.
-Problem problem_of(const Ended& ended, double processor_seconds, const std::string& where, const Limits& limits,
+/// program that is over its processor time by SIGXCPU or SIGKILL, and a program may send both to itself. The time by the clock
+/// tells them apart.
+Problem problem_of(const Ended& ended, double seconds, const std::string& where, const Limits& limits,
                    const std::string& last_printed) {
   const auto by_signal = [&](int signal) { return ended.signal == signal || ended.status == 128 + signal; };
-  if (ended.out_of_time || ((by_signal(SIGXCPU) || by_signal(SIGKILL)) && processor_seconds > 0.5 * limits.seconds))
+  if (ended.out_of_time || ((by_signal(SIGXCPU) || by_signal(SIGKILL)) && seconds >= limits.seconds))
     return {"time", fmt::format("{}, your program had no answer after {} s of processor time, or {} s by the clock. "
                                 "Look for a loop that never ends.",
                                 where, limits.seconds, Limits::patience * limits.seconds)};
@@ -100,8 +100,7 @@ Problem problem_of(const Ended& ended, double processor_seconds, const std::stri
 }
 
 /// Why there is no program.
-std::string built_not(const Ended& ended, const std::string& too_much, const fs::path& own, const Limits& limits) {
-  if (!too_much.empty()) return fmt::format("the compiler took {}, and was stopped.", too_much);
+std::string built_not(const Ended& ended, const fs::path& own, const Limits& limits) {
   if (ended.out_of_time || ended.err.find("CPU time limit exceeded") != std::string::npos)
     return fmt::format("the compiler was not done after {} s of processor time, or {} s by the clock.",
                        limits.compile_seconds, Limits::patience * limits.compile_seconds);
@@ -122,19 +121,12 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
     for (const auto& entry : fs::directory_iterator(exercise.folder))
       if (entry.path().extension() == ".h" && entry.path().filename() != "student.h")
         fs::copy_file(entry.path(), scratch.path / entry.path().filename(), fs::copy_options::skip_existing);
-  /// Apart from us, within limits; `too_much` says which budget it has exceeded.
-  std::string too_much;
-  double processor_seconds = 0;
+  /// Apart from us, within limits.
   const auto run = [&](const Command& command, const std::vector<fs::path>& readable, Sandbox::Folder may_be,
                        int seconds, int megabytes, const std::string& input) {
-    Watch watch({megabytes, limits.processes}, sandbox != nullptr);
     const Command within = limited(seconds, megabytes, command);
-    const Ended ended =
-        run_program(sandbox ? sandbox->around(within, scratch.path, readable, may_be) : within,
-                    Limits::patience * seconds, input, [&](int process) { return watch.look(process); });
-    too_much = watch.exceeded();
-    processor_seconds = watch.processor_seconds();
-    return ended;
+    return run_program(sandbox ? sandbox->around(within, scratch.path, readable, may_be) : within,
+                       Limits::patience * seconds, input);
   };
   const auto build = [&](const Command& command, const std::vector<fs::path>& readable) {
     return run(command, readable, Sandbox::Folder::writable, limits.compile_seconds, limits.compile_megabytes, "");
@@ -161,13 +153,15 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
   }
   if (ended.status != 0) {
     outcome.kind = "does not compile";
-    outcome.problem = built_not(ended, too_much, own, limits);
+    outcome.problem = built_not(ended, own, limits);
     return outcome;
   }
 
   const std::string word = word_of_this_run();
+  const auto begin = std::chrono::steady_clock::now();
   ended = run({program}, {}, Sandbox::Folder::readable, limits.seconds, limits.megabytes,
               fmt::format("{} {} {}\n", word, seed, exercise.checks.size()));
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   bool complete = false;
   for (const std::string& line : lines_of(ended.out)) {
     if (!line.starts_with(word + " ")) continue;
@@ -188,10 +182,7 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
   const std::string where = outcome.numbers.empty()
                                 ? "before the first check"
                                 : fmt::format("in the check '{}'", exercise.checks[outcome.numbers.size() - 1].says);
-  if (!too_much.empty()) {
-    outcome.kind = too_much.find("MB") != std::string::npos ? "memory" : "processes";
-    outcome.problem = fmt::format("{}, your program took {}, and was stopped.", where, too_much);
-  } else if (outcome.kind == "memory") {
+  if (outcome.kind == "memory") {
     outcome.problem =
         fmt::format("{}, your program asked for more than {} MB of memory. Look for a list that grows and grows.",
                     where, limits.megabytes);
@@ -200,7 +191,7 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
     outcome.kind = "exception";
   } else {
     const std::vector<std::string> printed = lines_of(ended.err);
-    const Problem problem = problem_of(ended, processor_seconds, where, limits, printed.empty() ? "" : printed.back());
+    const Problem problem = problem_of(ended, seconds.count(), where, limits, printed.empty() ? "" : printed.back());
     outcome.kind = problem.kind;
     outcome.problem = problem.text;
   }

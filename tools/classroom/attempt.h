@@ -8,14 +8,11 @@
 
 namespace pushback {
 
-/// What is more ends the compiler or the program with all that it has started. Seconds are each process's of the processor;
-/// six times as many by the clock end all of it: on a machine that compiles many students at once nobody should lose points.
+/// What a process of the compiler, and the program, may use at most. Seconds are of the processor; six times as many by the clock
+/// end all of it: on a machine that compiles many students at once nobody should lose points.
 struct Limits {
   int seconds = 10;
-  /// Of memory, with all children, and with files in /tmp and /dev/shm, which are memory: added up by a Watch. The kernel's
-  /// own limit (RLIMIT_AS) besides holds for each process, so that one that asks for too much at once is told so.
-  int megabytes = 1024;
-  int processes = 32;  ///< and threads, of the program and of the compiler: counted by a Watch
+  int megabytes = 1024;  ///< of memory
   int compile_seconds = 60;
   int compile_megabytes = 2048;
   static constexpr int patience = 6;

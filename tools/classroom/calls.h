@@ -1,18 +1,13 @@
-/// The system calls that a student's program and its compiler may not make.
+/// System calls that bubblewrap leaves open, and that no limit of a process covers.
 #pragma once
 
 #include <string>
 
 namespace pushback {
 
-/// Whether they can be told apart on this kind of processor.
-#if defined(__x86_64__) || defined(__aarch64__)
-inline constexpr bool has_filter = true;
-#else
-inline constexpr bool has_filter = false;
-#endif
-
-/// A program for the kernel (seccomp), as bubblewrap takes it.
-std::string filter_of_calls();
+/// A program for the kernel (seccomp), as bubblewrap takes it. It refuses memory that belongs to no process, looking into other
+/// processes, and sandboxes within the sandbox. With `one_process`, it also refuses to start another process, so that the
+/// limit of one process's memory is the limit of all. Threads may start.
+std::string refused_calls(bool one_process);
 
 }  // namespace pushback

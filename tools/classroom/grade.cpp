@@ -52,25 +52,22 @@ Json graded(const Grading& grading, const Exercise& exercise, const HandedIn& ha
   const std::optional<fs::path> file = handed_in.file(exercise);
   Verdict verdict;
   std::string printed;
-  const auto attempted = [&] {
-    Exercise own = exercise;
-    if (exercise.whole()) own.folder = file->parent_path().string();  // with the headers beside it
-    return attempt(own, *file, seed, sandbox, grading.limits);
+  const auto not_graded = [&](const std::string& why, const std::string& sentence) {
+    verdict.mistake = why;
+    verdict.sentence = sentence;
+    verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
   };
   if (!handed_in.problem().empty()) {
-    verdict.mistake = "not taken";
-    verdict.sentence = fmt::format("what was handed in is not taken: {}.", handed_in.problem());
-    verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
+    not_graded("not taken", fmt::format("what was handed in is not taken: {}.", handed_in.problem()));
   } else if (!file) {
-    verdict.mistake = "not handed in";
-    verdict.sentence = fmt::format("there is no file {}, of less than 1 MB, that is no link.", file_of(exercise));
-    verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
+    not_graded("not handed in",
+               fmt::format("there is no file {}, of less than 1 MB, that is no link.", file_of(exercise)));
   } else if (!exercise.whole() && untouched(read_text_file(*file), read_text_file(stub_of(exercise)))) {
-    verdict.mistake = "nothing written";
-    verdict.sentence = "the gap is as it was.";
-    verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
+    not_graded("nothing written", "the gap is as it was.");
   } else {
-    const Attempt outcome = attempted();
+    Exercise own = exercise;
+    if (exercise.whole()) own.folder = file->parent_path().string();  // with the headers beside it
+    const Attempt outcome = attempt(own, *file, seed, sandbox, grading.limits);
     verdict = judge(exercise, seed, outcome);
     printed = outcome.printed.substr(0, 1000);
   }
@@ -103,31 +100,17 @@ Json graded(const Grading& grading, const Exercise& exercise, const HandedIn& ha
   return made;
 }
 
-/// Their names and texts, in the order of the names.
-std::vector<std::string> headers_beside(const fs::path& file) {
-  std::vector<std::string> all;
-  for (const auto& entry : fs::directory_iterator(file.parent_path()))
-    if (entry.path() != file) all.push_back(entry.path().filename().string() + "\n" + read_text_file(entry.path()));
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
 /// What a student's result follows from.
 std::string fingerprint(const Grading& grading, const HandedIn& handed_in, std::uint64_t seed) {
   const Limits& limits = grading.limits;
-  std::string all = fmt::format("{} {} {} {} {} {} {}", seed, grading.sandboxed, limits.seconds, limits.megabytes,
-                                limits.processes, limits.compile_seconds, limits.compile_megabytes);
-  all += handed_in.problem();
+  std::string all = fmt::format("{} {} {} {} {} {}", seed, grading.sandboxed, limits.seconds, limits.megabytes,
+                                limits.compile_seconds, limits.compile_megabytes);
   for (const Exercise* exercise : grading.exercises) {
     all += short_name(*exercise);
     for (std::size_t i = 0; i < exercise->checks.size(); ++i)
       all += fmt::format(" {}", grading.points.of(*exercise, i));
-    const std::optional<fs::path> file = handed_in.file(*exercise);
-    all += file ? read_text_file(*file) : "none";
-    if (file && exercise->whole())
-      for (const std::string& header : headers_beside(*file)) all += header;
   }
-  return fmt::format("{:016x}", hash_of(all));
+  return fmt::format("{:016x}", hash_of(all + handed_in.problem() + handed_in.contents()));
 }
 
 std::optional<Json> read_result(const fs::path& file) {
@@ -138,24 +121,12 @@ std::optional<Json> read_result(const fs::path& file) {
 }
 
 std::string xml(const std::string& text) {
+  static const std::map<char, std::string> spelled{{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string out;
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
+    const auto found = spelled.find(c);
+    if (found != spelled.end()) out += found->second;
+    else out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }
   return out;
 }

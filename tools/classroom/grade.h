@@ -42,8 +42,8 @@ struct Grading {
   Limits limits;
 };
 
-/// Leaves a file for each student in out/students. A student whose file is of the same answers, points and seed is not
-/// graded again. Then results.json, results.xml and the table are of all that are there.
+/// Leaves a file for each student in out/students. A student whose file is of the same answers, points and seed is not graded
+/// again. Then results.json, results.xml and the table are of all that are there.
 void grade(const Grading& grading);
 
 }  // namespace pushback

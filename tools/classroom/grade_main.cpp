@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
               "03,15-transfer,mine-06: these, instead of all that no page answers and all of your own, as far as "
               "--points names them")
       .split_at_commas();
-  line.option("--points", points, "A file with the points of each check, as ./course handout writes it");
+  line.option("--points", points, "A file with the points of each check, as ./course run handout writes it");
   line.option("--out", grading.out, "Where results go").shows_default();
   line.option("--jobs", grading.jobs, "Students at the same time").between(1, 256).shows_default();
   line.option(
@@ -36,9 +36,7 @@ int main(int argc, char** argv) {
               "Of processor time, for all checks of an exercise; six times as many by the clock")
       .between(1, 3600)
       .shows_default();
-  line.option("--megabytes", grading.limits.megabytes, "Of memory, with all children and what they leave in /tmp")
-      .between(64, 1 << 20)
-      .shows_default();
+  line.option("--megabytes", grading.limits.megabytes, "Of memory").between(64, 1 << 20).shows_default();
   line.option("--compile-seconds", grading.limits.compile_seconds, "The same for the compiler")
       .between(1, 3600)
       .shows_default();

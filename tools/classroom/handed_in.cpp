@@ -1,10 +1,9 @@
 #include "pushback/tools/classroom/handed_in.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <csignal>
-#include <utility>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
@@ -17,11 +16,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t most_bytes = 1'000'000;  // of a file
-constexpr std::size_t most_entries = 1000;        // of an archive
 constexpr std::size_t most_headers = 50;          // next to a solver
 constexpr int deepest = 3;                        // top folder, exercises, file
-
-using Command = std::vector<std::string>;
 
 /// The ending of an archive; empty: it is none.
 std::string_view ending_of(const std::string& name) {
@@ -30,186 +26,93 @@ std::string_view ending_of(const std::string& name) {
   return {};
 }
 
-/// unzip takes the names it is asked for as patterns.
-std::string as_pattern(const std::string& name) {
-  std::string pattern;
-  for (const char c : name)
-    pattern +=
-        std::string_view("[*?-\\").find(c) == std::string_view::npos ? std::string(1, c) : fmt::format("[{}]", c);
-  return pattern;
+/// Called with the archive and the folder that gets its headers. It says why it takes nothing.
+constexpr const char* unpack = R"(
+set -u
+refuse() { echo "$1"; exit 99; }
+names=$2/names
+case $1 in
+  *.zip) tool=unzip; unzip -Z1 "$1" >"$names" ;;
+  *) tool=tar; tar --force-local -tf "$1" >"$names" ;;
+esac || exit
+[ $(wc -l <"$names") -le 1000 ] || refuse "it has $(wc -l <"$names") entries, at most 1000 are taken"
+! grep -qE '^/|(^|/)\.\.(/|$)|\\' "$names" || refuse "a name in it leads out of its folder, or has a \\ in it"
+grep -q '\.h$' "$names" || exit 0
+mkdir "$2/in" && cd "$2/in"
+case $tool in
+  unzip) unzip -qq -P none "$1" '*.h' ;;
+  tar) tar --force-local --no-same-owner --no-same-permissions -xf "$1" --wildcards '*.h' ;;
+esac || exit
+chmod -R a+rwX .
+)";
+
+/// What is wrong with the archive; empty: nothing.
+std::string unpacked(const fs::path& archive, const fs::path& to, const Sandbox* sandbox) {
+  const fs::path file = fs::canonical(archive);
+  std::vector<std::string> command{"prlimit",         "--core=0", "--cpu=20", fmt::format("--fsize={}", most_bytes),
+                                   "--as=1073741824", "sh",       "-c",       unpack,
+                                   "unpack",          file,       to};
+  if (sandbox) command = sandbox->around(command, to, {file});
+  const Ended ended = run_program(command, 30);
+  if (ended.status == 127)
+    throw InvalidInput(fmt::format("'{}' cannot be unpacked: are tar and unzip installed?", visible(archive)));
+  const bool too_large = ended.signal == SIGXFSZ || ended.status == 128 + SIGXFSZ;
+  if (ended.status == 0) return "";
+  if (ended.status == 99) return visible(lines_of(ended.out).front());
+  if (too_large) return "a file in it, or its list of files, is larger than 1 MB";
+  return ended.out_of_time ? "it takes too long to read" : "it cannot be read";
+}
+
+int depth_of(const fs::path& name) {
+  return static_cast<int>(std::distance(name.begin(), name.end()));
 }
 
 struct Unreadable {
   std::string why;
 };
 
-struct Entry {
-  std::string name;
-  bool is_file;
-};
-
-/// Reads one archive by `tar` or `unzip`, which write nothing but text to us.
-class Archive {
- public:
-  Archive(const fs::path& file, const Sandbox* sandbox)
-      : file_(fs::canonical(file)), zip_(ending_of(file.filename().string()) == ".zip"), sandbox_(sandbox) {}
-
-  std::vector<Entry> entries() const {
-    const std::string path = file_.string();
-    const auto names = lines_of(zip_ ? said({"unzip", "-Z1", path})
-                                     : said({"tar", "--force-local", "--quoting-style=escape", "-tf", path}));
-    auto types = lines_of(zip_ ? said({"unzip", "-Z", "-s", path})
-                               : said({"tar", "--force-local", "--quoting-style=escape", "-tvf", path}));
-    if (zip_) types.erase(types.begin(), types.begin() + std::min<std::ptrdiff_t>(2, std::ssize(types)));  // its head
-    if (names.size() > most_entries)
-      throw Unreadable{fmt::format("it has {} entries, at most {} are taken", names.size(), most_entries)};
-    if (types.size() < names.size()) throw Unreadable{"its list of files makes no sense"};
-    std::vector<Entry> all;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      for (const fs::path& part : fs::path(names[i]))
-        if (part == ".." || part == "/" || names[i].find('\\') != std::string::npos)
-          throw Unreadable{
-              fmt::format("'{}' in it leads out of its folder, or has a \\ in its name", visible(names[i]))};
-      all.push_back({names[i], types[i][0] == '-' || types[i][0] == '?'});
-    }
-    return all;
+/// The files of less than 1 MB at most two folders deep, relative to the folder. Follows no links.
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> all;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator it(folder, options), end; it != end; ++it) {
+    if (it.depth() + 1 == deepest) it.disable_recursion_pending();
+    if (fs::is_regular_file(it->symlink_status()) && it->file_size() < most_bytes)
+      all.push_back(it->path().lexically_relative(folder));
   }
-
-  std::string text_of(const std::string& name) const {
-    if (zip_) return said({"unzip", "-P", "none", "-p", file_, as_pattern(name)});  // or it would ask for a password
-    return said({"tar", "--force-local", "-xOf", file_, "--", name});
-  }
-
- private:
-  std::string said(const Command& words) const {
-    Command command{"prlimit", "--core=0", "--cpu=20", fmt::format("--fsize={}", most_bytes), "--as=1073741824"};
-    command.insert(command.end(), words.begin(), words.end());
-    const ScratchFolder scratch;
-    if (sandbox_) command = sandbox_->around(command, scratch.path, {file_});
-    const Ended ended = run_program(command, 30);
-    if (ended.status == 0) return ended.out;
-    if (ended.status == 127)
-      throw InvalidInput(
-          fmt::format("'{}' cannot be read without {}: is the package installed?", visible(file_), words[0]));
-    if (ended.signal == SIGXFSZ || ended.status == 128 + SIGXFSZ || ended.out.size() >= most_bytes)
-      throw Unreadable{"a file in it, or its list of files, is larger than 1 MB"};
-    throw Unreadable{said_of(ended.err, words[0])};
-  }
-  /// The first line that says more than which file it is.
-  std::string said_of(const std::string& complaint, const std::string& program) const {
-    for (std::string line : lines_of(complaint)) {
-      for (std::size_t at; (at = line.find(file_.string())) != std::string::npos;)
-        line.erase(at, file_.string().size());
-      line.erase(0, line.find_first_not_of("[]:,; "));
-      if (line.find(' ') != std::string::npos) return fmt::format("it cannot be read ({}: {})", program, visible(line));
-    }
-    return "it takes too long or too much memory to read";
-  }
-  fs::path file_;
-  bool zip_;
-  const Sandbox* sandbox_;
-};
-
-/// Reads a folder as an Archive reads an archive. Follows no links.
-class Folder {
- public:
-  explicit Folder(const fs::path& folder) : folder_(folder) {}
-
-  std::vector<Entry> entries() const {
-    std::vector<Entry> all;
-    const auto options = fs::directory_options::skip_permission_denied;
-    for (fs::recursive_directory_iterator it(folder_, options), end; it != end; ++it) {
-      if (it.depth() + 1 == deepest) it.disable_recursion_pending();
-      if (fs::is_regular_file(it->symlink_status()) && it->file_size() < most_bytes)
-        all.push_back({it->path().lexically_relative(folder_), true});
-    }
-    return all;
-  }
-
-  std::string text_of(const std::string& name) const { return read_text_file(folder_ / name); }
-
- private:
-  fs::path folder_;
-};
-
-int depth_of(const std::string& name) {
-  const fs::path path = fs::path(name).lexically_normal();
-  return static_cast<int>(std::distance(path.begin(), path.end()));
+  return all;
 }
 
-bool is_header(const fs::path& file) {
-  return file.extension() == ".h" && file.filename() != ".h";
-}
-
-/// The name of the file, of those in the fewest folders; empty: there is none.
-std::string found_in(const std::vector<Entry>& entries, const std::string& wanted) {
-  std::vector<std::string> found;
-  int depth = deepest;
-  for (const Entry& entry : entries) {
-    const int its = depth_of(entry.name);
-    if (!entry.is_file || fs::path(entry.name).filename() != wanted || its > depth) continue;
-    if (its < depth) found.clear();
-    depth = its;
-    found.push_back(entry.name);
+/// The file of this name, of those in the fewest folders; empty: there is none.
+fs::path found_in(const std::vector<fs::path>& files, const std::string& wanted) {
+  std::vector<fs::path> found;
+  for (const fs::path& file : files) {
+    if (file.filename() != wanted) continue;
+    if (!found.empty() && depth_of(file) > depth_of(found[0])) continue;
+    if (!found.empty() && depth_of(file) < depth_of(found[0])) found.clear();
+    found.push_back(file);
   }
   if (found.size() > 1) throw Unreadable{fmt::format("there are {} files {} in it", found.size(), wanted)};
-  return found.empty() ? "" : found[0];
-}
-
-/// Leaves the files of these exercises in `folder`, and solver.h with the headers next to it in `solver`.
-template <class Source>
-void unpack(const Source& source, const std::vector<const Exercise*>& exercises, const fs::path& folder,
-            const fs::path& solver) {
-  const std::vector<Entry> entries = source.entries();
-  bool taken = false;
-  for (const Exercise* exercise : exercises) {
-    if (exercise->whole() && std::exchange(taken, true)) continue;  // one for all chapters
-    const std::string found = found_in(entries, file_of(*exercise));
-    if (found.empty()) continue;
-    const fs::path& to = exercise->whole() ? solver : folder;
-    write_text_file(to / file_of(*exercise), source.text_of(found));
-    if (!exercise->whole()) continue;
-    std::size_t count = 0;
-    for (const Entry& entry : entries) {
-      const fs::path name(entry.name);
-      if (!entry.is_file || entry.name == found || !is_header(name) ||
-          name.parent_path() != fs::path(found).parent_path())
-        continue;
-      if (++count > most_headers)
-        throw Unreadable{fmt::format("more than {} headers are next to solver.h", most_headers)};
-      write_text_file(to / name.filename(), source.text_of(entry.name));
-    }
-  }
+  return found.empty() ? fs::path() : found[0];
 }
 
 }  // namespace
 
 std::string visible(const std::string& text) {
+  bool is_utf8 = true;  // with nothing in it that is not seen
+  try {
+    for (const char32_t letter : fs::path(text).u32string())
+      if ((letter >= 0x80 && letter < 0xa0) || (letter >= 0x2028 && letter <= 0x202e) ||
+          (letter >= 0x2066 && letter <= 0x2069))
+        is_utf8 = false;
+  } catch (const fs::filesystem_error&) {
+    is_utf8 = false;
+  }
   std::string shown;
-  for (std::size_t at = 0; at < text.size();) {
-    const auto byte = [&](std::size_t i) {
-      return static_cast<unsigned char>(at + i < text.size() ? text[at + i] : 0);
-    };
-    std::size_t length = byte(0) < 0x80   ? 1
-                         : byte(0) < 0xc0 ? 0
-                         : byte(0) < 0xe0 ? 2
-                         : byte(0) < 0xf0 ? 3
-                         : byte(0) < 0xf5 ? 4
-                                          : 0;
-    unsigned letter = length <= 1 ? byte(0) : byte(0) & (0xffu >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i) {
-      letter = letter << 6 | (byte(i) & 0x3fu);
-      if ((byte(i) & 0xc0) != 0x80) length = 0;
-    }
-    constexpr unsigned least[] = {~0u, 0, 0x80, 0x800, 0x10000};
-    const bool is_utf8 = letter >= least[length] && letter <= 0x10ffff && (letter < 0xd800 || letter > 0xdfff);
-    const bool controls = letter < 0x20 || (letter >= 0x7f && letter < 0xa0) ||
-                          (letter >= 0x2028 && letter <= 0x202e) || (letter >= 0x2066 && letter <= 0x2069);
-    const std::size_t taken = is_utf8 ? length : 1;
-    if (is_utf8 && !controls) shown += text.substr(at, taken);
-    else
-      for (std::size_t i = 0; i < taken; ++i) shown += fmt::format("\\x{:02x}", byte(i));
-    at += taken;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f || (byte >= 0x80 && !is_utf8)) shown += fmt::format("\\x{:02x}", byte);
+    else shown += c;
   }
   return shown;
 }
@@ -231,17 +134,47 @@ std::string students_name(const fs::path& given) {
 }
 
 HandedIn::HandedIn(const fs::path& given, const std::vector<const Exercise*>& exercises, const Sandbox* sandbox) {
+  const ScratchFolder scratch;
+  const bool is_folder = fs::is_directory(given);
+  if (!is_folder) problem_ = unpacked(given, scratch.path, sandbox);
+  if (!problem_.empty()) return;
   try {
-    if (fs::is_directory(given)) unpack(Folder(given), exercises, files_.path, solver_.path);
-    else unpack(Archive(given, sandbox), exercises, files_.path, solver_.path);
+    if (is_folder) take(given, exercises);
+    else if (fs::is_directory(scratch.path / "in")) take(scratch.path / "in", exercises);
   } catch (const Unreadable& problem) {
     problem_ = problem.why;
+  }
+}
+
+void HandedIn::take(const fs::path& folder, const std::vector<const Exercise*>& exercises) {
+  const std::vector<fs::path> files = files_in(folder);
+  for (const Exercise* exercise : exercises) {
+    const fs::path found = found_in(files, file_of(*exercise));
+    if (found.empty()) continue;
+    const fs::path& to = exercise->whole() ? solver_.path : files_.path;
+    std::size_t headers = 0;
+    for (const fs::path& file : files) {
+      const bool beside = exercise->whole() && file.extension() == ".h" && file.parent_path() == found.parent_path();
+      if (file != found && !beside) continue;
+      if (++headers > most_headers + 1)
+        throw Unreadable{fmt::format("more than {} headers are next to solver.h", most_headers)};
+      write_text_file(to / file.filename(), read_text_file(folder / file));
+    }
   }
 }
 
 std::optional<fs::path> HandedIn::file(const Exercise& exercise) const {
   const fs::path file = (exercise.whole() ? solver_ : files_).path / file_of(exercise);
   return fs::exists(file) ? std::optional(file) : std::nullopt;
+}
+
+std::string HandedIn::contents() const {
+  std::vector<std::string> all;
+  for (const fs::path& folder : {files_.path, solver_.path})
+    for (const auto& entry : fs::directory_iterator(folder))
+      all.push_back(entry.path().filename().string() + "\n" + read_text_file(entry.path()));
+  std::sort(all.begin(), all.end());
+  return fmt::format("{}", fmt::join(all, "\n"));
 }
 
 }  // namespace pushback

@@ -1,5 +1,4 @@
-/// What a student has handed in: a folder, or an archive of one. Nothing is unpacked by its own name: the files that are
-/// wanted are read one by one, as text, into folders of ours.
+/// What a student has handed in: a folder, or an archive of one.
 #pragma once
 
 #include <filesystem>
@@ -21,15 +20,18 @@ std::string file_of(const Exercise& exercise);
 
 class HandedIn {
  public:
-  /// Throws InvalidInput where the program that reads such an archive is not installed.
+  /// An archive is unpacked in the sandbox, if there is one. Throws InvalidInput if tar or unzip is missing.
   HandedIn(const std::filesystem::path& given, const std::vector<const Exercise*>& exercises, const Sandbox* sandbox);
   /// A copy of its file, of less than 1 MB and no link, in the folder or at most two folders deeper; none if there is none. A
   /// whole solver's is solver.h, next to copies of the headers there.
   std::optional<std::filesystem::path> file(const Exercise& exercise) const;
+  /// The names and texts of all copies.
+  std::string contents() const;
   /// Why nothing is taken, in words; empty: there is no reason.
   const std::string& problem() const { return problem_; }
 
  private:
+  void take(const std::filesystem::path& folder, const std::vector<const Exercise*>& exercises);
   ScratchFolder files_, solver_;
   std::string problem_;
 };

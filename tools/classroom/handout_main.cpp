@@ -1,4 +1,4 @@
-/// ./course handout: what a student gets.
+/// ./course run handout: what a student gets.
 #include <optional>
 
 #include "pushback/common/basics/files.h"
@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   std::string mine;
   CommandLine line(
       "Writes tasks and files with gaps into a folder, and the points of each check; no answers, no checks.",
-      "./course handout");
+      "./course run handout");
   line.option("FOLDER", folder, "A new folder").required();
   line.option("--with", with, "02,03,15-transfer: these; all by default").split_at_commas();
   line.option("--without", without, "04: all but these").split_at_commas();
@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
     std::vector<const Exercise*> exercises = chosen(all, with, without);
     std::optional<Exercise> whole;
     if (!mine.empty()) whole = exercise_of_chapter(chapter_of_mine(mine).number);
-    write_handout(folder, exercises);
+    write_own_folder(folder, exercises);
     if (whole) exercises.push_back(&*whole);
     const fs::path points = fs::absolute(folder / "").parent_path().string() + ".points";
     write_text_file(points, points_text(exercises));

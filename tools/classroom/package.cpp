@@ -51,41 +51,51 @@ std::string handed_out(const Exercise& exercise, const Call& call) {
                     page_of(exercise).string());
 }
 
-std::string how_to(const std::vector<const Exercise*>& exercises, const std::vector<Call>& calls) {
+/// The commands for an exercise, where Pushback is installed or in a copy of it.
+std::string commands(const Call& call, const std::string& exercise) {
+  std::string text;
+  for (const auto& [option, does] : {std::pair{"", "compiled and checked"},
+                                     {" --hint", "one hint more each time"},
+                                     {" --watch", "checked again at each save, until Ctrl-C"},
+                                     {" --reset", "the file as it was; yours is kept beside it"}})
+    text += fmt::format("    {:<{}}{}\n", call.of(exercise) + option, call.of(exercise).size() + 11, does);
+  return text;
+}
+
+std::string how_to(const std::vector<const Exercise*>& exercises, const fs::path& folder) {
   std::string text =
       "# Exercises\n\nFor each exercise there is a task (`.md`) and a file with a gap (`.h`). Read the task, write the "
       "lines between\n`// TODO` and `// TODO ends`, save, and have the file checked. The page of the chapter has the "
       "idea and its equation.\n\n| exercise | task | your file | page of the chapter |\n| --- | --- | --- | --- |\n";
-  const Exercise* first = nullptr;
+  std::string first;
   for (const Exercise* exercise : exercises) {
     text += fmt::format("| {0} | [{1}.md]({1}.md) | [{1}.h]({1}.h) | {2} |\n", short_name(*exercise), exercise->name,
                         exercise->own() ? "none; your teacher has the checks" : page_of(*exercise).string());
-    if (!first && !exercise->own()) first = exercise;
+    if (first.empty() && !exercise->own()) first = short_name(*exercise);
   }
-  text +=
-      "\nThe pages are in a copy of Pushback, and in `share/pushback/pages` of the folder that Pushback is installed "
-      "in.\n";
-  if (!first) return text;
-  for (const Call& call : calls) {
-    const bool copy = !call.in.empty();
-    text += copy ? "\n## Checked in a copy of Pushback\n\nPATH/TO is where this folder lies.\n\n"
-                 : "\n## Checked where Pushback is installed\n\nIn this folder:\n\n";
-    for (const auto& [option, does] : {std::pair{"", "compiled and checked"},
-                                       {" --hint", "one hint more each time"},
-                                       {" --watch", "checked again at each save, until Ctrl-C"},
-                                       {" --reset", "the file as it was; yours is kept beside it"}})
-      text += fmt::format("    {:<{}}{}\n", call.of(short_name(*first)) + option,
-                          call.of(short_name(*first)).size() + 11, does);
-    if (!copy)
-      text +=
-          "\n`pushback-exercise` is in `bin` of the folder that Pushback is installed in. Where the shell does not "
-          "find it, write that\nfolder before it. A build checks every file that you have written in:\n\n"
-          "    cmake -B build -G Ninja\n    cmake --build build\n\n"
-          "The verdict stands at its end. As long as an answer is wrong, the build fails: what Ninja says below the "
-          "verdict is\nno more than that. Where CMake does not find Pushback, say where it is installed, once: "
-          "`cmake -B build\n-DCMAKE_PREFIX_PATH=FOLDER`.\n";
-  }
-  return text;
+  if (first.empty()) return text;
+  text += fmt::format(R"(
+The pages are in a copy of Pushback, and in `share/pushback/pages` of the folder that Pushback is installed in.
+
+## Checked where Pushback is installed
+
+In this folder:
+
+{}
+`pushback-exercise` is in `bin` of the folder that Pushback is installed in. If the shell does not find it, write that folder
+before it. A build checks every file that you have written in:
+
+    cmake -B build -G Ninja
+    cmake --build build
+
+The verdict stands at its end. As long as an answer is wrong, the build fails. If CMake does not find Pushback, say once where
+it is installed: `cmake -B build -DCMAKE_PREFIX_PATH=FOLDER`.
+)",
+                      commands(installed, first));
+  if (kit().prefix.empty())
+    text += "\n## Checked in a copy of Pushback\n\nPATH/TO is where this folder lies.\n\n" +
+            commands(in_a_copy(folder), first);
+  return text + "\nIf you hand this folder in, do so under your own name, without `build`.\n";
 }
 
 std::string build_file() {
@@ -100,23 +110,6 @@ add_custom_target(verdicts ALL COMMAND ${{PUSHBACK_EXERCISE}} --all --in ${{CMAK
   COMMENT "What you have written is compiled and checked" USES_TERMINAL VERBATIM)
 )",
                      hint);
-}
-
-void write_folder(const fs::path& folder, const std::vector<const Exercise*>& exercises, const Call& in_tasks,
-                  const std::string& readme) {
-  if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder)))
-    throw InvalidInput(fmt::format("'{}' is not empty: a new folder is needed", folder.string()));
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure)
-    throw InvalidInput(fmt::format("'{}' cannot be made: {}. A folder that can be written to is needed",
-                                   folder.string(), failure.message()));
-  for (const Exercise* exercise : exercises) {
-    write_text_file(folder / (exercise->name + ".md"), handed_out(*exercise, in_tasks));
-    write_text_file(folder / (exercise->name + ".h"), gap_of(*exercise, exercise->name + ".md"));
-  }
-  write_text_file(folder / "CMakeLists.txt", build_file());
-  write_text_file(folder / "README.md", readme);
 }
 
 }  // namespace
@@ -136,18 +129,21 @@ std::vector<const Exercise*> chosen(const std::vector<Exercise>& all, const std:
   return exercises;
 }
 
-void write_handout(const fs::path& folder, const std::vector<const Exercise*>& exercises) {
-  const Call copy = in_a_copy(folder);
-  write_folder(folder, exercises, copy,
-               how_to(exercises, {installed, copy}) +
-                   "\n## Hand in\n\nHand in this folder, under your own name, without `build`.\n");
-}
-
 void write_own_folder(const fs::path& folder, const std::vector<const Exercise*>& exercises) {
-  const bool is_copy = kit().prefix.empty();
-  const Call copy = in_a_copy(folder);
-  write_folder(folder, exercises, is_copy ? copy : installed,
-               how_to(exercises, is_copy ? std::vector{copy, installed} : std::vector{installed}));
+  if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder)))
+    throw InvalidInput(fmt::format("'{}' is not empty: a new folder is needed", folder.string()));
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure)
+    throw InvalidInput(fmt::format("'{}' cannot be made: {}. A folder that can be written to is needed",
+                                   folder.string(), failure.message()));
+  const Call call = kit().prefix.empty() ? in_a_copy(folder) : installed;
+  for (const Exercise* exercise : exercises) {
+    write_text_file(folder / (exercise->name + ".md"), handed_out(*exercise, call));
+    write_text_file(folder / (exercise->name + ".h"), gap_of(*exercise, exercise->name + ".md"));
+  }
+  write_text_file(folder / "CMakeLists.txt", build_file());
+  write_text_file(folder / "README.md", how_to(exercises, folder));
 }
 
 }  // namespace pushback

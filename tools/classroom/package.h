@@ -14,9 +14,6 @@ std::vector<const Exercise*> chosen(const std::vector<Exercise>& all, const std:
 
 /// A new folder with a task and a file with a gap for each exercise, a README.md, and a CMakeLists.txt with which a build says the
 /// verdict. Throws InvalidInput where the folder is there and not empty, or cannot be made.
-/// A handout is for who has a copy of Pushback, and for who has it installed.
-void write_handout(const std::filesystem::path& folder, const std::vector<const Exercise*>& exercises);
-/// The same for the one who calls: with the command that was called.
 void write_own_folder(const std::filesystem::path& folder, const std::vector<const Exercise*>& exercises);
 
 }  // namespace pushback

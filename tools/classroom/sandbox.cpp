@@ -1,13 +1,11 @@
 #include "pushback/tools/classroom/sandbox.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <set>
 
-#include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/tools/classroom/calls.h"
@@ -26,72 +24,36 @@ Command operator+(Command first, const Command& then) {
   return first;
 }
 
-/// What a student's program may never exceed, whoever watches it: enough for those who are watched more closely.
-constexpr int most_processes = 256;
-
-bool are_root() {
-  return geteuid() == 0;
-}
-
-/// Root is exempt from the kernel's limit of processes, so whoever is root becomes somebody else in the sandbox, each time
-/// another one: the limit is of all that one user runs.
+/// The kernel's limit of processes counts all that one user runs, and root is exempt from it. So root becomes another user in
+/// each sandbox.
 unsigned nobody_else() {
   static std::atomic<unsigned> count = 0;
   constexpr unsigned first = 1u << 29, each = 64;
   return first + static_cast<unsigned>(getpid()) * each + count++ % each;
 }
 
-/// Of the user that we are, with threads: a kernel before 5.14 counts them in.
-int processes_of_ours() {
-  int count = 0;
-  std::error_code ended;
-  for (const auto& entry : fs::directory_iterator("/proc", ended)) {
-    struct stat owner{};
-    if (stat(entry.path().c_str(), &owner) != 0 || owner.st_uid != geteuid()) continue;
-    std::error_code gone;
-    for (auto task = fs::directory_iterator(entry.path() / "task", gone); !gone && task != fs::directory_iterator();
-         task.increment(gone))
-      ++count;
-  }
-  return count;
+void give_to(unsigned user, const fs::path& folder) {
+  std::vector<fs::path> all{folder};
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) all.push_back(entry.path());
+  for (const fs::path& path : all)
+    if (lchown(path.c_str(), user, user) != 0) throw std::runtime_error("cannot give away " + path.string());
 }
 
-/// bubblewrap makes folders that only root may enter on the way to what is bound.
+/// bubblewrap would make the folders on the way to what is bound such that only root may enter them.
 Command ways_to(const std::vector<fs::path>& bound) {
   std::set<fs::path> ways;
   for (const fs::path& path : bound)
     for (fs::path way = path.parent_path(); way != way.root_path(); way = way.parent_path()) ways.insert(way);
   Command made;
-  for (const fs::path& way : ways)  // the shorter ones first
-    if (way != "/tmp" && *++way.begin() != "usr") made = made + Command{"--perms", "0755", "--dir", way};
+  for (const fs::path& way : ways) made = made + Command{"--perms", "0755", "--dir", way};  // the shorter ones first
   return made;
-}
-
-void give_to(unsigned user, const fs::path& folder) {
-  if (lchown(folder.c_str(), user, user) != 0) throw std::runtime_error("cannot give away " + folder.string());
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (lchown(entry.path().c_str(), user, user) != 0)
-      throw std::runtime_error("cannot give away " + entry.path().string());
 }
 
 }  // namespace
 
 Sandbox::Sandbox() {
-  fs::permissions(headers_.path, fs::perms::others_read | fs::perms::others_exec, fs::perm_options::add);
-  const fs::path& source = kit().sources;
-  for (const char* part : {"common", "chapters"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(source / part)) {
-      if (entry.path().extension() != ".h") continue;
-      const fs::path copy = headers_.path / "pushback" / fs::relative(entry.path(), source);
-      fs::create_directories(copy.parent_path());
-      fs::copy_file(entry.path(), copy);
-    }
-  }
-  for (const auto& entry : fs::recursive_directory_iterator(headers_.path))  // whatever is usual here
-    fs::permissions(entry.path(),
-                    fs::perms::others_read | (entry.is_directory() ? fs::perms::others_exec : fs::perms::none),
-                    fs::perm_options::add);
-  write_text_file(filter_.path / "filter", filter_of_calls());
+  write_text_file(filters_.path / "tools", refused_calls(false));
+  write_text_file(filters_.path / "program", refused_calls(true));
   const ScratchFolder folder;
   const Ended ended = run_program(around({"true"}, folder.path, {}), 10);
   if (ended.status != 0)
@@ -103,39 +65,39 @@ Sandbox::Sandbox() {
 
 Command Sandbox::around(Command command, const fs::path& folder, const std::vector<fs::path>& readable,
                         Folder may_be) const {
-  constexpr const char* most_bytes = "67108864";
+  const bool writable = may_be == Folder::writable, are_root = geteuid() == 0;
   // bubblewrap is the first process in there: its own environment can be read from /proc/1/environ.
   const char* path = std::getenv("PATH");
   Command made{"env", "-i", fmt::format("PATH={}", path == nullptr ? "/usr/bin" : path)};
-  if (has_filter) made = made + Command{"sh", "-c", "exec bwrap --seccomp 9 \"$@\" 9<\"$0\"", filter_.path / "filter"};
-  else made.emplace_back("bwrap");
+  made = made + Command{"sh", "-c", "exec bwrap --seccomp 9 \"$@\" 9<\"$0\"",
+                        filters_.path / (writable ? "tools" : "program")};
   made = made + Command{"--die-with-parent", "--new-session", "--cap-drop", "ALL"};
-  if (are_root())  // whoever it becomes is nobody in a user namespace
+  if (are_root)  // in a user namespace root could not become another user
     made = made + Command{"--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup-try",
                           "--cap-add",     "CAP_SETUID",    "--cap-add",     "CAP_SETGID"};
   else made.emplace_back("--unshare-all");
   made = made + Command{"--clearenv", "--setenv", "PATH", "/usr/bin"};
   made = made + Command{"--ro-bind", "/usr", "/usr", "--proc", "/proc", "--dev", "/dev"};
-  for (const char* memory : {"/dev/shm", "/tmp"})
-    made = made + Command{"--perms", "1777", "--size", most_bytes, "--tmpfs", memory};
+  if (writable) made = made + Command{"--perms", "1777", "--size", "67108864", "--tmpfs", "/tmp"};
   for (const char* link : {"bin", "lib", "lib64"})
     made = made + Command{"--symlink", fmt::format("usr/{}", link), fmt::format("/{}", link)};
   const fs::path names = "/etc/alternatives";  // where Debian's /usr/bin/c++ leads
+  const fs::path headers = kit().headers / "pushback";
   std::vector<fs::path> bound = readable;
-  bound.insert(bound.end(), {folder, kit().headers, names});
+  bound.insert(bound.end(), {folder, headers / "common", names});
   made = made + ways_to(bound) + Command{"--ro-bind-try", names, names};
-  made = made + Command{"--ro-bind", headers_.path, kit().headers, may_be == Folder::writable ? "--bind" : "--ro-bind",
-                        folder,      folder};
-  for (const fs::path& readable_path : readable) made = made + Command{"--ro-bind", readable_path, readable_path};
+  for (const char* part : {"common", "chapters"})
+    made = made + Command{"--ro-bind", kit().sources / part, headers / part};
+  made = made + Command{writable ? "--bind" : "--ro-bind", folder, folder};
+  for (const fs::path& file : readable) made = made + Command{"--ro-bind", file, file};
   made = made + Command{"--remount-ro", "/proc", "--remount-ro", "/dev", "--remount-ro", "/", "--"};
-  int processes = most_processes;
-  if (are_root()) {
+  if (are_root) {
     const unsigned user = nobody_else();
     give_to(user, folder);
     made = made + Command{"setpriv", fmt::format("--reuid={}", user), fmt::format("--regid={}", user), "--clear-groups",
                           "--inh-caps=-all"};
-  } else processes += processes_of_ours();
-  return made + Command{"env", "-C", folder, "prlimit", fmt::format("--nproc={}", processes)} + command;
+  }
+  return made + Command{"env", "-C", folder, "prlimit", "--nproc=32"} + command;
 }
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// Where what others wrote is compiled and run.
+/// Where what others wrote is unpacked, compiled and run.
 #pragma once
 
 #include <filesystem>
@@ -9,23 +9,23 @@
 
 namespace pushback {
 
-/// bubblewrap: no network, no writing but in a scratch folder, and to be read only the compiler and the headers: no checks, no
-/// answers, no other student. Who is root outside is nobody inside, there are never more than 256 processes and threads, and system calls that no answer needs are
-/// refused: those for memory that nobody could count, for looking into other processes, and for sandboxes in the sandbox.
+/// bubblewrap: no network, no environment, at most 32 processes and threads, and nothing to be read but the compiler, the
+/// headers of `common` and `chapters`, and what is named: no checks, no answers, no other student. If root calls, the command
+/// runs as a user of its own.
 class Sandbox {
  public:
   /// Throws InvalidInput where none works here.
   Sandbox();
+  /// `writable` is for tools of ours that read what a student wrote: they write into the folder and 64 MB of /tmp, and may
+  /// start other programs. `readable` is for the student's program: it writes nowhere, and remains one process.
   enum class Folder { writable, readable };
-  /// `command` in it, with nothing of this process's environment; in this folder, and with these files to read. What it may
-  /// write besides, in /tmp and /dev/shm, is memory, 64 MB each.
+  /// `command` in the sandbox, in this folder, and with these files to read.
   std::vector<std::string> around(std::vector<std::string> command, const std::filesystem::path& folder,
                                   const std::vector<std::filesystem::path>& readable,
                                   Folder may_be = Folder::writable) const;
 
  private:
-  ScratchFolder headers_;  // those of Pushback, and nothing else of it
-  ScratchFolder filter_;   // of system calls
+  ScratchFolder filters_;  // of system calls
 };
 
 }  // namespace pushback

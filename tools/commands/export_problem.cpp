@@ -1,4 +1,4 @@
-/// ./course export: the contacts of one step of a scene, as a problem in a file for ./course solve.
+/// ./course run export: the contacts of one step of a scene, as a problem in a file for ./course run solve.
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/common/basics/files.h"
@@ -30,7 +30,7 @@ ContactProblem problem_after(const NamedScene& scene, int steps, World& world) {
 int main(int argc, char** argv) {
   const std::vector<NamedScene> scenes = all_scenes();
   CommandLine line(
-      "Writes the contacts of one step of a scene as a problem in the format of Siconos, for ./course solve.");
+      "Writes the contacts of one step of a scene as a problem in the format of Siconos, for ./course run solve.");
   std::string name, file;
   int steps = 0;
   line.option("scene", name, "A scene by its name").required();

@@ -1,4 +1,4 @@
-/// ./course growth: what a direct solve costs as problems grow.
+/// ./course run growth: what a direct solve costs as problems grow.
 #include <array>
 #include <chrono>
 

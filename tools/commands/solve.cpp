@@ -1,4 +1,4 @@
-/// ./course solve: contact problems from files, by any of the methods; or a table of all.
+/// ./course run solve: contact problems from files, by any of the methods; or a table of all.
 #include <chrono>
 
 #include "pushback/chapters/16_whole_problem/laws.h"

@@ -1,4 +1,4 @@
-/// ./course prices: what the three presets cost, and by how much they are off, beside the engines that were built.
+/// ./course run prices: what the three presets cost, and by how much they are off, beside the engines that were built.
 #include <fmt/ranges.h>
 
 #include <array>
@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
       "Error and time of the presets Fast, Recommended, also with 0.1 mm asked, and Exact; and of other engines as "
       "they come.");
   int rounds = 5;
-  std::string out = "renders";
+  std::string out = "renders/here";
   line.option("--rounds", rounds, "Each plays so often, in turn; times are medians").between(1, 1000).shows_default();
   line.option("--out", out, "The folder to write to").shows_default();
   return line.run(argc, argv, [&] {
