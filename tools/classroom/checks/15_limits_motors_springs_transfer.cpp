@@ -13,22 +13,16 @@ struct Held : AnyEffect, HoldsJoints {};
 struct Rods {
   World world;
   Solver<Held> solver;
-  std::vector<Vec3> away;  // from where its rod begins
+  std::vector<Vec3> away;  // from the origin, where all rods begin
 
   explicit Rods(const Answer& answer) : solver(with_effect<Solver<Held>>(answer.joints)) { world.gravity.setZero(); }
   /// `speed`: m/s, by which it would leave; negative: by which it would come.
   void add(Real mass, Real speed, Random& random) {
     away.push_back(random.direction());
-    const Vec3 begins = beginning_of(away.size() - 1), at = begins + away.back();
-    const int ball = world.add(sphere(Real(0.1), mass).at(at).moving(speed * away.back()));
-    world.joints.push_back(distance(world, the_world, begins, ball, at));
+    const int ball = world.add(sphere(Real(0.1), mass).at(away.back()).moving(speed * away.back()));
+    world.joints.push_back(distance(world, the_world, Vec3::Zero(), ball, away.back()));
   }
   void solve(Real h) { solver.solve(world, h, 4); }
-  /// m, of a ball's rod.
-  static Vec3 beginning_of(std::size_t ball) {
-    const std::size_t column = ball % 3, row = ball / 3;
-    return {Real(2.5) * static_cast<Real>(1 + column), Real(-2.5) * static_cast<Real>(row), 0};
-  }
   Real speed(std::size_t ball) const { return world.bodies[ball].velocity.dot(away[ball]); }
   /// All that is still on a rod, kg.
   Real held() const {
