@@ -30,14 +30,6 @@ struct Check {
   std::string hint = {};
 };
 
-/// Of a whole solver: a hint for answers that show its numbers.
-template <class Answer>
-struct Mistake {
-  std::string name;  ///< "each correction clamped"; a mistake that can be written in two ways stands here twice
-  std::string hint;  ///< goes on from "your column leaves with 0.31 m/s where 0 is right: "
-  Answer answer;
-};
-
 /// The same for every kind of answer.
 struct Exercise {
   struct Line {
@@ -47,22 +39,17 @@ struct Exercise {
     std::string hint;
     int stage = 0;  ///< of a whole solver's: the chapter that asks for it
   };
-  /// What is measured in a scene of this check with an answer that is known. Of a mistake it may be empty: nothing is known.
+  /// What is measured in a scene of this check with an answer that is known.
   using Played = std::function<Numbers(std::size_t check, Random&)>;
-  struct Known {
-    std::string name, hint;
-    Played played;
-  };
 
   std::string title;               ///< "accumulate, clamp, apply the difference"
   std::vector<std::string> hints;  ///< one more at each `--hint`
   std::vector<Line> checks;
   Played right;
-  std::vector<Known> mistakes;  ///< of a whole solver alone
-  Played untouched = {};        ///< the file with the gap, as students get it
-  std::string name = {};        ///< of its file: 03_baumgarte, 15_limits_motors_springs_transfer; from its folder
-  std::string folder = {};      ///< chapters/03_baumgarte/exercise
-  std::string object = {};      ///< of a teacher's own, and of a whole solver: what a student's program is linked with
+  Played untouched = {};    ///< the file with the gap, as students get it
+  std::string name = {};    ///< of its file: 03_baumgarte, 15_limits_motors_springs_transfer; from its folder
+  std::string folder = {};  ///< chapters/03_baumgarte/exercise
+  std::string object = {};  ///< of a teacher's own, and of a whole solver: what a student's program is linked with
   /// Of a whole solver alone, whose file is solver.h with headers beside it: what is compiled behind the student's text, which
   /// keeps the numbers of its lines.
   std::string behind = {};
@@ -80,13 +67,11 @@ struct Exercise {
 
 template <class Answer>
 Exercise exercise_of(std::string title, std::vector<std::string> hints, const std::vector<Check<Answer>>& checks,
-                     const Answer& right, const std::vector<Mistake<Answer>>& mistakes = {}) {
-  const auto played = [checks](const Answer& answer) {
-    return [checks, answer](std::size_t check, Random& random) { return checks[check].play(random, answer); };
-  };
-  Exercise made{std::move(title), std::move(hints), {}, played(right), {}};
+                     const Answer& right) {
+  Exercise made{std::move(title), std::move(hints), {}, [checks, right](std::size_t check, Random& random) {
+                  return checks[check].play(random, right);
+                }};
   for (const auto& check : checks) made.checks.push_back({check.says, check.points, check.quantities, check.hint});
-  for (const auto& mistake : mistakes) made.mistakes.push_back({mistake.name, mistake.hint, played(mistake.answer)});
   return made;
 }
 

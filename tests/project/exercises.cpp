@@ -23,11 +23,6 @@ Attempt sent(const Exercise& exercise, const Exercise::Played& answer, std::uint
   return outcome;
 }
 
-/// One number for each check, whatever the seed.
-Exercise::Played numbers(std::vector<Real> of_checks) {
-  return [of_checks](std::size_t check, Random&) { return Numbers{of_checks[check]}; };
-}
-
 }  // namespace
 
 TEST_CASE("what is right passes, and the file with the gap changes nothing, whatever the seed") {
@@ -91,26 +86,6 @@ TEST_CASE("a number that is not one says so, and no number at all is no pass") {
   const Verdict verdict = judge(exercise, 1, outcome);
   CHECK(verdict.checks.back() == Passed::not_reached);
   CHECK(verdict.sentence == "it ended");
-}
-
-TEST_CASE(
-    "of a whole solver's known mistakes those are named that show its numbers and fail no check that was passed") {
-  const std::vector<Quantity> quantities{{"your ball leaves with", "m/s", 1e-6}};
-  const auto known = [](const std::string& name, std::vector<Real> of_checks) {
-    return Exercise::Known{name, "hint of " + name + ".", numbers(std::move(of_checks))};
-  };
-  const auto verdict = [&](std::vector<Real> of_checks, const std::vector<Exercise::Known>& mistakes) {
-    const Exercise exercise{"", {}, {{"1", 1, quantities, ""}, {"2", 1, quantities, ""}}, numbers({0, 0}), mistakes};
-    return judge(exercise, 1, sent(exercise, numbers(std::move(of_checks)), 1));
-  };
-  const Exercise::Known both = known("both", {1, 5}), first = known("first", {1, 0});
-  CHECK(verdict({1, 0}, {both}).mistake.empty());
-  CHECK(verdict({1, 0}, {both, first}).mistake == "first");
-  CHECK(verdict({1, 5}, {first, both}).mistake == "both");
-  CHECK(verdict({1, 7}, {known("a", {1, 2}), known("b", {1, 3}), known("c", {4, 7})}).sentence ==
-        "your ball leaves with 1 m/s where 0 m/s is right: it is one of these: hint of a. Or: hint of b.");
-  CHECK(verdict({1, 7}, {known("a", {1, 2}), known("b", {1, 3}), known("c", {1, 4}), known("d", {1, 5})})
-            .mistake.empty());
 }
 
 TEST_CASE("an exercise goes by its number or its name, and an unknown one is refused") {

@@ -1,6 +1,6 @@
 #include "pushback/tools/classroom/judge.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,20 +36,6 @@ Off furthest(const std::vector<Quantity>& quantities, const NumbersOfScenes& rig
   return off;
 }
 
-/// Whether these are the numbers of a mistake: to a hundredth of what it changes.
-bool resembles(const std::vector<Quantity>& quantities, const NumbersOfScenes& right, const NumbersOfScenes& mistaken,
-               const NumbersOfScenes& scenes) {
-  for (std::size_t scene = 0; scene < right.size(); ++scene) {
-    for (std::size_t i = 0; i < quantities.size(); ++i) {
-      const Real is = scenes[scene][i], would_be = mistaken[scene][i];
-      if (std::isnan(is) && std::isnan(would_be)) continue;
-      const double tolerated = std::max<double>(quantities[i].tolerance, std::abs(would_be - right[scene][i]) / 100);
-      if (!(std::abs(is - would_be) <= tolerated)) return false;
-    }
-  }
-  return true;
-}
-
 /// As far as the numbers tell. A compiler may round otherwise where other code stands beside.
 bool are_same(const std::vector<Quantity>& quantities, const Numbers& one, const Numbers& other) {
   if (one.size() != other.size() || one.size() != quantities.size()) return false;
@@ -73,68 +59,17 @@ bool is_untouched(const Exercise& exercise, std::uint64_t seed, const Attempt& o
   return true;
 }
 
-/// The mistakes that would show the numbers of the check `first`, which fails, and fail no check that was passed. Of these,
-/// those that leave the fewest checks unexplained, and then those that explain the most. In the exercise's order, each name
-/// once.
-std::vector<const Exercise::Known*> likely_mistakes(const Exercise& exercise, std::uint64_t seed,
-                                                    const std::vector<NumbersOfScenes>& right, const Attempt& outcome,
-                                                    const std::vector<Passed>& checks, std::size_t first) {
-  std::vector<const Exercise::Known*> likely;
-  std::pair<int, int> best;
-  for (const auto& mistake : exercise.mistakes) {
-    const auto fails = [&](std::size_t check, const NumbersOfScenes& mistaken) {
-      return furthest(exercise.checks[check].quantities, right[check], mistaken).by > 1;
-    };
-    const auto shows = [&](std::size_t check, const NumbersOfScenes& mistaken) {
-      return resembles(exercise.checks[check].quantities, right[check], mistaken, outcome.numbers[check]);
-    };
-    const NumbersOfScenes there = scenes_of(mistake.played, seed, first);
-    if (there[0].empty() || !fails(first, there) || !shows(first, there)) continue;
-    int explained = 0, unexplained = 0;
-    bool contradicted = false;
-    for (std::size_t i = 0; i < checks.size() && checks[i] != Passed::not_reached; ++i) {
-      const NumbersOfScenes mistaken = scenes_of(mistake.played, seed, i);
-      if (mistaken[0].empty()) continue;
-      contradicted = contradicted || (checks[i] == Passed::yes && fails(i, mistaken));
-      (shows(i, mistaken) ? explained : unexplained) += 1;
-    }
-    const std::pair rank(-unexplained, explained);
-    if (contradicted || (!likely.empty() && rank < best)) continue;
-    if (rank > best) likely.clear();
-    best = rank;
-    if (std::none_of(likely.begin(), likely.end(), [&](const auto* other) { return other->name == mistake.name; }))
-      likely.push_back(&mistake);
-  }
-  return likely;
-}
-
 /// "0.31 m/s"; less than the tolerance is 0.
 std::string in_words(Real value, const Quantity& quantity, int digits_shown) {
   const std::string digits = std::abs(value) < quantity.tolerance ? "0" : fmt::format("{:.{}g}", value, digits_shown);
   return digits + (quantity.unit.empty() ? "" : " " + quantity.unit);
 }
 
-constexpr std::size_t most_named = 3;  // of mistakes that show the same: more are no hint
-
 constexpr const char* nothing_changes =
     ": your lines change nothing: the numbers are those of the file with the gap. Is a copy changed (`Row row = "
     "step.rows[i]` in the place of `Row& row`), or a result never used?";
 constexpr const char* not_a_number =
     ": look for 0/0, the root of a negative number, or a variable that nothing was written into.";
-
-void name_mistakes(Verdict& verdict, std::vector<const Exercise::Known*> likely) {
-  if (likely.size() > most_named) likely.clear();
-  std::vector<std::string> names, hints;
-  for (const Exercise::Known* mistake : likely) {
-    names.push_back(mistake->name);
-    hints.push_back(mistake->hint);
-  }
-  verdict.mistake = fmt::format("{}", fmt::join(names, " or "));
-  if (names.empty()) verdict.sentence += ". None of the mistakes that are known here shows these numbers alone.";
-  else
-    verdict.sentence +=
-        fmt::format(": {}{}", names.size() > 1 ? "it is one of these: " : "", fmt::join(hints, " Or: "));
-}
 
 }  // namespace
 
@@ -197,10 +132,9 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outco
     verdict.sentence =
         fmt::format("{} NaN, which is not a number, where {} is right{}", quantity.words, should_be, not_a_number);
     return verdict;
-  } else if (!exercise.checks[*first].hint.empty()) {
-    verdict.sentence += ": " + exercise.checks[*first].hint;
   } else {
-    name_mistakes(verdict, likely_mistakes(exercise, seed, right, outcome, verdict.checks, *first));
+    const std::string& hint = exercise.checks[*first].hint;
+    verdict.sentence += hint.empty() ? "." : ": " + hint;
   }
   if (!outcome.problem.empty()) verdict.sentence += " And then: " + outcome.problem;
   return verdict;

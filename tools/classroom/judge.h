@@ -26,8 +26,7 @@ enum class Passed { yes, no, not_reached };
 struct Verdict {
   std::vector<Passed> checks;
   std::string sentence;  ///< what is wrong, with its number; empty: nothing
-  /// The kind of the problem; "nothing changes", "not a number"; of a whole solver the name of the mistake that shows, two or
-  /// three where they show the same, with " or " between. Empty: none of these.
+  /// The kind of the problem, "nothing changes" or "not a number"; empty: none of these.
   std::string mistake;
   bool changes_nothing = false;  ///< its numbers are those of the file with the gap
   /// "Solved.", or the sentence, from its capital letter on.
@@ -37,7 +36,6 @@ struct Verdict {
   }
 };
 
-/// Of a whole solver no mistake is named that fails a check which the answer has passed.
 Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome);
 
 }  // namespace pushback
