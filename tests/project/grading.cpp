@@ -170,14 +170,13 @@ TEST_CASE("a class's own solvers are graded up to a chapter: where each stands, 
   const Ended first = grade();
   INFO(first.out << first.err);
   CHECK(first.status == 0);
-  for (const char* line : {"anna      19 of 19  mine_06 19/19, stands at 06\n",
-                           "ben        4 of 19  mine_06 4/19, stands at 01",
-                           "carl       0 of 19  mine_06 0/19, stands at none",
-                           "dora       0 of 19  mine_06 0/19, stands at none (crash)",
-                           "eve        0 of 19  mine_06 0/19, stands at none (does not compile)",
-                           "frank      0 of 19  mine_06 0/19, stands at none (not handed in)",
-                           "gina       0 of 19  mine_06 0/19, stands at none (does not compile)",
-                           "hana      19 of 19  mine_06 19/19, stands at 06\n"})
+  for (const char* line :
+       {"anna      19 of 19  mine_06 19/19, stands at 06\n", "ben        4 of 19  mine_06 4/19, stands at 01",
+        "carl       0 of 19  mine_06 0/19, stands at none", "dora       0 of 19  mine_06 0/19, stands at none (crash)",
+        "eve        0 of 19  mine_06 0/19, stands at none (does not compile)",
+        "frank      0 of 19  mine_06 0/19, stands at none (not handed in)",
+        "gina       0 of 19  mine_06 0/19, stands at none (does not compile)",
+        "hana      19 of 19  mine_06 19/19, stands at 06\n"})
     CHECK(contains(first.out, line));
   CHECK(contains(text_of(all.scratch / "out/results.json"), "\"stands\": \"01\""));
   CHECK(grade().err.empty());
