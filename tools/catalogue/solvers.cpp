@@ -28,12 +28,17 @@ NamedSolver named(const char* name, const char* what) {
             return OnlyWhatIsNeeded(world, solver, std::move(sleep));
           }};
 }
-/// With a solver for each combination of effects that a world may call for: they take long to compile.
+/// With a solver for each combination of effects that a world may call for: they take long to compile. In a page nobody asks what
+/// fits, so that they would only be sent along.
 template <class ContactSolver>
 NamedSolver dispatched(const char* name, const char* what) {
-  return {name, what, ContactSolver{}, [](const World& world, std::optional<Sleep> sleep) {
-            return OnlyWhatIsNeeded(world, ContactSolver{}, std::move(sleep));
-          }};
+  NamedSolver solver = named<ContactSolver>(name, what);
+#ifndef __EMSCRIPTEN__
+  solver.fitting = [](const World& world, std::optional<Sleep> sleep) {
+    return OnlyWhatIsNeeded(world, ContactSolver{}, std::move(sleep));
+  };
+#endif
+  return solver;
 }
 
 }  // namespace
