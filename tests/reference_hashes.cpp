@@ -9,8 +9,8 @@
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/tools/hard_cases/random_scene.h"
-#include "pushback/tools/hard_cases/stages.h"
+#include "pushback/tools/measure/hard_cases/random_scene.h"
+#include "pushback/tools/measure/hard_cases/stages.h"
 #include "tests/support/catch.h"
 #include "tests/support/stored_hashes.h"
 

@@ -26,7 +26,7 @@ tries=(  # each command of ./course --help, for a moment; those that read what o
   "study --quick -- --only bounce"
   "prices -- --rounds 1"
   "benchmark /tmp/benchmark"
-  "adapter tools/adapters/jolt.mjs incline jolt/4"
+  "adapter tools/measure/adapters/rapier.mjs incline rapier/4"
   "fuzz -- --scenes 5"
   "fuzz --shards 2 -- --scenes 5"
   "bench detection -- --benchmark_min_time=0.01"

@@ -20,8 +20,8 @@
 #include "pushback/tools/classroom/mine/chapters.h"
 #include "pushback/tools/classroom/mine/current_folder.h"
 #include "pushback/tools/classroom/mine/library.h"
-#include "pushback/tools/hard_cases/table.h"
-#include "pushback/tools/hard_cases/table_picture.h"
+#include "pushback/tools/measure/hard_cases/table.h"
+#include "pushback/tools/measure/hard_cases/table_picture.h"
 
 namespace pushback {
 

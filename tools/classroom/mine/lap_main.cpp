@@ -9,7 +9,7 @@
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/catalogue/catalogue.h"
 #include "pushback/tools/classroom/mine/lap.h"
-#include "pushback/tools/study/stopwatch.h"
+#include "pushback/tools/measure/study/stopwatch.h"
 
 using namespace pushback;
 
