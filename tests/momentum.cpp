@@ -7,7 +7,7 @@
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/catalogue/solvers.h"
-#include "pushback/tools/hard_cases/momentum_account.h"
+#include "pushback/tools/measure/hard_cases/momentum_account.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 

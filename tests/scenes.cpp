@@ -5,7 +5,7 @@
 
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/hard_cases/finite.h"
+#include "pushback/tools/measure/hard_cases/finite.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;

@@ -7,7 +7,7 @@
 
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/tools/hard_cases/stages.h"
+#include "pushback/tools/measure/hard_cases/stages.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;

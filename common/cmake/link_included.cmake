@@ -1,14 +1,10 @@
 # A header belongs to the library with the source of its name: who includes world/measure.h links the library that compiles
 # world/measure.cpp. A header without such a source leads on to what it includes.
 
-function(targets_below result folder)  # targets_below(RESULT FOLDER): ours, of its CMakeLists.txt and of the folders in it
+function(targets_below result folder)  # targets_below(RESULT FOLDER): those of its CMakeLists.txt and of the folders in it
   get_property(targets DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} PROPERTY BUILDSYSTEM_TARGETS)
   get_property(folders DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} PROPERTY SUBDIRECTORIES)
   foreach(below IN LISTS folders)
-    get_property(of_others DIRECTORY ${below} PROPERTY OF_OTHERS)
-    if(of_others)
-      continue()
-    endif()
     file(RELATIVE_PATH below ${PROJECT_SOURCE_DIR} ${below})
     targets_below(more ${below})
     list(APPEND targets ${more})

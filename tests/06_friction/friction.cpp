@@ -1,6 +1,6 @@
 /// How far a box slides, when a ball rolls.
 #include "pushback/chapters/06_friction/friction.h"
-#include "pushback/tools/hard_cases/sliding.h"
+#include "pushback/tools/measure/hard_cases/sliding.h"
 #include "tests/support/catch.h"
 #include "tests/support/on_ground.h"
 

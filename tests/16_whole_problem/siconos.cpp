@@ -6,7 +6,7 @@
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/tools/frozen/methods.h"
+#include "pushback/tools/measure/frozen/methods.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"

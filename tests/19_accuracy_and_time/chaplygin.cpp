@@ -1,5 +1,5 @@
 /// Chaplygin's ball: what its equations conserve, Newton's and Euler's equations, which know nothing of them, and solvers that come to the same.
-#include "pushback/tools/study/chaplygin.h"
+#include "pushback/tools/measure/study/chaplygin.h"
 
 #include <cmath>
 #include <random>
@@ -7,7 +7,7 @@
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
 #include "pushback/chapters/24_half_step/half_step.h"
-#include "pushback/tools/study/every_motion.h"
+#include "pushback/tools/measure/study/every_motion.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;
@@ -82,55 +82,6 @@ TEST_CASE("chaplygin: friction that moves the centre is the one that turns the b
     const Vector3d turned = (inertia_of(after) * after.spin - inertia_of(before) * before.spin) / (2 * dt);
     const Vector3d moment = arm.cross(friction_on(ball, dt));
     CHECK((turned - moment).norm() < 1e-6 * ball.energy());
-  }
-}
-
-TEST_CASE("chaplygin: equal moments roll straight on, and so does a spin about a principal axis that lies level") {
-  RollingBall ball = random_ball(1);
-  ball.inertia.setConstant(0.4 * ball.mass * ball.radius * ball.radius);
-  RollingBall level = random_ball(2);
-  level.orientation.setIdentity();
-  level.spin = {0, 0, -4};
-  for (const RollingBall& begin : {ball, level}) {
-    const RollingBall end = begin.after(2, steps_in_a_second);
-    CHECK((end.centre - begin.centre - 2 * begin.velocity()).norm() < 1e-12);
-    CHECK((end.spin - begin.spin).norm() < 1e-12);
-  }
-}
-
-TEST_CASE("chaplygin: with its spin turned round it rolls back to where it was") {
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    const RollingBall begin = random_ball(seed);
-    RollingBall back = begin.after(1, steps_in_a_second);
-    back.spin = -back.spin;
-    back = back.after(1, steps_in_a_second);
-    INFO(seed);
-    CHECK((back.centre - begin.centre).norm() < 1e-11);
-    CHECK(back.orientation.angularDistance(begin.orientation) < 1e-7);  // of an arc cosine near 1
-    CHECK((back.spin + begin.spin).norm() < 1e-10);
-  }
-}
-
-TEST_CASE("chaplygin: the path winds, friction has room, and half the step changes the truth by less than 1e-12 m") {
-  const RollingBall begin = Chaplygin::ball();
-  const std::vector<Places> places = Chaplygin().truth(120);
-  REQUIRE(places.size() == 120);
-  const RollingBall finer = begin.after(2, 4 * steps_in_a_second);
-  CHECK((places.back()[1] - finer.centre).norm() < 1e-12);
-  CHECK((places.back()[1] - begin.centre - 2 * begin.velocity()).norm() > 0.45);
-  double most = 0;
-  for (int frame = 0; frame < 120; ++frame) {
-    const RollingBall ball = begin.after(frame / 60.0, (frame + 1) * Chaplygin::steps_in_a_frame);
-    most = std::max(most, friction_on(ball, 1e-4).norm() / (ball.mass * truth::g));
-  }
-  INFO(most);
-  CHECK(most > 0.2);
-  CHECK(most < 0.25);  // mu is 1
-  // Not chaotic: a spin that is off by a millionth is off by 10 um at most after 2 s.
-  for (int axis = 0; axis < 3; ++axis) {
-    RollingBall off = begin;
-    off.spin[axis] += 1e-6 * begin.spin.norm();
-    CHECK((off.after(2, 2 * steps_in_a_second).centre - finer.centre).norm() < 1e-5);
   }
 }
 

@@ -1,5 +1,5 @@
 /// What tongs hold and what a pile carries: forces that balance, and solvers that leave everything where it is, or let it fall as it must.
-#include "pushback/tools/study/held_motions.h"
+#include "pushback/tools/measure/study/held_motions.h"
 
 #include <cmath>
 #include <map>
@@ -9,7 +9,7 @@
 #include "pushback/chapters/24_half_step/half_step.h"
 #include "pushback/chapters/27_which_error/within_error.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/study/every_motion.h"
+#include "pushback/tools/measure/study/every_motion.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;
@@ -104,85 +104,7 @@ TEST_CASE("grasp: with a tenth more than the friction that it needs a box is hel
   }
 }
 
-TEST_CASE("grasp: the motion has 1.43 times the friction needed, and stays where it is") {
-  const Motion& motion = any_motion_named("grasp");
-  World world;
-  motion.begin(world);
-  const Grasp tongs;
-  CHECK(world.bodies[3].friction / tongs.friction_needed() == Approx(1.43).epsilon(0.005));
-  CHECK(tongs.mu * tongs.out < tongs.height / 4);
-  CHECK(drift(world, WithinError(), motion.frames()) < 1e-3);
-  CHECK(drift(world, HalfStep(), motion.frames()) < 1e-11);
-  for (const Places& places : motion.truth(3))
-    for (std::size_t body = 0; body < places.size(); ++body)
-      CHECK((places[body] - world.bodies[body].position).norm() == 0);
-}
-
-TEST_CASE("grasp: what is held hangs: a push of 1 cm/s swings it by millimetres, from whichever side it comes") {
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double turns : {0.0, 0.05}) {  // rad/s
-      World world = begun(Grasp());
-      // A push within what the contacts leave free: everything moves with it.
-      for (Body& body : world.bodies) {
-        if (!body.movable()) continue;
-        if (turns == 0) body.velocity = Real(0.01) * Vec3::Unit(axis);
-        else body.angular_velocity = turns * Vec3::Unit(axis);
-      }
-      INFO("axis " << axis << ", " << turns);
-      const double most = drift(world, HalfStep(), 240);
-      CHECK(most < 5e-3);
-      CHECK(drift(world, HalfStep(), 480) < 1.001 * most + 1e-9);  // no farther with time: it swings
-    }
-  }
-}
-
 // ---- hulls-1015 ------------------------------------------------------------------------------------------------------
-
-TEST_CASE("hulls-1015: each hull but those on the ground stands on four, none touches a neighbour, nobody overlaps") {
-  const Motion& motion = any_motion_named("hulls-1015");
-  CHECK(moving_bodies(motion) == 1015);
-  World world;
-  motion.begin(world);
-  world.find_contacts();
-  CHECK(deepest_overlap(world) < 1e-12);
-  std::map<std::uint32_t, std::map<std::uint32_t, std::vector<Vec3>>> below;  // of each hull: where it stands on which
-  for (const Contact& contact : world.contacts) {
-    const Body &a = world.bodies[contact.id.body_a], &b = world.bodies[contact.id.body_b];
-    if (a.movable()) CHECK(b.position.y() - a.position.y() == Approx(PileOfHulls::high));
-    below[contact.id.body_b][contact.id.body_a].push_back(contact.point);
-  }
-  REQUIRE(below.size() == 1015);
-  const auto middle = [&](std::uint32_t one, std::uint32_t other) {
-    return Vec3((world.bodies[one].position + world.bodies[other].position) / 2);
-  };
-  for (const auto& [upper, supports] : below) {
-    const bool on_ground = supports.contains(0);
-    CHECK(on_ground == (upper <= 196));
-    if (on_ground) continue;
-    CHECK(supports.size() == 4);
-    Vec3 moment = Vec3::Zero();  // m^2: of four equal forces
-    for (const auto& [lower, points] : supports) {
-      const Vec3 at = middle(upper, lower);
-      moment += (at - world.bodies[upper].position).cross(Vec3::UnitY());
-      // A force at the middle is one that the points can make: they lie around it.
-      for (int k = 0; k < 32; ++k) {
-        const Vec3 way(std::cos(2 * pi * k / 32), 0, std::sin(2 * pi * k / 32));
-        Real farthest = -1;
-        for (const Vec3& point : points) farthest = std::max(farthest, way.dot(point - at));
-        CHECK(farthest > 0);
-      }
-      // The force goes on straight down: the hull below stands on a patch right under this one.
-      if (lower <= 196) continue;
-      int right_under = 0;
-      for (const auto& [lowest, under] : below[lower]) {
-        const Vec3 down = at - middle(lower, lowest);
-        if (std::hypot(down.x(), down.z()) < 1e-12) ++right_under;
-      }
-      CHECK(right_under == 1);
-    }
-    CHECK(moment.norm() < 1e-12);
-  }
-}
 
 TEST_CASE("hulls-1015: solved directly, piles of 1, 5, 30 and 91 stay where they are") {
   for (const int base : {1, 2, 4, 6}) {

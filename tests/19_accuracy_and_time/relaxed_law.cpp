@@ -1,9 +1,9 @@
 /// Chapter 19: the convex relaxation of Coulomb's law, solved here by itself. What lifts a sliding body off is the law, and no
 /// engine's way of solving it.
-#include "pushback/tools/study/relaxed_law.h"
+#include "pushback/tools/measure/study/relaxed_law.h"
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/17_direct_contacts/best.h"
-#include "pushback/tools/study/every_motion.h"
+#include "pushback/tools/measure/study/every_motion.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;
@@ -74,33 +74,6 @@ TEST_CASE("by the relaxed law alone each contact of a body that slides parts wit
       CHECK(std::abs(exact[3 * i]) < 1e-9);
       CHECK(exact.segment<2>(3 * i + 1).norm() == Approx(slip - k * mu * truth::g * dt).epsilon(1e-9));
     }
-  }
-}
-
-TEST_CASE("hops by the relaxed law end where and when the slide ends, and are off by the first one's top at most") {
-  for (const double mu : {0.1, 0.5, 0.9}) {
-    // From landing to landing by the two equations of an impact, and parabolas between; the truth is that of `sliding`.
-    const double v = 6, g = truth::g;
-    double t = 0, x = 0, normal = 0, along = v, largest = 0;
-    for (int hop = 0; hop < 2000 && along > 1e-9; ++hop) {
-      const double impulse = (mu * along - normal) / (1 + mu * mu);  // a kilogram's;  normal < 0 as it lands
-      normal += impulse;
-      along -= mu * impulse;
-      CHECK(normal == Approx(mu * along).margin(1e-12));
-      const double flight = 2 * normal / g;
-      for (int i = 1; i <= 100; ++i) {
-        const double s = flight * i / 100, height = normal * s - g * s * s / 2;
-        const double off = x + along * s - truth::way_of_sliding(v, mu * g, t + s);
-        CHECK(std::hypot(off, height) == Approx(std::sqrt(1 + mu * mu) * height).margin(1e-9));
-        largest = std::max(largest, std::hypot(off, height));
-      }
-      t += flight;
-      x += along * flight;
-      normal = -normal;
-    }
-    CHECK(largest == Approx(hop_of(v, mu, 1).error).epsilon(1e-9));
-    CHECK(t == Approx(v / (mu * g)).epsilon(1e-6));
-    CHECK(x == Approx(v * v / (2 * mu * g)).epsilon(1e-6));
   }
 }
 

@@ -53,38 +53,6 @@ TEST_CASE("a robust front is never below the plain one, and its settings are tho
   }));
 }
 
-TEST_CASE("what is finer has no larger robust error, and some setting that is as fine has just this error") {
-  CHECK(rc::check([] {
-    const Measurements all = some(), counted = robust(all);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      bool somebodys = all[i].error == counted[i].error;
-      for (std::size_t j = 0; j < all.size(); ++j) {
-        if (all[j].late || !is_as_fine(all[j], all[i])) continue;
-        RC_ASSERT(counted[j].error <= counted[i].error);
-        somebodys = somebodys || all[j].error == counted[i].error;
-      }
-      RC_ASSERT(somebodys);
-    }
-  }));
-}
-
-TEST_CASE("a second time changes nothing, nor does the order, nor what another method does") {
-  CHECK(rc::check([] {
-    const Measurements all = some(), counted = robust(all);
-    RC_ASSERT(errors_of(robust(counted)) == errors_of(counted));
-    Measurements turned = robust({all.rbegin(), all.rend()});
-    std::reverse(turned.begin(), turned.end());
-    RC_ASSERT(errors_of(turned) == errors_of(counted));
-    for (const char* const method : {"slim", "soft"}) {
-      const auto other = [&](const Measured& one) { return one.method != method; };
-      Measurements alone = all, of_all = counted;
-      std::erase_if(alone, other);
-      std::erase_if(of_all, other);
-      RC_ASSERT(errors_of(robust(alone)) == errors_of(of_all));
-    }
-  }));
-}
-
 TEST_CASE(
     "a setting that is good by chance is not chosen for it: errors cancel in it, and not in those that are finer") {
   CHECK(rc::check([] {
@@ -105,25 +73,4 @@ TEST_CASE(
     RC_ASSERT((!found || found->substeps > 1 << lucky));
     for (const Measured& one : front(robust(all))) RC_ASSERT(one.error > wanted);
   }));
-}
-
-TEST_CASE("finer is no knob coarser, of the same method and engine, and given up is no error where lost is one") {
-  const Measured one{.engine = "motion", .method = "slim", .substeps = 4, .sweeps = 4, .error = 1, .seconds = {1}};
-  const auto changed = [&](auto change) {
-    Measured other = one;
-    change(other);
-    return other;
-  };
-  CHECK(is_as_fine(one, one));
-  CHECK(is_as_fine(changed([](Measured& m) { m.substeps = 8; }), one));
-  CHECK(is_as_fine(changed([](Measured& m) { m.sweeps = 16; }), one));
-  CHECK_FALSE(is_as_fine(changed([](Measured& m) { m.substeps = 2; }), one));
-  CHECK_FALSE(is_as_fine(changed([](Measured& m) { m.substeps = 8, m.sweeps = 1; }), one));
-  CHECK_FALSE(is_as_fine(changed([](Measured& m) { m.substeps = 8, m.method = "soft"; }), one));
-  CHECK_FALSE(is_as_fine(changed([](Measured& m) { m.substeps = 8, m.engine = "motion_float"; }), one));
-  const Measured late = changed([](Measured& m) { m.substeps = 8, m.late = true, m.error = infinite; });
-  CHECK(robust({one, late})[0].error == 1);
-  CHECK(robust({one, late})[1].error == infinite);
-  CHECK(robust({one, changed([](Measured& m) { m.substeps = 8, m.error = infinite; })})[0].error == infinite);
-  CHECK(robust({}).empty());
 }

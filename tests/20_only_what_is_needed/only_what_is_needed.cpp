@@ -10,7 +10,7 @@
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/hard_cases/random_scene.h"
+#include "pushback/tools/measure/hard_cases/random_scene.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/with_joints.h"

@@ -7,7 +7,7 @@
 #include "pushback/chapters/21_detected_once/scenes.h"
 #include "pushback/chapters/21_detected_once/study.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/hard_cases/sliding.h"
+#include "pushback/tools/measure/hard_cases/sliding.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/substeps.h"

@@ -13,7 +13,7 @@
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/hard_cases/sliding.h"
+#include "pushback/tools/measure/hard_cases/sliding.h"
 #include "tests/support/catch.h"
 #include "tests/support/sleep.h"
 #include "tests/support/yardstick.h"

@@ -18,7 +18,7 @@ test("every motion and every hard case is as the schema says, and what is not is
   assert.ok(programs, "benchmark_files is built by ./course test");
   assert.equal(spawnSync(`${programs}/benchmark_files`, [scratch]).status, 0);
   const validate = new Ajv({ strictTypes: false, allErrors: true }).compile(
-    json("tools/adapters/benchmark.schema.json"),
+    json("tools/measure/adapters/benchmark.schema.json"),
   );
   const folders = ["motions", "hard_cases"].map((name) => join(scratch, name));
   const files = folders.flatMap((folder) => readdirSync(folder).map((name) => join(folder, name)));
@@ -46,7 +46,7 @@ test("every motion and every hard case is as the schema says, and what is not is
 
 test("the template in JavaScript answers as that in C++ does", () => {
   const said = spawnSync(`${programs}/motion_adapter`, ["--check"], {
-    env: { ...process.env, PUSHBACK_ADAPTER: "tools/adapters/template.mjs" },
+    env: { ...process.env, PUSHBACK_ADAPTER: "tools/measure/adapters/template.mjs" },
     encoding: "utf8",
   });
   assert.equal(said.status, 1, said.stderr);

@@ -1,11 +1,11 @@
 /// The books are kept beside the solver, not in it.
-#include "pushback/tools/hard_cases/fuzz.h"
+#include "pushback/tools/measure/hard_cases/fuzz.h"
 
 #include <set>
 
 #include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/hard_cases/stages.h"
+#include "pushback/tools/measure/hard_cases/stages.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;
@@ -24,20 +24,6 @@ TEST_CASE("fuzz: the solvers that keep books end in the same bits as the stages 
       CHECK(hash_of(world) == finding.hash);
     }
   }
-}
-
-TEST_CASE("fuzz: random scenes have every shape, and hulls of 4 to 12 corners among them") {
-  std::set<std::size_t> shapes, corners;
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    for (const Body& body : random_scene(seed).world.bodies) {
-      shapes.insert(body.shape.index());
-      if (const Hull* hull = std::get_if<Hull>(&body.shape)) corners.insert(hull->solid->corners.size());
-    }
-  }
-  CHECK(shapes.size() == std::variant_size_v<Shape>);
-  CHECK(*corners.begin() == 4);
-  CHECK(*corners.rbegin() > 9);
-  CHECK(*corners.rbegin() <= 12);
 }
 
 TEST_CASE("fuzz: a solver that is not in the catalogue is refused") {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/tools/hard_cases/paradox.h"
+#include "pushback/tools/measure/hard_cases/paradox.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;

@@ -1,7 +1,7 @@
 /// The hard cases once more, each world by what it calls for: the same outcomes, to the bit.
 #include <cmath>
 
-#include "pushback/tools/hard_cases/hard_case.h"
+#include "pushback/tools/measure/hard_cases/hard_case.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "pushback/chapters/25_moment_of_impact/at_impacts.h"
-#include "pushback/tools/hard_cases/cases.h"
+#include "pushback/tools/measure/hard_cases/cases.h"
 #include "tests/support/call.h"
 
 using namespace pushback;
@@ -218,21 +218,4 @@ TEST_CASE("hard cases: the written table fails where the list says, from all sta
 TEST_CASE("hard cases: contacts given twice are corrected like contacts given once") {
   const HardCase& twice = hard_case_named("contacts-twice");
   CHECK(outcome_of(twice, stage_named("10 split impulse")).largest[0] < Real(1e-3));  // mm; without, the slop's 5 mm
-}
-
-TEST_CASE("hard cases: every case and stage is found by its name, and each name is used once") {
-  std::set<std::string> names;
-  for (const HardCase& hard_case : hard_cases()) {
-    INFO(hard_case.name);
-    CHECK(names.insert(hard_case.name).second);
-    CHECK(&hard_case_named(hard_case.name) == &hard_case);
-    CHECK(!hard_case.criteria.empty());
-    World world;
-    hard_case.scene.fill(world);
-    CHECK(world.bodies.size() > 0);
-  }
-  for (const auto& pair : fails) {
-    hard_case_named(pair.first);
-    stage_named(pair.second);
-  }
 }

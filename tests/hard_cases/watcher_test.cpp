@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
-#include "pushback/tools/hard_cases/stages.h"
-#include "pushback/tools/hard_cases/watcher.h"
+#include "pushback/tools/measure/hard_cases/stages.h"
+#include "pushback/tools/measure/hard_cases/watcher.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 
@@ -86,22 +86,6 @@ TEST_CASE("watcher: energy gained, as speed, as spin or as height") {
   const auto lift = after_a_step([](Body& b) { b.position.y() += Real(0.001); });
   CHECK(said_of(ball_in_the_air, {.energy = Real(0.0982)}, lift) == "");
   speaks_of(said_of(ball_in_the_air, {.energy = Real(0.0980)}, lift), "J gained");
-}
-
-TEST_CASE("watcher: free flight keeps its energy whatever the steps, whole, changing or divided") {
-  for (const int substeps : {1, 4, 32}) {
-    World world;
-    ball_in_the_air(world);
-    Watcher watcher(world, {});
-    FullSolver solver;
-    for (int step = 0; step < 120; ++step) {
-      const Real dt = step % 3 == 0 ? h : step % 3 == 1 ? h / 4 : h * 2;
-      for (int i = 0; i < substeps; ++i) world.step(solver, dt / static_cast<Real>(substeps));
-      watcher.look(world, dt, substeps);
-      REQUIRE(watcher.broken() == "");
-    }
-    CHECK(watcher.energy_gained() < 1e5 * std::numeric_limits<Real>::epsilon() * 10 * World::g * 200);
-  }
 }
 
 TEST_CASE("watcher: a contact that pulls") {

@@ -1,8 +1,8 @@
 /// A solver plays one of the study's motions.
 #pragma once
 
+#include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/methods/methods.h"
-#include "pushback/tools/study/every_motion.h"
 
 namespace pushback {
 

@@ -3,7 +3,7 @@
 
 #include "pushback/chapters/13_joints/scenes.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/study/relaxed_law.h"
+#include "pushback/tools/measure/study/relaxed_law.h"
 #include "tests/methods/played.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -44,23 +44,6 @@ TEST_CASE("sap: a ball rests as deep as its spring says, be it made for the step
 }
 
 // A spring that cannot pull stops nobody whom it has pushed.
-TEST_CASE("sap: an overlap becomes a speed, depth / (h + tau) but for the spring's own") {
-  for (const Real relaxation : {Real(0), Real(0.1)}) {
-    World world;
-    world.gravity.setZero();
-    const Body& ball = ball_on_ground(world, Real(0.02));
-    Sap solver;
-    solver.relaxation = relaxation;
-    const Real tau = std::max(relaxation, tau_of_one);
-    const Real speed = Real(0.02) / (h + tau) / (1 + softness * of_ball(Real(0.02)));
-    play(world, solver, 1);
-    CHECK(ball.velocity.y() == Approx(speed).epsilon(tiny));
-    play(world, solver, 20);
-    CHECK(depth_of(ball) < 0);
-    CHECK(ball.velocity.y() >= speed * (1 - tiny));
-  }
-}
-
 TEST_CASE("sap: on a slope below the angle of friction a box creeps, by R_t times its friction") {
   constexpr Real angle = Real(0.2);  // the rear corners bear less: all four stick where tan(angle) < mu / (1 + mu)
   World world;
@@ -132,19 +115,6 @@ TEST_CASE("sap: nothing bounces straight back, but what arrives aslant is thrown
   CHECK(thrown(1, 5) == Approx((0.5 * 5 - 3.5 * 0.25) / (1 + 3.5 * 0.25)).epsilon(1e-3));
 }
 
-TEST_CASE("sap: each box of a stack carries the weight above it") {
-  World world;
-  stack(world, 10);
-  Sap solver;
-  play(world, solver, 120);
-  for (std::uint32_t below = 0; below < 10; ++below) {
-    Real carried = 0;
-    for (const Contact& at : world.contacts)
-      if (at.id.body_a == below && at.id.body_b == below + 1) carried += at.impulse.y();
-    CHECK(carried == Approx(static_cast<Real>(10 - below) * 100 * g * h).epsilon(in_double ? 1e-6 : 1e-3));
-  }
-}
-
 TEST_CASE("sap: what rests is off by the depth of its springs, of the order of the squared step") {
   if (!in_double) return;
   for (const std::string name : {"stack-10", "heavy-on-light"}) {
@@ -173,16 +143,6 @@ TEST_CASE("sap: impulses are within their cones, and momentum is conserved on ic
 }
 
 // 2/7 of the belt's speed, and the rest as spin.
-TEST_CASE("sap: a conveyor carries a ball") {
-  constexpr Real belt = Real(0.002);  // m/s
-  World world;
-  world.add(box({5, Real(0.5), 5}, 1).fixed().at({0, Real(-0.5), 0}).conveying({belt, 0, 0}));
-  world.add(sphere(Real(0.5), 100).at({0, Real(0.5), 0}));
-  Sap solver;
-  play(world, solver, 120);
-  CHECK(world.bodies[1].position.x() == Approx(2 * belt * 2 / 7).epsilon(0.02));
-}
-
 TEST_CASE("sap: a pendulum by an error of the order of the step, and joints that hold a hundredfold mass") {
   if (in_double)
     CHECK(std::log2(error_of<Sap>("pendulum", 8, 1) / error_of<Sap>("pendulum", 16, 1)) == Approx(1).margin(0.05));
@@ -223,24 +183,6 @@ TEST_CASE("sap: a joint's bounds, its speed and its softness are kept") {
 }
 
 // It starts from where nothing pushes, or from the velocities of the step before: whichever costs less.
-TEST_CASE("sap: what flies takes no linear system, what rests one in some steps") {
-  World resting, flying;
-  box_on_ground(resting, Real(1e-4));
-  ball_on_ground(flying, Real(-0.005)).moving({0, 3, 0});  // within the margin
-  Sap solver;
-  play(resting, solver, 60);
-  CHECK(solver.newton_steps() <= 1);
-  int steps = 0;
-  for (int i = 0; i < 60; ++i) {
-    play(resting, solver, 1);
-    steps += solver.newton_steps();
-  }
-  CHECK(steps < 30);  // what a step leaves undone, up to `tolerance`, adds up
-  play(flying, solver, 1);
-  CHECK(flying.contacts.size() == 1);
-  CHECK(solver.newton_steps() == 0);
-}
-
 TEST_CASE("sap: settings that cannot be are refused by name") {
   World world;
   ball_on_ground(world, 0);

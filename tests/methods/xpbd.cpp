@@ -18,27 +18,6 @@ struct DetectedBefore : Xpbd {
 
 }  // namespace
 
-TEST_CASE("xpbd: substeps are steps of their own") {
-  World divided, in_steps;
-  for (World* world : {&divided, &in_steps}) stack(*world, 3);
-  Xpbd eight, one;
-  eight.substeps = 8;
-  for (int i = 0; i < 20; ++i) divided.step(eight, h);
-  for (int i = 0; i < 160; ++i) in_steps.step(one, h / 8);
-  CHECK(hash_of(divided) == hash_of(in_steps));
-}
-
-TEST_CASE("xpbd: a contact's impulse is the sum over the substeps, and the last one's is kept beside it") {
-  World world;
-  ball_on_ground(world, 0);
-  Xpbd solver;
-  solver.substeps = 8;
-  for (int i = 0; i < 3; ++i) world.step(solver, h);
-  REQUIRE(world.contacts.size() == 1);
-  CHECK(world.contacts[0].impulse.y() == Approx(10 * g * h).epsilon(tiny));
-  CHECK(world.contacts[0].last_impulse.y() == Approx(10 * g * h / 8).epsilon(tiny));
-}
-
 TEST_CASE("xpbd: an overlap is gone after one step, and has become no speed") {
   for (const Real depth : {Real(0.001), Real(0.05), Real(0.25)}) {
     World world;
@@ -88,17 +67,6 @@ TEST_CASE("xpbd: a box at rest stays where it is, without a warm start, and a st
 
 // So slowly that friction of the positions acts in each substep: a belt's point has moved, though the belt's body has not. A ball gets
 // 2/7 of the belt's speed, and the rest as spin.
-TEST_CASE("xpbd: a slow conveyor carries a ball") {
-  constexpr Real belt = Real(0.002);  // m/s
-  World world;
-  world.add(box({5, Real(0.5), 5}, 1).fixed().at({0, Real(-0.5), 0}).conveying({belt, 0, 0}));
-  world.add(sphere(Real(0.5), 100).at({0, Real(0.5), 0}));
-  Xpbd solver;
-  solver.substeps = 16;
-  for (int i = 0; i < 120; ++i) world.step(solver, h);
-  CHECK(world.bodies[1].position.x() == Approx(2 * belt * 2 / 7).epsilon(in_double ? 0.02 : 0.2));
-}
-
 TEST_CASE("xpbd: joints of a chain under a hundredfold mass open by a millimetre, cold, in one sweep") {
   World world;
   motion_named("chain").begin(world);
@@ -110,26 +78,6 @@ TEST_CASE("xpbd: joints of a chain under a hundredfold mass open by a millimetre
     farthest = std::max(farthest, largest_joint_error(world));
   }
   CHECK(farthest < Real(1.5e-3));
-}
-
-TEST_CASE("xpbd: a hinge and a weld hold") {
-  World world;
-  door_and_weld(world);
-  Xpbd solver;
-  solver.substeps = 16;
-  for (int i = 0; i < 180; ++i) {
-    world.step(solver, h);
-    REQUIRE(largest_joint_error(world) < Real(0.01));
-  }
-}
-
-TEST_CASE("xpbd: in the order of step.h it falls, bounces and comes to rest, too") {
-  CHECK(error_of<DetectedBefore>("bounce", 16, 1) < 0.06);
-  World world;
-  ball_on_ground(world, 0);
-  DetectedBefore solver;
-  for (int i = 0; i < 60; ++i) world.step(solver, h);
-  CHECK(std::abs(depth_of(world.bodies[1])) < tiny);
 }
 
 TEST_CASE("xpbd: settings that cannot be are refused by name, and so is a joint with a softness") {

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/adapters/scene_json.h"
+#include "pushback/tools/measure/adapters/scene_json.h"
 #include "tests/project/jointed.h"
 
 using namespace pushback;

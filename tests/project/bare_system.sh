@@ -25,7 +25,7 @@ tries=(  # each command of ./course --help, for a moment; those that read what o
   "study --quick -- --only bounce"
   "run prices --rounds 1"
   "run benchmark /tmp/benchmark"
-  "run adapter tools/adapters/template.mjs"
+  "run adapter tools/measure/adapters/template.mjs"
   "fuzz -- --scenes 5"
   "fuzz --shards 2 -- --scenes 5"
   "bench effects -- --benchmark_filter=frictionless_solving"

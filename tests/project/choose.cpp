@@ -3,8 +3,6 @@
 
 #include <regex>
 
-#include "pushback/chapters/01_velocity_constraint/solver.h"
-#include "pushback/common/experiment/experiment.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 
@@ -35,16 +33,6 @@ TEST_CASE("choose: what slides and what swings keeps what is asked, and that is 
       CHECK(error_of(ended.out, "measured:") <= 2 * mm);  // in two seconds
       CHECK(error_of(ended.out, "predicted:") <= 10 * mm);
     }
-}
-
-TEST_CASE("choose: pictures are where it says") {
-  const Scratch scratch;
-  const Ended ended =
-      call_program(CHOOSE_PROGRAM, "02-landing --seconds 0.3 --finer 2 --out '" + (scratch / "out").string() + "'");
-  INFO(ended.out << ended.err);
-  REQUIRE(ended.status == 0);
-  for (const char* file : {"sheet.png", "plot.png"})
-    CHECK(fs::exists(scratch / "out" / "choose" / "02-landing" / file));
 }
 
 TEST_CASE("choose: a budget that buys anything has the least error, and one that buys nothing is refused") {
@@ -80,19 +68,6 @@ TEST_CASE("choose: what cannot be meant is named, with status 2, and nothing is 
   }
 }
 
-TEST_CASE("choose: a folder for pictures that cannot be made is refused before anything is played") {
-  const Scratch scratch;
-  std::ofstream(scratch / "file") << "a regular file";
-  const std::string out = (scratch / "file").string();
-  for (const char* words : {"26-yard --seconds 60", "26-yard --seconds 60 --budget 1us"}) {
-    const Ended ended = call_program(CHOOSE_PROGRAM, std::string(words) + " --out '" + out + "'");
-    INFO(ended.out << ended.err);
-    CHECK(ended.status == 2);
-    CHECK(ended.out.empty());
-    CHECK(contains(ended.err, "--out: folder '" + out));
-  }
-}
-
 TEST_CASE("choose: a scene's file that is a folder, or in which nothing can move, is refused") {
   const Scratch scratch;
   fs::create_directory(scratch / "folder.json");
@@ -122,29 +97,4 @@ TEST_CASE("choose: a scene at the ends of what is allowed is played soon, with f
     CHECK(ended.status == 0);
     CHECK_FALSE(std::regex_search(ended.out, std::regex("\\b(nan|inf)\\b")));
   }
-}
-
-TEST_CASE("choose: an experiment hands its scenes and the words behind to a command, and does not call it otherwise") {
-  const Scratch scratch;
-  const std::string out = (scratch / "out").string();
-  const auto run = [&](const std::vector<const char*>& words, std::string& told) {
-    Experiment e("mine", "?");
-    e.command("--tell", "tell what there is", [&](const std::vector<Scene>& scenes, int argc, const char* const* argv) {
-      for (const Scene& scene : scenes) told += scene.name + ";";
-      for (int i = 0; i < argc; ++i) told += std::string(argv[i]) + ";";
-      return 7;
-    });
-    return e.run(static_cast<int>(words.size()), words.data(), [&] {
-      e.scene({.name = "one", .fill = [](World& world) { stack(world, 1); }, .seconds = Real(0.1)});
-      e.variant("nothing", Solver<>{});
-      e.scene({.name = "two", .fill = [](World& world) { stack(world, 2); }, .seconds = Real(0.1)});
-      e.variant("nothing", Solver<>{});
-    });
-  };
-  std::string told, untold;
-  CHECK(run({"program", "--tell", "two", "--error", "1mm"}, told) == 7);
-  CHECK(told == "one;two;mine --tell;two;--error;1mm;");
-  CHECK(run({"program", "--no-images", "--out", out.c_str(), "--sweeps", "1"}, untold) == 0);
-  CHECK(run({"program", "--no-images", "--tell"}, untold) == 2);
-  CHECK(untold.empty());
 }

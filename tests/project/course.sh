@@ -290,11 +290,8 @@ rm "$scratch/home/build/release/programs/exercise"
 course exercise && expect 127 "is built first, only this once"
 # The chapter whose picture is drawn is built, too, and what a solver is compared with.
 course mine 03 --hint && expect 1 "--target mine 03_three" "mine: 03 --hint in $scratch/sub"
-<<<<<<< HEAD
 course mine three --seed 10 && expect 1 "--target mine 03_three" "mine: three --seed 10 in $scratch/sub" && expect_not "10_ten"
 course mine --hint && expect 1 "--target mine" "mine: --hint in $scratch/sub"
-=======
->>>>>>> 43da011dd06616c86e0dade7dcce5825bfb63d49
 course mine hard-cases slop && expect 1 "--target mine hard_cases_table" "mine: hard-cases slop in $scratch/sub" && expect_not "04_four"
 course mine study rolling && expect 1 "--target mine study motion_mine" "mine: study rolling in $scratch/sub"
 course grade a b --jobs 2 && expect 1 "--target grade" "grade: a b --jobs 2 in $scratch/sub"

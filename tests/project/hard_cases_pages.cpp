@@ -19,8 +19,8 @@
 #include <regex>
 
 #include "pushback/common/experiment/parameter.h"
-#include "pushback/tools/hard_cases/peers.h"
-#include "pushback/tools/study/every_motion.h"
+#include "pushback/tools/measure/hard_cases/peers.h"
+#include "pushback/tools/measure/study/every_motion.h"
 #include "tests/support/call.h"
 
 using namespace pushback;
@@ -264,19 +264,4 @@ TEST_CASE("every figure on a page that names its cell of the table is that cell'
     INFO(hard_case.name);
     CHECK(contains(text_of("docs/hard_cases.md"), "`" + hard_case.name + "`"));
   }
-}
-
-TEST_CASE("the words by which a mark names its cell: whole, or in one name alone") {
-  CHECK(name_with("1", {"11 substeps", "12 soft contacts"}).empty());
-  CHECK(name_with("sub", {"11 substeps", "12 soft contacts"}) == "11 substeps");
-  CHECK(name_with("speed", {"speed", "speed at the end"}) == "speed");
-  CHECK(in_words(47) == "Forty-seven");
-  CHECK(in_words(50) == "Fifty");
-  CHECK(ends_with("it is 0.27 mm", "0.27 mm"));
-  CHECK(ends_with("it is 0.27\nmm", "0.27 mm"));
-  CHECK_FALSE(ends_with("it is 10.27 mm", "0.27 mm"));
-  CHECK_FALSE(ends_with("it is 0.28 mm", "0.27 mm"));
-  CHECK(start_of_figure("it is 5.8·10⁻⁶ %", std::string("it is 5.8·10⁻⁶ %").size(), false) == 6);
-  CHECK(start_of_figure("by 12 mm/s", 10, false) == 3);
-  CHECK(start_of_figure("*Forty-nine", 11, true) == 1);
 }

@@ -1,12 +1,12 @@
 /// The table of hard cases under other engines: what is written, and the program that hands the cases on. What an engine does with
 /// them is looked at where the engine is: tests/hard_cases/engines.
-#include "pushback/tools/hard_cases/peers.h"
+#include "pushback/tools/measure/hard_cases/peers.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "pushback/tools/hard_cases/apart.h"
-#include "pushback/tools/hard_cases/table_picture.h"
+#include "pushback/tools/measure/hard_cases/apart.h"
+#include "pushback/tools/measure/hard_cases/table_picture.h"
 #include "tests/support/call.h"
 #include "tests/support/complaint.h"
 
@@ -58,48 +58,6 @@ TEST_CASE("what an engine does not have is neither passed nor failed, and is sai
   CHECK(contains(page, "| **1 of 1** | **0 of 1** | **0 of 1** |"));
   CHECK_FALSE(contains(page, "★"));
   CHECK_FALSE(rescuer(table, 0));
-}
-
-TEST_CASE("who passes what: nobody, ours alone, an engine alone, both") {
-  const std::string page =
-      peers_md(table_of({{"FFF", "FFFNF"}, {"FPF", "FFFFFN"}, {"FFF", "FFFFFP"}, {"PFF", "PF"}, {"FFF", "N"}}),
-               "renders/hard_cases");
-  CHECK(contains(page, "- **Nobody passes**, 1: `case-0`.\n"));
-  CHECK(contains(page, "- **Only ours pass**, 1: `case-1`.\n"));
-  CHECK(contains(page, "- **Only an engine passes**, 1: `case-2`.\n"));
-  CHECK(contains(page, "- **One of ours and an engine pass**, 1: `case-3`.\n"));
-  CHECK(contains(page, "- **No engine has what it asks for**, 1: `case-4`.\n"));
-}
-
-TEST_CASE("the worst number is that of the criterion furthest beyond its limit, also where a limit is 0") {
-  HardCase c;
-  c.criteria = {{"upright", "", 0}, {"rise", "mm", 10}, {"speed", "mm/s", 1}};
-  const auto worst = [&](const std::vector<Real>& numbers) {
-    return Outcome{.numbers = numbers, .broken = ""}.worst(c);
-  };
-  CHECK(worst({0, 5, 3}) == 2);
-  CHECK(worst({0, 50, 3}) == 1);
-  CHECK(worst({1, 50, 3}) == 0);
-  CHECK(worst({0, 0, 0}) == 0);
-  CHECK(worst({1, 50, not_a_number}) == 2);
-}
-
-TEST_CASE("each engine plays as it comes and tuned, under one name each, by a program of its own") {
-  std::vector<std::string> names;
-  for (const PeerSetting& setting : peer_settings()) {
-    CHECK(std::count(names.begin(), names.end(), setting.name) == 0);
-    CHECK(setting.tuned == (setting.name.find(' ') != std::string::npos));  // "tuned", "stiff"
-    names.push_back(setting.name);
-  }
-  const std::vector<Stage> stages = peer_stages("programs");
-  REQUIRE(stages.size() == names.size());
-  for (std::size_t i = 0; i < stages.size(); ++i) {
-    CHECK(stages[i].apart ==
-          std::vector<std::string>{"programs/hard_cases_" + peer_settings()[i].engine, "--setting", names[i]});
-    const PeerSetting& setting = peer_settings()[i];
-    CHECK(stages[i].substeps() == setting.substeps * setting.own_substeps);  // by which closed forms go
-    CHECK(stages[i].epsilon == peer_settings()[i].epsilon);
-  }
 }
 
 TEST_CASE("the committed outcomes are of every case under every setting, and its page is what they make") {

@@ -1,12 +1,12 @@
 /// The table of hard cases: its words, its files, and the program that writes it.
-#include "pushback/tools/hard_cases/table.h"
+#include "pushback/tools/measure/hard_cases/table.h"
 
 #include <algorithm>
 #include <limits>
 #include <set>
 
-#include "pushback/tools/hard_cases/table_picture.h"
-#include "pushback/tools/shards/origin.h"
+#include "pushback/tools/measure/hard_cases/table_picture.h"
+#include "pushback/tools/measure/results/origin.h"
 #include "tests/support/call.h"
 #include "tests/support/complaint.h"
 
@@ -55,34 +55,6 @@ std::set<std::string> files_in(const fs::path& folder) {
 }
 
 }  // namespace
-
-TEST_CASE("a number is short, and never rounded to the other side of its limit") {
-  CHECK(in_short(Real(0.2795), 1, "mm/s") == "0.28 mm/s");
-  CHECK(in_short(449, 1, "mm") == "449 mm");
-  CHECK(in_short(9020, 1, "mm") == "9 m");
-  CHECK(in_short(12345, 1, "mm/s") == "12 m/s");
-  CHECK(in_short(0, 1, "mm") == "0 mm");
-  CHECK(in_short(3, 12, "") == "3");
-  CHECK(in_short(Real(1.004), 1, "mm") == "1.004 mm");
-  CHECK(in_short(Real(0.9996), 1, "mm") == "1 mm");
-  CHECK(in_short(Real(100.4), 100, "%") == "100.4 %");
-  CHECK(in_short(1000, 1000, "mm") == "1 m");
-  CHECK(in_short(Real(3.21e-7), Real(1e-4), "") == "3.2·10⁻⁷");
-  CHECK(in_short(Real(1.5e12), 1, "J") == "1.5·10¹² J");
-  CHECK(in_short(not_a_number, 1, "mm") == "–");
-  CHECK(in_short(std::numeric_limits<Real>::infinity(), 1, "mm") == "–");
-}
-
-TEST_CASE("the star stands where the chapters begin to pass for good, or else at what came after") {
-  CHECK(rescuer(row_of("FFPPPF", 4), 0) == std::size_t(2));
-  CHECK(rescuer(row_of("PFPPPF", 4), 0) == std::size_t(2));
-  CHECK(rescuer(row_of("FFFFFP", 4), 0) == std::size_t(5));
-  CHECK(rescuer(row_of("PPPFPP", 4), 0) == std::size_t(4));
-  CHECK(rescuer(row_of("FFFP", 4), 0) == std::size_t(3));
-  CHECK_FALSE(rescuer(row_of("PPPPFF", 4), 0));  // nothing is needed
-  CHECK_FALSE(rescuer(row_of("FFFFFF", 4), 0));  // nothing helps
-  CHECK_FALSE(rescuer(row_of("FPF", 3), 0));
-}
 
 TEST_CASE("what is no number fails, and so does a case whose invariant broke") {
   Table table = row_of("PP", 2);
@@ -163,53 +135,6 @@ TEST_CASE("some cases and stages: files of their own, the same bytes whatever th
     CHECK(text_of(folder / file).size() > 100);
     CHECK(text_of(folder / file) == text_of(other / file));
   }
-
-  const std::vector<std::string> csv = lines_of(text_of(folder / "table.csv"));
-  std::size_t expected = 1;
-  std::vector<std::pair<std::string, std::string>> pairs;
-  for (const std::string name : {"stack-10", "stack-20"}) {
-    for (const std::string stage : {"01 velocity", "07 warm start", "12 soft contacts"}) {
-      pairs.emplace_back(name, stage);
-      expected += hard_case_named(name).criteria.size();
-    }
-  }
-  REQUIRE(csv.size() == expected);
-  std::size_t line = 1;
-  for (const auto& [name, stage] : pairs) {
-    HardCase hard_case = hard_case_named(name);
-    hard_case.starts = 2;
-    const Outcome outcome = outcome_of(hard_case, stage_named(stage));
-    for (std::size_t i = 0; i < hard_case.criteria.size(); ++i, ++line) {
-      const std::vector<std::string> fields = fields_of(csv[line]);
-      REQUIRE(fields.size() == 11);
-      CHECK(fields[0] == name);
-      CHECK(fields[1] == stage);
-      CHECK(fields[2] == hard_case.criteria[i].what);
-      CHECK(std::stod(fields[4]) == static_cast<double>(hard_case.criteria[i].limit));
-      CHECK(static_cast<Real>(std::stod(fields[5])) == outcome.numbers[i]);  // the same bits, here and there
-      CHECK(fields[6] == (outcome.largest[i] <= hard_case.criteria[i].limit ? "1" : "0"));
-      CHECK(fields[7] == outcome.broken);
-      CHECK(static_cast<Real>(std::stod(fields[8])) == outcome.largest[i]);
-      CHECK(fields[9] == std::to_string(outcome.starts_passed));
-      CHECK(fields[10] == "2");
-    }
-  }
-
-  const std::string md = text_of(folder / "table.md");
-  CHECK(contains(md, "01_velocity_constraint/README.md) | [07 warm start]("));
-  CHECK(contains(md, "| case | [12 soft contacts]("));
-  CHECK_FALSE(contains(md, "(broken)"));  // every invariant of the watcher has a word
-  CHECK(contains(text_of(folder / "times.csv"), "stack-20,07 warm start,"));
-
-  const fs::path again = scratch / "again" / "here";  // as deep, for the links
-  fs::create_directories(again / "hard_cases");
-  fs::copy_file(folder / "table.csv", again / "hard_cases" / "table.csv");
-  const Ended redrawn = call_program(TABLE_PROGRAM, "--redraw --out '" + again.string() + "'");
-  INFO(redrawn.err);
-  CHECK(redrawn.status == 0);
-  for (const std::string file : {"overview.png", "table.md"})
-    CHECK(text_of(again / "hard_cases" / file) == text_of(folder / file));
-  CHECK(files_in(again) == std::set<std::string>{"overview.png", "table.csv", "table.md"});
 }
 
 TEST_CASE("the committed table is read back to the byte, its page is what it makes, and what is no table is refused") {
@@ -250,22 +175,6 @@ TEST_CASE("the committed table is read back to the byte, its page is what it mak
   CHECK(!fs::exists(scratch / "none"));
 }
 
-TEST_CASE("by what each world calls for: the same table, in a folder of its own") {
-  const Scratch scratch;
-  const std::string what = "contacts-twice bounces --quick --no-images --out '" + (scratch / "out").string() + "'";
-  const Ended direct = call_program(TABLE_PROGRAM, what, 100);
-  const Ended needed = call_program(TABLE_PROGRAM, what + " --only-what-is-needed", 100);
-  INFO(direct.err << needed.err);
-  REQUIRE(direct.status == 0);
-  REQUIRE(needed.status == 0);
-  const fs::path folder = scratch / "out" / "hard_cases";
-  for (const std::string file : {"table.csv", "table.md"}) {
-    INFO(file);
-    CHECK(text_of(folder / "part" / file).size() > 100);
-    CHECK(text_of(folder / "part" / file) == text_of(folder / "only_what_is_needed" / file));
-  }
-}
-
 TEST_CASE("parts, each for itself, make the whole: the same bytes") {
   const Scratch scratch;
   const std::string what = "contacts-twice bounces stack-10 --stages 01,07 --starts 1 --no-images --out '";
@@ -300,19 +209,6 @@ TEST_CASE("parts, each for itself, make the whole: the same bytes") {
   CHECK(lines_of(text_of(pairs / "shard_2_of_5/times.csv")).size() == 1 + 1);
   for (const std::string file : {"table.csv", "table.md"}) CHECK(text_of(pairs / file) == text_of(whole / file));
   CHECK(lines_of(text_of(pairs / "times.csv")).size() == timed.size());
-}
-
-TEST_CASE("a single case in parts: each has stages of it, in turn") {
-  const Scratch scratch;
-  const auto play = [&](const std::string& name, const std::string& more) {
-    return call_program(TABLE_PROGRAM,
-                        "bounces --stages 01,03,05,07 --no-images --out '" + (scratch / name).string() + "' " + more,
-                        100);
-  };
-  for (const char* const part : {"--shard 1/2", "--shard 2/2", "--join 2"}) REQUIRE(play("parts", part).status == 0);
-  REQUIRE(play("whole", "").status == 0);
-  const std::string file = "/hard_cases/part/table.csv";
-  CHECK(text_of(scratch / ("parts" + file)) == text_of(scratch / ("whole" + file)));
 }
 
 TEST_CASE("parts of other code are not put together, and of another machine they are where times are no result") {
@@ -358,23 +254,6 @@ TEST_CASE("what parts of the random scenes have found is said as of the whole") 
   const Ended mixed = call_program(FUZZ_PROGRAM, what + " --join " + saved(1) + " " + saved(2) + " " + saved(3));
   CHECK(mixed.status == 2);
   CHECK(contains(mixed.err, "parts of one commit are needed"));
-}
-
-TEST_CASE("without pictures there are none, and --list writes nothing") {
-  const Scratch scratch;
-  const Ended ended = call_program(
-      TABLE_PROGRAM, "stack-10 --quick --starts 1 --no-images --out '" + (scratch / "out").string() + "'", 100);
-  REQUIRE(ended.status == 0);
-  CHECK(files_in(scratch / "out") == std::set<std::string>{"table.csv", "table.md", "times.csv"});
-  const std::string csv = text_of(scratch / "out" / "hard_cases" / "part" / "table.csv");
-  CHECK(contains(csv, "stack-10,07 warm start,"));
-  CHECK_FALSE(contains(csv, "11 substeps"));
-
-  const Ended list = call_program(TABLE_PROGRAM, "--list --out '" + (scratch / "none").string() + "'");
-  CHECK(list.status == 0);
-  for (const HardCase& hard_case : hard_cases()) CHECK(contains(list.out, hard_case.name));
-  for (const Stage& stage : table_stages()) CHECK(contains(list.out, stage.name));
-  CHECK_FALSE(fs::exists(scratch / "none"));
 }
 
 TEST_CASE("what cannot be meant: status 2, a message that names it, and nothing is written") {

@@ -15,7 +15,7 @@
 #include "pushback/chapters/15_limits_motors_springs/limits.h"
 #include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/20_only_what_is_needed/questions.h"
-#include "pushback/tools/hard_cases/hard_case.h"
+#include "pushback/tools/measure/hard_cases/hard_case.h"
 #include "tests/support/catch.h"
 #include "tests/support/joint_jacobian.h"
 #include "tests/support/yardstick.h"

@@ -164,14 +164,9 @@ if [[ ! -e $scratch/missing ]]; then
   [[ $(cat build/release/parts/study-*/part.sh) == *"/study --quick"*"--shard \$part/4"*"/frozen --quick"*"--shard \$part/4"* ]] ||
     wrong "another part of the study: $(cat build/release/parts/study-*/part.sh)"
 fi
-<<<<<<< HEAD
 # A class: the last call has no part, so it has all.
 if [[ -e $programs/grade ]]; then
   mkdir "$scratch/ben" && touch "$scratch/ben/03_baumgarte.h"
-=======
-# A class: the last call has no part, so it has all. What is handed in again is graded again.
-if [[ -e $programs/grade ]]; then
->>>>>>> 43da011dd06616c86e0dade7dcce5825bfb63d49
   grade() { output=$(cd "$scratch" && home/course grade "an na" ben --shards 3 2>&1); }
   grade
   grading=$(cat build/release/parts/grade-*/part.sh) all=$(cat build/release/parts/grade-*/join.sh)

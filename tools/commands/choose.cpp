@@ -5,8 +5,8 @@
 
 #include "pushback/chapters/26_to_each_its_own/scenes.h"
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/adapters/scene_json.h"
 #include "pushback/tools/catalogue/catalogue.h"
+#include "pushback/tools/measure/adapters/scene_json.h"
 
 using namespace pushback;
 

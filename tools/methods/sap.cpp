@@ -148,7 +148,7 @@ void Sap::solve(World& world, Real h, int /*sweeps*/) {
   add_contacts(world, h);
   add_joints(world, h);
   SapProblem::Vector v = start(world);
-  newton_steps_ = problem_.minimise(v, tolerance, most_steps);
+  problem_.minimise(v, tolerance, most_steps);
   write(world, v);
 }
 

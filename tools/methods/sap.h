@@ -38,8 +38,6 @@ class Sap : public StepSolver {
   /// Throws InvalidInput where a setting cannot be used.
   void check(World& world, Real h) override;
   void solve(World& world, Real h, int sweeps) override;
-  /// In the latest step: linear systems.
-  int newton_steps() const { return newton_steps_; }
 
  private:
   Real tau(Real h) const;
@@ -56,7 +54,6 @@ class Sap : public StepSolver {
   SapProblem problem_;
   std::vector<int> places_;  // of each body in the problem
   std::vector<int> taken_;   // of each place in the problem: the body
-  int newton_steps_ = 0;
 };
 
 }  // namespace pushback

@@ -25,7 +25,7 @@ struct SapAnswer {
 ///   slides    else                               gamma_n = (R_n y_n + mu R_t |y_t|) / (R_n + mu^2 R_t),  gamma_t = mu gamma_n y_t / |y_t|
 ///
 /// It sticks with a slip of R_t gamma_t, and is pressed closed up to R_n gamma_n. What slides has u_n - v + R_n gamma_n = mu |u_t| and
-/// not 0: this is Coulomb's law relaxed, see tools/study/relaxed_law.h.
+/// not 0: this is Coulomb's law relaxed, see tools/measure/study/relaxed_law.h.
 ///   A. Castro, F. Permenter, X. Han, "An Unconstrained Convex Formulation of Compliant Contact", IEEE Transactions on Robotics, 2022
 struct SapContactLaw {
   Eigen::Vector3d n;

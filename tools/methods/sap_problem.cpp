@@ -52,10 +52,6 @@ double SapProblem::cost(const Vector& v) const {
   return sum;
 }
 
-SapProblem::Vector SapProblem::gradient(const Vector& v) const {
-  return times_mass(v - free_) - pushes(v);
-}
-
 bool SapProblem::is_there(const Vector& v, Vector& slope, double tolerance) const {
   const Vector pushed = pushes(v);
   slope = times_mass(v - free_) - pushed;
@@ -66,74 +62,41 @@ bool SapProblem::is_there(const Vector& v, Vector& slope, double tolerance) cons
   return scale.cwiseProduct(slope).norm() <= tolerance * largest;
 }
 
-void SapProblem::lay_out() {
-  std::vector<std::vector<int>> below(masses_.size());  // of each body, those of a larger place that it is tied to
-  for (std::size_t i = 0; i < below.size(); ++i) below[i] = {static_cast<int>(i)};
-  const auto each_pair = [](auto& bonds, const auto& visit) {
-    for (auto& bond : bonds)
-      if (bond.a != nothing_moves && bond.b != nothing_moves)
-        visit(bond, static_cast<std::size_t>(std::min(bond.a, bond.b)), std::max(bond.a, bond.b));
-  };
-  const auto tie = [&](auto&, std::size_t low, int high) { below[low].push_back(high); };
-  each_pair(contacts, tie);
-  each_pair(rows, tie);
-  diagonal_.clear();
-  stride_.clear();
-  Index count = 0;
-  for (std::vector<int>& bodies : below) {
-    std::sort(bodies.begin(), bodies.end());
-    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-    diagonal_.push_back(count);
-    stride_.push_back(6 * std::ssize(bodies));
-    count += 6 * stride_.back();
-  }
-  h_.resize(free_.size(), free_.size());
-  h_.resizeNonZeros(count);
-  for (std::size_t i = 0; i < below.size(); ++i) {
-    for (Index column = 0; column < 6; ++column) {
-      Index at = diagonal_[i] + column * stride_[i];
-      h_.outerIndexPtr()[6 * static_cast<Index>(i) + column] = static_cast<int>(at);
-      for (const int body : below[i])
-        for (int row = 0; row < 6; ++row) h_.innerIndexPtr()[at++] = 6 * body + row;
-    }
-  }
-  h_.outerIndexPtr()[free_.size()] = static_cast<int>(count);
-  const auto find = [&](auto& bond, std::size_t low, int high) {
-    const auto place = std::lower_bound(below[low].begin(), below[low].end(), high) - below[low].begin();
-    bond.block = diagonal_[low] + 6 * place;
-    bond.stride = stride_[low];
-  };
-  each_pair(contacts, find);
-  each_pair(rows, find);
-}
-
 void SapProblem::assemble(const Vector& v) {
-  const auto block = [&](Index at, Index stride) {
-    return Eigen::Map<Mat6, 0, Eigen::OuterStride<>>(h_.valuePtr() + at, Eigen::OuterStride<>(stride));
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto add = [&](int low, int high, const Mat6& block) {
+    for (int column = 0; column < 6; ++column)
+      for (int row = 0; row < 6; ++row) entries.emplace_back(6 * high + row, 6 * low + column, block(row, column));
   };
-  h_.coeffs().setZero();
-  for (std::size_t i = 0; i < masses_.size(); ++i) block(diagonal_[i], stride_[i]) = masses_[i];
+  for (std::size_t i = 0; i < masses_.size(); ++i) add(static_cast<int>(i), static_cast<int>(i), masses_[i]);
   const auto of = [&](auto& bonds) {
     for (auto& bond : bonds) {
       bond.u = bond.along(v) + bond.rest;
       const auto g = bond.law.at(bond.u).slope;
-      each_body(bond, [&](int body, const auto& j) {
-        const auto i = static_cast<std::size_t>(body);
-        block(diagonal_[i], stride_[i]) += j.transpose() * (g * j).eval();
-      });
+      each_body(bond, [&](int body, const auto& j) { add(body, body, j.transpose() * (g * j).eval()); });
       if (bond.a == nothing_moves || bond.b == nothing_moves) continue;
       const auto& [high, low] = bond.b > bond.a ? std::tie(bond.j_b, bond.j_a) : std::tie(bond.j_a, bond.j_b);
-      block(bond.block, bond.stride) += high.transpose() * (g * low).eval();
+      add(std::min(bond.a, bond.b), std::max(bond.a, bond.b), high.transpose() * (g * low).eval());
     }
   };
   of(contacts);
   of(rows);
+  h_.resize(free_.size(), free_.size());
+  h_.setFromTriplets(entries.begin(), entries.end());
 }
 
-Eigen::MatrixXd SapProblem::hessian(const Vector& v) {
-  lay_out();
-  assemble(v);
-  return h_.selfadjointView<Eigen::Lower>() * Eigen::MatrixXd::Identity(v.size(), v.size());
+int SapProblem::minimise(Vector& v, double tolerance, int most_steps) {
+  Vector slope;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors;
+  for (int step = 0; step < most_steps; ++step) {
+    if (is_there(v, slope, tolerance)) return step;
+    assemble(v);
+    if (step == 0) factors.analyzePattern(h_);
+    factors.factorize(h_);
+    const Vector change = -factors.solve(slope);
+    v += best_part(v, change, slope) * change;
+  }
+  return most_steps;
 }
 
 double SapProblem::best_part(const Vector& v, const Vector& change, const Vector& slope) {

@@ -20,7 +20,6 @@ struct SapBond {
   Law law;
 
   Rows u = Rows::Zero(), change = Rows::Zero();  ///< in the search: here, and for the whole of a Newton step
-  Eigen::Index block = 0, stride = 0;            ///< of the pair's block in the matrix
 
   /// J v.
   Rows along(const Eigen::VectorXd& v) const {
@@ -58,17 +57,11 @@ class SapProblem {
   int add(const Mat6& mass, const Vec6& free);
   const Vector& free() const { return free_; }
 
-  double cost(const Vector& v) const;        ///< l, J
-  Vector gradient(const Vector& v) const;    ///< kg m/s and kg m^2/s
-  Eigen::MatrixXd hessian(const Vector& v);  ///< dense, for who looks at it
+  double cost(const Vector& v) const;  ///< l, J
 
   /// From v to the minimum: until  |D gradient| <= tolerance max(|D M v|, |D sum of J^T gamma|)  with D = diag(M)^-1/2, or after
-  /// `most_steps`. Returns the number of Newton steps, each of which solves a linear system. `after`, if given, is called after each.
-  template <class Each>
-  int minimise(Vector& v, double tolerance, int most_steps, const Each& after);
-  int minimise(Vector& v, double tolerance, int most_steps) {
-    return minimise(v, tolerance, most_steps, [](const Vector&) {});
-  }
+  /// `most_steps`. Returns the number of Newton steps, each of which solves a linear system.
+  int minimise(Vector& v, double tolerance, int most_steps);
 
  private:
   template <class Visit>
@@ -78,35 +71,13 @@ class SapProblem {
   }
   Vector times_mass(const Vector& v) const;
   Vector pushes(const Vector& v) const;  // sum of J^T gamma
-  void lay_out();                        // the pattern of H
   void assemble(const Vector& v);
   bool is_there(const Vector& v, Vector& gradient, double tolerance) const;
   double best_part(const Vector& v, const Vector& change, const Vector& gradient);
 
   std::vector<Mat6> masses_;
   Vector free_;
-  Eigen::SparseMatrix<double> h_;       // its lower triangle, and whole blocks on the diagonal
-  std::vector<Eigen::Index> diagonal_;  // of each body: of its block
-  std::vector<Eigen::Index> stride_;    // of each body: numbers in a column
+  Eigen::SparseMatrix<double> h_;  // its lower triangle, and whole blocks on the diagonal
 };
-
-template <class Each>
-int SapProblem::minimise(Vector& v, double tolerance, int most_steps, const Each& after) {
-  Vector slope;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors;
-  for (int step = 0; step < most_steps; ++step) {
-    if (is_there(v, slope, tolerance)) return step;
-    if (step == 0) {
-      lay_out();
-      factors.analyzePattern(h_);
-    }
-    assemble(v);
-    factors.factorize(h_);
-    const Vector change = -factors.solve(slope);
-    v += best_part(v, change, slope) * change;
-    after(v);
-  }
-  return most_steps;
-}
 
 }  // namespace pushback

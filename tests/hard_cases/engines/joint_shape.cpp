@@ -1,5 +1,5 @@
 /// What is read off the equations of a joint is what it was made of.
-#include "pushback/tools/peers/joint_shape.h"
+#include "pushback/tools/measure/peers/joint_shape.h"
 
 #include <cmath>
 

@@ -8,8 +8,8 @@
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/tools/peers/engine_solver.h"
-#include "pushback/tools/peers/peer.h"
+#include "pushback/tools/measure/peers/engine_solver.h"
+#include "pushback/tools/measure/peers/peer.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -126,36 +126,6 @@ TEST_CASE("units: a force and a torque act for a step, by mass and inertia, and 
   });
 }
 
-TEST_CASE("a Force acts in every substep, on the bodies as they are then") {
-  under_each([](const PeerSetting& setting) {
-    World world;
-    world.gravity.setZero();
-    world.add(sphere(Real(0.1), 2).moving({1, 0, 0}));
-    world.forces.push_back(drag(0, 6));
-    EngineSolver solver(begin_engine, setting);
-    run(world, solver, Real(0.5));
-    const Real h = dt / static_cast<Real>(setting.substeps);
-    CHECK(world.bodies[0].velocity.x() == Approx(std::pow(1 - 3 * h, Real(0.5) / h)).epsilon(1e-4));
-  });
-}
-
-TEST_CASE("neither sleep nor damping: what drifts slowly, or lies still, goes on as it was") {
-  under_each([](const PeerSetting& setting) {
-    World world;
-    world.gravity.setZero();
-    world.add(sphere(Real(0.3), 1).moving({Real(0.001), 0, 0}).spinning({0, Real(0.01), 0}));
-    world.add(box(Vec3::Constant(1), 1).at({9, 0, 0}));
-    EngineSolver solver(begin_engine, setting);
-    run(world, solver, 10);
-    CHECK(world.bodies[0].velocity.x() == Approx(0.001).epsilon(100 * static_cast<double>(rounding(setting))));
-    CHECK(world.bodies[0].angular_velocity.y() == Approx(0.01).epsilon(100 * static_cast<double>(rounding(setting))));
-    CHECK(world.bodies[0].position.x() == Approx(0.01).epsilon(1e-4));
-    world.bodies[1].force = {60, 0, 0};  // 1 m/s in a step
-    world.step(solver, dt);
-    CHECK(world.bodies[1].velocity.x() == Approx(1).epsilon(1e-4));
-  });
-}
-
 TEST_CASE("friction of a pair is the geometric mean of its two") {
   under_each([](const PeerSetting& setting) {
     for (const auto& [below, above] :
@@ -187,30 +157,6 @@ TEST_CASE("restitution of a pair is the larger of its two, where an engine bounc
       run(world, solver, Real(0.5));
       CHECK(world.bodies[1].velocity.y() == Approx(4).epsilon(1e-3));
     }
-  });
-}
-
-TEST_CASE("Box3D and Jolt bounce from 1 m/s on as they come, and at any speed where that is set") {
-  if (!is_of_the_day()) return;
-  under_each([](const PeerSetting& setting) {
-    World world;
-    world.gravity.setZero();
-    world.add(ground());
-    world.add(sphere(Real(0.3), 2).at({0, Real(0.5), 0}).moving({0, Real(-0.5), 0}).bouncy(Real(0.8)));
-    EngineSolver solver(begin_engine, setting);
-    run(world, solver, 1);
-    CHECK(world.bodies[1].velocity.y() == Approx(setting.tuned ? 0.4 : 0).margin(0.01));
-  });
-}
-
-TEST_CASE("a capsule is along y: upright it stands, for a moment at least, at its whole height") {
-  under_each([](const PeerSetting& setting) {
-    World world;
-    world.add(ground());
-    world.add(capsule(Real(0.2), Real(0.3), 10).at({0, Real(0.501), 0}));
-    EngineSolver solver(begin_engine, setting);
-    run(world, solver, Real(0.2));  // in which it would fall by 0.2 m
-    CHECK(world.bodies[1].position.y() == Approx(0.5).margin(0.006));
   });
 }
 
@@ -284,22 +230,6 @@ TEST_CASE("a driven body goes where its velocity says, and takes along what lies
     run(world, solver, 1);
     CHECK(world.bodies[1].position.y() - before == Approx(0.1).margin(0.01));
     CHECK(largest_speed(world) < Real(0.01));
-  });
-}
-
-TEST_CASE("contacts are those of the bodies as the step leaves them") {
-  under_each([](const PeerSetting& setting) {
-    World world;
-    stack(world, 2);
-    world.bodies[2].position.y() -= Real(0.02);
-    EngineSolver solver(begin_engine, setting);
-    world.step(solver, dt);
-    World now = world;
-    now.find_contacts();
-    REQUIRE(!now.contacts.empty());
-    CHECK(world.contacts.size() == now.contacts.size());
-    CHECK(deepest_overlap(world) == deepest_overlap(now));
-    for (const Contact& contact : world.contacts) CHECK(contact.impulse.isZero(0));
   });
 }
 
@@ -417,55 +347,6 @@ TEST_CASE("a motor: as fast as it is to turn, with no more than its torque, to e
         }
       }
     }
-  });
-}
-
-TEST_CASE("Box3D and Jolt: a cone and a twist of one joint, in either order, each to its own side") {
-  if (!is_of_the_day()) return;
-  under_each([](const PeerSetting& setting) {
-    for (const bool cone_first : {true, false}) {
-      for (const bool other_way : {true, false}) {  // the axis of the twist against that of the cone
-        for (const Real side : {Real(-1), Real(1)}) {
-          INFO(cone_first << other_way << " to " << side);
-          World world;
-          world.gravity.setZero();
-          world.add(box(Vec3::Constant(Real(0.2)), 1).fixed());
-          world.add(box({Real(0.1), Real(0.4), Real(0.15)}, 2).at({0, Real(-0.7), 0}));
-          world.joints.push_back(ball_and_socket(world, 0, 1, {0, Real(-0.25), 0}));
-          const Vec3 down = -Vec3::UnitY(), about = other_way ? -down : down;
-          const auto twist = [&] { return twist_limits(world, 0, 1, about, Real(-0.2), Real(0.5)); };
-          if (!cone_first) world.joints.push_back(twist());
-          world.joints.push_back(cone_limit(world, 0, 1, down, down, Real(0.6)));
-          if (cone_first) world.joints.push_back(twist());
-          EngineSolver solver(begin_engine, setting);
-          Real twisted = 0, swung = 0;
-          for (int i = 0; i < 60; ++i) {
-            world.bodies[1].torque = side * Real(0.2) * about + side * 2 * Vec3::UnitZ();
-            world.step(solver, dt);
-            const Quat& q = world.bodies[1].orientation;
-            twisted = std::max(twisted, side * 2 * std::atan2(q.vec().dot(about), q.w()));
-            swung = std::max(swung, std::acos(std::clamp((q * down).dot(down), Real(-1), Real(1))));
-          }
-          CHECK(twisted == Approx(side < 0 ? 0.2 : 0.5).margin(0.1));
-          CHECK(swung == Approx(0.6).margin(0.1));
-        }
-      }
-    }
-  });
-}
-
-TEST_CASE("the same world under the same setting moves in the same bits, and a copy begins anew") {
-  under_each([](const PeerSetting& setting) {
-    const auto hash = [&](EngineSolver solver) {
-      World world;
-      heap(world, 2, 2, 0);
-      run(world, solver, 1);
-      return hash_of(world);
-    };
-    EngineSolver solver(begin_engine, setting);
-    const std::uint64_t once = hash(solver);
-    CHECK(hash(solver) == once);
-    CHECK(hash(EngineSolver(begin_engine, setting)) == once);
   });
 }
 

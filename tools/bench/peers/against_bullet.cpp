@@ -11,7 +11,7 @@
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/tools/bench/in_turn.h"
-#include "pushback/tools/peers/peer.h"
+#include "pushback/tools/measure/peers/peer.h"
 
 using namespace pushback;
 

@@ -1,0 +1,106 @@
+/// What accuracy costs on one problem at a time: pictures, a table and all numbers.
+#include <algorithm>
+#include <iterator>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/shard.h"
+#include "pushback/common/experiment/program.h"
+#include "pushback/tools/measure/frozen/frozen.h"
+#include "pushback/tools/measure/frozen/pictures.h"
+#include "pushback/tools/measure/frozen/words.h"
+#include "pushback/tools/measure/results/origin.h"
+
+using namespace pushback;
+using namespace pushback::frozen;
+
+namespace {
+
+void draw(const FrozenPoints& points, const std::filesystem::path& to) {
+  write_plot(to / "frozen.png", trace_panels(points));
+  write_plot(to / "profiles.png", profile_panels(points));
+}
+
+/// Files and pictures of the whole; the remarks are printed, too.
+void show(const std::string& csv, const std::vector<FrozenProblem>& problems, const std::filesystem::path& to) {
+  const FrozenPoints points = read_frozen_csv(csv);
+  std::string page;
+  for (const std::string& remark : remarks_of(points, problems)) page += "- " + remark + "\n";
+  if (std::none_of(problems.begin(), problems.end(), [](const FrozenProblem& problem) { return problem.foreign; }))
+    page += "- no folder of foreign problems was given: only our own are here\n";
+  fmt::print("{}", page);
+  const std::string short_page = reached_of(points) + "\n" + page;  // what the chapter's page shows
+  for (const std::string& table : tables_of(points)) page += "\n" + table;
+  write_text_file(to / "reached.md", short_page);
+  write_text_file(to / "frozen.md", page);
+  write_text_file(to / "frozen.csv", csv);
+  draw(points, to);
+}
+
+/// The large problems: tables alone.
+void show_large(std::vector<FrozenProblem> foreign, bool quick, const std::filesystem::path& to) {
+  make_writable_folder(to);
+  std::vector<FrozenProblem> problems = large_problems();
+  std::erase_if(foreign, [](const FrozenProblem& problem) { return problem.problem.contacts() < large_contacts; });
+  std::move(foreign.begin(), foreign.end(), std::back_inserter(problems));
+  std::string page;
+  for (const std::string& table : tables_of(read_frozen_csv(study_large(problems, quick))))
+    page += (page.empty() ? "" : "\n") + table;
+  fmt::print("{}", page);
+  write_text_file(to / "large.md", page);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CommandLine line("Every method on every frozen problem: how far it comes in what time.");
+  std::string folder, out = "renders", shard_text = "1/1";
+  bool quick = false, redraw = false, large = false;
+  std::size_t parts = 0;
+  line.flag("--quick", quick, "Seconds instead of minutes");
+  line.flag("--redraw", redraw, "Nothing is solved: pictures of what is in frozen.csv");
+  line.flag("--large", large,
+            "Problems of hundreds and thousands of contacts instead, each once, into large.md: minutes");
+  line.option("--problems", folder, "A folder of contact problems (*.dat) to solve beside our own")
+      .from_environment("PUSHBACK_PROBLEMS");
+  line.option("--shard", shard_text, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
+  line.option("--join", parts,
+              "5: nothing is solved; the whole of the five parts that were solved with the same options")
+      .between(2, 1000);
+  line.option("--out", out, "Where the folder 19_accuracy_and_time is written to").shows_default();
+  return line.run(argc, argv, [&] {
+    if (large && (redraw || parts > 0 || shard_text != "1/1"))
+      throw InvalidInput("--large goes with none of --redraw, --shard, --join: its tables are one small piece of work");
+    std::filesystem::path to = std::filesystem::path(out) / "19_accuracy_and_time";
+    if (redraw) {
+      draw(read_frozen_csv(read_text_file(to / "frozen.csv")), to);
+      return;
+    }
+    const Shard shard = shard_of(shard_text);
+    std::vector<FrozenProblem> foreign;
+    if (!folder.empty()) foreign = foreign_problems(folder);  // a bad one is said before anything is made or written
+    if (large) {
+      show_large(foreign, quick, to);
+      return;
+    }
+    std::vector<FrozenProblem> problems = own_problems();
+    std::move(foreign.begin(), foreign.end(), std::back_inserter(problems));
+    if (parts > 0) {
+      const auto folders = folders_of_parts(to, parts, "frozen_origin.txt", Holds::times);
+      return show(joined(texts_of_parts(folders, "frozen.csv")), problems, to);
+    }
+    if (shard.of > problems.size())
+      throw InvalidInput(
+          fmt::format("--shard is '{}': there are {} problems, and each part needs one", shard_text, problems.size()));
+    if (!shard.whole()) to /= shard.folder();
+    make_writable_folder(to);
+    std::size_t index = 0;
+    std::erase_if(problems, [&](const FrozenProblem&) { return !shard.has(index++); });
+    const std::string csv = study_frozen(problems, quick);
+    if (shard.whole()) {
+      show(csv, problems, to);
+    } else {
+      write_text_file(to / "frozen.csv", csv);
+      write_text_file(to / "frozen_origin.txt", origin_text(origin_here()));
+    }
+  });
+}

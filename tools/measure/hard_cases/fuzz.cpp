@@ -1,0 +1,256 @@
+#include "pushback/tools/measure/hard_cases/fuzz.h"
+
+#include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/12_soft_contacts/soft_contacts.h"
+#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
+#include "pushback/common/world/forwarding_solver.h"
+#include "pushback/common/world/measure.h"
+#include "pushback/tools/catalogue/solvers.h"
+#include "pushback/tools/measure/hard_cases/finite.h"
+#include "pushback/tools/measure/hard_cases/momentum_account.h"
+#include "pushback/tools/measure/hard_cases/watcher.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr int steps = 60;
+
+using BookedFullSolver =
+    BookedSolver<Solver, Clamping, Baumgarte, Slop, Restitution, Booked<Friction>, WarmStart, Bookkeeper>;
+using BookedSoftSolver =
+    BookedSolver<RelaxingSolver, Clamping, SoftContacts, Restitution, Booked<Friction>, WarmStart, RelaxingBookkeeper>;
+using BookedAllTogether = BookedSolver<RelaxingSolver, Clamping, SoftContacts, BookedImpacts, Booked<FrictionCone>,
+                                       BookedScaledWarmStart, RelaxingBookkeeper>;
+
+void print_scene(const RandomScene& scene) {
+  const Vec3& g = scene.world.gravity;
+  fmt::print("dt {:.9g} s, gravity ({:.6g}, {:.6g}, {:.6g}) m/s^2{}\n", scene.dt, g.x(), g.y(), g.z(),
+             scene.isolated ? ", isolated" : "");
+  struct Name {
+    std::string operator()(const Sphere& s) const { return fmt::format("sphere {:.6g}", s.radius); }
+    std::string operator()(const Box& b) const {
+      return fmt::format("box {:.6g} x {:.6g} x {:.6g}", b.half_extents.x(), b.half_extents.y(), b.half_extents.z());
+    }
+    std::string operator()(const Capsule& c) const {
+      return fmt::format("capsule {:.6g}, {:.6g}", c.radius, c.half_length);
+    }
+    std::string operator()(const HalfSpace&) const { return "half-space"; }
+    std::string operator()(const Hull& h) const { return fmt::format("hull of {} corners", h.solid->corners.size()); }
+  };
+  for (const Body& body : scene.world.bodies) {
+    fmt::print("  {:>2} {:<44} 1/m {:<10.4g} mu {:<7.3g} e {:<6.3g} |v| {:<8.3g} |w| {:.3g}\n", body.index,
+               std::visit(Name{}, body.shape), body.inverse_mass, body.friction, body.restitution, body.velocity.norm(),
+               body.angular_velocity.norm());
+  }
+}
+
+/// Around a stage's solver: what must hold within a step.
+class Felt : public ForwardingSolver {
+ public:
+  Felt(StepSolver& solver, Watcher& watcher) : solver_(solver), watcher_(watcher) {}
+  void solve(World& world, Real h, int sweeps) override {
+    solver_.solve(world, h, sweeps);
+    watcher_.feel(world);
+    before_ = world.bodies;
+  }
+  void moved(World& world, Real h) override {
+    if (broken.empty()) broken = flown(world);
+    solver_.moved(world, h);
+  }
+  std::string broken;
+
+ private:
+  StepSolver& inner() override { return solver_; }
+  const StepSolver& inner() const override { return solver_; }
+  /// What flies and turns freely keeps its kinetic energy, each body by itself.
+  std::string flown(const World& world) const {
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      const Body& body = world.bodies[i];
+      if (!body.movable()) continue;
+      const Real old_energy = before_[i].angular_velocity.dot(spin_momentum(before_[i])) / 2;
+      const Real energy = body.angular_velocity.dot(spin_momentum(body)) / 2;
+      const Vec3& inverse = body.principal_inverse_inertia;
+      const Real uneven = inverse.minCoeff() > 0 ? inverse.maxCoeff() / inverse.minCoeff() : 1;
+      const Real rounding = std::numeric_limits<Real>::epsilon() * (2e4 + 100 * uneven);
+      if (!(std::abs(energy - old_energy) <= rounding * old_energy)) {
+        return fmt::format("body {} had {:.9g} J of spin and has {:.9g} J after turning freely", i, old_energy, energy);
+      }
+    }
+    return {};
+  }
+
+  StepSolver& solver_;
+  Watcher& watcher_;
+  std::vector<Body> before_;  // as they were when they began to move
+};
+
+/// A stage's solver, and how it is stepped.
+template <class ContactSolver>
+class Watched {
+ public:
+  Watched(const RandomScene& scene, int count, int sweeps, bool log)
+      : scene_(scene), world_(scene_.world), count_(count), sweeps_(sweeps), log_(log), solver_(ledger_) {
+    constexpr Real any = std::numeric_limits<Real>::infinity();  // energy is the ledger's; overlaps are what they are
+    allowance_ = {.energy = any, .overlap = any, .isolated = scene_.isolated};
+  }
+
+  Finding run() {
+    if (log_) print_scene(scene_);
+    Watcher watcher(world_, allowance_);
+    Felt felt(solver_, watcher);
+    Finding finding;
+    for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
+      for (int i = 0; i < count_ && finding.broken.empty(); ++i) {
+        const Real dt = scene_.dt / static_cast<Real>(count_);
+        world_.step(felt, dt, sweeps_);
+        finding.broken = felt.broken.empty() ? ledger_.account.broken : felt.broken;
+        watcher.look(world_, dt);
+        if (finding.broken.empty()) finding.broken = watcher.broken();
+      }
+      finding.step = step;
+      if (log_) {
+        fmt::print("{:>3}  T {:<13.6g} |p| {:<13.6g} |L| {:<13.6g} {:>3} contacts, {:.4g} m deep  {}\n", step,
+                   kinetic_energy(world_), momentum(world_).norm(), angular_momentum(world_).norm(),
+                   world_.contacts.size(), deepest_overlap(world_), finding.broken);
+      }
+    }
+    finding.hash = hash_of(world_);
+    finding.account = ledger_.account;
+    return finding;
+  }
+
+ private:
+  RandomScene scene_;
+  World& world_;
+  int count_, sweeps_;
+  bool log_;
+  Allowance allowance_;
+  Ledger ledger_;
+  ContactSolver solver_;
+};
+
+template <class ContactSolver, int substeps, int sweeps>
+Finding watched(const RandomScene& scene, bool log) {
+  return Watched<ContactSolver>(scene, substeps, sweeps, log).run();
+}
+
+/// A solver that divides its steps itself: what is watched is the world after each.
+template <class Full>
+struct FeltWhole : Full {
+  Watcher* watcher = nullptr;
+  void solve(World& world, Real h, int sweeps) override {
+    Full::solve(world, h, sweeps);
+    feel(world);
+  }
+  void moved(World& world, Real h) override {
+    Full::moved(world, h);
+    feel(world);
+  }
+
+ private:
+  void feel(World& world) {
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+      Full::write_back(world.contacts[i], i);
+      world.contacts[i].impulse = world.contacts[i].last_impulse;  // of this substep
+    }
+    watcher->feel(world);
+  }
+};
+template <class ContactSolver>
+Finding watched_whole(const RandomScene& scene, bool log) {
+  if (log) print_scene(scene);
+  World world = scene.world;
+  constexpr Real any = std::numeric_limits<Real>::infinity();
+  Watcher watcher(world, {.energy = any, .overlap = any, .isolated = scene.isolated});
+  FeltWhole<ContactSolver> solver;
+  solver.watcher = &watcher;
+  Finding finding;
+  for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
+    world.step(solver, scene.dt);
+    watcher.look(world, scene.dt, solver.substeps);
+    finding.broken = watcher.broken();
+    finding.step = step;
+  }
+  finding.hash = hash_of(world);
+  return finding;
+}
+
+/// Each island by its own step: within that of the many, too, is felt.
+struct FeltIslands : ByIsland {
+  FeltWhole<Wide<Real>> felt;
+
+ private:
+  StepSolver& inner() override { return felt; }
+  const StepSolver& inner() const override { return felt; }
+};
+Finding watched_islands(const RandomScene& scene, bool log) {
+  if (log) print_scene(scene);
+  World world = scene.world;
+  constexpr Real any = std::numeric_limits<Real>::infinity();
+  Watcher watcher(world, {.energy = any, .overlap = any, .isolated = scene.isolated});
+  FeltIslands solver;
+  solver.felt.watcher = &watcher;
+  Finding finding;
+  for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
+    world.step(solver, scene.dt);
+    watcher.look(world, scene.dt, solver.many.substeps);
+    finding.broken = watcher.broken();
+    finding.step = step;
+  }
+  finding.hash = hash_of(world);
+  return finding;
+}
+
+struct FuzzedStage {
+  const char* name;
+  Finding (*watched)(const RandomScene& scene, bool log);
+};
+constexpr FuzzedStage stages_with_books[] = {{"07 warm start", watched<BookedFullSolver, 1, 10>},
+                                             {"11 substeps", watched<BookedFullSolver, 32, 1>},
+                                             {"12 soft contacts", watched<BookedSoftSolver, 32, 1>},
+                                             {"22 wide", watched_whole<Wide<Real>>},
+                                             {"26 by island", watched_islands},
+                                             {"all together", watched<BookedAllTogether, 32, 1>}};
+
+/// Of any solver: what it says it did.
+Finding accounted(const RandomScene& scene, const NamedSolver& named) {
+  World world = scene.world;
+  AnySolver solver = named.solver;
+  MomentumAccount account(world);
+  Finding finding;
+  for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
+    world.step(solver, scene.dt);
+    finding.step = step;
+    if (finite(world)) finding.broken = account.look(world, scene.dt);
+    else if (named.name != "00 naive") finding.broken = "not finite";
+    else break;  // chapter 00 says so itself
+  }
+  finding.hash = hash_of(world);
+  return finding;
+}
+
+}  // namespace
+
+std::vector<std::string> fuzzed_stages() {
+  std::vector<std::string> all;
+  for (const NamedSolver& solver : all_solvers()) all.push_back(solver.name);
+  return all;
+}
+
+Finding fuzz(const RandomScene& scene, const std::string& stage, bool log) {
+  const NamedSolver& solver = solver_named(stage);
+  try {
+    const Finding finding = accounted(scene, solver);
+    for (const FuzzedStage& with_books : stages_with_books)
+      if (finding.broken.empty() && with_books.name == stage) return with_books.watched(scene, log);
+    return finding;
+  } catch (const InvalidInput& refused) {  // a part of a step began from what the part before had left
+    Finding finding;
+    finding.broken = refused.what();
+    return finding;
+  }
+}
+
+}  // namespace pushback

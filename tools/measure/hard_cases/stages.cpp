@@ -1,0 +1,180 @@
+#include "pushback/tools/measure/hard_cases/stages.h"
+
+#include <memory>
+
+#include "pushback/chapters/14_joints_under_load/split_joints.h"
+#include "pushback/chapters/17_direct_contacts/warm_direct_contacts.h"
+#include "pushback/chapters/19_accuracy_and_time/seat.h"
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
+#include "pushback/common/basics/named.h"
+
+namespace pushback {
+
+namespace {
+
+/// Hands on the calls of a step, one by one: a solver with a step of its own (StepSolver::whole_step) solves as others do.
+class CallByCall : public ForwardingSolver {
+ public:
+  explicit CallByCall(AnySolver solver) : solver_(std::move(solver)) {}
+
+ private:
+  StepSolver& inner() override { return solver_; }
+  const StepSolver& inner() const override { return solver_; }
+  AnySolver solver_;
+};
+
+/// Hands every contact to the solver twice, each under an id of its own. In the world there is one, with the sum.
+class Doubled : public ForwardingSolver {
+ public:
+  explicit Doubled(AnySolver solver) : solver_(std::move(solver)) {}
+  void detected(World& world, Real h) override {
+    if (plan(Real(1) / 60).substeps > 1)
+      for (Contact& contact : twice_) contact.impulse = contact.last_impulse;
+    world.contacts_before = twice_;
+    twice_.clear();
+    for (const Contact& contact : world.contacts) {
+      for (const std::uint32_t copy : {0U, 1U}) {  // side by side: the list still ascends
+        twice_.push_back(contact);
+        twice_.back().id.feature = 2 * contact.id.feature + copy;
+      }
+    }
+    with_each_twice(world, [&] { solver_.detected(world, h); });
+  }
+  void solve(World& world, Real h, int sweeps) override {
+    with_each_twice(world, [&] { solver_.solve(world, h, sweeps); });
+  }
+  void moved(World& world, Real h) override {
+    with_each_twice(world, [&] { solver_.moved(world, h); });
+  }
+  /// A contact stays as long as one of its copies does.
+  void done(World& world) override {
+    if (plan(Real(1) / 60).substeps == 1)
+      for (Contact& contact : twice_) contact.last_impulse = contact.impulse;
+    world.contacts.swap(twice_);
+    solver_.done(world);
+    world.contacts.swap(twice_);
+    auto copy = twice_.begin();  // both lists ascend
+    std::erase_if(world.contacts, [&](Contact& contact) {
+      contact.impulse.setZero();
+      contact.last_impulse.setZero();
+      bool stays = false;
+      const auto is_of = [&contact](ContactId id) {
+        id.feature /= 2;
+        return id == contact.id;
+      };
+      for (; copy != twice_.end() && is_of(copy->id); ++copy, stays = true) {
+        contact.normal = copy->normal;
+        contact.depth = copy->depth;
+        contact.impulse += copy->impulse;
+        contact.last_impulse += copy->last_impulse;
+        contact.state = copy->state;
+      }
+      return !stays;
+    });
+  }
+
+ private:
+  template <class Work>
+  void with_each_twice(World& world, const Work& work) {
+    world.contacts.swap(twice_);
+    work();
+    world.contacts.swap(twice_);
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+      world.contacts[i].impulse = twice_[2 * i].impulse + twice_[2 * i + 1].impulse;
+      world.contacts[i].state = twice_[2 * i].state;
+    }
+  }
+  StepSolver& inner() override { return solver_; }
+  const StepSolver& inner() const override { return solver_; }
+  AnySolver solver_;
+  Contacts twice_;
+};
+
+Stepper steps_by(AnySolver solver) {
+  const auto held = std::make_shared<AnySolver>(std::move(solver));
+  Stepper stepper{[held](World& world, Real dt) { world.step(*held, dt); }};
+  if (const auto* by_island = held->as<ByIsland>())
+    stepper.half_steps = [held, by_island](int body) { return by_island->moved_by(body) != MovedBy::substeps; };
+  return stepper;
+}
+
+/// `choose` sees the world before its first step.
+template <class Choose>
+Stepper needed_steps_by(const Choose& choose) {
+  return {[choose, solver = std::optional<OnlyWhatIsNeeded>{}](World& world, Real dt) mutable {
+    if (!solver) solver.emplace(choose(world));
+    solver->step(world, dt);
+  }};
+}
+
+/// Of one world, in all of its steps: some minutes.
+constexpr double most_multiplications = 4e10;
+
+Stage direct_stage() {
+  Solver<SplitJoints, Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmDirectContacts> solver;
+  solver.WarmDirectContacts::tolerance = 1e-7;
+  solver.too_far = 1e-6;
+  solver.rounds = 1;
+  solver.work = most_multiplications;
+  const AnySolver any = solver;
+  const auto fitting = [any](const World& world, std::optional<Sleep> sleep) {
+    return OnlyWhatIsNeeded(world, any, std::move(sleep));
+  };
+  Stage stage{{"19 direct contacts",
+               "08 friction cone on a seat, all contacts of a step solved directly: from one start, within 4·10¹⁰ "
+               "multiplications",
+               any, fitting}};
+  stage.most_starts = 1;
+  return stage;
+}
+
+}  // namespace
+
+Stepper Stage::begin() const {
+  if (!only_needed) return steps_by(solver);
+  return needed_steps_by([choose = fitting](const World& world) { return choose(world, {}); });
+}
+
+Stepper Stage::begin_call_by_call() const {
+  const CallByCall calls(solver);
+  if (!only_needed) return steps_by(calls);
+  return needed_steps_by([calls](const World& world) { return OnlyWhatIsNeeded(world, calls); });
+}
+
+Stepper Stage::begin_doubled() const {
+  const Doubled doubled(solver);
+  if (!only_needed) return steps_by(doubled);
+  return needed_steps_by([doubled](const World& world) { return OnlyWhatIsNeeded(world, doubled); });
+}
+
+const std::vector<Stage>& stages() {
+  static const std::vector<Stage> all = [] {
+    std::vector<Stage> list;
+    for (const NamedSolver& solver : all_solvers()) {
+      list.push_back({solver});
+      list.back().half_steps = solver.solver.as<ByIsland>() != nullptr;
+    }
+    return list;
+  }();
+  return all;
+}
+
+const std::vector<Stage>& table_stages() {
+  static const std::vector<Stage> all = [] {
+    std::vector<Stage> list = stages();
+    list.push_back(direct_stage());
+    return list;
+  }();
+  return all;
+}
+
+Stage only_what_is_needed(Stage stage) {
+  stage.only_needed = true;
+  return stage;
+}
+
+const Stage& stage_named(const std::string& name) {
+  return named("stage", table_stages(), name);
+}
+
+}  // namespace pushback

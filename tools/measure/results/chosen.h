@@ -1,0 +1,33 @@
+/// Of cases, stages and settings, those that are asked for.
+#pragma once
+
+#include "pushback/common/basics/named.h"
+
+namespace pushback {
+
+/// Those that the words ask for, in their own order: by the whole name, or else by a part of it. All, without words. Throws InvalidInput,
+/// naming all there are, where a word fits none.
+template <class Named>
+std::vector<Named> chosen(const std::string& kind, const std::vector<Named>& all,
+                          const std::vector<std::string>& words) {
+  std::vector<bool> wanted(all.size(), words.empty());
+  for (const std::string& word : words) {
+    const auto mark = [&](auto&& fits) {
+      bool any = false;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        if (fits(all[i].name)) wanted[i] = any = true;
+      }
+      return any;
+    };
+    if (mark([&](const std::string& name) { return name == word; })) continue;
+    if (!word.empty() && mark([&](const std::string& name) { return name.find(word) != std::string::npos; })) continue;
+    named(kind, all, word);  // refuses it
+  }
+  std::vector<Named> list;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (wanted[i]) list.push_back(all[i]);
+  }
+  return list;
+}
+
+}  // namespace pushback

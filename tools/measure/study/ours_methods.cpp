@@ -1,0 +1,44 @@
+/// The program `motion_methods`: methods of the literature that are no chapter play the motions. docs/methods.md says what came of it.
+#include "pushback/tools/measure/study/every_motion.h"
+#include "pushback/tools/measure/study/ours.h"
+#include "pushback/tools/methods/methods.h"
+
+using namespace pushback;
+
+namespace {
+
+bool has_bounces(const Motion& motion) {
+  World world;
+  motion.fill(world);
+  return std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.restitution > 0; });
+}
+
+template <class ContactSolver>
+Method method(const std::string& name, const std::string& title) {
+  constexpr bool bounces = requires(ContactSolver solver) { solver.threshold; };
+  ContactSolver solver;
+  if constexpr (bounces) solver.threshold = 0;                        // bounces are compared at every speed
+  if constexpr (requires { solver.slop; }) solver.slop = Real(1e-4);  // as `slim` has it
+  return {.name = name,
+          .title = title,
+          .plays =
+              [holds = solver.holds_joints()](const Motion& motion) {
+                return (motion.pins.empty() || holds) && (bounces || !has_bounces(motion));
+              },
+          .begin = [any = AnySolver(solver)](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
+            const bool counts_rows = !std::same_as<ContactSolver, Avbd> && !std::same_as<ContactSolver, Sap>;
+            return std::make_unique<Ours>(motion, setting, any, counts_rows);
+          },
+          .sweeps = !std::same_as<ContactSolver, Sap>};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<Method> methods{method<Xpbd>("xpbd", "positions corrected, velocities from them"),
+                                    method<Avbd>("avbd", "a block of 6 x 6 for each body"),
+                                    method<ConjugateSolver>("nncg", "conjugate gradients over sweeps"),
+                                    method<Sap>("sap", "a convex function of all velocities, by Newton's method")};
+  return play_program(argc, argv, "Plays a motion by methods of the literature that are no chapter.",
+                      fmt::format("Pushback, other methods; {}", built_by()), methods);
+}

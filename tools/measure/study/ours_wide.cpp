@@ -1,0 +1,86 @@
+/// The program `motion_wide`: the solvers that divide each step themselves play the motions.
+#include "pushback/chapters/22_wide/wide.h"
+#include "pushback/chapters/24_half_step/composition.h"
+#include "pushback/chapters/25_moment_of_impact/at_impacts.h"
+#include "pushback/chapters/27_which_error/within_error.h"
+#include "pushback/tools/measure/study/every_motion.h"
+#include "pushback/tools/measure/study/play.h"
+
+using namespace pushback;
+
+namespace {
+
+/// Springs that are as hard as the substeps allow, beyond 240 Hz.
+struct WideAndStiff : Wide<double> {
+  WideAndStiff() { spring.hertz = Real(1e6); }
+};
+
+template <class ContactSolver>
+constexpr bool is_half_step = std::derived_from<ContactSolver, HalfStep>;
+
+/// A solver that divides each step of 1/60 s.
+template <class ContactSolver>
+class Divides : public Player {
+ public:
+  Divides(const Motion& motion, const Setting& setting)
+      : sweeps_(setting.sweeps),
+        sweeps_all_(!is_half_step<ContactSolver> &&
+                    (motion.pins.empty() || std::is_same_v<ContactSolver, DetectedOnce>)) {
+    if constexpr (std::derived_from<ContactSolver, ByIsland>) solver_.many.threshold = solver_.few.threshold = 0;
+    else solver_.threshold = 0;  // bounces are compared at every speed
+    motion.begin(world_);
+  }
+  void frame(int substeps) override {
+    if constexpr (std::same_as<ContactSolver, WithinError>) solver_.error = Real(1e-3) / static_cast<Real>(substeps);
+    else if constexpr (std::same_as<ContactSolver, ByIsland>) solver_.few.substeps = substeps;
+    else solver_.substeps = substeps;
+    const std::size_t before = rows_solved;
+    world_.step(solver_, Real(1) / frames_per_second, sweeps_);
+    rows_solved_ += rows_solved - before;
+  }
+  Eigen::Vector3d place(std::size_t body) const override {
+    return world_.bodies[body].position.template cast<double>();
+  }
+  std::optional<double> row_solves() const override {
+    if (!sweeps_all_) return {};
+    return static_cast<double>(rows_solved_);
+  }
+
+ private:
+  World world_;
+  ContactSolver solver_;
+  int sweeps_;
+  bool sweeps_all_;              // joints, too
+  std::size_t rows_solved_ = 0;  // by this player's steps
+};
+
+template <class ContactSolver>
+Method method(const std::string& name, const std::string& title) {
+  return {.name = name,
+          .title = title,
+          .plays =
+              [](const Motion& motion) {
+                if constexpr (std::derived_from<ContactSolver, Composed<Suzuki>>) return !has_contacts(motion);
+                return !std::same_as<ContactSolver, WideAndStiff> || motion.pins.empty();
+              },
+          .begin = [](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
+            return std::make_unique<Divides<ContactSolver>>(motion, setting);
+          },
+          .sweeps = !is_half_step<ContactSolver>};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<Method> methods{method<DetectedOnce>("once", "detected once"),
+                                    method<Wide<double>>("wide", "detected once, wide"),
+                                    method<Wide<float>>("wide-float", "detected once, wide, rows in float"),
+                                    method<WideAndStiff>("wide-stiff", "detected once, wide, springs without a limit"),
+                                    method<ByIsland>("by-island", "each island by what it calls for"),
+                                    method<WithinError>("within", "within 1 mm, divided by these substeps"),
+                                    method<HalfStep>("half-step", "kick, drift, kick"),
+                                    method<Composed<Suzuki>>("order-4", "five of these, of fourth order"),
+                                    method<AtImpacts>("impact", "kick, drift, kick, cut at impacts")};
+  return play_program(argc, argv, "Plays a motion by the solvers that divide each 1/60 s themselves.",
+                      fmt::format("Pushback, steps divided by the solver; {}", built_by()), methods);
+}

@@ -1,0 +1,228 @@
+#include "pushback/tools/measure/study/play.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <sstream>
+
+#include "pushback/common/basics/quantile.h"
+#include "pushback/common/experiment/program.h"
+#include "pushback/tools/measure/study/every_motion.h"
+#include "pushback/tools/measure/study/kit.h"
+#include "pushback/tools/measure/study/stopwatch.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr double lost_beyond = 1e4;  // m
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Plays once, and keeps the places of every frame: with the stopwatch at rest.
+struct Playing {
+  std::vector<Places> places;
+  double seconds = 0;
+  std::optional<double> row_solves;
+  bool lost = false, late = false;
+
+  Playing(const Motion& motion, const Method& method, const Setting& setting, double at_most, std::size_t bodies)
+      : places(static_cast<std::size_t>(motion.frames()), Places(bodies)) {
+    const std::unique_ptr<Player> player = method.begin(motion, setting);
+    const auto begin = std::chrono::steady_clock::now();
+    Stopwatch own;
+    try {
+      for (Places& frame : places) {
+        own.go();
+        player->frame(setting.substeps);
+        own.stop();
+        for (std::size_t body = 0; body < bodies; ++body) frame[body] = player->place(body);
+        if (seconds_since(begin) > at_most) {
+          late = &frame != &places.back();
+          break;
+        }
+      }
+    } catch (const InvalidInput&) {  // a state that is no number any more
+      lost = true;
+    }
+    seconds = player->seconds().value_or(own.seconds());
+    row_solves = player->row_solves();
+  }
+};
+
+/// Plays once more, and does nothing else: where a frame takes a microsecond, a stopwatch that stops at each is felt.
+double seconds_of(const Motion& motion, const Method& method, const Setting& setting) {
+  const std::unique_ptr<Player> player = method.begin(motion, setting);
+  const int frames = motion.frames();
+  Stopwatch own;
+  own.go();
+  try {
+    for (int i = 0; i < frames; ++i) player->frame(setting.substeps);
+  } catch (const InvalidInput&) {
+    own.stop();  // where it was lost before
+    return player->seconds().value_or(own.seconds());
+  }
+  own.stop();
+  return player->seconds().value_or(own.seconds());
+}
+
+double largest_error(const std::vector<Places>& places, const std::vector<Places>& truth) {
+  double largest = 0;
+  for (std::size_t frame = 0; frame < places.size(); ++frame) {
+    for (std::size_t body = 0; body < places[frame].size(); ++body) {
+      const double error = (places[frame][body] - truth[frame][body]).norm();
+      if (!(error < lost_beyond)) return no_error_known;
+      largest = std::max(largest, error);
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+Played play(const Motion& motion, const std::vector<Places>& truth, const Method& method, const Setting& setting,
+            const Patience& patience) {
+  World world;
+  motion.fill(world);
+  const Playing once(motion, method, setting, patience.at_most, world.bodies.size());
+  Played played{.error = once.lost || once.late ? no_error_known : largest_error(once.places, truth),
+                .seconds = once.seconds,
+                .row_solves = once.row_solves,
+                .late = once.late};
+  if (once.late || once.seconds >= patience.at_least) return played;
+  std::vector<double> times;
+  for (double spent = 0; spent < patience.at_least && times.size() < 1000; spent += times.back())
+    times.push_back(seconds_of(motion, method, setting));
+  played.seconds = median(times);
+  return played;
+}
+
+namespace {
+
+struct Asked {
+  const Method* method;
+  Setting setting;
+};
+
+void list(const std::vector<Motion>& motions) {
+  for (const Motion& motion : motions) fmt::print("{}: {}\n", motion.name, motion.title);
+}
+
+void list(const std::vector<Method>& methods, const Motion& motion) {
+  for (const Method& method : methods)
+    if (method.plays(motion))
+      fmt::print("{}{}: {}\n", method.name, method.sweeps ? "/SMALL-STEPS/SWEEPS" : "/SMALL-STEPS", method.title);
+}
+
+int number_in(const std::string& text, const std::string& asked, int most) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > most)
+    throw InvalidInput(fmt::format("'{}' in '{}': a whole number from 1 to {} is needed", text, asked, most));
+  return number;
+}
+
+Asked read(const std::string& asked, const Motion& motion, const std::vector<Method>& methods) {
+  std::vector<std::string> words;
+  std::istringstream parts(asked);
+  for (std::string word; std::getline(parts, word, '/');) words.push_back(word);
+  if (words.empty()) words.emplace_back();
+  std::vector<std::string> names;
+  for (const Method& method : methods) {
+    if (!method.plays(motion)) continue;
+    names.push_back(method.name);
+    if (words[0] != method.name) continue;
+    const std::size_t numbers = method.sweeps ? 2 : 1;
+    if (words.size() != 1 + numbers)
+      throw InvalidInput(
+          fmt::format("'{}': {}/SMALL-STEPS{} is needed", asked, method.name, method.sweeps ? "/SWEEPS" : ""));
+    Asked read{&method, {.substeps = number_in(words[1], asked, 1 << 16)}};
+    if (method.sweeps) read.setting.sweeps = number_in(words[2], asked, 1 << 20);
+    return read;
+  }
+  if (names.empty()) throw InvalidInput(fmt::format("method is '{}': none plays {}", words[0], motion.name));
+  throw InvalidInput(fmt::format("method is '{}': one of {} plays {}", words[0], fmt::join(names, ", "), motion.name));
+}
+
+/// Returns whether nothing was wrong.
+bool check(const std::vector<Method>& methods) {
+  bool right = true;
+  for (const Method& method : methods) {
+    fmt::print("{}: {}; in {}\n", method.name, method.title, kit_setting(method));
+    for (const Finding& finding : findings_of(method)) {
+      fmt::print("  {} {}: {}\n", std::array{"✓", "✗", "–"}[finding.is], finding.about, finding.says);
+      right = right && finding.is != Finding::wrong;
+    }
+    std::fflush(stdout);
+  }
+  return right;
+}
+
+bool is_more_work(const Asked& one, const Asked& than) {
+  return one.method == than.method && one.setting.substeps >= than.setting.substeps &&
+         one.setting.sweeps >= than.setting.sweeps;
+}
+
+}  // namespace
+
+std::string built_by() {
+#ifdef __clang__
+  return fmt::format("{}, {}", __VERSION__, PUSHBACK_FLAGS);
+#else
+  return fmt::format("g++ {}, {}", __VERSION__, PUSHBACK_FLAGS);
+#endif
+}
+
+int play_program(int argc, const char* const* argv, const std::string& about, const std::string& version,
+                 const std::vector<Method>& methods) {
+  CommandLine line(about);
+  line.version(version, "Which engine plays, of which version, built how");
+  std::string motion_name;
+  std::vector<std::string> settings;
+  Patience patience;
+  line.option("motion", motion_name, "What is played; without, the motions are listed");
+  line.option("settings", settings, "METHOD/SMALL-STEPS/SWEEPS ...; without, the motion's methods are listed");
+  line.option("--at-least", patience.at_least, "Each is played again until that took so long, s")
+      .between(0.0, 60.0)
+      .shows_default();
+  line.option("--at-most", patience.at_most, "Each is given up after so long, s").between(0.0, 3600.0).shows_default();
+  bool checks = false, right = true;
+  line.flag("--check", checks,
+            "Nothing is played: thirteen plain questions, and what the engine does; exit status 1 where one is wrong");
+  const int status = line.run(argc, argv, [&] {
+    if (checks) {
+      right = check(methods);
+      return;
+    }
+    require_between("--at-least", static_cast<Real>(patience.at_least), 0, 60);  // the ranges above let nan pass
+    require_between("--at-most", static_cast<Real>(patience.at_most), 0, 3600);
+    if (motion_name.empty()) return list(every_motion());
+    const Motion& motion = any_motion_named(motion_name);
+    if (settings.empty()) return list(methods, motion);
+    std::vector<Asked> all;
+    for (const std::string& setting : settings) all.push_back(read(setting, motion, methods));
+    const std::vector<Places> truth = motion.truth(motion.frames());  // once: of the chain it takes half a second
+    std::vector<Asked> late;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool hopeless =
+          std::any_of(late.begin(), late.end(), [&](const Asked& before) { return is_more_work(all[i], before); });
+      const Played played = hopeless ? Played{.error = no_error_known, .late = true}
+                                     : play(motion, truth, *all[i].method, all[i].setting, patience);
+      if (played.late) late.push_back(all[i]);
+      fmt::print("{} error {} seconds {:.4e} row-solves {}\n", settings[i],
+                 std::isfinite(played.error) ? fmt::format("{:.4e}", played.error)
+                 : played.late               ? "late"
+                                             : "lost",
+                 played.seconds, played.row_solves ? fmt::format("{:.4e}", *played.row_solves) : "–");
+      std::fflush(stdout);
+    }
+  });
+  return right ? status : 1;
+}
+
+}  // namespace pushback

@@ -1,0 +1,318 @@
+#include "pushback/tools/measure/study/rounds.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "pushback/common/basics/input.h"
+#include "pushback/common/basics/process.h"
+#include "pushback/tools/measure/results/csv.h"
+
+namespace pushback::study {
+
+namespace {
+
+constexpr double slack = 1.25;  // times as slow as the front, and still timed again
+
+/// Nothing where the program crashed.
+std::optional<std::vector<std::string>> said_or_crashed(const std::vector<std::string>& command) {
+  const Ended ended = run_program(command);
+  if (ended.signal != 0) return {};
+  if (ended.status != 0) throw std::runtime_error(fmt::format("'{}' failed: {}", fmt::join(command, " "), ended.err));
+  return lines_of(ended.out);
+}
+
+std::vector<std::string> said_by(const std::vector<std::string>& command) {
+  auto said = said_or_crashed(command);
+  if (!said) throw std::runtime_error(fmt::format("'{}' failed: it crashed", fmt::join(command, " ")));
+  return *std::move(said);
+}
+
+bool read_number(const std::string& word, double& into) {
+  const char* end = word.data() + word.size();
+  const auto read = std::from_chars(word.data(), end, into);
+  return read.ec == std::errc() && read.ptr == end;
+}
+
+/// m; infinite where it was lost or late; nothing where it is no error.
+std::optional<double> error_in(const std::string& word) {
+  if (word == "late" || word == "lost") return std::numeric_limits<double>::infinity();
+  double error = 0;
+  if (!read_number(word, error) || !(error >= 0)) return {};
+  return error;
+}
+
+constexpr const char* no_measure = "–";
+
+/// Whether it is a count, or says that there is none.
+bool read_row_solves(const std::string& word, Measured& into) {
+  into.row_solves.reset();
+  if (word == no_measure) return true;
+  double count = 0;
+  if (!read_number(word, count) || !(count >= 0)) return false;
+  into.row_solves = count;
+  return true;
+}
+
+using Indices = std::vector<std::size_t>;
+
+class Asking {
+ public:
+  Asking(const Motion& motion, const RoundOptions& options) : motion_(motion), options_(options) {}
+
+  /// Everything that the engine offers, on the grid.
+  Measurements grid(const std::string& engine) const {
+    Measurements all;
+    for (const std::string& line : said_by(command(engine))) {
+      const std::string method = line.substr(0, line.find_first_of("/:"));
+      if (!is_asked_for(method)) continue;
+      const bool sweeps = line.find("/SWEEPS") < line.find(':');
+      for (int substeps = 1; substeps <= most_substeps(); substeps *= options_.quick ? 4 : 2) {
+        for (int n = 1; n <= motion_.most_sweeps && n * substeps <= most_passes(); n *= 4) {
+          all.push_back({.engine = engine, .method = method, .substeps = substeps, .sweeps = sweeps ? n : 0});
+          if (!sweeps) break;
+        }
+      }
+    }
+    return all;
+  }
+  /// Plays those with these indices once more. Where the engine crashes, each is played by itself: what crashes alone is lost.
+  void play(Measurements& all, const Indices& which) const {
+    for (std::size_t first = 0; first < which.size();) {  // those of one engine in one call
+      const std::string engine = all[which[first]].engine;
+      std::vector<std::string> asked = command(engine);
+      std::size_t last = first;
+      for (; last < which.size() && all[which[last]].engine == engine; ++last)
+        asked.push_back(all[which[last]].setting());
+      for (const std::string& word : patience()) asked.push_back(word);
+      const auto lines = said_or_crashed(asked);
+      if (lines && lines->size() != last - first)
+        throw std::runtime_error(
+            fmt::format("{} printed {} lines for {} settings", engine, lines->size(), last - first));
+      for (std::size_t i = first; i < last; ++i) {
+        if (lines) read((*lines)[i - first], all[which[i]]);
+        else if (last - first > 1) play(all, {which[i]});
+        else lose(all[which[i]]);
+      }
+      first = last;
+    }
+  }
+
+ private:
+  bool is_asked_for(const std::string& method) const {
+    const std::vector<std::string>& only = options_.methods;
+    return only.empty() || std::find(only.begin(), only.end(), method) != only.end();
+  }
+  int most_substeps() const { return options_.quick ? std::min(64, motion_.most_substeps) : motion_.most_substeps; }
+  int most_passes() const { return options_.quick ? std::max(1, motion_.most_passes / 8) : motion_.most_passes; }
+  std::vector<std::string> command(const std::string& engine) const {
+    return {(options_.programs / engine).string(), motion_.name};
+  }
+  std::vector<std::string> patience() const {
+    if (options_.quick) return {"--at-least", "0", "--at-most", "0.15"};
+    return {"--at-most", "5"};
+  }
+  static void read(const std::string& line, Measured& into) {
+    std::istringstream in(line);
+    std::string setting, word, error, row_solves;
+    double seconds = 0;
+    in >> setting >> word >> error >> word >> seconds >> word >> row_solves;
+    const auto found = error_in(error);
+    if (!in || setting != into.setting() || !found || (std::isfinite(*found) && !(seconds > 0)) ||
+        !read_row_solves(row_solves, into))
+      throw std::runtime_error(fmt::format("{} printed no measurement of {}: '{}'", into.engine, into.setting(), line));
+    into.late = error == "late";
+    into.error = *found;
+    into.seconds.insert(std::upper_bound(into.seconds.begin(), into.seconds.end(), seconds), seconds);
+  }
+
+  void lose(Measured& one) const {
+    options_.say(fmt::format("{}: {} crashed, by {}", motion_.name, one.engine, one.setting()));
+    one.error = std::numeric_limits<double>::infinity();
+    one.seconds.insert(one.seconds.begin(), 0);  // nobody knows
+  }
+
+  const Motion& motion_;
+  const RoundOptions& options_;
+};
+
+/// From `first` on.
+Indices indices_of_those_near_front(const Measurements& all, std::size_t first) {
+  const Measurements latest = robust({all.begin() + static_cast<std::ptrdiff_t>(first), all.end()});
+  Indices found;
+  for (std::size_t i = 0; i < latest.size(); ++i)
+    if (is_near_front(latest[i], latest, slack)) found.push_back(first + i);
+  return found;
+}
+
+}  // namespace
+
+namespace {
+
+const std::vector<Engine> known_engines{{"motion", "ours, double", 0},
+                                        {"motion_float", "ours, float", 0, true},
+                                        {"motion_wide", "ours, 21 to 27", 6},
+                                        {"motion_bullet", "Bullet, float", 1, true},
+                                        {"motion_bullet_double", "Bullet, double", 1},
+                                        {"motion_ode", "ODE, double", 2},
+                                        {"motion_mujoco", "MuJoCo, double", 3},
+                                        {"motion_box3d", "Box3D, float", 4},
+                                        {"motion_jolt", "Jolt, float", 5}};
+
+}  // namespace
+
+std::vector<Engine> engines_of_methods() {
+  return {known_engines[0], known_engines[2], {"motion_methods", "other methods", 1}};
+}
+
+Engine engine_of_mine() {
+  return {"motion_mine", "mine", 7};
+}
+
+Engine engine_of_adapter() {
+  return {"motion_adapter", "entered", 7};
+}
+
+std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others) {
+  const auto is_there = [&](const Engine& engine) { return std::filesystem::exists(programs / engine.program); };
+  const auto theirs = known_engines.begin() + 3;
+  std::vector<Engine> found(known_engines.begin(), known_engines.begin() + 2);
+  std::copy_if(known_engines.begin() + 2, others ? known_engines.end() : theirs, std::back_inserter(found), is_there);
+  if (others && std::none_of(theirs, known_engines.end(), is_there))
+    throw std::runtime_error("no other engine's program is there: configure with -DPUSHBACK_PEERS=ON");
+  return found;
+}
+
+std::vector<Piece> pieces_of(const std::vector<const Motion*>& motions, const std::vector<Engine>& engines,
+                             const Shard& shard) {
+  std::vector<Piece> all;
+  for (const Motion* motion : motions) {
+    for (const Engine& engine : engines) {
+      const bool alone = shard.of > motions.size() && engine.program != "motion_float";
+      if (&engine == &engines.front() || alone) all.push_back({motion, {}});
+      all.back().engines.push_back(engine);
+    }
+  }
+  if (shard.of > all.size())
+    throw InvalidInput(fmt::format(
+        "--shard is '{}/{}': there are {} motions and engines to them, {} pieces in all, and each part needs one",
+        shard.part, shard.of, motions.size(), all.size()));
+  std::size_t index = 0;
+  std::erase_if(all, [&](const Piece&) { return !shard.has(index++); });
+  return all;
+}
+
+AllMeasured together(const std::vector<AllMeasured>& parts) {
+  AllMeasured all;
+  for (const AllMeasured& part : parts)
+    for (const auto& [motion, measured] : part) all[motion].insert(all[motion].end(), measured.begin(), measured.end());
+  const auto place = [](const Measured& one) {
+    return std::find_if(known_engines.begin(), known_engines.end(),
+                        [&](const Engine& engine) { return engine.program == one.engine; });
+  };
+  for (auto& [motion, measured] : all)
+    std::stable_sort(measured.begin(), measured.end(),
+                     [&](const Measured& a, const Measured& b) { return place(a) < place(b); });
+  return all;
+}
+
+std::vector<Engine> engines_of(const AllMeasured& all) {
+  std::vector<Engine> found, possible = known_engines;
+  possible.push_back(engines_of_methods().back());
+  possible.push_back(engine_of_adapter());
+  for (const Engine& engine : possible) {
+    const auto is_its = [&](const Measured& one) { return one.engine == engine.program; };
+    if (std::any_of(all.begin(), all.end(),
+                    [&](const auto& of) { return std::any_of(of.second.begin(), of.second.end(), is_its); }))
+      found.push_back(engine);
+  }
+  return found;
+}
+
+std::string version_of(const Engine& engine, const std::filesystem::path& programs) {
+  const auto lines = said_by({(programs / engine.program).string(), "--version"});
+  if (lines.size() != 1) throw std::runtime_error(fmt::format("{} does not say its version", engine.program));
+  return lines[0];
+}
+
+Measurements measure(const Motion& motion, const RoundOptions& options) {
+  const Asking asking(motion, options);
+  Measurements all;
+  Indices near;
+  for (const Engine& engine : options.engines) {
+    options.say(fmt::format("{}: {}", motion.name, engine.title));
+    const std::size_t first = all.size();
+    if (engine.program == "motion_float") {
+      for (const std::size_t i : near) {
+        Measured one = all[i];
+        one.engine = engine.program;
+        one.seconds.clear();
+        all.push_back(one);
+      }
+    } else {
+      const Measurements grid = asking.grid(engine.program);
+      all.insert(all.end(), grid.begin(), grid.end());
+    }
+    Indices latest;
+    for (std::size_t i = first; i < all.size(); ++i) latest.push_back(i);
+    asking.play(all, latest);
+    latest = indices_of_those_near_front(all, first);
+    near.insert(near.end(), latest.begin(), latest.end());
+  }
+  for (int round = 1; round <= options.rounds; ++round) {
+    options.say(
+        fmt::format("{}: round {} of {}, {} settings near a front", motion.name, round, options.rounds, near.size()));
+    asking.play(all, near);
+  }
+  return all;
+}
+
+namespace {
+
+constexpr const char* csv_heading =
+    "motion,engine,method,substeps,sweeps,error_m,row_solves,median_s,quartile1_s,quartile3_s,all_s";
+
+}  // namespace
+
+std::string csv_of(const AllMeasured& all) {
+  std::string text = fmt::format("{}\n", csv_heading);
+  for (const auto& [motion, measured] : all)
+    for (const Measured& one : measured)
+      text += fmt::format("{},{},{},{},{},{},{},{:.4e},{:.4e},{:.4e},{:.4e}\n", motion, one.engine, one.method,
+                          one.substeps, one.sweeps,
+                          one.late                   ? "late"
+                          : std::isfinite(one.error) ? fmt::format("{:.4e}", one.error)
+                                                     : "lost",
+                          one.row_solves ? fmt::format("{:.4e}", *one.row_solves) : no_measure, one.median(),
+                          one.quartile(1), one.quartile(3), fmt::join(one.seconds, " "));
+  return text;
+}
+
+AllMeasured read_csv(const std::string& text) {
+  AllMeasured all;
+  read_csv_lines(text, csv_heading, [&](const std::vector<std::string>& fields) {
+    Measured one{.engine = fields[1],
+                 .method = fields[2],
+                 .substeps = csv_number<int>(fields[3]),
+                 .sweeps = csv_number<int>(fields[4])};
+    const auto error = error_in(fields[5]);
+    if (!error || !read_row_solves(fields[6], one)) throw InvalidInput("an error and a count are needed");
+    one.late = fields[5] == "late";
+    one.error = *error;
+    for (const std::size_t of_all : {7, 8, 9}) csv_number<double>(fields[of_all]);  // for who draws by other means
+    std::istringstream times(fields[10]);
+    for (std::string time; times >> time;) one.seconds.push_back(csv_number<double>(time));
+    if (one.seconds.empty()) throw InvalidInput("a time is needed");
+    std::sort(one.seconds.begin(), one.seconds.end());
+    all[fields[0]].push_back(one);
+  });
+  return all;
+}
+
+}  // namespace pushback::study

@@ -1,9 +1,0 @@
-#include "pushback/tools/peers/peer.h"
-
-namespace pushback {
-
-std::vector<PeerSetting> settings_of_peer() {
-  return peer_settings();
-}
-
-}  // namespace pushback
