@@ -86,7 +86,7 @@ TEST_CASE("the committed outcomes are of every case under every setting, and its
 TEST_CASE("what cannot be meant, or is not built: status 2, and nothing is written") {
   const Scratch scratch;
   for (const auto& [arguments, named] :
-       std::vector<std::pair<std::string, std::string>>{{"stack", "case is 'stack'"},
+       std::vector<std::pair<std::string, std::string>>{{"stakc", "case is 'stakc'"},
                                                         {"--settings PhysX", "setting is 'PhysX'"},
                                                         {"--settings Bulet --renew", "setting is 'Bulet'"},
                                                         {"--at-most nan", "--at-most"},

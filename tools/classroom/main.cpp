@@ -1,15 +1,13 @@
 /// ./course exercise: what there is to do, and how far one's own file is from right.
-#include <chrono>
 #include <random>
-#include <thread>
 
 #include "pushback/common/basics/files.h"
-#include "pushback/common/basics/process.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/classroom/attempt.h"
 #include "pushback/tools/classroom/kit.h"
 #include "pushback/tools/classroom/own_tasks.h"
 #include "pushback/tools/classroom/package.h"
+#include "pushback/tools/classroom/reader.h"
 #include "pushback/tools/classroom/student_files.h"
 
 using namespace pushback;
@@ -66,19 +64,8 @@ Checked checked(const Exercise& exercise, StudentFiles& files, const Asked& aske
   const std::uint64_t seed = asked.seed != 0 ? asked.seed : std::random_device{}();
   const Attempt outcome = attempt(exercise, files.file(exercise), seed, nullptr, limits);
   const Verdict verdict = judge(exercise, seed, outcome);
-  for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
-    const Passed passed = verdict.checks[i];
-    lines += fmt::format("  {} {}\n",
-                         passed == Passed::yes  ? "✓"
-                         : passed == Passed::no ? "✗"
-                                                : "·",
-                         exercise.checks[i].says);
-  }
-  const std::vector<std::string> printed = lines_of(outcome.printed);
-  for (std::size_t i = 0; i < std::min<std::size_t>(printed.size(), 10); ++i)
-    lines += fmt::format("  | {}\n", printed[i]);
-  if (printed.size() > 10)
-    lines += fmt::format("  | ... and {} lines more that your file printed\n", printed.size() - 10);
+  for (std::size_t i = 0; i < exercise.checks.size(); ++i) lines += line_of(verdict.checks[i], exercise.checks[i].says);
+  lines += lines_printed(outcome);
   if (verdict.passed()) files.set_solved(exercise);
   if (!verdict.passed())
     lines += fmt::format("  One hint more: {} {} --hint. The same scenes again: --seed {}\n", kit().call(),
@@ -117,33 +104,6 @@ bool check_all(const std::vector<Exercise>& all, StudentFiles& files, const Aske
     fmt::print("\n{} of {} checked are solved{}\n", solved, count,
                names.empty() ? "" : fmt::format("; not yet:{}", names));
   return solved == count;
-}
-
-void show_hints(const Exercise& exercise, StudentFiles& files) {
-  const std::size_t count = std::min(files.hints(exercise) + 1, exercise.hints.size());
-  for (std::size_t i = 0; i < count; ++i) fmt::print("  {}. {}\n", i + 1, exercise.hints[i]);
-  if (count == exercise.hints.size()) fmt::print("  That was the last one. The page of the chapter has the rest.\n");
-  files.set_hints(exercise, count);
-}
-
-[[noreturn]] void watch(const Exercise& exercise, StudentFiles& files, const Asked& asked) {
-  fs::file_time_type seen{};
-  for (;;) {
-    std::error_code gone;
-    const fs::file_time_type now = fs::last_write_time(files.file(exercise), gone);
-    if (gone) seen = {};  // an editor may save by deleting: it comes back
-    else if (now != seen) {
-      seen = now;
-      fmt::print("\n");
-      try {
-        check(exercise, files, asked);
-      } catch (const std::exception& problem) {  // between being seen and being read it may be gone
-        fmt::print("{}\n", problem.what());
-      }
-      std::fflush(stdout);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  }
 }
 
 }  // namespace
@@ -199,8 +159,10 @@ int main(int argc, char** argv) {
                  files.task(exercise).string(), kit().call(), short_name(exercise));
       if (!asked.watch) return;
     }
-    if (asked.hint) show_hints(exercise, files);
-    else if (asked.watch) watch(exercise, files, asked);
+    if (asked.hint)
+      files.set_hints(exercise, show_hints(exercise.hints, files.hints(exercise), "The page of the chapter"));
+    else if (asked.watch)
+      watch([&] { return fs::last_write_time(files.file(exercise)); }, [&] { check(exercise, files, asked); });
     else passed = check(exercise, files, asked);
   });
   return status == 0 && !passed ? 1 : status;

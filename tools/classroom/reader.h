@@ -40,18 +40,26 @@ inline std::size_t show_hints(const std::vector<std::string>& hints, std::size_t
 /// Calls `check` whenever `written`, when a file was written last, has changed, until interrupted.
 [[noreturn]] inline void watch(const std::function<std::filesystem::file_time_type()>& written,
                                const std::function<void()>& check) {
-  std::filesystem::file_time_type seen{};
-  for (;;) {
+  using Time = std::filesystem::file_time_type;
+  const auto last_written = [&written] {
     try {
-      if (const auto now = written(); now != seen) {
-        seen = now;
-        fmt::print("\n");
-        check();
-      }
-    } catch (const std::exception& problem) {  // between being seen and being read a file may be gone
-      fmt::print("{}\n", problem.what());
+      return written();
+    } catch (const std::filesystem::filesystem_error&) {  // an editor may save by deleting: it comes back
+      return Time{};
     }
-    std::fflush(stdout);
+  };
+  for (Time seen{};;) {
+    const Time now = last_written();
+    if (now != seen && now != Time{}) {
+      fmt::print("\n");
+      try {
+        check();
+      } catch (const std::exception& problem) {  // between being seen and being read a file may be gone
+        fmt::print("{}\n", problem.what());
+      }
+      std::fflush(stdout);
+    }
+    seen = now;
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }
 }

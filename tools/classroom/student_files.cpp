@@ -9,6 +9,7 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/tools/classroom/kit.h"
+#include "pushback/tools/classroom/reader.h"
 
 namespace pushback {
 
@@ -127,13 +128,7 @@ fs::path StudentFiles::reset(const Exercise& exercise) {
   const fs::path own = file(exercise), beside = exercise.name + ".md";
   const std::string gap =
       fs::exists(folder_ / beside) ? gap_of(exercise, beside.string()) : read_text_file(stub_of(exercise));
-  fs::path old;
-  if (fs::exists(own)) {
-    old = own;
-    old += ".old";
-    for (int i = 2; fs::exists(old); ++i) old.replace_extension(fmt::format(".old{}", i));
-    fs::rename(own, old);
-  }
+  const fs::path old = put_away(own);
   write_text_file(own, gap);
   remembered_.erase(exercise.name);
   write();
