@@ -215,7 +215,7 @@ const std::vector<Motion>& all_motions() {
   return motions;
 }
 
-const Motion& motion_named(const std::string& name) {
+const Motion& motion_named(std::string_view name) {
   return named("motion", all_motions(), name);
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pushback/common/world/world.h"
@@ -42,6 +43,6 @@ struct Motion {
 const std::vector<Motion>& all_motions();
 
 /// Throws InvalidInput, with the names that there are, if none has this name.
-const Motion& motion_named(const std::string& name);
+const Motion& motion_named(std::string_view name);
 
 }  // namespace pushback

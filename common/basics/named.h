@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pushback/common/basics/input.h"
@@ -19,7 +20,7 @@ std::vector<std::string> names_of(const List& all) {
 
 /// The one of that name. Throws InvalidInput, naming all there are, where none has it. `kind`: "scene".
 template <class List>
-const auto& named(const std::string& kind, const List& all, const std::string& name) {
+const auto& named(const std::string& kind, const List& all, std::string_view name) {
   for (const auto& one : all)
     if (one.name == name) return one;
   throw InvalidInput(fmt::format("{} is '{}': one of these is needed: {}", kind, name, fmt::join(names_of(all), ", ")));
