@@ -39,7 +39,7 @@ struct Exercise {
     std::string hint;
     int stage = 0;  ///< of a whole solver's: the chapter that asks for it
   };
-  /// What is measured in a scene of this check with an answer that is known.
+  /// Plays a known answer in a scene of this check, and returns the measured numbers.
   using Played = std::function<Numbers(std::size_t check, Random&)>;
 
   std::string title;               ///< "accumulate, clamp, apply the difference"

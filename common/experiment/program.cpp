@@ -76,7 +76,7 @@ void refuse_empty_words(const CLI::App& app, int argc, const char* const* argv) 
   }
 }
 
-/// What a value is made of, where it is a list.
+/// The type of the elements of a list, or the type itself.
 template <class Value>
 struct ElementOf {
   using Type = Value;

@@ -36,7 +36,7 @@ class CommandLine {
     Option& without(const Option& other);
     Option& from_environment(const std::string& variable);
     Option& under(const std::string& heading);      ///< in the help text
-    Option& meant_alone(const std::string& value);  ///< what the name says without a value
+    Option& meant_alone(const std::string& value);  ///< its value if it is given without one
     bool given() const;
 
    private:
@@ -55,7 +55,7 @@ class CommandLine {
   void version(const std::string& text, const std::string& help);
   void ends_with(const std::string& text);
 
-  /// Reads the command line. Returns an exit status where that is all: 0 after a help text, 2 after a message on what cannot be used.
+  /// Reads the command line. Returns an exit status if the program has nothing more to do: 0 after the help text, 2 after an error.
   std::optional<int> read(int argc, const char* const* argv);
   /// The names of the options that were given.
   std::set<std::string> given() const;

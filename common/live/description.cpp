@@ -1,4 +1,4 @@
-/// What a page is told of an experiment and of a problem, as JSON.
+/// Describes an experiment and its problem to a page, in JSON.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

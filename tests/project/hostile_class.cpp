@@ -181,6 +181,25 @@ TEST_CASE("a hostile class gets what is due: all", "[checked]") {
   get_what_is_due(HostileClass(true));
 }
 
+TEST_CASE("an archive that unpacks to more than the sandbox holds is not taken") {
+  if (const std::string why = no_sandbox(); !why.empty()) {
+    WARN(why);
+    return;
+  }
+  const ScratchFolder scratch;
+  const std::string pack = "cd " + scratch.path.string() +
+                           "; mkdir much; cd much; for n in $(seq 100); do head -c 900000 /dev/zero >$n.h; "
+                           "done; cd ..; tar -czf much.tgz much; rm -r much";
+  REQUIRE(run_program({"sh", "-ec", pack}, 60).status == 0);
+  const std::string archive = (scratch.path / "much.tgz").string();
+  CHECK(fs::file_size(archive) < 200'000);
+  const Ended ended =
+      call_program(GRADE_PROGRAM, archive + " --exercises 03 --out " + (scratch.path / "out").string(), 120);
+  CHECK(ended.status == 0);
+  CHECK(contains(ended.out, "03 0/6 (not taken)"));
+  CHECK(contains(text_of(scratch.path / "out/results.json"), "it cannot be read"));
+}
+
 TEST_CASE("of the checks, a student's program can name how a scene is played, and holds nothing that is right") {
   const std::string weak = "WVu";  // each program has its own of these
   std::vector<std::string> plays;

@@ -26,7 +26,8 @@ std::string_view ending_of(const std::string& name) {
   return {};
 }
 
-/// Called with the archive and the folder that gets its headers. It says why it takes nothing.
+/// Called with the archive and the folder that gets its headers. It says why it takes nothing. It unpacks into /tmp first: in the
+/// sandbox that holds 64 MB, whatever the archive says of its size.
 constexpr const char* unpack = R"(
 set -u
 refuse() { echo "$1"; exit 99; }
@@ -38,12 +39,12 @@ esac || exit
 [ $(wc -l <"$names") -le 1000 ] || refuse "it has $(wc -l <"$names") entries, at most 1000 are taken"
 ! grep -qE '^/|(^|/)\.\.(/|$)|\\' "$names" || refuse "a name in it leads out of its folder, or has a \\ in it"
 grep -q '\.h$' "$names" || exit 0
-mkdir "$2/in" && cd "$2/in"
+in=$(mktemp -d) && trap 'rm -rf "$in"' EXIT && cd "$in" || exit
 case $tool in
   unzip) unzip -qq -P none "$1" '*.h' ;;
   tar) tar --force-local --no-same-owner --no-same-permissions -xf "$1" --wildcards '*.h' ;;
 esac || exit
-chmod -R a+rwX .
+chmod -R a+rwX . && cp -R . "$2/in"
 )";
 
 /// What is wrong with the archive; empty: nothing.
