@@ -29,11 +29,6 @@ Measured drawn() {
 Measurements some() {
   return *rc::gen::container<Measurements>(rc::gen::exec(drawn));
 }
-std::vector<double> errors_of(const Measurements& all) {
-  std::vector<double> errors;
-  for (const Measured& one : all) errors.push_back(one.error);
-  return errors;
-}
 
 }  // namespace
 
