@@ -107,4 +107,9 @@ class Wide : public SubsteppingSolver {
   std::vector<Vec3> guesses_;  // what it starts from, N s
 };
 
+extern template class Wide<float>;  // compiled once, in wide.cpp
+extern template class Wide<double>;
+extern template class Wide<float, SteadyJoints>;
+extern template class Wide<double, SteadyJoints>;
+
 }  // namespace pushback

@@ -1,8 +1,6 @@
 /// Chapter 17: Coulomb's law with its kinks rounded, solved in systems between bodies or between contacts.
 #include <array>
-#include <filesystem>
 #include <random>
-#include <set>
 
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/chapters/16_whole_problem/matrix.h"
@@ -13,6 +11,7 @@
 #include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/catch.h"
+#include "tests/support/foreign_problems.h"
 #include "tests/support/frame.h"
 #include "tests/support/substeps.h"
 
@@ -174,17 +173,7 @@ TEST_CASE("where there is no solution, the smoothed method ends and says so") {
 }
 
 TEST_CASE("problems that others wrote are solved by some linear systems, all but the pile of rocks") {
-  const char* named = std::getenv("PUSHBACK_PROBLEMS");
-  const std::filesystem::path folder = named != nullptr ? named : "../shared/data/contact_problems";
-  std::set<std::filesystem::path> files;
-  if (std::filesystem::is_directory(folder))
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-      if (entry.path().extension() == ".dat") files.insert(entry.path());
-  if (files.empty()) {
-    WARN("skipped: there are no contact problems in " << folder);
-    return;
-  }
-  for (const std::filesystem::path& file : files) {
+  for (const std::filesystem::path& file : foreign_problems()) {
     INFO(file);
     const ContactProblem problem = read_problem_file(file);
     const SmoothedSolution found = solve_smoothed(problem);

@@ -9,13 +9,14 @@
 #include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/13_joints/study.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/chapters/21_detected_once/study.h"
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/measure/hard_cases/sliding.h"
 #include "tests/support/catch.h"
-#include "tests/support/sleep.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
@@ -212,9 +213,23 @@ TEST_CASE("wide: what bounces goes, to rounding, as if it were detected in each 
   }
 }
 
-TEST_CASE(
-    "wide: what is recommended moves in the same bits with what is called for, and rests asleep until it is hit") {
-  check_called_for_and_asleep(Wide<Real>{});
+TEST_CASE("wide: what rests sleeps until it is hit, and moves in the same bits with what is called for") {
+  World world, needed;
+  for (World* each : {&world, &needed}) stack(*each, 3);
+  Wide<Real> solver;
+  OnlyWhatIsNeeded chosen(needed, AnySolver(solver));
+  for (int i = 0; i < 60; ++i) {
+    world.step(solver, h);
+    chosen.step(needed, h);
+    REQUIRE(hash_of(world) == hash_of(needed));
+  }
+  OnlyWhatIsNeeded resting(world, AnySolver(solver), Sleep{});
+  for (int i = 0; i < 120; ++i) resting.step(world, h);
+  for (const int box : {1, 2, 3}) CHECK(world.body(box).asleep);
+  world.add(sphere(Real(0.3), 50).at({-3, Real(0.5), 0}).moving({6, 0, 0}));
+  for (int i = 0; i < 30; ++i) resting.step(world, h);
+  CHECK_FALSE(world.bodies[1].asleep);
+  CHECK(world.bodies[1].position.x() > Real(0.01));
 }
 
 TEST_CASE(

@@ -3,6 +3,7 @@
 #include "pushback/chapters/13_joints/distance.h"
 #include "pushback/chapters/13_joints/weld.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
+#include "pushback/chapters/24_half_step/study.h"
 #include "pushback/chapters/25_moment_of_impact/at_impacts.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/bodies/random.h"
@@ -17,10 +18,7 @@ using moment_of_impact_scenes::PendulumAtWall;
 namespace {
 
 AtImpacts in_parts(int substeps) {
-  AtImpacts step;
-  step.substeps = substeps;
-  step.threshold = 0;
-  return step;
+  return half_step_scenes::in_substeps<AtImpacts>(substeps);
 }
 /// rad: how far the ball on a pin has turned.
 double angle_of(const World& world) {
@@ -47,21 +45,6 @@ double time_to(double angle) {
 }
 double touching_angle(const PendulumAtWall& scene) {
   return std::asin(static_cast<double>(scene.wall / PendulumAtWall::radius) - 1);
-}
-
-/// m, over 2 s.
-double error_of(const PendulumAtWall& scene, const std::vector<Places>& truth, int substeps) {
-  World world;
-  scene(world);
-  AtImpacts step = in_parts(substeps);
-  double largest = 0;
-  for (const Places& places : truth) {
-    world.step(step, h);
-    CHECK_FALSE(step.bound_reached());
-    for (std::size_t i = 0; i < places.size(); ++i)
-      largest = std::max(largest, (world.bodies[i].position.cast<double>() - places[i]).norm());
-  }
-  return largest;
 }
 
 }  // namespace
@@ -145,10 +128,12 @@ TEST_CASE("joined impact: a double pendulum that meets a wall, e = 1, keeps its 
 
 TEST_CASE("joined impact: a double pendulum that meets a wall is off by the square of the substep") {
   const PendulumAtWall scene{.links = 1};
+  const Motion motion{.name = "", .title = "", .fill = scene, .seconds = 2, .truth = {}};
   const std::vector<Places> truth = scene.truth(120);
-  CHECK(error_of(scene, truth, 16) < (in_double ? 1e-3 : 1e-2));
+  const auto error = [&](int substeps) { return half_step_scenes::largest_error(motion, truth, in_parts(substeps)); };
+  CHECK(error(16) < (in_double ? 1e-3 : 1e-2));
   if (!in_double) return;
-  CHECK(order({8, 16, 32, 64}, [&](int n) { return error_of(scene, truth, n); }) == Approx(2).margin(0.2));
+  CHECK(order({8, 16, 32, 64}, error) == Approx(2).margin(0.2));
 }
 
 TEST_CASE("joined impact: what is pressed to a wall comes to rest there, and bounces end") {
@@ -324,17 +309,4 @@ TEST_CASE("joined impact: where nobody meets anybody it is chapter 24's step, to
     REQUIRE(hash_of(world) == hash_of(other));
   }
   CHECK(cut.events() == 0);
-}
-
-TEST_CASE("joined impact: the same bits again, also from a copy in between") {
-  World one;
-  PendulumAtWall{}(one);
-  World other = one;
-  AnySolver of_one = AtImpacts{}, of_other = AtImpacts{};
-  for (int i = 0; i < 120; ++i) {
-    one.step(of_one, h);
-    if (i == 30) of_other = AnySolver(AtImpacts{});
-    other.step(of_other, h);
-    REQUIRE(hash_of(one) == hash_of(other));
-  }
 }
