@@ -298,28 +298,6 @@ TEST_CASE("half step: a rod whose length is a function of time is held to second
   CHECK(order({4, 8, 16, 32}, [&](int n) { return (at_the_end(n) - fine).norm(); }) == Approx(2).margin(0.1));
 }
 
-TEST_CASE("half step: a loop of four bars, with more rows than it needs") {
-  World world;
-  world.add(box({Real(0.1), Real(0.5), Real(0.1)}, 1).at({0, Real(0.5), 0}));
-  world.add(box({Real(0.5), Real(0.1), Real(0.1)}, 1).at({Real(0.5), 1, 0}));
-  world.add(box({Real(0.1), Real(0.5), Real(0.1)}, 1).at({1, Real(0.5), 1}));
-  const auto pin = [&world](int a, int b, const Vec3& at) {
-    world.joints.push_back(hinge(world, a, b, at, Vec3::UnitZ()));
-  };
-  pin(the_world, 0, {0, 0, 0});
-  pin(0, 1, {0, 1, 0});
-  pin(1, 2, {1, 1, 0});
-  pin(2, the_world, {1, 0, 0});
-  world.bodies[1].velocity = {1, 0, 0};
-  HalfStep step;
-  step.substeps = 4;
-  world.step(step, h);
-  const Real before = energy(world);
-  for (int i = 0; i < 300; ++i) world.step(step, h);
-  CHECK(residuals(world).position <= step.tolerance);
-  CHECK(energy(world) == Approx(before).epsilon(1e-2));
-}
-
 TEST_CASE("half step: a step that is too large is divided, or refused by name") {
   World world;
   motion_named("chain").begin(world);
