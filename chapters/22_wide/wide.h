@@ -8,7 +8,7 @@
 #include <span>
 
 #include "pushback/chapters/18_direct_joints/trees_directly.h"
-#include "pushback/chapters/21_detected_once/detected_once.h"
+#include "pushback/chapters/21_detected_once/substepping_solver.h"
 #include "pushback/chapters/22_wide/bundle.h"
 #include "pushback/chapters/22_wide/colours.h"
 #include "pushback/chapters/22_wide/floating.h"

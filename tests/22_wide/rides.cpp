@@ -1,6 +1,7 @@
 /// Contacts that ride: n, arms and C of bodies that have moved since they were detected, against detecting them again.
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/21_detected_once/scenes.h"
 #include "pushback/chapters/22_wide/along.h"
 #include "pushback/chapters/22_wide/wide.h"
