@@ -19,9 +19,6 @@ void without_limits(World& world) {
   std::erase_if(world.joints,
                 [](const Joint& joint) { return joint.name.ends_with("limits") || joint.name.ends_with("limit"); });
 }
-Real largest(const Run& run, const std::string& series) {
-  return *std::max_element(run.series.at(series).begin(), run.series.at(series).end());
-}
 
 void bar_with_a_stop(Experiment& e, Real stop_at) {
   e.scene({.name = fmt::format("a bar, let go, and a stop at {:.3g}°", stop_at),
@@ -49,7 +46,7 @@ void bar_with_a_stop(Experiment& e, Real stop_at) {
   e.variant("the same without λ ≥ 0", JointedSolver{}).changing(with(sucking)).expect("beyond the stop", 0);
   e.series("angle of the bar", "degrees", angle_of_bar);
   e.number("beyond the stop", "°",
-           [stop_at](const Run& run) { return std::max(Real(0), largest(run, "angle of the bar") - stop_at); });
+           [stop_at](const Run& run) { return std::max(Real(0), run.largest("angle of the bar") - stop_at); });
   e.number("angle at the end", "°", [](const Run& run) { return run.series.at("angle of the bar").back(); });
 }
 
@@ -173,7 +170,7 @@ void ragdoll_on_a_bench(Experiment& e) {
   World lying;
   const Ragdoll lies = face_down_on_a_bench(lying);
   e.series_without_curves("wrong way", [lies](const World& world) { return bent_backwards(world, lies) * 180 / pi; });
-  e.number("knee or elbow, the wrong way", "°", [](const Run& run) { return largest(run, "wrong way"); });
+  e.number("knee or elbow, the wrong way", "°", [](const Run& run) { return run.largest("wrong way"); });
 }
 
 void ragdoll_on_stairs(Experiment& e) {
@@ -189,7 +186,7 @@ void ragdoll_on_stairs(Experiment& e) {
   e.series("knee or elbow, the wrong way", "degrees",
            [man](const World& world) { return bent_backwards(world, man) * 180 / pi; });
   e.number("knee or elbow, the wrong way", "°",
-           [](const Run& run) { return largest(run, "knee or elbow, the wrong way"); });
+           [](const Run& run) { return run.largest("knee or elbow, the wrong way"); });
 }
 
 void study_of_steps(Experiment& e, const SpringsLetGo& springs, Real pump, Real h) {

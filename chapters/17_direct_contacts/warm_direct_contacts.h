@@ -2,7 +2,6 @@
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
-#include "pushback/chapters/16_whole_problem/contact_problem.h"
 
 namespace pushback {
 
@@ -24,7 +23,7 @@ struct WarmDirectContacts : Effect {
   void solve_as_large(StepContext& step);
 
   std::vector<Eigen::Index> places_;  // of each row in the problem
-  Vector r_, u_, q_, mu_;             // of the problem, u with r, q without
+  Eigen::VectorXd r_, u_, q_, mu_;    // of the problem, u with r, q without
 };
 
 }  // namespace pushback

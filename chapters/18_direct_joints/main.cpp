@@ -43,10 +43,7 @@ int main(int argc, char** argv) {
     e.variant("joints, 100 sweeps", Swept{}).with_exactly(100).expect("longest", 0);
     e.variant("direct joint solve", Direct{}).with_exactly(1).expect("longest", 0);
     e.series("longer than its links by", "%", [chain](const World& world) { return 100 * chain.stretch(world); });
-    e.number("longest", "%", [](const Run& run) {
-      const auto& stretch = run.series.at("longer than its links by");
-      return *std::max_element(stretch.begin(), stretch.end());
-    });
+    e.number("longest", "%", [](const Run& run) { return run.largest("longer than its links by"); });
     e.iterations("the chain with its load", [&e, chain] { return iterated(chain, e.dt()); });
     e.iterations("a chain let go at 45°", [&e, links = chain.links] {
       return iterated([links](World& world) { slanting_chain(world, links); }, e.dt());

@@ -43,8 +43,7 @@ int main(int argc, char** argv) {
       e.series(
           "largest error", "mm", [=](const World& world) { return std::max(truth.error(world), least_drawn); }, true);
       e.number("largest error", "mm", [=](const Run& run) {
-        const auto& errors = run.series.at("largest error");
-        const Real largest = *std::max_element(errors.begin(), errors.end());
+        const Real largest = run.largest("largest error");
         return largest > least_drawn ? largest : 0;
       });
     };

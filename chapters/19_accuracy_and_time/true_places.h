@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
 
@@ -28,5 +29,11 @@ struct TruePlaces {
     return static_cast<Real>(1000 * largest);
   }
 };
+
+/// Those of a motion: worked out once, as that takes its time.
+inline const TruePlaces& true_places_of(const Motion& motion) {
+  static std::map<std::string, TruePlaces> known;
+  return known.try_emplace(motion.name, motion).first->second;
+}
 
 }  // namespace pushback

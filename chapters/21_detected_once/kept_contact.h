@@ -9,6 +9,7 @@
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/12_soft_contacts/carry.h"
 #include "pushback/chapters/21_detected_once/bounce.h"
+#include "pushback/chapters/21_detected_once/substepping_solver.h"
 
 namespace pushback {
 
@@ -23,33 +24,6 @@ struct KeptBody {
     given_turning += dw;
   }
 };
-
-/// What soft contacts ask for in substeps of one length: see SoftContacts, chapter 12.
-struct PushOut {
-  Real rate;        ///< k / (c + h k), 1/s
-  Real gamma_by_K;  ///< gamma / K
-  Real fastest;     ///< m/s
-  Real threshold;   ///< m/s; what arrives slower does not bounce
-};
-
-/// What a contact point shows: `known`: whether the step before had it.
-template <class Scalar>
-ContactState state_of(bool known, Scalar friction, Scalar pushed, Scalar rubbed1, Scalar rubbed2) {
-  if (!known) return ContactState::fresh;
-  if (friction == 0) return ContactState::warm;
-  constexpr Scalar rounding = 16 * std::numeric_limits<Scalar>::epsilon();  // of what was drawn back to the edge
-  const bool held = std::sqrt(rubbed1 * rubbed1 + rubbed2 * rubbed2) < (1 - rounding) * friction * pushed;
-  return held ? ContactState::sticking : ContactState::sliding;
-}
-
-/// An impulse of the step before, N s, projected into the friction cone about a normal that may have turned since: a substep in
-/// which a contact bounces restores the impulses that it started from, and would restore them outside of the cone.
-inline Vec3 within_cone(const Vec3& impulse, const Vec3& n, Real friction) {
-  const Real pressed = std::max(Real(0), impulse.dot(n));
-  const Vec3 rubbed = impulse - impulse.dot(n) * n;
-  const Real size = rubbed.norm();
-  return pressed * n + (size > friction * pressed ? friction * pressed / size : 1) * rubbed;
-}
 
 struct KeptContact {
   Row normal, tangent1, tangent2;

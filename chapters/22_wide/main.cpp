@@ -1,4 +1,5 @@
 #include "pushback/chapters/11_substeps/study.h"
+#include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/22_wide/scenes.h"
 #include "pushback/chapters/22_wide/study.h"
 #include "pushback/common/experiment/marks.h"

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "pushback/chapters/18_direct_joints/trees_directly.h"
-#include "pushback/chapters/21_detected_once/detected_once.h"
+#include "pushback/chapters/21_detected_once/substepping_solver.h"
 #include "pushback/chapters/22_wide/bundle.h"
 #include "pushback/chapters/22_wide/colours.h"
 #include "pushback/chapters/22_wide/floating.h"
@@ -106,5 +106,10 @@ class Wide : public SubsteppingSolver {
   bool something_floats_ = false;
   std::vector<Vec3> guesses_;  // what it starts from, N s
 };
+
+extern template class Wide<float>;  // compiled once, in wide.cpp
+extern template class Wide<double>;
+extern template class Wide<float, SteadyJoints>;
+extern template class Wide<double, SteadyJoints>;
 
 }  // namespace pushback

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pushback/chapters/16_whole_problem/contact_problem.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/world/measure.h"
 

@@ -68,8 +68,7 @@ int main(int argc, char** argv) {
         e.series_without_curves("largest error", error);
       }
       e.number("largest error", "mm", [=](const Run& run) {
-        const auto& errors = run.series.at("largest error");
-        const Real largest = *std::max_element(errors.begin(), errors.end());
+        const Real largest = run.largest("largest error");
         return largest > (drawn ? least_drawn : Real(1e-7)) ? largest : 0;
       });
     };
@@ -117,11 +116,11 @@ int main(int argc, char** argv) {
     e.number("largest error", "mm", [](const Run& run) { return largest_size(run.series.at("off")); });
 
     const Motion& chain = motion_named("chain");
-    static const TruePlaces of_chain(chain);  // takes its time, and no parameter changes it
+    const TruePlaces& of_chain = true_places_of(chain);
     e.scene(
         {.name = chain.title, .fill = [&chain](World& world) { chain.begin(world); }, .seconds = 2, .pictures = false});
     by_each_step();
-    measure_error([](const World& world) { return of_chain.error(world); }, true);
+    measure_error([&of_chain](const World& world) { return of_chain.error(world); }, true);
 
     const Top top;
     e.scene({.name = "a top on a pin", .fill = top, .seconds = 10, .pictures = false});
@@ -134,8 +133,7 @@ int main(int argc, char** argv) {
 
     for (const std::string name : {"sliding", "rolling", "stack-10", "bounce"}) {
       const Motion& motion = motion_named(name);
-      static std::map<std::string, TruePlaces> truths;
-      const TruePlaces& truth = truths.try_emplace(name, motion).first->second;
+      const TruePlaces& truth = true_places_of(motion);
       e.scene({.name = motion.title,
                .fill = [&motion](World& world) { motion.begin(world); },
                .seconds = static_cast<Real>(motion.seconds),
@@ -154,7 +152,7 @@ int main(int argc, char** argv) {
         [round](const World& world) { return 1000 * (world.bodies[1].position - round.place(world.time)).norm(); },
         false);
 
-    e.study([&e, &chain] {
+    e.study([&e, &chain, &of_chain] {
       const auto truth = places_of_bob(composed_step, 64);
       std::vector<Curve> bob{curve("impulse along the new rod", 4), curve("whole step", 0),
                              curve("average of velocities", 3), curve("half step", 1), curve("order 4", 2)};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "pushback/chapters/17_direct_contacts/law_as_equation.h"
 #include "pushback/chapters/18_direct_joints/joint_graph.h"
 
 namespace pushback {

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "pushback/chapters/13_joints/joint_row.h"
-#include "pushback/chapters/17_direct_contacts/law_as_equation.h"
 #include "pushback/chapters/24_half_step/body_matrix.h"
 
 namespace pushback {

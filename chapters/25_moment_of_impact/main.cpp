@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "pushback/chapters/09_impacts/from_surface.h"
 #include "pushback/chapters/19_accuracy_and_time/true_places.h"
@@ -31,11 +30,6 @@ Real last_moving(const Run& run) {
   for (std::size_t i = speeds.size(); i-- > 0;)
     if (speeds[i] > Real(0.001)) return static_cast<Real>(i + 1) / frames_per_second;
   return 0;
-}
-
-Real largest_of(const Run& run, const std::string& series) {
-  const auto& values = run.series.at(series);
-  return *std::max_element(values.begin(), values.end());
 }
 
 }  // namespace
@@ -86,13 +80,12 @@ int main(int argc, char** argv) {
       return 1000 * (world.bodies[1].position - rod.truth(world.time).position).norm();
     });
     e.number("beyond the wall by up to", "mm",
-             [](const Run& run) { return std::max(Real(0), largest_of(run, "beyond the wall")); });
-    e.number("largest error", "mm", [](const Run& run) { return largest_of(run, "off"); });
+             [](const Run& run) { return std::max(Real(0), run.largest("beyond the wall")); });
+    e.number("largest error", "mm", [](const Run& run) { return run.largest("off"); });
 
     for (const std::string name : {"bounce", "break"}) {
       const Motion& motion = motion_named(name);
-      static std::map<std::string, TruePlaces> truths;
-      const TruePlaces& truth = truths.try_emplace(name, motion).first->second;
+      const TruePlaces& truth = true_places_of(motion);
       e.scene({.name = motion.title,
                .fill = [&motion](World& world) { motion.begin(world); },
                .seconds = static_cast<Real>(motion.seconds),
@@ -101,7 +94,7 @@ int main(int argc, char** argv) {
       e.variant("half step, 64 substeps", in_substeps(64)).with_exactly(1).coloured(3);
       e.variant("cut at impacts", in_substeps<AtImpacts>(1)).with_exactly(1).coloured(2);
       e.series_without_curves("error", [&truth](const World& world) { return truth.error(world); });
-      e.number("largest error", "mm", [](const Run& run) { return largest_of(run, "error"); });
+      e.number("largest error", "mm", [](const Run& run) { return run.largest("error"); });
     }
 
     const Motion& bounce = motion_named("bounce");
@@ -125,7 +118,7 @@ int main(int argc, char** argv) {
     e.variant("cut at impacts", in_substeps<AtImpacts>(1)).with_exactly(1).coloured(2);
     e.variant("cut at impacts, 8 substeps", in_substeps<AtImpacts>(8)).with_exactly(1).coloured(4);
     e.series_without_curves("error", [](const World& world) { return swings.error(world); });
-    e.number("largest error", "mm", [](const Run& run) { return largest_of(run, "error"); });
+    e.number("largest error", "mm", [](const Run& run) { return run.largest("error"); });
 
     e.scene({.name = "five balls that touch, hit with 5 m/s", .fill = cradle, .seconds = Real(0.2), .pictures = false});
     e.variant("sequential", cut(Impacts::sequential))

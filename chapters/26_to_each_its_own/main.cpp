@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "pushback/chapters/19_accuracy_and_time/true_places.h"
 #include "pushback/chapters/26_to_each_its_own/scenes.h"
@@ -15,12 +14,6 @@ namespace {
 
 Real all_of(const World& world) {
   return kinetic_energy(world) + potential_energy(world);
-}
-Real average_of(const Run& run, const std::string& series) {
-  const auto& values = run.series.at(series);
-  Real sum = 0;
-  for (const Real value : values) sum += value;
-  return sum / static_cast<Real>(values.size());
 }
 
 /// Bounces are compared at every speed.
@@ -86,12 +79,11 @@ int main(int argc, char** argv) {
       const std::string series = name + ", on average";
       e.series_without_curves(series,
                               [way = how](const World& world) { return static_cast<Real>(moved_so(world, way)); });
-      e.number(series, "bodies", [series](const Run& run) { return average_of(run, series); });
+      e.number(series, "bodies", [series](const Run& run) { return run.mean(series); });
     }
 
     for (const Motion& motion : all_motions()) {
-      static std::map<std::string, TruePlaces> truths;
-      const TruePlaces& truth = truths.try_emplace(motion.name, motion).first->second;
+      const TruePlaces& truth = true_places_of(motion);
       e.scene({.name = motion.title,
                .fill = [&motion](World& world) { motion.begin(world); },
                .seconds = static_cast<Real>(motion.seconds),
@@ -101,10 +93,7 @@ int main(int argc, char** argv) {
       const auto error = [&truth](const World& world) { return truth.error(world); };
       if (motion.name == "chain") e.series("error", "mm", error, true);
       else e.series_without_curves("error", error);
-      e.number("largest error", "mm", [](const Run& run) {
-        const auto& errors = run.series.at("error");
-        return *std::max_element(errors.begin(), errors.end());
-      });
+      e.number("largest error", "mm", [](const Run& run) { return run.largest("error"); });
     }
 
     e.study([&e, &yard, ways] {

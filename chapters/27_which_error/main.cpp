@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "pushback/chapters/19_accuracy_and_time/true_places.h"
 #include "pushback/chapters/27_which_error/scenes.h"
@@ -84,10 +83,7 @@ int main(int argc, char** argv) {
           return body.movable() && body.colour == colour;
         }));
       });
-      e.number(name + ", on average", "bodies", [series = name](const Run& run) {
-        const auto& values = run.series.at(series);
-        return std::accumulate(values.begin(), values.end(), Real(0)) / static_cast<Real>(values.size());
-      });
+      e.number(name + ", on average", "bodies", [series = name](const Run& run) { return run.mean(series); });
     }
 
     e.study([&e] {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "pushback/common/basics/input.h"
@@ -51,6 +52,16 @@ void Experiment::command(const std::string& flag, const std::string& what, Scene
 std::vector<Sample> Run::last(Real seconds) const {
   const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(seconds / dt)), 1, samples.size());
   return {samples.end() - static_cast<std::ptrdiff_t>(count), samples.end()};
+}
+
+Real Run::largest(const std::string& name) const {
+  const std::vector<Real>& values = series.at(name);
+  return *std::max_element(values.begin(), values.end());
+}
+
+Real Run::mean(const std::string& name) const {
+  const std::vector<Real>& values = series.at(name);
+  return std::accumulate(values.begin(), values.end(), Real(0)) / static_cast<Real>(values.size());
 }
 
 Variant& Variant::with_sweeps(int count) {

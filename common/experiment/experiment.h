@@ -62,6 +62,10 @@ struct Run {
 
   /// Samples of the last `seconds`: at least one.
   std::vector<Sample> last(Real seconds) const;
+  /// Of one of the series, the largest value.
+  Real largest(const std::string& name) const;
+  /// The mean of all steps.
+  Real mean(const std::string& name) const;
 };
 
 /// A closed form, drawn dashed beside what was measured.

@@ -87,67 +87,44 @@ bool is_limit(const Joint& joint) {
 
 }  // namespace
 
-TEST_CASE("the angle of a hinge, a twist, a swing: each changes as its gradient says, on the joint and off it") {
-  Random random(1);
-  int looked_at = 0;
-  for (int i = 0; i < 300; ++i) {
-    const World world = two_anywhere(random);
-    const Vec3 axis = random.direction(), other = random.direction();
-    const HingeAngle hinge_angle(world, 0, 1, axis);
-    const TwistAngle twist_angle(world, 0, 1, axis);
-    Body a = world.bodies[0], b = world.bodies[1];
-    const Real about = random.between(-2, 2), off = i % 2 == 0 ? 0 : random.between(Real(-0.7), Real(0.7));
-    b.turned(about, axis).turned(off, other);
-    const auto check_angle = [&](const auto& of) {
-      const auto c = [&](const Body& first, const Body& second) { return of(first, second).value; };
-      check_twelve_directions(a, b, turning(of(a, b).gradient), c);
-    };
-    check_angle([&](const Body& p, const Body& q) { return hinge_angle.of(p, q); });
-    check_angle([&](const Body& p, const Body& q) { return twist_angle.of(p, q); });
-    if (off == 0) {
-      CHECK(std::abs(hinge_angle.of(a, b).value - about) < Real(1e-13));
-      CHECK(std::abs(twist_angle.of(a, b).value - about) < Real(1e-13));
-    }
-    const Vec3 s = a.orientation.conjugate() * random.direction(), u = b.orientation.conjugate() * random.direction();
-    const auto swung = [&](const Body& p, const Body& q) { return swing(p.orientation * s, q.orientation * u); };
-    const Real angle = swung(a, b).value;
-    if (angle < Real(0.1) || angle > pi - Real(0.1)) continue;  // a kink is at either end
-    ++looked_at;
-    check_angle(swung);
-  }
-  CHECK(looked_at > 250);
-}
-
-TEST_CASE("every Jacobian is the derivative of its C in all twelve directions") {
+TEST_CASE("every Jacobian is the derivative of its C in all twelve directions, on the joint and off it") {
   Random random(2);
-  for (int i = 0; i < 100; ++i) {
+  int swung = 0;
+  for (int i = 0; i < 200; ++i) {
     const World world = two_anywhere(random);
-    const Vec3 axis = random.direction(), other = random.direction();
+    const Vec3 axis = random.direction(), other = random.direction(), tilted = (axis + other / 2).normalized();
     const Real at = random.between(-1, 1), low = random.between(-1, 0), high = random.between(0, 1);
+    const Real off = i % 2 == 0 ? 0 : random.between(Real(-0.7), Real(0.7));
     Body a = world.bodies[0], b = world.bodies[1];
-    const std::vector<Joint> limits{
-        angle_limits(world, 0, 1, axis, low, high), twist_limits(world, 0, 1, axis, low, high),
-        cone_limit(world, 0, 1, axis, (axis + other / 2).normalized(), random.between(Real(0.2), 2))};
-    b.turned(at, axis).turned(Real(0.3), other);
+    const Vec3 p_a = random.direction(), p_b = p_a + 6 * random.direction();
+    std::vector<Joint> joints{angle_limits(world, 0, 1, axis, low, high), twist_limits(world, 0, 1, axis, low, high),
+                              motor_to_angle(
+                                  world, 0, 1, axis, [](Real) { return Real(0.2); }, 1),
+                              piston(world, 0, p_a, 1, p_b, [](Real) { return Real(4); })};
+    const Joint cone = cone_limit(world, 0, 1, axis, tilted, random.between(Real(0.2), 2));
+    b.turned(at, axis).turned(off, other);
+    if (off == 0) {
+      CHECK(std::abs(HingeAngle(world, 0, 1, axis).of(a, b).value - at) < Real(1e-13));
+      CHECK(std::abs(TwistAngle(world, 0, 1, axis).of(a, b).value - at) < Real(1e-13));
+    }
     const Vec3 s = a.orientation * (world.bodies[0].orientation.conjugate() * axis),
-               u = b.orientation * (world.bodies[1].orientation.conjugate() * (axis + other / 2).normalized());
-    for (const Joint& limit : limits) {
-      if (limit.name == "a cone limit" && s.cross(u).norm() < Real(0.1)) continue;  // a kink is at 0 and at pi
-      const Equations now = asked_by(limit, a, b);
+               u = b.orientation * (world.bodies[1].orientation.conjugate() * tilted);
+    if (s.cross(u).norm() > Real(0.1)) {  // a kink is at 0 and at pi
+      joints.push_back(cone);
+      ++swung;
+    }
+    for (const Joint& joint : joints) {
+      const Equations now = asked_by(joint, a, b);
       for (std::size_t row = 0; row < now.size(); ++row) {
-        CAPTURE(limit.name, row);
-        check_twelve_directions(
-            a, b, now[row], [&](const Body& p, const Body& q) { return c_of_limit(asked_by(limit, p, q)[row], h); });
+        CAPTURE(joint.name, row, off);
+        check_twelve_directions(a, b, now[row], [&](const Body& p, const Body& q) {
+          const Equation there = asked_by(joint, p, q)[row];
+          return joint.driven ? there.error : c_of_limit(there, h);
+        });
       }
     }
-    const Joint motor = motor_to_angle(world, 0, 1, axis, [](Real) { return Real(0.2); }, 1);
-    check_twelve_directions(a, b, asked_by(motor, a, b)[0],
-                            [&](const Body& p, const Body& q) { return asked_by(motor, p, q)[0].error; });
-    const Vec3 p_a = random.direction(), p_b = p_a + 6 * random.direction();
-    const Joint rod = piston(world, 0, p_a, 1, p_b, [](Real) { return Real(4); });
-    check_twelve_directions(a, b, asked_by(rod, a, b)[0],
-                            [&](const Body& p, const Body& q) { return asked_by(rod, p, q)[0].error; });
   }
+  CHECK(swung > 150);
 }
 
 TEST_CASE("a wound rope's row is the derivative of what is left of it, however wheel and load are turned and moved") {
@@ -163,9 +140,8 @@ TEST_CASE("a wound rope's row is the derivative of what is left of it, however w
                    centre + far * across.tangent1 + aside * axis);
     const Equation now = asked_by(rope, wheel, load)[0];
     CHECK(std::abs(c_of_limit(now, h)) < Real(1e-14));  // taut as it was made
-    Joint asked = rope;
     check_twelve_directions(wheel, load, now,
-                            [&](const Body& p, const Body& q) { return c_of_limit(asked_by(asked, p, q)[0], h); });
+                            [&](const Body& p, const Body& q) { return c_of_limit(asked_by(rope, p, q)[0], h); });
   }
 }
 
@@ -212,20 +188,16 @@ TEST_CASE("a limit lets through what does not reach it, stops what does exactly 
 TEST_CASE("limits may be wider than half a turn, and lie anywhere: angles are seen from their middle") {
   World world = a_wheel(2);
   world.joints.push_back(angle_limits(world, the_world, 0, Vec3::UnitZ(), Real(-0.1), 5));
-  world.bodies[0].spinning({0, 0, 2});
   Solver<Joints, Clamping> solver;
   Real turned = 0;
-  for (int step = 0; step < 240; ++step) {
-    world.step(solver, h);
-    turned += 2 * std::atan(h * world.bodies[0].angular_velocity.z() / 2);
+  for (const Real end : {Real(5), Real(-0.1)}) {
+    world.bodies[0].spinning({0, 0, end > 0 ? Real(2) : Real(-2)});
+    for (int step = 0; step < 240; ++step) {
+      world.step(solver, h);
+      turned += 2 * std::atan(h * world.bodies[0].angular_velocity.z() / 2);
+    }
+    CHECK(std::abs(turned - end) < Real(1e-12));
   }
-  CHECK(std::abs(turned - 5) < Real(1e-12));
-  world.bodies[0].spinning({0, 0, -2});
-  for (int step = 0; step < 240; ++step) {
-    world.step(solver, h);
-    turned += 2 * std::atan(h * world.bodies[0].angular_velocity.z() / 2);
-  }
-  CHECK(std::abs(turned + Real(0.1)) < Real(1e-12));
 }
 
 TEST_CASE("limits push and never pull, whatever moves, and are kept") {
@@ -558,43 +530,34 @@ TEST_CASE("limits, motors, springs and ropes that cannot be are refused, by name
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   const Vec3 z = Vec3::UnitZ(), o = Vec3::Zero(), p{2, 0, 0};
   const auto one = [](Real) { return Real(1); };
-  CHECK(complaint([&] { angle_limits(world, 0, 1, z, Real(0.5), Real(-0.5)); }) ==
-        "limits of angle limits are 0.5 and -0.5: the lower one has to come first");
-  CHECK(complaint([&] { twist_limits(world, 0, 1, z, -4, 4); }) ==
-        "limits of twist limits are -4 and 4: they have to be less than a turn, 2 pi, apart");
-  CHECK(complaint([&] { angle_limits(world, 0, 1, z, nan, 1); }) ==
-        "lower limit of angle limits is nan: a finite number is needed");
-  CHECK(complaint([&] { angle_limits(world, 0, 1, o, 0, 1); }) ==
-        "length of the axis of angle limits is 0: a finite number above 0 is needed");
-  CHECK(complaint([&] { twist_limits(world, 0, 1, {nan, 0, 0}, 0, 1); }) ==
-        "axis of twist limits is (nan, 0, 0): three finite numbers are needed");
-  CHECK(complaint([&] { cone_limit(world, 0, 1, z, z, 0); }) ==
-        "angle of a cone limit is 0: a finite number above 0 is needed");
-  CHECK(complaint([&] { cone_limit(world, 0, 1, z, z, 4); }).find("angle of a cone limit is 4: a number from") == 0);
-  CHECK(complaint([&] { cone_limit(world, 0, 0, z, z, 1); }) ==
-        "a cone limit joins body 0 to itself: two different ones are needed");
-  CHECK(complaint([&] { motor_at_speed(world, 0, 1, z, 2, -5); }) ==
-        "torque of a motor is -5: a finite number, 0 or more, is needed");
-  CHECK(complaint([&] { motor_at_speed(world, 0, 1, z, nan, 5); }) ==
-        "speed of a motor is nan: a finite number is needed");
-  CHECK(complaint([&] { motor_to_angle(world, 0, 1, z, one, nan); }) ==
-        "torque of a motor is nan: a finite number, 0 or more, is needed");
-  CHECK(complaint([&] { motor_to_angle(world, 0, 1, z, {}, 1); }) ==
-        "a motor has no angle to reach: a function of time is needed");
-  CHECK(complaint([&] { piston(world, 0, o, 1, p, {}); }) == "a piston has no length: a function of time is needed");
-  CHECK(complaint([&] { piston(world, 0, o, 1, p, [](Real) { return Real(-1); }); }) ==
-        "length of a piston is -1: a finite number above 0 is needed");
-  CHECK(complaint([&] { piston(world, 0, o, 1, p, one, -3); }) == "force of a piston is -3: 0 or more is needed");
-  CHECK(complaint([&] { soft(distance(world, 0, o, 1, p), {0, 1}); }) ==
-        "hertz of a distance with a spring is 0: a finite number above 0 is needed");
-  CHECK(complaint([&] { torsion_spring(world, 0, 1, z, {1, -1}); }) ==
-        "damping ratio of a torsion with a spring is -1: a finite number, 0 or more, is needed");
   const auto rope = [&](Real radius, const Vec3& to) {
-    return complaint([&] { wound_rope(world, 0, o, z, radius, Winding::forwards, 1, to); });
+    return [&world, radius, to, z, o] { wound_rope(world, 0, o, z, radius, Winding::forwards, 1, to); };
   };
-  CHECK(rope(0, p) == "radius of a wound rope is 0: a finite number above 0 is needed");
-  CHECK(rope(3, p) == "a wound rope of radius 3 hangs from a point inside of the wheel: one outside is needed");
-  CHECK(rope(1, {0, nan, 0}) == "point of a wound rope is (0, nan, 0): three finite numbers are needed");
+  const std::vector<std::pair<std::string, std::function<void()>>> refused{
+      {"limits of angle limits are 0.5 and -0.5: the lower one", [&] { angle_limits(world, 0, 1, z, 0.5, -0.5); }},
+      {"limits of twist limits are -4 and 4: they have to be less than", [&] { twist_limits(world, 0, 1, z, -4, 4); }},
+      {"lower limit of angle limits is nan", [&] { angle_limits(world, 0, 1, z, nan, 1); }},
+      {"length of the axis of angle limits is 0", [&] { angle_limits(world, 0, 1, o, 0, 1); }},
+      {"axis of twist limits is (nan, 0, 0)", [&] { twist_limits(world, 0, 1, {nan, 0, 0}, 0, 1); }},
+      {"angle of a cone limit is 0", [&] { cone_limit(world, 0, 1, z, z, 0); }},
+      {"angle of a cone limit is 4: a number from", [&] { cone_limit(world, 0, 1, z, z, 4); }},
+      {"a cone limit joins body 0 to itself", [&] { cone_limit(world, 0, 0, z, z, 1); }},
+      {"torque of a motor is -5", [&] { motor_at_speed(world, 0, 1, z, 2, -5); }},
+      {"speed of a motor is nan", [&] { motor_at_speed(world, 0, 1, z, nan, 5); }},
+      {"torque of a motor is nan", [&] { motor_to_angle(world, 0, 1, z, one, nan); }},
+      {"a motor has no angle to reach: a function of time", [&] { motor_to_angle(world, 0, 1, z, {}, 1); }},
+      {"a piston has no length: a function of time", [&] { piston(world, 0, o, 1, p, {}); }},
+      {"length of a piston is -1", [&] { piston(world, 0, o, 1, p, [](Real) { return Real(-1); }); }},
+      {"force of a piston is -3: 0 or more", [&] { piston(world, 0, o, 1, p, one, -3); }},
+      {"hertz of a distance with a spring is 0", [&] { soft(distance(world, 0, o, 1, p), {0, 1}); }},
+      {"damping ratio of a torsion with a spring is -1", [&] { torsion_spring(world, 0, 1, z, {1, -1}); }},
+      {"radius of a wound rope is 0", rope(0, p)},
+      {"a wound rope of radius 3 hangs from a point inside of the wheel", rope(3, p)},
+      {"point of a wound rope is (0, nan, 0)", rope(1, {0, nan, 0})}};
+  for (const auto& [said, act] : refused) {
+    INFO(said);
+    CHECK(complaint(act).starts_with(said));
+  }
 
   world.joints.push_back(motor_to_angle(world, the_world, 0, z, [&](Real t) { return t > Real(0.05) ? nan : t; }, 1));
   JointedSolver solver;

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector3d;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double ulp = std::numeric_limits<double>::epsilon();
 constexpr std::array coefficients{0.0, 1e-6, 0.1, 0.5, 1.0, 3.0, 1e6};
 
 /// Points that the projection has to tell apart, of the length 1 or so: anywhere, on the axis, and at both edges.
@@ -26,7 +26,7 @@ std::vector<Vector3d> points(double mu, int anywhere) {
   for (const double angle : {0.0, 0.7, 2.0, 3.5, 5.9}) {
     const Vector3d at_edge = Vector3d(1, mu * std::cos(angle), mu * std::sin(angle)) / std::hypot(1, mu);
     const Vector3d of_polar = Vector3d(-mu, std::cos(angle), std::sin(angle)) / std::hypot(1, mu);
-    for (const double off : {0.0, eps, -eps, 1e-3, -1e-3}) {
+    for (const double off : {0.0, ulp, -ulp, 1e-3, -1e-3}) {
       all.push_back(at_edge + off * of_polar);
       all.push_back(of_polar + off * at_edge);
     }
@@ -59,8 +59,8 @@ TEST_CASE("the projection lies in the cone, and is left where it is by a second 
         const Vector3d r = size * point, p = projected_to_cone(r, mu);
         INFO(mu << ": " << r.transpose() << " to " << p.transpose());
         CHECK(p[0] >= 0);
-        CHECK(outside(p, mu) <= 4 * eps * p.stableNorm());
-        CHECK((projected_to_cone(p, mu) - p).stableNorm() <= 4 * eps * p.stableNorm());
+        CHECK(outside(p, mu) <= 4 * ulp * p.stableNorm());
+        CHECK((projected_to_cone(p, mu) - p).stableNorm() <= 4 * ulp * p.stableNorm());
         if (outside(r, mu) == 0) CHECK(p == r);
       }
 }
@@ -70,26 +70,10 @@ TEST_CASE("Moreau: what a projection takes away is the projection to the polar c
     for (const Vector3d& r : points(mu, 300)) {
       const Vector3d p = projected_to_cone(r, mu), away = r - p;
       INFO(mu << ": " << r.transpose() << " to " << p.transpose());
-      CHECK(std::abs(away.dot(p)) <= 8 * eps * r.squaredNorm());
+      CHECK(std::abs(away.dot(p)) <= 8 * ulp * r.squaredNorm());
       // The polar cone {away_n + mu |away_t| <= 0} is -K*; K* is a cone of friction itself, of 1 / mu.
-      CHECK(away[0] + mu * std::hypot(away[1], away[2]) <= 8 * eps * std::hypot(1, mu) * r.norm());
-      if (mu > 0) CHECK((away + projected_to_cone(-r, 1 / mu)).norm() <= 8 * eps * r.norm());
-    }
-}
-
-TEST_CASE("projections to the cone never move two points apart, and scale with them") {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> number(-2, 2);
-  for (const double mu : coefficients)
-    for (int i = 0; i < 300; ++i) {
-      const Vector3d a(number(random), number(random), number(random)),
-          b(number(random), number(random), number(random));
-      const Vector3d of_a = projected_to_cone(a, mu), of_b = projected_to_cone(b, mu);
-      CHECK((of_a - of_b).norm() <= (a - b).norm() + 8 * eps);
-      for (const int power : {-900, 900}) {
-        const double scale = std::ldexp(1, power);  // exact, so that the same bits are due
-        CHECK(projected_to_cone(scale * a, mu) == scale * of_a);
-      }
+      CHECK(away[0] + mu * std::hypot(away[1], away[2]) <= 8 * ulp * std::hypot(1, mu) * r.norm());
+      if (mu > 0) CHECK((away + projected_to_cone(-r, 1 / mu)).norm() <= 8 * ulp * r.norm());
     }
 }
 
@@ -239,35 +223,4 @@ TEST_CASE("a contact that no impulse moves has a unit all the same") {
   CHECK(unit_scales(problem)[1] == 2);
   CHECK(std::isfinite(unitless_residual(problem, Vector::Zero(6))));
   CHECK(unit_scales(problem_with(0 * w, q, 0.5)) == Vector::Ones(2));
-}
-
-TEST_CASE("where W is positive definite a solution is there for any q and any friction, and best finds it") {
-  std::mt19937 random(8);
-  std::normal_distribution<double> number;
-  int missed = 0;
-  for (int trial = 0; trial < 200; ++trial) {
-    const Index contacts = 1 + trial % 4, size = 3 * contacts;
-    Eigen::MatrixXd g(size, size);
-    for (double& each : g.reshaped()) each = number(random);
-    Vector q(size);
-    for (double& each : q) each = number(random);
-    const double mu = std::array{0.0, 0.3, 1.0, 5.0}[static_cast<std::size_t>(trial / 4 % 4)];
-    const Eigen::MatrixXd w = g * g.transpose() + 0.05 * Eigen::MatrixXd::Identity(size, size);
-    if (!(solve_best(problem_with(w, q, mu)).residual < 1e-12)) ++missed;
-  }
-  CHECK(missed == 0);
-}
-
-TEST_CASE("a body squeezed by two that do not give way: W is singular, and for this q there is no solution") {
-  // One body of 1 kg between two contacts that push it along x and against x: u_1 + u_2 is what q makes it.
-  Eigen::MatrixXd w = Eigen::MatrixXd::Zero(6, 6);
-  for (const Index tangent : {0, 1, 2})
-    for (const Index a : {0, 3})
-      for (const Index b : {0, 3}) w(tangent + a, tangent + b) = tangent == 0 && a != b ? -1 : 1;
-  Vector q = Vector::Zero(6);
-  q[0] = q[3] = -1;  // both come closer
-  const double driven = solve_best(problem_with(w, q, 0.5), {.rounds = 2}).residual;
-  CHECK(driven > 0.5);
-  q[0] = 1;  // q = H v now: one comes, one goes, no impulse is needed but on one side
-  CHECK(solve_best(problem_with(w, q, 0.5)).residual < 1e-12);
 }

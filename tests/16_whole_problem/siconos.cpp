@@ -1,7 +1,5 @@
 /// Chapter 16's residual and chapter 19's frozen problems, held against Siconos. Skipped where it is not built in.
-#include <filesystem>
 #include <random>
-#include <set>
 
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
@@ -10,6 +8,7 @@
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
+#include "tests/support/foreign_problems.h"
 
 using namespace pushback;
 using namespace pushback::frozen;
@@ -49,19 +48,6 @@ std::vector<Named> own() {
   return all;
 }
 
-std::vector<Named> foreign() {
-  const char* named = std::getenv("PUSHBACK_PROBLEMS");
-  const std::filesystem::path folder = named != nullptr ? named : "../shared/data/contact_problems";
-  std::set<std::filesystem::path> files;
-  if (std::filesystem::is_directory(folder))
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-      if (entry.path().extension() == ".dat") files.insert(entry.path());
-  if (files.empty()) WARN("skipped: there are no contact problems in " << folder);
-  std::vector<Named> all;
-  for (const auto& file : files) all.push_back({file.stem().string(), read_problem_file(file)});
-  return all;
-}
-
 bool built_in() {
   if (siconos_methods().empty()) WARN("skipped: this build is without PUSHBACK_SICONOS");
   return !siconos_methods().empty();
@@ -74,7 +60,7 @@ TEST_CASE("our residual is Siconos' own error, of whatever r, once both are rela
   std::mt19937 random(11);
   std::normal_distribution<double> number;
   std::vector<Named> all = own();
-  for (Named& each : foreign()) all.push_back(std::move(each));
+  for (const auto& file : foreign_problems()) all.push_back({file.stem().string(), read_problem_file(file)});
   for (const auto& [name, problem] : all) {
     std::vector<Vector> tried{Vector::Zero(problem.q.size())};
     for (const char* method : {"pgs", "scaled-back", "cone"})

@@ -44,7 +44,7 @@ Rows rows_of(World& world) {
   return rows;
 }
 
-constexpr double rounding = std::is_same_v<Real, float> ? 1e-5 : 1e-10;
+constexpr double solved_to = std::is_same_v<Real, float> ? 1e-5 : 1e-10;
 
 /// Handful and sparse systems on 200 of these, made `stiffer` by that part of W's largest number on its diagonal: both solve,
 /// and in the same speeds where there is one answer. Returns how many the handful has solved.
@@ -57,7 +57,7 @@ int solved_alike(const std::function<double(double)>& friction, double stiffer, 
     ContactProblem problem = problem_of(frame.world);
     REQUIRE(problem.contacts() == Handful::most);
     Handful handful{matrix_of_handful(rows, places_in_problem(frame.world.contacts, rows)), problem.q, {}};
-    CHECK((handful.w - Eigen::MatrixXd(problem.w)).norm() <= rounding * problem.w.norm());
+    CHECK((handful.w - Eigen::MatrixXd(problem.w)).norm() <= solved_to * problem.w.norm());
     const double more = stiffer * handful.w.maxCoeff();
     for (Eigen::Index row = 0; row < handful.w.rows(); ++row) {
       handful.w(row, row) += more;
@@ -66,16 +66,16 @@ int solved_alike(const std::function<double(double)>& friction, double stiffer, 
     for (double& mu : problem.mu) mu = friction(mu);
     handful.mu = problem.mu;
     Handful::Impulses r = Vector::Zero(problem.q.size());
-    if (!solve_handful(handful, r, rounding)) {
+    if (!solve_handful(handful, r, solved_to)) {
       CHECK(r.isZero(0));
       continue;
     }
     ++solved;
-    const Solution sparse = solve_best(problem, {.tolerance = rounding});
+    const Solution sparse = solve_best(problem, {.tolerance = solved_to});
     INFO(i);
-    CHECK(relative_residual(problem, r) <= 2 * rounding);
-    REQUIRE(sparse.residual <= rounding);
-    if (one_answer) CHECK((problem.speeds(r) - problem.speeds(sparse.r)).norm() < 1e4 * rounding * problem.q.norm());
+    CHECK(relative_residual(problem, r) <= 2 * solved_to);
+    REQUIRE(sparse.residual <= solved_to);
+    if (one_answer) CHECK((problem.speeds(r) - problem.speeds(sparse.r)).norm() < 1e4 * solved_to * problem.q.norm());
   }
   return solved;
 }

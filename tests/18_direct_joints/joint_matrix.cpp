@@ -1,7 +1,7 @@
 /// Chapter 18: the matrix of all joints in blocks, its factors and its order.
 #include "pushback/chapters/18_direct_joints/joint_matrix.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/13_joints/distance.h"

@@ -4,33 +4,28 @@
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
 #include "pushback/chapters/15_limits_motors_springs/piston.h"
-#include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/19_accuracy_and_time/seat.h"
-#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
-#include "pushback/chapters/20_only_what_is_needed/scenes.h"
+#include "pushback/chapters/26_to_each_its_own/scenes.h"
+#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/tools/catalogue/solvers.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
-#include "tests/support/substeps.h"
 #include "tests/support/with_joints.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
-using namespace pushback::only_what_is_needed_scenes;
 
 namespace {
 
-/// Moves on by a step of h.
-template <class ContactSolver>
-struct InSteps {
-  ContactSolver solver = {};
-  int count = 1, sweeps = 10;
-  void operator()(World& world) { substeps(world, solver, h, count, sweeps); }
-};
-struct Needed {
-  OnlyWhatIsNeeded solver;
-  void operator()(World& world) { solver.step(world, h); }
-};
+/// Moves on by a step of h. A copy has a solver of its own.
+using Step = std::function<void(World&)>;
+Step by(AnySolver solver) {
+  return [solver](World& world) mutable { world.step(solver, h); };
+}
+Step asleep_by(const NamedSolver& named, const World& world) {
+  return [needed = named.fitting(world, Sleep{})](World& its) mutable { needed.step(its, h); };
+}
 
 /// Nothing in it is where it was: who still looks here gets other numbers.
 void scatter(World& world) {
@@ -41,13 +36,12 @@ void scatter(World& world) {
 }
 
 /// The first of so many steps after which the copy has gone another way; -1: none.
-template <class Stepper>
-int first_difference(World world, Stepper step, int before, int after) {
+int first_difference(World world, Step step, int before, int after) {
   for (int i = 0; i < before; ++i) step(world);
   auto original = std::make_unique<World>(world);
-  auto its_step = std::make_unique<Stepper>(step);
+  auto its_step = std::make_unique<Step>(step);
   World copy = *original;
-  Stepper copied_step = *its_step;
+  Step copied_step = *its_step;
   scatter(*original);
   original.reset();
   its_step.reset();
@@ -77,7 +71,7 @@ struct State {
 };
 
 template <class Full>
-Full with(const std::function<void(Full&)>& spoil) {
+AnySolver with(const std::function<void(Full&)>& spoil) {
   Full solver;
   spoil(solver);
   return solver;
@@ -86,28 +80,33 @@ Full with(const std::function<void(Full&)>& spoil) {
 }  // namespace
 
 TEST_CASE("a copied world and its solver go on in the same bits, in every scene") {
-  std::vector<NamedScene> scenes = all_scenes_and_joints();
-  for (const NamedScene& scene : scenes) {
+  const NamedSolver &full = solver_named("07 warm start"), &steady = solver_named("all together");
+  for (const NamedScene& scene : all_scenes_and_joints()) {
     World world;
     scene.fill(world);
     INFO(scene.name);
-    CHECK(first_difference(world, InSteps<JointedSolver>{}, 20, 20) == -1);
-    CHECK(first_difference(world, InSteps<SteadyJointedSolver>{.count = 4, .sweeps = 1}, 10, 10) == -1);
-    CHECK(first_difference(world, Needed{OnlyWhatIsNeeded(world, JointedSolver{}, Sleep{})}, 20, 20) == -1);
+    CHECK(first_difference(world, by(full.solver), 20, 20) == -1);
+    CHECK(first_difference(world, by(steady.solver), 2, 2) == -1);
+    CHECK(first_difference(world, asleep_by(full, world), 20, 20) == -1);
   }
 }
 
-TEST_CASE("a copied world goes on in the same bits under solvers that act after the bodies have moved, or directly") {
-  World world;
-  pyramid(world, 4);
-  struck_chain(world);
-  using Split = CorrectingSolver<SplitJoints, Clamping, SplitImpulse, Slop, Restitution, FrictionCone, WarmStart>;
-  using Nonlinear =
-      CorrectingSolver<WarmJoints, Clamping, NonlinearGaussSeidel, Slop, SequentialImpacts, Friction, WarmStart>;
-  CHECK(first_difference(world, InSteps<Split>{}, 30, 30) == -1);
-  CHECK(first_difference(world, InSteps<Nonlinear>{}, 30, 30) == -1);
-  CHECK(first_difference(world, InSteps<Solver<Clamping, Baumgarte, Slop, Friction, WarmStart, DirectJoints>>{}, 30,
-                         30) == -1);
+TEST_CASE("a copied world and its solver go on in the same bits, under every solver") {
+  World yard;
+  to_each_its_own_scenes::Yard{}(yard);
+  World struck;
+  pyramid(struck, 4);
+  struck_chain(struck);
+  Recommended within;
+  within.error = Real(1e-4);
+  std::vector<std::pair<std::string, AnySolver>> all{{"within 0.1 mm", within}};
+  for (const NamedSolver& named : all_solvers())
+    if (named.solver.holds_joints()) all.emplace_back(named.name, named.solver);
+  for (const auto& [name, solver] : all) {
+    INFO(name);
+    CHECK(first_difference(struck, by(solver), 30, 15) == -1);
+    for (const int before : {17, 54}) CHECK(first_difference(yard, by(solver), before, 15) == -1);
+  }
 }
 
 TEST_CASE("what a solver refuses has changed nothing, and names the value") {
@@ -119,7 +118,7 @@ TEST_CASE("what a solver refuses has changed nothing, and names the value") {
   for (int i = 0; i < 30; ++i) world.step(before, h);
   world.bodies[2].force = {1, 2, 3};
   const State state(world);
-  const auto refused = [&](auto solver, const std::string& what) {
+  const auto refused = [&](AnySolver solver, const std::string& what) {
     INFO(what);
     CHECK(complaint([&] { world.step(solver, h); }).find(what) != std::string::npos);
     CHECK(State(world) == state);
@@ -143,9 +142,6 @@ TEST_CASE("what a solver refuses has changed nothing, and names the value") {
   refused(with<Nonlinear>([](auto& s) { s.most = -1; }), "most is -1");
   refused(with<Solver<Joints, Clamping, SequentialImpacts>>([](auto& s) { s.threshold = -1; }), "threshold is -1");
   refused(with<Solver<Joints, Clamping, Seat>>([](auto& s) { s.seat = -1; }), "seat is -1");
-  FullSolver without_joints;
-  CHECK(complaint([&] { world.step(without_joints, h); }).find("this solver holds no joints") != std::string::npos);
-  CHECK(State(world) == state);
 }
 
 TEST_CASE("a joint that asks for what cannot be has stopped the step before anything changed") {

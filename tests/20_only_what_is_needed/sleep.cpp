@@ -3,10 +3,12 @@
 
 #include <memory>
 
+#include "pushback/chapters/13_joints/distance.h"
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/tools/catalogue/solvers.h"
 #include "pushback/tools/measure/hard_cases/random_scene.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -29,8 +31,14 @@ struct Dormitory {
   World world;
   OnlyWhatIsNeeded solver;
 
-  explicit Dormitory(const World& start) : world(start), solver(world, FullSolver{}, Sleep{}) {}
+  explicit Dormitory(const World& start, const char* named = "07 warm start")
+      : world(start), solver(solver_named(named).fitting(world, Sleep{})) {}
   Sleep& sleep() { return *solver.sleep; }
+  std::vector<Bodies> islands() const {
+    std::vector<Bodies> all = solver.sleep->asleep();
+    std::sort(all.begin(), all.end());
+    return all;
+  }
   void step(int count = 1) {
     for (int i = 0; i < count; ++i) solver.step(world, h);
   }
@@ -41,9 +49,9 @@ struct Dormitory {
     }
     return which;
   }
-  /// Throws if that takes more than 10 s.
+  /// Throws if that takes more than a minute.
   void step_until_asleep(const Bodies& which) {
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < 3600; ++i) {
       step();
       if (asleep() == which) return;
     }
@@ -67,6 +75,23 @@ Dormitory two_sleeping_piles() {
   piles.step_until_asleep(both);
   return piles;
 }
+
+/// Bodies 1 to 4, from above, held up by body 0, which is immovable; 5 hangs beside them on a thread of its own.
+Dormitory five_hanging_asleep() {
+  World world;
+  world.add(box(Vec3::Constant(Real(0.2)), 1).fixed().at({0, 5, 0}));
+  for (int i = 1; i <= 4; ++i) {
+    const Real y = 5 - Real(0.5) * static_cast<Real>(i);
+    world.add(sphere(Real(0.1), 2).at({0, y, 0}));
+    world.joints.push_back(ball_and_socket(world, i - 1, i, {0, y + Real(0.25), 0}));
+  }
+  world.add(sphere(Real(0.1), 2).at({0, 4, Real(0.5)}));
+  world.joints.push_back(distance(world, 0, {0, 5, Real(0.5)}, 5, {0, 4, Real(0.5)}));
+  Dormitory five(world);
+  five.step_until_asleep({1, 2, 3, 4, 5});
+  return five;
+}
+const Bodies hanging{1, 2, 3, 4}, beside{5}, all_five{1, 2, 3, 4, 5};
 
 }  // namespace
 
@@ -114,20 +139,29 @@ TEST_CASE("islands are those that a flood would find, through all that can move"
   CHECK(std::min(alone, together) > 1000);
 }
 
-TEST_CASE("who lies on the same ground is not joined by it") {
-  Dormitory piles = two_sleeping_piles();
-  CHECK(piles.sleep().asleep() == std::vector<Bodies>{first_pile, second_pile});
-}
-
-TEST_CASE("whom a force joins fall asleep and wake as one") {
+TEST_CASE("who lies on the same ground is not joined by it; whom a force joins fall asleep and wake as one") {
+  CHECK(two_sleeping_piles().islands() == std::vector<Bodies>{first_pile, second_pile});
   World world = two_piles();
   world.add(cube().fixed().at({5, 5, 5}));
   world.forces = {{[](World&) {}, "a rod", {7, 1, 4}}};
   Dormitory piles(world);
   piles.step_until_asleep(both);
-  CHECK(piles.sleep().asleep() == std::vector<Bodies>{both});
+  CHECK(piles.islands() == std::vector<Bodies>{both});
   piles.sleep().wake(piles.world, 3);
   CHECK(piles.asleep().empty());
+}
+
+TEST_CASE("who hangs on the same immovable body, or on the world, is not joined by it") {
+  Dormitory five = five_hanging_asleep();
+  CHECK(five.islands() == std::vector<Bodies>{hanging, beside});
+  World& world = five.world;
+  world.joints[0] = ball_and_socket(world, the_world, 1, {0, Real(4.75), 0});
+  world.joints[4] = distance(world, the_world, {0, 5, Real(0.5)}, 5, {0, 4, Real(0.5)});
+  world.joints.push_back(distance(world, the_world, {0, 6, Real(0.5)}, 5, {0, 4, Real(0.5)}));
+  five.step();
+  CHECK(five.asleep().empty());
+  five.step_until_asleep(all_five);
+  CHECK(five.islands() == std::vector<Bodies>{hanging, beside});
 }
 
 // ---- falling asleep ----------------------------------------------------------------------------------------------------------
@@ -238,6 +272,54 @@ TEST_CASE("a changed gravity wakes all, and so does a force that is added or tak
   piles.step_until_asleep(both);
 }
 
+TEST_CASE("joints that come or go wake all") {
+  Dormitory five = five_hanging_asleep();
+  five.world.joints.push_back(distance(five.world, 4, {0, 3, 0}, 5, {0, 4, Real(0.5)}));
+  five.step();
+  CHECK(five.asleep().empty());
+  five.step_until_asleep(all_five);
+  CHECK(five.islands() == std::vector<Bodies>{all_five});
+  five.world.joints.erase(five.world.joints.begin());
+  five.step();
+  CHECK(five.asleep().empty());
+  CHECK(five.world.bodies[1].velocity.y() < Real(-0.05));  // it falls
+}
+
+TEST_CASE("a ball thrown at one link wakes the chain, and nobody else") {
+  Dormitory five = five_hanging_asleep();
+  five.world.add(sphere(Real(0.1), 1).at({-1, Real(3.5), 0}).moving({6, 0, 0}));
+  bool struck = false;
+  for (int i = 0; i < 30 && !struck; ++i) {
+    five.step();
+    struck = !five.world.contacts.empty();
+    CHECK(five.asleep() == (struck ? beside : all_five));
+  }
+  CHECK(struck);
+}
+
+TEST_CASE("what hangs on an immovable body that moves wakes with it, and rests once that does") {
+  Dormitory five = five_hanging_asleep();
+  five.world.bodies[0].velocity = {Real(1e-4), 0, 0};  // slower than any rest
+  five.step();
+  CHECK(five.asleep().empty());
+  five.step(120);
+  CHECK(five.asleep().empty());
+  CHECK(five.world.bodies[4].position.x() > Real(1e-4));
+  five.world.bodies[0].velocity.setZero();
+  five.step_until_asleep(all_five);
+}
+
+TEST_CASE("a joint that is driven keeps awake what it holds, and wakes it when its motion begins") {
+  Dormitory five = five_hanging_asleep();
+  five.world.joints[2].driven = true;  // the same joint: nothing moves yet
+  five.step();
+  CHECK(five.asleep() == beside);
+  five.step(120);
+  CHECK(five.asleep() == beside);
+  five.world.joints[2].driven = false;
+  five.step_until_asleep(all_five);
+}
+
 TEST_CASE("a spring that holds as it held lets sleep, and so does drag, and two of them on one body too") {
   World world = two_piles();
   world.forces = {spring(3, {0, 4, 0}, 50), drag(3, 10), spring(3, {Real(0.1), 3, 0}, 20), spring(6, {1, 4, 0}, 30)};
@@ -307,51 +389,44 @@ TEST_CASE("who is told to wakes with its island, and who lies on something, when
 
 // ---- nothing is to be seen ---------------------------------------------------------------------------------------------------
 
-namespace {
-
-/// Does not know what a contact carried in a step in which it looks new to the world: when its island is woken.
-struct Forgetful : FullSolver {
-  std::size_t had = 0;
-  void solve(World& world, Real dt, int sweeps) override {
-    if (had == 0) world.contacts_before.clear();
-    had = world.contacts.size();
-    FullSolver::solve(world, dt, sweeps);
-  }
-};
-
-/// The speed of the fastest, m/s, in the step in which five sleeping boxes on each other are woken by `wake`.
-template <class Full>
-Real speed_of_the_woken(const Full& full, const std::function<void(World&, Sleep&)>& wake) {
-  World world;
-  stack(world, 5, Real(-0.001));
-  OnlyWhatIsNeeded solver(world, full, Sleep{});
-  for (int i = 0; i < 600 && !world.bodies[1].asleep; ++i) solver.step(world, h);
-  for (int i = 0; i < 10; ++i) solver.step(world, h);
-  REQUIRE(solver.sleep->asleep() == std::vector<Bodies>{{1, 2, 3, 4, 5}});
-  wake(world, *solver.sleep);
-  solver.step(world, h);
-  REQUIRE(solver.sleep->asleep().empty());
-  Real fastest = 0;
-  for (std::size_t i = 1; i <= 5; ++i) fastest = std::max(fastest, world.bodies[i].velocity.norm());
-  return fastest;
-}
-
-}  // namespace
-
-TEST_CASE("a woken pile does not jump: it goes on with the impulses that held it") {
+TEST_CASE("what is woken does not jump: it goes on with the impulses that held it") {
+  // Forgetful: it does not know what a contact or a joint bore before it fell asleep.
+  struct Forgetful : JointedSolver {
+    std::size_t had = 0;
+    void solve(World& world, Real dt, int sweeps) override {
+      if (had == 0) world.contacts_before.clear();
+      had = world.contacts.size();
+      JointedSolver::solve(world, dt, sweeps);
+    }
+  };
+  const auto speed_of_the_woken = [](bool pile, bool forget, const std::function<void(World&, Sleep&)>& wake) {
+    World world;
+    if (pile) stack(world, 5, Real(-0.001));
+    else hanging_chain(world, 8);
+    OnlyWhatIsNeeded solver(world, forget ? AnySolver(Forgetful{}) : solver_named("07 warm start").solver, Sleep{});
+    for (int i = 0; i < 3600 && !world.bodies[1].asleep; ++i) solver.step(world, h);
+    for (int i = 0; i < 600; ++i) solver.step(world, h);
+    REQUIRE(solver.sleep->asleep().size() == 1);
+    if (forget)
+      for (Joint& joint : world.joints) joint.last_impulses.clear();
+    wake(world, *solver.sleep);
+    solver.step(world, h);
+    REQUIRE(solver.sleep->asleep().empty());
+    Real fastest = 0;
+    for (std::size_t i = 1; i <= 5; ++i) fastest = std::max(fastest, world.bodies[i].velocity.norm());
+    return fastest;
+  };
   const auto told_to = [](World& world, Sleep& sleep) { sleep.wake(world, 1); };
   const auto touched = [](World& world, Sleep&) {
     world.add(sphere(Real(0.1), Real(0.001)).at({Real(-0.599), Real(0.5), 0}));
   };
-  const Real with = speed_of_the_woken(FullSolver{}, told_to), without = speed_of_the_woken(Forgetful{}, told_to);
-  const Real with_touch = speed_of_the_woken(FullSolver{}, touched),
-             without_touch = speed_of_the_woken(Forgetful{}, touched);
-  CAPTURE(with, without, with_touch, without_touch);
-  CHECK(with < Real(1e-3));
-  CHECK(with_touch < Real(1e-3));
-  CHECK(without > 10 * with);
-  CHECK(without_touch > 10 * with_touch);
-  CHECK(without > Real(1e-2));
+  for (const auto& [pile, wake] :
+       {std::pair<bool, std::function<void(World&, Sleep&)>>{true, told_to}, {true, touched}, {false, told_to}}) {
+    const Real with = speed_of_the_woken(pile, false, wake), without = speed_of_the_woken(pile, true, wake);
+    CAPTURE(pile, with, without);
+    CHECK(with < Real(1e-3));
+    CHECK(without > Real(1e-2));
+  }
 }
 
 namespace {
@@ -359,35 +434,25 @@ namespace {
 /// Where sleepers may be, m from where they are without sleep: the slop.
 constexpr Real visible = Real(0.005);
 
-struct Seen {
-  bool all_sleep = false;
-  Real farthest = 0;  // m
-};
-
-/// Plays a scene with sleep and without, side by side.
-template <class Full>
-Seen compare(const World& start, const Full& its_solver, Real seconds, Real dt, int sweeps) {
-  World unslept = start, world = start;
-  Full full = its_solver;
-  OnlyWhatIsNeeded solver(world, full, Sleep{});
-  const auto sleeps = [](const Body& body) { return body.asleep; };
+/// Plays a scene with sleep and without, side by side. Returns whether all sleep in the end.
+bool compare(const World& start, const char* named, Real seconds) {
+  World unslept = start;
+  AnySolver full = solver_named(named).solver;
+  Dormitory slept(start, named);
   bool nobody_yet = true;
-  Seen seen;
-  for (long i = 1; i <= std::lround(seconds / dt); ++i) {
-    unslept.step(full, dt, sweeps);
-    solver.step(world, dt, sweeps);
-    nobody_yet = nobody_yet && std::none_of(world.bodies.begin(), world.bodies.end(), sleeps);
-    if (nobody_yet) REQUIRE(hash_of(world) == hash_of(unslept));
-    if (i % std::lround(10 / dt) != 0) continue;  // at 10 s, 20 s, ...
-    for (std::size_t k = 0; k < world.bodies.size(); ++k) {
-      if (!world.bodies[k].asleep) continue;
-      seen.farthest = std::max(seen.farthest, (world.bodies[k].position - unslept.bodies[k].position).norm());
-    }
+  for (long i = 1; i <= std::lround(seconds / h); ++i) {
+    unslept.step(full, h);
+    slept.step();
+    nobody_yet = nobody_yet && slept.asleep().empty();
+    if (nobody_yet) REQUIRE(hash_of(slept.world) == hash_of(unslept));
+    if (i % std::lround(10 / h) != 0) continue;  // at 10 s, 20 s, ...
+    for (const int body : slept.asleep())
+      CHECK((slept.world.body(body).position - unslept.body(body).position).norm() <= visible);
   }
-  seen.all_sleep = std::all_of(world.bodies.begin(), world.bodies.end(),
-                               [](const Body& body) { return body.asleep || !body.movable(); });
-  if (seen.all_sleep) REQUIRE(kinetic_energy(world) == 0);
-  return seen;
+  const bool all_sleep = std::all_of(slept.world.bodies.begin(), slept.world.bodies.end(),
+                                     [](const Body& body) { return body.asleep || !body.movable(); });
+  if (all_sleep) CHECK(kinetic_energy(slept.world) == 0);
+  return all_sleep;
 }
 
 }  // namespace
@@ -398,9 +463,7 @@ TEST_CASE("whoever sleeps is where it would be without, within the slop, and unt
     INFO(scene.name);
     World world;
     scene.fill(world);
-    const Seen seen = compare(world, JointedSolver{}, 20, h, 10);
-    CHECK(seen.farthest <= visible);
-    at_rest += seen.all_sleep ? 1 : 0;
+    at_rest += compare(world, "07 warm start", 20) ? 1 : 0;
   }
   CHECK(at_rest >= 17);
 }
@@ -412,8 +475,7 @@ TEST_CASE("the same in substeps", "[checked]") {
     // 19200 substeps, and 20 sweeps over joints in each.
     if (world.bodies.size() + world.joints.size() > 7) continue;
     INFO(scene.name);
-    const Seen seen = compare(world, SteadyJointedSolver{}, 10, h / 32, 1);
-    CHECK(seen.farthest <= visible);
+    compare(world, "all together", 10);
   }
 }
 
@@ -423,15 +485,12 @@ TEST_CASE("random heaps: a sleeper stays to the bit, knows its island, and touch
     const RandomScene scene = random_scene(seed);
     if (scene.dt != h) continue;
     INFO("seed " << seed);
-    World world = scene.world, again = scene.world;
-    OnlyWhatIsNeeded solver(world, FullSolver{}, Sleep{}), other(again, FullSolver{}, Sleep{});
+    Dormitory heap(scene.world);
+    const World& world = heap.world;
     World before;
     for (int i = 0; i < 300; ++i) {
       before = world;
-      const std::string said = complaint([&] { solver.step(world, h); });
-      REQUIRE(said == complaint([&] { other.step(again, h); }));
-      REQUIRE(hash_of(world) == hash_of(again));  // the same bits in each run
-      if (!said.empty()) break;                   // no longer finite, as without sleep
+      if (!complaint([&] { heap.step(); }).empty()) break;  // no longer finite, as without sleep
       for (std::size_t k = 0; k < world.bodies.size(); ++k) {
         const Body &was = before.bodies[k], &is = world.bodies[k];
         slept += !was.asleep && is.asleep;
@@ -445,7 +504,7 @@ TEST_CASE("random heaps: a sleeper stays to the bit, knows its island, and touch
         if (a.movable() && b.movable()) REQUIRE(a.asleep == b.asleep);
       }
       std::vector<int> listed(world.bodies.size(), 0);
-      for (const Bodies& island : solver.sleep->asleep()) {
+      for (const Bodies& island : heap.islands()) {
         REQUIRE(std::is_sorted(island.begin(), island.end()));
         for (const int k : island) ++listed[std::size_t(k)];
       }
@@ -475,35 +534,29 @@ TEST_CASE("a body may come while others sleep, and falls asleep like them") {
   CHECK(piles.sleep().asleep().size() == 4);
 }
 
-TEST_CASE("a world that has lost a body is refused, and nothing has moved") {
+TEST_CASE("sleep: a body that is not there is named, whether it is lost, acted on, or to be woken") {
+  Dormitory lost = two_sleeping_piles();
+  lost.world.bodies.pop_back();
+  const std::uint64_t before = hash_of(lost.world);
+  CHECK(complaint([&] { lost.step(); }).find("lost a body") != std::string::npos);
+  CHECK(hash_of(lost.world) == before);
   Dormitory piles = two_sleeping_piles();
-  piles.world.bodies.pop_back();
-  const std::uint64_t before = hash_of(piles.world);
-  CHECK(complaint([&] { piles.step(); }).find("lost a body") != std::string::npos);
-  CHECK(hash_of(piles.world) == before);
-}
-
-TEST_CASE("a force on a body that is not there is named") {
   for (const int body : {-1, 7}) {
-    Dormitory piles = two_sleeping_piles();
-    piles.world.forces.push_back({[](World&) {}, "a rod", {1, body}});
-    const std::string said = complaint([&] { piles.step(); });
-    CHECK(said == fmt::format("a rod acts on body {}: of 7 bodies, the first is 0", body));
+    CHECK(complaint([&] { piles.sleep().wake(piles.world, body); }) ==
+          fmt::format("body to wake is {}: a whole number from 0 to 6 is needed", body));
+    CHECK(piles.asleep() == both);
+  }
+  for (const int body : {-1, 7}) {
+    const std::string expected = fmt::format("a rod acts on body {}: of 7 bodies, the first is 0", body);
+    piles.world.forces = {{[](World&) {}, "a rod", {1, body}}};
+    CHECK(complaint([&] { piles.step(); }) == expected);
     piles.world.forces.back().bodies = {1};
     piles.step();
     piles.world.forces.back().bodies = {body};  // as many forces as before
-    CHECK(said == complaint([&] { piles.step(); }));
+    CHECK(complaint([&] { piles.step(); }) == expected);
+    piles.world.forces.clear();
+    piles.step();
   }
-}
-
-TEST_CASE("who cannot be woken is named, and the numbers that can") {
-  Dormitory piles = two_sleeping_piles();
-  for (const int body : {-1, 7, 1000}) {
-    const std::string said = complaint([&] { piles.sleep().wake(piles.world, body); });
-    INFO(said);
-    CHECK(said == fmt::format("body to wake is {}: a whole number from 0 to 6 is needed", body));
-  }
-  CHECK(piles.asleep() == both);
 }
 
 TEST_CASE("sleep: what cannot be simulated is refused, and nothing has moved") {

@@ -1,6 +1,7 @@
 /// Contacts that ride: n, arms and C of bodies that have moved since they were detected, against detecting them again.
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/21_detected_once/scenes.h"
 #include "pushback/chapters/22_wide/along.h"
 #include "pushback/chapters/22_wide/wide.h"
@@ -168,21 +169,6 @@ TEST_CASE("rides: fifteen balls that are broken lie where they should, to 4 mm, 
   }
   INFO("off by " << 1000 * farthest << " mm");
   CHECK(farthest < Real(4e-3));  // 74 mm with the normals of detection
-}
-
-TEST_CASE("floating: what hangs together with nothing immovable, by contacts or by joints") {
-  World world;
-  world.add(ground());
-  for (int i = 0; i < 6; ++i) world.add(sphere(Real(0.5), 1).at({2 * static_cast<Real>(i), Real(5), 0}));
-  CHECK(floating(touching_pairs(world.contacts), world) ==
-        std::vector<bool>{false, true, true, true, true, true, true});
-  world.bodies[1].position = {0, Real(0.4), 0};  // on the ground
-  world.bodies[2].position = {0, Real(1.3), 0};  // on that
-  world.bodies[4].position = world.bodies[3].position + Vec3(Real(0.9), 0, 0);
-  world.joints.push_back(ball_and_socket(world, 5, the_world, world.bodies[5].position));
-  world.find_contacts();
-  CHECK(floating(touching_pairs(world.contacts), world) ==
-        std::vector<bool>{false, false, false, true, true, false, true});
 }
 
 TEST_CASE(

@@ -9,13 +9,14 @@
 #include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/13_joints/study.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/chapters/21_detected_once/study.h"
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/measure/hard_cases/sliding.h"
 #include "tests/support/catch.h"
-#include "tests/support/sleep.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
@@ -112,30 +113,6 @@ TEST_CASE("wide: a body under more than 64 others: those beyond are solved one a
   CHECK(coloured(pairs, fixed).size() == 1);
 }
 
-TEST_CASE(
-    "wide: pairs are those of the contacts, in their order, and all points of a pair have one normal and one "
-    "friction") {
-  World world;
-  heap(world);
-  FullSolver solver;
-  for (int i = 0; i < 120; ++i) {
-    world.step(solver, h);
-    std::size_t next = 0;
-    for (const PairOfBodies& pair : touching_pairs(world.contacts)) {
-      REQUIRE(pair.first == next);
-      next += pair.count;
-      for (std::size_t k = pair.first; k < next; ++k) {
-        const Contact& contact = world.contacts[k];
-        CHECK((contact.id.body_a == pair.a && contact.id.body_b == pair.b));
-        CHECK(contact.normal == world.contacts[pair.first].normal);
-        CHECK(contact.friction == world.contacts[pair.first].friction);
-        CHECK(contact.restitution == world.contacts[pair.first].restitution);
-      }
-    }
-    REQUIRE(next == world.contacts.size());
-  }
-}
-
 TEST_CASE("wide: what rests ends as it does one contact after the other") {
   const auto compare = [](const auto& fill, Real seconds, Real allowed) {
     World once, doubles, floats;
@@ -179,21 +156,6 @@ TEST_CASE("wide: in float, a stack stands 100 km from the origin as it does ther
     CHECK((far.bodies[i].position - away - near.bodies[i].position).norm() < (in_double ? Real(1e-5) : Real(0.1)));
 }
 
-TEST_CASE("wide: what nothing touches flies in the bits of one after the other, and turns as it does to rounding") {
-  World wide, alone;
-  for (World* world : {&wide, &alone})
-    world->add(box({Real(0.1), Real(0.2), Real(0.3)}, 1).at({0, 50, 0}).moving({1, 2, 3}).spinning({3, 2, 1}));
-  stack(wide, 2);
-  Wide<float> of_wide;
-  DetectedOnce of_alone;
-  for (int i = 0; i < 60; ++i) {
-    wide.step(of_wide, h);
-    alone.step(of_alone, h);
-    REQUIRE(wide.bodies[0].position == alone.bodies[0].position);
-    REQUIRE((wide.bodies[0].angular_velocity - alone.bodies[0].angular_velocity).norm() < 60 * 32 * 10 * eps);
-  }
-}
-
 TEST_CASE("wide: what bounces goes, to rounding, as if it were detected in each substep") {
   World in_each, once;
   for (World* world : {&in_each, &once}) {
@@ -212,9 +174,23 @@ TEST_CASE("wide: what bounces goes, to rounding, as if it were detected in each 
   }
 }
 
-TEST_CASE(
-    "wide: what is recommended moves in the same bits with what is called for, and rests asleep until it is hit") {
-  check_called_for_and_asleep(Wide<Real>{});
+TEST_CASE("wide: what rests sleeps until it is hit, and moves in the same bits with what is called for") {
+  World world, needed;
+  for (World* each : {&world, &needed}) stack(*each, 3);
+  Wide<Real> solver;
+  OnlyWhatIsNeeded chosen(needed, AnySolver(solver));
+  for (int i = 0; i < 60; ++i) {
+    world.step(solver, h);
+    chosen.step(needed, h);
+    REQUIRE(hash_of(world) == hash_of(needed));
+  }
+  OnlyWhatIsNeeded resting(world, AnySolver(solver), Sleep{});
+  for (int i = 0; i < 120; ++i) resting.step(world, h);
+  for (const int box : {1, 2, 3}) CHECK(world.body(box).asleep);
+  world.add(sphere(Real(0.3), 50).at({-3, Real(0.5), 0}).moving({6, 0, 0}));
+  for (int i = 0; i < 30; ++i) resting.step(world, h);
+  CHECK_FALSE(world.bodies[1].asleep);
+  CHECK(world.bodies[1].position.x() > Real(0.01));
 }
 
 TEST_CASE(

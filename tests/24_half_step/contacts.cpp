@@ -1,36 +1,26 @@
 /// Chapter 24: contacts in both stages.
-#include "pushback/chapters/19_accuracy_and_time/motion.h"
-#include "pushback/common/bodies/random.h"
+#include "pushback/chapters/24_half_step/study.h"
 #include "pushback/common/world/situations.h"
 #include "tests/24_half_step/order.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 
 using namespace pushback;
+using namespace pushback::half_step_scenes;
 
 namespace {
 
 /// The largest error of a motion of chapter 19, m.
-double error_of_contacts(const std::string& name, int substeps) {
+Real error_of_contacts(const std::string& name, int substeps) {
   const Motion& motion = motion_named(name);
-  World world;
-  motion.begin(world);
-  HalfStep step;
-  step.substeps = substeps;
-  step.threshold = 0;
-  double largest = 0;
-  for (const Places& places : motion.truth(motion.frames())) {
-    world.step(step, h);
-    for (std::size_t i = 0; i < places.size(); ++i)
-      largest = std::max(largest, (world.bodies[i].position.cast<double>() - places[i]).norm());
-  }
-  return largest;
+  return largest_error(motion, motion.truth(motion.frames()), in_substeps(substeps));
 }
 
 }  // namespace
 
-TEST_CASE("half step: a box slides down a slope exactly, and one that stops is off by at most mu g h^2 / 8") {
+TEST_CASE("half step: slides down a slope exactly, rolls to micrometres, and stops, off by at most mu g h^2 / 8") {
   CHECK(error_of_contacts("incline", 1) < (in_double ? 1e-10 : 1e-3));
+  CHECK(error_of_contacts("rolling", 1) < (in_double ? 1.1e-6 : 1e-3));
   CHECK(error_of_contacts("sliding", 1) < 1.7e-4);
   if (!in_double) return;
   for (const int substeps : {1, 2, 4, 8, 16}) {
@@ -46,10 +36,6 @@ TEST_CASE("half step: the page's three lines") {
   solver.substeps = 4;
   world.step(solver, 1.0 / 60);
   CHECK(world.bodies[0].position.y() == Approx(5 - g * h * h / 2).epsilon(1e-6));
-}
-
-TEST_CASE("half step: a ball slides, rolls, and is off by micrometres") {
-  CHECK(error_of_contacts("rolling", 1) < (in_double ? 1.1e-6 : 1e-3));
 }
 
 TEST_CASE("half step: a ball slides down from a smooth ball, keeps its energy, and leaves it at 2/3 of the height") {
@@ -204,40 +190,6 @@ TEST_CASE("half step: what overlaps comes out by a tenth in a hundredth of a sec
     if (i == 29) half_way = depth();
   }
   CHECK(depth() == Approx(half_way * std::pow(1 - 10 * h, 30)).margin(10 * rounding));
-}
-
-TEST_CASE("half step: a heap of anything gains no energy") {
-  for (const std::uint64_t seed : {2U, 5U}) {
-    Random random(seed);
-    World world;
-    world.add(ground());
-    for (int i = 0; i < 6; ++i)
-      world.add(random.body(10).at({random.between(-1, 1), Real(1.5) + Real(2.2) * static_cast<Real>(i), 0}));
-    HalfStep step;
-    const Real begin = energy(world);
-    Real before = begin;
-    for (int i = 0; i < 180; ++i) {
-      world.step(step, h);
-      const Real now = energy(world);
-      CHECK(now - before < Real(1e-4) * begin);
-      before = now;
-    }
-    CHECK(before < begin / 2);
-  }
-}
-
-TEST_CASE("half step: contacts under a composed step are refused by name") {
-  World world;
-  world.add(ground());
-  world.add(sphere(Real(0.5), 1).at({0, Real(0.49), 0}));
-  Composed<Suzuki> composed;
-  const World before = world;
-  CHECK(complaint([&] { world.step(composed, h); }).find("composed step goes back in time") != std::string::npos);
-  CHECK(hash_of(world) == hash_of(before));
-  HalfStep step;
-  step.threshold = -1;
-  CHECK(complaint([&] { world.step(step, h); }).find("threshold") != std::string::npos);
-  CHECK(hash_of(world) == hash_of(before));
 }
 
 TEST_CASE("half step: what takes more than most_work is refused, stops soon after, and nothing has changed") {

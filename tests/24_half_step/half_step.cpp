@@ -8,8 +8,7 @@
 #include "pushback/chapters/15_limits_motors_springs/spring.h"
 #include "pushback/chapters/19_accuracy_and_time/front.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
-#include "pushback/chapters/24_half_step/composition.h"
-#include "pushback/chapters/24_half_step/plain.h"
+#include "pushback/chapters/24_half_step/study.h"
 #include "pushback/chapters/24_half_step/top.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/bodies/random.h"
@@ -25,25 +24,6 @@ using namespace pushback;
 using namespace pushback::half_step_scenes;
 
 namespace {
-
-/// The largest error of a motion of chapter 19, m.
-template <class Step>
-double error_of_motion(const std::string& name, const std::vector<Places>& truth, int substeps) {
-  World world;
-  motion_named(name).begin(world);
-  auto step = exact<Step>(substeps);
-  double largest = 0;
-  for (const Places& places : truth) {
-    world.step(step, h);
-    for (std::size_t i = 0; i < places.size(); ++i)
-      largest = std::max(largest, (world.bodies[i].position.cast<double>() - places[i]).norm());
-  }
-  return largest;
-}
-std::vector<Places> truth_of(const std::string& name) {
-  const Motion& motion = motion_named(name);
-  return motion.truth(motion.frames());
-}
 
 /// Of all joints of a world: the largest |C|, and the largest |J v|.
 struct Residuals {
@@ -99,36 +79,21 @@ Real farthest(const World& one, const World& other) {
 
 }  // namespace
 
-TEST_CASE("half step: of second order, the pendulum and the chain") {
+TEST_CASE("half step: of second order, and composed of fourth, the pendulum and the chain") {
   if (!in_double) return;  // floats end at about 0.2 mm
-  for (const std::string name : {"pendulum", "chain"}) {
-    CAPTURE(name);
-    const auto truth = truth_of(name);
-    const auto error_of = [&](int substeps) { return error_of_motion<HalfStep>(name, truth, substeps); };
-    CHECK(order({4, 8, 16, 32}, error_of) == Approx(2).margin(0.1));
-    CHECK(error_of(8) < (name == "chain" ? 6.1e-5 : 1.9e-5));
-  }
-}
-
-TEST_CASE("half step: composed, of fourth order") {
-  if (!in_double) return;
-  const auto pendulum = truth_of("pendulum"), chain = truth_of("chain");
-  CHECK(order({1, 2, 4, 8}, [&](int n) { return error_of_motion<Composed<Yoshida>>("pendulum", pendulum, n); }) ==
-        Approx(4).margin(0.1));
-  CHECK(order({1, 2, 4, 8}, [&](int n) { return error_of_motion<Composed<Suzuki>>("chain", chain, n); }) ==
-        Approx(4).margin(0.2));
-  CHECK(error_of_motion<Composed<Suzuki>>("chain", chain, 1) < 1.4e-4);
-  CHECK(error_of_motion<Composed<Suzuki>>("pendulum", pendulum, 1) < 3e-7);
-}
-
-TEST_CASE("half step: the parts of a composition add up, and their cubes cancel") {
-  const auto sums = [](const auto& parts, Real sum, Real cubes) {
-    for (const Real part : parts) sum += part, cubes += part * part * part;
-    CHECK(sum == Approx(1).epsilon(static_cast<double>(8 * eps)));
-    CHECK(std::abs(cubes) < 32 * eps);
+  const auto check = [](const char* name, auto step, std::vector<int> substeps, int its_order, int at, Real least) {
+    CAPTURE(name, its_order);
+    const Motion& motion = motion_named(name);
+    const auto truth = motion.truth(motion.frames());
+    const auto error_of = [&](int count) { return largest_error(motion, truth, exact<decltype(step)>(count)); };
+    CHECK(order(substeps, error_of) == Approx(its_order).margin(its_order == 2 ? 0.1 : 0.2));
+    CHECK(error_of(at) < least);
   };
-  sums(Yoshida::parts, 0, 0);
-  sums(Suzuki::parts, 0, 0);
+  check("pendulum", HalfStep{}, {4, 8, 16, 32}, 2, 8, 1.9e-5);
+  check("chain", HalfStep{}, {4, 8, 16, 32}, 2, 8, 6.1e-5);
+  check("pendulum", Composed<Yoshida>{}, {1, 2, 4, 8}, 4, 8, 1e-6);
+  check("pendulum", Composed<Suzuki>{}, {1, 2, 4, 8}, 4, 1, 3e-7);
+  check("chain", Composed<Suzuki>{}, {1, 2, 4, 8}, 4, 1, 1.4e-4);
 }
 
 TEST_CASE("half step: the plain loop is the same step, and each wrong way is of first order") {
@@ -333,28 +298,6 @@ TEST_CASE("half step: a rod whose length is a function of time is held to second
   CHECK(order({4, 8, 16, 32}, [&](int n) { return (at_the_end(n) - fine).norm(); }) == Approx(2).margin(0.1));
 }
 
-TEST_CASE("half step: a loop of four bars, with more rows than it needs") {
-  World world;
-  world.add(box({Real(0.1), Real(0.5), Real(0.1)}, 1).at({0, Real(0.5), 0}));
-  world.add(box({Real(0.5), Real(0.1), Real(0.1)}, 1).at({Real(0.5), 1, 0}));
-  world.add(box({Real(0.1), Real(0.5), Real(0.1)}, 1).at({1, Real(0.5), 1}));
-  const auto pin = [&world](int a, int b, const Vec3& at) {
-    world.joints.push_back(hinge(world, a, b, at, Vec3::UnitZ()));
-  };
-  pin(the_world, 0, {0, 0, 0});
-  pin(0, 1, {0, 1, 0});
-  pin(1, 2, {1, 1, 0});
-  pin(2, the_world, {1, 0, 0});
-  world.bodies[1].velocity = {1, 0, 0};
-  HalfStep step;
-  step.substeps = 4;
-  world.step(step, h);
-  const Real before = energy(world);
-  for (int i = 0; i < 300; ++i) world.step(step, h);
-  CHECK(residuals(world).position <= step.tolerance);
-  CHECK(energy(world) == Approx(before).epsilon(1e-2));
-}
-
 TEST_CASE("half step: a step that is too large is divided, or refused by name") {
   World world;
   motion_named("chain").begin(world);
@@ -385,48 +328,40 @@ TEST_CASE("half step: a step that is too large is divided, or refused by name") 
 }
 
 TEST_CASE("half step: what it does not do is refused by name, and nothing has changed") {
-  const auto said = [](const std::function<void(World&)>& add, HalfStep step = {}) {
+  using Add = std::function<void(World&)>;
+  const auto refused = [](const std::string& part, AnySolver step, const Add& add) {
     World world;
     world.add(sphere(Real(0.2), 1).at({1, 0, 0}).moving({0, 1, 0}));
     add(world);
     const std::uint64_t before = hash_of(world);
-    const std::string what = complaint([&] { world.step(step, h); });
+    const std::string said = complaint([&] { world.step(step, h); });
+    INFO(said);
+    CHECK(said.find(part) != std::string::npos);
     CHECK(hash_of(world) == before);
-    return what;
-  };
-  const auto has = [](const std::string& text, const std::string& part) {
-    INFO(text);
-    CHECK(text.find(part) != std::string::npos);
   };
   const auto join = [](auto make) { return [make](World& world) { world.joints.push_back(make(world)); }; };
-  has(said([](World& world) { world.bodies[0].asleep = true; }), "asleep");
-  const auto soft_limits = [](World& w) { return soft(angle_limits(w, the_world, 0, Vec3::UnitZ(), -1, 1), {2, 1}); };
-  has(said(join(soft_limits)), "whose force has a limit");
-  has(said(join([](World& w) { return soft(ball_and_socket(w, the_world, 0, Vec3::Zero()), {30, 1}); })),
-      "more substeps");
-  const auto composed = [](auto make) {
-    World world;
-    world.add(sphere(Real(0.2), 1).at({1, 0, 0}).moving({0, 1, 0}));
-    world.joints.push_back(make(world));
-    Composed<Suzuki> step;
-    const std::uint64_t before = hash_of(world);
-    const std::string what = complaint([&] { world.step(step, h); });
-    CHECK(hash_of(world) == before);
-    return what;
+  const auto limits = [](World& w) { return angle_limits(w, the_world, 0, Vec3::UnitZ(), -1, 1); };
+  const auto springs = [](Real hertz) {
+    return [hertz](World& w) { return soft(ball_and_socket(w, the_world, 0, Vec3::Zero()), {hertz, 1}); };
   };
-  has(composed([](World& w) { return soft(ball_and_socket(w, the_world, 0, Vec3::Zero()), {2, 1}); }), "that damps");
-  has(composed([](World& w) { return angle_limits(w, the_world, 0, Vec3::UnitZ(), -1, 1); }), "angle limits");
-  has(composed([](World& w) { return motor_at_speed(w, the_world, 0, Vec3::UnitZ(), 1, 5); }), "a motor");
-  HalfStep wrong;
-  wrong.substeps = 0;
-  has(said([](World&) {}, wrong), "substeps");
-  wrong = {};
-  wrong.most_rounds = 0;
-  has(said([](World&) {}, wrong), "most_rounds");
-  wrong = {};
-  wrong.most_halvings = -1;
-  has(said([](World&) {}, wrong), "most_halvings");
-  wrong = {};
-  wrong.tolerance = 0;
-  has(said([](World&) {}, wrong), "tolerance");
+  const HalfStep step;
+  refused("asleep", step, [](World& world) { world.bodies[0].asleep = true; });
+  refused("whose force has a limit", step, join([=](World& w) { return soft(limits(w), {2, 1}); }));
+  refused("more substeps", step, join(springs(30)));
+  const Composed<Suzuki> composed;
+  refused("that damps", composed, join(springs(2)));
+  refused("angle limits", composed, join(limits));
+  refused("a motor", composed, join([](World& w) { return motor_at_speed(w, the_world, 0, Vec3::UnitZ(), 1, 5); }));
+  refused("composed step goes back in time", composed,
+          [](World& world) { world.add(half_space(Vec3::UnitX()).at({Real(0.81), 0, 0})); });
+  const auto wrong = [&](const std::string& name, auto HalfStep::* setting, auto value) {
+    HalfStep with;
+    with.*setting = static_cast<std::remove_reference_t<decltype(with.*setting)>>(value);
+    refused(name, with, [](World& world) { world.add(half_space(Vec3::UnitX()).at({Real(0.81), 0, 0})); });
+  };
+  wrong("substeps", &HalfStep::substeps, 0);
+  wrong("most_rounds", &HalfStep::most_rounds, 0);
+  wrong("most_halvings", &HalfStep::most_halvings, -1);
+  wrong("tolerance", &HalfStep::tolerance, 0);
+  wrong("threshold", &HalfStep::threshold, -1);
 }

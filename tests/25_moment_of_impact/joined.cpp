@@ -3,6 +3,7 @@
 #include "pushback/chapters/13_joints/distance.h"
 #include "pushback/chapters/13_joints/weld.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
+#include "pushback/chapters/24_half_step/study.h"
 #include "pushback/chapters/25_moment_of_impact/at_impacts.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/bodies/random.h"
@@ -17,10 +18,7 @@ using moment_of_impact_scenes::PendulumAtWall;
 namespace {
 
 AtImpacts in_parts(int substeps) {
-  AtImpacts step;
-  step.substeps = substeps;
-  step.threshold = 0;
-  return step;
+  return half_step_scenes::in_substeps<AtImpacts>(substeps);
 }
 /// rad: how far the ball on a pin has turned.
 double angle_of(const World& world) {
@@ -47,21 +45,6 @@ double time_to(double angle) {
 }
 double touching_angle(const PendulumAtWall& scene) {
   return std::asin(static_cast<double>(scene.wall / PendulumAtWall::radius) - 1);
-}
-
-/// m, over 2 s.
-double error_of(const PendulumAtWall& scene, const std::vector<Places>& truth, int substeps) {
-  World world;
-  scene(world);
-  AtImpacts step = in_parts(substeps);
-  double largest = 0;
-  for (const Places& places : truth) {
-    world.step(step, h);
-    CHECK_FALSE(step.bound_reached());
-    for (std::size_t i = 0; i < places.size(); ++i)
-      largest = std::max(largest, (world.bodies[i].position.cast<double>() - places[i]).norm());
-  }
-  return largest;
 }
 
 }  // namespace
@@ -116,39 +99,14 @@ TEST_CASE("joined impact: a ball on a pin meets a wall at the instant and with t
   }
 }
 
-TEST_CASE("joined impact: a double pendulum that meets a wall, e = 1, keeps its energy, and stays before the wall") {
-  const PendulumAtWall scene{.links = 1, .e = 1};
-  const auto off = [&](int substeps) {
-    World world;
-    scene(world);
-    AtImpacts step = in_parts(substeps);
-    const Real begin = energy(world), swings = -begin;  // J, above nothing at the pin: of the order of what there is
-    Real largest = 0;
-    int events = 0;
-    for (int i = 0; i < 600; ++i) {
-      world.step(step, h);
-      events += step.events();
-      largest = std::max(largest, std::abs(energy(world) - begin) / swings);
-      CHECK(world.bodies[1].position.x() + PendulumAtWall::radius <
-            scene.wall + (in_double ? 2 * HeldContacts::touches : Real(1e-3)));
-      CHECK((world.bodies[0].orientation * Vec3(PendulumAtWall::half_width, -PendulumAtWall::link / 2, 0) +
-             world.bodies[0].position)
-                .x() < scene.wall);
-    }
-    CHECK(events > 5);
-    return largest;
-  };
-  CHECK(off(4) < Real(2e-3));
-  if (!in_double) return;
-  CHECK(order({8, 16, 32}, off) == Approx(2).margin(0.3));
-}
-
 TEST_CASE("joined impact: a double pendulum that meets a wall is off by the square of the substep") {
   const PendulumAtWall scene{.links = 1};
+  const Motion motion{.name = "", .title = "", .fill = scene, .seconds = 2, .truth = {}};
   const std::vector<Places> truth = scene.truth(120);
-  CHECK(error_of(scene, truth, 16) < (in_double ? 1e-3 : 1e-2));
+  const auto error = [&](int substeps) { return half_step_scenes::largest_error(motion, truth, in_parts(substeps)); };
+  CHECK(error(16) < (in_double ? 1e-3 : 1e-2));
   if (!in_double) return;
-  CHECK(order({8, 16, 32, 64}, [&](int n) { return error_of(scene, truth, n); }) == Approx(2).margin(0.2));
+  CHECK(order({8, 16, 32, 64}, error) == Approx(2).margin(0.2));
 }
 
 TEST_CASE("joined impact: what is pressed to a wall comes to rest there, and bounces end") {
@@ -269,46 +227,6 @@ TEST_CASE("joined impact: a bullet on a thread does not pass a sheet of 1 mm") {
   }
 }
 
-TEST_CASE("joined impact: chains of boxes and balls that fall come to rest, are held, and gain nothing") {
-  if (!in_double) return;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
-    World world;
-    world.add(ground().rough(Real(0.5)).bouncy(Real(0.3)));
-    const Vec3 along = random.direction();
-    int before = the_world;
-    for (int i = 0; i < 2 + static_cast<int>(seed) % 4; ++i) {
-      Body body = i % 2 == 1 ? sphere(Real(0.15), 1) : box({Real(0.1), Real(0.1), Real(0.2)}, 1);
-      Vec3 at = Vec3(0, Real(1.5), 0) + Real(0.5) * static_cast<Real>(i) * along;
-      if (at.y() < Real(0.4)) at.y() = Real(0.4) + Real(0.45) * static_cast<Real>(i);
-      const int added = world.add(body.at(at).rough(Real(0.5)).bouncy(Real(0.3)));
-      if (before != the_world)
-        world.joints.push_back(ball_and_socket(world, before, added, (world.body(before).position + at) / 2));
-      before = added;
-    }
-    AtImpacts step;
-    step.substeps = 4;
-    const Real begin = energy(world);
-    Real least = begin, gained = 0, deepest = 0;
-    int events = 0;
-    for (int i = 0; i < 150; ++i) {
-      world.step(step, h);
-      events += step.events();
-      gained = std::max(gained, energy(world) - least);
-      least = std::min(least, energy(world));
-      deepest = std::max(deepest, deepest_overlap(world));
-      CHECK_FALSE(step.bound_reached());
-    }
-    CHECK(events > 5);
-    CHECK(gained < Real(1e-3) * begin);
-    CHECK(deepest < Real(0.003));  // a held pair's next corner is found at the end of a substep
-    Equations equations;
-    for (const Joint& joint : world.joints) joint.ask(world.body(joint.a), world.body(joint.b), {0, h}, equations);
-    for (const Equation& equation : equations) CHECK(std::abs(equation.error) <= step.tolerance);
-  }
-}
-
 TEST_CASE("joined impact: where nobody meets anybody it is chapter 24's step, to the bit") {
   World world;
   motion_named("chain").begin(world);
@@ -324,17 +242,4 @@ TEST_CASE("joined impact: where nobody meets anybody it is chapter 24's step, to
     REQUIRE(hash_of(world) == hash_of(other));
   }
   CHECK(cut.events() == 0);
-}
-
-TEST_CASE("joined impact: the same bits again, also from a copy in between") {
-  World one;
-  PendulumAtWall{}(one);
-  World other = one;
-  AnySolver of_one = AtImpacts{}, of_other = AtImpacts{};
-  for (int i = 0; i < 120; ++i) {
-    one.step(of_one, h);
-    if (i == 30) of_other = AnySolver(AtImpacts{});
-    other.step(of_other, h);
-    REQUIRE(hash_of(one) == hash_of(other));
-  }
 }

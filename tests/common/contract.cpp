@@ -2,6 +2,7 @@
 #include "pushback/chapters/10_position_correction/split_impulse.h"
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
+#include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/picture_of.h"

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/common/world/step.h"

@@ -1,4 +1,5 @@
 /// The program `motion_wide`: the solvers that divide each step themselves play the motions.
+#include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/chapters/24_half_step/composition.h"
 #include "pushback/chapters/25_moment_of_impact/at_impacts.h"

@@ -1,0 +1,117 @@
+/// What solvers share that detect contacts once in a step: this chapter's, one contact after the other, and chapter 22's.
+#pragma once
+
+#include "pushback/chapters/12_soft_contacts/soft_contacts.h"
+#include "pushback/chapters/13_joints/joint_row.h"
+
+namespace pushback {
+
+/// What soft contacts ask for in substeps of one length: see SoftContacts, chapter 12.
+struct PushOut {
+  Real rate;        ///< k / (c + h k), 1/s
+  Real gamma_by_K;  ///< gamma / K
+  Real fastest;     ///< m/s
+  Real threshold;   ///< m/s; what arrives slower does not bounce
+};
+
+/// What a contact point shows: `known`: whether the step before had it.
+template <class Scalar>
+ContactState state_of(bool known, Scalar friction, Scalar pushed, Scalar rubbed1, Scalar rubbed2) {
+  if (!known) return ContactState::fresh;
+  if (friction == 0) return ContactState::warm;
+  constexpr Scalar rounding = 16 * std::numeric_limits<Scalar>::epsilon();  // of what was drawn back to the edge
+  const bool held = std::sqrt(rubbed1 * rubbed1 + rubbed2 * rubbed2) < (1 - rounding) * friction * pushed;
+  return held ? ContactState::sticking : ContactState::sliding;
+}
+
+/// An impulse of the step before, N s, projected into the friction cone about a normal that may have turned since: a substep in
+/// which a contact bounces restores the impulses that it started from, and would restore them outside of the cone.
+inline Vec3 within_cone(const Vec3& impulse, const Vec3& n, Real friction) {
+  const Real pressed = std::max(Real(0), impulse.dot(n));
+  const Vec3 rubbed = impulse - impulse.dot(n) * n;
+  const Real size = rubbed.norm();
+  return pressed * n + (size > friction * pressed ? friction * pressed / size : 1) * rubbed;
+}
+
+/// The settings of a solver that divides its steps, and its plan: one sweep a substep, and a margin ahead of which contacts
+/// are detected, so that bodies that come to touch within the step have rows.
+struct SubsteppingSolver : StepSolver {
+  int substeps = 32;  ///< of a step of `per`: a longer one has more, a shorter one fewer, so contacts are as stiff
+  Real per = 0;       ///< s; 0: of every step, however long
+  Real margin = Real(0.02);     ///< m: beside what a pair may come nearer in a step
+  Real threshold = Real(0.1);   ///< m/s; what arrives slower does not bounce
+  Real precision = Real(1e-6);  ///< to which normals are solved while something bounces, of the fastest bounce,
+  int most_rounds = 100;        ///< or until they have been solved so often
+  Real abrupt = std::numeric_limits<Real>::infinity();  ///< m/s; or until no pass changes a speed by more than that
+  SoftContacts spring;                                  ///< chapter 12's: hertz, damping ratio, fastest push-out
+
+  bool holds_joints() const override { return true; }
+  void check(World& world, Real h) override {
+    if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
+    require_not_negative("length of the step that substeps are of", per);
+    require_not_negative("margin", margin);
+    require_not_negative("threshold", threshold);
+    require_not_negative("precision", precision);
+    if (!(abrupt > 0)) throw InvalidInput(fmt::format("abrupt is {}: more than 0 is needed", abrupt));
+    if (most_rounds < 1)
+      throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
+    StepContext step = joints_step(world, h);
+    spring.check(step);
+  }
+  Plan plan(Real dt) const override {
+    const Real parts = per > 0 ? static_cast<Real>(substeps) * dt / per * (1 - rounding) : static_cast<Real>(substeps);
+    // Whatever dt is: plan is asked before dt is checked.
+    const Real finite = parts < most_substeps ? parts : most_substeps;
+    return {.substeps = std::max(1, static_cast<int>(std::ceil(finite))),
+            .sweeps = 1,
+            .margin = {.least = margin, .ahead = dt}};
+  }
+
+ protected:
+  static Solved solved_of(const JointRows& rows) {
+    Solved sum{static_cast<int>(rows.size()), 0};
+    for (const JointRow& row : rows) sum.residual = std::max(sum.residual, row.error());
+    return sum;
+  }
+  /// Joints have rows of their own, made anew in each substep; of the contacts they know nothing.
+  StepContext joints_step(World& world, Real h) { return {world, world.contacts, no_rows_, h}; }
+  PushOut push_out(Real h) const {
+    const Real w = spring.angular_frequency(per > 0 ? per / static_cast<Real>(substeps) : h),
+               damping = 2 * spring.damping_ratio + h * w;
+    return {w / damping, 1 / (h * w * damping), spring.fastest_push_out, threshold};
+  }
+  /// `act(i, p)` for each contact that the step before had: p, N s, is what it is to start from.
+  template <class Act>
+  void start_from_last_step(const World& world, Real h, const Act& act) {
+    const Real scale = world.impulse_scale(h);
+    known_.assign(world.contacts.size(), false);
+    auto old = world.contacts_before.begin();  // both lists ascend: walk them side by side
+    for (std::size_t i = 0; i < world.contacts.size(); ++i) {
+      const ContactId id = world.contacts[i].id;
+      while (old != world.contacts_before.end() && old->id < id) ++old;
+      if (old == world.contacts_before.end() || old->id != id) continue;
+      known_[i] = true;
+      act(i, scale * old->impulse);
+    }
+  }
+  /// `pass()` goes over the normals and says by how much it changed a speed, m/s. Once; where something bounces, as often as
+  /// it takes, as in chapter 09; and again after a pass that changes one by more than `abrupt`, unless such changes grow.
+  template <class Pass>
+  void solve_normals_until_solved(const Pass& pass) const {
+    Real change = pass();
+    const bool bounces = fastest_ > 0;
+    const Real enough = bounces ? precision * fastest_ : abrupt, growing = 2 * change;
+    for (int round = 1; round < most_rounds && change > enough && (bounces || change <= growing); ++round)
+      change = pass();
+  }
+
+  std::vector<bool> known_;  // of each contact: whether the step before had it
+  Real fastest_ = 0;         // of what bounces in this substep, m/s; 0: nothing
+
+ private:
+  static constexpr Real rounding = Real(1e-5);      // so much longer may a step be by chance
+  static constexpr Real most_substeps = Real(1e6);  // of a step, by `per`
+  Rows no_rows_;
+};
+
+}  // namespace pushback
