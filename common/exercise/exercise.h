@@ -65,21 +65,26 @@ struct Exercise {
   bool graded() const { return !in_page && !whole(); }
 };
 
+/// What is measured in a scene of a check. Beside each `Answer` stands `checks_of`, which lists its checks.
 template <class Answer>
-Exercise exercise_of(std::string title, std::vector<std::string> hints, const std::vector<Check<Answer>>& checks,
-                     const Answer& right) {
-  Exercise made{std::move(title), std::move(hints), {}, [checks, right](std::size_t check, Random& random) {
-                  return checks[check].play(random, right);
+Numbers play(std::size_t check, Random& random, const Answer& answer) {
+  return checks_of(answer)[check].play(random, answer);
+}
+
+template <class Answer>
+Exercise exercise_of(std::string title, std::vector<std::string> hints, const Answer& right) {
+  Exercise made{std::move(title), std::move(hints), {}, [right](std::size_t check, Random& random) {
+                  return play(check, random, right);
                 }};
-  for (const auto& check : checks) made.checks.push_back({check.says, check.points, check.quantities, check.hint});
+  for (const Check<Answer>& check : checks_of(right))
+    made.checks.push_back({check.says, check.points, check.quantities, check.hint});
   return made;
 }
 
 /// The same of a rebuild, in which students write what the chapter's page shows.
 template <class Answer>
-Exercise rebuild_of(std::string title, std::vector<std::string> hints, const std::vector<Check<Answer>>& checks,
-                    const Answer& right) {
-  Exercise made = exercise_of<Answer>(std::move(title), std::move(hints), checks, right);
+Exercise rebuild_of(std::string title, std::vector<std::string> hints, const Answer& right) {
+  Exercise made = exercise_of(std::move(title), std::move(hints), right);
   made.in_page = true;
   return made;
 }

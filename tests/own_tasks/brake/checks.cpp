@@ -27,7 +27,13 @@ Check<Answer> check(std::string says, const std::string& wagon, std::string hint
           std::move(hint)};
 }
 
-std::vector<Check<Answer>> checks() {
+Real right(Real mass, Real speed, Real strength, Real h) {
+  return std::clamp(-mass * speed, -strength * h, strength * h);
+}
+
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
       check("a wagon that can be stopped stands, and stays", "is slow",
             "the brake gives -m v where that is less than F h, and F h otherwise. The wagon stops after some steps, "
@@ -48,21 +54,11 @@ std::vector<Check<Answer>> checks() {
   };
 }
 
-Real right(Real mass, Real speed, Real strength, Real h) {
-  return std::clamp(-mass * speed, -strength * h, strength * h);
-}
-
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return exercise_of<Answer>("a brake of bounded strength",
+  return exercise_of("a brake of bounded strength",
                              {"To stand after this step, the wagon needs the impulse -m v.",
                               "In h seconds, a force of at most F gives an impulse between -F h and F h."},
-                             checks(), {right});
+                             Answer{right});
 }
 
 }  // namespace pushback::exercise_brake

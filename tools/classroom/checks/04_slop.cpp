@@ -1,5 +1,6 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/04_slop/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_04 {
 
@@ -29,16 +30,21 @@ struct Setting {
   }
   /// A ball without weight, so far above the ground (m) and so fast upwards (m/s): its speed after the step's solver.
   Real ball(Real separation, Real speed, const Answer& answer) const {
-    World world;
-    world.add(ground());
-    world.add(sphere(Real(0.3), 10).at({0, Real(0.3) + separation, 0}).moving({0, speed, 0}));
-    world.contacts = {{.normal = {0, 1, 0}, .depth = -separation, .id = {0, 1, 0}}};
+    const Vec3 centre{0, Real(0.3) + separation, 0};
+    World world = on_the_ground(sphere(Real(0.3), 10).at(centre).moving({0, speed, 0}), separation);
     solve(world, answer, 1);
     return world.bodies[1].velocity.y();
   }
 };
 
-std::vector<Check<Answer>> checks() {
+void right(Row& row, Real beta, Real slop, Real h) {
+  const Real c = row.separation;
+  row.bias = c > 0 ? c / h : beta / h * std::min(Real(0), c + slop);
+}
+
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
       {"what does not reach the ground in this step goes its way",
        2,
@@ -54,12 +60,10 @@ std::vector<Check<Answer>> checks() {
        "leaves, feels nothing."},
       {"what would pass the surface in this step ends on it",
        2,
-       {{"your fast ball moves on with", "m/s", 1e-6},
-        {"after the step your fast ball is above the ground by", "mm", 1e-6}},
+       {{"your fast ball moves on with", "m/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Setting at(random);
-         const Real speed = at.ball(at.gap, -at.gap / at.h * random.between(4, 8), answer);
-         return {speed, 1000 * (at.gap + at.h * speed)};
+         return {at.ball(at.gap, -at.gap / at.h * random.between(4, 8), answer)};
        },
        "the whole gap may be closed in this step, and not more. C is a distance and C/h the speed, without β and "
        "without the slop."},
@@ -76,47 +80,30 @@ std::vector<Check<Answer>> checks() {
        "in a step, at the speed β (d - slop) / h."},
       {"a box that touches with one edge comes down on the other",
        1,
-       {{"your box, which has touched with one edge, turns with", "rad/s", 1e-6},
-        {"after the step its other edge is above the ground by", "mm", 1e-5}},
+       {{"your box, which has touched with one edge, turns with", "rad/s", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const Setting at(random);
          const Real half = random.between(Real(0.3), Real(0.5));
-         World world;
-         world.add(ground());
-         world.add(box(Vec3::Constant(half), random.between(50, 150))
-                       .at({0, half, 0})
-                       .moving({0, -at.gap / at.h * random.between(2, 3), 0}));
-         const Vec3 up{0, 1, 0};
-         world.contacts = {{.point = {-half, 0, 0}, .normal = up, .depth = -at.gap, .id = {0, 1, 0}},
-                           {.point = {half, 0, 0}, .normal = up, .depth = 0, .id = {0, 1, 1}}};
+         Body box_above = box(Vec3::Constant(half), random.between(50, 150)).at({0, half, 0});
+         World world = on_the_ground(box_above.moving({0, -at.gap / at.h * random.between(2, 3), 0}), at.gap);
+         world.contacts[0].point = {-half, 0, 0};
+         world.contacts.push_back({.point = {half, 0, 0}, .normal = Vec3::UnitY(), .id = {0, 1, 1}});
          at.solve(world, answer, 100);
-         return {world.bodies[1].angular_velocity.z(),
-                 1000 * (at.gap + at.h * separating_speed(world, world.contacts[0]))};
+         return {world.bodies[1].angular_velocity.z()};
        },
        "each corner has a gap of its own. One may be closed in this step, while the other corner stays on the ground."},
   };
 }
 
-void right(Row& row, Real beta, Real slop, Real h) {
-  const Real c = row.separation;
-  row.bias = c > 0 ? c / h : beta / h * std::min(Real(0), c + slop);
-}
-
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return exercise_of(
       "a margin that keeps points which are still apart",
       {"J V >= -b: with b = 0 the bodies may not come nearer at all. Which b allows an approach, a positive or a "
        "negative one?",
        "A body that is C above the ground and comes with the speed v is at C - h v after the step. Which v brings it "
        "to 0?",
        "That is two cases. The first has neither β nor the slop in it, the second is the bias of chapter 04."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_04

@@ -67,7 +67,28 @@ struct Chain {
   }
 };
 
-std::vector<Check<Answer>> checks() {
+/// As DirectJoints has it: any matrix, in an order that is found.
+Threes right(Blocks own, const Blocks& next, Threes wanted) {
+  const Index rows = 3 * std::ssize(own);
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(rows, rows);
+  Vector b(rows);
+  for (Index i = 0; i < std::ssize(own); ++i) {
+    const auto block = static_cast<std::size_t>(i);
+    a.block<3, 3>(3 * i, 3 * i) = own[block];
+    b.segment<3>(3 * i) = wanted[block];
+    if (block == next.size()) break;
+    a.block<3, 3>(3 * i, 3 * i + 3) = next[block];
+    a.block<3, 3>(3 * i + 3, 3 * i) = next[block].transpose();
+  }
+  const Eigen::SparseMatrix<double> sparse = a.sparseView();
+  const Vector impulses = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(sparse).solve(b);
+  for (Index i = 0; i < std::ssize(own); ++i) wanted[static_cast<std::size_t>(i)] = impulses.segment<3>(3 * i);
+  return wanted;
+}
+
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   const std::vector<Quantity> quantities{{"your hook bears", "N s", 1e-5},
                                          {"the joint at the free end of your chain bears", "N s", 1e-5},
                                          {"your joints still come apart with", "m/s", 1e-6}};
@@ -103,40 +124,15 @@ std::vector<Check<Answer>> checks() {
   };
 }
 
-/// As DirectJoints has it: any matrix, in an order that is found.
-Threes right(Blocks own, const Blocks& next, Threes wanted) {
-  const Index rows = 3 * std::ssize(own);
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(rows, rows);
-  Vector b(rows);
-  for (Index i = 0; i < std::ssize(own); ++i) {
-    const auto block = static_cast<std::size_t>(i);
-    a.block<3, 3>(3 * i, 3 * i) = own[block];
-    b.segment<3>(3 * i) = wanted[block];
-    if (block == next.size()) break;
-    a.block<3, 3>(3 * i, 3 * i + 3) = next[block];
-    a.block<3, 3>(3 * i + 3, 3 * i) = next[block].transpose();
-  }
-  const Eigen::SparseMatrix<double> sparse = a.sparseView();
-  const Vector impulses = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(sparse).solve(b);
-  for (Index i = 0; i < std::ssize(own); ++i) wanted[static_cast<std::size_t>(i)] = impulses.segment<3>(3 * i);
-  return wanted;
-}
-
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return rebuild_of<Answer>(
+  return rebuild_of(
       "the elimination of a chain",
       {"Row i of A λ = wanted: next[i-1]ᵀ λ_i-1 + own[i] λ_i + next[i] λ_i+1 = wanted[i]. At the free end there is no "
        "λ_i+1: solve for λ_i, and put that into row i - 1.",
        "That changes only row i - 1: own[i-1] loses next[i-1] own[i]⁻¹ next[i-1]ᵀ, and wanted[i-1] loses next[i-1] "
        "own[i]⁻¹ wanted[i]. Go on with i - 1, down to 1.",
        "Now the hook's row has only λ_0. Solve it; then each next joint: own[i] λ_i = wanted[i] - next[i-1]ᵀ λ_i-1."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_18

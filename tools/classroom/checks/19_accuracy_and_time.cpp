@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "pushback/chapters/19_accuracy_and_time/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_19 {
 
@@ -55,12 +56,12 @@ Numbers numbers_of(const Measurements& front) {
     seconds += one.median();
     if (std::isfinite(one.error)) error += one.error;
   }
-  return {static_cast<Real>(front.size()), static_cast<Real>(1000 * seconds), static_cast<Real>(1000 * error)};
+  return numbers(front.size(), 1000 * seconds, 1000 * error);
 }
 
-std::vector<Check<Answer>> checks() {
-  std::vector<Quantity> of_lost = of_a_front();
-  of_lost.push_back({"where all motions were lost, the number of settings on your front is", "", 1e-9});
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
       {"a setting that another beats in both is not on the front", 1, of_a_front(),
        [](Random& random, const Answer& answer) -> Numbers {
@@ -89,17 +90,13 @@ std::vector<Check<Answer>> checks() {
        },
        "a setting that is as fast as another and more accurate beats it, and so does one that is as accurate and "
        "faster."},
-      {"a motion that was lost is not on the front, however fast", 1, of_lost,
+      {"a motion that was lost is not on the front, however fast", 1, of_a_front(),
        [](Random& random, const Answer& answer) -> Numbers {
          const Measurements best = unbeaten(random);
          const double fastest = best.front().median() * random.between(Real(0.3), Real(0.6));
-         Measured given_up = lost(10 * best.back().median());
-         given_up.late = true;
-         Measurements all{best.back(), given_up, lost(fastest)};
+         Measurements all{best.back(), lost(10 * best.back().median()), lost(fastest)};
          all.insert(all.end(), best.begin(), best.end() - 1);
-         Numbers numbers = numbers_of(answer.front(all));
-         numbers.push_back(static_cast<Real>(answer.front({given_up, lost(fastest)}).size()));
-         return numbers;
+         return numbers_of(answer.front(all));
        },
        "a motion that was lost has an infinite error. However fast it is, nothing that it says is true."},
       {"the front goes from the fastest to the most accurate",
@@ -111,26 +108,20 @@ std::vector<Check<Answer>> checks() {
          std::rotate(all.begin(), all.begin() + 1, all.end());
          const Measurements front = answer.front(all);
          if (front.empty()) return {0, 0};
-         return {static_cast<Real>(1000 * front.front().median()), static_cast<Real>(1000 * front.back().median())};
+         return numbers(1000 * front.front().median(), 1000 * front.back().median());
        },
        "the front goes by time, from the fastest to the most accurate."},
   };
 }
 
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return rebuild_of<Answer>("the front of a diagram",
-                            {"Leave out first what has an infinite error: std::isfinite.",
-                             "Put the others in the order of their times; of equal times, the smaller error first. A "
-                             "std::pair of both compares so.",
-                             "Go through them in that order. Nobody who comes later is faster, so a setting belongs "
-                             "to the front exactly if its error is smaller than that of the last one that you took."},
-                            checks(), {study::front});
+  return rebuild_of("the front of a diagram",
+                    {"Leave out first what has an infinite error: std::isfinite.",
+                     "Put the others in the order of their times; of equal times, the smaller error first. A "
+                     "std::pair of both compares so.",
+                     "Go through them in that order. Nobody who comes later is faster, so a setting belongs "
+                     "to the front exactly if its error is smaller than that of the last one that you took."},
+                    Answer{study::front});
 }
 
 }  // namespace pushback::exercise_19

@@ -46,7 +46,26 @@ struct Piles {
   }
 };
 
-std::vector<Check<Answer>> checks() {
+std::vector<bool> right(const World& world, const std::vector<bool>& rests) {
+  std::vector<int> island(world.bodies.size());
+  std::iota(island.begin(), island.end(), 0);
+  Islands islands;
+  islands.separate(island, island.size());
+  islands.join(world.contacts, world);
+  islands.join(world.joints, world);
+  for (int& one : island) one = islands.island_of(one);
+  std::vector<bool> sleeps(rests.size());
+  for (std::size_t i = 0; i < rests.size(); ++i) {
+    sleeps[i] = world.bodies[i].movable();
+    for (std::size_t j = 0; j < rests.size(); ++j)
+      if (island[j] == island[i] && !rests[j]) sleeps[i] = false;
+  }
+  return sleeps;
+}
+
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   const std::vector<Quantity> quantities{{"the number of bodies asleep is", "", 1e-9},
                                          {"those asleep in your world weigh together", "kg", 1e-3}};
   return {
@@ -109,37 +128,14 @@ std::vector<Check<Answer>> checks() {
   };
 }
 
-std::vector<bool> right(const World& world, const std::vector<bool>& rests) {
-  std::vector<int> island(world.bodies.size());
-  std::iota(island.begin(), island.end(), 0);
-  Islands islands;
-  islands.separate(island, island.size());
-  islands.join(world.contacts, world);
-  islands.join(world.joints, world);
-  for (int& one : island) one = islands.island_of(one);
-  std::vector<bool> sleeps(rests.size());
-  for (std::size_t i = 0; i < rests.size(); ++i) {
-    sleeps[i] = world.bodies[i].movable();
-    for (std::size_t j = 0; j < rests.size(); ++j)
-      if (island[j] == island[i] && !rests[j]) sleeps[i] = false;
-  }
-  return sleeps;
-}
-
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return rebuild_of<Answer>(
+  return rebuild_of(
       "islands",
       {"Give each body a number, at first its own index. Bodies of one island are to end with the same number.",
        "For each contact and each joint of two movable bodies with different numbers: everybody who has the one number "
        "gets the other, not only the two that touch.",
        "An island is awake if one of its movable bodies does not rest. All other movable bodies sleep."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_20

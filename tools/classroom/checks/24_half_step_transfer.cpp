@@ -3,16 +3,13 @@
 
 #include "pushback/chapters/24_half_step/exercise/transfer/asked.h"
 #include "pushback/chapters/24_half_step/study.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_24_transfer {
 
 namespace {
 
 using half_step_scenes::composed_step;
-
-double between(Random& random, double low, double high) {
-  return static_cast<double>(random.between(static_cast<Real>(low), static_cast<Real>(high)));
-}
 
 /// What is said of truth + c h^p, for h = 1.
 Judged said_of(const Answer& answer, double truth, double c, double p) {
@@ -27,7 +24,15 @@ double way(const Step& step, const plain_24::Bob& begin, int steps) {
   return static_cast<double>(bob.x.x());
 }
 
-std::vector<Check<Answer>> checks() {
+Judged right(double whole, double half, double quarter) {
+  const double p = std::log2(std::abs((whole - half) / (half - quarter)));
+  const double left = (quarter - half) / (std::exp2(p) - 1);
+  return {p, std::abs(left), quarter + left};
+}
+
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
       {"the order of a method that somebody made up",
        1,
@@ -35,8 +40,7 @@ std::vector<Check<Answer>> checks() {
        [](Random& random, const Answer& answer) -> Numbers {
          const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8);
          const double one = between(random, 1, 2), other = between(random, 2.5, 4);
-         return {static_cast<Real>(said_of(answer, truth, c, one).order),
-                 static_cast<Real>(said_of(answer, truth, -c, other).order)};
+         return numbers(said_of(answer, truth, c, one).order, said_of(answer, truth, -c, other).order);
        },
        "half of the step divides an error of order p by 2^p. The first difference is 2^p times the second, and p is "
        "its logarithm to the base 2."},
@@ -46,9 +50,8 @@ std::vector<Check<Answer>> checks() {
         {"where they rise, it is off, by you, by", "mm", 1e-4}},
        [](Random& random, const Answer& answer) -> Numbers {
          const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8);
-         const double one = between(random, 1.2, 2), other = between(random, 1.2, 2);
-         return {static_cast<Real>(1000 * said_of(answer, truth, c, one).error),
-                 static_cast<Real>(1000 * said_of(answer, truth, -c, other).error)};
+         const double p = between(random, 1.2, 2);
+         return numbers(1000 * said_of(answer, truth, c, p).error, 1000 * said_of(answer, truth, -c, p).error);
        },
        "half is off by 2^p times as much as quarter, so their difference is 2^p - 1 times the error of quarter. How "
        "far it is off is 0 or more."},
@@ -57,8 +60,7 @@ std::vector<Check<Answer>> checks() {
        {{"better would be, by you,", "m", 1e-6}, {"where they rise, better would be, by you,", "m", 1e-6}},
        [](Random& random, const Answer& answer) -> Numbers {
          const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8), p = between(random, 1.2, 3);
-         return {static_cast<Real>(said_of(answer, truth, c, p).better),
-                 static_cast<Real>(said_of(answer, truth, -c, p).better)};
+         return numbers(said_of(answer, truth, c, p).better, said_of(answer, truth, -c, p).better);
        },
        "from half to quarter it came nearer to the truth. What would be better lies beyond quarter, by as much as "
        "quarter is off."},
@@ -80,25 +82,13 @@ std::vector<Check<Answer>> checks() {
   };
 }
 
-Judged right(double whole, double half, double quarter) {
-  const double p = std::log2(std::abs((whole - half) / (half - quarter)));
-  const double left = (quarter - half) / (std::exp2(p) - 1);
-  return {p, std::abs(left), quarter + left};
-}
-
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return exercise_of(
       "an order without a truth",
       {"The truth is in none of the differences: whole - half and half - quarter are what c and p alone make.",
        "With the step h/2 the error is c h^p / 2^p. So the first difference is 2^p times the second.",
        "half - quarter = (2^p - 1) times the error of quarter. Take that error away from quarter, with its sign."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_24_transfer

@@ -16,7 +16,9 @@ Ball after(Ball ball, const Answer& answer, Real g, int steps, Real dt) {
   return ball;
 }
 
-std::vector<Check<Answer>> checks() {
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
       {"a ball that meets the ground within a step bounces there, and rises for what is left",
        2,
@@ -54,8 +56,7 @@ std::vector<Check<Answer>> checks() {
        "length of the steps makes no difference."},
       {"what would bounce for ever comes to rest, and not before",
        1,
-       {{"after ten seconds your ball is at the height", "m", 1e-9},
-        {"after ten seconds your ball moves with", "m/s", 1e-9},
+       {{"after ten seconds your ball moves with", "m/s", 1e-9},
         {"where all bounces to come take 0.8 steps, your ball moves with", "m/s", 1e-9},
         {"where they take four steps, your ball moves with", "m/s", 1e-9}},
        [](Random& random, const Answer& answer) -> Numbers {
@@ -64,29 +65,21 @@ std::vector<Check<Answer>> checks() {
          const auto speed_after = [&](Real steps) {  // T is so many, once it has bounced
            return std::abs(after({0, -steps * h * g * (1 - e) / (2 * e), e}, answer, g, 1, h).v);
          };
-         return {rests.y, std::abs(rests.v), speed_after(Real(0.8)), speed_after(4)};
+         return {std::abs(rests.v), speed_after(Real(0.8)), speed_after(4)};
        },
        "all bounces to come take T = 2 v / (g (1 - e)). Once T is no longer than a step, the ball rests, and not "
        "before."},
   };
 }
 
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return rebuild_of<Answer>("a step that is cut where a ball meets the ground",
-                            {"Begin with a ball that does not meet the ground: t is more than h, and it flies for h.",
-                             "The time to the ground is (v + sqrt(v^2 + 2 g y)) / g, whether it rises or falls. Right "
-                             "after a bounce, y is 0, and this "
-                             "is 2 v / g.",
-                             "A loop: what is left of the step becomes less by t each time. It ends where t is more "
-                             "than what is left, or where "
-                             "the ball rests."},
-                            checks(), {plain_25::cut_step});
+  return rebuild_of("a step that is cut where a ball meets the ground",
+                    {"Begin with a ball that does not meet the ground: t is more than h, and it flies for h.",
+                     "The time to the ground is (v + sqrt(v^2 + 2 g y)) / g, whether it rises or falls. Right after a "
+                     "bounce, y is 0, and this is 2 v / g.",
+                     "A loop: what is left of the step becomes less by t each time. It ends where t is more than what "
+                     "is left, or where the ball rests."},
+                    Answer{plain_25::cut_step});
 }
 
 }  // namespace pushback::exercise_25

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "pushback/chapters/26_to_each_its_own/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_26 {
 
@@ -9,9 +10,6 @@ namespace {
 
 constexpr Bounds bounds_of_checks{};
 
-int whole(Random& random, int least, int most) {
-  return least + static_cast<int>(random.below(std::size_t(most - least + 1)));
-}
 /// How an island of so many contacts fares, step after step, as `call` has it: by half steps in so many of them, with so many changes.
 struct Course {
   int by_half_steps = 0, changes = 0;
@@ -56,7 +54,9 @@ Played chain_of(const Answer& answer, const Size& size, int steps) {
   return played;
 }
 
-std::vector<Check<Answer>> checks() {
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
       {"what flies, what has half steps and what has substeps is told apart",
        2,
@@ -89,14 +89,13 @@ std::vector<Check<Answer>> checks() {
          std::vector<int> contacts{9, 13, 12, 8, 9, 12};
          for (int i = int(contacts.size()); i < 300; ++i) contacts.push_back(whole(random, i % 100 < 50 ? 6 : 9, 13));
          const Course course = course_of(answer, contacts);
-         return {static_cast<Real>(course.by_half_steps), static_cast<Real>(course.changes)};
+         return numbers(course.by_half_steps, course.changes);
        },
        "an island that had half steps keeps them up to and with most_kept contacts, one that had substeps gets them "
        "with most or fewer. So what comes and goes between the two changes nothing."},
       {"a step whose energy is not kept is taken again in twice as many, one that has too many comes down",
        2,
-       {{"after a step that is far better than asked, stands (1) or not (0):", "", 0},
-        {"the next one has so many substeps:", "", 0},
+       {{"after a step that is far better than asked, the next one has so many substeps:", "", 0},
         {"after one that is just good enough, the next one has so many:", "", 0},
         {"after one that is too far off, stands (1) or not (0):", "", 0},
         {"it is tried again in so many:", "", 0},
@@ -108,10 +107,8 @@ std::vector<Check<Answer>> checks() {
          const Verdict well = judge(now, random.between(Real(0.01), Real(0.12)));
          const Verdict just = judge(now, random.between(Real(0.13), Real(0.24)));
          const Verdict badly = judge(now, random.between(Real(1.1), 9));
-         return {static_cast<Real>(well.stands),           static_cast<Real>(well.substeps),
-                 static_cast<Real>(just.substeps),         static_cast<Real>(badly.stands),
-                 static_cast<Real>(badly.substeps),        static_cast<Real>(judge(4, Real(0.01)).substeps),
-                 static_cast<Real>(judge(128, 2).substeps)};
+         return numbers(well.substeps, just.substeps, badly.stands, badly.substeps, judge(4, Real(0.01)).substeps,
+                        judge(128, 2).substeps);
        },
        "a step with off at most 1 stands. Otherwise what it lost is not lost: it is taken again in twice as many, up "
        "to most_substeps. Below an eighth half as many follow, but no fewer than least_substeps."},
@@ -129,27 +126,20 @@ std::vector<Check<Answer>> checks() {
            return calm + fierce * std::exp(-from * from) + (step == 150 ? Real(1e6) : 0);
          };
          const Played played = chain_of(answer, size, 200);
-         return {static_cast<Real>(played.tries), static_cast<Real>(played.spent), static_cast<Real>(played.most),
-                 static_cast<Real>(played.given_up)};
+         return numbers(played.tries, played.spent, played.most, played.given_up);
        },
        "the error falls with the square of the substeps. Doubling gets there in a few tries, half as many are enough "
        "below an eighth, and what most_substeps do not reach is left to others."},
   };
 }
 
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return rebuild_of<Answer>(
+  return rebuild_of(
       "which step an island calls for, and in how many substeps",
       {"Begin with call: four lines, one for each sentence of the task, in its order. The first that holds decides.",
        "The limit of contacts is one of two numbers: island.had_half_steps ? bounds.most_kept : bounds.most.",
        "judge has three ends: {true, half as many or as many}, {false, twice as many}, {false, 0}."},
-      checks(), {plain_26::call_of, plain_26::judge_step});
+      Answer{plain_26::call_of, plain_26::judge_step});
 }
 
 }  // namespace pushback::exercise_26

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "pushback/chapters/27_which_error/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_27 {
 
@@ -9,10 +10,6 @@ namespace {
 
 constexpr Bounds bounds_of_checks{};
 constexpr Real none = std::numeric_limits<Real>::infinity();
-
-int whole(Random& random, int least, int most) {
-  return least + static_cast<int>(random.below(std::size_t(most) - std::size_t(least) + 1));
-}
 
 /// A motion whose steps of this order are off by `size(step) / n^p`, and by `stuck(step)`, which no substeps lessen, in parts of what is
 /// allowed.
@@ -41,7 +38,9 @@ Played motion_of(const Answer& answer, int order, const Size& size, const Stuck&
   return played;
 }
 
-std::vector<Check<Answer>> checks() {
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
       {"the error of the finer result is told from the difference of two, whatever the order",
        2,
@@ -67,9 +66,7 @@ std::vector<Check<Answer>> checks() {
         {"after one that is no better than the one before, stands (1) or not (0):", "", 0},
         {"that one is kept (1) or not (0):", "", 0},
         {"too far off in the most, stands (1) or not (0):", "", 0},
-        {"that one is kept (1) or not (0):", "", 0},
-        {"after one that is just good enough, stands (1) or not (0):", "", 0},
-        {"that one is kept (1) or not (0):", "", 0}},
+        {"one that is just good enough is kept (1) or not (0):", "", 0}},
        [](Random& random, const Answer& answer) -> Numbers {
          const int now = 1 << whole(random, 1, 3);
          const Real far = random.between(2, 9);
@@ -78,8 +75,7 @@ std::vector<Check<Answer>> checks() {
          };
          const Verdict badly = judge(now, far, 4 * far), stuck = judge(now, far, random.between(1, Real(1.9)) * far);
          const Verdict most = judge(16, far, 4 * far), just = judge(now, random.between(Real(0.6), Real(0.99)), none);
-         return {Real(badly.stands), Real(badly.substeps), Real(stuck.stands), Real(stuck.kept),
-                 Real(most.stands),  Real(most.kept),      Real(just.stands),  Real(just.kept)};
+         return numbers(badly.stands, badly.substeps, stuck.stands, stuck.kept, most.stands, just.kept);
        },
        "what is off too far is taken again in twice as many, as long as the last doubling halved the error and no more "
        "than the most are needed. Otherwise it stands, and is not kept."},
@@ -116,26 +112,20 @@ std::vector<Check<Answer>> checks() {
          };
          const auto stuck = [](int step) { return step >= 140 && step < 150 ? Real(5) : 0; };
          const Played played = motion_of(answer, 2, size, stuck, 200);
-         return {Real(played.tries), Real(played.spent), Real(played.most), Real(played.not_kept)};
+         return numbers(played.tries, played.spent, played.most, played.not_kept);
        },
        "each step has as many substeps as its own error calls for: more while the motion jerks, fewer afterwards, and "
        "none more where they do not help."},
   };
 }
 
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return rebuild_of<Answer>(
+  return rebuild_of(
       "an error that is known while it runs, and as many substeps as it calls for",
       {"off_by is one line: the difference without its sign, over 2^p - 1. parts_of_difference(order) has that number.",
        "Begin judge with what is kept, then what is tried again. What is left stands, and is not kept.",
        "Fewer for the next step: off times 2^p is below 1/2, and substeps is above bounds.least."},
-      checks(), {plain_27::off_by, plain_27::judge_try});
+      Answer{plain_27::off_by, plain_27::judge_try});
 }
 
 }  // namespace pushback::exercise_27
