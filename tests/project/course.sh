@@ -189,8 +189,8 @@ stand_in npm 'echo "npm $*"'
 stand_in node 'echo "node $*"'
 course book --still && expect 0 "npm ci --prefix build/node" "node tools/book/build.js --still" "the book: build/book/index.html"
 expect_not cmake "packages are missing"
-# Experiments run in it where em++ can be had; where it cannot, the pages keep their pictures, and that is said and is a failure. A
-# Node.js that is not Debian's brings npm along, and its package conflicts with Debian's: nothing of Debian's is asked for then.
+# Experiments run in it where em++ can be had; where it cannot, the pages keep their pictures, and that is said and is a failure. Nothing
+# is asked for of Debian's Node.js: another one brings npm along, and its package conflicts with Debian's.
 course book --yes --serve && expect 1 "  emscripten cmake" "no em++" "keep their still pictures" "node tools/book/build.js" "it has no experiments"
 expect_not "cmake --build" "nodejs" "serve.js"
 # Tests of it, of which one runs an experiment: compiled for it alone, unless all are; left out where there is no compiler, but not in CI.
