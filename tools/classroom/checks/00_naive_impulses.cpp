@@ -75,51 +75,45 @@ void right(Body& bat, const Vec3& pivot, Body& ball, const Contact& c) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a ball rebounds from a bat at rest, and the pivot stays where it is",
-       2,
-       {{"the pivot of your bat moves with", "m/s", 1e-8}, {"your ball separates from the bat with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball rebounds from a bat at rest, and the pivot stays where it is", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Game game(random, -random.between(6, 9), random.between(Real(0.3), Real(0.8)));
          game.play(answer);
-         return {game.world.bodies[0].velocity_at(game.pivot).norm(), game.separates()};
+         return {{"the pivot of your bat moves with", game.world.bodies[0].velocity_at(game.pivot).norm(), "m/s", 1e-8},
+                 {"your ball separates from the bat with", game.separates(), "m/s"}};
        },
        "something holds the pivot, so the bat can only turn about it. Its inertia and the arm of the impulse are those "
        "about the pivot, and its centre of mass follows the turn, v = ω × d."},
-      {"at e = 1 a bat that swings and its ball keep their energy",
-       2,
-       {{"your ball, met by a bat that swings, separates from it with", "m/s", 1e-6},
-        {"the energy of both has grown by", "J", 1e-5},
-        {"your bat, whose pivot is beside its axis, turns with", "rad/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"at e = 1 a bat that swings and its ball keep their energy", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Vec3 aside(0, random.between(Real(0.05), Real(0.1)), random.between(Real(0.1), Real(0.15)));
          Game game(random, -random.between(6, 9), 1, random.between(5, 8), aside);
          const Real before = kinetic_energy(game.world);
          game.play(answer);
-         return {game.separates(), kinetic_energy(game.world) - before, game.world.bodies[0].angular_velocity.norm()};
+         return {{"your ball, met by a bat that swings, separates from it with", game.separates(), "m/s"},
+                 {"the energy of both has grown by", kinetic_energy(game.world) - before, "J", 1e-5},
+                 {"your bat, whose pivot is beside its axis, turns with", game.world.bodies[0].angular_velocity.norm(),
+                  "rad/s"}};
        },
        "K is the ball's 1/m plus the turn of the bat about its pivot, with the whole matrix of inertia. v_n is the "
        "speed of the ball against the point of the bat that it hits."},
-      {"a hand at the pivot feels nothing of a ball at the sweet spot, and much of one at the tip",
-       2,
-       {{"of a ball at the sweet spot the hand feels", "N s", 1e-6},
-        {"of a ball at the tip the hand feels", "N s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a hand at the pivot feels nothing of a ball at the sweet spot, and much of one at the tip", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Game game(random, -random.between(6, 9), random.between(Real(0.3), Real(0.8)));
          Game other = game;
          game.touch_at(game.sweet_spot);
          other.touch_at(other.tip);
          const Real at_the_sweet_spot = game.play(answer);
-         return {at_the_sweet_spot, other.play(answer)};
+         return {{"of a ball at the sweet spot the hand feels", at_the_sweet_spot, "N s"},
+                 {"of a ball at the tip the hand feels", other.play(answer), "N s"}};
        },
        "the hand gives the momentum that bat and ball gain together. At the sweet spot that is none, because the "
        "centre of mass follows the turn about the pivot."},
-      {"a ball that flies away by itself is let go",
-       1,
-       {{"your ball, which was flying away by itself, separates from the bat with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball that flies away by itself is let go", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Game game(random, random.between(30, 40), Real(0.5), random.between(5, 8));
          game.play(answer);
-         return {game.separates()};
+         return {{"your ball, which was flying away by itself, separates from the bat with", game.separates(), "m/s"}};
        },
        "where v_n is not negative, the ball leaves by itself. There is no impulse: a bat neither holds it back nor "
        "pushes it once more."},

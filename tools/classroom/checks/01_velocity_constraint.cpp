@@ -59,49 +59,43 @@ void right(Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_vel
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a ball with the ring at its centre keeps its speed along the rail, and no other",
-       1,
-       {{"your ball leaves the rail with", "m/s", 1e-6}, {"your ball goes along the rail with", "m/s", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball with the ring at its centre keeps its speed along the rail, and no other", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ride ride = ball(random);
          ride.play(answer);
-         return {ride.leaves(), ride.along()};
+         return {{"your ball leaves the rail with", ride.leaves(), "m/s"},
+                 {"your ball goes along the rail with", ride.along(), "m/s", 1e-5}};
        },
        "the rail forbids two directions, both at right angles to it, and holds the ring from both sides. Along itself "
        "it gives no impulse."},
-      {"the ring of a bar stays on the rail, and the bar swings",
-       2,
-       {{"the ring of your bar leaves the rail with", "m/s", 1e-6},
-        {"the centre of your bar goes along the rail with", "m/s", 1e-5},
-        {"the angular momentum of your bar about its ring has changed by", "N m s", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"the ring of a bar stays on the rail, and the bar swings", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ride ride = bar(random, false);
          const Vec3 before = ride.angular_momentum();
          ride.play(answer);
-         return {ride.leaves(), ride.along(), (ride.angular_momentum() - before).norm()};
+         return {{"the ring of your bar leaves the rail with", ride.leaves(), "m/s"},
+                 {"the centre of your bar goes along the rail with", ride.along(), "m/s", 1e-5},
+                 {"the angular momentum of your bar about its ring has changed by",
+                  (ride.angular_momentum() - before).norm(), "N m s", 1e-5}};
        },
        "the rail holds the ring, not the centre of mass. J V is the speed of the ring, v + ω × r, and the impulse "
        "turns the bar by I⁻¹ (r × n). Each row disturbs the other, so they are solved in turn, over and over."},
-      {"the same holds for a bar that lies askew",
-       1,
-       {{"the ring of your bar, which lies askew, leaves the rail with", "m/s", 1e-6},
-        {"your bar, which lies askew, turns with", "rad/s", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"the same holds for a bar that lies askew", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ride ride = bar(random, true);
          ride.play(answer);
-         return {ride.leaves(), ride.body.angular_velocity.norm()};
+         return {{"the ring of your bar, which lies askew, leaves the rail with", ride.leaves(), "m/s"},
+                 {"your bar, which lies askew, turns with", ride.body.angular_velocity.norm(), "rad/s", 1e-5}};
        },
        "a bar that lies askew has its inertia in world axes, inverse_inertia, and r leads from its centre of mass to "
        "the ring."},
-      {"a rail that moves takes the ring along, but not along itself",
-       2,
-       {{"the ring of your bar leaves the moving rail with", "m/s", 1e-6},
-        {"the centre of your bar goes along the moving rail with", "m/s", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a rail that moves takes the ring along, but not along itself", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ride ride = bar(random, true);
          ride.rails_velocity = random.vector(4);
          ride.play(answer);
-         return {ride.leaves(), ride.along()};
+         return {{"the ring of your bar leaves the moving rail with", ride.leaves(), "m/s"},
+                 {"the centre of your bar goes along the moving rail with", ride.along(), "m/s", 1e-5}};
        },
        "the ring has to move across the rail as the rail does, so b = -n · u. Along the rail, which has no friction, "
        "the rail's velocity does nothing."},

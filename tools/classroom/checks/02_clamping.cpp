@@ -61,70 +61,59 @@ void right(Rows& rows, Real force, Real h) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a ball that the magnet can hold stays",
-       1,
-       {{"your ball, which the magnet can hold, leaves with", "m/s", 1e-6},
-        {"the row of your ball keeps an impulse of", "N s", 1e-4}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball that the magnet can hold stays", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Magnet held(random, ball(random), random.between(Real(0.3), Real(0.9)));
          const Real impulse = held.play(answer);
-         return {held.upwards(), impulse};
+         return {{"your ball, which the magnet can hold, leaves with", held.upwards(), "m/s"},
+                 {"the row of your ball keeps an impulse of", impulse, "N s", 1e-4}};
        },
        "the magnet pulls until the ball stops. The sum of the row may be negative, down to the impulse of F in a step, "
        "-F h."},
-      {"a ball that is too fast leaves, slower by F h / m",
-       2,
-       {{"your ball, which is too fast for the magnet, leaves with", "m/s", 1e-6},
-        {"the row of your ball keeps an impulse of", "N s", 1e-4}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball that is too fast leaves, slower by F h / m", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Magnet fast(random, ball(random), random.between(Real(1.5), 4));
          const Real impulse = fast.play(answer);
-         return {fast.upwards(), impulse};
+         return {{"your ball, which is too fast for the magnet, leaves with", fast.upwards(), "m/s"},
+                 {"the row of your ball keeps an impulse of", impulse, "N s", 1e-4}};
        },
        "the magnet pulls with all of F for h seconds, and not more. The sum of all corrections is at least -F h, not "
        "each of them."},
-      {"a ball that lands is stopped, however hard",
-       1,
-       {{"your ball, which lands on the magnet, leaves with", "m/s", 1e-6},
-        {"the row of your ball keeps an impulse of", "N s", 1e-4},
-        {"your column, which lands flat and hard, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball that lands is stopped, however hard", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Magnet one(random, ball(random), -random.between(Real(1.5), 4));
          Magnet four(random, column(random), -random.between(8, 12));
          const Real impulse = one.play(answer);
          four.play(answer);
-         return {one.upwards(), impulse, four.upwards()};
+         return {{"your ball, which lands on the magnet, leaves with", one.upwards(), "m/s"},
+                 {"the row of your ball keeps an impulse of", impulse, "N s", 1e-4},
+                 {"your column, which lands flat and hard, leaves with", four.upwards(), "m/s"}};
        },
        "only the pull has a limit. Iron that is landed on pushes back as hard as it takes, at all of its points."},
-      {"b is minus the speed that is wanted",
-       1,
-       {{"your ball, of which b asks a separating speed, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"b is minus the speed that is wanted", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Magnet asked(random, ball(random), random.between(Real(0.4), Real(0.9)));
          asked.play(answer, -random.between(Real(0.1), Real(0.3)) * asked.can_stop());
-         return {asked.upwards()};
+         return {{"your ball, of which b asks a separating speed, leaves with", asked.upwards(), "m/s"}};
        },
        "the row makes J V + b = 0, so the separating speed that is wanted is -b."},
-      {"the four points of a column hold F together",
-       2,
-       {{"your column, which is too fast for four points, leaves with", "m/s", 1e-6},
-        {"your column, which four points can hold, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"the four points of a column hold F together", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Magnet fast(random, column(random), random.between(Real(1.3), 3));
          Magnet slow(random, column(random), random.between(Real(0.3), Real(0.7)));
          fast.play(answer);
          slow.play(answer);
-         return {fast.upwards(), slow.upwards()};
+         return {{"your column, which is too fast for four points, leaves with", fast.upwards(), "m/s"},
+                 {"your column, which four points can hold, leaves with", slow.upwards(), "m/s"}};
        },
        "the magnet has F in all, and each of its n points holds F/n."},
-      {"a column that lands turning is pushed on one side, and held on the other",
-       1,
-       {{"your column, which lands turning, leaves with", "m/s", 1e-6}, {"your column turns on with", "rad/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a column that lands turning is pushed on one side, and held on the other", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Magnet lands(random, column(random), -random.between(1, 2));
          lands.body().angular_velocity.z() = random.between(8, 12) * lands.can_stop();
          lands.play(answer);
-         return {lands.upwards(), lands.body().angular_velocity.z()};
+         return {{"your column, which lands turning, leaves with", lands.upwards(), "m/s"},
+                 {"your column turns on with", lands.body().angular_velocity.z(), "rad/s"}};
        },
        "each point has a sum of its own, which is a push of any size or a pull of at most F h / n."},
   };

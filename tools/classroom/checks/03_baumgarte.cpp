@@ -46,10 +46,8 @@ void right(Row& row, Real beta, Real cap, Real h) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a shallow ball leaves at β d / h, as without a cap",
-       1,
-       {{"your shallow ball leaves with", "m/s", 1e-6}, {"your shallow ball leaves in a long step with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a shallow ball leaves at β d / h, as without a cap", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real cap = random.between(1, 3);
          Ball shallow = ball_wanting(random, cap * random.between(Real(0.2), Real(0.8)), cap);
          shallow.speed = -random.between(1, 3);
@@ -58,44 +56,42 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          const Real longer = random.between(Real(0.2), Real(0.3));
          slow.depth *= longer / slow.h;
          slow.h = longer;
-         return {shallow.solved(random, answer), slow.solved(random, answer)};
+         return {{"your shallow ball leaves with", shallow.solved(random, answer), "m/s"},
+                 {"your shallow ball leaves in a long step with", slow.solved(random, answer), "m/s"}};
        },
        "below the cap the push-out takes away the part β of the overlap in one step. Its speed is β d / h, and b is "
        "minus that, however fast the ball is."},
-      {"a deep ball leaves at the cap",
-       2,
-       {{"your deep ball leaves with", "m/s", 1e-6},
-        {"your ball, which is more than a metre deep, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a deep ball leaves at the cap", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real cap = random.between(Real(0.5), 1);
          const Ball deep = ball_wanting(random, cap * random.between(Real(1.5), 3), cap);
          Ball lost = deep;
          lost.depth = random.between(Real(1.2), 2);
-         return {deep.solved(random, answer), lost.solved(random, answer)};
+         return {{"your deep ball leaves with", deep.solved(random, answer), "m/s"},
+                 {"your ball, which is more than a metre deep, leaves with", lost.solved(random, answer), "m/s"}};
        },
        "what is too deep is pushed out at the cap, which is a speed as β d / h is."},
-      {"a ball that is to bounce faster than the cap does",
-       2,
-       {{"your ball, which is to bounce faster than the cap, leaves with", "m/s", 1e-6},
-        {"your ball, which is to bounce more slowly than it is pushed out, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball that is to bounce faster than the cap does", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real cap = random.between(Real(0.5), 1);
          Ball fast = ball_wanting(random, cap * 2, cap), slow = ball_wanting(random, cap * Real(0.8), cap);
          fast.asked = cap * random.between(Real(2.5), 4);
          slow.asked = cap * random.between(Real(0.1), Real(0.6));
-         return {fast.solved(random, answer), slow.solved(random, answer)};
+         return {{"your ball, which is to bounce faster than the cap, leaves with", fast.solved(random, answer), "m/s"},
+                 {"your ball, which is to bounce more slowly than it is pushed out, leaves with",
+                  slow.solved(random, answer), "m/s"}};
        },
        "the cap is on the push-out only. Of two wishes the one for more speed stays, which is the lesser b."},
-      {"a ball that is still apart goes its way, and is not let in",
-       1,
-       {{"your ball, which is still above the ground and leaving, leaves with", "m/s", 1e-6},
-        {"your ball, which is still above the ground and coming nearer, goes on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball that is still apart goes its way, and is not let in", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real cap = random.between(Real(0.5), 1);
          Ball leaving = ball_wanting(random, -cap * 2, cap), coming = leaving;
          leaving.speed = cap * random.between(Real(0.1), Real(0.4));
          coming.speed = -cap * 5;
-         return {leaving.solved(random, answer), coming.solved(random, answer)};
+         return {{"your ball, which is still above the ground and leaving, leaves with", leaving.solved(random, answer),
+                  "m/s"},
+                 {"your ball, which is still above the ground and coming nearer, goes on with",
+                  coming.solved(random, answer), "m/s"}};
        },
        "where C > 0 there is no overlap to undo, and b stays as it is."},
   };

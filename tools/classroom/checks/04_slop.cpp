@@ -46,42 +46,37 @@ void right(Row& row, Real beta, Real slop, Real h) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"what does not reach the ground in this step goes its way",
-       2,
-       {{"your ball, which will not reach the ground in this step, goes on with", "m/s", 1e-6},
-        {"your ball, which is above the ground and leaving, goes on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"what does not reach the ground in this step goes its way", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Setting at(random);
          const Real just_reaches = at.gap / at.h;
-         return {at.ball(at.gap, -just_reaches * random.between(Real(0.4), Real(0.8)), answer),
-                 at.ball(at.gap, just_reaches * random.between(Real(0.1), Real(0.5)), answer)};
+         return {{"your ball, which will not reach the ground in this step, goes on with",
+                  at.ball(at.gap, -just_reaches * random.between(Real(0.4), Real(0.8)), answer), "m/s"},
+                 {"your ball, which is above the ground and leaving, goes on with",
+                  at.ball(at.gap, just_reaches * random.between(Real(0.1), Real(0.5)), answer), "m/s"}};
        },
        "a contact only pushes, and b = C/h lets the whole gap close in this step. What comes by less than that, or "
        "leaves, feels nothing."},
-      {"what would pass the surface in this step ends on it",
-       2,
-       {{"your fast ball moves on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"what would pass the surface in this step ends on it", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Setting at(random);
-         return {at.ball(at.gap, -at.gap / at.h * random.between(4, 8), answer)};
+         return {
+             {"your fast ball moves on with", at.ball(at.gap, -at.gap / at.h * random.between(4, 8), answer), "m/s"}};
        },
        "the whole gap may be closed in this step, and not more. C is a distance and C/h the speed, without β and "
        "without the slop."},
-      {"what overlaps stays where it is up to the slop, and comes up at β (d − slop) / h beyond",
-       2,
-       {{"your deep ball comes up with", "m/s", 1e-6},
-        {"your ball, which is less deep than the slop and sinking, moves on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"what overlaps stays where it is up to the slop, and comes up at β (d − slop) / h beyond", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Setting at(random);
          const Real deep = at.slop * random.between(2, 4), shallow = at.slop * random.between(Real(0.3), Real(0.7));
-         return {at.ball(-deep, 0, answer), at.ball(-shallow, -random.between(2, 3), answer)};
+         return {{"your deep ball comes up with", at.ball(-deep, 0, answer), "m/s"},
+                 {"your ball, which is less deep than the slop and sinking, moves on with",
+                  at.ball(-shallow, -random.between(2, 3), answer), "m/s"}};
        },
        "up to the slop an overlap neither grows nor is pushed out. What is deeper comes up by the part β of C + slop "
        "in a step, at the speed β (d - slop) / h."},
-      {"a box that touches with one edge comes down on the other",
-       1,
-       {{"your box, which has touched with one edge, turns with", "rad/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a box that touches with one edge comes down on the other", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Setting at(random);
          const Real half = random.between(Real(0.3), Real(0.5));
          Body box_above = box(Vec3::Constant(half), random.between(50, 150)).at({0, half, 0});
@@ -89,7 +84,8 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          world.contacts[0].point = {-half, 0, 0};
          world.contacts.push_back({.point = {half, 0, 0}, .normal = Vec3::UnitY(), .id = {0, 1, 1}});
          at.solve(world, answer, 100);
-         return {world.bodies[1].angular_velocity.z()};
+         return {
+             {"your box, which has touched with one edge, turns with", world.bodies[1].angular_velocity.z(), "rad/s"}};
        },
        "each corner has a gap of its own. One may be closed in this step, while the other corner stays on the ground."},
   };

@@ -73,67 +73,58 @@ struct Bounce : Effect {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a slow impact has the restitution of its contact, and gains no energy",
-       2,
-       {{"your slow ball leaves with", "m/s", 1e-6},
-        {"your second of two balls, whose ground is bouncier than it is, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a slow impact has the restitution of its contact, and gains no energy", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Ball slow{some_e(random), random.between(Real(0.16), Real(0.4))};
-         return {slow.solved(answer), second_of_two(random, answer)};
+         return {{"your slow ball leaves with", slow.solved(answer), "m/s"},
+                 {"your second of two balls, whose ground is bouncier than it is, leaves with",
+                  second_of_two(random, answer), "m/s"}};
        },
        "up to the yield speed, e is the restitution of the contact, step.contacts[i].restitution, and never more. An "
        "impact gains no energy."},
-      {"above the yield speed e falls with the fourth root of the speed",
-       2,
-       {{"your fast ball leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         return {Ball{some_e(random), random.between(4, 40)}.solved(answer)};
+      {"above the yield speed e falls with the fourth root of the speed", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         return {{"your fast ball leaves with", Ball{some_e(random), random.between(4, 40)}.solved(answer), "m/s"}};
        },
        "above the yield speed e = e_0 (v_y / v)^(1/4), with the whole speed v of the approach. Sixteen times the yield "
        "speed halves e."},
-      {"this step's gravity is no part of the approach",
-       2,
-       {{"your fast ball, which gravity accelerates as it lands, leaves with", "m/s", 1e-6},
-        {"your ball, which lands more slowly than the threshold but for gravity, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"this step's gravity is no part of the approach", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Ball lands = heavy(random, some_e(random), random.between(4, 8));
          const Ball creeps = heavy(random, some_e(random), random.between(Real(0.04), Real(0.09)));
-         return {lands.solved(answer), creeps.solved(answer)};
+         return {{"your fast ball, which gravity accelerates as it lands, leaves with", lands.solved(answer), "m/s"},
+                 {"your ball, which lands more slowly than the threshold but for gravity, leaves with",
+                  creeps.solved(answer), "m/s"}};
        },
        "the ball has not fallen by this step's gravity yet. The speed of approach is the one from before it, for the "
        "bounce and for the threshold."},
-      {"only the motion along the normal counts",
-       1,
-       {{"your ball, which slides fast and lands gently, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"only the motion along the normal counts", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ball ball{some_e(random), random.between(Real(0.5), Real(0.9))};
          ball.slides = random.between(6, 12);
-         return {ball.solved(answer)};
+         return {{"your ball, which slides fast and lands gently, leaves with", ball.solved(answer), "m/s"}};
        },
        "sliding along the ground does not press the ball into it. e depends on the speed along the normal."},
-      {"of the bounce and the push-out, the one for more speed stays",
-       2,
-       {{"your ball, which is pushed out faster than it bounces, leaves with", "m/s", 1e-6},
-        {"your ball, which bounces faster than it is pushed out, leaves with", "m/s", 1e-6},
-        {"your ball, which is too slow to bounce and is pushed out, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"of the bounce and the push-out, the one for more speed stays", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ball more{some_e(random), random.between(4, 8)}, less{some_e(random), random.between(4, 8)};
          more.asked = more.arrives * random.between(Real(1.2), 2);
          less.asked = less.arrives * random.between(Real(0.05), Real(0.2));
          Ball slow{some_e(random), random.between(Real(0.03), Real(0.09))};
          slow.asked = random.between(Real(0.3), Real(0.6));
-         return {more.solved(answer), less.solved(answer), slow.solved(answer)};
+         return {{"your ball, which is pushed out faster than it bounces, leaves with", more.solved(answer), "m/s"},
+                 {"your ball, which bounces faster than it is pushed out, leaves with", less.solved(answer), "m/s"},
+                 {"your ball, which is too slow to bounce and is pushed out, leaves with", slow.solved(answer), "m/s"}};
        },
        "bounce and push-out are each a least speed, and the lesser b satisfies both. Where nothing bounces, b stays as "
        "it was."},
-      {"what arrives more slowly than the threshold stays, what arrives faster bounces",
-       1,
-       {{"your ball, which arrives more slowly than the threshold, leaves with", "m/s", 1e-6},
-        {"your ball, which arrives a little faster than the threshold, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"what arrives more slowly than the threshold stays, what arrives faster bounces", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Ball slow{some_e(random), random.between(Real(0.03), Real(0.09))},
              faster{some_e(random), threshold * random.between(Real(1.02), Real(1.1))};  // whose e v is below it
-         return {slow.solved(answer), faster.solved(answer)};
+         return {{"your ball, which arrives more slowly than the threshold, leaves with", slow.solved(answer), "m/s"},
+                 {"your ball, which arrives a little faster than the threshold, leaves with", faster.solved(answer),
+                  "m/s"}};
        },
        "the threshold is for the speed of the approach, v_n. What arrives more slowly does not bounce, what arrives "
        "faster does, by the lesser of the old b and e v_n."},

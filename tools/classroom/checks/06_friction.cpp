@@ -72,48 +72,39 @@ void right(const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a ball that is put on a belt is taken along, and rolls on it",
-       1,
-       {{"your ball on a belt sets off along x with", "m/s", 1e-6},
-        {"your ball on a belt sets off along z with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball that is put on a belt is taken along, and rolls on it", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Ball ball(random, random.between(6, 8));
          const Surfaces surfaces{.mu = rough(random), .lever = 0, .belt_a = random_belt(random)};
          const Vec3 after = ball.solved(surfaces, answer).velocity;
-         return {after.x(), after.z()};
+         return {{"your ball on a belt sets off along x with", after.x(), "m/s"},
+                 {"your ball on a belt sets off along z with", after.z(), "m/s"}};
        },
        "friction holds the slip of the surfaces. That is the slip of the bodies, and how the belts run under it along "
        "the row's own t."},
-      {"a ball is taken along, whichever of the two bodies is the conveyor",
-       1,
-       {{"your ball on a belt that is body B sets off along x with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball is taken along, whichever of the two bodies is the conveyor", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Ball ball(random, random.between(6, 8));
          const Surfaces surfaces{.mu = rough(random), .lever = 0, .belt_b = random_belt(random)};
-         return {ball.solved(surfaces, answer, false).velocity.x()};
+         return {{"your ball on a belt that is body B sets off along x with",
+                  ball.solved(surfaces, answer, false).velocity.x(), "m/s"}};
        },
        "which body is A is decided by its index. The surface of A moves with v_A + belt_a, that of B with v_B + "
        "belt_b, and the slip is the second minus the first."},
-      {"a belt that is too fast slips away under the ball, which gains μ Σλn / m",
-       2,
-       {{"your ball, which the belt leaves behind, gains", "m/s", 1e-6},
-        {"your ball, which comes along faster than its belt, is braked by", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a belt that is too fast slips away under the ball, which gains μ Σλn / m", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Ball slow(random, random.between(1, 2));
          Ball fast = slow;
          fast.velocity.x() = random.between(100, 120);
          const Surfaces surfaces{.mu = rough(random), .lever = 0, .belt_a = random.between(40, 50) * Vec3::UnitX()};
-         return {slow.solved(surfaces, answer).velocity.x(),
-                 fast.velocity.x() - fast.solved(surfaces, answer).velocity.x()};
+         return {{"your ball, which the belt leaves behind, gains", slow.solved(surfaces, answer).velocity.x(), "m/s"},
+                 {"your ball, which comes along faster than its belt, is braked by",
+                  fast.velocity.x() - fast.solved(surfaces, answer).velocity.x(), "m/s"}};
        },
        "friction gives at most μ Σλn, whichever way the surfaces slip. The sum of all corrections is bounded, not each "
        "of them."},
-      {"where nothing rubs, a turn loses ϱ Σλn / I, and stops when it is less",
-       1,
-       {{"your ball, which turns fast on a smooth floor, turns more slowly by", "rad/s", 1e-6},
-        {"your ball, which turns slowly on a smooth floor, turns on with", "rad/s", 1e-6},
-        {"your ball, which turns slowly the other way, turns on with", "rad/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"where nothing rubs, a turn loses ϱ Σλn / I, and stops when it is less", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real lands = random.between(1, 2), lever = random.between(Real(0.01), Real(0.02));
          Ball fast(random, lands);
          const Real most = lever * lands / (Real(0.4) * fast.radius * fast.radius);  // rad/s
@@ -123,33 +114,32 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          other_way.spin = -slow.spin;
          const Surfaces smooth{.mu = 0, .lever = lever, .belt_a = random_belt(random)};  // it slips away under the ball
          const auto turns = [&](const Ball& ball) { return ball.solved(smooth, answer).angular_velocity.x(); };
-         return {fast.spin.x() - turns(fast), turns(slow), turns(other_way)};
+         return {{"your ball, which turns fast on a smooth floor, turns more slowly by", fast.spin.x() - turns(fast),
+                  "rad/s"},
+                 {"your ball, which turns slowly on a smooth floor, turns on with", turns(slow), "rad/s"},
+                 {"your ball, which turns slowly the other way, turns on with", turns(other_way), "rad/s"}};
        },
        "rolling resistance opposes the turn, with at most ϱ Σλn either way, whatever friction and the belt do."},
-      {"a ball that rolls is slowed by its rolling resistance, and keeps rolling",
-       2,
-       {{"your ball, which rolls, is slowed by", "m/s", 1e-6},
-        {"your ball, which rolls, is then turning with", "rad/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball that rolls is slowed by its rolling resistance, and keeps rolling", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ball ball(random, random.between(1, 2));
          const Real speed = random.between(3, 6);
          ball.velocity.x() = speed;
          ball.spin.z() = -speed / ball.radius;
          ball.sweeps = 200;
          const Body after = ball.solved({rough(random), random.between(Real(0.01), Real(0.02))}, answer);
-         return {speed - after.velocity.x(), after.angular_velocity.z()};
+         return {{"your ball, which rolls, is slowed by", speed - after.velocity.x(), "m/s"},
+                 {"your ball, which rolls, is then turning with", after.angular_velocity.z(), "rad/s"}};
        },
        "rolling resistance brakes the turn with ϱ Σλn, and friction, which holds the slip, brakes the way with it."},
-      {"a ball that cannot roll is taken along by a belt as a box is",
-       1,
-       {{"your ball, whose belt does not let it turn, sets off with", "m/s", 1e-6},
-        {"your ball, whose belt does not let it turn, turns with", "rad/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball that cannot roll is taken along by a belt as a box is", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ball ball(random, random.between(6, 8));
          ball.sweeps = 200;
          const Surfaces surfaces{rough(random), Real(1.2) * ball.radius, random_belt(random)};
          const Body after = ball.solved(surfaces, answer);
-         return {after.velocity.norm(), after.angular_velocity.norm()};
+         return {{"your ball, whose belt does not let it turn, sets off with", after.velocity.norm(), "m/s"},
+                 {"your ball, whose belt does not let it turn, turns with", after.angular_velocity.norm(), "rad/s"}};
        },
        "where ϱ Σλn is enough to stop the turn, friction takes the ball along at the speed of the belt."},
   };

@@ -84,13 +84,8 @@ void put_elsewhere(Memory& memory, std::uint32_t body) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"the latest force of a ball holds it in the next step, however long",
-       2,
-       {{"in a step of another length your ball starts with", "m/s", 1e-6},
-        {"your ball that touches for the first time starts with", "m/s", 1e-6},
-        {"your ball that touches in two points starts with", "m/s", 1e-6},
-        {"your ball that touches in two points starts to turn with", "rad/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"the latest force of a ball holds it in the next step, however long", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Balls balls(random, answer);
          const Real h = random.between(Real(0.01), Real(0.015)), ratio = random.between(Real(0.3), Real(0.6));
          balls.keep({first}, random.between(Real(0.2), Real(0.4)), 2 * h);
@@ -99,52 +94,54 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
              balls.memory,
              {balls.bearing(first, part, h), balls.bearing(left, part / 4, h), balls.bearing(right, part / 2, h)}, h);
          const Numbers speeds = balls.started({first, second, left, right}, ratio * h);
-         return {speeds[0], speeds[1], speeds[2], balls.world.bodies[3].angular_velocity.z()};
+         return {{"in a step of another length your ball starts with", speeds[0], "m/s"},
+                 {"your ball that touches for the first time starts with", speeds[1], "m/s"},
+                 {"your ball that touches in two points starts with", speeds[2], "m/s"},
+                 {"your ball that touches in two points starts to turn with",
+                  balls.world.bodies[3].angular_velocity.z(), "rad/s"}};
        },
        "a point starts with the force that it had in the latest step in which it touched. The impulse is that force "
        "times the new h, and the whole id says which point it is."},
-      {"a point that is lost for a few steps comes back with its force",
-       2,
-       {{"your ball, whose contact was lost for a while, starts with", "m/s", 1e-6},
-        {"your ball, whose contact was lost for many short steps, starts with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a point that is lost for a few steps comes back with its force", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Balls balls(random, answer), quick = balls;
          for (int step = 0; step < 4; ++step)
            balls.keep({first}, some_part(random), random.between(Real(0.0205), Real(0.0245)));
          balls.nothing_touches(3, random.between(Real(0.0175), Real(0.019)));
          quick.keep({first}, some_part(random), Real(0.002));
          quick.nothing_touches(27, random.between(Real(0.00195), Real(0.0021)));
-         return {balls.started({first}, Real(0.008))[0], quick.started({first}, Real(0.002))[0]};
+         return {{"your ball, whose contact was lost for a while, starts with", balls.started({first}, Real(0.008))[0],
+                  "m/s"},
+                 {"your ball, whose contact was lost for many short steps, starts with",
+                  quick.started({first}, Real(0.002))[0], "m/s"}};
        },
        "a point is remembered for 0.1 s after it last touched, with the force of that step. Its age is in seconds, and "
        "grows by the dt of each step that goes by."},
-      {"a point that is lost for long is forgotten",
-       1,
-       {{"your ball, which was up and away for long, starts with", "m/s", 1e-6},
-        {"your ball, which was up and away for a few long steps, starts with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a point that is lost for long is forgotten", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Balls balls(random, answer), slow = balls;
          balls.keep({first}, some_part(random), random.between(Real(0.015), Real(0.02)));
          balls.nothing_touches(8, random.between(Real(0.0175), Real(0.0235)));
          slow.keep({first}, some_part(random), Real(0.002));
          slow.nothing_touches(5, random.between(Real(0.043), Real(0.045)));
-         return {balls.started({first}, random.between(Real(0.005), Real(0.01)))[0],
-                 slow.started({first}, random.between(Real(0.03), Real(0.04)))[0]};
+         return {{"your ball, which was up and away for long, starts with",
+                  balls.started({first}, random.between(Real(0.005), Real(0.01)))[0], "m/s"},
+                 {"your ball, which was up and away for a few long steps, starts with",
+                  slow.started({first}, random.between(Real(0.03), Real(0.04)))[0], "m/s"}};
        },
        "0.1 s after it last touched, a point is forgotten. Whatever lay there has gone, and its impulse would be a "
        "kick from the past."},
-      {"a body that is put elsewhere leaves its impulses behind, and nobody else does",
-       2,
-       {{"your ball that has not been moved starts with", "m/s", 1e-6},
-        {"your ball that has been put elsewhere starts with", "m/s", 1e-6},
-        {"your ball that lay on it starts with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a body that is put elsewhere leaves its impulses behind, and nobody else does", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Balls balls(random, answer);
          const std::vector<ContactId> ids{first, second, {2, 3, 0}};
          const Real h = random.between(Real(0.01), Real(0.02));
          balls.keep(ids, some_part(random), h);
          balls.answer.put_elsewhere(balls.memory, 2);
-         return balls.started(ids, random.between(Real(0.5), Real(0.9)) * h);
+         const Numbers speeds = balls.started(ids, random.between(Real(0.5), Real(0.9)) * h);
+         return {{"your ball that has not been moved starts with", speeds[0], "m/s"},
+                 {"your ball that has been put elsewhere starts with", speeds[1], "m/s"},
+                 {"your ball that lay on it starts with", speeds[2], "m/s"}};
        },
        "its impulses held the body where it was. All points in which it is A or B are forgotten, and no others."},
   };

@@ -77,36 +77,35 @@ void right(Row& along, Row& across, const Skate& skate) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"where μ is the same along and across, it is the disc of chapter 08",
-       1,
-       {{"your skate, which is as rough along as across, slips on along its blade with", "m/s", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers { return {sliding(random, true, answer).slip_along}; },
+      {"where μ is the same along and across, it is the disc of chapter 08", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         return {{"your skate, which is as rough along as across, slips on along its blade with",
+                  sliding(random, true, answer).slip_along, "m/s", 1e-5}};
+       },
        "with μ₁ = μ₂ the ellipse is a disc of radius μ Σλₙ, and friction is opposite to the slip."},
-      {"friction on a skate that slides is on the edge of its ellipse",
-       2,
-       {{"friction on your sliding skate is what the ellipse allows for a normal impulse of", "N s", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers { return {sliding(random, false, answer).normal_needed()}; },
+      {"friction on a skate that slides is on the edge of its ellipse", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         return {{"friction on your sliding skate is what the ellipse allows for a normal impulse of",
+                  sliding(random, false, answer).normal_needed(), "N s", 1e-5}};
+       },
        "friction of a skate that slides is on the edge of the ellipse with the semi-axes μ₁ Σλₙ and μ₂ Σλₙ, so "
        "(λ₁/μ₁)² + (λ₂/μ₂)² = Σλₙ²."},
-      {"the slip is at a right angle to the edge of the ellipse",
-       2,
-       {{"the slip of your skate is off the right angle to the edge of its ellipse by", "°", 1e-5},
-        {"your skate slips on along its blade with", "m/s", 1e-4}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"the slip is at a right angle to the edge of the ellipse", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Board board = sliding(random, false, answer);
-         return {board.off_normal(), board.slip_along};
+         return {{"the slip of your skate is off the right angle to the edge of its ellipse by", board.off_normal(),
+                  "°", 1e-5},
+                 {"your skate slips on along its blade with", board.slip_along, "m/s", 1e-4}};
        },
        "friction takes as much energy as it can, so the slip is at a right angle to the edge. Where sums are measured "
        "in semi-axes, the slip is (μ₁u₁, μ₂u₂), and each k_ij is stretched by μ_i μ_j."},
-      {"a skate that friction can hold is held",
-       1,
-       {{"your skate, which friction can hold, slips on with", "m/s", 1e-5},
-        {"friction gives your skate, which it can hold,", "N s", 1e-4}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a skate that friction can hold is held", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Board board(random);
          const Real speed = random.between(1, 2), heading = random.between(Real(0.5), Real(0.9));
          board.solve(speed, heading, 40 * board.mass, answer);
-         return {board.slip(), board.friction()};
+         return {{"your skate, which friction can hold, slips on with", board.slip(), "m/s", 1e-5},
+                 {"friction gives your skate, which it can hold,", board.friction(), "N s", 1e-4}};
        },
        "inside the ellipse friction is what stops the slip, and not more. 300 calls are enough to get there if the "
        "step fits the block."},

@@ -68,10 +68,8 @@ void right(const RoundRail& rail, const Body& a, const Body& b, Equations& rows)
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a ball on a rail that does not move stays on it, after a single sweep, and slides on as it did",
-       2,
-       {{"your ball leaves the rail with", "m/s", 1e-6}, {"along the rail your ball goes with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a ball on a rail that does not move stays on it, after a single sweep, and slides on as it did", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Railed railed(random, random_box(random).fixed(), sphere(Real(0.1), random.between(2, 10)), Vec3::Zero(),
                        answer);
          const Vec3 out = railed.across().normalized(), axis = railed.axis();
@@ -79,16 +77,13 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          railed.b().velocity = outwards * out + off * axis + along * axis.cross(out);
          Solver<Joints> solver;
          solver.solve(railed.world, Real(0.02), 1);
-         return {railed.speeds().head<2>().norm(), railed.speeds().z()};
+         return {{"your ball leaves the rail with", railed.speeds().head<2>().norm(), "m/s"},
+                 {"along the rail your ball goes with", railed.speeds().z(), "m/s"}};
        },
        "the rail holds the ball in two directions, along its axis m and straight away from the axis. Each n is a unit "
        "vector, and along the rail nothing holds."},
-      {"the slider of a box stays on the rail of another box, and angular momentum is conserved",
-       2,
-       {{"seen from the rail, your slider leaves it with", "m/s", 1e-6},
-        {"the angular momentum of both boxes together changes by", "N m s", 1e-6},
-        {"seen from the rail, your slider goes along it with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"the slider of a box stays on the rail of another box, and angular momentum is conserved", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Railed railed = two_boxes(random, answer);
          for (Body& body : railed.world.bodies) {
            body.velocity = random.vector(3);
@@ -97,16 +92,15 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          const Vec3 before = railed.angular_momentum();
          Solver<Joints> solver;
          solver.solve(railed.world, Real(0.02), 2000);
-         return {railed.speeds().head<2>().norm(), (railed.angular_momentum() - before).norm(), railed.speeds().z()};
+         return {{"seen from the rail, your slider leaves it with", railed.speeds().head<2>().norm(), "m/s"},
+                 {"the angular momentum of both boxes together changes by", (railed.angular_momentum() - before).norm(),
+                  "N m s"},
+                 {"seen from the rail, your slider goes along it with", railed.speeds().z(), "m/s"}};
        },
        "both bodies feel the force at P, so both arms end there, and the rail turns with A. Two equal and opposite "
        "forces at one point make no torque together."},
-      {"a slider that is off its rail comes back by the part β in a step",
-       2,
-       {{"after a step your slider is off the plane of its rail by", "mm", 0.3},
-        {"after a step your slider is too far from the middle of its rail by", "mm", 0.3},
-        {"after a step your slider, which was below the plane, is off it by", "mm", 0.3}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a slider that is off its rail comes back by the part β in a step", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Railed railed = two_boxes(random, answer), below = two_boxes(random, answer);
          railed.b().position += random.between(Real(0.01), Real(0.015)) * railed.axis() +
                                 random.between(Real(0.01), Real(0.015)) * railed.across().normalized();
@@ -115,8 +109,11 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          railed.world.step(solver, Real(0.02), 2000);
          below.b().position -= random.between(Real(0.01), Real(0.015)) * below.axis();
          below.world.step(solver, Real(0.02), 2000);
-         return {1000 * railed.off_the_plane(), 1000 * (railed.across().norm() - railed.rail.radius),
-                 1000 * below.off_the_plane()};
+         return {{"after a step your slider is off the plane of its rail by", 1000 * railed.off_the_plane(), "mm", 0.3},
+                 {"after a step your slider is too far from the middle of its rail by",
+                  1000 * (railed.across().norm() - railed.rail.radius), "mm", 0.3},
+                 {"after a step your slider, which was below the plane, is off it by", 1000 * below.off_the_plane(),
+                  "mm", 0.3}};
        },
        "C₁ = m · d and C₂ = ρ - R are lengths with a sign, and J V is how fast each grows. Then a step takes away the "
        "part β, by forces that act on both bodies at P."},

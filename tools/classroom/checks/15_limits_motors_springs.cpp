@@ -43,50 +43,48 @@ void right(JointRow& rope, Real strength, Real beta, Real h) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a taut rope stops a load that leaves, and lets go one that comes",
-       1,
-       {{"your load, which was leaving on a taut rope, goes on with", "m/s", 1e-6},
-        {"your load, which was coming back by itself, comes with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a taut rope stops a load that leaves, and lets go one that comes", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Roped roped(random);
          const Real leaves = random.between(2, 5), comes = random.between(2, 5);
-         return {roped.solved(0, leaves, random, answer), -roped.solved(0, -comes, random, answer)};
+         return {{"your load, which was leaving on a taut rope, goes on with", roped.solved(0, leaves, random, answer),
+                  "m/s"},
+                 {"your load, which was coming back by itself, comes with", -roped.solved(0, -comes, random, answer),
+                  "m/s"}};
        },
        "a rope pulls and never pushes, so its sum is 0 or more. A taut one stops what leaves, and what comes feels "
        "nothing."},
-      {"a load on a slack rope goes as far as the rope is long",
-       2,
-       {{"your load, which cannot reach the end of its rope in this step, goes on with", "m/s", 1e-6},
-        {"your load, which would get farther than its rope in this step, goes on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a load on a slack rope goes as far as the rope is long", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Roped roped(random);
          const Real slack = random.between(1, 2), fastest = slack / roped.h;
          const Real slow = random.between(Real(0.6), Real(0.9)), fast = random.between(Real(1.5), 3);
-         return {roped.solved(slack, slow * fastest, random, answer),
-                 roped.solved(slack, fast * fastest, random, answer)};
+         return {{"your load, which cannot reach the end of its rope in this step, goes on with",
+                  roped.solved(slack, slow * fastest, random, answer), "m/s"},
+                 {"your load, which would get farther than its rope in this step, goes on with",
+                  roped.solved(slack, fast * fastest, random, answer), "m/s"}};
        },
        "a slack rope lets its load leave at up to C/h, so that the rope is just taut at the end of this step."},
-      {"a rope that is too long comes back by the part β, and does not hold up a load that comes faster",
-       1,
-       {{"your load, which is too far, comes back with", "m/s", 1e-6},
-        {"your load, which is too far and was coming fast by itself, comes with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a rope that is too long comes back by the part β, and does not hold up a load that comes faster", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Roped roped(random);
          const Real too_long = random.between(1, 2), comes = random.between(1, 2) * too_long / roped.h;
-         return {-roped.solved(-too_long, 0, random, answer), -roped.solved(-too_long, -comes, random, answer)};
+         return {{"your load, which is too far, comes back with", -roped.solved(-too_long, 0, random, answer), "m/s"},
+                 {"your load, which is too far and was coming fast by itself, comes with",
+                  -roped.solved(-too_long, -comes, random, answer), "m/s"}};
        },
        "a rope that is too long is an error, of which a step takes away the part β. b = β/h C, and what comes faster "
        "by itself is not held up."},
-      {"a hand that holds with F takes h F off the load in a step",
-       2,
-       {{"your load, which pulls harder than the hand holds, goes on with", "m/s", 1e-6},
-        {"your load, whose rope is slack and which pulls harder than the hand holds, goes on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a hand that holds with F takes h F off the load in a step", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Roped roped(random);
          roped.strength = random.between(50, 200);
          const Real fast = random.between(2, 3) * roped.h * roped.strength / roped.mass;
          const Real slack = random.between(Real(0.2), Real(0.5));
-         return {roped.solved(0, fast, random, answer), roped.solved(slack, fast + slack / roped.h, random, answer)};
+         return {{"your load, which pulls harder than the hand holds, goes on with",
+                  roped.solved(0, fast, random, answer), "m/s"},
+                 {"your load, whose rope is slack and which pulls harder than the hand holds, goes on with",
+                  roped.solved(slack, fast + slack / roped.h, random, answer), "m/s"}};
        },
        "a hand that holds with F gives the impulse h F in a step and not more, whether the rope is slack, taut or too "
        "long."},

@@ -65,43 +65,35 @@ struct Breaking : Joints {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a rod holds a load that it can bear",
-       1,
-       {{"your ball, whose rod can bear it, goes on with", "m/s", 1e-6}, {"your rods still hold", "kg", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a rod holds a load that it can bear", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real mass = random.between(2, 10), h = 1 / random.between(40, 100);
          Rods rods(answer);
          rods.add(mass, random.between(Real(0.3), Real(0.9)) * h * strength / mass, random);
          rods.solve(h);
-         return {rods.speed(0), rods.held()};
+         return {{"your ball, whose rod can bear it, goes on with", rods.speed(0), "m/s"},
+                 {"your rods still hold", rods.held(), "kg"}};
        },
        "a rod that has to give less than h F in a step holds its ball, and is not broken."},
-      {"a rod that is pulled too hard takes h F off its load, and is gone",
-       2,
-       {{"your ball, which pulls too hard at its rod, goes on with", "m/s", 1e-6},
-        {"in the next step your ball, whose rod is broken, goes on with", "m/s", 1e-6},
-        {"your ball, which is far too fast for its rod, goes on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a rod that is pulled too hard takes h F off its load, and is gone", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const auto [first, second] = two_steps(random, random.between(Real(2.5), 4), answer);
          const auto far_too_fast = two_steps(random, random.between(150, 200), answer);
-         return {first, second, far_too_fast[0]};
+         return {{"your ball, which pulls too hard at its rod, goes on with", first, "m/s"},
+                 {"in the next step your ball, whose rod is broken, goes on with", second, "m/s"},
+                 {"your ball, which is far too fast for its rod, goes on with", far_too_fast[0], "m/s"}};
        },
        "a rod cannot give more than h F in a step. One whose sum reaches that has taken h F off its load, and is gone "
        "from the next step on."},
-      {"so is a rod that is pushed too hard",
-       2,
-       {{"your ball, which pushes too hard at its rod, comes on with", "m/s", 1e-6},
-        {"in the next step your ball, whose rod is broken, comes on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"so is a rod that is pushed too hard", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const auto [first, second] = two_steps(random, -random.between(Real(2.5), 4), answer);
-         return {-first, -second};
+         return {{"your ball, which pushes too hard at its rod, comes on with", -first, "m/s"},
+                 {"in the next step your ball, whose rod is broken, comes on with", -second, "m/s"}};
        },
        "a rod is pushed as well as pulled. Its sum is between -h F and h F, and either limit breaks it."},
-      {"of several rods those break that bear too much",
-       3,
-       {{"of six balls, two pull too hard and one sleeps; your rods still hold", "kg", 1e-6},
-        {"in a step of half the length one more pulls too hard; your rods still hold", "kg", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"of several rods those break that bear too much", 3,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real h = 1 / random.between(40, 100);
          Rods rods(answer);
          Real mass = 2;
@@ -115,7 +107,8 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          Body& next = rods.world.bodies[3];
          next.velocity = Real(0.7) * h * strength * next.inverse_mass * rods.away[3];
          rods.solve(h / 2);
-         return {held, rods.held()};
+         return {{"of six balls, two pull too hard and one sleeps; your rods still hold", held, "kg"},
+                 {"in a step of half the length one more pulls too hard; your rods still hold", rods.held(), "kg"}};
        },
        "each rod bears F, with the h of this step. Those go whose own row has reached a limit, row.owner is the index "
        "of their joint, and the others stay in their order."},

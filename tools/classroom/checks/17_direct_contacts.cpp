@@ -52,14 +52,8 @@ std::vector<double> values_of(const Tableau& tableau) {
   return values;
 }
 
-/// The largest |left side - right side| of these equations.
-double off(const Eigen::MatrixXd& equations, const std::vector<double>& values) {
-  const Eigen::Map<const Eigen::VectorXd> x(values.data(), std::ssize(values));
-  return (equations.leftCols(x.size()) * x - equations.rightCols<1>()).cwiseAbs().maxCoeff();
-}
-
 /// Lemke's method with these pivots, for u = A l + b: the largest |min(l, u)|, at most `hopeless`; and how many pivots it took.
-Numbers solved(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Answer& answer) {
+std::vector<Reading> solved(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Answer& answer) {
   constexpr double hopeless = 1000;
   const Index n = b.size(), z = 2 * n;
   Tableau tableau{Eigen::MatrixXd(n, 2 * n + 2), {}};
@@ -77,7 +71,8 @@ Numbers solved(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Answer&
   const std::vector<double> values = values_of(tableau);
   const Eigen::VectorXd impulses = Eigen::Map<const Eigen::VectorXd>(values.data() + n, n);
   const double error = impulses.cwiseMin(a * impulses + b).cwiseAbs().maxCoeff();
-  return numbers(error < hopeless ? error : hopeless, pivots);
+  return {{"with your pivots the largest |min(λ, u)| is", error < hopeless ? error : hopeless},
+          {"the number of your pivots is", pivots}};
 }
 
 Index right(Tableau& tableau, Index entering) {
@@ -96,45 +91,38 @@ Index right(Tableau& tableau, Index entering) {
 }  // namespace
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
-  const Quantity leaves{"the number of the variable that leaves is", "", 1e-6},
-      entries{"the entries of your tableau add up to", "", 1e-5};
   return {
-      {"the first variable to reach 0 leaves",
-       1,
-       {leaves, {"the variable that enters becomes", "", 1e-6}, {"the least value in your tableau is", "", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"the first variable to reach 0 leaves", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          auto [tableau, entering] = scene(random);
          const Index left = answer.pivot(tableau, entering);
          const double entered = values_of(tableau)[static_cast<std::size_t>(entering)];
-         return numbers(left, entered, tableau.t.rightCols<1>().minCoeff());
+         return {{"the number of the variable that leaves is", left},
+                 {"the variable that enters becomes", entered},
+                 {"the least value in your tableau is", tableau.t.rightCols<1>().minCoeff()}};
        },
        "the first variable to reach 0 leaves, which is the least value / entry among positive entries. With any other "
        "one a value becomes negative, and a contact pulls."},
-      {"the equations say the same as before",
-       1,
-       {{"put into the equations as they were, your values are off by", "", 1e-6}, entries},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"the equations say the same as before", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          auto [tableau, entering] = scene(random);
-         const Eigen::MatrixXd before = tableau.t;
          answer.pivot(tableau, entering);
-         return numbers(off(before, values_of(tableau)), tableau.t.sum());
+         return {{"the entries of your tableau add up to", tableau.t.sum(), "", 1e-5},
+                 {"your values, the last column, add up to", tableau.t.rightCols<1>().sum(), "", 1e-5}};
        },
        "the row of the one that leaves is solved for the entering variable and put into all others. A pivot writes the "
        "same equations in another way, the last column included."},
-      {"where no variable ever reaches 0, none leaves",
-       1,
-       {leaves, entries},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"where no variable ever reaches 0, none leaves", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          auto [tableau, entering] = ray(random);
          const Index left = answer.pivot(tableau, entering);
-         return numbers(left, tableau.t.sum());
+         return {{"the number of the variable that leaves is", left},
+                 {"the entries of your tableau add up to", tableau.t.sum(), "", 1e-5}};
        },
        "a variable whose entry is not positive never reaches 0. Where all are like that none leaves, -1, and the "
        "tableau stays as it is."},
-      {"pivot after pivot, all contacts are solved",
-       2,
-       {{"with your pivots the largest |min(λ, u)| is", "", 1e-6}, {"the number of your pivots is", "", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"pivot after pivot, all contacts are solved", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Index n = static_cast<Index>(40 + random.below(10));
          Eigen::MatrixXd mixed(n, n);
          for (double& entry : mixed.reshaped()) entry = between(random, -1, 1);

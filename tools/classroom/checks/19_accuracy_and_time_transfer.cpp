@@ -56,32 +56,25 @@ double right(double speed, double slope, double mu, double t) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"on the way up, its weight and friction brake it",
-       1,
-       {{"on its way up your box is at", "m", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         return {push_of(random, between(random, 0.3, 0.7), between(random, 0.4, 0.9)).asked(answer)};
+      {"on the way up, its weight and friction brake it", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         return {{"on its way up your box is at",
+                  push_of(random, between(random, 0.3, 0.7), between(random, 0.4, 0.9)).asked(answer), "m"}};
        },
        "on the way up weight and friction both brake the box, with g sin and μ g cos of the slope. It is at v t - a "
        "t²/2."},
-      {"where friction holds it, it stays",
-       1,
-       {{"long after it has stopped, your box, which friction holds, is at", "m", 1e-6},
-        {"your box that starts at rest, and that friction holds, is at", "m", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"where friction holds it, it stays", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Push stays = push_of(random, between(random, 1.2, 1.6), between(random, 2, 3));
          Push rests = stays;
          rests.speed = 0;
-         return {stays.asked(answer), rests.asked(answer)};
+         return {{"long after it has stopped, your box, which friction holds, is at", stays.asked(answer), "m"},
+                 {"your box that starts at rest, and that friction holds, is at", rests.asked(answer), "m"}};
        },
        "where μ is more than the tangent of the slope, friction bears all that pulls the box down, and just that. The "
        "box stays where it stopped."},
-      {"where friction does not hold it, it slides back",
-       2,
-       {{"after it has stopped your box, which slides back, is at", "m", 1e-6},
-        {"your box, which slides back and which friction nearly holds, is at", "m", 1e-6},
-        {"your box that starts at rest, and that friction does not hold, is at", "m", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"where friction does not hold it, it slides back", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Push back = push_of(random, between(random, 0.3, 0.6), between(random, 3, 4));
          Push nearly = push_of(random, 1, 0), starts = push_of(random, between(random, 0.3, 0.6), 0);
          const double part = between(random, 0.3, 0.7);
@@ -89,25 +82,24 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          nearly.t = between(random, 3, 4) * nearly.turn();
          starts.speed = 0;
          starts.t = between(random, 0.5, 1);
-         return {back.asked(answer), nearly.asked(answer), starts.asked(answer)};
+         return {{"after it has stopped your box, which slides back, is at", back.asked(answer), "m"},
+                 {"your box, which slides back and which friction nearly holds, is at", nearly.asked(answer), "m"},
+                 {"your box that starts at rest, and that friction does not hold, is at", starts.asked(answer), "m"}};
        },
        "where μ is less than the tangent of the slope, the box slides back from rest, from where it stopped and from "
        "that moment on. Friction opposes the motion, so it pulls up then."},
-      {"without friction it comes back as it went",
-       1,
-       {{"without friction your box is on its way back at", "m", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         return {push_of(random, 0, between(random, 1.2, 1.8)).asked(answer)};
+      {"without friction it comes back as it went", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         return {{"without friction your box is on its way back at",
+                  push_of(random, 0, between(random, 1.2, 1.8)).asked(answer), "m"}};
        },
        "without friction the acceleration is g sin of the slope, up and down, all the time."},
-      {"a solver comes nearer to it with shorter steps",
-       1,
-       {{"a simulation with 2 substeps is away from your truth by", "mm", 1e-2},
-        {"a simulation with 8 substeps is away from your truth by", "mm", 1e-2}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a solver comes nearer to it with shorter steps", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Push push = push_of(random, between(random, 0.1, 0.3), 0);
          push.speed = between(random, 1, 2);  // it has stopped after 0.3 s at most
-         return {off(push, 2, answer), off(push, 8, answer)};
+         return {{"a simulation with 2 substeps is away from your truth by", off(push, 2, answer), "mm", 1e-2},
+                 {"a simulation with 8 substeps is away from your truth by", off(push, 8, answer), "mm", 1e-2}};
        },
        "a simulation comes nearer to the truth with shorter steps. This box goes up, stops and slides back, and where "
        "your truth is wrong, the simulation stays away from it."},

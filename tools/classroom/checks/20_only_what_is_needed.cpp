@@ -33,8 +33,8 @@ struct Piles {
     }
     return below;
   }
-  /// How many bodies sleep, and how heavy they are together, kg. What nothing moves has no weight here.
-  Numbers asleep(const Answer& answer) const {
+  /// What nothing moves has no weight here.
+  std::vector<Reading> asleep(const Answer& answer) const {
     const std::vector<bool> sleeps = answer.asleep(world, rests);
     Real count = 0, mass = 0;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
@@ -42,7 +42,7 @@ struct Piles {
       ++count;
       if (world.bodies[i].movable()) mass += 1 / world.bodies[i].inverse_mass;
     }
-    return {count, mass};
+    return {{"the number of bodies asleep is", count}, {"those asleep in your world weigh together", mass, "kg", 1e-3}};
   }
 };
 
@@ -66,11 +66,9 @@ std::vector<bool> right(const World& world, const std::vector<bool>& rests) {
 }  // namespace
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
-  const std::vector<Quantity> quantities{{"the number of bodies asleep is", "", 1e-9},
-                                         {"those asleep in your world weigh together", "kg", 1e-3}};
   return {
-      {"a pile that rests sleeps, though another on the same ground moves", 1, quantities,
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a pile that rests sleeps, though another on the same ground moves", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Piles piles(random);
          piles.pile(2 + random.below(3), true);
          piles.pile(2 + random.below(3), false);
@@ -79,8 +77,8 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
        },
        "the ground passes nothing on, since nothing moves it. Each pile on it is an island of its own, and so is a "
        "single box."},
-      {"nobody in a pile sleeps while its top moves", 1, quantities,
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"nobody in a pile sleeps while its top moves", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Piles piles(random);
          for (const std::size_t boxes : {4 + random.below(3), std::size_t(2)})
            piles.rests[static_cast<std::size_t>(piles.pile(boxes, true))] = false;
@@ -89,8 +87,8 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
        },
        "an island sleeps and wakes as a whole. If one of its bodies moves, none of them sleeps, or what lies on others "
        "would hang in mid-air."},
-      {"it does not matter in which order contacts come", 1, quantities,
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"it does not matter in which order contacts come", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Piles piles(random);
          const int first = piles.add(false);
          for (int i = 1; i < 6; ++i) piles.add(true);  // a row on the ground
@@ -104,8 +102,8 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
        },
        "an island is all that can be reached from body to body, however many contacts away and in whichever order they "
        "come."},
-      {"bodies that are joined sleep and wake together; those that hang on the same fixed beam need not", 1, quantities,
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"bodies that are joined sleep and wake together; those that hang on the same fixed beam need not", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Piles piles(random);
          const int beside = piles.pile(1, true), moves = piles.pile(1, false), towed = piles.pile(1, true),
                    beam = piles.add(true);

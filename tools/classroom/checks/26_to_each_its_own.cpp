@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pushback/chapters/26_to_each_its_own/exercise/asked.h"
@@ -58,13 +59,9 @@ Played chain_of(const Answer& answer, const Size& size, int steps) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"what flies, what has half steps and what has substeps is told apart",
-       2,
-       {{"of random islands, so many fly:", "", 0},
-        {"so many have half steps:", "", 0},
-        {"so many have substeps:", "", 0}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Numbers called(3, 0);
+      {"what flies, what has half steps and what has substeps is told apart", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         std::array<int, 3> called{};
          const auto ask = [&](const auto& island) {
            for (int count = whole(random, 3, 40); count > 0; --count)
              ++called[std::size_t(answer.call(island(), bounds_of_checks)) % 3];
@@ -77,48 +74,41 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          ask([&] { return Seen{.joints = joints()}; });
          ask([&] { return Seen{.contacts = few(), .refused = true}; });
          ask([&] { return Seen{.joints = joints(), .refused = true}; });
-         return called;
+         return {{"of random islands, so many fly:", called[0]},
+                 {"so many have half steps:", called[1]},
+                 {"so many have substeps:", called[2]}};
        },
        "an island's own contacts and joints say what it calls for, in the task's order: what is refused has substeps, "
        "joints have half steps, what touches nothing flies, and few contacts, up to and with the limit, have half "
        "steps."},
-      {"an island whose contacts come and go near the limit stays what it is",
-       2,
-       {{"of 300 steps your island has by half steps", "", 0}, {"it changes so many times:", "", 0}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"an island whose contacts come and go near the limit stays what it is", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          std::vector<int> contacts{9, 13, 12, 8, 9, 12};
          for (int i = int(contacts.size()); i < 300; ++i) contacts.push_back(whole(random, i % 100 < 50 ? 6 : 9, 13));
          const Course course = course_of(answer, contacts);
-         return numbers(course.by_half_steps, course.changes);
+         return {{"of 300 steps your island has by half steps", course.by_half_steps},
+                 {"it changes so many times:", course.changes}};
        },
        "an island that had half steps keeps them up to and with most_kept contacts, one that had substeps gets them "
        "with most or fewer. So what comes and goes between the two changes nothing."},
-      {"a step whose energy is not kept is taken again in twice as many, one that has too many comes down",
-       2,
-       {{"after a step that is far better than asked, the next one has so many substeps:", "", 0},
-        {"after one that is just good enough, the next one has so many:", "", 0},
-        {"after one that is too far off, stands (1) or not (0):", "", 0},
-        {"it is tried again in so many:", "", 0},
-        {"the least are never fewer than", "", 0},
-        {"too far off in the most:", "", 0}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a step whose energy is not kept is taken again in twice as many, one that has too many comes down", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const int now = 4 << whole(random, 1, 4);
          const auto judge = [&answer](int substeps, Real off) { return answer.judge(substeps, off, bounds_of_checks); };
          const Verdict well = judge(now, random.between(Real(0.01), Real(0.12)));
          const Verdict just = judge(now, random.between(Real(0.13), Real(0.24)));
          const Verdict badly = judge(now, random.between(Real(1.1), 9));
-         return numbers(well.substeps, just.substeps, badly.stands, badly.substeps, judge(4, Real(0.01)).substeps,
-                        judge(128, 2).substeps);
+         return {{"after a step that is far better than asked, the next one has so many substeps:", well.substeps},
+                 {"after one that is just good enough, the next one has so many:", just.substeps},
+                 {"after one that is too far off, stands (1) or not (0):", badly.stands},
+                 {"it is tried again in so many:", badly.substeps},
+                 {"the least are never fewer than", judge(4, Real(0.01)).substeps},
+                 {"too far off in the most:", judge(128, 2).substeps}};
        },
        "a step with off at most 1 stands. Otherwise what it lost is not lost: it is taken again in twice as many, up "
        "to most_substeps. Below an eighth half as many follow, but no fewer than least_substeps."},
-      {"a chain that whips has many substeps while it does, and few before and after",
-       2,
-       {{"in 200 steps your chain is tried so many times:", "", 0},
-        {"it spends so many substeps:", "", 0},
-        {"in one step so many at most:", "", 0},
-        {"so many steps are left to others:", "", 0}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a chain that whips has many substeps while it does, and few before and after", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real calm = random.between(Real(0.1), 1), fierce = random.between(3000, 9000),
                     at = random.between(60, 90);
          const auto size = [&](int step) {
@@ -126,7 +116,10 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
            return calm + fierce * std::exp(-from * from) + (step == 150 ? Real(1e6) : 0);
          };
          const Played played = chain_of(answer, size, 200);
-         return numbers(played.tries, played.spent, played.most, played.given_up);
+         return {{"in 200 steps your chain is tried so many times:", played.tries},
+                 {"it spends so many substeps:", played.spent},
+                 {"in one step so many at most:", played.most},
+                 {"so many steps are left to others:", played.given_up}};
        },
        "the error falls with the square of the substeps. Doubling gets there in a few tries, half as many are enough "
        "below an eighth, and what most_substeps do not reach is left to others."},

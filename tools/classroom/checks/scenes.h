@@ -14,12 +14,6 @@ inline int whole(Random& random, int least, int most) {
   return least + static_cast<int>(random.below(static_cast<std::size_t>(most - least + 1)));
 }
 
-/// Truths are 1, and what is no Real is made one.
-template <class... Values>
-Numbers numbers(Values... values) {
-  return {static_cast<Real>(values)...};
-}
-
 /// The ground, and a body right above the origin that touches it there; `gap`, m: it is still apart, or too deep.
 inline World on_the_ground(const Body& body, Real gap = 0) {
   World world;
