@@ -52,12 +52,12 @@ Numbers numbers_of(const std::string& chapter, const std::string& arguments, int
 }
 
 /// These have no studies that --seconds does not shorten.
-const std::vector<std::string> quick{"00_naive_impulses", "04_slop", "13_joints"};
+const std::vector<std::string> short_chapters{"00_naive_impulses", "04_slop", "13_joints"};
 
 }  // namespace
 
 TEST_CASE("option --parameters prints an experiment's own options as JSON, and --help names them") {
-  for (const std::string& chapter : quick) {
+  for (const std::string& chapter : short_chapters) {
     const Ended as_json = call(chapter, "--parameters"), help = call(chapter, "--help");
     INFO(chapter << ": " << as_json.out);
     CHECK(as_json.status == 0);
@@ -76,7 +76,7 @@ TEST_CASE("option --parameters prints an experiment's own options as JSON, and -
 }
 
 TEST_CASE("option --list names scenes and variants, writes nothing, and --variants understands each of its names") {
-  for (const std::string& chapter : quick) {
+  for (const std::string& chapter : short_chapters) {
     const Scratch scratch;
     const Ended outcome = call(chapter, "--list --out '" + (scratch / "out").string() + "'");
     INFO(chapter << "\n" << outcome.out);
@@ -176,8 +176,7 @@ TEST_CASE("metrics.csv has the documented columns and a row for each variant and
   const Numbers numbers = numbers_of("04_slop", "--seconds 0.5 --dt 0.01 --slop 0,0.01");
   const std::string documented =
       "scene variant step time kinetic_energy potential_energy px py pz lx ly lz deepest_overlap contacts found lost "
-      "rows "
-      "residual solver_seconds";
+      "rows residual solver_seconds";
   CHECK(fmt::format("{}", fmt::join(numbers.header, " ")).starts_with(documented));
   std::map<std::string, int> steps;
   for (const auto& row : numbers.rows) {
@@ -215,7 +214,7 @@ TEST_CASE("the columns mean what their names say") {
 
 // What stands on a sheet stands in numbers.md, in the same words: both are committed, so no clock may decide any of it.
 TEST_CASE("two runs write the same, but for the time that the solver took") {
-  for (const std::string& chapter : quick) {
+  for (const std::string& chapter : short_chapters) {
     INFO(chapter);
     Numbers once = numbers_of(chapter, "--seconds 0.1"), again = numbers_of(chapter, "--seconds 0.1");
     for (Numbers* numbers : {&once, &again})

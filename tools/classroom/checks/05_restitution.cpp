@@ -45,15 +45,14 @@ Real some_e(Random& random) {
 
 /// The first is too slow to bounce, the second lands slowly on a ground that is bouncier than it is. Its speed upwards, m/s.
 Real second_of_two(Random& random, const Answer& answer) {
-  World world;
+  const Real creeps = random.between(Real(0.03), Real(0.09)), lands = yield * random.between(Real(0.6), Real(0.9));
+  World world = on_the_ground(sphere(Real(0.3), 10).at({0, Real(0.299), 0}).moving({0, -creeps, 0}));
+  world.add(sphere(Real(0.3), 10)
+                .at({1, Real(0.299), 0})
+                .moving({0, -lands, 0})
+                .bouncy(random.between(Real(0.3), Real(0.5))));
+  world.bodies[0].bouncy(some_e(random));
   world.gravity.setZero();
-  world.add(ground().bouncy(some_e(random)));
-  for (const bool first : {true, false}) {
-    const Real arrives = first ? random.between(Real(0.03), Real(0.09)) : yield * random.between(Real(0.6), Real(0.9));
-    Body ball = sphere(Real(0.3), 10);
-    ball.at({first ? Real(0) : Real(1), Real(0.299), 0}).moving({0, -arrives, 0});
-    world.add(ball.bouncy(first ? Real(0.8) : random.between(Real(0.3), Real(0.5))));
-  }
   auto solver = with_effect<Bouncing>(answer.bounce);
   world.step(solver, Real(1) / 60, 1);
   return world.bodies[2].velocity.y();

@@ -101,19 +101,15 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
        "forces at one point make no torque together."},
       {"a slider that is off its rail comes back by the part β in a step", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         Railed railed = two_boxes(random, answer), below = two_boxes(random, answer);
+         Railed railed = two_boxes(random, answer);
          railed.b().position += random.between(Real(0.01), Real(0.015)) * railed.axis() +
                                 random.between(Real(0.01), Real(0.015)) * railed.across().normalized();
          Solver<Joints> solver;
          solver.beta = random.between(Real(0.3), Real(0.6));
          railed.world.step(solver, Real(0.02), 2000);
-         below.b().position -= random.between(Real(0.01), Real(0.015)) * below.axis();
-         below.world.step(solver, Real(0.02), 2000);
          return {{"after a step your slider is off the plane of its rail by", 1000 * railed.off_the_plane(), "mm", 0.3},
                  {"after a step your slider is too far from the middle of its rail by",
-                  1000 * (railed.across().norm() - railed.rail.radius), "mm", 0.3},
-                 {"after a step your slider, which was below the plane, is off it by", 1000 * below.off_the_plane(),
-                  "mm", 0.3}};
+                  1000 * (railed.across().norm() - railed.rail.radius), "mm", 0.3}};
        },
        "C₁ = m · d and C₂ = ρ - R are lengths with a sign, and J V is how fast each grows. Then a step takes away the "
        "part β, by forces that act on both bodies at P."},

@@ -18,9 +18,8 @@ struct Piles {
     return world.add(box(Vec3::Constant(Real(0.5)), random.between(10, 100)));
   }
   void touch(int a, int b) {
-    Contact contact;
-    contact.id = {static_cast<std::uint32_t>(std::min(a, b)), static_cast<std::uint32_t>(std::max(a, b)), 0};
-    world.contacts.push_back(contact);
+    const auto first = static_cast<std::uint32_t>(std::min(a, b)), second = static_cast<std::uint32_t>(std::max(a, b));
+    world.contacts.push_back({.id = {first, second, 0}});
   }
   void join(int a, int b) { world.joints.push_back({.name = "a rope", .a = a, .b = b, .ask = {}}); }
   /// From the ground up; the last is the top.

@@ -14,7 +14,7 @@ constexpr Real none = std::numeric_limits<Real>::infinity();
 /// A motion whose steps of this order are off by `size(step) / n^p`, and by `stuck(step)`, which no substeps lessen, in parts of what is
 /// allowed.
 struct Played {
-  int tries = 0, spent = 0, most = 0, not_kept = 0;
+  int tries = 0, spent = 0, not_kept = 0;
 };
 template <class Size, class Stuck>
 Played motion_of(const Answer& answer, int order, const Size& size, const Stuck& stuck, int steps) {
@@ -28,7 +28,6 @@ Played motion_of(const Answer& answer, int order, const Size& size, const Stuck&
       const Verdict verdict = answer.judge({next, off, before, order}, bounds_of_checks);
       before = off;
       played.spent += next;
-      played.most = std::max(played.most, next);
       next = std::clamp(verdict.substeps, 1, 1 << 20);
       if (!verdict.stands) continue;
       played.not_kept += !verdict.kept;
@@ -100,7 +99,6 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          const Played played = motion_of(answer, 2, size, stuck, 200);
          return {{"in 200 steps your motion is tried so many times:", played.tries},
                  {"it spends so many substeps:", played.spent},
-                 {"in one try so many at most:", played.most},
                  {"so many steps are said not to be kept:", played.not_kept}};
        },
        "each step has as many substeps as its own error calls for: more while the motion jerks, fewer afterwards, and "
