@@ -18,14 +18,21 @@ struct Quantity {
   double tolerance;  ///< how far it may be from the right one
 };
 
-/// `Answer` is what an exercise asks of the student: functions, or an effect.
+/// What a scene measures: a quantity, and its value.
+struct Reading : Quantity {
+  template <class Value>
+  Reading(std::string its_words, Value its_value, std::string its_unit = "", double its_tolerance = 1e-6)
+      : Quantity{std::move(its_words), std::move(its_unit), its_tolerance}, value(static_cast<Real>(its_value)) {}
+  Real value;
+};
+
+/// `Answer` is what an exercise asks of the student: functions, or an effect. Beside it stands `checks_of`, which lists its checks.
 template <class Answer>
 struct Check {
   std::string says;  ///< of a right answer: "a column that lands flat stays on the ground"
   int points;
-  std::vector<Quantity> quantities;
-  std::function<Numbers(Random&, const Answer&)>
-      play;  ///< a scene made of random numbers: its quantities, in their order
+  /// A scene made of random numbers, and what is measured in it: the same quantities, in the same order, whatever the answer.
+  std::function<std::vector<Reading>(Random&, const Answer&)> play;
   /// What is physically wrong with any answer that fails: goes on from "your column leaves with 0.31 m/s where 0 is right: ".
   std::string hint = {};
 };
@@ -65,25 +72,6 @@ struct Exercise {
   bool graded() const { return !in_page && !whole(); }
 };
 
-template <class Answer>
-Exercise exercise_of(std::string title, std::vector<std::string> hints, const std::vector<Check<Answer>>& checks,
-                     const Answer& right) {
-  Exercise made{std::move(title), std::move(hints), {}, [checks, right](std::size_t check, Random& random) {
-                  return checks[check].play(random, right);
-                }};
-  for (const auto& check : checks) made.checks.push_back({check.says, check.points, check.quantities, check.hint});
-  return made;
-}
-
-/// The same of a rebuild, in which students write what the chapter's page shows.
-template <class Answer>
-Exercise rebuild_of(std::string title, std::vector<std::string> hints, const std::vector<Check<Answer>>& checks,
-                    const Answer& right) {
-  Exercise made = exercise_of<Answer>(std::move(title), std::move(hints), checks, right);
-  made.in_page = true;
-  return made;
-}
-
 /// Each check is played in so many scenes.
 inline constexpr std::size_t scenes_of_a_check = 3;
 
@@ -92,6 +80,35 @@ inline Random random_of(std::uint64_t seed, std::size_t check, std::size_t scene
   std::uint64_t mixed = seed;
   for (const std::uint64_t part : {check, scene}) mixed = (mixed ^ (part + 1)) * 0x9e3779b97f4a7c15u + (mixed >> 29);
   return Random(mixed);
+}
+
+/// The numbers that a scene of a check measures.
+template <class Answer>
+Numbers play(std::size_t check, Random& random, const Answer& answer) {
+  Numbers numbers;
+  for (const Reading& reading : checks_of(answer)[check].play(random, answer)) numbers.push_back(reading.value);
+  return numbers;
+}
+
+template <class Answer>
+Exercise exercise_of(std::string title, std::vector<std::string> hints, const Answer& right) {
+  Exercise made{std::move(title), std::move(hints), {}, [right](std::size_t check, Random& random) {
+                  return play(check, random, right);
+                }};
+  for (const Check<Answer>& check : checks_of(right)) {
+    Random random = random_of(0, made.checks.size(), 0);
+    const std::vector<Reading> readings = check.play(random, right);
+    made.checks.push_back({check.says, check.points, {readings.begin(), readings.end()}, check.hint});
+  }
+  return made;
+}
+
+/// The same of a rebuild, in which students write what the chapter's page shows.
+template <class Answer>
+Exercise rebuild_of(std::string title, std::vector<std::string> hints, const Answer& right) {
+  Exercise made = exercise_of(std::move(title), std::move(hints), right);
+  made.in_page = true;
+  return made;
 }
 
 }  // namespace pushback

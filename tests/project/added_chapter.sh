@@ -20,24 +20,6 @@ folder=chapters/$name
 
 # ---- its own folder --------------------------------------------------------------------------------------------------
 mkdir "$folder"
-cat >"$folder/pushed_apart.h" <<END
-/// Bodies that touch leave each other at a speed of one's choice.
-#pragma once
-
-#include "pushback/chapters/02_clamping/clamping.h"
-
-namespace pushback {
-
-struct PushedApart : Effect {
-  Real speed = Real(0.5);  ///< m/s
-
-  void build(StepContext& step) {
-    for (Row& row : step.rows) row.bias = speed;
-  }
-};
-
-}  // namespace pushback
-END
 cat >"$folder/scenes.h" <<END
 /// A ball that touches the ground.
 #pragma once
@@ -55,8 +37,8 @@ inline void ball(World& world) {
 END
 # The library of chapter 20, which it includes, is linked by that alone, and soon compiled.
 cat >"$folder/main.cpp" <<END
+#include "pushback/chapters/03_baumgarte/baumgarte.h"
 #include "pushback/chapters/20_only_what_is_needed/questions.h"
-#include "pushback/chapters/$name/pushed_apart.h"
 #include "pushback/chapters/$name/scenes.h"
 #include "pushback/common/experiment/experiment.h"
 
@@ -64,77 +46,22 @@ using namespace pushback;
 
 int main(int argc, char** argv) {
   Experiment e("$name", "How fast does the ball leave?");
-  PushedApart pushed;
-  e.parameter({"--speed", "v", "m/s", "How fast bodies leave each other", 0, 2}, &pushed.speed);
   return e.run(argc, argv, [&] {
     e.scene({.name = "a ball", .fill = trial_scenes::ball, .seconds = 1});
     e.variant("held", Solver<Clamping>{});
-    Solver<Clamping, PushedApart> solver;
-    solver.speed = pushed.speed;
-    e.variant("pushed apart", solver);
+    e.variant("pushed out", Solver<Clamping, Baumgarte>{});
     e.number("speed at the end", "m/s", [](const Run& run) { return run.world.bodies[1].velocity.norm(); });
     e.number("friction is called for", "", [](const Run& run) { return Rubbing::in(run.world).yes ? 1 : 0; });
   });
 }
 END
-words() { for _ in {1..60}; do printf 'The ball leaves the ground.\n'; done; }
 cat >"$folder/README.md" <<END
 # $number · Trial
 
-**How fast does the ball leave?**
-
-## Your guess
-
-At 0, 1 or 2 m/s?
-
-## The sheet
-
 ![Sheet: a ball on the ground, and a ball that has left it](../../renders/$name/sheet.png)
-
-## The numbers
 
 <!-- numbers.md -->
 <!-- end -->
-
-## The idea
-
-$(words)
-
-## The equation
-
-\$\$v = b\$\$
-
-## The difference in code
-
-\`\`\`cpp
-    for (Row& row : step.rows) row.bias = speed;
-\`\`\`
-
-## Why it works
-
-The bias is the speed.
-
-## What it costs
-
-Nothing.
-
-## What can go wrong
-
-The ball never rests.
-
-## Run it
-
-\`\`\`
-./course render $number
-\`\`\`
-
-## Exercises
-
-1. **Guess.** And with twice the speed?
-
-## Sources
-
-- None.
 
 [${last%%_*} before](../$last/README.md) · [Front page](../../README.md)
 END
@@ -157,7 +84,7 @@ cmake --build build -j 2 --target "$name" catalogue >../log 2>&1 || { cat ../log
 "build/programs/$name" --seconds 0.1 --frames 3 --size 176x99 >../log 2>&1 || { cat ../log; wrong "it does not run"; }
 ./course help | grep -q "$name" || wrong "./course does not know it"
 bash tests/project/readme_numbers.sh --write >../log 2>&1 || { cat ../log; wrong "its page has no place for its numbers"; }
-grep -q '^| .*pushed apart' "$folder/README.md" || wrong "its numbers are not on its page"
+grep -q '^| .*pushed out' "$folder/README.md" || wrong "its numbers are not on its page"
 for test in pages links; do
   "$built/tests/test_$test" >../log 2>&1 || { cat ../log; wrong "the test of $test does not accept it"; }
 done

@@ -2,8 +2,7 @@
 # What runs on other systems: the files say the commands of README.md and nothing else, and these commands run in a bare Debian.
 #   tests/project/bare_system.sh                                    the files alone
 #   tests/project/bare_system.sh --run [RELEASE...]                 these commands, in a bare Debian of each release, and their times
-#   tests/project/bare_system.sh --commands [RELEASE...] [NAME...]  all commands, or those named, each for a moment, in a bare Debian
-#                                                                   of each release, with its Node.js and with another one
+#   tests/project/bare_system.sh --commands [RELEASE...] [NAME...]  all commands, or those named, each for a moment
 # RELEASE: bookworm or trixie; both if none is named. Exit status 77 where no such system can be made.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -90,26 +89,6 @@ runs() {  # runs WHERE COMMAND
   echo "bare_system: $1: $2: $((SECONDS - began)) s"
 }
 
-# As NodeSource has it: a package of the same name that brings npm along and conflicts with Debian's.
-another_nodejs() {
-  local made=$scratch/nodejs
-  if [[ ! -e $made.deb ]]; then
-    command -v npm >/dev/null || skip "there is no npm to get another Node.js with"
-    npm install --prefix "$scratch/npm" --ignore-scripts --no-audit --no-fund --loglevel error \
-      "node-linux-$(node -p process.arch)@20" npm@10 >"$scratch/log" 2>&1 || { cat "$scratch/log"; skip "there is no other Node.js"; }
-    mkdir -p "$made"/usr/local/{bin,lib} "$made/DEBIAN"
-    cp "$scratch"/npm/node_modules/node-linux-*/bin/node "$made/usr/local/bin"
-    mv "$scratch/npm/node_modules" "$made/usr/local/lib"
-    rm -r "$made"/usr/local/lib/node_modules/node-linux-*
-    ln -s ../lib/node_modules/npm/bin/npm-cli.js "$made/usr/local/bin/npm"
-    printf '%s: %s\n' Package nodejs Version 99 Architecture "$(dpkg --print-architecture)" Maintainer "Nobody <nobody@localhost>" \
-      Description "Node.js that is not Debian's" Depends "libstdc++6, libatomic1" Provides npm Conflicts npm >"$made/DEBIAN/control"
-    dpkg-deb --build --root-owner-group "$made" >/dev/null
-  fi
-  cp "$made.deb" "$scratch/system/tmp"
-  in_it "apt-get -q update && apt-get -qy install /tmp/nodejs.deb" >"$scratch/log" 2>&1 || { tail "$scratch/log"; wrong "the other Node.js is not installed"; }
-}
-
 for release in "${releases[@]}"; do
   if [[ $what == --run ]]; then
     bare "$release"
@@ -120,14 +99,11 @@ for release in "${releases[@]}"; do
     done
     continue
   fi
-  for node in "Debian's Node.js" "another Node.js"; do
-    bare "$release" git
-    [[ $node != another* ]] || another_nodejs
-    in_it "git init -q && git add -A && git -c user.name=x -c user.email=x@x commit -qm all" || wrong "there is no git"
-    for try in "${tries[@]}"; do
-      [[ $named == " " || $named == *" ${try%% *} "* ]] || continue
-      runs "$release with $node" "./course --yes $try" || failed=yes
-    done
+  bare "$release" git
+  in_it "git init -q && git add -A && git -c user.name=x -c user.email=x@x commit -qm all" || wrong "there is no git"
+  for try in "${tries[@]}"; do
+    [[ $named == " " || $named == *" ${try%% *} "* ]] || continue
+    runs "$release" "./course --yes $try" || failed=yes
   done
 done
 [[ ! ${failed:-} ]]

@@ -1,8 +1,9 @@
 /// The chapters' programs as a student calls them: options, messages, exit statuses, and what they leave behind.
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "tests/support/call.h"
 
@@ -50,26 +51,13 @@ Numbers numbers_of(const std::string& chapter, const std::string& arguments, int
   return numbers;
 }
 
-const std::vector<std::string> chapters{"00_naive_impulses",
-                                        "01_velocity_constraint",
-                                        "02_clamping",
-                                        "03_baumgarte",
-                                        "04_slop",
-                                        "05_restitution",
-                                        "06_friction",
-                                        "07_warm_start",
-                                        "08_friction_cone",
-                                        "09_impacts",
-                                        "10_position_correction",
-                                        "11_substeps",
-                                        "12_soft_contacts",
-                                        "13_joints",
-                                        "14_joints_under_load"};
+/// These have no studies that --seconds does not shorten.
+const std::vector<std::string> short_chapters{"00_naive_impulses", "04_slop", "13_joints"};
 
 }  // namespace
 
 TEST_CASE("option --parameters prints an experiment's own options as JSON, and --help names them") {
-  for (const std::string& chapter : chapters) {
+  for (const std::string& chapter : short_chapters) {
     const Ended as_json = call(chapter, "--parameters"), help = call(chapter, "--help");
     INFO(chapter << ": " << as_json.out);
     CHECK(as_json.status == 0);
@@ -88,7 +76,7 @@ TEST_CASE("option --parameters prints an experiment's own options as JSON, and -
 }
 
 TEST_CASE("option --list names scenes and variants, writes nothing, and --variants understands each of its names") {
-  for (const std::string& chapter : chapters) {
+  for (const std::string& chapter : short_chapters) {
     const Scratch scratch;
     const Ended outcome = call(chapter, "--list --out '" + (scratch / "out").string() + "'");
     INFO(chapter << "\n" << outcome.out);
@@ -113,37 +101,21 @@ TEST_CASE("a value that cannot be used: status 2, a message that names it, and n
   };
   for (const Wrong& wrong : std::vector<Wrong>{
            {"03_baumgarte", "--size 0x0", {"--size", "0x0"}},
-           {"03_baumgarte", "--size banana", {"--size", "banana"}},
            {"03_baumgarte", "--size 4294967936x360", {"--size", "4294967936x360"}},  // 640 in 32 bits
-           {"03_baumgarte", "--size 99999x99999", {"--size", "99999x99999"}},
-           {"03_baumgarte", "--dt 0", {"--dt", "0"}},
            {"03_baumgarte", "--dt nan", {"--dt", "nan"}},
-           {"03_baumgarte", "--sweeps 0", {"--sweeps", "0"}},
            {"03_baumgarte", "--sweeps 1.5", {"--sweeps", "1.5"}},
-           {"03_baumgarte", "--frames -1", {"--frames", "-1", "from 0 to 100000"}},
            {"03_baumgarte", "--frames 4294967297", {"--frames", "4294967297", "from 0 to 100000"}},
            {"03_baumgarte", "--dt 1e6", {"--dt", "1e6", "from 1e-06 to 1"}},
            {"03_baumgarte", "--out ''", {"--out", "''"}},
            {"03_baumgarte", "--variants ''", {"--variants", "''"}},
            {"03_baumgarte", "''", {"''"}},
            {"03_baumgarte", "--beta 0.2,,0.4", {"--beta", "'0.2,,0.4'", "between any two commas"}},
-           {"07_warm_start", "--sweep-counts 1,2,,3", {"--sweep-counts", "'1,2,,3'"}},
-           {"03_baumgarte", "--seconds 0", {"--seconds", "0"}},
            {"03_baumgarte", "--variants unknown", {"--variants", "unknown"}},
-           {"03_baumgarte", "--beta -0.1", {"beta", "-0.1"}},
            {"03_baumgarte", "--beta 0.2,nan", {"beta", "nan"}},
-           {"05_restitution", "--threshold -1", {"threshold", "-1"}},
-           {"07_warm_start", "--sweep-counts 0", {"--sweep-counts", "0"}},
-           {"10_position_correction", "--beta 1.5", {"--beta", "1.5"}},
-           {"10_position_correction", "--most -1", {"--most", "-1"}},
-           {"12_soft_contacts", "--hertz 0", {"--hertz", "0"}},
-           {"12_soft_contacts", "--damping-ratio -1", {"--damping-ratio", "-1"}},
-           {"13_joints", "--beta 1.5", {"--beta", "1.5"}},
            {"03_baumgarte", "--banana", {"--banana"}},
            {"03_baumgarte", "banana", {"banana"}},
            // More steps than anyone could wait for.
            {"03_baumgarte", "--seconds 1e30", {"--seconds", "1e+30"}},
-           {"03_baumgarte", "--dt 1e-30", {"--dt", "1e-30"}},
        }) {
     const Scratch scratch;
     const Ended outcome =
@@ -168,10 +140,7 @@ TEST_CASE("commands refuse numbers that no program can use: status 2, the value,
   for (const Wrong& wrong : std::vector<Wrong>{
            {"hard_cases_fuzz", "--scenes -1", "'-1'", "a whole number from 1 to 1000000000"},
            {"hard_cases_fuzz", "--scenes 18446744073709551615", "'18446744073709551615'", "from 1 to 1000000000"},
-           {"hard_cases_fuzz", "--scenes 5x", "'5x'", "from 1 to 1000000000"},
            {"hard_cases_fuzz", "--seed -1", "'-1'", "a whole number from 0 to 18446744073709551615"},
-           {"hard_cases_fuzz", "--first -3", "'-3'", "a whole number from 0 to 18446744073709551615"},
-           {"hard_cases_fuzz", "--known 3,-4", "'-4'", "a whole number from 0 to 18446744073709551615"},
            {"hard_cases_fuzz", "--known 3,,4", "'3,,4'", "between any two commas"},
            {"hard_cases_fuzz", "--save ''", "''", "a value is needed"},
            {"growth", "--tolerance nan", "'nan'", "a number from 0 to 1000000"},
@@ -205,29 +174,10 @@ TEST_CASE("an output folder that cannot be made: status 2 and a message that nam
 
 TEST_CASE("metrics.csv has the documented columns and a row for each variant and step") {
   const Numbers numbers = numbers_of("04_slop", "--seconds 0.5 --dt 0.01 --slop 0,0.01");
-  const std::vector<std::string> documented{"scene",
-                                            "variant",
-                                            "step",
-                                            "time",
-                                            "kinetic_energy",
-                                            "potential_energy",
-                                            "px",
-                                            "py",
-                                            "pz",
-                                            "lx",
-                                            "ly",
-                                            "lz",
-                                            "deepest_overlap",
-                                            "contacts",
-                                            "found",
-                                            "lost",
-                                            "rows",
-                                            "residual",
-                                            "solver_seconds"};
-  REQUIRE(numbers.header.size() >= documented.size());
-  CHECK(std::vector<std::string>(numbers.header.begin(),
-                                 numbers.header.begin() + static_cast<std::ptrdiff_t>(documented.size())) ==
-        documented);
+  const std::string documented =
+      "scene variant step time kinetic_energy potential_energy px py pz lx ly lz deepest_overlap contacts found lost "
+      "rows residual solver_seconds";
+  CHECK(fmt::format("{}", fmt::join(numbers.header, " ")).starts_with(documented));
   std::map<std::string, int> steps;
   for (const auto& row : numbers.rows) {
     const int step = ++steps[row[numbers.column("variant")]];
@@ -236,8 +186,6 @@ TEST_CASE("metrics.csv has the documented columns and a row for each variant and
     CHECK(std::stod(row[numbers.column("solver_seconds")]) >= 0);
   }
   CHECK(steps == std::map<std::string, int>{{"slop = 0 mm", 50}, {"slop = 10 mm", 50}});
-  CHECK(contains(numbers.table, " slop = 0 mm, 40 sweeps |"));
-  CHECK(contains(numbers.table, " slop = 10 mm, 40 sweeps |"));
 }
 
 TEST_CASE("the columns mean what their names say") {
@@ -265,36 +213,16 @@ TEST_CASE("the columns mean what their names say") {
 }
 
 // What stands on a sheet stands in numbers.md, in the same words: both are committed, so no clock may decide any of it.
-namespace {
-
-/// These have studies that --seconds does not shorten.
-const std::set<std::string> with_long_studies{"07_warm_start", "11_substeps", "12_soft_contacts"};
-
-void run_twice(const std::string& chapter) {
-  INFO(chapter);
-  const int limit = 120;  // s
-  const Numbers once = numbers_of(chapter, "--seconds 0.1", limit), again = numbers_of(chapter, "--seconds 0.1", limit);
-  CHECK(once.table == again.table);
-  CHECK(once.header == again.header);
-  REQUIRE(once.rows.size() == again.rows.size());
-  const std::size_t clock = once.column("solver_seconds");
-  std::size_t different = 0;
-  for (std::size_t row = 0; row < once.rows.size(); ++row) {
-    for (std::size_t k = 0; k < once.header.size(); ++k)
-      different += k != clock && once.rows[row][k] != again.rows[row][k] ? 1u : 0u;
+TEST_CASE("two runs write the same, but for the time that the solver took") {
+  for (const std::string& chapter : short_chapters) {
+    INFO(chapter);
+    Numbers once = numbers_of(chapter, "--seconds 0.1"), again = numbers_of(chapter, "--seconds 0.1");
+    for (Numbers* numbers : {&once, &again})
+      for (auto& row : numbers->rows) row[numbers->column("solver_seconds")].clear();
+    CHECK(once.table == again.table);
+    CHECK(once.header == again.header);
+    CHECK(once.rows == again.rows);
   }
-  CHECK(different == 0);
-}
-
-}  // namespace
-
-TEST_CASE("two runs of any chapter write the same, but for the time that the solver took", "[slow]") {
-  for (const std::string& chapter : chapters)
-    if (!with_long_studies.contains(chapter)) run_twice(chapter);
-}
-
-TEST_CASE("two runs of a chapter with a long study write the same", "[long]") {
-  for (const std::string& chapter : with_long_studies) run_twice(chapter);
 }
 
 TEST_CASE("options: --variants picks, --sweeps and --dt act") {
@@ -309,14 +237,9 @@ TEST_CASE("options: --variants picks, --sweeps and --dt act") {
   for (std::size_t i = 0; i < one.rows.size(); ++i)
     CHECK(one.rows[i][overlap] == all.rows[one.rows.size() + i][overlap]);
 
-  const Numbers scenes = numbers_of("06_friction", "--seconds 0.2"),
-                first = numbers_of("06_friction", "--seconds 0.2 --first-scene");
-  const std::size_t scene = scenes.column("scene");
-  std::size_t of_the_first = 0;
-  for (const auto& row : scenes.rows) of_the_first += row[scene] == scenes.rows[0][scene];
-  CHECK(of_the_first < scenes.rows.size());
-  CHECK(first.rows.size() == of_the_first);
-  for (const auto& row : first.rows) CHECK(row[scene] == scenes.rows[0][scene]);
+  const Numbers first = numbers_of("06_friction", "--seconds 0.2 --first-scene");
+  CHECK(first.rows.size() < numbers_of("06_friction", "--seconds 0.2").rows.size());
+  for (const auto& row : first.rows) CHECK(row[first.column("scene")] == first.rows[0][first.column("scene")]);
 
   CHECK(contains(numbers_of("03_baumgarte", "--seconds 0.1").table, "the tuning rule"));
   CHECK_FALSE(contains(numbers_of("03_baumgarte", "--seconds 0.1 --no-study").table, "the tuning rule"));

@@ -42,6 +42,10 @@ same() {  # the table and the random scenes, by what has just been joined
   rm -rf renders
 }
 again() { rm -rf build/release/parts renders; }
+result() {
+  ((failures == 0)) || { echo "$failures failures"; exit 1; }
+  echo "all as expected"
+}
 
 if [[ ${2:-} == --slurm ]]; then
   [[ $(id -u) == 0 ]] || skip "only root can begin a Slurm of one machine"
@@ -82,20 +86,13 @@ END
   for ((i = 0; i < 100; ++i)); do [[ $(sinfo --noheader --format %T 2>/dev/null) == idle ]] && break; sleep 0.2; done
   ended() { for ((i = 0; i < 600; ++i)); do [[ $(squeue --noheader) ]] || return 0; sleep 0.2; done; wrong "jobs do not end: $(squeue)"; }
 
-  course "${table[@]}" --shards 3 --slurm="--comment tables" "${table_options[@]}"
-  says "3 submitted as job "
-  course "${fuzz[@]}" --slurm --shards 3 "${fuzz_options[@]}"
-  ended
-  same Slurm build/release/parts/fuzz-*/joined.said
-  course "${table[@]}" --shards 3 --slurm "${table_options[@]}"
-  says "all are joined"
   # A part that fails, here for want of a place for its results: nothing is joined. Then this part alone is submitted, and the join.
-  again
   course "${table[@]}" --shards 3 "${table_options[@]}"
   folder=$(echo "$PWD"/build/release/parts/hard-cases-*)
   mkdir -p "$folder/out/hard_cases/part"
   touch "$folder/out/hard_cases/part/shard_2_of_3"
-  course "${table[@]}" --shards 3 --slurm "${table_options[@]}"
+  course "${table[@]}" --shards 3 --slurm="--comment tables" "${table_options[@]}"
+  says "3 submitted as job "
   ended
   [[ ! -e renders ]] || wrong "something was joined of parts that are missing"
   [[ -e $folder/1.done && ! -e $folder/2.done && -e $folder/3.done ]] || wrong "not parts 1 and 3 are done: $(ls "$folder")"
@@ -105,8 +102,9 @@ END
   course "${fuzz[@]}" --shards 3 --slurm "${fuzz_options[@]}"
   ended
   same "Slurm, after a failure" build/release/parts/fuzz-*/joined.said
-  ((failures == 0)) || { echo "$failures failures"; exit 1; }
-  echo "all as expected"
+  course "${table[@]}" --shards 3 --slurm "${table_options[@]}"
+  says "all are joined"
+  result
   exit
 fi
 
@@ -186,5 +184,4 @@ if ! command -v sbatch >/dev/null; then
   ((status == 1)) || wrong "exit status $status without sbatch"
   says "there is no sbatch here"
 fi
-((failures == 0)) || { echo "$failures failures"; exit 1; }
-echo "all as expected"
+result

@@ -1,5 +1,4 @@
 #include "pushback/chapters/01_velocity_constraint/exercise/asked.h"
-#include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 
 namespace pushback::exercise_01 {
@@ -43,64 +42,6 @@ Ride bar(Random& random, bool askew) {
   return {made, made.position + made.orientation * ring, random.direction()};
 }
 
-std::vector<Check<Answer>> checks() {
-  return {
-      {"a ball with the ring at its centre keeps its speed along the rail, and no other",
-       1,
-       {{"your ball leaves the rail with", "m/s", 1e-6},
-        {"your ball goes along the rail with", "m/s", 1e-5},
-        {"your ball, sent the other way, leaves the rail with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Ride ride = ball(random), back = ride;
-         back.body.velocity *= -1;
-         ride.play(answer);
-         back.play(answer);
-         return {ride.leaves(), ride.along(), back.leaves()};
-       },
-       "the rail forbids two directions, both at right angles to it, and holds the ring from both sides. Along itself "
-       "it gives no impulse."},
-      {"the ring of a bar stays on the rail, and the bar swings",
-       2,
-       {{"the ring of your bar leaves the rail with", "m/s", 1e-6},
-        {"the centre of your bar goes along the rail with", "m/s", 1e-5},
-        {"the angular momentum of your bar about its ring has changed by", "N m s", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Ride ride = bar(random, false);
-         const Vec3 before = ride.angular_momentum();
-         ride.play(answer);
-         return {ride.leaves(), ride.along(), (ride.angular_momentum() - before).norm()};
-       },
-       "the rail holds the ring, not the centre of mass. J V is the speed of the ring, v + ω × r, and the impulse "
-       "turns the bar by I⁻¹ (r × n). Each row disturbs the other, so they are solved in turn, over and over."},
-      {"the same holds for a bar that lies askew",
-       1,
-       {{"the ring of your bar, which lies askew, leaves the rail with", "m/s", 1e-6},
-        {"the angular momentum of your bar, which lies askew, has changed about its ring by", "N m s", 1e-5},
-        {"your bar, which lies askew, turns with", "rad/s", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Ride ride = bar(random, true);
-         const Vec3 before = ride.angular_momentum();
-         ride.play(answer);
-         return {ride.leaves(), (ride.angular_momentum() - before).norm(), ride.body.angular_velocity.norm()};
-       },
-       "a bar that lies askew has its inertia in world axes, inverse_inertia, and r leads from its centre of mass to "
-       "the ring."},
-      {"a rail that moves takes the ring along, but not along itself",
-       2,
-       {{"the ring of your bar leaves the moving rail with", "m/s", 1e-6},
-        {"the centre of your bar goes along the moving rail with", "m/s", 1e-5},
-        {"your bar on the moving rail turns with", "rad/s", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Ride ride = bar(random, true);
-         ride.rails_velocity = random.vector(4);
-         ride.play(answer);
-         return {ride.leaves(), ride.along(), ride.body.angular_velocity.norm()};
-       },
-       "the ring has to move across the rail as the rail does, so b = -n · u. Along the rail, which has no friction, "
-       "the rail's velocity does nothing."},
-  };
-}
-
 void right(Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_velocity, int sweeps) {
   const auto [t1, t2] = tangents_of(rail);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -116,19 +57,60 @@ void right(Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_vel
 
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"a ball with the ring at its centre keeps its speed along the rail, and no other", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Ride ride = ball(random);
+         ride.play(answer);
+         return {{"your ball leaves the rail with", ride.leaves(), "m/s"},
+                 {"your ball goes along the rail with", ride.along(), "m/s", 1e-5}};
+       },
+       "the rail forbids two directions, both at right angles to it, and holds the ring from both sides. Along itself "
+       "it gives no impulse."},
+      {"the ring of a bar stays on the rail, and the bar swings", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Ride ride = bar(random, false);
+         const Vec3 before = ride.angular_momentum();
+         ride.play(answer);
+         return {{"the ring of your bar leaves the rail with", ride.leaves(), "m/s"},
+                 {"the centre of your bar goes along the rail with", ride.along(), "m/s", 1e-5},
+                 {"the angular momentum of your bar about its ring has changed by",
+                  (ride.angular_momentum() - before).norm(), "N m s", 1e-5}};
+       },
+       "the rail holds the ring, not the centre of mass. J V is the speed of the ring, v + ω × r, and the impulse "
+       "turns the bar by I⁻¹ (r × n). Each row disturbs the other, so they are solved in turn, over and over."},
+      {"the same holds for a bar that lies askew", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Ride ride = bar(random, true);
+         ride.play(answer);
+         return {{"the ring of your bar, which lies askew, leaves the rail with", ride.leaves(), "m/s"},
+                 {"your bar, which lies askew, turns with", ride.body.angular_velocity.norm(), "rad/s", 1e-5}};
+       },
+       "a bar that lies askew has its inertia in world axes, inverse_inertia, and r leads from its centre of mass to "
+       "the ring."},
+      {"a rail that moves takes the ring along, but not along itself", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Ride ride = bar(random, true);
+         ride.rails_velocity = random.vector(4);
+         ride.play(answer);
+         return {{"the ring of your bar leaves the moving rail with", ride.leaves(), "m/s"},
+                 {"the centre of your bar goes along the moving rail with", ride.along(), "m/s", 1e-5}};
+       },
+       "the ring has to move across the rail as the rail does, so b = -n · u. Along the rail, which has no friction, "
+       "the rail's velocity does nothing."},
+  };
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return exercise_of(
       "a body on a rail",
       {"Two rows: one for each direction n at right angles to the rail, which are the two of tangents_of(rail). J V is "
        "the speed of the ring along n, n · v + (r × n) · ω.",
        "K = 1/m + (r × n) · I⁻¹ (r × n), with r from the centre of mass to the ring. Nothing of the rail is in it.",
        "The ring is to have the rail's speed along n, n · u. The row makes J V = -b, so b = -n · u. Compute J V anew "
        "before each impulse."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_01

@@ -11,38 +11,7 @@ struct Magnet {
   Rows rows;
   Real force, h;
 
-  /// A ball, which touches at one point, moves upwards with `share` of the speed from which the magnet can just stop it.
-  static Magnet ball(Random& random, Real share) {
-    return {random, sphere(Real(0.5), random.between(5, 20)).at({0, Real(0.499), 0}), share};
-  }
-  /// The column of the page, which touches at four.
-  static Magnet column(Random& random, Real share) {
-    const Real width = random.between(Real(0.22), Real(0.28)), height = random.between(Real(0.75), Real(0.9));
-    return {random, box({width, height, width}, random.between(50, 150)).at({0, height - Real(0.001), 0}), share};
-  }
-
-  Body& body() { return world.bodies[1]; }
-  /// m/s, from which the magnet can just stop the body in this step.
-  Real can_stop() { return force * h * body().inverse_mass; }
-  void play(const Answer& answer, Real bias = 0) {
-    for (Row& row : rows) row.bias = bias;
-    for (int sweep = 0; sweep < 100; ++sweep) answer.sweep(rows, force, h);
-  }
-  Real upwards() { return body().velocity.y(); }
-  Real impulse() const {
-    Real sum = 0;
-    for (const Row& row : rows) sum += row.impulse;
-    return sum;
-  }
-  Real least_impulse() const {
-    Real least = std::numeric_limits<Real>::infinity();
-    for (const Row& row : rows) least = std::min(least, row.impulse);
-    return least;
-  }
-
-  Magnet(const Magnet&) = delete;
-
- private:
+  /// It moves upwards with `share` of the speed from which the magnet can just stop it.
   Magnet(Random& random, const Body& made, Real share)
       : force(random.between(40, 80) / made.inverse_mass), h(1 / random.between(50, 80)) {
     world.add(ground());
@@ -52,84 +21,31 @@ struct Magnet {
     for (std::size_t i = 0; i < world.contacts.size(); ++i)
       rows.emplace_back(world, world.contacts[i], world.contacts[i].normal, i);
   }
+  Magnet(const Magnet&) = delete;
+
+  Body& body() { return world.bodies[1]; }
+  /// m/s, from which the magnet can just stop the body in this step.
+  Real can_stop() { return force * h * body().inverse_mass; }
+  Real upwards() { return body().velocity.y(); }
+  /// Returns the sum of all impulses, N s.
+  Real play(const Answer& answer, Real bias = 0) {
+    for (Row& row : rows) row.bias = bias;
+    for (int sweep = 0; sweep < 100; ++sweep) answer.sweep(rows, force, h);
+    Real sum = 0;
+    for (const Row& row : rows) sum += row.impulse;
+    return sum;
+  }
 };
 
-std::vector<Check<Answer>> checks() {
-  return {
-      {"a ball that the magnet can hold stays",
-       1,
-       {{"your ball, which the magnet can hold, leaves with", "m/s", 1e-6},
-        {"the row of your ball keeps an impulse of", "N s", 1e-4}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Magnet ball = Magnet::ball(random, random.between(Real(0.3), Real(0.9)));
-         ball.play(answer);
-         return {ball.upwards(), ball.impulse()};
-       },
-       "the magnet pulls until the ball stops. The sum of the row may be negative, down to the impulse of F in a step, "
-       "-F h."},
-      {"a ball that is too fast leaves, slower by F h / m",
-       2,
-       {{"your ball, which is too fast for the magnet, leaves with", "m/s", 1e-6},
-        {"your ball, which is shot off the magnet, leaves with", "m/s", 1e-6},
-        {"the row of the shot ball keeps an impulse of", "N s", 1e-4}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Magnet ball = Magnet::ball(random, random.between(Real(1.5), 4));
-         Magnet shot = Magnet::ball(random, random.between(150, 300));
-         ball.play(answer);
-         shot.play(answer);
-         return {ball.upwards(), shot.upwards(), shot.impulse()};
-       },
-       "the magnet pulls with all of F for h seconds, and not more. The sum of all corrections is at least -F h, not "
-       "each of them."},
-      {"a ball that lands is stopped, however hard",
-       1,
-       {{"your ball, which lands on the magnet, leaves with", "m/s", 1e-6},
-        {"the row of your ball keeps an impulse of", "N s", 1e-4},
-        {"your column, which lands flat and hard, leaves with", "m/s", 1e-6},
-        {"your column, which lands flat and hard, turns with", "rad/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Magnet ball = Magnet::ball(random, -random.between(Real(1.5), 4));
-         Magnet column = Magnet::column(random, -random.between(8, 12));
-         ball.play(answer);
-         column.play(answer);
-         return {ball.upwards(), ball.impulse(), column.upwards(), column.body().angular_velocity.norm()};
-       },
-       "only the pull has a limit. Iron that is landed on pushes back as hard as it takes, at all of its points."},
-      {"b is minus the speed that is wanted",
-       1,
-       {{"your ball, of which b asks a separating speed, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Magnet ball = Magnet::ball(random, random.between(Real(0.4), Real(0.9)));
-         ball.play(answer, -random.between(Real(0.1), Real(0.3)) * ball.can_stop());
-         return {ball.upwards()};
-       },
-       "the row makes J V + b = 0, so the separating speed that is wanted is -b."},
-      {"the four points of a column hold F together",
-       2,
-       {{"your column, which is too fast for four points, leaves with", "m/s", 1e-6},
-        {"your column, which four points can hold, leaves with", "m/s", 1e-6},
-        {"the impulses of the latter's four rows add up to", "N s", 1e-4}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Magnet fast = Magnet::column(random, random.between(Real(1.3), 3));
-         Magnet slow = Magnet::column(random, random.between(Real(0.3), Real(0.7)));
-         fast.play(answer);
-         slow.play(answer);
-         return {fast.upwards(), slow.upwards(), slow.impulse()};
-       },
-       "the magnet has F in all, and each of its n points holds F/n."},
-      {"a column that lands turning is pushed on one side, and held on the other",
-       1,
-       {{"your column, which lands turning, leaves with", "m/s", 1e-6},
-        {"your column turns on with", "rad/s", 1e-6},
-        {"the least impulse of its four rows is", "N s", 1e-4}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Magnet column = Magnet::column(random, -random.between(1, 2));
-         column.body().angular_velocity.z() = random.between(8, 12) * column.can_stop();
-         column.play(answer);
-         return {column.upwards(), column.body().angular_velocity.z(), column.least_impulse()};
-       },
-       "each point has a sum of its own, which is a push of any size or a pull of at most F h / n."},
-  };
+/// Touches at one point.
+Body ball(Random& random) {
+  return sphere(Real(0.5), random.between(5, 20)).at({0, Real(0.499), 0});
+}
+
+/// The column of the page, which touches at four.
+Body column(Random& random) {
+  const Real width = random.between(Real(0.22), Real(0.28)), height = random.between(Real(0.75), Real(0.9));
+  return box({width, height, width}, random.between(50, 150)).at({0, height - Real(0.001), 0});
 }
 
 void right(Rows& rows, Real force, Real h) {
@@ -143,18 +59,74 @@ void right(Rows& rows, Real force, Real h) {
 
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"a ball that the magnet can hold stays", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Magnet held(random, ball(random), random.between(Real(0.3), Real(0.9)));
+         const Real impulse = held.play(answer);
+         return {{"your ball, which the magnet can hold, leaves with", held.upwards(), "m/s"},
+                 {"the row of your ball keeps an impulse of", impulse, "N s", 1e-4}};
+       },
+       "the magnet pulls until the ball stops. The sum of the row may be negative, down to the impulse of F in a step, "
+       "-F h."},
+      {"a ball that is too fast leaves, slower by F h / m", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Magnet fast(random, ball(random), random.between(Real(1.5), 4));
+         const Real impulse = fast.play(answer);
+         return {{"your ball, which is too fast for the magnet, leaves with", fast.upwards(), "m/s"},
+                 {"the row of your ball keeps an impulse of", impulse, "N s", 1e-4}};
+       },
+       "the magnet pulls with all of F for h seconds, and not more. The sum of all corrections is at least -F h, not "
+       "each of them."},
+      {"a ball that lands is stopped, however hard", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Magnet one(random, ball(random), -random.between(Real(1.5), 4));
+         Magnet four(random, column(random), -random.between(8, 12));
+         const Real impulse = one.play(answer);
+         four.play(answer);
+         return {{"your ball, which lands on the magnet, leaves with", one.upwards(), "m/s"},
+                 {"the row of your ball keeps an impulse of", impulse, "N s", 1e-4},
+                 {"your column, which lands flat and hard, leaves with", four.upwards(), "m/s"}};
+       },
+       "only the pull has a limit. Iron that is landed on pushes back as hard as it takes, at all of its points."},
+      {"b is minus the speed that is wanted", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Magnet asked(random, ball(random), random.between(Real(0.4), Real(0.9)));
+         asked.play(answer, -random.between(Real(0.1), Real(0.3)) * asked.can_stop());
+         return {{"your ball, of which b asks a separating speed, leaves with", asked.upwards(), "m/s"}};
+       },
+       "the row makes J V + b = 0, so the separating speed that is wanted is -b."},
+      {"the four points of a column hold F together", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Magnet fast(random, column(random), random.between(Real(1.3), 3));
+         Magnet slow(random, column(random), random.between(Real(0.3), Real(0.7)));
+         fast.play(answer);
+         slow.play(answer);
+         return {{"your column, which is too fast for four points, leaves with", fast.upwards(), "m/s"},
+                 {"your column, which four points can hold, leaves with", slow.upwards(), "m/s"}};
+       },
+       "the magnet has F in all, and each of its n points holds F/n."},
+      {"a column that lands turning is pushed on one side, and held on the other", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Magnet lands(random, column(random), -random.between(1, 2));
+         lands.body().angular_velocity.z() = random.between(8, 12) * lands.can_stop();
+         lands.play(answer);
+         return {{"your column, which lands turning, leaves with", lands.upwards(), "m/s"},
+                 {"your column turns on with", lands.body().angular_velocity.z(), "rad/s"}};
+       },
+       "each point has a sum of its own, which is a push of any size or a pull of at most F h / n."},
+  };
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>("a magnet that holds up to F",
-                             {"Chapter 02 keeps the sum of each row in [0, ∞). Only one end of that interval changes.",
-                              "An impulse is compared with impulses. Which impulse can the magnet give in h seconds, "
-                              "and which part of it one of its points?",
-                              "The sum is at least -F h / n for a magnet of n points. Clamp it, apply what it differs "
-                              "from the old one, keep it."},
-                             checks(), {right});
+  return exercise_of("a magnet that holds up to F",
+                     {"Chapter 02 keeps the sum of each row in [0, ∞). Only one end of that interval changes.",
+                      "An impulse is compared with impulses. Which impulse can the magnet give in h seconds, "
+                      "and which part of it one of its points?",
+                      "The sum is at least -F h / n for a magnet of n points. Clamp it, apply what it differs "
+                      "from the old one, keep it."},
+                     Answer{right});
 }
 
 }  // namespace pushback::exercise_02

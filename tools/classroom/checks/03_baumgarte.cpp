@@ -1,5 +1,6 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/03_baumgarte/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_03 {
 
@@ -21,12 +22,9 @@ struct Ball {
   Real depth, h, beta, cap, asked = 0, speed = 0;
 
   Real solved(Random& random, const Answer& answer) const {
-    World world;
     const Real radius = random.between(Real(0.3), Real(0.5));
-    world.gravity.setZero();
-    world.add(ground());
-    world.add(sphere(radius, random.between(5, 20)).at({0, radius - depth, 0}).moving({0, speed, 0}));
-    world.contacts = {{.point = {0, -depth / 2, 0}, .normal = {0, 1, 0}, .depth = depth, .id = {0, 1, 0}}};
+    const Real mass = random.between(5, 20);
+    World world = on_the_ground(sphere(radius, mass).at({0, radius - depth, 0}).moving({0, speed, 0}), -depth);
     Solver<Clamping, Capped> solver;
     static_cast<Capped&>(solver) = {{}, answer, beta, cap, asked};
     solver.solve(world, h, 1);
@@ -40,90 +38,72 @@ Ball ball_wanting(Random& random, Real speed, Real cap) {
   return {speed * h / beta, h, beta, cap};
 }
 
-std::vector<Check<Answer>> checks() {
-  return {
-      {"a shallow ball leaves at β d / h, as without a cap",
-       1,
-       {{"your shallow ball leaves with", "m/s", 1e-6},
-        {"your very shallow ball leaves with", "m/s", 1e-6},
-        {"your shallow ball leaves in a long step with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Real cap = random.between(1, 3);
-         Ball shallow = ball_wanting(random, cap * random.between(Real(0.2), Real(0.8)), cap);
-         shallow.speed = -random.between(1, 3);
-         const Ball very = ball_wanting(random, cap * random.between(Real(0.001), Real(0.003)), cap);
-         // In metres it is less deep than the cap is fast in m/s.
-         Ball slow = ball_wanting(random, cap * random.between(Real(0.2), Real(0.3)), cap);
-         const Real longer = random.between(Real(0.2), Real(0.3));
-         slow.depth *= longer / slow.h;
-         slow.h = longer;
-         return {shallow.solved(random, answer), very.solved(random, answer), slow.solved(random, answer)};
-       },
-       "below the cap the push-out takes away the part β of the overlap in one step. Its speed is β d / h, and b is "
-       "minus that, however fast the ball is."},
-      {"a deep ball leaves at the cap",
-       2,
-       {{"your deep ball leaves with", "m/s", 1e-6},
-        {"your ball, which is more than a metre deep, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Real cap = random.between(Real(0.5), 1);
-         const Ball deep = ball_wanting(random, cap * random.between(Real(1.5), 3), cap);
-         Ball lost = deep;
-         lost.depth = random.between(Real(1.2), 2);
-         return {deep.solved(random, answer), lost.solved(random, answer)};
-       },
-       "what is too deep is pushed out at the cap, which is a speed as β d / h is."},
-      {"a ball that is to bounce faster than the cap does",
-       2,
-       {{"your ball, which is to bounce faster than the cap, leaves with", "m/s", 1e-6},
-        {"your ball, which is to bounce more slowly than it is pushed out, leaves with", "m/s", 1e-6},
-        {"your ball, which is to bounce below the cap and is hardly deep, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Real cap = random.between(Real(0.5), 1);
-         Ball fast = ball_wanting(random, cap * 2, cap), slow = ball_wanting(random, cap * Real(0.8), cap);
-         Ball shallow = ball_wanting(random, cap * random.between(Real(0.1), Real(0.3)), cap);
-         fast.asked = cap * random.between(Real(2.5), 4);
-         slow.asked = cap * random.between(Real(0.1), Real(0.6));
-         shallow.asked = cap * random.between(Real(0.4), Real(0.9));
-         return {fast.solved(random, answer), slow.solved(random, answer), shallow.solved(random, answer)};
-       },
-       "the cap is on the push-out only. Of two wishes the one for more speed stays, which is the lesser b."},
-      {"a ball that is still apart goes its way, and is not let in",
-       1,
-       {{"your ball, which is still above the ground and leaving, leaves with", "m/s", 1e-6},
-        {"your ball, which is still above the ground and coming nearer, goes on with", "m/s", 1e-6},
-        {"your ball, which is still above the ground and is to bounce, leaves with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Real cap = random.between(Real(0.5), 1);
-         Ball leaving = ball_wanting(random, -cap * 2, cap), coming = leaving;
-         leaving.speed = cap * random.between(Real(0.1), Real(0.4));
-         coming.speed = -cap * 5;
-         Ball bouncing = leaving;
-         bouncing.speed = 0;
-         bouncing.asked = cap * random.between(Real(0.5), 2);
-         return {leaving.solved(random, answer), coming.solved(random, answer), bouncing.solved(random, answer)};
-       },
-       "where C > 0 there is no overlap to undo, and b stays as it is."},
-  };
-}
-
 void right(Row& row, Real beta, Real cap, Real h) {
   row.bias = std::min(row.bias, std::max(-cap, beta / h * row.separation));
 }
 
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"a shallow ball leaves at β d / h, as without a cap", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Real cap = random.between(1, 3);
+         Ball shallow = ball_wanting(random, cap * random.between(Real(0.2), Real(0.8)), cap);
+         shallow.speed = -random.between(1, 3);
+         // In metres it is less deep than the cap is fast in m/s.
+         Ball slow = ball_wanting(random, cap * random.between(Real(0.2), Real(0.3)), cap);
+         const Real longer = random.between(Real(0.2), Real(0.3));
+         slow.depth *= longer / slow.h;
+         slow.h = longer;
+         return {{"your shallow ball leaves with", shallow.solved(random, answer), "m/s"},
+                 {"your shallow ball leaves in a long step with", slow.solved(random, answer), "m/s"}};
+       },
+       "below the cap the push-out takes away the part β of the overlap in one step. Its speed is β d / h, and b is "
+       "minus that, however fast the ball is."},
+      {"a deep ball leaves at the cap", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Real cap = random.between(Real(0.5), 1);
+         const Ball deep = ball_wanting(random, cap * random.between(Real(1.5), 3), cap);
+         Ball lost = deep;
+         lost.depth = random.between(Real(1.2), 2);
+         return {{"your deep ball leaves with", deep.solved(random, answer), "m/s"},
+                 {"your ball, which is more than a metre deep, leaves with", lost.solved(random, answer), "m/s"}};
+       },
+       "what is too deep is pushed out at the cap, which is a speed as β d / h is."},
+      {"a ball that is to bounce faster than the cap does", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Real cap = random.between(Real(0.5), 1);
+         Ball fast = ball_wanting(random, cap * 2, cap), slow = ball_wanting(random, cap * Real(0.8), cap);
+         fast.asked = cap * random.between(Real(2.5), 4);
+         slow.asked = cap * random.between(Real(0.1), Real(0.6));
+         return {{"your ball, which is to bounce faster than the cap, leaves with", fast.solved(random, answer), "m/s"},
+                 {"your ball, which is to bounce more slowly than it is pushed out, leaves with",
+                  slow.solved(random, answer), "m/s"}};
+       },
+       "the cap is on the push-out only. Of two wishes the one for more speed stays, which is the lesser b."},
+      {"a ball that is still apart goes its way, and is not let in", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Real cap = random.between(Real(0.5), 1);
+         Ball leaving = ball_wanting(random, -cap * 2, cap), coming = leaving;
+         leaving.speed = cap * random.between(Real(0.1), Real(0.4));
+         coming.speed = -cap * 5;
+         return {{"your ball, which is still above the ground and leaving, leaves with", leaving.solved(random, answer),
+                  "m/s"},
+                 {"your ball, which is still above the ground and coming nearer, goes on with",
+                  coming.solved(random, answer), "m/s"}};
+       },
+       "where C > 0 there is no overlap to undo, and b stays as it is."},
+  };
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return exercise_of(
       "a push-out with a cap on its speed",
       {"A cap is the most that the push-out may ask for. Which of the two speeds, β d / h and the cap, is it?",
        "b is minus a speed, so the lesser of two speeds is the greater of two negative b.",
        "The cap is on the push-out alone. First cap it, then compare it with the b that is there."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_03

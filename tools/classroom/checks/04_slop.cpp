@@ -1,5 +1,6 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/04_slop/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_04 {
 
@@ -29,73 +30,12 @@ struct Setting {
   }
   /// A ball without weight, so far above the ground (m) and so fast upwards (m/s): its speed after the step's solver.
   Real ball(Real separation, Real speed, const Answer& answer) const {
-    World world;
-    world.add(ground());
-    world.add(sphere(Real(0.3), 10).at({0, Real(0.3) + separation, 0}).moving({0, speed, 0}));
-    world.contacts = {{.normal = {0, 1, 0}, .depth = -separation, .id = {0, 1, 0}}};
+    const Vec3 centre{0, Real(0.3) + separation, 0};
+    World world = on_the_ground(sphere(Real(0.3), 10).at(centre).moving({0, speed, 0}), separation);
     solve(world, answer, 1);
     return world.bodies[1].velocity.y();
   }
 };
-
-std::vector<Check<Answer>> checks() {
-  return {
-      {"what does not reach the ground in this step goes its way",
-       2,
-       {{"your ball, which will not reach the ground in this step, goes on with", "m/s", 1e-6},
-        {"your ball, which is above the ground and leaving, goes on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Setting at(random);
-         const Real just_reaches = at.gap / at.h;
-         return {at.ball(at.gap, -just_reaches * random.between(Real(0.4), Real(0.8)), answer),
-                 at.ball(at.gap, just_reaches * random.between(Real(0.1), Real(0.5)), answer)};
-       },
-       "a contact only pushes, and b = C/h lets the whole gap close in this step. What comes by less than that, or "
-       "leaves, feels nothing."},
-      {"what would pass the surface in this step ends on it",
-       2,
-       {{"your fast ball moves on with", "m/s", 1e-6},
-        {"after the step your fast ball is above the ground by", "mm", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Setting at(random);
-         const Real speed = at.ball(at.gap, -at.gap / at.h * random.between(4, 8), answer);
-         return {speed, 1000 * (at.gap + at.h * speed)};
-       },
-       "the whole gap may be closed in this step, and not more. C is a distance and C/h the speed, without β and "
-       "without the slop."},
-      {"what overlaps stays where it is up to the slop, and comes up at β (d − slop) / h beyond",
-       2,
-       {{"your deep ball comes up with", "m/s", 1e-6},
-        {"your ball, which is less deep than the slop and sinking, moves on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Setting at(random);
-         const Real deep = at.slop * random.between(2, 4), shallow = at.slop * random.between(Real(0.3), Real(0.7));
-         return {at.ball(-deep, 0, answer), at.ball(-shallow, -random.between(2, 3), answer)};
-       },
-       "up to the slop an overlap neither grows nor is pushed out. What is deeper comes up by the part β of C + slop "
-       "in a step, at the speed β (d - slop) / h."},
-      {"a box that touches with one edge comes down on the other",
-       1,
-       {{"your box, which has touched with one edge, turns with", "rad/s", 1e-6},
-        {"after the step its other edge is above the ground by", "mm", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Setting at(random);
-         const Real half = random.between(Real(0.3), Real(0.5));
-         World world;
-         world.add(ground());
-         world.add(box(Vec3::Constant(half), random.between(50, 150))
-                       .at({0, half, 0})
-                       .moving({0, -at.gap / at.h * random.between(2, 3), 0}));
-         const Vec3 up{0, 1, 0};
-         world.contacts = {{.point = {-half, 0, 0}, .normal = up, .depth = -at.gap, .id = {0, 1, 0}},
-                           {.point = {half, 0, 0}, .normal = up, .depth = 0, .id = {0, 1, 1}}};
-         at.solve(world, answer, 100);
-         return {world.bodies[1].angular_velocity.z(),
-                 1000 * (at.gap + at.h * separating_speed(world, world.contacts[0]))};
-       },
-       "each corner has a gap of its own. One may be closed in this step, while the other corner stays on the ground."},
-  };
-}
 
 void right(Row& row, Real beta, Real slop, Real h) {
   const Real c = row.separation;
@@ -104,19 +44,62 @@ void right(Row& row, Real beta, Real slop, Real h) {
 
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"what does not reach the ground in this step goes its way", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Setting at(random);
+         const Real just_reaches = at.gap / at.h;
+         return {{"your ball, which will not reach the ground in this step, goes on with",
+                  at.ball(at.gap, -just_reaches * random.between(Real(0.4), Real(0.8)), answer), "m/s"},
+                 {"your ball, which is above the ground and leaving, goes on with",
+                  at.ball(at.gap, just_reaches * random.between(Real(0.1), Real(0.5)), answer), "m/s"}};
+       },
+       "a contact only pushes, and b = C/h lets the whole gap close in this step. What comes by less than that, or "
+       "leaves, feels nothing."},
+      {"what would pass the surface in this step ends on it", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Setting at(random);
+         return {
+             {"your fast ball moves on with", at.ball(at.gap, -at.gap / at.h * random.between(4, 8), answer), "m/s"}};
+       },
+       "the whole gap may be closed in this step, and not more. C is a distance and C/h the speed, without β and "
+       "without the slop."},
+      {"what overlaps stays where it is up to the slop, and comes up at β (d − slop) / h beyond", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Setting at(random);
+         const Real deep = at.slop * random.between(2, 4), shallow = at.slop * random.between(Real(0.3), Real(0.7));
+         return {{"your deep ball comes up with", at.ball(-deep, 0, answer), "m/s"},
+                 {"your ball, which is less deep than the slop and sinking, moves on with",
+                  at.ball(-shallow, -random.between(2, 3), answer), "m/s"}};
+       },
+       "up to the slop an overlap neither grows nor is pushed out. What is deeper comes up by the part β of C + slop "
+       "in a step, at the speed β (d - slop) / h."},
+      {"a box that touches with one edge comes down on the other", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Setting at(random);
+         const Real half = random.between(Real(0.3), Real(0.5));
+         Body box_above = box(Vec3::Constant(half), random.between(50, 150)).at({0, half, 0});
+         World world = on_the_ground(box_above.moving({0, -at.gap / at.h * random.between(2, 3), 0}), at.gap);
+         world.contacts[0].point = {-half, 0, 0};
+         world.contacts.push_back({.point = {half, 0, 0}, .normal = Vec3::UnitY(), .id = {0, 1, 1}});
+         at.solve(world, answer, 100);
+         return {
+             {"your box, which has touched with one edge, turns with", world.bodies[1].angular_velocity.z(), "rad/s"}};
+       },
+       "each corner has a gap of its own. One may be closed in this step, while the other corner stays on the ground."},
+  };
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return exercise_of(
       "a margin that keeps points which are still apart",
       {"J V >= -b: with b = 0 the bodies may not come nearer at all. Which b allows an approach, a positive or a "
        "negative one?",
        "A body that is C above the ground and comes with the speed v is at C - h v after the step. Which v brings it "
        "to 0?",
        "That is two cases. The first has neither β nor the slop in it, the second is the bias of chapter 04."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_04

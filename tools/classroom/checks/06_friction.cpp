@@ -1,5 +1,6 @@
 #include "pushback/chapters/02_clamping/clamping.h"
 #include "pushback/chapters/06_friction/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_06 {
 
@@ -27,23 +28,24 @@ struct Rubbing : Effect {
 /// A ball on a floor that may be a belt.
 struct Ball {
   Real radius, mass;
-  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
-  bool floor_first = true;  ///< whether the floor is A
-  int sweeps = 4;           ///< it is exact after one, unless it slips and turns at once
+  Vec3 velocity, spin = Vec3::Zero();
+  int sweeps = 4;  ///< it is exact after one, unless it slips and turns at once
 
-  explicit Ball(Random& random) : radius(random.between(Real(0.2), Real(0.5))), mass(random.between(5, 20)) {}
+  /// It lands with this speed, m/s.
+  Ball(Random& random, Real lands)
+      : radius(random.between(Real(0.2), Real(0.5))), mass(random.between(5, 20)), velocity(0, -lands, 0) {}
 
-  /// After the step.
-  Body solved(const Surfaces& surfaces, const Answer& answer) const {
-    World world;
-    if (floor_first) world.add(ground());
-    const int ball = world.add(sphere(radius, mass).at({0, radius, 0}).moving(velocity).spinning(spin));
-    if (!floor_first) world.add(ground());
-    world.contacts = {{.normal = {0, floor_first ? Real(1) : Real(-1), 0}, .id = {0, 1, 0}}};
+  /// After the step. `floor_first`: whether the floor is A.
+  Body solved(const Surfaces& surfaces, const Answer& answer, bool floor_first = true) const {
+    World world = on_the_ground(sphere(radius, mass).at({0, radius, 0}).moving(velocity).spinning(spin));
+    if (!floor_first) {
+      std::swap(world.bodies[0], world.bodies[1]);
+      world.contacts[0].normal *= -1;
+    }
     Solver<Clamping, Rubbing> solver;
     static_cast<Rubbing&>(solver) = {{}, answer, surfaces};
     solver.solve(world, Real(1) / 60, sweeps);
-    return world.body(ball);
+    return world.bodies[floor_first ? 1 : 0];
   }
 };
 
@@ -51,107 +53,8 @@ Vec3 random_belt(Random& random) {
   const Real along = random.between(1, 2), across = random.between(Real(0.4), Real(0.8));
   return {along, 0, across};
 }
-
-std::vector<Check<Answer>> checks() {
-  return {
-      {"a ball that is put on a belt is taken along, and rolls on it",
-       1,
-       {{"your ball on a belt sets off along x with", "m/s", 1e-6},
-        {"your ball on a belt sets off along z with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Ball ball(random);
-         ball.velocity.y() = -random.between(6, 8);
-         const Surfaces surfaces{.mu = random.between(Real(0.5), Real(0.8)), .lever = 0, .belt_a = random_belt(random)};
-         const Vec3 after = ball.solved(surfaces, answer).velocity;
-         return {after.x(), after.z()};
-       },
-       "friction holds the slip of the surfaces. That is the slip of the bodies, and how the belts run under it along "
-       "the row's own t."},
-      {"a ball is taken along, whichever of the two bodies is the conveyor",
-       1,
-       {{"your ball on a belt that is body B sets off along x with", "m/s", 1e-6},
-        {"your ball on a belt that is body B sets off along z with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Ball ball(random);
-         ball.velocity.y() = -random.between(6, 8);
-         ball.floor_first = false;
-         const Surfaces surfaces{.mu = random.between(Real(0.5), Real(0.8)), .lever = 0, .belt_b = random_belt(random)};
-         const Vec3 after = ball.solved(surfaces, answer).velocity;
-         return {after.x(), after.z()};
-       },
-       "which body is A is decided by its index. The surface of A moves with v_A + belt_a, that of B with v_B + "
-       "belt_b, and the slip is the second minus the first."},
-      {"a belt that is too fast slips away under the ball, which gains μ Σλn / m",
-       2,
-       {{"your ball, which the belt leaves behind, gains", "m/s", 1e-6},
-        {"your ball, which comes along faster than its belt, is braked by", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Ball slow(random);
-         slow.velocity.y() = -random.between(1, 2);
-         Ball fast = slow;
-         const Real belt = random.between(40, 50);
-         fast.velocity.x() = random.between(2, 3) * belt;
-         const Surfaces surfaces{
-             .mu = random.between(Real(0.4), Real(0.6)), .lever = 0, .belt_a = belt * Vec3::UnitX()};
-         return {slow.solved(surfaces, answer).velocity.x(),
-                 fast.velocity.x() - fast.solved(surfaces, answer).velocity.x()};
-       },
-       "friction gives at most μ Σλn, whichever way the surfaces slip. The sum of all corrections is bounded, not each "
-       "of them."},
-      {"where nothing rubs, a turn loses ϱ Σλn / I, and stops when it is less",
-       1,
-       {{"your ball, which turns fast on a smooth floor, turns more slowly by", "rad/s", 1e-6},
-        {"your ball, which turns slowly on a smooth floor, turns on with", "rad/s", 1e-6},
-        {"your ball, which turns slowly the other way, turns on with", "rad/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Ball fast(random);
-         const Real arrival = random.between(1, 2);
-         const Real lever = random.between(Real(0.01), Real(0.02));
-         const Surfaces surfaces{.mu = 0, .lever = lever, .belt_a = random_belt(random)};  // which slips away under it
-         const Real most = surfaces.lever * arrival / (Real(0.4) * fast.radius * fast.radius);  // rad/s
-         fast.velocity.y() = -arrival;
-         Ball slow = fast;
-         fast.spin.x() = random.between(6, 9) * most;
-         slow.spin.x() = random.between(Real(0.4), Real(0.7)) * most;
-         Ball other_way = slow;
-         other_way.spin *= -1;
-         return {fast.spin.x() - fast.solved(surfaces, answer).angular_velocity.x(),
-                 slow.solved(surfaces, answer).angular_velocity.x(),
-                 other_way.solved(surfaces, answer).angular_velocity.x()};
-       },
-       "rolling resistance opposes the turn, with at most ϱ Σλn either way, whatever friction and the belt do."},
-      {"a ball that rolls is slowed by its rolling resistance, and keeps rolling",
-       2,
-       {{"your ball, which rolls, is slowed by", "m/s", 1e-6},
-        {"your ball, which rolls, is then turning with", "rad/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Ball ball(random);
-         const Real speed = random.between(3, 6);
-         ball.velocity = {speed, -random.between(1, 2), 0};
-         ball.spin.z() = -speed / ball.radius;
-         ball.sweeps = 200;
-         const Real mu = random.between(Real(0.5), Real(0.8)), lever = random.between(Real(0.01), Real(0.02));
-         const Body after = ball.solved({.mu = mu, .lever = lever}, answer);
-         return {speed - after.velocity.x(), after.angular_velocity.z()};
-       },
-       "rolling resistance brakes the turn with ϱ Σλn, and friction, which holds the slip, brakes the way with it."},
-      {"a ball that cannot roll is taken along by a belt as a box is",
-       1,
-       {{"your ball, whose belt does not let it turn, sets off with", "m/s", 1e-6},
-        {"your ball, whose belt does not let it turn, turns with", "rad/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Ball ball(random);
-         const Real along = random.between(1, 2), across = random.between(Real(0.3), Real(0.4)) * along;
-         ball.velocity.y() = -random.between(6, 8);
-         ball.sweeps = 200;
-         const Surfaces surfaces{.mu = random.between(Real(0.5), Real(0.8)),
-                                 .lever = Real(1.2) * ball.radius,
-                                 .belt_a = {along, 0, across}};
-         const Body after = ball.solved(surfaces, answer);
-         return {after.velocity.norm(), after.angular_velocity.norm()};
-       },
-       "where ϱ Σλn is enough to stop the turn, friction takes the ball along at the speed of the belt."},
-  };
+Real rough(Random& random) {
+  return random.between(Real(0.5), Real(0.8));
 }
 
 void hold(Row& row, Real speed, Real bound) {
@@ -167,19 +70,88 @@ void right(const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
 
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"a ball that is put on a belt is taken along, and rolls on it", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Ball ball(random, random.between(6, 8));
+         const Surfaces surfaces{.mu = rough(random), .lever = 0, .belt_a = random_belt(random)};
+         const Vec3 after = ball.solved(surfaces, answer).velocity;
+         return {{"your ball on a belt sets off along x with", after.x(), "m/s"},
+                 {"your ball on a belt sets off along z with", after.z(), "m/s"}};
+       },
+       "friction holds the slip of the surfaces. That is the slip of the bodies, and how the belts run under it along "
+       "the row's own t."},
+      {"a ball is taken along, whichever of the two bodies is the conveyor", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Ball ball(random, random.between(6, 8));
+         const Surfaces surfaces{.mu = rough(random), .lever = 0, .belt_b = random_belt(random)};
+         return {{"your ball on a belt that is body B sets off along x with",
+                  ball.solved(surfaces, answer, false).velocity.x(), "m/s"}};
+       },
+       "which body is A is decided by its index. The surface of A moves with v_A + belt_a, that of B with v_B + "
+       "belt_b, and the slip is the second minus the first."},
+      {"a belt that is too fast slips away under the ball, which gains μ Σλn / m", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Ball slow(random, random.between(1, 2));
+         Ball fast = slow;
+         fast.velocity.x() = random.between(100, 120);
+         const Surfaces surfaces{.mu = rough(random), .lever = 0, .belt_a = random.between(40, 50) * Vec3::UnitX()};
+         return {{"your ball, which the belt leaves behind, gains", slow.solved(surfaces, answer).velocity.x(), "m/s"},
+                 {"your ball, which comes along faster than its belt, is braked by",
+                  fast.velocity.x() - fast.solved(surfaces, answer).velocity.x(), "m/s"}};
+       },
+       "friction gives at most μ Σλn, whichever way the surfaces slip. The sum of all corrections is bounded, not each "
+       "of them."},
+      {"where nothing rubs, a turn loses ϱ Σλn / I, and stops when it is less", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Real lands = random.between(1, 2), lever = random.between(Real(0.01), Real(0.02));
+         Ball fast(random, lands);
+         const Real most = lever * lands / (Real(0.4) * fast.radius * fast.radius);  // rad/s
+         Ball slow = fast;
+         fast.spin.x() = random.between(6, 9) * most;
+         slow.spin.x() = random.between(Real(0.4), Real(0.7)) * most;
+         const Surfaces smooth{.mu = 0, .lever = lever, .belt_a = random_belt(random)};  // it slips away under the ball
+         const auto turns = [&](const Ball& ball) { return ball.solved(smooth, answer).angular_velocity.x(); };
+         return {{"your ball, which turns fast on a smooth floor, turns more slowly by", fast.spin.x() - turns(fast),
+                  "rad/s"},
+                 {"your ball, which turns slowly on a smooth floor, turns on with", turns(slow), "rad/s"}};
+       },
+       "rolling resistance opposes the turn, with at most ϱ Σλn either way, whatever friction and the belt do."},
+      {"a ball that rolls is slowed by its rolling resistance, and keeps rolling", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Ball ball(random, random.between(1, 2));
+         const Real speed = random.between(3, 6);
+         ball.velocity.x() = speed;
+         ball.spin.z() = -speed / ball.radius;
+         ball.sweeps = 200;
+         const Body after = ball.solved({rough(random), random.between(Real(0.01), Real(0.02))}, answer);
+         return {{"your ball, which rolls, is slowed by", speed - after.velocity.x(), "m/s"},
+                 {"your ball, which rolls, is then turning with", after.angular_velocity.z(), "rad/s"}};
+       },
+       "rolling resistance brakes the turn with ϱ Σλn, and friction, which holds the slip, brakes the way with it."},
+      {"a ball that cannot roll is taken along by a belt as a box is", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Ball ball(random, random.between(5, 6));
+         ball.sweeps = 200;
+         const Surfaces surfaces{Real(0.5), Real(1.2) * ball.radius, random_belt(random)};
+         const Body after = ball.solved(surfaces, answer);
+         return {{"your ball, whose belt does not let it turn, sets off with", after.velocity.norm(), "m/s"},
+                 {"your ball, whose belt does not let it turn, turns with", after.angular_velocity.norm(), "rad/s"}};
+       },
+       "where ϱ Σλn is enough to stop the turn, friction takes the ball along at the speed of the belt."},
+  };
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return exercise_of(
       "a conveyor belt, and rolling resistance",
       {"How fast does the surface of A move at the contact point, if A moves with v_A and its belt runs over it?",
        "The surfaces slip with slip.speed() plus B's belt minus A's, along t = slip.n. Friction makes that 0, within "
        "its bound.",
        "Rolling resistance makes roll.speed() 0, within its own bound: minus and plus surfaces.lever times "
        "normal.impulse."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_06

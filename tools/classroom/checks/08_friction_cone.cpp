@@ -1,4 +1,5 @@
 #include "pushback/chapters/08_friction_cone/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_08 {
 
@@ -18,14 +19,12 @@ class Board {
     const Real turn = (random.below(2) == 0 ? 1 : -1) * random.between(Real(0.25), Real(0.45));
     blade_ = {std::cos(turn), 0, std::sin(turn)};
     aside_ = {-std::sin(turn), 0, std::cos(turn)};
-    world_.add(ground());
-    world_.add(
-        box({height * random.between(Real(1.2), Real(1.5)), height, height * Real(0.6)}, mass).at({0, height, 0}));
-    world_.contacts = {{.normal = {0, 1, 0}, .id = {0, 1, 0}}};
+    const Vec3 half{height * random.between(Real(1.2), Real(1.5)), height, height * Real(0.6)};
+    world_ = on_the_ground(box(half, mass).at({0, height, 0}));
   }
   /// It slides with this speed, m/s, at `heading` to the blade; the ground pushes with `normal` N s.
   void solve(Real speed, Real heading, Real normal, const Answer& answer) {
-    body().velocity = speed * (std::cos(heading) * blade_ + std::sin(heading) * aside_);
+    world_.bodies[1].velocity = speed * (std::cos(heading) * blade_ + std::sin(heading) * aside_);
     const Contact& at = world_.contacts[0];
     Row along(world_, at, blade_, 0), across(world_, at, aside_, 0);
     skate.k12 = across.n.dot(along.dvb) + across.rb_n.dot(along.dwb);
@@ -50,7 +49,6 @@ class Board {
   }
 
  private:
-  Body& body() { return world_.bodies[1]; }
   World world_;
   Vec3 blade_, aside_;
 };
@@ -61,49 +59,6 @@ Board sliding(Random& random, bool round, const Answer& answer) {
   const Real speed = random.between(4, 5), heading = random.between(Real(0.5), Real(0.9));
   board.solve(speed, heading, board.mass * random.between(Real(0.8), Real(1.2)), answer);
   return board;
-}
-
-std::vector<Check<Answer>> checks() {
-  return {
-      {"where μ is the same along and across, it is the disc of chapter 08",
-       1,
-       {{"your skate, which is as rough along as across, slips on along its blade with", "m/s", 1e-5},
-        {"your skate, which is as rough along as across, slips on across its blade with", "m/s", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Board board = sliding(random, true, answer);
-         return {board.slip_along, board.slip_across};
-       },
-       "with μ₁ = μ₂ the ellipse is a disc of radius μ Σλₙ, and friction is opposite to the slip."},
-      {"friction on a skate that slides is on the edge of its ellipse",
-       2,
-       {{"friction on your sliding skate is what the ellipse allows for a normal impulse of", "N s", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers { return {sliding(random, false, answer).normal_needed()}; },
-       "friction of a skate that slides is on the edge of the ellipse with the semi-axes μ₁ Σλₙ and μ₂ Σλₙ, so "
-       "(λ₁/μ₁)² + (λ₂/μ₂)² = Σλₙ²."},
-      {"the slip is at a right angle to the edge of the ellipse",
-       2,
-       {{"the slip of your skate is off the right angle to the edge of its ellipse by", "°", 1e-5},
-        {"your skate slips on along its blade with", "m/s", 1e-4},
-        {"your skate slips on across its blade with", "m/s", 1e-4}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Board board = sliding(random, false, answer);
-         return {board.off_normal(), board.slip_along, board.slip_across};
-       },
-       "friction takes as much energy as it can, so the slip is at a right angle to the edge. Where sums are measured "
-       "in semi-axes, the slip is (μ₁u₁, μ₂u₂), and each k_ij is stretched by μ_i μ_j."},
-      {"a skate that friction can hold is held",
-       1,
-       {{"your skate, which friction can hold, slips on with", "m/s", 1e-5},
-        {"friction gives your skate, which it can hold,", "N s", 1e-4}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Board board(random);
-         const Real speed = random.between(1, 2), heading = random.between(Real(0.5), Real(0.9));
-         board.solve(speed, heading, 40 * board.mass, answer);
-         return {board.slip(), board.friction()};
-       },
-       "inside the ellipse friction is what stops the slip, and not more. 300 calls are enough to get there if the "
-       "step fits the block."},
-  };
 }
 
 void right(Row& along, Row& across, const Skate& skate) {
@@ -120,19 +75,52 @@ void right(Row& along, Row& across, const Skate& skate) {
 
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"where μ is the same along and across, it is the disc of chapter 08", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         return {{"your skate, which is as rough along as across, slips on along its blade with",
+                  sliding(random, true, answer).slip_along, "m/s", 1e-5}};
+       },
+       "with μ₁ = μ₂ the ellipse is a disc of radius μ Σλₙ, and friction is opposite to the slip."},
+      {"friction on a skate that slides is on the edge of its ellipse", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         return {{"friction on your sliding skate is what the ellipse allows for a normal impulse of",
+                  sliding(random, false, answer).normal_needed(), "N s", 1e-5}};
+       },
+       "friction of a skate that slides is on the edge of the ellipse with the semi-axes μ₁ Σλₙ and μ₂ Σλₙ, so "
+       "(λ₁/μ₁)² + (λ₂/μ₂)² = Σλₙ²."},
+      {"the slip is at a right angle to the edge of the ellipse", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Board board = sliding(random, false, answer);
+         return {{"the slip of your skate is off the right angle to the edge of its ellipse by", board.off_normal(),
+                  "°", 1e-5},
+                 {"your skate slips on along its blade with", board.slip_along, "m/s", 1e-4}};
+       },
+       "friction takes as much energy as it can, so the slip is at a right angle to the edge. Where sums are measured "
+       "in semi-axes, the slip is (μ₁u₁, μ₂u₂), and each k_ij is stretched by μ_i μ_j."},
+      {"a skate that friction can hold is held", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Board board(random);
+         const Real speed = random.between(1, 2), heading = random.between(Real(0.5), Real(0.9));
+         board.solve(speed, heading, 40 * board.mass, answer);
+         return {{"your skate, which friction can hold, slips on with", board.slip(), "m/s", 1e-5},
+                 {"friction gives your skate, which it can hold,", board.friction(), "N s", 1e-4}};
+       },
+       "inside the ellipse friction is what stops the slip, and not more. 300 calls are enough to get there if the "
+       "step fits the block."},
+  };
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return exercise_of(
       "a skate: an ellipse for the disc",
       {"Measured in its own semi-axes, the ellipse is a disc: what is (λ₁/μ₁, λ₂/μ₂) bounded by?",
        "Write y = (λ₁/μ₁, λ₂/μ₂). If y₁ grows by 1, the impulse grows by μ₁. By how much does the energy change, if "
        "the slip is u? And by how much does that change again, with K_t?",
        "So chapter 08's step is made in y: with the slip (μ₁u₁, μ₂u₂), and with a block whose k_ij is μ_i μ_j times "
        "the old one."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_08

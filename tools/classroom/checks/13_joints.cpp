@@ -1,5 +1,6 @@
 #include "pushback/chapters/13_joints/exercise/asked.h"
 #include "pushback/chapters/13_joints/joints.h"
+#include "pushback/common/world/measure.h"
 
 namespace pushback::exercise_13 {
 
@@ -32,19 +33,15 @@ struct Railed {
     const Vec3 d = slider() - point_of(a(), rail.centre);
     return d - axis().dot(d) * axis();
   }
-  /// Of the slider, as seen from the rail.
-  struct Speeds {
-    Real outwards, out_of_the_plane, along;
-  };
-  Speeds speeds() {
+  /// Of the slider, as seen from the rail: outwards, out of its plane, along it.
+  Vec3 speeds() {
     const Vec3 v = b().velocity_at(slider()) - a().velocity_at(slider()), out = across().normalized();
     return {v.dot(out), v.dot(axis()), v.dot(axis().cross(out))};
   }
   Vec3 angular_momentum() const {
     Vec3 sum = Vec3::Zero();
     for (const Body& body : world.bodies)
-      sum += body.inverse_inertia.inverse() * body.angular_velocity +
-             body.position.cross(body.velocity) / body.inverse_mass;
+      sum += spin_momentum(body) + body.position.cross(body.velocity) / body.inverse_mass;
     return sum;
   }
 };
@@ -53,78 +50,10 @@ Body random_box(Random& random) {
   const Real x = random.between(Real(0.2), Real(0.4)), y = random.between(Real(0.2), Real(0.4));
   return box({x, y, Real(0.3)}, random.between(5, 20));
 }
-Vec3 random_corner(Random& random) {
-  return random.between(Real(0.3), Real(0.5)) * random.direction();
-}
-
-std::vector<Check<Answer>> checks() {
-  return {
-      {"a ball on a rail that does not move stays on it, after a single sweep, and slides on as it did",
-       2,
-       {{"your ball leaves the ring with", "m/s", 1e-6},
-        {"your ball leaves the plane of the rail with", "m/s", 1e-6},
-        {"along the rail your ball goes with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Railed railed(random, random_box(random).fixed(), sphere(Real(0.1), random.between(2, 10)), Vec3::Zero(),
-                       answer);
-         const Vec3 out = railed.across().normalized(), axis = railed.axis();
-         const Real outwards = random.between(1, 3), off = random.between(1, 3), along = random.between(1, 3);
-         railed.b().velocity = outwards * out + off * axis + along * axis.cross(out);
-         Solver<Joints> solver;
-         solver.solve(railed.world, Real(0.02), 1);
-         const auto [leaves, rises, slides] = railed.speeds();
-         return {leaves, rises, slides};
-       },
-       "the rail holds the ball in two directions, along its axis m and straight away from the axis. Each n is a unit "
-       "vector, and along the rail nothing holds."},
-      {"the slider of a box stays on the rail of another box, and angular momentum is conserved",
-       2,
-       {{"seen from the rail, your slider leaves it with", "m/s", 1e-6},
-        {"the angular momentum of both boxes together changes by", "N m s", 1e-6},
-        {"seen from the rail, your slider goes along it with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Body a = random_box(random), b = random_box(random);
-         Railed railed(random, a, b, random_corner(random), answer);
-         for (Body& body : railed.world.bodies) {
-           body.velocity = random.vector(3);
-           body.angular_velocity = random.vector(3);
-         }
-         const Vec3 before = railed.angular_momentum();
-         Solver<Joints> solver;
-         solver.solve(railed.world, Real(0.02), 2000);
-         const auto [leaves, rises, slides] = railed.speeds();
-         return {std::hypot(leaves, rises), (railed.angular_momentum() - before).norm(), slides};
-       },
-       "both bodies feel the force at P, so both arms end there, and the rail turns with A. Two equal and opposite "
-       "forces at one point make no torque together."},
-      {"a slider that is off its rail comes back by the part β in a step",
-       2,
-       {{"after a step your slider is off the plane of its rail by", "mm", 0.3},
-        {"after a step your slider is too far from the middle of its rail by", "mm", 0.3},
-        {"after a step your slider, which was below the plane, is off it by", "mm", 0.3},
-        {"while it comes back, the angular momentum of both boxes together changes by", "N m s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Body a = random_box(random), b = random_box(random);
-         Railed railed(random, a, b, random_corner(random), answer);
-         railed.b().position += random.between(Real(0.01), Real(0.015)) * railed.axis() +
-                                random.between(Real(0.01), Real(0.015)) * railed.across().normalized();
-         Solver<Joints> solver;
-         solver.beta = random.between(Real(0.3), Real(0.6));
-         Railed pushed = railed;  // by impulses alone: what turns in a step changes its inertia
-         Solver<Joints> pushing = solver;
-         pushing.solve(pushed.world, Real(0.02), 1);
-         const Real made = pushed.angular_momentum().norm();  // they were at rest
-         railed.world.step(solver, Real(0.02), 2000);
-         const Body other_a = random_box(random), other_b = random_box(random);
-         Railed below(random, other_a, other_b, random_corner(random), answer);
-         below.b().position -= random.between(Real(0.01), Real(0.015)) * below.axis();
-         below.world.step(solver, Real(0.02), 2000);
-         return {1000 * railed.off_the_plane(), 1000 * (railed.across().norm() - railed.rail.radius),
-                 1000 * below.off_the_plane(), made};
-       },
-       "C₁ = m · d and C₂ = ρ - R are lengths with a sign, and J V is how fast each grows. Then a step takes away the "
-       "part β, by forces that act on both bodies at P."},
-  };
+Railed two_boxes(Random& random, const Answer& answer) {
+  const Body a = random_box(random), b = random_box(random);
+  const Real arm = random.between(Real(0.3), Real(0.5));
+  return {random, a, b, arm * random.direction(), answer};
 }
 
 void right(const RoundRail& rail, const Body& a, const Body& b, Equations& rows) {
@@ -137,18 +66,64 @@ void right(const RoundRail& rail, const Body& a, const Body& b, Equations& rows)
 
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"a ball on a rail that does not move stays on it, after a single sweep, and slides on as it did", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Railed railed(random, random_box(random).fixed(), sphere(Real(0.1), random.between(2, 10)), Vec3::Zero(),
+                       answer);
+         const Vec3 out = railed.across().normalized(), axis = railed.axis();
+         const Real outwards = random.between(1, 3), off = random.between(1, 3), along = random.between(1, 3);
+         railed.b().velocity = outwards * out + off * axis + along * axis.cross(out);
+         Solver<Joints> solver;
+         solver.solve(railed.world, Real(0.02), 1);
+         return {{"your ball leaves the rail with", railed.speeds().head<2>().norm(), "m/s"},
+                 {"along the rail your ball goes with", railed.speeds().z(), "m/s"}};
+       },
+       "the rail holds the ball in two directions, along its axis m and straight away from the axis. Each n is a unit "
+       "vector, and along the rail nothing holds."},
+      {"the slider of a box stays on the rail of another box, and angular momentum is conserved", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Railed railed = two_boxes(random, answer);
+         for (Body& body : railed.world.bodies) {
+           body.velocity = random.vector(3);
+           body.angular_velocity = random.vector(3);
+         }
+         const Vec3 before = railed.angular_momentum();
+         Solver<Joints> solver;
+         solver.solve(railed.world, Real(0.02), 2000);
+         return {{"seen from the rail, your slider leaves it with", railed.speeds().head<2>().norm(), "m/s"},
+                 {"the angular momentum of both boxes together changes by", (railed.angular_momentum() - before).norm(),
+                  "N m s"},
+                 {"seen from the rail, your slider goes along it with", railed.speeds().z(), "m/s"}};
+       },
+       "both bodies feel the force at P, so both arms end there, and the rail turns with A. Two equal and opposite "
+       "forces at one point make no torque together."},
+      {"a slider that is off its rail comes back by the part β in a step", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Railed railed = two_boxes(random, answer);
+         railed.b().position += random.between(Real(0.01), Real(0.015)) * railed.axis() +
+                                random.between(Real(0.01), Real(0.015)) * railed.across().normalized();
+         Solver<Joints> solver;
+         solver.beta = random.between(Real(0.3), Real(0.6));
+         railed.world.step(solver, Real(0.02), 2000);
+         return {{"after a step your slider is off the plane of its rail by", 1000 * railed.off_the_plane(), "mm", 0.3},
+                 {"after a step your slider is too far from the middle of its rail by",
+                  1000 * (railed.across().norm() - railed.rail.radius), "mm", 0.3}};
+       },
+       "C₁ = m · d and C₂ = ρ - R are lengths with a sign, and J V is how fast each grows. Then a step takes away the "
+       "part β, by forces that act on both bodies at P."},
+  };
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>("a slider on a round rail",
-                             {"Go round with A: seen from there, m and Q stand still, and C₁ and C₂ depend on where P "
-                              "is, on nothing else. In which direction does each grow by a metre a metre?",
-                              "n = m for the plane; n = (d - (m · d) m) / ρ for the ring. C' is n times the speed of P "
-                              "against the point of A that is at the same place now.",
-                              "Both arms end at P: r_A = P - a.position, r_B = P - b.position."},
-                             checks(), {right});
+  return exercise_of("a slider on a round rail",
+                     {"Go round with A: seen from there, m and Q stand still, and C₁ and C₂ depend on where P "
+                      "is, on nothing else. In which direction does each grow by a metre a metre?",
+                      "n = m for the plane; n = (d - (m · d) m) / ρ for the ring. C' is n times the speed of P "
+                      "against the point of A that is at the same place now.",
+                      "Both arms end at P: r_A = P - a.position, r_B = P - b.position."},
+                     Answer{right});
 }
 
 }  // namespace pushback::exercise_13

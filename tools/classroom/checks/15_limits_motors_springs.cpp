@@ -9,9 +9,10 @@ namespace {
 struct Roped {
   Real mass, h, strength, beta;
 
+  /// In short steps C h, C h² and 0 are almost the same b, and C/h² is more than any load needs; in these each is another.
   explicit Roped(Random& random)
       : mass(random.between(2, 10)),
-        h(1 / random.between(40, 100)),
+        h(random.between(Real(0.5), Real(0.7))),
         strength(1e6),
         beta(random.between(Real(0.1), Real(0.4))) {}
   /// Its speed away from the hand, m/s, before and after. `slack`: m.
@@ -30,79 +31,6 @@ struct Roped {
   }
 };
 
-/// In short steps C h, C h² and 0 are almost the same b, and C/h² is more than any load needs; here each is another.
-Roped in_long_steps(Random& random) {
-  Roped roped(random);
-  roped.h = random.between(Real(0.5), Real(0.7));
-  return roped;
-}
-
-std::vector<Check<Answer>> checks() {
-  return {
-      {"a taut rope stops a load that leaves, and lets go one that comes",
-       1,
-       {{"your load, which was leaving on a taut rope, goes on with", "m/s", 1e-6},
-        {"your load, which was coming back by itself, comes with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Roped roped(random);
-         const Real leaves = random.between(2, 5), comes = random.between(2, 5);
-         return {roped.solved(0, leaves, random, answer), -roped.solved(0, -comes, random, answer)};
-       },
-       "a rope pulls and never pushes, so its sum is 0 or more. A taut one stops what leaves, and what comes feels "
-       "nothing."},
-      {"a load on a slack rope goes as far as the rope is long",
-       2,
-       {{"your load, which cannot reach the end of its rope in this step, goes on with", "m/s", 1e-6},
-        {"your load, which would get farther than its rope in this step, goes on with", "m/s", 1e-6},
-        {"your load, which would get farther than its nearly taut rope, goes on with", "m/s", 1e-6},
-        {"your load, which would get farther than its rope in a step of half a second or more, goes on with", "m/s",
-         1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Roped roped(random);
-         const Real slack = random.between(Real(0.02), Real(0.05)), fastest = slack / roped.h;
-         const Real slow = fastest * random.between(Real(0.6), Real(0.9)),
-                    fast = fastest * random.between(Real(1.5), 3);
-         const Real little = random.between(Real(0.001), Real(0.003));
-         const Roped slowly = in_long_steps(random);
-         const Real far = slack / slowly.h * random.between(4, 6);
-         return {roped.solved(slack, slow, random, answer), roped.solved(slack, fast, random, answer),
-                 roped.solved(little, fast, random, answer), slowly.solved(slack, far, random, answer)};
-       },
-       "a slack rope lets its load leave at up to C/h, so that the rope is just taut at the end of this step."},
-      {"a rope that is too long comes back by the part β, and does not hold up a load that comes faster",
-       1,
-       {{"your load, which is too far, comes back with", "m/s", 1e-6},
-        {"your load, which is too far and was coming fast by itself, comes with", "m/s", 1e-6},
-        {"your load, which is too far, comes back in a step of half a second or more with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Roped roped(random);
-         const Real slack = -random.between(Real(0.02), Real(0.05)), comes = random.between(1, 2) * -slack / roped.h;
-         return {-roped.solved(slack, 0, random, answer), -roped.solved(slack, -comes, random, answer),
-                 -in_long_steps(random).solved(slack, 0, random, answer)};
-       },
-       "a rope that is too long is an error, of which a step takes away the part β. b = β/h C, and what comes faster "
-       "by itself is not held up."},
-      {"a hand that holds with F takes h F off the load in a step",
-       2,
-       {{"your load, which pulls harder than the hand holds, goes on with", "m/s", 1e-6},
-        {"your load, which is far too fast for the hand, goes on with", "m/s", 1e-6},
-        {"your load, whose rope is slack and which pulls harder than the hand holds, goes on with", "m/s", 1e-6},
-        {"your load, whose rope is too long and which pulls harder than the hand holds, goes on with", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Roped roped(random);
-         roped.strength = random.between(50, 200);
-         const Real in_a_step = roped.h * roped.strength / roped.mass, in_a_second = roped.strength / roped.mass;
-         const Real fast = random.between(2, 3) * in_a_step, faster = random.between(Real(1.5), 2) * in_a_second;
-         const Real slack = random.between(Real(0.02), Real(0.05));
-         return {roped.solved(0, fast, random, answer), roped.solved(0, faster, random, answer),
-                 roped.solved(slack, fast + slack / roped.h, random, answer),
-                 roped.solved(-slack, fast + slack / roped.h, random, answer)};
-       },
-       "a hand that holds with F gives the impulse h F in a step and not more, whether the rope is slack, taut or too "
-       "long."},
-  };
-}
-
 /// The chapter's limit, which asks in forces, as a row has it.
 void right(JointRow& rope, Real strength, Real beta, Real h) {
   const Equation asked = at_least_zero({.jacobian = rope, .hi = strength}, rope.separation, h);
@@ -113,19 +41,65 @@ void right(JointRow& rope, Real strength, Real beta, Real h) {
 
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"a taut rope stops a load that leaves, and lets go one that comes", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Roped roped(random);
+         const Real leaves = random.between(2, 5), comes = random.between(2, 5);
+         return {{"your load, which was leaving on a taut rope, goes on with", roped.solved(0, leaves, random, answer),
+                  "m/s"},
+                 {"your load, which was coming back by itself, comes with", -roped.solved(0, -comes, random, answer),
+                  "m/s"}};
+       },
+       "a rope pulls and never pushes, so its sum is 0 or more. A taut one stops what leaves, and what comes feels "
+       "nothing."},
+      {"a load on a slack rope goes as far as the rope is long", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Roped roped(random);
+         const Real slack = random.between(1, 2), fastest = slack / roped.h;
+         const Real slow = random.between(Real(0.6), Real(0.9)), fast = random.between(Real(1.5), 3);
+         return {{"your load, which cannot reach the end of its rope in this step, goes on with",
+                  roped.solved(slack, slow * fastest, random, answer), "m/s"},
+                 {"your load, which would get farther than its rope in this step, goes on with",
+                  roped.solved(slack, fast * fastest, random, answer), "m/s"}};
+       },
+       "a slack rope lets its load leave at up to C/h, so that the rope is just taut at the end of this step."},
+      {"a rope that is too long comes back by the part β, and does not hold up a load that comes faster", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Roped roped(random);
+         const Real too_long = random.between(1, 2), comes = random.between(1, 2) * too_long / roped.h;
+         return {{"your load, which is too far, comes back with", -roped.solved(-too_long, 0, random, answer), "m/s"},
+                 {"your load, which is too far and was coming fast by itself, comes with",
+                  -roped.solved(-too_long, -comes, random, answer), "m/s"}};
+       },
+       "a rope that is too long is an error, of which a step takes away the part β. b = β/h C, and what comes faster "
+       "by itself is not held up."},
+      {"a hand that holds with F takes h F off the load in a step", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Roped roped(random);
+         roped.strength = random.between(50, 200);
+         const Real fast = random.between(2, 3) * roped.h * roped.strength / roped.mass;
+         const Real slack = random.between(Real(0.2), Real(0.5));
+         return {{"your load, which pulls harder than the hand holds, goes on with",
+                  roped.solved(0, fast, random, answer), "m/s"},
+                 {"your load, whose rope is slack and which pulls harder than the hand holds, goes on with",
+                  roped.solved(slack, fast + slack / roped.h, random, answer), "m/s"}};
+       },
+       "a hand that holds with F gives the impulse h F in a step and not more, whether the rope is slack, taut or too "
+       "long."},
+  };
 }
 
 Exercise exercise() {
-  return rebuild_of<Answer>(
+  return rebuild_of(
       "a rope that can only pull",
       {"A row pulls where its impulse is above 0. Which sums does a rope allow that never pushes, and that a hand "
        "holds with F for h seconds?",
        "Where the rope is slack, C may fall to 0 within this step, and the row wants J V + b = 0 only if the load "
        "would go farther: at which speed does C fall to 0 in h?",
        "rope.lo = 0; rope.hi = h * strength. b = C/h where C > 0, and b = β/h C where it is not."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_15

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "pushback/chapters/16_whole_problem/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_16 {
 
@@ -15,52 +16,44 @@ struct State {
   Three r, u;
 };
 
-double between(Random& random, double low, double high) {
-  return static_cast<double>(random.between(static_cast<Real>(low), static_cast<Real>(high)));
-}
-
-Eigen::Vector2d heading(Random& random) {
-  const double angle = between(random, -3, 3);
-  return {std::cos(angle), std::sin(angle)};
-}
-
 double friction(Random& random) {
   return between(random, 0.3, 0.9);
 }
 
+/// So much along the normal, and so much across it in some direction.
+Three with(Random& random, double normal, double tangential) {
+  const double angle = between(random, -3, 3);
+  return {normal, tangential * std::cos(angle), tangential * std::sin(angle)};
+}
+
 State separating(Random& random) {
-  const Eigen::Vector2d slip = heading(random);
-  return {friction(random), Three::Zero(), {between(random, 1, 2), slip.x(), slip.y()}};
+  return {friction(random), Three::Zero(), with(random, between(random, 1, 2), 1)};
 }
 
 State sticking(Random& random) {
   const double mu = friction(random), push = between(random, 2, 4);
-  const Eigen::Vector2d rub = mu * push * between(random, 0.1, 0.6) * heading(random);
-  return {mu, {push, rub.x(), rub.y()}, Three::Zero()};
+  return {mu, with(random, push, mu * push * between(random, 0.1, 0.6)), Three::Zero()};
 }
 
 State sliding(Random& random) {
   const double mu = friction(random), push = between(random, 2, 4);
-  const Eigen::Vector2d ahead = heading(random), slip = between(random, 0.5, 1) * ahead, rub = -mu * push * ahead;
-  return {mu, {push, rub.x(), rub.y()}, {0, slip.x(), slip.y()}};
+  const Three slip = with(random, 0, between(random, 0.5, 1));
+  return {mu, Three(push, 0, 0) - mu * push * slip.normalized(), slip};
 }
 
 /// It separates, and is pushed all the same.
 State pushed_apart(Random& random) {
-  const Eigen::Vector2d slip = 0.3 * heading(random);
-  return {friction(random), {between(random, 0.3, 0.6), 0, 0}, {between(random, 2, 3), slip.x(), slip.y()}};
+  return {friction(random), {between(random, 0.3, 0.6), 0, 0}, with(random, between(random, 2, 3), 0.3)};
 }
 
 /// It rests, and is rubbed beyond its bound.
 State rubbed(Random& random, double push) {
-  const Eigen::Vector2d rub = between(random, 4, 6) * heading(random);
-  return {friction(random), {push, rub.x(), rub.y()}, Three::Zero()};
+  return {friction(random), with(random, push, between(random, 4, 6)), Three::Zero()};
 }
 
 /// It slides, and nothing rubs.
 State unrubbed(Random& random) {
-  const Eigen::Vector2d slip = between(random, 0.5, 1) * heading(random);
-  return {friction(random), {between(random, 5, 8), 0, 0}, {0, slip.x(), slip.y()}};
+  return {friction(random), {between(random, 5, 8), 0, 0}, with(random, 0, between(random, 0.5, 1))};
 }
 
 /// Contacts that feel each other, in these states.
@@ -85,76 +78,58 @@ struct Step {
     }
     problem.q = u - problem.w * r;
   }
-  Real residual(const Answer& answer) const { return static_cast<Real>(answer.residual(problem, r)); }
+  Reading residual(const std::string& what, const Answer& answer) const {
+    return {"of " + what + ", your residual is", answer.residual(problem, r)};
+  }
 };
 
-Quantity residual_of(const std::string& what) {
-  return {"of " + what + ", your residual is", "", 1e-6};
-}
+}  // namespace
 
-std::vector<Check<Answer>> checks() {
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a step that is solved has the residual 0, and no other has",
-       2,
-       {residual_of("two solved contacts, one separating and one sticking"),
-        residual_of("two solved contacts, one separating and one sliding"),
-        residual_of("the same two contacts with impulses that are a tenth too large")},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Step sticks(random, {separating(random), sticking(random)});
-         Step slides(random, {separating(random), sliding(random)});
-         Numbers numbers{sticks.residual(answer), slides.residual(answer)};
-         slides.r *= 1.1;
-         numbers.push_back(slides.residual(answer));
-         return numbers;
+      {"a step that is solved has the residual 0, and no other has", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Step step(random, {separating(random), sticking(random), sliding(random)});
+         const Reading solved =
+             step.residual("three solved contacts, one separating, one sticking and one sliding", answer);
+         step.r *= 1.1;
+         return {solved, step.residual("the same contacts with impulses that are a tenth too large", answer)};
        },
        "where a step is solved, the point of the cone nearest to r - (u + μ |u_t| n) is r itself. How far it is "
        "otherwise is divided by |q|, and both lengths are Euclid's."},
-      {"a contact that separates has no impulse",
-       1,
-       {residual_of("a contact that separates and is pushed all the same")},
-       [](Random& random, const Answer& answer) -> Numbers {
-         return {Step(random, {pushed_apart(random)}).residual(answer)};
+      {"a contact that separates has no impulse", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Step step(random, {pushed_apart(random)});
+         return {step.residual("a contact that separates and is pushed all the same", answer)};
        },
        "a contact that separates has no impulse. Its error is how far r is from the point of the cone nearest to r - "
        "(u + μ |u_t| n)."},
-      {"friction is within its cone",
-       1,
-       {residual_of("a resting contact whose friction is beyond its bound"),
-        residual_of("a resting contact that pulls a little, and rubs a lot")},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const State pushes = rubbed(random, between(random, 1, 2));
-         const State pulls = rubbed(random, -between(random, 0.2, 0.8));
-         return {Step(random, {pushes}).residual(answer), Step(random, {pulls}).residual(answer)};
+      {"friction is within its cone", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Step step(random, {rubbed(random, -between(random, 0.2, 0.8))});
+         return {step.residual("a resting contact that pulls a little, and rubs a lot", answer)};
        },
        "friction is at most μ times the push. The nearest point is on the edge of the cone then, with the normal "
        "impulse (x_n + μ |x_t|) / (1 + μ²), also where x pulls a little."},
-      {"friction opposes the slip",
-       1,
-       {residual_of("a contact that slides without friction")},
-       [](Random& random, const Answer& answer) -> Numbers {
-         return {Step(random, {unrubbed(random)}).residual(answer)};
+      {"friction opposes the slip", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Step step(random, {unrubbed(random)});
+         return {step.residual("a contact that slides without friction", answer)};
        },
        "friction opposes the slip. With μ |u_t| in the normal speed, a contact that slides without friction is not "
        "solved."},
-      {"all contacts are one error",
-       1,
-       {residual_of("three contacts, each wrong in another way")},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"all contacts are one error", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const State apart = pushed_apart(random), rests = rubbed(random, between(random, 1, 2));
-         return {Step(random, {apart, rests, unrubbed(random)}).residual(answer)};
+         const Step step(random, {apart, rests, unrubbed(random)});
+         return {step.residual("three contacts, each wrong in another way", answer)};
        },
        "all contacts are one vector, each with its own μ. The error is the root of the sum of their squares."},
   };
 }
 
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return rebuild_of<Answer>(
+  return rebuild_of(
       "the residual by the natural map",
       {"Contact by contact: s is u with μ |u_t| added to its first number. Which point of the cone is nearest to x = r "
        "- s? If that is r itself, the contact is solved.",
@@ -162,7 +137,7 @@ Exercise exercise() {
        "Otherwise the nearest point lies on the edge, in the direction of x_t.",
        "On the edge: x_n' = (x_n + μ |x_t|) / (1 + μ²), and x_t' has the length μ x_n'. Add the squares of r - x' over "
        "all contacts; the residual is the root of the sum, divided by problem.q.norm()."},
-      checks(), {relative_residual});
+      Answer{relative_residual});
 }
 
 }  // namespace pushback::exercise_16

@@ -3,16 +3,13 @@
 #include <cmath>
 
 #include "pushback/chapters/17_direct_contacts/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_17 {
 
 namespace {
 
 using Eigen::Index;
-
-double between(Random& random, double low, double high) {
-  return static_cast<double>(random.between(static_cast<Real>(low), static_cast<Real>(high)));
-}
 
 /// Of five contacts: u_0 ... u_4, the impulses of all, z. The impulses are basic.
 struct Scene {
@@ -55,14 +52,8 @@ std::vector<double> values_of(const Tableau& tableau) {
   return values;
 }
 
-/// The largest |left side - right side| of these equations.
-double off(const Eigen::MatrixXd& equations, const std::vector<double>& values) {
-  const Eigen::Map<const Eigen::VectorXd> x(values.data(), std::ssize(values));
-  return (equations.leftCols(x.size()) * x - equations.rightCols<1>()).cwiseAbs().maxCoeff();
-}
-
 /// Lemke's method with these pivots, for u = A l + b: the largest |min(l, u)|, at most `hopeless`; and how many pivots it took.
-Numbers solved(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Answer& answer) {
+std::vector<Reading> solved(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Answer& answer) {
   constexpr double hopeless = 1000;
   const Index n = b.size(), z = 2 * n;
   Tableau tableau{Eigen::MatrixXd(n, 2 * n + 2), {}};
@@ -80,70 +71,8 @@ Numbers solved(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Answer&
   const std::vector<double> values = values_of(tableau);
   const Eigen::VectorXd impulses = Eigen::Map<const Eigen::VectorXd>(values.data() + n, n);
   const double error = impulses.cwiseMin(a * impulses + b).cwiseAbs().maxCoeff();
-  return {static_cast<Real>(error < hopeless ? error : hopeless), static_cast<Real>(pivots)};
-}
-
-std::vector<Check<Answer>> checks() {
-  const Quantity leaves{"the number of the variable that leaves is", "", 1e-6},
-      entries{"the entries of your tableau add up to", "", 1e-5};
-  return {
-      {"the first variable to reach 0 leaves",
-       1,
-       {leaves,
-        {"the variable that enters becomes", "", 1e-6},
-        {"the least value in your tableau is", "", 1e-6},
-        {"in a second tableau the number of the variable that leaves is", "", 1e-6},
-        {"in a third tableau the number of the variable that leaves is", "", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         auto [tableau, entering] = scene(random);
-         const Index left = answer.pivot(tableau, entering);
-         const double entered = values_of(tableau)[static_cast<std::size_t>(entering)];
-         Numbers numbers{static_cast<Real>(left), static_cast<Real>(entered),
-                         static_cast<Real>(tableau.t.rightCols<1>().minCoeff())};
-         for (int more = 0; more < 2; ++more) {
-           auto [another, enters] = scene(random);
-           numbers.push_back(static_cast<Real>(answer.pivot(another, enters)));
-         }
-         return numbers;
-       },
-       "the first variable to reach 0 leaves, which is the least value / entry among positive entries. With any other "
-       "one a value becomes negative, and a contact pulls."},
-      {"the equations say the same as before",
-       1,
-       {{"put into the equations as they were, your values are off by", "", 1e-6}, entries},
-       [](Random& random, const Answer& answer) -> Numbers {
-         auto [tableau, entering] = scene(random);
-         const Eigen::MatrixXd before = tableau.t;
-         answer.pivot(tableau, entering);
-         return {static_cast<Real>(off(before, values_of(tableau))), static_cast<Real>(tableau.t.sum())};
-       },
-       "the row of the one that leaves is solved for the entering variable and put into all others. A pivot writes the "
-       "same equations in another way, the last column included."},
-      {"where no variable ever reaches 0, none leaves",
-       1,
-       {leaves, entries},
-       [](Random& random, const Answer& answer) -> Numbers {
-         auto [tableau, entering] = ray(random);
-         const Index left = answer.pivot(tableau, entering);
-         return {static_cast<Real>(left), static_cast<Real>(tableau.t.sum())};
-       },
-       "a variable whose entry is not positive never reaches 0. Where all are like that none leaves, -1, and the "
-       "tableau stays as it is."},
-      {"pivot after pivot, all contacts are solved",
-       2,
-       {{"with your pivots the largest |min(λ, u)| is", "", 1e-6}, {"the number of your pivots is", "", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Index n = static_cast<Index>(40 + random.below(10));
-         Eigen::MatrixXd mixed(n, n);
-         for (double& entry : mixed.reshaped()) entry = between(random, -1, 1);
-         Eigen::VectorXd b(n);
-         for (double& speed : b) speed = between(random, -2, 1);
-         return solved(mixed * mixed.transpose() / static_cast<double>(n) + 0.1 * Eigen::MatrixXd::Identity(n, n), b,
-                       answer);
-       },
-       "pivot after pivot the first to reach 0 leaves and is given back, since its partner enters next, and the basis "
-       "says which variable each row is solved for."},
-  };
+  return {{"with your pivots the largest |min(λ, u)| is", error < hopeless ? error : hopeless},
+          {"the number of your pivots is", pivots}};
 }
 
 Index right(Tableau& tableau, Index entering) {
@@ -161,12 +90,54 @@ Index right(Tableau& tableau, Index entering) {
 
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"the first variable to reach 0 leaves", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         auto [tableau, entering] = scene(random);
+         const Index left = answer.pivot(tableau, entering);
+         const double entered = values_of(tableau)[static_cast<std::size_t>(entering)];
+         return {{"the number of the variable that leaves is", left},
+                 {"the variable that enters becomes", entered},
+                 {"the least value in your tableau is", tableau.t.rightCols<1>().minCoeff()}};
+       },
+       "the first variable to reach 0 leaves, which is the least value / entry among positive entries. With any other "
+       "one a value becomes negative, and a contact pulls."},
+      {"the equations say the same as before", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         auto [tableau, entering] = scene(random);
+         answer.pivot(tableau, entering);
+         return {{"the entries of your tableau add up to", tableau.t.sum(), "", 1e-5},
+                 {"your values, the last column, add up to", tableau.t.rightCols<1>().sum(), "", 1e-5}};
+       },
+       "the row of the one that leaves is solved for the entering variable and put into all others. A pivot writes the "
+       "same equations in another way, the last column included."},
+      {"where no variable ever reaches 0, none leaves", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         auto [tableau, entering] = ray(random);
+         const Index left = answer.pivot(tableau, entering);
+         return {{"the number of the variable that leaves is", left},
+                 {"the entries of your tableau add up to", tableau.t.sum(), "", 1e-5}};
+       },
+       "a variable whose entry is not positive never reaches 0. Where all are like that none leaves, -1, and the "
+       "tableau stays as it is."},
+      {"pivot after pivot, all contacts are solved", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Index n = static_cast<Index>(40 + random.below(10));
+         Eigen::MatrixXd mixed(n, n);
+         for (double& entry : mixed.reshaped()) entry = between(random, -1, 1);
+         Eigen::VectorXd b(n);
+         for (double& speed : b) speed = between(random, -2, 1);
+         return solved(mixed * mixed.transpose() / static_cast<double>(n) + 0.1 * Eigen::MatrixXd::Identity(n, n), b,
+                       answer);
+       },
+       "pivot after pivot the first to reach 0 leaves and is given back, since its partner enters next, and the basis "
+       "says which variable each row is solved for."},
+  };
 }
 
 Exercise exercise() {
-  return rebuild_of<Answer>(
+  return rebuild_of(
       "one pivot",
       {"A basic variable has the value t(i, last), and falls by t(i, entering) for each 1 that the entering one grows. "
        "At which size of the entering one is it 0, and for which signs never?",
@@ -174,7 +145,7 @@ Exercise exercise() {
        "back -1. Begin with no row, not with row 0.",
        "Divide that row by its entry under `entering`. Then take it away from each other row, times that row's entry "
        "under `entering`. Remember basis[row], write `entering` into it, and give back what you remembered."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_17

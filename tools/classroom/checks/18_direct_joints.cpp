@@ -1,4 +1,4 @@
-#include <Eigen/SparseCholesky>
+#include <Eigen/Cholesky>
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/13_joints/joints.h"
@@ -49,31 +49,44 @@ struct Chain {
     const Vec3 aside = Real(0.3) * random.direction();
     hang(random.between(1, 4), length, aside, 2 * random.direction());
   }
-  /// After gravity of a step: the sizes of the first and of the last joint's impulse, N s, and the largest speed with which
-  /// a joint still comes apart, m/s.
-  Numbers solved(const Answer& answer) {
+  /// After gravity of a step.
+  std::vector<Reading> solved(const Answer& answer) {
     constexpr Real h = Real(1) / 60;
     for (Body& body : world.bodies) integrate_velocity(body, world.gravity, h);
     Solver<Eliminated> solver;
     solver.answer = answer;
     solver.solve(world, h, 1);
     const JointRows& rows = solver.joint_rows();
-    const auto size = [&rows](std::size_t i) {
-      return Vec3(rows[i].impulse, rows[i + 1].impulse, rows[i + 2].impulse).norm();
-    };
     Real apart = 0;
     for (const JointRow& row : rows) apart = std::max(apart, std::abs(row.speed_error()));
-    return {size(0), size(rows.size() - 3), apart};
+    return {{"your hook bears", Vec3(rows[0].impulse, rows[1].impulse, rows[2].impulse).norm(), "N s", 1e-5},
+            {"your joints still come apart with", apart, "m/s"}};
   }
 };
 
-std::vector<Check<Answer>> checks() {
-  const std::vector<Quantity> quantities{{"your hook bears", "N s", 1e-5},
-                                         {"the joint at the free end of your chain bears", "N s", 1e-5},
-                                         {"your joints still come apart with", "m/s", 1e-6}};
+/// All at once: any matrix.
+Threes right(Blocks own, const Blocks& next, Threes wanted) {
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(3 * std::ssize(own), 3 * std::ssize(own));
+  Vector b(a.rows());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const Index at = 3 * static_cast<Index>(i);
+    a.block<3, 3>(at, at) = own[i];
+    b.segment<3>(at) = wanted[i];
+    if (i == next.size()) break;
+    a.block<3, 3>(at, at + 3) = next[i];
+    a.block<3, 3>(at + 3, at) = next[i].transpose();
+  }
+  const Vector impulses = a.ldlt().solve(b);
+  for (std::size_t i = 0; i < own.size(); ++i) wanted[i] = impulses.segment<3>(3 * static_cast<Index>(i));
+  return wanted;
+}
+
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"the hook bears what all links weigh", 1, quantities,
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"the hook bears what all links weigh", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Chain chain;
          for (std::size_t left = 3 + random.below(4); left > 0; --left) {
            const Real mass = random.between(1, 4);
@@ -83,16 +96,16 @@ std::vector<Check<Answer>> checks() {
        },
        "the hook bears all links because each joint hands on what hangs below it: from the free end up, a block and a "
        "wanted speed are eliminated from those above."},
-      {"a crooked chain that is let go stays together", 2, quantities,
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a crooked chain that is let go stays together", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Chain chain;
          for (std::size_t left = 4 + random.below(5); left > 0; --left) chain.hang_crooked(random);
          return chain.solved(answer);
        },
        "next[i] says what joint i + 1 does to joint i, and its transpose what joint i does to joint i + 1. In a "
        "crooked chain the two differ, on the way up and on the way back."},
-      {"a long chain bears a thousandfold load", 1, quantities,
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a long chain bears a thousandfold load", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Chain chain;
          for (std::size_t left = 15 + random.below(10); left > 0; --left) chain.hang_crooked(random);
          chain.hang(random.between(1000, 2000), 1);
@@ -103,40 +116,15 @@ std::vector<Check<Answer>> checks() {
   };
 }
 
-/// As DirectJoints has it: any matrix, in an order that is found.
-Threes right(Blocks own, const Blocks& next, Threes wanted) {
-  const Index rows = 3 * std::ssize(own);
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(rows, rows);
-  Vector b(rows);
-  for (Index i = 0; i < std::ssize(own); ++i) {
-    const auto block = static_cast<std::size_t>(i);
-    a.block<3, 3>(3 * i, 3 * i) = own[block];
-    b.segment<3>(3 * i) = wanted[block];
-    if (block == next.size()) break;
-    a.block<3, 3>(3 * i, 3 * i + 3) = next[block];
-    a.block<3, 3>(3 * i + 3, 3 * i) = next[block].transpose();
-  }
-  const Eigen::SparseMatrix<double> sparse = a.sparseView();
-  const Vector impulses = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(sparse).solve(b);
-  for (Index i = 0; i < std::ssize(own); ++i) wanted[static_cast<std::size_t>(i)] = impulses.segment<3>(3 * i);
-  return wanted;
-}
-
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return rebuild_of<Answer>(
+  return rebuild_of(
       "the elimination of a chain",
       {"Row i of A λ = wanted: next[i-1]ᵀ λ_i-1 + own[i] λ_i + next[i] λ_i+1 = wanted[i]. At the free end there is no "
        "λ_i+1: solve for λ_i, and put that into row i - 1.",
        "That changes only row i - 1: own[i-1] loses next[i-1] own[i]⁻¹ next[i-1]ᵀ, and wanted[i-1] loses next[i-1] "
        "own[i]⁻¹ wanted[i]. Go on with i - 1, down to 1.",
        "Now the hook's row has only λ_0. Solve it; then each next joint: own[i] λ_i = wanted[i] - next[i-1]ᵀ λ_i-1."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_18

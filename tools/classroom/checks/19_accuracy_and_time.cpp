@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "pushback/chapters/19_accuracy_and_time/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_19 {
 
@@ -41,29 +42,24 @@ Measured beaten(Random& random, const Measured& by) {
   return measured(times * by.median(), by.error * random.between(Real(1.1), Real(1.5)));
 }
 
-const std::vector<Quantity>& of_a_front() {
-  static const std::vector<Quantity> quantities{{"the number of settings on your front is", "", 1e-9},
-                                                {"the settings on your front take together", "ms", 1e-4},
-                                                {"the errors on your front add up to", "mm", 1e-4}};
-  return quantities;
-}
-
 /// Errors that are infinite are not added.
-Numbers numbers_of(const Measurements& front) {
+std::vector<Reading> readings_of(const Measurements& front) {
   double seconds = 0, error = 0;
   for (const Measured& one : front) {
     seconds += one.median();
     if (std::isfinite(one.error)) error += one.error;
   }
-  return {static_cast<Real>(front.size()), static_cast<Real>(1000 * seconds), static_cast<Real>(1000 * error)};
+  return {{"the number of settings on your front is", front.size()},
+          {"the settings on your front take together", 1000 * seconds, "ms", 1e-4},
+          {"the errors on your front add up to", 1000 * error, "mm", 1e-4}};
 }
 
-std::vector<Check<Answer>> checks() {
-  std::vector<Quantity> of_lost = of_a_front();
-  of_lost.push_back({"where all motions were lost, the number of settings on your front is", "", 1e-9});
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a setting that another beats in both is not on the front", 1, of_a_front(),
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a setting that another beats in both is not on the front", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Measurements best = unbeaten(random);
          best[1].seconds.back() *= 10;  // unlucky, once
          Measurements all{best.back()};
@@ -72,12 +68,12 @@ std::vector<Check<Answer>> checks() {
          Measured lucky = beaten(random, best.front());  // once
          lucky.seconds.front() *= 0.3;
          all.push_back(lucky);
-         return numbers_of(answer.front(all));
+         return readings_of(answer.front(all));
        },
        "on the front are exactly those settings that no other beats. The time that counts is the median of all rounds, "
        "which does not mind one of them."},
-      {"of settings that are equal in one, only the best in the other is on the front", 2, of_a_front(),
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"of settings that are equal in one, only the best in the other is on the front", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Measurements best = unbeaten(random);
          Measured as_fast = best[1], as_good = best[2];
          as_fast.error *= random.between(Real(1.2), Real(1.8));
@@ -85,52 +81,40 @@ std::vector<Check<Answer>> checks() {
          for (double& seconds : as_good.seconds) seconds *= times;
          Measurements all{as_fast, as_good, best.back()};
          all.insert(all.end(), best.begin(), best.end() - 1);
-         return numbers_of(answer.front(all));
+         return readings_of(answer.front(all));
        },
        "a setting that is as fast as another and more accurate beats it, and so does one that is as accurate and "
        "faster."},
-      {"a motion that was lost is not on the front, however fast", 1, of_lost,
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a motion that was lost is not on the front, however fast", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Measurements best = unbeaten(random);
          const double fastest = best.front().median() * random.between(Real(0.3), Real(0.6));
-         Measured given_up = lost(10 * best.back().median());
-         given_up.late = true;
-         Measurements all{best.back(), given_up, lost(fastest)};
+         Measurements all{best.back(), lost(10 * best.back().median()), lost(fastest)};
          all.insert(all.end(), best.begin(), best.end() - 1);
-         Numbers numbers = numbers_of(answer.front(all));
-         numbers.push_back(static_cast<Real>(answer.front({given_up, lost(fastest)}).size()));
-         return numbers;
+         return readings_of(answer.front(all));
        },
        "a motion that was lost has an infinite error. However fast it is, nothing that it says is true."},
-      {"the front goes from the fastest to the most accurate",
-       1,
-       {{"your front begins with a setting that takes", "ms", 1e-4},
-        {"your front ends with a setting that takes", "ms", 1e-4}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"the front goes from the fastest to the most accurate", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Measurements all = unbeaten(random);
          std::rotate(all.begin(), all.begin() + 1, all.end());
-         const Measurements front = answer.front(all);
-         if (front.empty()) return {0, 0};
-         return {static_cast<Real>(1000 * front.front().median()), static_cast<Real>(1000 * front.back().median())};
+         Measurements front = answer.front(all);
+         if (front.empty()) front.push_back(measured(0, 0));
+         return {{"your front begins with a setting that takes", 1000 * front.front().median(), "ms", 1e-4},
+                 {"your front ends with a setting that takes", 1000 * front.back().median(), "ms", 1e-4}};
        },
        "the front goes by time, from the fastest to the most accurate."},
   };
 }
 
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return rebuild_of<Answer>("the front of a diagram",
-                            {"Leave out first what has an infinite error: std::isfinite.",
-                             "Put the others in the order of their times; of equal times, the smaller error first. A "
-                             "std::pair of both compares so.",
-                             "Go through them in that order. Nobody who comes later is faster, so a setting belongs "
-                             "to the front exactly if its error is smaller than that of the last one that you took."},
-                            checks(), {study::front});
+  return rebuild_of("the front of a diagram",
+                    {"Leave out first what has an infinite error: std::isfinite.",
+                     "Put the others in the order of their times; of equal times, the smaller error first. A "
+                     "std::pair of both compares so.",
+                     "Go through them in that order. Nobody who comes later is faster, so a setting belongs "
+                     "to the front exactly if its error is smaller than that of the last one that you took."},
+                    Answer{study::front});
 }
 
 }  // namespace pushback::exercise_19

@@ -2,14 +2,11 @@
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/19_accuracy_and_time/exercise/transfer/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_19_transfer {
 
 namespace {
-
-double between(Random& random, double low, double high) {
-  return static_cast<double>(random.between(static_cast<Real>(low), static_cast<Real>(high)));
-}
 
 /// A box, and a moment at which one asks where it is.
 struct Push {
@@ -32,17 +29,12 @@ Push push_of(Random& random, double held, double turns) {
 Real off(const Push& push, int substeps, const Answer& answer) {
   constexpr int frames = 30;
   const Real h = Real(1) / static_cast<Real>(60 * substeps), slope = static_cast<Real>(push.slope);
-  World world;
+  World world = on_the_ground(sphere(Real(0.5), 2).at({0, Real(0.5), 0}));
   world.gravity = -static_cast<Real>(g) * Vec3(std::sin(slope), std::cos(slope), 0);
-  world.add(ground());
-  world.add(sphere(Real(0.5), 2).at({0, Real(0.5), 0}).moving({static_cast<Real>(push.speed), 0, 0}));
+  world.contacts[0].friction = static_cast<Real>(push.mu);
   Body& ball = world.bodies[1];
+  ball.velocity.x() = static_cast<Real>(push.speed);
   ball.inverse_inertia.setZero();
-  Contact contact;
-  contact.normal = {0, 1, 0};
-  contact.friction = static_cast<Real>(push.mu);
-  contact.id = {0, 1, 0};
-  world.contacts = {contact};
   Solver<Clamping, FrictionCone> solver;
   for (int step = 0; step < frames * substeps; ++step) {
     integrate_velocity(ball, world.gravity, h);
@@ -51,74 +43,6 @@ Real off(const Push& push, int substeps, const Answer& answer) {
   }
   const double true_way = answer.way(push.speed, push.slope, push.mu, frames / 60.0);
   return 1000 * std::abs(ball.position.x() - static_cast<Real>(true_way));
-}
-
-std::vector<Check<Answer>> checks() {
-  return {
-      {"on the way up, its weight and friction brake it",
-       1,
-       {{"on its way up your box is at", "m", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         return {push_of(random, between(random, 0.3, 0.7), between(random, 0.4, 0.9)).asked(answer)};
-       },
-       "on the way up weight and friction both brake the box, with g sin and μ g cos of the slope. It is at v t - a "
-       "t²/2."},
-      {"where friction holds it, it stays",
-       1,
-       {{"long after it has stopped, your box, which friction holds, is at", "m", 1e-6},
-        {"your box that starts at rest, and that friction holds, is at", "m", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Push stays = push_of(random, between(random, 1.2, 1.6), between(random, 2, 3));
-         Push rests = stays;
-         rests.speed = 0;
-         return {stays.asked(answer), rests.asked(answer)};
-       },
-       "where μ is more than the tangent of the slope, friction bears all that pulls the box down, and just that. The "
-       "box stays where it stopped."},
-      {"where friction does not hold it, it slides back",
-       2,
-       {{"after it has stopped your box, which slides back, is at", "m", 1e-6},
-        {"your box, which slides back and which friction nearly holds, is at", "m", 1e-6},
-        {"your box that starts at rest, and that friction does not hold, is at", "m", 1e-6},
-        {"your box on a steep slope, which slides back, is at", "m", 1e-6},
-        {"your box on a gentle slope, which slides back, is at", "m", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Push back = push_of(random, between(random, 0.3, 0.6), between(random, 3, 4));
-         Push nearly = push_of(random, 1, 0), starts = push_of(random, between(random, 0.3, 0.6), 0);
-         const double part = between(random, 0.3, 0.7);
-         nearly.mu = part * std::sin(nearly.slope) + (1 - part) * std::tan(nearly.slope);
-         nearly.t = between(random, 3, 4) * nearly.turn();
-         starts.speed = 0;
-         starts.t = between(random, 0.5, 1);
-         Numbers numbers{back.asked(answer), nearly.asked(answer), starts.asked(answer)};
-         for (const double slope : {between(random, 0.95, 1.1), between(random, 0.2, 0.4)}) {
-           Push push{between(random, 2, 4), slope, 0.92 * std::tan(slope), 0};
-           push.t = between(random, 3, 4) * push.turn();
-           numbers.push_back(push.asked(answer));
-         }
-         return numbers;
-       },
-       "where μ is less than the tangent of the slope, the box slides back from rest, from where it stopped and from "
-       "that moment on. Friction opposes the motion, so it pulls up then."},
-      {"without friction it comes back as it went",
-       1,
-       {{"without friction your box is on its way back at", "m", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         return {push_of(random, 0, between(random, 1.2, 1.8)).asked(answer)};
-       },
-       "without friction the acceleration is g sin of the slope, up and down, all the time."},
-      {"a solver comes nearer to it with shorter steps",
-       1,
-       {{"a simulation with 2 substeps is away from your truth by", "mm", 1e-2},
-        {"a simulation with 8 substeps is away from your truth by", "mm", 1e-2}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Push push = push_of(random, between(random, 0.1, 0.3), 0);
-         push.speed = between(random, 1, 2);  // it has stopped after 0.3 s at most
-         return {off(push, 2, answer), off(push, 8, answer)};
-       },
-       "a simulation comes nearer to the truth with shorter steps. This box goes up, stops and slides back, and where "
-       "your truth is wrong, the simulation stays away from it."},
-  };
 }
 
 double right(double speed, double slope, double mu, double t) {
@@ -130,19 +54,67 @@ double right(double speed, double slope, double mu, double t) {
 
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"on the way up, its weight and friction brake it", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         return {{"on its way up your box is at",
+                  push_of(random, between(random, 0.3, 0.7), between(random, 0.4, 0.9)).asked(answer), "m"}};
+       },
+       "on the way up weight and friction both brake the box, with g sin and μ g cos of the slope. It is at v t - a "
+       "t²/2."},
+      {"where friction holds it, it stays", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Push stays = push_of(random, between(random, 1.2, 1.6), between(random, 2, 3));
+         Push rests = stays;
+         rests.speed = 0;
+         return {{"long after it has stopped, your box, which friction holds, is at", stays.asked(answer), "m"},
+                 {"your box that starts at rest, and that friction holds, is at", rests.asked(answer), "m"}};
+       },
+       "where μ is more than the tangent of the slope, friction bears all that pulls the box down, and just that. The "
+       "box stays where it stopped."},
+      {"where friction does not hold it, it slides back", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Push back = push_of(random, between(random, 0.3, 0.6), between(random, 3, 4));
+         Push nearly = push_of(random, 1, 0), starts = push_of(random, between(random, 0.3, 0.6), 0);
+         const double part = between(random, 0.3, 0.7);
+         nearly.mu = part * std::sin(nearly.slope) + (1 - part) * std::tan(nearly.slope);
+         nearly.t = between(random, 3, 4) * nearly.turn();
+         starts.speed = 0;
+         starts.t = between(random, 0.5, 1);
+         return {{"after it has stopped your box, which slides back, is at", back.asked(answer), "m"},
+                 {"your box, which slides back and which friction nearly holds, is at", nearly.asked(answer), "m"},
+                 {"your box that starts at rest, and that friction does not hold, is at", starts.asked(answer), "m"}};
+       },
+       "where μ is less than the tangent of the slope, the box slides back from rest, from where it stopped and from "
+       "that moment on. Friction opposes the motion, so it pulls up then."},
+      {"without friction it comes back as it went", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         return {{"without friction your box is on its way back at",
+                  push_of(random, 0, between(random, 1.2, 1.8)).asked(answer), "m"}};
+       },
+       "without friction the acceleration is g sin of the slope, up and down, all the time."},
+      {"a solver comes nearer to it with shorter steps", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Push push = push_of(random, between(random, 0.1, 0.3), 0);
+         push.speed = between(random, 1, 2);  // it has stopped after 0.3 s at most
+         return {{"a simulation with 2 substeps is away from your truth by", off(push, 2, answer), "mm", 1e-2},
+                 {"a simulation with 8 substeps is away from your truth by", off(push, 8, answer), "mm", 1e-2}};
+       },
+       "a simulation comes nearer to the truth with shorter steps. This box goes up, stops and slides back, and where "
+       "your truth is wrong, the simulation stays away from it."},
+  };
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return exercise_of(
       "a truth of one's own",
       {"Three motions: up, held, back. Which force acts along the slope in each, and when does one end?",
        "A truth knows no steps. Work out when the box stops and how far up it is then; the way back begins there, at "
        "that moment.",
        "Whether it is held is a question of two forces: what pulls it down the slope, and the most that friction can "
        "bear."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_19_transfer

@@ -18,9 +18,8 @@ struct Piles {
     return world.add(box(Vec3::Constant(Real(0.5)), random.between(10, 100)));
   }
   void touch(int a, int b) {
-    Contact contact;
-    contact.id = {static_cast<std::uint32_t>(std::min(a, b)), static_cast<std::uint32_t>(std::max(a, b)), 0};
-    world.contacts.push_back(contact);
+    const auto first = static_cast<std::uint32_t>(std::min(a, b)), second = static_cast<std::uint32_t>(std::max(a, b));
+    world.contacts.push_back({.id = {first, second, 0}});
   }
   void join(int a, int b) { world.joints.push_back({.name = "a rope", .a = a, .b = b, .ask = {}}); }
   /// From the ground up; the last is the top.
@@ -33,8 +32,8 @@ struct Piles {
     }
     return below;
   }
-  /// How many bodies sleep, and how heavy they are together, kg. What nothing moves has no weight here.
-  Numbers asleep(const Answer& answer) const {
+  /// What nothing moves has no weight here.
+  std::vector<Reading> asleep(const Answer& answer) const {
     const std::vector<bool> sleeps = answer.asleep(world, rests);
     Real count = 0, mass = 0;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
@@ -42,16 +41,33 @@ struct Piles {
       ++count;
       if (world.bodies[i].movable()) mass += 1 / world.bodies[i].inverse_mass;
     }
-    return {count, mass};
+    return {{"the number of bodies asleep is", count}, {"those asleep in your world weigh together", mass, "kg", 1e-3}};
   }
 };
 
-std::vector<Check<Answer>> checks() {
-  const std::vector<Quantity> quantities{{"the number of bodies asleep is", "", 1e-9},
-                                         {"those asleep in your world weigh together", "kg", 1e-3}};
+std::vector<bool> right(const World& world, const std::vector<bool>& rests) {
+  std::vector<int> island(world.bodies.size());
+  std::iota(island.begin(), island.end(), 0);
+  Islands islands;
+  islands.separate(island, island.size());
+  islands.join(world.contacts, world);
+  islands.join(world.joints, world);
+  for (int& one : island) one = islands.island_of(one);
+  std::vector<bool> sleeps(rests.size());
+  for (std::size_t i = 0; i < rests.size(); ++i) {
+    sleeps[i] = world.bodies[i].movable();
+    for (std::size_t j = 0; j < rests.size(); ++j)
+      if (island[j] == island[i] && !rests[j]) sleeps[i] = false;
+  }
+  return sleeps;
+}
+
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a pile that rests sleeps, though another on the same ground moves", 1, quantities,
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a pile that rests sleeps, though another on the same ground moves", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Piles piles(random);
          piles.pile(2 + random.below(3), true);
          piles.pile(2 + random.below(3), false);
@@ -60,8 +76,8 @@ std::vector<Check<Answer>> checks() {
        },
        "the ground passes nothing on, since nothing moves it. Each pile on it is an island of its own, and so is a "
        "single box."},
-      {"nobody in a pile sleeps while its top moves", 1, quantities,
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"nobody in a pile sleeps while its top moves", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Piles piles(random);
          for (const std::size_t boxes : {4 + random.below(3), std::size_t(2)})
            piles.rests[static_cast<std::size_t>(piles.pile(boxes, true))] = false;
@@ -70,8 +86,8 @@ std::vector<Check<Answer>> checks() {
        },
        "an island sleeps and wakes as a whole. If one of its bodies moves, none of them sleeps, or what lies on others "
        "would hang in mid-air."},
-      {"it does not matter in which order contacts come", 1, quantities,
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"it does not matter in which order contacts come", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Piles piles(random);
          const int first = piles.add(false);
          for (int i = 1; i < 6; ++i) piles.add(true);  // a row on the ground
@@ -85,8 +101,8 @@ std::vector<Check<Answer>> checks() {
        },
        "an island is all that can be reached from body to body, however many contacts away and in whichever order they "
        "come."},
-      {"bodies that are joined sleep and wake together; those that hang on the same fixed beam need not", 1, quantities,
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"bodies that are joined sleep and wake together; those that hang on the same fixed beam need not", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Piles piles(random);
          const int beside = piles.pile(1, true), moves = piles.pile(1, false), towed = piles.pile(1, true),
                    beam = piles.add(true);
@@ -109,37 +125,14 @@ std::vector<Check<Answer>> checks() {
   };
 }
 
-std::vector<bool> right(const World& world, const std::vector<bool>& rests) {
-  std::vector<int> island(world.bodies.size());
-  std::iota(island.begin(), island.end(), 0);
-  Islands islands;
-  islands.separate(island, island.size());
-  islands.join(world.contacts, world);
-  islands.join(world.joints, world);
-  for (int& one : island) one = islands.island_of(one);
-  std::vector<bool> sleeps(rests.size());
-  for (std::size_t i = 0; i < rests.size(); ++i) {
-    sleeps[i] = world.bodies[i].movable();
-    for (std::size_t j = 0; j < rests.size(); ++j)
-      if (island[j] == island[i] && !rests[j]) sleeps[i] = false;
-  }
-  return sleeps;
-}
-
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return rebuild_of<Answer>(
+  return rebuild_of(
       "islands",
       {"Give each body a number, at first its own index. Bodies of one island are to end with the same number.",
        "For each contact and each joint of two movable bodies with different numbers: everybody who has the one number "
        "gets the other, not only the two that touch.",
        "An island is awake if one of its movable bodies does not rest. All other movable bodies sleep."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_20

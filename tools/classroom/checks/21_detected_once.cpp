@@ -1,5 +1,6 @@
 #include "pushback/chapters/01_velocity_constraint/row.h"
 #include "pushback/chapters/21_detected_once/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_21 {
 
@@ -57,66 +58,6 @@ struct Ball {
   }
 };
 
-std::vector<Check<Answer>> checks() {
-  return {
-      {"where bodies only shift, the separation is exact",
-       1,
-       {{"your separation, of two bodies that have shifted, is", "mm", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Found found = some_contact(random);
-         const Moved a{some_way(random), Vec3::Zero()}, b{some_way(random), Vec3::Zero()};
-         return {1000 * answer.separation(found, a, b)};
-       },
-       "C began at found.C and grows by what B has moved along n more than A."},
-      {"turns count along the normal with their arms",
-       1,
-       {{"your separation, of two bodies that have shifted and turned, is", "mm", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Found found = some_contact(random);
-         const Moved a{some_way(random), some_way(random)}, b{some_way(random), some_way(random)};
-         return {1000 * answer.separation(found, a, b)};
-       },
-       "a body that has turned by Δθ has moved its point at arm r by Δθ × r, too. Each of the two bodies has its own "
-       "turn and its own arm, and only what lies along n counts."},
-      {"a ball that arrives within the step falls freely until then, and is met at the surface",
-       2,
-       {{"your ball, a substep before it arrives, falls with", "m/s", 1e-6},
-        {"your ball, which has arrived, ends the step at a height of", "mm", 1e-6},
-        {"where a gap is less than a millimetre and h half a second or more, your b is", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Real to_go = random.between(Real(3.3), Real(3.7)), fall = random.between(8, 10);
-         Ball ball(random, to_go, fall);
-         ball.substeps(3, answer);
-         const Real before = -ball.speed();
-         ball.substeps(5, answer);
-         constexpr Real most = 1e6;                            // no row at all asks for infinity
-         const Real h = random.between(Real(0.5), Real(0.7));  // in a short one C h is as good as 0
-         const Real small = std::min(most, answer.bias(random.between(Real(0.0003), Real(0.0009)), ball.rate, h));
-         return {before, ball.height(), small};
-       },
-       "what is apart may come nearer by all of C in this substep, at C/h. With less it is braked in the air, with "
-       "more it falls through the surface."},
-      {"a ball that is too deep comes out by a part in each substep, and keeps no speed of it",
-       1,
-       {{"your ball, which was too deep, has after four substeps a height of", "mm", 1e-6},
-        {"your ball, which was too deep, moves on with", "m/s", 1e-6},
-        {"where a substep began with a gap and ends with an overlap, your b of the relaxing pass is", "m/s", 1e-6},
-        {"where a substep began with an overlap and ends with a gap, your b of the relaxing pass is", "m/s", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         Ball ball(random, 0, 0);
-         ball.gap = -random.between(Real(0.01), Real(0.02));
-         ball.world.bodies[1].position.y() = ball.radius + ball.gap;
-         ball.world.gravity.setZero();
-         ball.substeps(4, answer);
-         const Real gap = random.between(1, 2), overlap = random.between(1, 2);
-         return {ball.height(), ball.speed(), answer.relaxed_bias(gap, Real(-0.001), ball.h),
-                 answer.relaxed_bias(-overlap, Real(0.001), ball.h)};
-       },
-       "an overlap is pushed out at rate · C, and the relaxing pass takes that speed away again. It goes by how the "
-       "substep began: a b < 0 becomes 0, and a b > 0 stays."},
-  };
-}
-
 constexpr Answer right{[](const Found& found, const Moved& a, const Moved& b) -> Real {
                          const Vec3 of_a = a.way + a.turn.cross(found.arm_a), of_b = b.way + b.turn.cross(found.arm_b);
                          return found.C + found.n.dot(of_b - of_a);
@@ -125,18 +66,65 @@ constexpr Answer right{[](const Found& found, const Moved& a, const Moved& b) ->
                        [](Real bias, Real /*C*/, Real /*h*/) -> Real { return std::max(bias, Real(0)); }};
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"where bodies only shift, the separation is exact", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Found found = some_contact(random);
+         const Moved a{some_way(random), Vec3::Zero()}, b{some_way(random), Vec3::Zero()};
+         return {{"your separation, of two bodies that have shifted, is", 1000 * answer.separation(found, a, b), "mm"}};
+       },
+       "C began at found.C and grows by what B has moved along n more than A."},
+      {"turns count along the normal with their arms", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Found found = some_contact(random);
+         const Moved a{some_way(random), some_way(random)}, b{some_way(random), some_way(random)};
+         return {{"your separation, of two bodies that have shifted and turned, is",
+                  1000 * answer.separation(found, a, b), "mm"}};
+       },
+       "a body that has turned by Δθ has moved its point at arm r by Δθ × r, too. Each of the two bodies has its own "
+       "turn and its own arm, and only what lies along n counts."},
+      {"a ball that arrives within the step falls freely until then, and is met at the surface", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Real to_go = random.between(Real(3.3), Real(3.7)), fall = random.between(8, 10);
+         Ball ball(random, to_go, fall);
+         ball.substeps(3, answer);
+         const Real before = -ball.speed();
+         ball.substeps(5, answer);
+         constexpr Real most = 1e6;                            // no row at all asks for infinity
+         const Real h = random.between(Real(0.5), Real(0.7));  // in a short one C h is as good as 0
+         const Real small = std::min(most, answer.bias(random.between(Real(0.0003), Real(0.0009)), ball.rate, h));
+         return {{"your ball, a substep before it arrives, falls with", before, "m/s"},
+                 {"your ball, which has arrived, ends the step at a height of", ball.height(), "mm"},
+                 {"where a gap is less than a millimetre and h half a second or more, your b is", small, "m/s"}};
+       },
+       "what is apart may come nearer by all of C in this substep, at C/h. With less it is braked in the air, with "
+       "more it falls through the surface."},
+      {"a ball that is too deep comes out by a part in each substep, and keeps no speed of it", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         Ball ball(random, 0, 0);
+         ball.gap = -random.between(Real(0.01), Real(0.02));
+         ball.world.bodies[1].position.y() = ball.radius + ball.gap;
+         ball.world.gravity.setZero();
+         ball.substeps(4, answer);
+         return {{"your ball, which was too deep, has after four substeps a height of", ball.height(), "mm"},
+                 {"your ball, which was too deep, moves on with", ball.speed(), "m/s"},
+                 {"where a substep began with a gap and ends with an overlap, your b of the relaxing pass is",
+                  answer.relaxed_bias(random.between(1, 2), Real(-0.001), ball.h), "m/s"}};
+       },
+       "an overlap is pushed out at rate · C, and the relaxing pass takes that speed away again. It goes by how the "
+       "substep began: a b < 0 becomes 0, and a b > 0 stays."},
+  };
 }
 
 Exercise exercise() {
-  return rebuild_of<Answer>("the separation of contacts that stay, and what their rows ask for",
-                            {"The point of B has moved by b.way + b.turn × found.arm_b, the point of A likewise. C "
-                             "grows by what B's moved more than A's, along found.n.",
-                             "What is apart, C > 0, may come nearer by all of C in this substep: b = C/h. What "
-                             "overlaps is pushed out: b = rate · C.",
-                             "In the relaxing pass a push-out, b < 0, becomes 0. A b > 0 stays as it was."},
-                            checks(), right);
+  return rebuild_of("the separation of contacts that stay, and what their rows ask for",
+                    {"The point of B has moved by b.way + b.turn × found.arm_b, the point of A likewise. C "
+                     "grows by what B's moved more than A's, along found.n.",
+                     "What is apart, C > 0, may come nearer by all of C in this substep: b = C/h. What "
+                     "overlaps is pushed out: b = rate · C.",
+                     "In the relaxing pass a push-out, b < 0, becomes 0. A b > 0 stays as it was."},
+                    right);
 }
 
 }  // namespace pushback::exercise_21

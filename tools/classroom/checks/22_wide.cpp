@@ -1,5 +1,8 @@
+#include <numeric>
+
 #include "pushback/chapters/22_wide/colours.h"
 #include "pushback/chapters/22_wide/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_22 {
 
@@ -53,80 +56,7 @@ Real clashes(const Graph& graph, const Colours& colours) {
   return count;
 }
 Real sum_of(const Colours& colours) {
-  Real sum = 0;
-  for (const int colour : colours) sum += static_cast<Real>(colour);
-  return sum;
-}
-Real count_of(Colours colours) {
-  std::sort(colours.begin(), colours.end());
-  return static_cast<Real>(std::unique(colours.begin(), colours.end()) - colours.begin());
-}
-
-/// N s, by how much the momentum changes when balls of 1 kg that touch take on their common velocity, those of one colour side by
-/// side: each pair reads both velocities before any of them writes one.
-Real momentum_lost(const Graph& graph, const Colours& colours, Random& random) {
-  std::vector<Real> velocities;
-  for (std::size_t i = 0; i < graph.movable.size(); ++i) velocities.push_back(random.between(-1, 1));
-  const auto momentum = [&] {
-    Real sum = 0;
-    for (const Real velocity : velocities) sum += velocity;
-    return sum;
-  };
-  const Real before = momentum();
-  Colours order = colours;
-  std::sort(order.begin(), order.end());
-  order.erase(std::unique(order.begin(), order.end()), order.end());
-  for (const int colour : order) {
-    const std::vector<Real> read = velocities;
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-      const auto& [a, b] = graph.pairs[i];
-      if (colours[i] == colour) velocities[a] = velocities[b] = (read[a] + read[b]) / 2;
-    }
-  }
-  return std::abs(momentum() - before);
-}
-
-std::vector<Check<Answer>> checks() {
-  return {
-      {"pairs of one colour meet in no body, so no push is lost",
-       2,
-       {{"in your colouring two pairs of one colour meet in a body", "times", 0.5},
-        {"solved side by side, your balls change their momentum by", "N s", 1e-6},
-        {"the colours of your pairs, added up, are", "", 0.5}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Graph graph = some_graph(random, 0);
-         const Colours colours = colours_by(answer, graph);
-         return {clashes(graph, colours), momentum_lost(graph, colours, random), sum_of(colours)};
-       },
-       "two pairs of one colour that meet in a body both read its velocity and both write it, and one of the two "
-       "pushes is lost. A pair takes the first colour that neither body has."},
-      {"what cannot move may be in any number of pairs of one colour",
-       1,
-       {{"with three bodies that cannot move, two pairs of one colour meet in one that can", "times", 0.5},
-        {"with three bodies that cannot move, the colours of your pairs, added up, are", "", 0.5}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Graph graph = some_graph(random, 3);
-         const Colours colours = colours_by(answer, graph);
-         return {clashes(graph, colours), sum_of(colours)};
-       },
-       "nothing changes the velocity of a body that cannot move. Pairs of one colour may meet there, and nowhere "
-       "else."},
-      {"a column of boxes needs two colours",
-       1,
-       {{"in your column two pairs of one colour meet in a box", "times", 0.5},
-        {"your column has so many colours:", "", 0.5},
-        {"the colours of your column's pairs, added up, are", "", 0.5},
-        {"the colours of forty pairs that all meet in one body, added up, are", "", 0.5}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Graph graph = column(10 + random.below(10));
-         const Colours colours = colours_by(answer, graph);
-         Graph star{Movable(41, true), {}};
-         for (std::size_t i = 1; i <= 40; ++i) star.pairs.push_back({0, i});
-         return {clashes(graph, colours), count_of(colours), sum_of(colours), sum_of(colours_by(answer, star))};
-       },
-       "a pair takes the first colour that neither of its bodies has so far. A higher one is a set more, and sets are "
-       "solved one after the other."},
-  };
+  return static_cast<Real>(std::accumulate(colours.begin(), colours.end(), 0));
 }
 
 /// The chapter's own colours.
@@ -144,18 +74,50 @@ Colours right(const Pairs& pairs, const Movable& movable) {
 
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"pairs of one colour meet in no body, so no push is lost", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Graph graph = some_graph(random, 0);
+         const Colours colours = colours_by(answer, graph);
+         return {{"in your colouring two pairs of one colour meet in a body", clashes(graph, colours), "times", 0.5},
+                 {"the colours of your pairs, added up, are", sum_of(colours)}};
+       },
+       "two pairs of one colour that meet in a body both read its velocity and both write it, and one of the two "
+       "pushes is lost. A pair takes the first colour that neither body has."},
+      {"what cannot move may be in any number of pairs of one colour", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Graph graph = some_graph(random, 3);
+         const Colours colours = colours_by(answer, graph);
+         return {{"with three bodies that cannot move, two pairs of one colour meet in one that can",
+                  clashes(graph, colours), "times", 0.5},
+                 {"with three bodies that cannot move, the colours of your pairs, added up, are", sum_of(colours), "",
+                  0.5}};
+       },
+       "nothing changes the velocity of a body that cannot move. Pairs of one colour may meet there, and nowhere "
+       "else."},
+      {"a column of boxes needs two colours", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Graph graph = column(10 + random.below(10));
+         Graph star{Movable(41, true), {}};
+         for (std::size_t i = 1; i <= 40; ++i) star.pairs.push_back({0, i});
+         return {
+             {"the colours of your column's pairs, added up, are", sum_of(colours_by(answer, graph))},
+             {"the colours of forty pairs that all meet in one body, added up, are", sum_of(colours_by(answer, star))}};
+       },
+       "a pair takes the first colour that neither of its bodies has so far. A higher one is a set more, and sets are "
+       "solved one after the other."},
+  };
 }
 
 Exercise exercise() {
-  return rebuild_of<Answer>(
+  return rebuild_of(
       "pairs that may be solved side by side",
       {"Keep for each body which colours its pairs have so far: 64 bits are enough here.",
        "The colour of a pair is the first that neither of its bodies has; a body that cannot move never stands in the "
        "way.",
        "std::countr_one(taken[a] | taken[b]) is the number of the first free bit. Then set that bit in both."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_22

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "pushback/chapters/23_threads/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_23 {
 
@@ -15,7 +17,7 @@ struct Work {
 };
 Work some_work(Random& random) {
   Work work{.threads = 4, .sizes = {}};
-  for (int set = 0; set < 5; ++set) work.sizes.push_back(set == 2 ? 2 : 4 * (2 + int(random.below(4))) + 3);
+  for (int set = 0; set < 5; ++set) work.sizes.push_back(set == 2 ? 2 : 4 * whole(random, 2, 5) + 3);
   return work;
 }
 
@@ -40,23 +42,10 @@ void each_solved(const std::vector<Thread>& threads, const Act& act) {
   }
 }
 
-/// How often each bundle is solved; what is no bundle counts as one more at the end.
-std::vector<int> times_solved(const std::vector<Thread>& threads, const Work& work) {
-  std::vector<int> times(static_cast<std::size_t>(work.bundles()) + 1, 0);
-  each_solved(threads, [&](int bundle, std::size_t) {
-    ++times[static_cast<std::size_t>(bundle < 0 || bundle > work.bundles() ? work.bundles() : bundle)];
-  });
-  return times;
-}
 std::size_t set_of(int bundle, const Sizes& sizes) {
   std::size_t set = 0;
   for (; set < sizes.size() && bundle >= sizes[set]; ++set) bundle -= sizes[set];
   return set;
-}
-std::vector<Real> waits_of(const std::vector<Thread>& threads) {
-  std::vector<Real> waits;
-  for (const Thread& thread : threads) waits.push_back(static_cast<Real>(thread.done().size() - 1));
-  return waits;
 }
 /// The bundles of the busiest thread, from wait to wait, added up.
 Real busiest(const std::vector<Thread>& threads) {
@@ -69,16 +58,15 @@ Real busiest(const std::vector<Thread>& threads) {
   return static_cast<Real>(std::accumulate(most.begin(), most.end(), std::size_t(0)));
 }
 
-/// m/s, balls of 1 kg in a row. A bundle is a pair of neighbours that take on their common velocity: in sets of even number the
+/// Balls of 1 kg in a row, m/s. A bundle is a pair of neighbours that take on their common velocity: in sets of even number the
 /// pairs (0, 1), (2, 3) and on, in the others (1, 2), (3, 4) and on. All sets are alike in size.
-std::vector<Real> velocities_after(const std::vector<Thread>& threads, const Work& work, std::vector<Real> velocities) {
+void collide(std::vector<Real>& velocities, const std::vector<Thread>& threads, const Work& work) {
   each_solved(threads, [&](int bundle, std::size_t) {
     if (bundle < 0 || bundle >= work.bundles()) return;
     const int set = bundle / work.sizes[0], pair = bundle % work.sizes[0];
     const auto a = 2 * static_cast<std::size_t>(pair) + static_cast<std::size_t>(set % 2);
     velocities[a] = velocities[a + 1] = (velocities[a] + velocities[a + 1]) / 2;
   });
-  return velocities;
 }
 
 /// The page's division.
@@ -92,81 +80,63 @@ void right(Thread& thread, const Sizes& sizes) {
   }
 }
 
-std::vector<Check<Answer>> checks() {
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"each bundle is solved once",
-       1,
-       {{"so many bundles are solved by somebody:", "", 0.5},
-        {"so often a bundle is solved that was solved before:", "", 0.5}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"each bundle is solved once", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Work work = some_work(random);
-         Real solved = 0, again = 0;
-         for (const int count : times_solved(threads_of(answer, work), work)) {
-           solved += count > 0 ? 1 : 0;
-           again += static_cast<Real>(std::max(0, count - 1));
-         }
-         return {solved, again};
+         std::map<int, int> times;
+         int all = 0;
+         each_solved(threads_of(answer, work), [&](int bundle, std::size_t) { ++times[bundle], ++all; });
+         return {{"so many bundles are solved by somebody:", times.size()},
+                 {"so often one is solved by somebody:", all}};
        },
        "each bundle is solved by one thread, once. Of each set it has a share of its own, and numbers go on from set "
        "to set."},
-      {"nobody begins a set before all are done with the one before",
-       2,
-       {{"so many bundles are solved in the phase of their set:", "", 0.5},
-        {"the thread that waits least waits so often:", "", 0.5},
-        {"the thread that waits most waits so often:", "", 0.5}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"nobody begins a set before all are done with the one before", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Work work = some_work(random);
          const std::vector<Thread> threads = threads_of(answer, work);
-         Real in_time = 0;
-         each_solved(threads,
-                     [&](int bundle, std::size_t phase) { in_time += set_of(bundle, work.sizes) == phase ? 1 : 0; });
-         const std::vector<Real> waits = waits_of(threads);
-         return {in_time, *std::min_element(waits.begin(), waits.end()), *std::max_element(waits.begin(), waits.end())};
+         int in_time = 0;
+         std::size_t waits = 0;
+         each_solved(threads, [&](int bundle, std::size_t phase) { in_time += set_of(bundle, work.sizes) == phase; });
+         for (const Thread& thread : threads) waits += thread.done().size() - 1;
+         return {{"so many bundles are solved in the phase of their set:", in_time},
+                 {"so often your threads wait, all of them together:", waits}};
        },
        "bundles of different sets share bodies. So all threads wait after each set, after the last one and without a "
        "share as well, and not within a set."},
-      {"no thread has more than its share",
-       1,
-       {{"the bundles of the busiest thread of each phase, added up, are", "", 0.5}},
-       [](Random& random, const Answer& answer) -> Numbers { return {busiest(threads_of(answer, some_work(random)))}; },
+      {"no thread has more than its share", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         return {{"the bundles of the busiest thread of each phase, added up, are",
+                  busiest(threads_of(answer, some_work(random)))}};
+       },
        "all wait for the busiest thread. The shares of a set differ by one bundle at most."},
-      {"balls in a row end as with one thread",
-       1,
-       {{"the velocities of your balls differ from those of one thread by", "m/s", 1e-9},
-        {"the kinetic energy of your balls is", "J", 1e-9}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Work work{.threads = 3, .sizes = Sizes(4, 7 + 3 * int(random.below(3)))};
+      {"balls in a row end as with one thread", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Work work{.threads = 3, .sizes = Sizes(4, 7 + 3 * whole(random, 0, 2))};
          std::vector<Real> velocities;
          for (int i = 0; i < 2 * work.sizes[0] + 1; ++i) velocities.push_back(random.between(-1, 1));
-         std::vector<Thread> one{Thread(0, 1)};
-         right(one.front(), work.sizes);
-         const std::vector<Real> expected = velocities_after(one, work, velocities),
-                                 found = velocities_after(threads_of(answer, work), work, velocities);
-         Real most = 0, energy = 0;
-         for (std::size_t i = 0; i < expected.size(); ++i) {
-           most = std::max(most, std::abs(found[i] - expected[i]));
-           energy += found[i] * found[i] / 2;
-         }
-         return {most, energy};
+         collide(velocities, threads_of(answer, work), work);
+         Real energy = 0;
+         for (const Real velocity : velocities) energy += velocity * velocity / 2;
+         return {{"the kinetic energy of your balls is", energy, "J", 1e-9},
+                 {"your ball in the middle ends with", velocities[velocities.size() / 2], "m/s", 1e-9}};
        },
        "a bundle that is left out, is solved twice, or comes before its turn leaves other velocities behind than one "
        "thread does."},
   };
 }
 
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return rebuild_of<Answer>("a sweep by several threads",
-                            {"Go through the sets in their order, and keep the number of the first bundle of each.",
-                             "Of a set with n bundles, this thread has those from n who / count to before n (who + 1) "
-                             "/ count, counted from the first of the set.",
-                             "Then thread.wait_for_all(), in every set, also where this thread had nothing to do."},
-                            checks(), {right});
+  return rebuild_of("a sweep by several threads",
+                    {"Go through the sets in their order, and keep the number of the first bundle of each.",
+                     "Of a set with n bundles, this thread has those from n who / count to before n (who + 1) "
+                     "/ count, counted from the first of the set.",
+                     "Then thread.wait_for_all(), in every set, also where this thread had nothing to do."},
+                    Answer{right});
 }
 
 }  // namespace pushback::exercise_23

@@ -3,16 +3,13 @@
 
 #include "pushback/chapters/24_half_step/exercise/transfer/asked.h"
 #include "pushback/chapters/24_half_step/study.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_24_transfer {
 
 namespace {
 
 using half_step_scenes::composed_step;
-
-double between(Random& random, double low, double high) {
-  return static_cast<double>(random.between(static_cast<Real>(low), static_cast<Real>(high)));
-}
 
 /// What is said of truth + c h^p, for h = 1.
 Judged said_of(const Answer& answer, double truth, double c, double p) {
@@ -27,59 +24,6 @@ double way(const Step& step, const plain_24::Bob& begin, int steps) {
   return static_cast<double>(bob.x.x());
 }
 
-std::vector<Check<Answer>> checks() {
-  return {
-      {"the order of a method that somebody made up",
-       1,
-       {{"the order of a method is, by you,", "", 1e-5}, {"the order of another is, by you,", "", 1e-5}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8);
-         const double one = between(random, 1, 2), other = between(random, 2.5, 4);
-         return {static_cast<Real>(said_of(answer, truth, c, one).order),
-                 static_cast<Real>(said_of(answer, truth, -c, other).order)};
-       },
-       "half of the step divides an error of order p by 2^p. The first difference is 2^p times the second, and p is "
-       "its logarithm to the base 2."},
-      {"how far the best of the three is off",
-       2,
-       {{"the best of the three is off, by you, by", "mm", 1e-4},
-        {"where they rise, it is off, by you, by", "mm", 1e-4}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8);
-         const double one = between(random, 1.2, 2), other = between(random, 1.2, 2);
-         return {static_cast<Real>(1000 * said_of(answer, truth, c, one).error),
-                 static_cast<Real>(1000 * said_of(answer, truth, -c, other).error)};
-       },
-       "half is off by 2^p times as much as quarter, so their difference is 2^p - 1 times the error of quarter. How "
-       "far it is off is 0 or more."},
-      {"what would be better",
-       2,
-       {{"better would be, by you,", "m", 1e-6}, {"where they rise, better would be, by you,", "m", 1e-6}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8), p = between(random, 1.2, 3);
-         return {static_cast<Real>(said_of(answer, truth, c, p).better),
-                 static_cast<Real>(said_of(answer, truth, -c, p).better)};
-       },
-       "from half to quarter it came nearer to the truth. What would be better lies beyond quarter, by as much as "
-       "quarter is off."},
-      {"three steps of this chapter",
-       1,
-       {{"the order of the whole step is, by you,", "", 1e-4},
-        {"the order of the half step is, by you,", "", 1e-4},
-        {"the order of the composed one is, by you,", "", 1e-3}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Real angle = random.between(Real(0.8), Real(1.2));
-         const plain_24::Bob begin{{std::sin(angle), -std::cos(angle), 0}, Vec3::Zero(), 1};
-         const auto order_of = [&](const auto& step) {
-           return static_cast<Real>(
-               answer.judge(way(step, begin, 16), way(step, begin, 32), way(step, begin, 64)).order);
-         };
-         return {order_of(plain_24::whole_step), order_of(plain_24::half_step), order_of(composed_step)};
-       },
-       "the three steps are of the orders 1, 2 and 4, which the differences of their own results tell."},
-  };
-}
-
 Judged right(double whole, double half, double quarter) {
   const double p = std::log2(std::abs((whole - half) / (half - quarter)));
   const double left = (quarter - half) / (std::exp2(p) - 1);
@@ -88,17 +32,57 @@ Judged right(double whole, double half, double quarter) {
 
 }  // namespace
 
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
+  return {
+      {"the order of a method that somebody made up", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8);
+         const double one = between(random, 1, 2), other = between(random, 2.5, 4);
+         return {{"the order of a method is, by you,", said_of(answer, truth, c, one).order, "", 1e-5},
+                 {"the order of another is, by you,", said_of(answer, truth, -c, other).order, "", 1e-5}};
+       },
+       "half of the step divides an error of order p by 2^p. The first difference is 2^p times the second, and p is "
+       "its logarithm to the base 2."},
+      {"how far the best of the three is off", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8);
+         const double p = between(random, 1.2, 2);
+         return {{"the best of the three is off, by you, by", 1000 * said_of(answer, truth, c, p).error, "mm", 1e-4},
+                 {"where they rise, it is off, by you, by", 1000 * said_of(answer, truth, -c, p).error, "mm", 1e-4}};
+       },
+       "half is off by 2^p times as much as quarter, so their difference is 2^p - 1 times the error of quarter. How "
+       "far it is off is 0 or more."},
+      {"what would be better", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8), p = between(random, 1.2, 3);
+         return {{"better would be, by you,", said_of(answer, truth, c, p).better, "m"},
+                 {"where they rise, better would be, by you,", said_of(answer, truth, -c, p).better, "m"}};
+       },
+       "from half to quarter it came nearer to the truth. What would be better lies beyond quarter, by as much as "
+       "quarter is off."},
+      {"three steps of this chapter", 1,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const Real angle = random.between(Real(0.8), Real(1.2));
+         const plain_24::Bob begin{{std::sin(angle), -std::cos(angle), 0}, Vec3::Zero(), 1};
+         const auto order_of = [&](const auto& step) {
+           return static_cast<Real>(
+               answer.judge(way(step, begin, 16), way(step, begin, 32), way(step, begin, 64)).order);
+         };
+         return {{"the order of the whole step is, by you,", order_of(plain_24::whole_step), "", 1e-4},
+                 {"the order of the half step is, by you,", order_of(plain_24::half_step), "", 1e-4},
+                 {"the order of the composed one is, by you,", order_of(composed_step), "", 1e-3}};
+       },
+       "the three steps are of the orders 1, 2 and 4, which the differences of their own results tell."},
+  };
 }
 
 Exercise exercise() {
-  return exercise_of<Answer>(
+  return exercise_of(
       "an order without a truth",
       {"The truth is in none of the differences: whole - half and half - quarter are what c and p alone make.",
        "With the step h/2 the error is c h^p / 2^p. So the first difference is 2^p times the second.",
        "half - quarter = (2^p - 1) times the error of quarter. Take that error away from quarter, with its sign."},
-      checks(), {right});
+      Answer{right});
 }
 
 }  // namespace pushback::exercise_24_transfer

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "pushback/chapters/27_which_error/exercise/asked.h"
+#include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_27 {
 
@@ -10,14 +11,10 @@ namespace {
 constexpr Bounds bounds_of_checks{};
 constexpr Real none = std::numeric_limits<Real>::infinity();
 
-int whole(Random& random, int least, int most) {
-  return least + static_cast<int>(random.below(std::size_t(most) - std::size_t(least) + 1));
-}
-
 /// A motion whose steps of this order are off by `size(step) / n^p`, and by `stuck(step)`, which no substeps lessen, in parts of what is
 /// allowed.
 struct Played {
-  int tries = 0, spent = 0, most = 0, not_kept = 0;
+  int tries = 0, spent = 0, not_kept = 0;
 };
 template <class Size, class Stuck>
 Played motion_of(const Answer& answer, int order, const Size& size, const Stuck& stuck, int steps) {
@@ -31,7 +28,6 @@ Played motion_of(const Answer& answer, int order, const Size& size, const Stuck&
       const Verdict verdict = answer.judge({next, off, before, order}, bounds_of_checks);
       before = off;
       played.spent += next;
-      played.most = std::max(played.most, next);
       next = std::clamp(verdict.substeps, 1, 1 << 20);
       if (!verdict.stands) continue;
       played.not_kept += !verdict.kept;
@@ -41,36 +37,24 @@ Played motion_of(const Answer& answer, int order, const Size& size, const Stuck&
   return played;
 }
 
-std::vector<Check<Answer>> checks() {
+}  // namespace
+
+std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"the error of the finer result is told from the difference of two, whatever the order",
-       2,
-       {{"steps of order 1 are off by", "m", 1e-3},
-        {"steps of order 2 are off by", "m", 1e-3},
-        {"steps of order 4 are off by", "m", 1e-3},
-        {"the same, on the other side of where it belongs, by", "m", 1e-3}},
-       [](Random& random, const Answer& answer) -> Numbers {
-         const Real place = random.between(1, 3);
-         Numbers off;
-         for (const int order : {1, 2, 4, 2}) {
-           const Real error = random.between(Real(0.5), 2) * (off.size() == 3 ? -1 : 1);
-           off.push_back(answer.off_by(place + error * std::exp2(static_cast<Real>(order)), place + error, order));
-         }
-         return off;
+      {"the error of the finer result is told from the difference of two, whatever the order", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
+         const auto off = [&](int order, Real side) {
+           const Real place = random.between(1, 3), error = side * random.between(Real(0.5), 2);
+           return answer.off_by(place + error * std::exp2(static_cast<Real>(order)), place + error, order);
+         };
+         return {{"steps of order 1 are off by", off(1, 1), "m", 1e-3},
+                 {"steps of order 4 are off by", off(4, 1), "m", 1e-3},
+                 {"steps of order 2, on the other side of where they belong, by", off(2, -1), "m", 1e-3}};
        },
        "the coarse result is off by 2^p times as much as the fine one, so their difference is 2^p - 1 times the error "
        "of the fine one. That is a length, and not below 0."},
-      {"a step that is off too far is taken again in twice as many, if that helps, and never in more than the most",
-       2,
-       {{"after a try that is too far off, stands (1) or not (0):", "", 0},
-        {"it is tried again in so many:", "", 0},
-        {"after one that is no better than the one before, stands (1) or not (0):", "", 0},
-        {"that one is kept (1) or not (0):", "", 0},
-        {"too far off in the most, stands (1) or not (0):", "", 0},
-        {"that one is kept (1) or not (0):", "", 0},
-        {"after one that is just good enough, stands (1) or not (0):", "", 0},
-        {"that one is kept (1) or not (0):", "", 0}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a step that is off too far is taken again in twice as many, if that helps, and never in more than the most", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const int now = 1 << whole(random, 1, 3);
          const Real far = random.between(2, 9);
          const auto judge = [&answer](int substeps, Real off, Real before) {
@@ -78,37 +62,34 @@ std::vector<Check<Answer>> checks() {
          };
          const Verdict badly = judge(now, far, 4 * far), stuck = judge(now, far, random.between(1, Real(1.9)) * far);
          const Verdict most = judge(16, far, 4 * far), just = judge(now, random.between(Real(0.6), Real(0.99)), none);
-         return {Real(badly.stands), Real(badly.substeps), Real(stuck.stands), Real(stuck.kept),
-                 Real(most.stands),  Real(most.kept),      Real(just.stands),  Real(just.kept)};
+         return {{"after a try that is too far off, stands (1) or not (0):", badly.stands},
+                 {"it is tried again in so many:", badly.substeps},
+                 {"after one that is no better than the one before, stands (1) or not (0):", stuck.stands},
+                 {"that one is kept (1) or not (0):", stuck.kept},
+                 {"too far off in the most, stands (1) or not (0):", most.stands},
+                 {"one that is just good enough is kept (1) or not (0):", just.kept}};
        },
        "what is off too far is taken again in twice as many, as long as the last doubling halved the error and no more "
        "than the most are needed. Otherwise it stands, and is not kept."},
-      {"a step that is far better than asked makes the next one coarser, if the order allows it",
-       2,
-       {{"order 1, off by 1/5, the next has", "", 0},
-        {"order 2, off by 1/9 to 1/12, the next has", "", 0},
-        {"order 4, off by as much, the next has", "", 0},
-        {"order 4, off by less than 1/32, the next has", "", 0},
-        {"from the least the next has", "", 0}},
-       [](Random& random, const Answer& answer) -> Numbers {
+      {"a step that is far better than asked makes the next one coarser, if the order allows it", 2,
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real some = 1 / random.between(9, 12), little = 1 / random.between(35, 60);
          const auto next = [&answer](int substeps, Real off, int order) {
            return static_cast<Real>(answer.judge({substeps, off, none, order}, bounds_of_checks).substeps);
          };
          const int now = 2 * whole(random, 2, 8);
-         return {next(now, Real(0.2), 1), next(now, some, 2), next(now, some, 4), next(now, little, 4),
-                 next(2, little, 2)};
+         return {{"order 1, off by 1/5, the next has", next(now, Real(0.2), 1)},
+                 {"order 2, off by 1/9 to 1/12, the next has", next(now, some, 2)},
+                 {"order 4, off by as much, the next has", next(now, some, 4)},
+                 {"order 4, off by less than 1/32, the next has", next(now, little, 4)},
+                 {"from the least the next has", next(2, little, 2)}};
        },
        "half as many substeps are off by 2^p times as much. The next step has half as many if that is below 1/2, but "
        "no fewer than the least."},
       {"a motion has many substeps where it needs them, few before and after, and none are wasted where they do not "
        "help",
        2,
-       {{"in 200 steps your motion is tried so many times:", "", 0},
-        {"it spends so many substeps:", "", 0},
-        {"in one try so many at most:", "", 0},
-        {"so many steps are said not to be kept:", "", 0}},
-       [](Random& random, const Answer& answer) -> Numbers {
+       [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real calm = random.between(1, 3), fierce = random.between(80, 200), at = random.between(60, 90);
          const auto size = [&](int step) {
            const Real from = (static_cast<Real>(step) - at) / 12;
@@ -116,26 +97,22 @@ std::vector<Check<Answer>> checks() {
          };
          const auto stuck = [](int step) { return step >= 140 && step < 150 ? Real(5) : 0; };
          const Played played = motion_of(answer, 2, size, stuck, 200);
-         return {Real(played.tries), Real(played.spent), Real(played.most), Real(played.not_kept)};
+         return {{"in 200 steps your motion is tried so many times:", played.tries},
+                 {"it spends so many substeps:", played.spent},
+                 {"so many steps are said not to be kept:", played.not_kept}};
        },
        "each step has as many substeps as its own error calls for: more while the motion jerks, fewer afterwards, and "
        "none more where they do not help."},
   };
 }
 
-}  // namespace
-
-Numbers play(std::size_t check, Random& random, const Answer& answer) {
-  return checks()[check].play(random, answer);
-}
-
 Exercise exercise() {
-  return rebuild_of<Answer>(
+  return rebuild_of(
       "an error that is known while it runs, and as many substeps as it calls for",
       {"off_by is one line: the difference without its sign, over 2^p - 1. parts_of_difference(order) has that number.",
        "Begin judge with what is kept, then what is tried again. What is left stands, and is not kept.",
        "Fewer for the next step: off times 2^p is below 1/2, and substeps is above bounds.least."},
-      checks(), {plain_27::off_by, plain_27::judge_try});
+      Answer{plain_27::off_by, plain_27::judge_try});
 }
 
 }  // namespace pushback::exercise_27
