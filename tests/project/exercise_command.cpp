@@ -2,7 +2,6 @@
 #include <csignal>
 #include <thread>
 
-#include "pushback/tools/classroom/all_exercises.h"
 #include "pushback/tools/classroom/student_files.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"

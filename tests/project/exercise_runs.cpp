@@ -1,6 +1,5 @@
 /// What students' files may do to whoever checks them, and how the verdict calls it.
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/classroom/all_exercises.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
 

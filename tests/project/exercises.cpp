@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/classroom/all_exercises.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
 

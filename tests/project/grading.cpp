@@ -3,7 +3,6 @@
 #include <set>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/classroom/all_exercises.h"
 #include "pushback/tools/classroom/grade.h"
 #include "pushback/tools/classroom/mine/chapters.h"
 #include "tests/support/answers.h"

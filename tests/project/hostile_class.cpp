@@ -5,7 +5,6 @@
 #include <set>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/classroom/all_exercises.h"
 #include "pushback/tools/classroom/kit.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"

@@ -8,7 +8,6 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
-#include "pushback/tools/classroom/all_exercises.h"
 #include "pushback/tools/classroom/attempt.h"
 #include "pushback/tools/classroom/kit.h"
 #include "pushback/tools/classroom/student_files.h"

@@ -8,7 +8,6 @@
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
-#include "pushback/tools/classroom/calls.h"
 #include "pushback/tools/classroom/kit.h"
 
 namespace pushback {

@@ -9,6 +9,12 @@
 
 namespace pushback {
 
+/// A program for the kernel (seccomp), as bubblewrap takes it, for system calls that bubblewrap leaves open, and that no limit of a
+/// process covers. It refuses memory that belongs to no process, looking into other processes, and sandboxes within the sandbox.
+/// With `one_process`, it also refuses to start another process, so that the limit of one process's memory is the limit of all.
+/// Threads may start.
+std::string refused_calls(bool one_process);
+
 /// bubblewrap: no network, no environment, at most 32 processes and threads, and nothing to be read but the compiler, the
 /// headers of `common` and `chapters`, and what is named: no checks, no answers, no other student. If root calls, the command
 /// runs as a user of its own.

@@ -211,7 +211,7 @@ Exercise exercise_of_chapter(int chapter) {
     Exercise::Line line;
     line.says = its.says;
     line.points = holds(i, chapter) ? 1 : 0;
-    line.quantities = its.quantities;
+    line.quantities = its.scene.quantities;
     line.stage = its.chapter;
     if (!holds(i, chapter))
       for (Quantity& quantity : line.quantities) quantity.tolerance = std::numeric_limits<double>::infinity();
