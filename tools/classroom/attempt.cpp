@@ -19,13 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Command = std::vector<std::string>;
-
-Command operator+(Command first, const Command& then) {
-  first.insert(first.end(), then.begin(), then.end());
-  return first;
-}
-
 Command limited(int seconds, int megabytes, const Command& command) {
   Command limits{"env",
                  "LC_ALL=C",

@@ -31,7 +31,8 @@ Off furthest(const std::vector<Quantity>& quantities, const NumbersOfScenes& rig
   Off off;
   for (std::size_t scene = 0; scene < right.size(); ++scene) {
     for (std::size_t i = 0; i < quantities.size(); ++i)
-      if (const double by = distance(quantities[i], right[scene][i], scenes[scene][i]); by > off.by) off = {scene, i, by};
+      if (const double by = distance(quantities[i], right[scene][i], scenes[scene][i]); by > off.by)
+        off = {scene, i, by};
     if (off.by > 1) break;  // the first scene that shows something: one thing at a time
   }
   return off;
@@ -92,7 +93,7 @@ bool are_alike(const Numbers& shown, const Numbers& other, const std::function<d
 
 Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome) {
   Verdict verdict;
-  std::vector<NumbersOfScenes> right;
+  std::vector<NumbersOfScenes>& right = verdict.right;
   std::optional<std::size_t> first;  // of the checks that fail
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
     right.push_back(scenes_of(exercise.right, seed, i));

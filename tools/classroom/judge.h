@@ -33,7 +33,10 @@ struct Verdict {
   std::string sentence;  ///< what is wrong, with its number; empty: nothing
   /// The kind of the problem, "nothing changes" or "not a number"; empty: none of these.
   std::string mistake;
-  bool changes_nothing() const { return mistake == "nothing changes"; }  ///< its numbers are those of the file with the gap
+  std::vector<NumbersOfScenes> right;  ///< the numbers of each check
+  bool changes_nothing() const {
+    return mistake == "nothing changes";
+  }  ///< its numbers are those of the file with the gap
   bool passed() const {
     return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](Passed one) { return one == Passed::yes; });
   }

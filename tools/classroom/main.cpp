@@ -160,7 +160,7 @@ int main(int argc, char** argv) {
       if (!asked.watch) return;
     }
     if (asked.hint) files.show_hints(exercise.name, exercise.hints, "The page of the chapter");
-    else if (asked.watch) watch(files.file(exercise), [&] { check(exercise, files, asked); });
+    else if (asked.watch) watch(files.path(), [&] { check(exercise, files, asked); });
     else passed = check(exercise, files, asked);
   });
   return status == 0 && !passed ? 1 : status;

@@ -17,17 +17,17 @@ namespace {
 
 constexpr const char* memory = ".remembered";
 
-/// An editor may save by deleting, or write beside the file and rename: what is gone comes back.
-fs::file_time_type last_written(const fs::path& watched) {
+constexpr auto never = fs::file_time_type::min();
+
+/// When a header in the folder was written last. An editor may save by deleting, or write beside the file and rename: what is gone
+/// comes back.
+fs::file_time_type last_written(const fs::path& folder) {
   std::error_code gone;
-  fs::file_time_type last{};
-  std::vector<fs::path> files{watched};
-  if (fs::is_directory(watched, gone))
-    for (const auto& entry : fs::directory_iterator(watched, gone))
-      if (entry.path().extension() == ".h") files.push_back(entry.path());
-  for (const fs::path& file : files) {
-    const fs::file_time_type its = fs::last_write_time(file, gone);
-    if (!gone && !fs::is_directory(file, gone)) last = std::max(last, its);
+  fs::file_time_type last = never;
+  for (const auto& entry : fs::directory_iterator(folder, gone)) {
+    if (entry.path().extension() != ".h" || !fs::is_regular_file(entry.path(), gone)) continue;
+    const fs::file_time_type its = fs::last_write_time(entry.path(), gone);
+    if (!gone) last = std::max(last, its);
   }
   return last;
 }
@@ -53,10 +53,10 @@ std::string lines_printed(const Attempt& outcome) {
   return lines;
 }
 
-void watch(const fs::path& watched, const std::function<void()>& check) {
-  for (fs::file_time_type seen{};;) {
-    const fs::file_time_type now = last_written(watched);
-    if (now != seen && now != fs::file_time_type{}) {
+void watch(const fs::path& folder, const std::function<void()>& check) {
+  for (fs::file_time_type seen = never;;) {
+    const fs::file_time_type now = last_written(folder);
+    if (now != seen && now != never) {
       fmt::print("\n");
       try {
         check();

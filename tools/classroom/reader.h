@@ -17,8 +17,8 @@ std::string line_of(Passed passed, const std::string& check);
 /// The first ten lines that the reader's program printed.
 std::string lines_printed(const Attempt& outcome);
 
-/// Calls `check` whenever a file was written, or of a folder a header in it, until interrupted.
-[[noreturn]] void watch(const std::filesystem::path& watched, const std::function<void()>& check);
+/// Calls `check` whenever a header in the folder was written, until interrupted.
+[[noreturn]] void watch(const std::filesystem::path& folder, const std::function<void()>& check);
 
 /// A folder in which somebody works, and what is remembered there of each exercise or chapter, by its name.
 class WorkFolder {

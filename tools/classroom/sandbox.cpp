@@ -16,13 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Command = std::vector<std::string>;
-
-Command operator+(Command first, const Command& then) {
-  first.insert(first.end(), then.begin(), then.end());
-  return first;
-}
-
 /// The kernel's limit of processes counts all that one user runs, and root is exempt from it. So root becomes another user in
 /// each sandbox.
 unsigned nobody_else() {
@@ -62,7 +55,7 @@ Sandbox::Sandbox() {
                     ended.status == 127 ? "not installed" : lines_of(ended.err + "no reason given").front()));
 }
 
-Command Sandbox::around(Command command, const fs::path& folder, const std::vector<fs::path>& readable,
+Command Sandbox::around(const Command& command, const fs::path& folder, const std::vector<fs::path>& readable,
                         Folder may_be) const {
   const bool writable = may_be == Folder::writable, are_root = geteuid() == 0;
   // bubblewrap is the first process in there: its own environment can be read from /proc/1/environ.

@@ -118,8 +118,7 @@ std::vector<const Exercise*> StudentFiles::listed(const std::vector<Exercise>& a
 
 fs::path StudentFiles::reset(const Exercise& exercise) {
   const std::string beside = exercise.name + ".md";
-  const std::string gap =
-      fs::exists(path() / beside) ? gap_of(exercise, beside) : read_text_file(stub_of(exercise));
+  const std::string gap = fs::exists(path() / beside) ? gap_of(exercise, beside) : read_text_file(stub_of(exercise));
   const fs::path old = begin_anew(file(exercise), gap);
   forget(exercise.name);
   return old;

@@ -46,7 +46,7 @@ struct Drop {
     for (int i = 0; i < steps; ++i) world.step(*solver, dt);
     Numbers numbers{1000 * (world.bodies[1].position.y() - radius), world.bodies[1].velocity.y()};
     if (with_contact) {
-      const Contact none, &c = world.contacts.empty() ? none : world.contacts[0];
+      const Contact none{}, &c = world.contacts.empty() ? none : world.contacts[0];
       numbers.insert(numbers.end(), {c.impulse.y(), 1000 * c.depth});
     }
     return numbers;

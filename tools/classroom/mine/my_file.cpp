@@ -36,7 +36,8 @@ class MySolver : public StepSolver {
 
 }  // namespace
 
-MyFolder::MyFolder(const fs::path& folder) : WorkFolder(fs::proximate(folder.empty() ? kit().sources / "mine" : folder)) {
+MyFolder::MyFolder(const fs::path& folder)
+    : WorkFolder(fs::proximate(folder.empty() ? kit().sources / "mine" : folder)) {
   try {
     make_writable_folder(path());
   } catch (const InvalidInput&) {

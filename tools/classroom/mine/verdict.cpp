@@ -16,18 +16,16 @@ constexpr std::size_t most_named = 3;  // mistakes that show the same: more are 
 /// that leave the fewest checks unexplained, and then those that explain the most; each name once.
 std::vector<Slip> likely_slips(int chapter, const VerdictOfMine& made, std::uint64_t seed) {
   const std::vector<Passed>& checks = made.verdict.checks;
-  std::vector<NumbersOfScenes> right;
-  for (std::size_t i = 0; i < checks.size(); ++i) right.push_back(scenes_of(made.exercise.right, seed, i));
   /// Whether a mistake would not pass a check, and whether it gives the numbers that were sent, to a hundredth of what it changes.
   const auto shown = [&](const Slip& slip, std::size_t check) {
     const std::vector<Quantity>& quantities = made.exercise.checks[check].quantities;
     bool fails = false, same = true;
     for (std::size_t scene = 0; scene < scenes_of_a_check && (same || !fails); ++scene) {
       Random random = random_of(seed, check, scene);
-      const Numbers mistaken = play(check, random, slip.solver), &right_ones = right[check][scene];
-      fails = fails || !passes(quantities, right_ones, mistaken);
+      const Numbers mistaken = play(check, random, slip.solver), &right = made.verdict.right[check][scene];
+      fails = fails || !passes(quantities, right, mistaken);
       same = same && are_alike(made.outcome.numbers[check][scene], mistaken, [&](std::size_t i) {
-               return std::max<double>(quantities[i].tolerance, std::abs(mistaken[i] - right_ones[i]) / 100);
+               return std::max<double>(quantities[i].tolerance, std::abs(mistaken[i] - right[i]) / 100);
              });
     }
     return std::pair(fails, same);
