@@ -2,7 +2,6 @@
 /// what is wrong fails the checks that its title says. Together they are one student's file, which is compiled once.
 #include <fmt/ranges.h>
 
-#include "pushback/tools/classroom/all_exercises.h"
 #include "tests/support/answers.h"
 
 using namespace pushback;

@@ -1,8 +1,7 @@
-/// The exercises, and how numbers become a verdict.
+/// The exercises, how numbers become a verdict, and what is said of a file that does not compile.
 #include <fmt/format.h>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/classroom/all_exercises.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
 
@@ -31,8 +30,7 @@ TEST_CASE("what is right passes, and the file with the gap changes nothing, what
       INFO(exercise.name << ", seed " << seed);
       CHECK(judge(exercise, seed, sent(exercise, exercise.right, seed)).passed());
       const Verdict verdict = judge(exercise, seed, sent(exercise, exercise.untouched, seed));
-      CHECK(verdict.changes_nothing);
-      CHECK(verdict.mistake == "nothing changes");
+      CHECK(verdict.changes_nothing());
     }
   }
 }
@@ -103,4 +101,22 @@ TEST_CASE("only comments and spaces are no answer") {
   const std::string stub = read_text_file(stub_of(example()));
   CHECK(untouched(stub + "\n// I do not know\n/* yet */", stub));
   CHECK_FALSE(untouched(filled_in(example(), "rows[0].apply(0);\n"), stub));
+}
+
+TEST_CASE("a file that does not compile gets the compiler's first error in it, with its line") {
+  const std::vector<Exercise> all = all_exercises();
+  const Exercise& capped = exercise_named(all, "03");
+  const auto says = [&](const std::string& text, const std::string& words) {
+    const Verdict verdict = verdict_on(capped, text, 1);
+    INFO(verdict.sentence);
+    CHECK(verdict.mistake == "does not compile");
+    CHECK(contains(verdict.sentence, words));
+  };
+  const auto lines = [&](const std::string& written) { return filled_in(capped, written); };
+  says(lines("normal.impuls = 0;\nnormal.n = 0;\n"),
+       "it does not compile. Line 15: \n\n    normal.impuls = 0;\n\n  the compiler says: ");
+  says(lines("std::vector<void> none;\n"), "Line 15: ");  // it shows in <vector>
+  says(lines("extern void helper();\nhelper();\n"), "declared but never defined");
+  says("#include \"mine.h\"\n" + lines(""), "No such file");
+  says("#pragma once\n", "the compiler says: ");
 }

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/classroom/all_exercises.h"
 #include "pushback/tools/classroom/kit.h"
 #include "tests/support/answers.h"
 #include "tests/support/call.h"
@@ -50,8 +49,22 @@ std::vector<Student> students() {
   return all;
 }
 
-constexpr const char* everywhere = R"(#include <fcntl.h>
+/// MUST_NOT: see hostile_class.txt. BEFORE_MAIN: code that knows the word with which an answer begins.
+constexpr const char* everywhere = R"(#include <arpa/inet.h>
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <netinet/in.h>
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/mount.h>
+#include <sys/prctl.h>
+#include <sys/ptrace.h>
+#include <sys/shm.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -63,6 +76,16 @@ constexpr const char* everywhere = R"(#include <fcntl.h>
 #include <iterator>
 #define MUST_NOT(...) \
   if (__VA_ARGS__) std::fprintf(stderr, "done: %s\n", #__VA_ARGS__), _exit(9)
+#define BEFORE_MAIN(word)                         \
+  static void forge(word);                        \
+  __attribute__((constructor)) static void go() { \
+    char text[200] = {}, word_of_the_run[40] = {};\
+    pread(0, text, sizeof text - 1, 0);           \
+    sscanf(text, "%39s", word_of_the_run);        \
+    forge(word_of_the_run);                       \
+    _exit(0);                                     \
+  }                                               \
+  static void forge(word)
 )";
 
 /// A folder for each in scratch/class, and beside it what a teacher has.
@@ -142,7 +165,7 @@ std::set<std::string> running() {
 }
 
 void get_what_is_due(const HostileClass& hostile) {
-  const Ended ended = hostile.grade("--jobs 2 --seconds 1 --megabytes 200 --compile-seconds 6");
+  const Ended ended = hostile.grade("--jobs 4 --seconds 1 --megabytes 200 --compile-seconds 6");
   if (ended.status != 0) FAIL(ended.err);
   CHECK(contains(ended.err, "not graded: 'stray.txt' is no folder"));
   const nlohmann::json results = hostile.results();
@@ -166,26 +189,17 @@ void get_what_is_due(const HostileClass& hostile) {
 }  // namespace
 
 TEST_CASE("a hostile class gets what is due: what is likely to be tried") {
-  if (const std::string why = no_sandbox(); !why.empty()) {
-    WARN("skipped: " << why);
-    return;
-  }
+  if (!has_sandbox()) return;
   get_what_is_due(HostileClass(false));
 }
 
 TEST_CASE("a hostile class gets what is due: all", "[checked]") {
-  if (const std::string why = no_sandbox(); !why.empty()) {
-    WARN("skipped: " << why);
-    return;
-  }
+  if (!has_sandbox()) return;
   get_what_is_due(HostileClass(true));
 }
 
 TEST_CASE("an archive that unpacks to more than the sandbox holds is not taken") {
-  if (const std::string why = no_sandbox(); !why.empty()) {
-    WARN(why);
-    return;
-  }
+  if (!has_sandbox()) return;
   const ScratchFolder scratch;
   const std::string pack = "cd " + scratch.path.string() +
                            "; mkdir much; cd much; for n in $(seq 100); do head -c 900000 /dev/zero >$n.h; "
@@ -198,6 +212,24 @@ TEST_CASE("an archive that unpacks to more than the sandbox holds is not taken")
   CHECK(ended.status == 0);
   CHECK(contains(ended.out, "03 0/6 (not taken)"));
   CHECK(contains(text_of(scratch.path / "out/results.json"), "it cannot be read"));
+}
+
+TEST_CASE("a sandbox holds a few hundred processes, whoever watches it") {
+  if (!has_sandbox()) return;
+  const Sandbox sandbox;
+  const ScratchFolder folder;
+  const auto started = [&](int count) {
+    return run_program(sandbox.around({"sh", "-c",
+                                       "i=0; while [ $i -lt " + std::to_string(count) +
+                                           " ]; do sleep 60 & i=$((i+1)); done; echo all"},
+                                      folder.path, {}),
+                       60);
+  };
+  CHECK(started(20).out == "all\n");
+  const Ended many = started(2000);
+  INFO(many.err);
+  CHECK(many.out == "");
+  CHECK(many.status != 0);
 }
 
 TEST_CASE("of the checks, a student's program can name how a scene is played, and holds nothing that is right") {

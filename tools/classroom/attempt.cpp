@@ -10,7 +10,6 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
-#include "pushback/tools/classroom/compiler_words.h"
 #include "pushback/tools/classroom/kit.h"
 #include "pushback/tools/classroom/student_files.h"
 
@@ -19,13 +18,6 @@ namespace pushback {
 namespace fs = std::filesystem;
 
 namespace {
-
-using Command = std::vector<std::string>;
-
-Command operator+(Command first, const Command& then) {
-  first.insert(first.end(), then.begin(), then.end());
-  return first;
-}
 
 Command limited(int seconds, int megabytes, const Command& command) {
   Command limits{"env",
@@ -97,6 +89,43 @@ Problem problem_of(const Ended& ended, double seconds, const std::string& where,
   return {"exit", fmt::format("{}, your program ended by itself, with the status {}, before it had answered. A "
                               "solution gives numbers back; it does not end the program.",
                               where, ended.status)};
+}
+
+/// "/tmp/x/03.h:12:30: error: ..." or "In file included from /tmp/x/03.h:3:": the line, if it is one of this file.
+std::size_t line_in(const std::string& message, const std::string& file) {
+  const std::size_t at = message.find(file + ":");
+  if (at == std::string::npos || (at > 0 && message[at - 1] != '/')) return 0;
+  return std::strtoul(message.c_str() + at + file.size() + 1, nullptr, 10);
+}
+
+/// "expected ';' before '}' token"; empty: this is no error.
+std::string error_in(const std::string& message) {
+  constexpr std::string_view error = "error: ", undefined = "undefined reference to";
+  if (const std::size_t at = message.find(error); at != std::string::npos) return message.substr(at + error.size());
+  if (const std::size_t at = message.find(undefined); at != std::string::npos)
+    return message.substr(at) + ", which is declared but never defined";
+  return "";
+}
+
+/// The first error in the student's file among these messages of g++, clang++ or the linker, with the line that it is in. If all
+/// show elsewhere: the first of them, with the line of the file that is named first.
+std::string first_error(const std::string& messages, const fs::path& students_file) {
+  const std::vector<std::string> lines = lines_of(read_text_file(students_file));
+  std::size_t line = 0;  // of the student's file
+  std::string said;      // the first error, which may show in what the file includes or instantiates
+  bool in_the_file = false;
+  for (const std::string& message : lines_of(messages)) {
+    const std::size_t here = line_in(message, students_file.filename());
+    const std::string error = error_in(message);
+    in_the_file = here > 0 && !error.empty();
+    if (in_the_file || said.empty()) said = error;
+    if (in_the_file || line == 0) line = here;
+    if (in_the_file) break;
+  }
+  if (said.empty()) return "it does not compile. The compiler does not say why.";
+  const std::string words = fmt::format("the compiler says: {}.", said);
+  if (line == 0 || line > lines.size()) return "it does not compile: " + words;
+  return fmt::format("it does not compile. Line {}: \n\n    {}\n\n  {}", line, lines[line - 1], words);
 }
 
 /// Why there is no program.

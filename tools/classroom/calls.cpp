@@ -1,5 +1,3 @@
-#include "pushback/tools/classroom/calls.h"
-
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -10,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "pushback/tools/classroom/sandbox.h"
 
 namespace pushback {
 

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <future>
 #include <limits>
 #include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 #include <sstream>
-#include <thread>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
@@ -85,7 +84,7 @@ Json graded(const Grading& grading, const Exercise& exercise, const HandedIn& ha
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
     if (exercise.whole() && exercise.checks[i].points == 0) continue;  // it ended with an earlier chapter
     const bool passed = verdict.checks[i] == Passed::yes &&
-                        !verdict.changes_nothing &&  // what the gap itself passes is no work
+                        !verdict.changes_nothing() &&  // what the gap itself passes is no work
                         (!exercise.whole() || exercise.checks[i].stage <= fails);
     const int worth = grading.points.of(exercise, i);
     of += worth;
@@ -247,8 +246,7 @@ void grade(const Grading& grading) {
   }
   if (students.empty() && !refused.empty()) throw InvalidInput(refused.front());
   for (const std::string& problem : refused) fmt::print(stderr, "not graded: {}\n", problem);
-  std::optional<Sandbox> sandbox;
-  if (grading.sandboxed) sandbox.emplace();
+  const std::unique_ptr<const Sandbox> sandbox = grading.sandboxed ? std::make_unique<const Sandbox>() : nullptr;
   make_writable_folder(grading.out / "students");
   const std::uint64_t seed = kept_seed(grading);
 
@@ -257,35 +255,24 @@ void grade(const Grading& grading) {
   for (const auto& student : students)
     if (grading.shard.has(number++)) mine.push_back(student);
   std::atomic<std::size_t> next = 0;
-  std::mutex talking;
-  std::exception_ptr failure;
   const auto work = [&] {
-    try {
-      for (std::size_t i = next++; i < mine.size(); i = next++) {
-        const auto& [name, given] = mine[i];
-        const HandedIn handed_in(given, grading.exercises, sandbox ? &*sandbox : nullptr);
-        const fs::path file = grading.out / "students" / (name + ".json");
-        const std::string follows_from = fingerprint(grading, handed_in, seed);
-        const std::optional<Json> before = read_result(file);
-        if (before && (*before)["fingerprint"] == follows_from) continue;
-        Json result{{"student", name}, {"fingerprint", follows_from}, {"exercises", Json::array()}};
-        for (const Exercise* exercise : grading.exercises)
-          result["exercises"].push_back(
-              graded(grading, *exercise, handed_in, seed ^ hash_of(name), sandbox ? &*sandbox : nullptr));
-        write_text_file(file, dumped(result));
-        const std::lock_guard guard(talking);
-        fmt::print(stderr, "graded: {}\n", name);
-      }
-    } catch (...) {
-      const std::lock_guard guard(talking);
-      failure = std::current_exception();
-      next = mine.size();
+    for (std::size_t i = next++; i < mine.size(); i = next++) {
+      const auto& [name, given] = mine[i];
+      const HandedIn handed_in(given, grading.exercises, sandbox.get());
+      const fs::path file = grading.out / "students" / (name + ".json");
+      const std::string follows_from = fingerprint(grading, handed_in, seed);
+      const std::optional<Json> before = read_result(file);
+      if (before && (*before)["fingerprint"] == follows_from) continue;
+      Json result{{"student", name}, {"fingerprint", follows_from}, {"exercises", Json::array()}};
+      for (const Exercise* exercise : grading.exercises)
+        result["exercises"].push_back(graded(grading, *exercise, handed_in, seed ^ hash_of(name), sandbox.get()));
+      write_text_file(file, dumped(result));
+      fmt::print(stderr, "graded: {}\n", name);
     }
   };
-  std::vector<std::thread> threads;
-  for (int i = 0; i < grading.jobs; ++i) threads.emplace_back(work);
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
+  std::vector<std::future<void>> jobs;
+  for (int i = 0; i < grading.jobs; ++i) jobs.push_back(std::async(std::launch::async, work));
+  for (std::future<void>& job : jobs) job.get();
 
   Json results = Json::array();
   for (const auto& [name, given] : students) {

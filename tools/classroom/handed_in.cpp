@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <map>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
@@ -50,9 +51,9 @@ chmod -R a+rwX . && cp -R . "$2/in"
 /// What is wrong with the archive; empty: nothing.
 std::string unpacked(const fs::path& archive, const fs::path& to, const Sandbox* sandbox) {
   const fs::path file = fs::canonical(archive);
-  std::vector<std::string> command{"prlimit",         "--core=0", "--cpu=20", fmt::format("--fsize={}", most_bytes),
-                                   "--as=1073741824", "sh",       "-c",       unpack,
-                                   "unpack",          file,       to};
+  Command command{"prlimit",         "--core=0", "--cpu=20", fmt::format("--fsize={}", most_bytes),
+                  "--as=1073741824", "sh",       "-c",       unpack,
+                  "unpack",          file,       to};
   if (sandbox) command = sandbox->around(command, to, {file});
   const Ended ended = run_program(command, 30);
   if (ended.status == 127)
@@ -62,10 +63,6 @@ std::string unpacked(const fs::path& archive, const fs::path& to, const Sandbox*
   if (ended.status == 99) return visible(lines_of(ended.out).front());
   if (too_large) return "a file in it, or its list of files, is larger than 1 MB";
   return ended.out_of_time ? "it takes too long to read" : "it cannot be read";
-}
-
-int depth_of(const fs::path& name) {
-  return static_cast<int>(std::distance(name.begin(), name.end()));
 }
 
 struct Unreadable {
@@ -86,15 +83,13 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 
 /// The file of this name, of those in the fewest folders; empty: there is none.
 fs::path found_in(const std::vector<fs::path>& files, const std::string& wanted) {
-  std::vector<fs::path> found;
-  for (const fs::path& file : files) {
-    if (file.filename() != wanted) continue;
-    if (!found.empty() && depth_of(file) > depth_of(found[0])) continue;
-    if (!found.empty() && depth_of(file) < depth_of(found[0])) found.clear();
-    found.push_back(file);
-  }
-  if (found.size() > 1) throw Unreadable{fmt::format("there are {} files {} in it", found.size(), wanted)};
-  return found.empty() ? fs::path() : found[0];
+  std::map<std::ptrdiff_t, std::vector<fs::path>> found;  // by depth
+  for (const fs::path& file : files)
+    if (file.filename() == wanted) found[std::distance(file.begin(), file.end())].push_back(file);
+  if (found.empty()) return {};
+  const std::vector<fs::path>& nearest = found.begin()->second;
+  if (nearest.size() > 1) throw Unreadable{fmt::format("there are {} files {} in it", nearest.size(), wanted)};
+  return nearest[0];
 }
 
 }  // namespace

@@ -16,6 +16,11 @@ bool is_whole(const Exercise::Line& check, const NumbersOfScenes& scenes) {
          });
 }
 
+/// In tolerances.
+double distance(const Quantity& quantity, Real right, Real is) {
+  return std::isfinite(is) ? std::abs(is - right) / quantity.tolerance : std::numeric_limits<double>::infinity();
+}
+
 /// Which number is the furthest from the right one, in its tolerances.
 struct Off {
   std::size_t scene = 0, quantity = 0;
@@ -25,36 +30,27 @@ struct Off {
 Off furthest(const std::vector<Quantity>& quantities, const NumbersOfScenes& right, const NumbersOfScenes& scenes) {
   Off off;
   for (std::size_t scene = 0; scene < right.size(); ++scene) {
-    for (std::size_t i = 0; i < quantities.size(); ++i) {
-      const Real is = scenes[scene][i];
-      double by = std::abs(is - right[scene][i]) / quantities[i].tolerance;
-      if (!std::isfinite(is)) by = std::numeric_limits<double>::infinity();
-      if (by > off.by) off = {scene, i, by};
-    }
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+      if (const double by = distance(quantities[i], right[scene][i], scenes[scene][i]); by > off.by)
+        off = {scene, i, by};
     if (off.by > 1) break;  // the first scene that shows something: one thing at a time
   }
   return off;
 }
 
-/// As far as the numbers tell. A compiler may round otherwise where other code stands beside.
-bool are_same(const std::vector<Quantity>& quantities, const Numbers& one, const Numbers& other) {
-  if (one.size() != other.size() || one.size() != quantities.size()) return false;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    if (one[i] == other[i] || (std::isnan(one[i]) && std::isnan(other[i]))) continue;
-    const Real rounding = 1000 * std::numeric_limits<Real>::epsilon() * std::abs(one[i]);
-    if (!(std::abs(one[i] - other[i]) <= std::max<double>(rounding, quantities[i].tolerance / 1000))) return false;
-  }
-  return true;
-}
-
-/// Whether an answer is the file that it began as.
+/// Whether an answer is the file that it began as, as far as the numbers tell. A compiler may round otherwise where other code
+/// stands beside.
 bool is_untouched(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome) {
   if (!exercise.untouched) return false;
   for (std::size_t i = 0; i < outcome.numbers.size(); ++i) {
     const NumbersOfScenes gap = scenes_of(exercise.untouched, seed, i);
-    for (std::size_t scene = 0; scene < outcome.numbers[i].size(); ++scene)
-      if (scene >= gap.size() || !are_same(exercise.checks[i].quantities, gap[scene], outcome.numbers[i][scene]))
-        return false;
+    for (std::size_t scene = 0; scene < outcome.numbers[i].size(); ++scene) {
+      const auto rounding = [&](std::size_t number) {
+        return std::max<double>(1000 * std::numeric_limits<Real>::epsilon() * std::abs(gap[scene][number]),
+                                exercise.checks[i].quantities[number].tolerance / 1000);
+      };
+      if (scene >= gap.size() || !are_alike(outcome.numbers[i][scene], gap[scene], rounding)) return false;
+    }
   }
   return true;
 }
@@ -82,16 +78,22 @@ NumbersOfScenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, st
   return scenes;
 }
 
-std::string Verdict::in_words() const {
-  if (passed()) return "Solved.";
-  std::string words = sentence;
-  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-  return words;
+bool passes(const std::vector<Quantity>& quantities, const Numbers& right, const Numbers& shown) {
+  return furthest(quantities, {right}, {shown}).by <= 1;
+}
+
+bool are_alike(const Numbers& shown, const Numbers& other, const std::function<double(std::size_t)>& tolerated) {
+  if (shown.size() != other.size()) return false;
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    if (shown[i] != other[i] && !(std::isnan(shown[i]) && std::isnan(other[i])) &&
+        !(std::abs(shown[i] - other[i]) <= tolerated(i)))
+      return false;
+  return true;
 }
 
 Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outcome) {
   Verdict verdict;
-  std::vector<NumbersOfScenes> right;
+  std::vector<NumbersOfScenes>& right = verdict.right;
   std::optional<std::size_t> first;  // of the checks that fail
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
     right.push_back(scenes_of(exercise.right, seed, i));
@@ -122,9 +124,8 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outco
   };
   while (both().first == both().second && digits < 12) ++digits;
   const auto [measured, should_be] = both();
-  verdict.changes_nothing = is_untouched(exercise, seed, outcome);
   verdict.sentence = fmt::format("{} {} where {} is right", quantity.words, measured, should_be);
-  if (verdict.changes_nothing) {
+  if (is_untouched(exercise, seed, outcome)) {
     verdict.mistake = "nothing changes";
     verdict.sentence += nothing_changes;
   } else if (std::isnan(is)) {

@@ -18,6 +18,11 @@ struct Attempt {
   std::string printed;  ///< by the answer
 };
 
+/// Whether each number is within its tolerance of the right one.
+bool passes(const std::vector<Quantity>& quantities, const Numbers& right, const Numbers& shown);
+/// Whether these are the numbers of another answer, as far as `tolerated` says of each number.
+bool are_alike(const Numbers& shown, const Numbers& other, const std::function<double(std::size_t)>& tolerated);
+
 /// What a known answer would have sent.
 NumbersOfScenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, std::size_t check);
 
@@ -28,9 +33,10 @@ struct Verdict {
   std::string sentence;  ///< what is wrong, with its number; empty: nothing
   /// The kind of the problem, "nothing changes" or "not a number"; empty: none of these.
   std::string mistake;
-  bool changes_nothing = false;  ///< its numbers are those of the file with the gap
-  /// "Solved.", or the sentence, from its capital letter on.
-  std::string in_words() const;
+  std::vector<NumbersOfScenes> right;  ///< the numbers of each check
+  bool changes_nothing() const {
+    return mistake == "nothing changes";
+  }  ///< its numbers are those of the file with the gap
   bool passed() const {
     return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](Passed one) { return one == Passed::yes; });
   }

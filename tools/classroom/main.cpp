@@ -70,7 +70,7 @@ Checked checked(const Exercise& exercise, StudentFiles& files, const Asked& aske
   if (!verdict.passed())
     lines += fmt::format("  One hint more: {} {} --hint. The same scenes again: --seed {}\n", kit().call(),
                          short_name(exercise), seed);
-  return {verdict.passed(), lines + fmt::format("\n  {}\n", verdict.in_words())};
+  return {verdict.passed(), lines + fmt::format("\n  {}\n", verdict.passed() ? "Solved." : capital(verdict.sentence))};
 }
 
 /// Says the verdict on a file; true where all checks pass.
@@ -159,10 +159,8 @@ int main(int argc, char** argv) {
                  files.task(exercise).string(), kit().call(), short_name(exercise));
       if (!asked.watch) return;
     }
-    if (asked.hint)
-      files.set_hints(exercise, show_hints(exercise.hints, files.hints(exercise), "The page of the chapter"));
-    else if (asked.watch)
-      watch([&] { return fs::last_write_time(files.file(exercise)); }, [&] { check(exercise, files, asked); });
+    if (asked.hint) files.show_hints(exercise.name, exercise.hints, "The page of the chapter");
+    else if (asked.watch) watch(files.path(), [&] { check(exercise, files, asked); });
     else passed = check(exercise, files, asked);
   });
   return status == 0 && !passed ? 1 : status;

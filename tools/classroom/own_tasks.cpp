@@ -8,7 +8,6 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
-#include "pushback/tools/classroom/all_exercises.h"
 #include "pushback/tools/classroom/attempt.h"
 #include "pushback/tools/classroom/kit.h"
 #include "pushback/tools/classroom/student_files.h"
@@ -18,8 +17,6 @@ namespace pushback {
 namespace fs = std::filesystem;
 
 namespace {
-
-using Command = std::vector<std::string>;
 
 /// Of all that a compiled exercise is made of.
 std::uint64_t state_of(const fs::path& folder) {
@@ -46,14 +43,14 @@ void compile(const fs::path& folder, const std::string& name, const fs::path& ob
                               "exercise_{2}::exercise();\n  made.untouched = [](std::size_t check, Random& "
                               "random) {{ return play(check, random, untouched::answer); }};\n}}\n",
                               quoted(folder / "checks.cpp"), quoted(folder / "student.h"), name));
-  Command command = kit().words_of("compile.txt");
-  const Command linked{command[0], "-shared", "-o", shared, made};
-  const Command more{"-fPIC", "-ffunction-sections", "-fdata-sections", "-c", source, "-o", made};
-  command.insert(command.end(), more.begin(), more.end());
+  const Command compiler = kit().words_of("compile.txt");
+  const Command compiled =
+      compiler + Command{"-fPIC", "-ffunction-sections", "-fdata-sections", "-c", source, "-o", made};
+  const Command linked{compiler[0], "-shared", "-o", shared, made};
   // A student's program links the object, and nobody is to name what is right in it.
   const Command hidden{"objcopy", "--wildcard", "--localize-symbol=_ZN8pushback*8exerciseEv",
                        "--localize-symbol=pushback_task", made};
-  for (const Command& step : {command, linked, hidden}) {
+  for (const Command& step : {compiled, linked, hidden}) {
     const Ended ended = run_program(step);
     if (ended.status != 0) throw InvalidInput(fmt::format("--tasks: {} does not compile:\n{}", name, ended.err));
   }
@@ -97,10 +94,10 @@ std::vector<Exercise> exercises_with(const fs::path& tasks) {
         tasks.string()));
   std::sort(folders.begin(), folders.end());
   for (const fs::path& folder : folders) {
+    for (const Exercise& other : all)
+      if (other.name == folder.filename())
+        throw InvalidInput(fmt::format("--tasks: there is an exercise named {} already", other.name));
     all.push_back(loaded(folder));
-    for (std::size_t i = 0; i + 1 < all.size(); ++i)
-      if (all[i].name == all.back().name)
-        throw InvalidInput(fmt::format("--tasks: there is an exercise named {} already", all[i].name));
   }
   return all;
 }

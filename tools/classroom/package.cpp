@@ -51,17 +51,6 @@ std::string handed_out(const Exercise& exercise, const Call& call) {
                     page_of(exercise).string());
 }
 
-/// The commands for an exercise, where Pushback is installed or in a copy of it.
-std::string commands(const Call& call, const std::string& exercise) {
-  std::string text;
-  for (const auto& [option, does] : {std::pair{"", "compiled and checked"},
-                                     {" --hint", "one hint more each time"},
-                                     {" --watch", "checked again at each save, until Ctrl-C"},
-                                     {" --reset", "the file as it was; yours is kept beside it"}})
-    text += fmt::format("    {:<{}}{}\n", call.of(exercise) + option, call.of(exercise).size() + 11, does);
-  return text;
-}
-
 std::string how_to(const std::vector<const Exercise*>& exercises, const fs::path& folder) {
   std::string text =
       "# Exercises\n\nFor each exercise there is a task (`.md`) and a file with a gap (`.h`). Read the task, write the "
@@ -74,28 +63,26 @@ std::string how_to(const std::vector<const Exercise*>& exercises, const fs::path
     if (first.empty() && !exercise->own()) first = short_name(*exercise);
   }
   if (first.empty()) return text;
-  text += fmt::format(R"(
+  return text + fmt::format(R"(
 The pages are in a copy of Pushback, and in `share/pushback/pages` of the folder that Pushback is installed in.
 
-## Checked where Pushback is installed
+An exercise is checked in this folder where Pushback is installed{}:
 
-In this folder:
+    {}{}
 
-{}
-`pushback-exercise` is in `bin` of the folder that Pushback is installed in. If the shell does not find it, write that folder
-before it. A build checks every file that you have written in:
+With `--hint` you see one hint more each time, with `--watch` the file is checked again at each save, until Ctrl-C, and `--reset`
+brings the file back as it was; yours is kept beside it. `pushback-exercise` is in `bin` of the folder that Pushback is installed
+in. If the shell does not find it, write that folder before it. A build checks every file that you have written in:
 
     cmake -B build -G Ninja
     cmake --build build
 
 The verdict stands at its end. As long as an answer is wrong, the build fails. If CMake does not find Pushback, say once where
-it is installed: `cmake -B build -DCMAKE_PREFIX_PATH=FOLDER`.
+it is installed: `cmake -B build -DCMAKE_PREFIX_PATH=FOLDER`. If you hand this folder in, do so under your own name, without
+`build`.
 )",
-                      commands(installed, first));
-  if (kit().prefix.empty())
-    text += "\n## Checked in a copy of Pushback\n\nPATH/TO is where this folder lies.\n\n" +
-            commands(in_a_copy(folder), first);
-  return text + "\nIf you hand this folder in, do so under your own name, without `build`.\n";
+                            kit().prefix.empty() ? ", or in a copy of it, where PATH/TO is where this folder lies" : "",
+                            installed.of(first), kit().prefix.empty() ? "\n    " + in_a_copy(folder).of(first) : "");
 }
 
 std::string build_file() {

@@ -1,76 +1,49 @@
-/// What ./course exercise and ./course mine have in common: how a verdict is printed, hints, watching a file, putting it away.
+/// What ./course exercise and ./course mine have in common: a folder to work in, verdicts line by line, hints, watching a file.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <functional>
-#include <thread>
+#include <map>
 
-#include "pushback/common/basics/process.h"
 #include "pushback/tools/classroom/judge.h"
 
 namespace pushback {
 
-inline std::string line_of(Passed passed, const std::string& check) {
-  return fmt::format("  {} {}\n", passed == Passed::yes ? "✓" : passed == Passed::no ? "✗" : "·", check);
-}
+/// From its capital letter on.
+std::string capital(std::string words);
+
+std::string line_of(Passed passed, const std::string& check);
 
 /// The first ten lines that the reader's program printed.
-inline std::string lines_printed(const Attempt& outcome) {
-  const std::vector<std::string> printed = lines_of(outcome.printed);
-  std::string lines;
-  for (std::size_t i = 0; i < std::min<std::size_t>(printed.size(), 10); ++i)
-    lines += fmt::format("  | {}\n", printed[i]);
-  if (printed.size() > 10)
-    lines += fmt::format("  | ... and {} lines more that your file printed\n", printed.size() - 10);
-  return lines;
-}
+std::string lines_printed(const Attempt& outcome);
 
-/// Those that were shown already and one more. Returns how many these are. `page`: has the rest.
-inline std::size_t show_hints(const std::vector<std::string>& hints, std::size_t shown, const std::string& page) {
-  const std::size_t count = std::min(shown + 1, hints.size());
-  for (std::size_t i = 0; i < count; ++i) fmt::print("  {}. {}\n", i + 1, hints[i]);
-  if (count == hints.size()) fmt::print("  That was the last one. {} has the rest.\n", page);
-  return count;
-}
+/// Calls `check` whenever a header in the folder was written, until interrupted.
+[[noreturn]] void watch(const std::filesystem::path& folder, const std::function<void()>& check);
 
-/// Calls `check` whenever `written`, when a file was written last, has changed, until interrupted.
-[[noreturn]] inline void watch(const std::function<std::filesystem::file_time_type()>& written,
-                               const std::function<void()>& check) {
-  using Time = std::filesystem::file_time_type;
-  const auto last_written = [&written] {
-    try {
-      return written();
-    } catch (const std::filesystem::filesystem_error&) {  // an editor may save by deleting: it comes back
-      return Time{};
-    }
+/// A folder in which somebody works, and what is remembered there of each exercise or chapter, by its name.
+class WorkFolder {
+ public:
+  explicit WorkFolder(const std::filesystem::path& folder);
+  const std::filesystem::path& path() const { return folder_; }
+  /// Writes the file. What was there is kept beside it, with .old at its end, then .old2, ...; returns where that is; empty:
+  /// nothing was there.
+  std::filesystem::path begin_anew(const std::filesystem::path& file, const std::string& text) const;
+  /// What stood there when it was solved; 0: it was not.
+  std::uint64_t solved(const std::string& name) const;
+  void set_solved(const std::string& name, std::uint64_t state);
+  /// Those that were shown already and one more. `page`: has the rest.
+  void show_hints(const std::string& name, const std::vector<std::string>& hints, const std::string& page);
+  void forget(const std::string& name);
+  void forget_all();
+
+ private:
+  struct Remembered {
+    std::uint64_t solved = 0;
+    std::size_t hints = 0;
   };
-  for (Time seen{};;) {
-    const Time now = last_written();
-    if (now != seen && now != Time{}) {
-      fmt::print("\n");
-      try {
-        check();
-      } catch (const std::exception& problem) {  // between being seen and being read a file may be gone
-        fmt::print("{}\n", problem.what());
-      }
-      std::fflush(stdout);
-    }
-    seen = now;
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  }
-}
-
-/// A file of this name, if there is one, gets .old at its end, or .old2, ... Returns the new name; empty: there was none.
-inline std::filesystem::path put_away(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return {};
-  std::filesystem::path old = file.string() + ".old";
-  for (int i = 2; std::filesystem::exists(old); ++i) old.replace_extension(fmt::format(".old{}", i));
-  std::filesystem::rename(file, old);
-  return old;
-}
+  void write() const;
+  std::filesystem::path folder_;
+  std::map<std::string, Remembered> remembered_;
+};
 
 }  // namespace pushback

@@ -8,7 +8,6 @@
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
-#include "pushback/tools/classroom/calls.h"
 #include "pushback/tools/classroom/kit.h"
 
 namespace pushback {
@@ -16,13 +15,6 @@ namespace pushback {
 namespace fs = std::filesystem;
 
 namespace {
-
-using Command = std::vector<std::string>;
-
-Command operator+(Command first, const Command& then) {
-  first.insert(first.end(), then.begin(), then.end());
-  return first;
-}
 
 /// The kernel's limit of processes counts all that one user runs, and root is exempt from it. So root becomes another user in
 /// each sandbox.
@@ -63,7 +55,7 @@ Sandbox::Sandbox() {
                     ended.status == 127 ? "not installed" : lines_of(ended.err + "no reason given").front()));
 }
 
-Command Sandbox::around(Command command, const fs::path& folder, const std::vector<fs::path>& readable,
+Command Sandbox::around(const Command& command, const fs::path& folder, const std::vector<fs::path>& readable,
                         Folder may_be) const {
   const bool writable = may_be == Folder::writable, are_root = geteuid() == 0;
   // bubblewrap is the first process in there: its own environment can be read from /proc/1/environ.

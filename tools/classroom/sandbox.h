@@ -9,6 +9,19 @@
 
 namespace pushback {
 
+using Command = std::vector<std::string>;
+
+inline Command operator+(Command first, const Command& then) {
+  first.insert(first.end(), then.begin(), then.end());
+  return first;
+}
+
+/// A program for the kernel (seccomp), as bubblewrap takes it, for system calls that bubblewrap leaves open, and that no limit of a
+/// process covers. It refuses memory that belongs to no process, looking into other processes, and sandboxes within the sandbox.
+/// With `one_process`, it also refuses to start another process, so that the limit of one process's memory is the limit of all.
+/// Threads may start.
+std::string refused_calls(bool one_process);
+
 /// bubblewrap: no network, no environment, at most 32 processes and threads, and nothing to be read but the compiler, the
 /// headers of `common` and `chapters`, and what is named: no checks, no answers, no other student. If root calls, the command
 /// runs as a user of its own.
@@ -20,9 +33,8 @@ class Sandbox {
   /// start other programs. `readable` is for the student's program: it writes nowhere, and remains one process.
   enum class Folder { writable, readable };
   /// `command` in the sandbox, in this folder, and with these files to read.
-  std::vector<std::string> around(std::vector<std::string> command, const std::filesystem::path& folder,
-                                  const std::vector<std::filesystem::path>& readable,
-                                  Folder may_be = Folder::writable) const;
+  Command around(const Command& command, const std::filesystem::path& folder,
+                 const std::vector<std::filesystem::path>& readable, Folder may_be = Folder::writable) const;
 
  private:
   ScratchFolder filters_;  // of system calls

@@ -3,13 +3,10 @@
 #include <fmt/ranges.h>
 
 #include <regex>
-#include <sstream>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
-#include "pushback/common/basics/process.h"
 #include "pushback/tools/classroom/kit.h"
-#include "pushback/tools/classroom/reader.h"
 
 namespace pushback {
 
@@ -89,21 +86,17 @@ bool untouched(const std::string& text, const std::string& stub) {
 }
 
 StudentFiles::StudentFiles(const fs::path& folder)
-    : folder_(fs::proximate(!folder.empty()        ? folder
-                            : kit().prefix.empty() ? kit().sources / "exercises"
-                                                   : fs::current_path())) {
-  if (fs::exists(folder_) ? !fs::is_directory(folder_) : !folder.empty())
+    : WorkFolder(fs::proximate(!folder.empty()        ? folder
+                               : kit().prefix.empty() ? kit().sources / "exercises"
+                                                      : fs::current_path())) {
+  if (fs::exists(path()) ? !fs::is_directory(path()) : !folder.empty())
     throw InvalidInput(fmt::format("{}'{}' {}: a folder that exists is needed. {} --new FOLDER makes one",
-                                   folder.empty() ? "" : "--in: ", folder_.string(),
-                                   fs::exists(folder_) ? "is no folder" : "does not exist", kit().call()));
-  if (!fs::exists(folder_ / ".remembered")) return;
-  std::istringstream lines(read_text_file(folder_ / ".remembered"));
-  std::string name;
-  for (Remembered remembered; lines >> name >> remembered.solved >> remembered.hints;) remembered_[name] = remembered;
+                                   folder.empty() ? "" : "--in: ", path().string(),
+                                   fs::exists(path()) ? "is no folder" : "does not exist", kit().call()));
 }
 
 fs::path StudentFiles::task(const Exercise& exercise) const {
-  const fs::path beside = folder_ / (exercise.name + ".md");
+  const fs::path beside = path() / (exercise.name + ".md");
   return fs::exists(beside) ? beside : task_of(exercise);
 }
 
@@ -115,7 +108,7 @@ std::vector<const Exercise*> StudentFiles::listed(const std::vector<Exercise>& a
   std::vector<const Exercise*> here, every;
   bool tasks = false;
   for (const Exercise& exercise : all) {
-    const bool task_here = fs::exists(folder_ / (exercise.name + ".md"));
+    const bool task_here = fs::exists(path() / (exercise.name + ".md"));
     tasks = tasks || task_here;
     every.push_back(&exercise);
     if (task_here || has(exercise)) here.push_back(&exercise);
@@ -124,40 +117,18 @@ std::vector<const Exercise*> StudentFiles::listed(const std::vector<Exercise>& a
 }
 
 fs::path StudentFiles::reset(const Exercise& exercise) {
-  fs::create_directories(folder_);
-  const fs::path own = file(exercise), beside = exercise.name + ".md";
-  const std::string gap =
-      fs::exists(folder_ / beside) ? gap_of(exercise, beside.string()) : read_text_file(stub_of(exercise));
-  const fs::path old = put_away(own);
-  write_text_file(own, gap);
-  remembered_.erase(exercise.name);
-  write();
+  const std::string beside = exercise.name + ".md";
+  const std::string gap = fs::exists(path() / beside) ? gap_of(exercise, beside) : read_text_file(stub_of(exercise));
+  const fs::path old = begin_anew(file(exercise), gap);
+  forget(exercise.name);
   return old;
 }
 
 bool StudentFiles::solved(const Exercise& exercise) const {
-  const auto found = remembered_.find(exercise.name);
-  return found != remembered_.end() && has(exercise) &&
-         found->second.solved == hash_of(code_of(read_text_file(file(exercise))));
+  return has(exercise) && WorkFolder::solved(exercise.name) == hash_of(code_of(read_text_file(file(exercise))));
 }
 void StudentFiles::set_solved(const Exercise& exercise) {
-  remembered_[exercise.name].solved = hash_of(code_of(read_text_file(file(exercise))));
-  write();
-}
-std::size_t StudentFiles::hints(const Exercise& exercise) const {
-  const auto found = remembered_.find(exercise.name);
-  return found == remembered_.end() ? 0 : found->second.hints;
-}
-void StudentFiles::set_hints(const Exercise& exercise, std::size_t count) {
-  remembered_[exercise.name].hints = count;
-  write();
-}
-
-void StudentFiles::write() const {
-  std::string text;
-  for (const auto& [name, remembered] : remembered_)
-    text += fmt::format("{} {} {}\n", name, remembered.solved, remembered.hints);
-  write_text_file(folder_ / ".remembered", text);
+  WorkFolder::set_solved(exercise.name, hash_of(code_of(read_text_file(file(exercise)))));
 }
 
 }  // namespace pushback

@@ -1,13 +1,12 @@
 /// The folder in which a student works: a file for each exercise, and what is remembered of them.
 #pragma once
 
-#include <filesystem>
-#include <map>
-
-#include "pushback/common/exercise/exercise.h"
+#include "pushback/tools/classroom/reader.h"
 
 namespace pushback {
 
+/// Every exercise, by chapter; a transfer stands behind the rebuild of its chapter.
+std::vector<Exercise> all_exercises();
 /// 03, 15-transfer: as typed.
 std::string short_name(const Exercise& exercise);
 /// The one that a word asks for: 03, 3, baumgarte, 03_baumgarte; with -transfer or _transfer for the second one of a chapter.
@@ -27,12 +26,12 @@ std::uint64_t hash_of(const std::string& text);
 /// Whether nothing but comments and spaces has changed.
 bool untouched(const std::string& text, const std::string& stub);
 
-class StudentFiles {
+class StudentFiles : public WorkFolder {
  public:
   /// `folder`: where it is empty, exercises/ of the project, which need not be there; the current one where Pushback is installed.
   /// Throws InvalidInput where a folder is named that does not exist, or is a file.
   explicit StudentFiles(const std::filesystem::path& folder);
-  std::filesystem::path file(const Exercise& exercise) const { return folder_ / (exercise.name + ".h"); }
+  std::filesystem::path file(const Exercise& exercise) const { return path() / (exercise.name + ".h"); }
   /// Beside it, or where all tasks are.
   std::filesystem::path task(const Exercise& exercise) const;
   bool has(const Exercise& exercise) const { return std::filesystem::exists(file(exercise)); }
@@ -40,25 +39,11 @@ class StudentFiles {
   bool begun(const Exercise& exercise) const;
   /// Those of `all` that the folder has tasks or files of, where it is one with tasks (a handout); else all.
   std::vector<const Exercise*> listed(const std::vector<Exercise>& all) const;
-  /// The file with the gap, in the place of what may be there: that is kept beside it, with .old at its end, then .old2, ...
-  /// Returns where that is; empty: nothing was there.
+  /// The file with the gap, in the place of what may be there. Returns where that is kept; empty: nothing was there.
   std::filesystem::path reset(const Exercise& exercise);
-
   /// With the code that it has now, comments aside.
   bool solved(const Exercise& exercise) const;
   void set_solved(const Exercise& exercise);
-  /// How many hints were shown.
-  std::size_t hints(const Exercise& exercise) const;
-  void set_hints(const Exercise& exercise, std::size_t count);
-
- private:
-  struct Remembered {
-    std::uint64_t solved = 0;  // the hash of the code that was
-    std::size_t hints = 0;
-  };
-  void write() const;
-  std::filesystem::path folder_;
-  std::map<std::string, Remembered> remembered_;
 };
 
 }  // namespace pushback

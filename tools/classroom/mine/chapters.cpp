@@ -24,8 +24,8 @@
 #include "pushback/chapters/21_detected_once/flat.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
-#include "pushback/common/basics/process.h"
 #include "pushback/tools/classroom/kit.h"
+#include "pushback/tools/classroom/mine/edits.h"
 
 namespace pushback {
 
@@ -42,11 +42,6 @@ using namespace mine;
 const pushback::WholeSolver answer = pushback::whole_solver<MySolver>();
 }
 )";
-
-void replace_all(std::string& text, const std::string& what, const std::string& by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-    text.replace(at, what.size(), by);
-}
 
 }  // namespace
 
@@ -211,7 +206,7 @@ Exercise exercise_of_chapter(int chapter) {
     Exercise::Line line;
     line.says = its.says;
     line.points = holds(i, chapter) ? 1 : 0;
-    line.quantities = its.quantities;
+    line.quantities = its.scene.quantities;
     line.stage = its.chapter;
     if (!holds(i, chapter))
       for (Quantity& quantity : line.quantities) quantity.tolerance = std::numeric_limits<double>::infinity();
@@ -246,22 +241,9 @@ const WholeSolver& plain_solver(int chapter) {
 std::string plain_loop(int chapter) {
   const fs::path folder = kit().sources / "chapters" / folder_of(chapter);
   const bool naive = !fs::exists(folder / "flat.h");
-  std::string header = read_text_file(folder / (naive ? "naive.h" : "flat.h")), source;
-  if (!naive) source = read_text_file(folder / "flat.cpp");
-  // One namespace, and one class in it, from two files of which each has its own includes first.
-  std::string text, own_include = fmt::format("#include \"pushback/chapters/{}/flat.h\"", folder.filename().string());
-  for (const std::string& line : lines_of(header + source))
-    if (line != own_include) text += line + "\n";
-  replace_all(text, fmt::format("namespace pushback::flat_{} {{", two_digits(chapter)),
-              "namespace mine {\n\nusing namespace pushback;");
-  replace_all(text, fmt::format("}}  // namespace pushback::flat_{}\n", two_digits(chapter)), "}  // namespace mine\n");
-  replace_all(text, "FlatSolver", "MySolver");
-  if (naive) {
-    replace_all(text, "namespace pushback {", "namespace mine {\n\nusing namespace pushback;");
-    replace_all(text, "}  // namespace pushback\n", "}  // namespace mine\n");
-    replace_all(text, "NaiveOnce", "MySolver");
-  }
-  return text;
+  const std::string loop = naive ? read_text_file(folder / "naive.h")
+                                 : read_text_file(folder / "flat.h") + read_text_file(folder / "flat.cpp");
+  return renamed(loop, "namespace mine {\n\nusing namespace pushback;", "}  // namespace mine", "MySolver");
 }
 
 }  // namespace pushback

@@ -39,4 +39,20 @@ std::vector<EditedLoop> edited_loops(const std::string& edits, const std::string
   return loops;
 }
 
+std::string renamed(const std::string& loop, const std::string& space_begins, const std::string& space_ends,
+                    const std::string& solver) {
+  std::string text;
+  std::istringstream lines(loop);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with("/flat.h\"")) continue;  // of which the text is here
+    if (line.starts_with("namespace pushback")) line = space_begins;
+    if (line.starts_with("}  // namespace pushback")) line = space_ends;
+    for (const std::string name : {"FlatSolver", "NaiveOnce"})
+      for (std::size_t at = 0; (at = line.find(name, at)) != line.npos; at += solver.size())
+        line.replace(at, name.size(), solver);
+    text += line + "\n";
+  }
+  return text;
+}
+
 }  // namespace pushback

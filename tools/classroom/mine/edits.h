@@ -16,4 +16,8 @@ struct EditedLoop {
 /// std::runtime_error where the loop does not have the lines.
 std::vector<EditedLoop> edited_loops(const std::string& edits, const std::string& loop);
 
+/// A chapter's plain loop, its header and its source one after the other, as it stands in another namespace, under another name.
+std::string renamed(const std::string& loop, const std::string& space_begins, const std::string& space_ends,
+                    const std::string& solver);
+
 }  // namespace pushback

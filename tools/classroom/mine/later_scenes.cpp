@@ -16,82 +16,96 @@ constexpr Range substeps{1900, 4000};     // 1/s
 constexpr Range any_substeps{800, 4000};  // some so long that the spring of 12 has to be less stiff than its 240 Hz
 constexpr Range little{0.003, 0.012};     // m, of depth
 
-/// A smooth ball over the ground.
-struct Ball {
-  World world;
-  Real radius;
-
-  /// `gap`: m, between both; negative: it has sunk in. `speed`: m/s, downwards.
-  Ball(Random& random, Real gap, Real speed) : radius(random.between(Real(0.3), Real(0.8))) {
-    world.add(ground());
-    Body ball = sphere(radius, random.over_decades(1, 10));
-    world.add(ball.at({0, radius + gap, 0}).moving({0, -speed, 0}).rough(0));
-  }
-  Body& body() { return world.bodies[1]; }
-  void step(StepSolver& solver, int steps) {
-    for (int i = 0; i < steps; ++i) world.step(solver, dt);
-  }
-};
-
-/// Whole steps of a ball.
+/// Whole steps of a ball over the ground.
 struct Drop {
   Range speed;         ///< m/s, downwards
-  Range gap = {};      ///< m
+  Range gap = {};      ///< m, between both; negative: it has sunk in
   Range arrives = {};  ///< in this fraction of a step, whatever the gap
   Range bounce = {};
   int steps = 1;
+  bool with_contact = false;  ///< what its contact says is measured, too
 
-  /// Its height, mm, its speed upwards, and of its contact the impulse and the depth, mm.
-  Numbers all(Random& random, const WholeSolver& answer) const {
-    const Real fast = speed.draw(random);
-    Ball ball(random, arrives.to > 0 ? arrives.draw(random) * fast * dt : gap.draw(random), fast);
-    ball.body().bouncy(bounce.draw(random));
-    ball.step(*answer.make(), steps);
-    const Contacts& contacts = ball.world.contacts;
-    const auto [impulse, depth] =
-        contacts.empty() ? std::pair<Real, Real>(0, 0) : std::pair(contacts[0].impulse.y(), contacts[0].depth);
-    return {1000 * (ball.body().position.y() - ball.radius), ball.body().velocity.y(), impulse, 1000 * depth};
+  std::vector<Quantity> quantities() const {
+    std::vector<Quantity> all{{"your ball is over the ground by", "mm", exact},
+                              {"your ball goes up with", "m/s", exact}};
+    if (with_contact) {
+      all.push_back({"over all substeps, your contact keeps an impulse of", "N s", exact});
+      all.push_back({"your contact says that it is deep by", "mm", exact});
+    }
+    return all;
   }
-  /// The first two.
   Numbers operator()(Random& random, const WholeSolver& answer) const {
-    Numbers numbers = all(random, answer);
-    numbers.resize(2);
+    World world;
+    const Real fall = speed.draw(random), radius = random.between(Real(0.3), Real(0.8));
+    const Real above = arrives.to > 0 ? arrives.draw(random) * fall * dt : gap.draw(random);
+    world.add(ground());
+    Body ball = sphere(radius, random.over_decades(1, 10));
+    ball.at({0, radius + above, 0}).moving({0, -fall, 0}).rough(0);
+    world.add(ball.bouncy(bounce.draw(random)));
+    const auto solver = answer.make();
+    for (int i = 0; i < steps; ++i) world.step(*solver, dt);
+    Numbers numbers{1000 * (world.bodies[1].position.y() - radius), world.bodies[1].velocity.y()};
+    if (with_contact) {
+      const Contact none{}, &c = world.contacts.empty() ? none : world.contacts[0];
+      numbers.insert(numbers.end(), {c.impulse.y(), 1000 * c.depth});
+    }
     return numbers;
   }
 };
 
-auto with_contact(const Drop& drop) {
-  return [=](Random& random, const WholeSolver& answer) { return drop.all(random, answer); };
-}
-
-/// A step of a pair: how far its bodies are from where their velocities alone have brought them, mm, mrad, and these velocities.
-auto corrected(const Meeting& meeting) {
-  return [=](Random& random, const WholeSolver& answer) {
+/// A step of a pair: how far its bodies are from where their velocities alone have brought them, and these velocities.
+struct Corrected {
+  Meeting meeting;
+  std::vector<Quantity> quantities() const {
+    std::vector<Quantity> all;
+    for (const char* body : {"lower", "upper"}) {
+      all.push_back({fmt::format("your correction moves the {} body by", body), "mm", exact});
+      all.push_back({fmt::format("your correction turns the {} body by", body), "mrad", 1e-4});
+      all.push_back({fmt::format("after it, your {} body moves with", body), "m/s", exact});
+    }
+    return all;
+  }
+  Numbers operator()(Random& random, const WholeSolver& answer) const {
     Pair pair = meeting.pair(random);
     std::vector<Body> alone = pair.world.bodies;
-    pair.substep(*answer.make(), few(random));
+    pair.solve(*answer.make(), few(random), true);
     Numbers numbers;
     for (std::size_t i = 0; i < 2; ++i) {
       const Body& body = pair.world.bodies[i];
       alone[i].velocity = body.velocity;
       alone[i].angular_velocity = body.angular_velocity;
       move(alone[i], pair.h);
-      numbers.push_back(1000 * (body.position - alone[i].position).norm());
-      numbers.push_back(1000 * body.orientation.angularDistance(alone[i].orientation));
-      numbers.push_back(body.velocity.norm());
+      numbers.insert(numbers.end(),
+                     {1000 * (body.position - alone[i].position).norm(),
+                      1000 * body.orientation.angularDistance(alone[i].orientation), body.velocity.norm()});
     }
     return numbers;
-  };
+  }
+};
+
+Measured plan_of_a_step() {
+  return {{{"of contacts, a step of yours has so many detections:", "", 0.5},
+           {"and so many substeps:", "", 0.5},
+           {"and in each so many sweeps:", "", 0.5},
+           {"that it detects what is still apart, 1 or 0, your plan says with", "", 0.5}},
+          [](Random&, const WholeSolver& answer) -> Numbers {
+            const Plan plan = answer.make()->plan(dt);
+            return {static_cast<Real>(plan.detections), static_cast<Real>(plan.all_substeps()),
+                    static_cast<Real>(plan.sweeps), Real(plan.margin.least > 0 ? 1 : 0)};
+          }};
 }
 
 Numbers slides(Random& random, const WholeSolver& answer) {
-  Ball ball(random, 0, 0);
+  World world;
+  world.add(ground());
+  Body ball = sphere(Real(0.5), random.over_decades(1, 10));
+  world.add(ball.at({0, Real(0.5), 0}).moving({random.between(2, 4), 0, random.between(1, 2)}));
   const Real friction = random.between(Real(0.1), Real(0.3));
-  for (Body& body : ball.world.bodies) body.rough(friction);
-  ball.body().moving({random.between(2, 4), 0, random.between(1, 2)});
-  ball.step(*answer.make(), 3);
-  const Vec3 along = ball.world.contacts.empty() ? Vec3::Zero() : ball.world.contacts[0].impulse;
-  return {ball.body().velocity.x(), ball.body().angular_velocity.z(), std::hypot(along.x(), along.z())};
+  for (Body& body : world.bodies) body.rough(friction);
+  const auto solver = answer.make();
+  for (int step = 0; step < 3; ++step) world.step(*solver, dt);
+  const Vec3 along = world.contacts.empty() ? Vec3::Zero() : world.contacts[0].impulse;
+  return {world.bodies[1].velocity.x(), world.bodies[1].angular_velocity.z(), std::hypot(along.x(), along.z())};
 }
 
 /// Two balls that graze each other in the midst of a step: their rows are somewhere else in each substep.
@@ -111,200 +125,129 @@ Numbers graze(Random& random, const WholeSolver& answer) {
           world.bodies[1].angular_velocity.norm()};
 }
 
+/// In the second step the normal has turned, so that what was a push is friction now, and more than the cone holds.
+Numbers turned_normal(Random& random, const WholeSolver& answer) {
+  Pair pair = Meeting{.speed = fast, .friction = {0.1, 0.2}, .rate = substeps, .balls = true}.pair(random);
+  const auto solver = answer.make();
+  pair.solve(*solver, 1, true);
+  pair.next(pair.h, {pair.contact()});
+  Contact& c = pair.contact();
+  const auto [aside, other] = tangents_of(c.normal);
+  c.normal = (c.normal + random.between(Real(0.3), Real(0.5)) * (aside + other)).normalized();
+  pair.world.bodies[1].velocity += random.vector(Real(0.2));
+  pair.begin();
+  pair.solve(*solver, 0);
+  return {pair.world.bodies[0].velocity.norm(), pair.world.bodies[1].velocity.norm()};
+}
+
 constexpr double solved_impact = 1e-3;  // m/s: an impact is solved to a precision, which is each solver's own
-const std::vector<Quantity> of_a_correction{{"your correction moves the lower body by", "mm", exact},
-                                            {"and turns it by", "mrad", 1e-4},
-                                            {"after it, your lower body moves with", "m/s", exact},
-                                            {"your correction moves the upper body by", "mm", exact},
-                                            {"and turns it by", "mrad", 1e-4},
-                                            {"after it, your upper body moves with", "m/s", exact}};
-const std::vector<Quantity> of_a_ball{{"your ball is over the ground by", "mm", exact},
-                                      {"your ball goes up with", "m/s", exact}};
-const std::vector<Quantity> with_its_contact =
-    with(of_a_ball, {{"over all substeps, your contact keeps an impulse of", "N s", exact},
-                     {"your contact says that it is deep by", "mm", exact}});
+
 }  // namespace
 
 std::vector<CheckOfChapter> checks_of_later_contacts() {
   return {
-      {9, "a bounce is as fast as if it had begun at the surface", of_a_fall,
+      {9, "a bounce is as fast as if it had begun at the surface",
        Meeting{.speed = fast, .depth = {0.005, 0.05}, .restitution = {0.2, 0.9}, .falls = true}},
 
       // A push-out of at least 0.2 · 0.1 m · 50 Hz is faster than this bounce.
-      {9, "a body that bounces is not pushed out besides", of_a_pair,
+      {9, "a body that bounces is not pushed out besides",
        Meeting{.speed = {-0.4, -0.2}, .depth = {0.1, 0.2}, .restitution = {0.4, 0.9}}},
 
       // So deep, and so slow, that half the square of its speed at the surface would have been negative.
-      {9, "a body that is pressed in, and has not fallen in, is pushed out", of_a_fall,
+      {9, "a body that is pressed in, and has not fallen in, is pushed out",
        Meeting{.speed = {-0.4, -0.2}, .depth = {0.1, 0.2}, .restitution = {0.4, 0.9}, .falls = true}},
-      {9, "what forces have added is read before the initial guess", of_a_fall,
-       after({.speed = {-0.5, -0.1}, .falls = true},
-             {.speed = fast, .depth = {0.005, 0.05}, .restitution = {0.3, 0.9}, .falls = true})},
+      {9, "what forces have added is read before the initial guess",
+       After{{.speed = {-0.5, -0.1}, .falls = true},
+             {.speed = fast, .depth = {0.005, 0.05}, .restitution = {0.3, 0.9}}}},
 
       // One sweep: nothing of a bounce is left to a later one.
-      {9,
-       "after one sweep, a beam that lands flat has bounced flat",
-       {{"your beam moves upwards with", "m/s", solved_impact}, {"your beam turns with", "rad/s", solved_impact}},
-       [](Random& random, const WholeSolver& answer) -> Numbers {
-         const Real speed = random.between(1, 4);
-         Beam beam(random, random.between(Real(0.7), Real(0.9)), speed);
-         const Real e = random.between(Real(0.3), Real(0.9));
-         for (Contact& c : beam.world.contacts) c.restitution = e;
-         beam.solve(*answer.make(), 1);
-         return {beam.world.bodies[1].velocity.y(), std::abs(beam.world.bodies[1].angular_velocity.z())};
-       }},
-
-      // Four to six balls in a line, of which the first hits the others.
-      {9,
-       "after one sweep, a row of balls has passed the impact on",
-       {{"the ball that hits the row goes on with", "m/s", solved_impact},
-        {"the last but one leaves with", "m/s", solved_impact},
-        {"the last ball leaves with", "m/s", solved_impact}},
-       [](Random& random, const WholeSolver& answer) -> Numbers {
-         Touching row(random);
-         const auto balls = 4 + static_cast<std::uint32_t>(random.below(3));
-         const Real radius = random.between(Real(0.2), Real(0.4)), e = random.between(Real(0.4), 1);
-         for (std::uint32_t i = 0; i < balls; ++i) {
-           const Real x = 2 * radius * static_cast<Real>(i);
-           row.world.add(sphere(radius, random.between(5, 10)).at({x, 0, 0}));
-           if (i > 0) row.touch(i - 1, i, {x - radius, 0, 0}, Vec3::UnitX()).restitution = e;
-         }
-         row.world.bodies[0].moving({random.between(2, 6), 0, 0});
-         row.begin();
-         row.solve(*answer.make(), 1);
-         return {row.world.bodies.front().velocity.x(), row.world.bodies[balls - 2].velocity.x(),
-                 row.world.bodies.back().velocity.x()};
-       }},
-      {10, "the push-out has left the bias: an overlap gives no speed", of_a_pair,
-       Meeting{.speed = slow, .depth = {0.02, 0.1}}},
-      {10, "overlapping bodies are moved, by the fraction β of what is left", of_a_correction,
-       corrected({.speed = {-0.3, -0.1}, .depth = {0.02, 0.1}})},
+      {9, "after one sweep, a beam that lands flat has bounced flat",
+       Landing{.reach = {0.7, 0.9}, .restitution = {0.3, 0.9}, .sweeps = {1, 1}, .tolerance = solved_impact}},
+      {10, "the push-out has left the bias: an overlap gives no speed", Meeting{.speed = slow, .depth = {0.02, 0.1}}},
+      {10, "overlapping bodies are moved, by the fraction β of what is left",
+       Corrected{{.speed = {-0.3, -0.1}, .depth = {0.02, 0.1}}}},
 
       // They part by themselves, so that less is left; not so fast that nothing is.
-      {10, "what the bodies' own velocities close is not closed twice", of_a_correction,
-       corrected({.speed = {0.4, 0.8}, .depth = {0.05, 0.1}})},
-      {10, "no contact corrects more than 50 mm", of_a_correction,
-       corrected({.speed = {-0.3, -0.1}, .depth = {0.4, 0.8}})},
-      {10, "bodies less deep than the slop are not moved", of_a_correction,
-       corrected({.speed = fast, .depth = {-0.01, 0.0045}})},
+      {10, "what the bodies' own velocities close is not closed twice",
+       Corrected{{.speed = {0.4, 0.8}, .depth = {0.05, 0.1}}}},
+      {10, "no contact corrects more than 50 mm", Corrected{{.speed = {-0.3, -0.1}, .depth = {0.4, 0.8}}}},
+      {10, "bodies less deep than the slop are not moved", Corrected{{.speed = fast, .depth = {-0.01, 0.0045}}}},
 
-      {11, "a ball falls as far as in 32 steps", of_a_ball, Drop{.speed = {}, .gap = {5, 5}}},
+      {11, "a ball falls as far as in 32 steps", Drop{.speed = {}, .gap = {5, 5}}},
       {11,
        "a ball that arrives in the middle of a step bounces then",
-       of_a_ball,
        Drop{.speed = {2, 6}, .arrives = {0.3, 0.6}, .bounce = {0.5, 0.9}},
        {21}},
-      {11, "β/h with the h of a substep", of_a_ball, Drop{.speed = {}, .gap = {-0.03, -0.01}}, {12}},
-      {11,
-       "the plan: 32 detections, one sweep in each substep",
-       {{"of contacts, a step of yours has so many detections:", "", 0.5},
-        {"and so many substeps:", "", 0.5},
-        {"and in each so many sweeps:", "", 0.5}},
-       [](Random&, const WholeSolver& answer) -> Numbers {
-         const Plan plan = answer.make()->plan(dt);
-         return {static_cast<Real>(plan.detections), static_cast<Real>(plan.all_substeps()),
-                 static_cast<Real>(plan.sweeps)};
-       },
-       {21}},
+      {11, "β/h with the h of a substep", Drop{.speed = {}, .gap = {-0.03, -0.01}}, {12}},
+      {11, "the plan: 32 detections, one sweep in each substep", plan_of_a_step(), {21}},
       {12,
        "an overlap gives way as a spring with a damper does",
-       of_a_pair,
        Meeting{.speed = slow, .depth = little, .rate = any_substeps, .sweeps = {2, 5.9}},
        {21}},
       {12,
        "bodies that are too deep are pushed out with 3 m/s",
-       of_a_pair,
        Meeting{.speed = slow, .depth = {0.04, 0.09}, .rate = substeps, .sweeps = {2, 5.9}},
        {21}},
       {12,
        "a bounce is neither soft nor pushed out",
-       of_a_fall,
        Meeting{.speed = fast, .depth = {0.01, 0.019}, .restitution = {0.1, 0.2}, .sweeps = {2, 5.9}, .falls = true},
        {21}},
-      {12, "once it has moved the bodies, the speed of the push-out is gone", of_a_pair,
+      {12, "once it has moved the bodies, the speed of the push-out is gone",
        Meeting{.speed = slow, .depth = little, .rate = any_substeps, .moves = true}},
-      {12, "and that of a bounce is not", of_a_pair,
+      {12, "and that of a bounce is not",
        Meeting{.speed = fast, .depth = little, .restitution = {0.3, 0.9}, .rate = any_substeps, .moves = true}},
-      {12, "rows are carried to where the bodies are", of_what_rubs,
+      {12, "rows are carried to where the bodies are",
        Meeting{.speed = fast,
                .depth = little,
                .friction = {0.2, 0.8},
                .slip = {3, 6},
                .rate = any_substeps,
                .moves = true}},
-      {12, "a ball that has sunk in rises", of_a_ball, Drop{.speed = {}, .gap = {-0.015, -0.005}, .steps = 4}},
+      {12, "a ball that has sunk in rises", Drop{.speed = {}, .gap = {-0.015, -0.005}, .steps = 4}},
   };
 }
 
 std::vector<CheckOfChapter> checks_of_detected_once() {
   return {
-      {21,
-       "the plan: one detection, with a margin, 32 substeps of one sweep",
-       {{"a step of yours has so many detections:", "", 0.5},
-        {"and after each so many substeps:", "", 0.5},
-        {"and in each so many sweeps:", "", 0.5},
-        {"that it detects what is still apart, 1 or 0, your plan says with", "", 0.5}},
-       [](Random&, const WholeSolver& answer) -> Numbers {
-         const Plan plan = answer.make()->plan(dt);
-         return {static_cast<Real>(plan.detections), static_cast<Real>(plan.substeps), static_cast<Real>(plan.sweeps),
-                 Real(plan.margin.least > 0 ? 1 : 0)};
-       }},
-      {21, "a ball that arrives in the middle of a step stops at the surface", with_its_contact,
-       with_contact({.speed = {2, 6}, .arrives = {0.3, 0.6}})},
-      {21, "a ball that bounces in the middle of a step does so once", with_its_contact,
-       with_contact({.speed = {2, 6}, .arrives = {0.3, 0.6}, .bounce = {0.4, 0.9}})},
-      {21, "a ball at rest is borne, and its contact says by how much", with_its_contact,
-       with_contact({.speed = {}, .gap = {-0.001, -0.0001}, .steps = 3})},
+      {21, "the plan: one detection, with a margin, 32 substeps of one sweep", plan_of_a_step()},
+      {21, "a ball that arrives in the middle of a step stops at the surface",
+       Drop{.speed = {2, 6}, .arrives = {0.3, 0.6}, .with_contact = true}},
+      {21, "a ball that bounces in the middle of a step does so once",
+       Drop{.speed = {2, 6}, .arrives = {0.3, 0.6}, .bounce = {0.4, 0.9}, .with_contact = true}},
+      {21, "a ball at rest is borne, and its contact says by how much",
+       Drop{.speed = {}, .gap = {-0.001, -0.0001}, .steps = 3, .with_contact = true}},
 
       // Near enough to be detected, and never there.
-      {21, "what was detected and did not touch is no contact", with_its_contact,
-       with_contact({.speed = {-1, -0.5}, .gap = {0.005, 0.01}})},
+      {21, "what was detected and did not touch is no contact",
+       Drop{.speed = {-1, -0.5}, .gap = {0.005, 0.01}, .with_contact = true}},
       {21,
        "a ball that slides is braked in every substep",
-       {{"your ball goes on with", "m/s", exact},
-        {"your ball turns with", "rad/s", exact},
-        {"over all substeps, along the surface, your contact keeps", "N s", exact}},
-       slides},
+       {{{"your ball goes on with", "m/s", exact},
+         {"your ball turns with", "rad/s", exact},
+         {"over all substeps, along the surface, your contact keeps", "N s", exact}},
+        slides}},
       {21,
        "balls that graze each other keep their angular momentum",
-       {{"your impulses change the angular momentum of both balls by", "N m s", exact},
-        {"the ball that was hit leaves with", "m/s", exact},
-        {"the other one goes on with", "m/s", exact},
-        {"and turns with", "rad/s", exact}},
-       graze},
+       {{{"your impulses change the angular momentum of both balls by", "N m s", exact},
+         {"the ball that was hit leaves with", "m/s", exact},
+         {"the other one goes on with", "m/s", exact},
+         {"and turns with", "rad/s", exact}},
+        graze}},
 
       // So many sweeps that it has converged, before it has moved, and one after.
-      {21, "a pile of three boxes that meet with any velocities", of_a_pile(),
-       [](Random& random, const WholeSolver& answer) -> Numbers {
+      {21, "a pile of three boxes that meet with any velocities",
+       of_a_pile([](Random& random, const WholeSolver& answer) {
          Pile pile(random);
-         for (std::size_t i = 1; i < pile.world.bodies.size(); ++i)
-           pile.world.bodies[i].moving(random.vector(3)).spinning(random.vector(3));
          pile.h = 1 / substeps.draw(random);
-         pile.begin();
-         pile.substep(*answer.make(), to_the_end);
-         return numbers_of(pile);
-       }},
-      {21, "bodies of any shape slide as the cone says, before and after they have moved", of_what_rubs,
+         pile.solve(*answer.make(), to_the_end, true);
+         return pile.numbers();
+       })},
+      {21, "bodies of any shape slide as the cone says, before and after they have moved",
        Meeting{.speed = fast, .friction = {0.2, 0.8}, .slip = {1, 6}, .rate = substeps, .moves = true}},
-      {21, "of several points, each starts from its own impulse", of_many_points(), each_point_starts},
-
-      // In the second step the normal has turned, so that what was a push is friction now, and more than the cone holds.
+      {21, "of several points, each starts from its own impulse", EachPointStarts{}},
       {21,
        "a guess stays within the cone of the normal of now",
-       {{"your lower ball leaves with", "m/s", exact}, {"your upper ball leaves with", "m/s", exact}},
-       [](Random& random, const WholeSolver& answer) -> Numbers {
-         Pair pair = Meeting{.speed = fast, .friction = {0.1, 0.2}, .rate = substeps, .balls = true}.pair(random);
-         const auto solver = answer.make();
-         pair.substep(*solver, 1);
-         pair.next(pair.h, {pair.contact()});
-         Contact& c = pair.contact();
-         const auto [aside, other] = tangents_of(c.normal);
-         c.normal = (c.normal + random.between(Real(0.3), Real(0.5)) * (aside + other)).normalized();
-         pair.world.bodies[1].velocity += random.vector(Real(0.2));
-         pair.begin();
-         pair.substep(*solver, 0);
-         return {pair.world.bodies[0].velocity.norm(), pair.world.bodies[1].velocity.norm()};
-       }},
+       {{{"your lower ball leaves with", "m/s", exact}, {"your upper ball leaves with", "m/s", exact}}, turned_normal}},
   };
 }
 

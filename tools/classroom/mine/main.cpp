@@ -11,7 +11,6 @@
 #include "pushback/tools/classroom/mine/my_file.h"
 #include "pushback/tools/classroom/mine/played.h"
 #include "pushback/tools/classroom/mine/verdict.h"
-#include "pushback/tools/classroom/reader.h"
 
 using namespace pushback;
 
@@ -38,11 +37,6 @@ void list(const MyFolder& mine) {
     fmt::print("next: chapters/{}/README.md, then {}, then ./course mine {}\n", folder_of(next->number),
                mine.file().string(), two_digits(next->number));
   else fmt::print("all are passed: ./course mine 21 --diff shows the plain loop beside yours\n");
-}
-
-std::string capital(std::string words) {
-  if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-  return words;
 }
 
 /// Those of earlier chapters in one line as long as they pass; of this one, a line a check.
@@ -178,10 +172,10 @@ int main(int argc, char** argv) {
     if (compares) passed = compare(mine, asked);
     else if (!chapter) list(mine);
     else if (asked.hint)
-      mine.set_hints(chapter->number, show_hints(chapter->hints, mine.hints(chapter->number),
-                                                 fmt::format("chapters/{}/README.md", folder_of(chapter->number))));
+      mine.show_hints(std::to_string(chapter->number), chapter->hints,
+                      fmt::format("chapters/{}/README.md", folder_of(chapter->number)));
     else if (asked.diff) show_difference(*chapter, mine);
-    else if (asked.watch) watch([&] { return mine.written(); }, [&] { check(*chapter, mine, asked); });
+    else if (asked.watch) watch(mine.path(), [&] { check(*chapter, mine, asked); });
     else passed = check(*chapter, mine, asked);
   });
   return status == 0 && !passed ? 1 : status;

@@ -2,12 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
-
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/classroom/kit.h"
-#include "pushback/tools/classroom/reader.h"
 
 namespace pushback {
 
@@ -39,26 +36,19 @@ class MySolver : public StepSolver {
 
 }  // namespace
 
-MyFolder::MyFolder(const fs::path& folder) : folder_(fs::proximate(folder.empty() ? kit().sources / "mine" : folder)) {
+MyFolder::MyFolder(const fs::path& folder)
+    : WorkFolder(fs::proximate(folder.empty() ? kit().sources / "mine" : folder)) {
   try {
-    make_writable_folder(folder_);
+    make_writable_folder(path());
   } catch (const InvalidInput&) {
     throw InvalidInput(fmt::format(
-        "--in: folder '{}' cannot be written to: a folder that can be made or written to is needed", folder_.string()));
+        "--in: folder '{}' cannot be written to: a folder that can be made or written to is needed", path().string()));
   }
-  const fs::path file = folder_ / ".remembered";
-  if (!fs::exists(file)) return;
-  std::istringstream lines(read_text_file(file));
-  bool passed = false;
-  std::size_t hints = 0;
-  for (int chapter = 0; lines >> chapter >> passed >> hints;) remembered_[chapter] = {passed, hints};
 }
 
 void MyFolder::reset() {
-  put_away(file());
-  write_text_file(file(), begun_with);
-  remembered_.clear();
-  write();
+  begin_anew(file(), begun_with);
+  forget_all();
 }
 
 std::string MyFolder::text() const {
@@ -68,40 +58,6 @@ std::string MyFolder::text() const {
         fmt::format("{} has no class MySolver, which is what is checked. --reset begins anew, and keeps your file",
                     file().string()));
   return text;
-}
-
-fs::file_time_type MyFolder::written() const {
-  fs::file_time_type last{};
-  for (const auto& entry : fs::directory_iterator(folder_)) {
-    std::error_code gone;  // between the two: an editor may write beside the file, and rename
-    const fs::file_time_type its = entry.path().extension() == ".h" ? entry.last_write_time(gone) : last;
-    if (!gone) last = std::max(last, its);
-  }
-  return last;
-}
-
-bool MyFolder::passed(int chapter) const {
-  const auto found = remembered_.find(chapter);
-  return found != remembered_.end() && found->second.passed;
-}
-void MyFolder::set_passed(int chapter, bool passed) {
-  remembered_[chapter].passed = passed;
-  write();
-}
-std::size_t MyFolder::hints(int chapter) const {
-  const auto found = remembered_.find(chapter);
-  return found == remembered_.end() ? 0 : found->second.hints;
-}
-void MyFolder::set_hints(int chapter, std::size_t count) {
-  remembered_[chapter].hints = count;
-  write();
-}
-
-void MyFolder::write() const {
-  std::string text;
-  for (const auto& [chapter, remembered] : remembered_)
-    text += fmt::format("{} {} {}\n", chapter, remembered.passed ? 1 : 0, remembered.hints);
-  write_text_file(folder_ / ".remembered", text);
 }
 
 }  // namespace pushback

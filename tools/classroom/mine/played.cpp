@@ -11,14 +11,13 @@
 #include "pushback/common/basics/process.h"
 #include "pushback/tools/classroom/kit.h"
 #include "pushback/tools/classroom/mine/chapters.h"
+#include "pushback/tools/classroom/sandbox.h"
 
 namespace pushback {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-using Command = std::vector<std::string>;
 
 /// Behind the reader's text.
 constexpr const char* as_library = R"(
@@ -76,9 +75,8 @@ std::string make_library(const std::string& text, const fs::path& folder, const 
     std::istringstream flags(CHAPTER_FLAGS);
     for (std::string flag; flags >> flag;) compile.push_back(flag);
   }
-  const Command more{"-w", "-I" + folder.string(), "-include", headers, "-shared", source, "-o", library};
-  compile.insert(compile.end(), more.begin(), more.end());
-  const Ended ended = run_program(compile, 120);
+  const Ended ended = run_program(
+      compile + Command{"-w", "-I" + folder.string(), "-include", headers, "-shared", source, "-o", library}, 120);
   return ended.status == 0 ? "" : "it does not compile as a library: " + first_error(ended.err);
 }
 
@@ -99,16 +97,15 @@ std::string draw_mine(int chapter, const fs::path& library, const fs::path& to, 
 bool play_hard_cases(const MyFolder& mine, const std::vector<std::string>& names) {
   const fs::path to = fs::absolute(mine.path()) / "hard_cases";
   const ScratchFolder scratch;
-  Command play{built_program("hard_cases_table"), "--stages", "00,01,02,03,04,05,06,07,08", "--out", scratch.path};
-  play.insert(play.end(), names.begin(), names.end());
-  Command list = play;
-  list.emplace_back("--list");
-  refuse(run_program(list, 60));
-  play.insert(play.end(), {"--mine", made_library(mine, scratch, CompiledAs::exercise)});
+  const Command play =
+      Command{built_program("hard_cases_table"), "--stages", "00,01,02,03,04,05,06,07,08", "--out", scratch.path} +
+      names;
+  refuse(run_program(play + Command{"--list"}, 60));
+  const Command with_mine{"--mine", made_library(mine, scratch, CompiledAs::exercise)};
   if (names.empty()) fmt::print("All cases are played, which takes about a minute.\n");
   std::fflush(stdout);
-  play.insert(play.begin(), {"env", "-C", kit().sources});  // the table has links to the chapters' pages
-  const Ended ended = run_program(play, 3600);
+  // The table has links to the chapters' pages.
+  const Ended ended = run_program(Command{"env", "-C", kit().sources} + play + with_mine, 3600);
   const fs::path made = scratch.path / "hard_cases" / "part";
   if (!fs::exists(made / "overview.png"))
     throw std::runtime_error("there is no table: " +
@@ -131,12 +128,12 @@ void study_with_mine(const MyFolder& mine, const std::vector<std::string>& asked
   for (const Motion& motion : all_motions())
     if (asked.empty() && motion.pins.empty()) motions.push_back(motion.name);
   built_program("motion_mine");
-  Command study{built_program("study"), "--quick", "--mine", made_library(mine, scratch, CompiledAs::chapter), "--out",
-                scratch.path,           "--only"};
-  study.insert(study.end(), motions.begin(), motions.end());
+  const Command study{
+      built_program("study"), "--quick", "--mine", made_library(mine, scratch, CompiledAs::chapter), "--out",
+      scratch.path,           "--only"};
   fmt::print("{} of the study's motions are played in all quick settings by every solver.\n", motions.size());
   std::fflush(stdout);
-  const Ended ended = run_program(study, 1800);
+  const Ended ended = run_program(study + motions, 1800);
   const fs::path made = scratch.path / "19_accuracy_and_time";
   if (ended.status != 0 || !fs::exists(made / "work_precision.png")) {
     const std::string said = last_line(ended.err), before = "failed: ";  // the call of a motion, with all settings

@@ -17,26 +17,13 @@ std::string text_of(const std::string& file) {
   return text.str();
 }
 
-void replace_all(std::string& text, const std::string& what, const std::string& by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-    text.replace(at, what.size(), by);
-}
-
 void make(const std::string& number, const std::string& edits, const std::string& loop, std::ostream& made) {
   made << "#include \"pushback/tools/classroom/mine/slips.h\"\n\n";
   std::string listed;
   int count = 0;
-  for (auto& [name, hint, text] : pushback::edited_loops(edits, loop)) {
+  for (const auto& [name, hint, text] : pushback::edited_loops(edits, loop)) {
     const std::string its = "slip_" + std::to_string(count++) + "_of_" + number;
-    replace_all(text, "#pragma once\n", "");
-    if (const std::size_t own = text.find("/flat.h\""); own != std::string::npos) {
-      const std::size_t begin = text.rfind('\n', own) + 1;
-      text.erase(begin, text.find('\n', own) + 1 - begin);
-    }
-    replace_all(text, "flat_" + number, its);
-    replace_all(text, "namespace pushback {", "namespace pushback::" + its + " {");  // as 00 has them
-    replace_all(text, "NaiveOnce", "FlatSolver");
-    made << text << "\n";
+    made << pushback::renamed(text, "namespace pushback::" + its + " {", "}", "FlatSolver") << "\n";
     listed += "    {" + std::to_string(std::stoi(number)) + ", R\"(" + name + ")\", R\"(" + hint +
               ")\", whole_solver<" + its + "::FlatSolver>()},\n";
   }

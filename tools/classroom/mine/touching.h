@@ -5,16 +5,23 @@
 
 #include <algorithm>
 
-#include "pushback/common/exercise/whole_solver.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/tools/classroom/mine/scenes.h"
 
 namespace pushback::touching {
 
-inline constexpr double exact = 1e-6;  // m/s, rad/s, N s ...: see scenes.h
+inline constexpr double exact = 1e-6;    // m/s, rad/s, N s ...: see scenes.h
+inline constexpr int to_the_end = 2000;  // sweeps, after which a pile has converged
 
-inline std::vector<Quantity> with(std::vector<Quantity> quantities, const std::vector<Quantity>& more) {
-  quantities.insert(quantities.end(), more.begin(), more.end());
-  return quantities;
+/// A number is drawn between these two.
+struct Range {
+  double from = 0, to = 0;
+  Real draw(Random& random) const { return random.between(static_cast<Real>(from), static_cast<Real>(to)); }
+};
+inline constexpr Range fast{-6, -2}, slow{-0.05, -0.01};  // m/s, at which points part: they meet
+
+inline int few(Random& random) {
+  return 1 + static_cast<int>(random.below(4));
 }
 
 /// Contacts that are made by hand, solved as World::step would have them solved.
@@ -32,12 +39,11 @@ struct Touching {
   void begin() {
     for (Body& body : world.bodies) keep_velocity(body);
   }
-  /// Velocities that just these impulses, N s, one a contact, bring to rest.
-  void thrown_by(const Numbers& impulses) {
-    for (std::size_t i = 0; i < impulses.size(); ++i) {
-      const Contact& c = world.contacts[i];
+  /// Velocities that random impulses, one a contact, bring to rest.
+  void throw_at_contacts(Random& random) {
+    for (const Contact& c : world.contacts) {
       const auto [a, b] = world.bodies_of(c);
-      const Vec3 impulse = impulses[i] * c.normal;
+      const Vec3 impulse = random.between(1, 5) * c.normal;
       a.velocity += a.inverse_mass * impulse;
       a.angular_velocity += a.inverse_inertia * (c.point - a.position).cross(impulse);
       b.velocity -= b.inverse_mass * impulse;
@@ -45,20 +51,16 @@ struct Touching {
     }
     begin();
   }
-  void solve(StepSolver& solver, int sweeps) {
+  /// With `moves` all of a substep: the bodies move in it, and the solver may change what it did.
+  void solve(StepSolver& solver, int sweeps, bool moves = false) {
     solver.check(world, h);
     solver.detected(world, h);
     solver.solve(world, h, sweeps);
-    solver.done(world);
-  }
-  /// All of a substep: the bodies move in it, and the solver may change what it did.
-  void substep(StepSolver& solver, int sweeps) {
-    solver.check(world, h);
-    solver.detected(world, h);
-    solver.solve(world, h, sweeps);
-    for (Body& body : world.bodies) move(body, h);
-    world.time += h;
-    solver.moved(world, h);
+    if (moves) {
+      for (Body& body : world.bodies) move(body, h);
+      world.time += h;
+      solver.moved(world, h);
+    }
     solver.done(world);
   }
   /// The next step, of which these contacts are found.
@@ -67,6 +69,12 @@ struct Touching {
     world.contacts = std::move(found);
     world.dt_before = h;
     h = its_h;
+  }
+  /// How fast a contact's points part, and slip, m/s.
+  Real parting(const Contact& c) const { return separating_speed(world, c); }
+  Vec3 slip(const Contact& c) const {
+    const Vec3 speed = world.bodies[c.id.body_b].velocity_at(c.point) - world.bodies[c.id.body_a].velocity_at(c.point);
+    return speed - speed.dot(c.normal) * c.normal;
   }
 };
 
@@ -83,7 +91,7 @@ struct Pair : Touching {
   Vec3 momentum_before, angular_before;
 
   /// Their points part at `speed`, m/s; negative: they meet.
-  Pair(Random& random, Real speed, bool spheres = false) : Touching(random) {
+  Pair(Random& random, Real speed, bool spheres) : Touching(random) {
     const Vec3 point = random.vector(1), normal = random.direction();
     for (const int side : {-1, 1}) {
       const Real away = random.between(Real(0.3), Real(0.8));
@@ -100,72 +108,20 @@ struct Pair : Touching {
   Contact& contact() { return world.contacts[0]; }
   /// As above; the velocities across the normal stay.
   void meet(Real speed) {
-    world.bodies[1].velocity += (speed - separating_speed(world, contact())) * contact().normal;
+    world.bodies[1].velocity += (speed - parting(contact())) * contact().normal;
     begin();
     momentum_before = momentum(world);
     angular_before = angular_momentum(world);
   }
-  /// How fast B's point moves along A's surface, m/s.
-  Vec3 slip() const {
-    const Contact& c = world.contacts[0];
-    const Vec3 speed = world.bodies[1].velocity_at(c.point) - world.bodies[0].velocity_at(c.point);
-    return speed - speed.dot(c.normal) * c.normal;
-  }
-  /// Gives B such a velocity that this is its slip, m/s.
-  void slide(const Vec3& wanted) {
-    world.bodies[1].velocity += wanted - slip();
-    meet(separating_speed(world, contact()));
-  }
   /// From now on B falls onto A, which nothing moves; gravity has sped B up in this step already.
   void fall(Random& random) {
-    const Real speed = parting();
+    const Real speed = parting(contact());
     world.bodies[0].fixed().moving(Vec3::Zero()).spinning(Vec3::Zero());
     meet(speed);
     world.gravity = -random.between(5, 15) * contact().normal;
     integrate_velocity(world.bodies[1], world.gravity, h);
   }
-  Real parting() const { return separating_speed(world, world.contacts[0]); }
-  Real pushed() const { return world.contacts[0].impulse.dot(world.contacts[0].normal); }
-  Real rubbed() const { return (world.contacts[0].impulse - pushed() * world.contacts[0].normal).norm(); }
 };
-
-inline const std::vector<Quantity> of_a_pair{
-    {"the points at which your bodies touch part with", "m/s", exact},
-    {"your impulses change the momentum of both bodies together by", "N s", exact},
-    {"your impulses change the angular momentum of both bodies together by", "N m s", exact},
-    {"your lower body leaves with", "m/s", exact},
-    {"your upper body leaves with", "m/s", exact},
-    {"your lower body turns with", "rad/s", exact},
-    {"your upper body turns with", "rad/s", exact},
-    {"your contact keeps an impulse along its normal of", "N s", exact}};
-
-inline Numbers numbers_of(const Pair& pair) {
-  const auto& bodies = pair.world.bodies;
-  return {pair.parting(),
-          (momentum(pair.world) - pair.momentum_before).norm(),
-          (angular_momentum(pair.world) - pair.angular_before).norm(),
-          bodies[0].velocity.norm(),
-          bodies[1].velocity.norm(),
-          bodies[0].angular_velocity.norm(),
-          bodies[1].angular_velocity.norm(),
-          pair.pushed()};
-}
-
-inline const std::vector<Quantity> of_what_rubs =
-    with(of_a_pair, {{"your contact keeps an impulse along the surface of", "N s", exact},
-                     {"along the surface, the points at which your bodies touch slip with", "m/s", exact}});
-
-inline const std::vector<Quantity> of_a_fall{{"the points at which your bodies touch part with", "m/s", exact},
-                                             {"the body that fell leaves with", "m/s", exact},
-                                             {"the body that fell turns with", "rad/s", exact},
-                                             {"your contact keeps an impulse along its normal of", "N s", exact}};
-
-/// A number is drawn between these two.
-struct Range {
-  double from = 0, to = 0;
-  Real draw(Random& random) const { return random.between(static_cast<Real>(from), static_cast<Real>(to)); }
-};
-inline constexpr Range fast{-6, -2}, slow{-0.05, -0.01};  // m/s, at which points part: they meet
 
 /// One step of two bodies that touch in one point, as a check wants them to; each number is drawn.
 struct Meeting {
@@ -190,20 +146,42 @@ struct Meeting {
       const auto [tangent, other] = tangents_of(c.normal);
       const Vec3 aside = along_a_tangent ? (random.below(2) == 0 ? tangent : other)
                                          : Vec3(random.direction().cross(c.normal).normalized());
-      made.slide((random.below(2) == 0 ? 1 : -1) * slip.draw(random) * aside);
+      made.world.bodies[1].velocity += (random.below(2) == 0 ? 1 : -1) * slip.draw(random) * aside - made.slip(c);
+      made.meet(made.parting(c));
     }
     if (falls) made.fall(random);
     return made;
   }
-  /// The numbers of a pair, of a fall, or of what rubs.
+  std::vector<Quantity> quantities() const {
+    std::vector<Quantity> all{{"the points at which your bodies touch part with", "m/s", exact},
+                              {"your lower body leaves with", "m/s", exact},
+                              {"your upper body leaves with", "m/s", exact},
+                              {"your lower body turns with", "rad/s", exact},
+                              {"your upper body turns with", "rad/s", exact},
+                              {"your contact keeps an impulse along its normal of", "N s", exact}};
+    if (friction.to > 0) {
+      all.push_back({"your contact keeps an impulse along the surface of", "N s", exact});
+      all.push_back({"along the surface, the points at which your bodies touch slip with", "m/s", exact});
+    }
+    if (!falls) {
+      all.push_back({"your impulses change the momentum of both bodies together by", "N s", exact});
+      all.push_back({"your impulses change the angular momentum of both bodies together by", "N m s", exact});
+    }
+    return all;
+  }
   Numbers solve(Pair& made, Random& random, StepSolver& solver) const {
-    const int times = static_cast<int>(sweeps.draw(random));
-    if (moves) made.substep(solver, times);
-    else made.solve(solver, times);
-    const Body& fell = made.world.bodies[1];
-    if (falls) return {made.parting(), fell.velocity.norm(), fell.angular_velocity.norm(), made.pushed()};
-    Numbers numbers = numbers_of(made);
-    if (friction.to > 0) numbers.insert(numbers.end(), {made.rubbed(), made.slip().norm()});
+    Contact c = made.contact();
+    made.solve(solver, static_cast<int>(sweeps.draw(random)), moves);
+    if (made.world.contacts.empty()) c.impulse.setZero();  // a solver may leave it out
+    else c = made.contact();
+    const Body &a = made.world.bodies[0], &b = made.world.bodies[1];
+    const Real pushed = c.impulse.dot(c.normal);
+    Numbers numbers{made.parting(c),           a.velocity.norm(),         b.velocity.norm(),
+                    a.angular_velocity.norm(), b.angular_velocity.norm(), pushed};
+    if (friction.to > 0) numbers.insert(numbers.end(), {(c.impulse - pushed * c.normal).norm(), made.slip(c).norm()});
+    if (!falls)
+      numbers.insert(numbers.end(), {(momentum(made.world) - made.momentum_before).norm(),
+                                     (angular_momentum(made.world) - made.angular_before).norm()});
     return numbers;
   }
   Numbers operator()(Random& random, const WholeSolver& answer) const {
@@ -212,24 +190,11 @@ struct Meeting {
   }
 };
 
-/// The numbers of the first of two steps, and how fast the points of the other one part.
-inline auto beside(const Meeting& one, const Meeting& other) {
-  return [=](Random& random, const WholeSolver& answer) {
-    Numbers numbers = one(random, answer);
-    numbers.push_back(other(random, answer)[0]);
-    return numbers;
-  };
-}
-/// How fast the points of both part.
-inline auto partings(const Meeting& one, const Meeting& other) {
-  return [=](Random& random, const WholeSolver& answer) -> Numbers {
-    const Real first = one(random, answer)[0];
-    return {first, other(random, answer)[0]};
-  };
-}
-/// A step first from which the second one has an initial guess.
-inline auto after(const Meeting& before, const Meeting& now) {
-  return [=](Random& random, const WholeSolver& answer) {
+/// A step before, from which the one that is looked at has an initial guess.
+struct After {
+  Meeting before, now;
+  std::vector<Quantity> quantities() const { return before.quantities(); }
+  Numbers operator()(Random& random, const WholeSolver& answer) const {
     Pair pair = before.pair(random);
     const auto solver = answer.make();
     before.solve(pair, random, *solver);
@@ -237,10 +202,12 @@ inline auto after(const Meeting& before, const Meeting& now) {
     pair.contact().restitution = now.restitution.draw(random);
     pair.contact().depth = now.depth.draw(random);
     pair.meet(now.speed.draw(random));
-    if (now.falls) integrate_velocity(pair.world.bodies[1], pair.world.gravity, pair.h);
-    return now.solve(pair, random, *solver);
-  };
-}
+    if (before.falls) integrate_velocity(pair.world.bodies[1], pair.world.gravity, pair.h);
+    Meeting measured = before;
+    measured.sweeps = now.sweeps;
+    return measured.solve(pair, random, *solver);
+  }
+};
 
 /// Three boxes on the ground and on each other, which touch in six points.
 struct Pile : Touching {
@@ -251,7 +218,7 @@ struct Pile : Touching {
     const Vec3 places[] = {{-1, 1, 0}, {1, 1, 0}, {0, Real(2.2), 0}};
     for (const Vec3& place : places) {
       Body body = lump(random);
-      world.add(body.at(place + random.vector(Real(0.1))));
+      world.add(body.at(place + random.vector(Real(0.1))).moving(random.vector(3)).spinning(random.vector(3)));
     }
     const auto near = [&](std::uint32_t a, std::uint32_t b, const Vec3& point, const Vec3& normal,
                           std::uint32_t feature = 0) {
@@ -265,10 +232,22 @@ struct Pile : Touching {
     near(1, 3, {Real(-0.5), Real(1.6), Real(-0.2)}, Vec3(Real(0.5), 1, 0));
     near(2, 3, {Real(0.5), Real(1.6), Real(0.2)}, Vec3(Real(-0.5), 1, 0));
     found = world.contacts;
+    begin();
+  }
+  Numbers numbers() const {
+    Numbers numbers;
+    for (std::size_t i = 1; i <= 3; ++i)
+      numbers.insert(numbers.end(), {world.bodies[i].velocity.norm(), world.bodies[i].angular_velocity.norm()});
+    for (const Contact& c : found) {
+      const auto its = std::find_if(world.contacts.begin(), world.contacts.end(),
+                                    [&](const Contact& one) { return one.id == c.id; });
+      numbers.push_back(its == world.contacts.end() ? 0 : its->impulse.norm());
+    }
+    return numbers;
   }
 };
 
-inline std::vector<Quantity> of_a_pile() {
+inline Measured of_a_pile(Measured::Play play) {
   std::vector<Quantity> all;
   for (const int box : {1, 2, 3}) {
     all.push_back({fmt::format("box {} of your pile moves with", box), "m/s", exact});
@@ -276,30 +255,24 @@ inline std::vector<Quantity> of_a_pile() {
   }
   for (const int contact : {1, 2, 3, 4, 5, 6})
     all.push_back({fmt::format("contact {} of your pile keeps", contact), "N s", exact});
-  return all;
+  return {all, std::move(play)};
 }
 
-inline Numbers numbers_of(const Pile& pile) {
-  Numbers numbers;
-  for (std::size_t i = 1; i <= 3; ++i) {
-    numbers.push_back(pile.world.bodies[i].velocity.norm());
-    numbers.push_back(pile.world.bodies[i].angular_velocity.norm());
-  }
-  const Contacts& left = pile.world.contacts;
-  for (const Contact& c : pile.found) {
-    const auto its = std::find_if(left.begin(), left.end(), [&](const Contact& one) { return one.id == c.id; });
-    numbers.push_back(its == left.end() ? 0 : its->impulse.norm());
-  }
-  return numbers;
-}
-
-inline constexpr int to_the_end = 2000;  // sweeps, after which a pile has converged
-
-/// Two bodies that touch the ground in three points each, and each other in one. Features are 1, 2 and 3 for both, and 2. No row
-/// follows from the others, so no order of rows changes an impulse. The points are a nanometre apart, because 21 makes those
+/// Each of seven points carries another load in the first step. Then the bodies slide on, so far that a point stands where another
+/// one stood. Point 1 of each on the ground is gone, and a new one is there. One normal has turned round, so that its old push
+/// would pull. Two bodies touch the ground in three points each, and each other in one; features are 1, 2 and 3 for both, and 2. No
+/// row follows from the others, so no order of rows changes an impulse. The points are a nanometre apart, because 21 makes those
 /// soft that have no gap.
-struct ManyPoints : Touching {
-  explicit ManyPoints(Random& random) : Touching(random) {
+struct EachPointStarts {
+  std::vector<Quantity> quantities() const {
+    std::vector<Quantity> all;
+    for (int point = 1; point <= 7; ++point)
+      all.push_back({fmt::format("after a step without a sweep, point {} parts with", point), "m/s", exact});
+    return all;
+  }
+  Numbers operator()(Random& random, const WholeSolver& answer) const {
+    Touching points(random);
+    World& world = points.world;
     world.add(ground());
     for (const int side : {-1, 1}) {
       Body body = lump(random);
@@ -312,78 +285,55 @@ struct ManyPoints : Touching {
         const Real angle = static_cast<Real>(feature) * 2 * pi / 3;
         const Vec3 off = Real(0.5) * (std::cos(angle) * tangent1 + std::sin(angle) * tangent2);
         const Vec3 below = world.bodies[body].position - Real(0.7) * normal;
-        touch(0, body, below + off + random.vector(Real(0.1)), normal, feature);
+        points.touch(0, body, below + off + random.vector(Real(0.1)), normal, feature);
       }
     }
-    touch(1, 2, Vec3(0, 1, 0) + random.vector(Real(0.1)), Vec3::UnitX(), 2);
+    points.touch(1, 2, Vec3(0, 1, 0) + random.vector(Real(0.1)), Vec3::UnitX(), 2);
     for (Contact& c : world.contacts) c.depth = Real(-1e-9);
+    points.throw_at_contacts(random);
+    Contacts found = world.contacts;
+    const auto solver = answer.make();
+    points.solve(*solver, to_the_end, true);
+    const Vec3 way = found[2].point - found[1].point;
+    for (Contact& c : found) {
+      c.point += way;
+      if (c.id.feature == 1) c.id.feature = 0;
+    }
+    found[5].normal = -found[5].normal;
+    for (Body& body : world.bodies)
+      if (body.movable()) body.position += way;
+    points.next(points.h * random.between(Real(0.5), Real(1.5)), found);
+    points.begin();
+    points.solve(*solver, 0);
+    Numbers numbers;
+    for (const Contact& c : found) numbers.push_back(points.parting(c));
+    return numbers;
   }
 };
 
-inline std::vector<Quantity> of_many_points() {
-  std::vector<Quantity> all;
-  const std::string first = "after a step without a sweep, ";
-  for (const char* body : {"body 1", "body 2"})
-    for (const char* point : {"a new point", "point 2", "point 3"})
-      all.push_back({fmt::format("{}{} between {} and the ground parts with", first, point, body), "m/s", exact});
-  all.push_back({first + "the point between bodies 1 and 2 parts with", "m/s", exact});
-  return all;
-}
-
-/// Each point carries another load in the first step. Then the bodies slide on, so far that a point stands where another one
-/// stood. Point 1 of each on the ground is gone, and a new one is there. One normal has turned round, so that its old push
-/// would pull.
-inline Numbers each_point_starts(Random& random, const WholeSolver& answer) {
-  ManyPoints points(random);
-  Numbers loads;
-  for (std::size_t i = 0; i < points.world.contacts.size(); ++i) loads.push_back(random.between(1, 5));
-  points.thrown_by(loads);
-  Contacts found = points.world.contacts;
-  const auto solver = answer.make();
-  points.substep(*solver, to_the_end);
-  const Vec3 way = found[2].point - found[1].point;
-  for (Contact& c : found) {
-    c.point += way;
-    if (c.id.feature == 1) c.id.feature = 0;
+/// A beam that lands on two points, as far left as right of its middle.
+struct Landing {
+  Range reach;                        ///< m, of both points
+  Range spin = {}, restitution = {};  ///< spin: as a fraction of that with which one end would not fall
+  Range sweeps = {1, 4.9};
+  double tolerance = exact;
+  std::vector<Quantity> quantities() const {
+    return {{"your beam moves upwards with", "m/s", tolerance}, {"your beam turns with", "rad/s", tolerance}};
   }
-  found[5].normal = -found[5].normal;
-  for (Body& body : points.world.bodies)
-    if (body.movable()) body.position += way;
-  points.next(points.h * random.between(Real(0.5), Real(1.5)), found);
-  points.begin();
-  points.solve(*solver, 0);
-  Numbers numbers;
-  for (const Contact& c : found) numbers.push_back(separating_speed(points.world, c));
-  return numbers;
-}
-
-/// A beam over the ground, which is met by it in two points, as far left as right of its middle.
-struct Beam : Touching {
-  /// `reach`, m; the beam falls at `speed`, m/s, and turns about the axis across with `spin`, rad/s.
-  Beam(Random& random, Real reach, Real speed, Real spin = 0) : Touching(random) {
-    world.add(ground());
+  Numbers operator()(Random& random, const WholeSolver& answer) const {
+    Touching made(random);
+    const Real away = reach.draw(random), speed = random.between(1, 4), e = restitution.draw(random);
+    const Real turns = (random.below(2) == 0 ? 1 : -1) * spin.draw(random) * speed / away;
+    made.world.add(ground());
     Body beam = box({1, Real(0.1), Real(0.2)}, random.over_decades(1, 10));
-    world.add(beam.at({0, Real(0.1), 0}).moving({0, -speed, 0}).spinning({0, 0, spin}));
-    touch(0, 1, {-reach, 0, 0}, Vec3::UnitY(), 0);
-    touch(0, 1, {reach, 0, 0}, Vec3::UnitY(), 1);
-    begin();
+    made.world.add(beam.at({0, Real(0.1), 0}).moving({0, -speed, 0}).spinning({0, 0, turns}));
+    made.touch(0, 1, {-away, 0, 0}, Vec3::UnitY(), 0).restitution = e;
+    made.touch(0, 1, {away, 0, 0}, Vec3::UnitY(), 1).restitution = e;
+    made.begin();
+    made.solve(*answer.make(), static_cast<int>(sweeps.draw(random)));
+    const Body& body = made.world.bodies[1];
+    return {body.velocity.y(), std::abs(body.angular_velocity.z())};
   }
 };
-
-inline const std::vector<Quantity> of_a_beam{
-    {"your beam moves upwards with", "m/s", exact},
-    {"your beam turns with", "rad/s", exact},
-    {"of your beam's two contacts, the one that pushes more keeps", "N s", exact},
-    {"of your beam's two contacts, the one that pushes less keeps", "N s", exact}};
-
-inline Numbers numbers_of(const Beam& beam) {
-  const Body& body = beam.world.bodies[1];
-  const Real left = beam.world.contacts[0].impulse.y(), right = beam.world.contacts[1].impulse.y();
-  return {body.velocity.y(), std::abs(body.angular_velocity.z()), std::max(left, right), std::min(left, right)};
-}
-
-inline int few(Random& random) {
-  return 1 + static_cast<int>(random.below(4));
-}
 
 }  // namespace pushback::touching

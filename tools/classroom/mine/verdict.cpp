@@ -2,8 +2,6 @@
 
 #include <fmt/ranges.h>
 
-#include <cmath>
-
 #include "pushback/common/basics/files.h"
 #include "pushback/tools/classroom/attempt.h"
 #include "pushback/tools/classroom/mine/chapters.h"
@@ -14,62 +12,37 @@ namespace {
 
 constexpr std::size_t most_named = 3;  // mistakes that show the same: more are no hint
 
-/// Whether a number is further from the right one than its tolerance.
-bool fails(const std::vector<Quantity>& quantities, const Numbers& right, const Numbers& shown) {
-  for (std::size_t i = 0; i < quantities.size(); ++i)
-    if (!(std::abs(shown[i] - right[i]) <= quantities[i].tolerance)) return true;
-  return false;
-}
-
-/// Whether these are the numbers of a mistake, to a hundredth of what it changes.
-bool same(const std::vector<Quantity>& quantities, const Numbers& right, const Numbers& mistaken,
-          const Numbers& shown) {
-  for (std::size_t i = 0; i < quantities.size(); ++i) {
-    const double tolerated = std::max<double>(quantities[i].tolerance, std::abs(mistaken[i] - right[i]) / 100);
-    const bool both_none = std::isnan(shown[i]) && std::isnan(mistaken[i]);
-    if (!(std::abs(shown[i] - mistaken[i]) <= tolerated) && !both_none) return false;
-  }
-  return true;
-}
-
-/// How a mistake shows in the scenes of a check.
-struct Shown {
-  bool fails = false;  ///< it would not pass
-  bool same = true;    ///< it gives the numbers that were sent
-};
-
 /// The mistakes that would show the numbers of the first check that fails, and fail no check that was passed. Of these, those
 /// that leave the fewest checks unexplained, and then those that explain the most; each name once.
 std::vector<Slip> likely_slips(int chapter, const VerdictOfMine& made, std::uint64_t seed) {
   const std::vector<Passed>& checks = made.verdict.checks;
-  std::vector<NumbersOfScenes> right;
-  for (std::size_t i = 0; i < checks.size(); ++i) right.push_back(scenes_of(made.exercise.right, seed, i));
-  const auto shown = [&](const Slip& slip, std::size_t check, bool while_same) {
+  /// Whether a mistake would not pass a check, and whether it gives the numbers that were sent, to a hundredth of what it changes.
+  const auto shown = [&](const Slip& slip, std::size_t check) {
     const std::vector<Quantity>& quantities = made.exercise.checks[check].quantities;
-    Shown how;
-    for (std::size_t scene = 0; scene < scenes_of_a_check && (how.same || !while_same); ++scene) {
+    bool fails = false, same = true;
+    for (std::size_t scene = 0; scene < scenes_of_a_check && (same || !fails); ++scene) {
       Random random = random_of(seed, check, scene);
-      const Numbers mistaken = play(check, random, slip.solver);
-      how.fails = how.fails || fails(quantities, right[check][scene], mistaken);
-      how.same = how.same && same(quantities, right[check][scene], mistaken, made.outcome.numbers[check][scene]);
+      const Numbers mistaken = play(check, random, slip.solver), &right = made.verdict.right[check][scene];
+      fails = fails || !passes(quantities, right, mistaken);
+      same = same && are_alike(made.outcome.numbers[check][scene], mistaken, [&](std::size_t i) {
+               return std::max<double>(quantities[i].tolerance, std::abs(mistaken[i] - right[i]) / 100);
+             });
     }
-    return how;
+    return std::pair(fails, same);
   };
   const std::size_t first = made.first_failing();
   std::vector<Slip> likely;
   std::pair<int, int> best;
   for (const Slip& slip : slips_in(chapter)) {
     // Of the checks of later chapters nothing is known: their scenes have what the mistaken loop does not know.
-    if (!holds(first, slip.chapter)) continue;
-    const Shown there = shown(slip, first, true);
-    if (!there.fails || !there.same) continue;
+    if (!holds(first, slip.chapter) || shown(slip, first) != std::pair(true, true)) continue;
     int explained = 0, unexplained = 0;
     bool contradicted = false;
     for (std::size_t i = 0; i < checks.size() && checks[i] != Passed::not_reached && !contradicted; ++i) {
       if (!holds(i, slip.chapter)) continue;
-      const Shown how = shown(slip, i, false);
-      contradicted = checks[i] == Passed::yes && how.fails;
-      (how.same ? explained : unexplained) += 1;
+      const auto [fails, same] = shown(slip, i);
+      contradicted = checks[i] == Passed::yes && fails;
+      (same ? explained : unexplained) += 1;
     }
     const std::pair rank(-unexplained, explained);
     if (contradicted || (!likely.empty() && rank < best)) continue;
