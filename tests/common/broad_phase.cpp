@@ -9,6 +9,7 @@
 #include "pushback/common/collision/collide.h"
 #include "pushback/common/world/world.h"
 #include "tests/support/catch.h"
+#include "tests/support/hulls.h"
 
 using namespace pushback;
 
@@ -76,6 +77,8 @@ TEST_CASE("bounds are the smallest boxes along the world axes") {
   require_bounds(capsule(Real(0.5), 2, 1).at({4, 5, 6}), {Real(0.5), Real(2.5), Real(0.5)});
   require_bounds(capsule(Real(0.5), 2, 1).at({4, 5, 6}).turned(pi / 4, Vec3::UnitX()),
                  {Real(0.5), 2 * root + Real(0.5), 2 * root + Real(0.5)});
+  require_bounds(hull(corners_of_box({1, 2, 3}), 1).at({4, 5, 6}).turned(pi / 4, Vec3::UnitZ()),
+                 {3 * root, 3 * root, 3});
   const Bounds all = bounds_of(ground());
   REQUIRE(all.low == Vec3::Constant(-std::numeric_limits<Real>::infinity()));
   REQUIRE(all.high == Vec3::Constant(std::numeric_limits<Real>::infinity()));
