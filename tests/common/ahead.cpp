@@ -7,6 +7,7 @@
 #include "pushback/common/collision/margin.h"
 #include "tests/support/any_shape.h"
 #include "tests/support/catch.h"
+#include "tests/support/hulls.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
@@ -14,11 +15,7 @@ using namespace pushback;
 namespace {
 
 Body cube_hull(Real half) {
-  std::vector<Vec3> corners;
-  for (const Real x : {-half, half})
-    for (const Real y : {-half, half})
-      for (const Real z : {-half, half}) corners.push_back({x, y, z});
-  return hull(corners, 1);
+  return hull(corners_of_box(Vec3::Constant(half)), 1);
 }
 
 /// Where `b` has gone `t` of the time ahead, seen from `a`; with nothing ahead any more.

@@ -257,19 +257,6 @@ TEST_CASE("free fall follows the closed form of symplectic Euler") {
   }
 }
 
-TEST_CASE("a force and a torque act for one step") {
-  World world;
-  world.gravity.setZero();
-  world.add(box({1, 2, 3}, 4));
-  world.bodies[0].force = {8, 0, 0};
-  world.bodies[0].torque = {0, 0, 10};
-  NoSolver none;
-  for (int i = 0; i < 3; ++i) world.step(none, Real(0.5));
-  REQUIRE(world.bodies[0].velocity.x() == Approx(0.5 * 8 / 4));
-  REQUIRE(world.bodies[0].angular_velocity.z() == Approx(0.5 * 10 / (4 * (1 + 4) / 3.0)));
-  REQUIRE(world.bodies[0].position.x() == Approx(3 * 0.5));
-}
-
 TEST_CASE("a spring swings with the period 2 pi sqrt(m/k), short by O(h^2)") {
   const Real mass = 2, stiffness = 50;
   const Real period = 2 * pi * std::sqrt(mass / stiffness);

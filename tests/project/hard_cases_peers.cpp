@@ -1,5 +1,5 @@
 /// The table of hard cases under other engines: what is written, and the program that hands the cases on. What an engine does with
-/// them is looked at where the engine is: tests/hard_cases/engines.
+/// them is looked at where the engine is: tests/19_accuracy_and_time/peers.cpp.
 #include "pushback/tools/measure/hard_cases/peers.h"
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/measure/adapters/adapter.h"
-#include "pushback/tools/measure/peers/engine.h"
 #include "pushback/tools/measure/peers/peer.h"
 #include "pushback/tools/measure/study/every_motion.h"
 
@@ -64,18 +63,19 @@ class AskedForWorld : public Engine {
     body.angular_velocity = moved.angular_velocity;
   }
   void drive(const Body& now, const Body&) override { changed_.push_back(now); }
-  void step(const std::vector<Body>& bodies, Real h) override {
-    std::vector<Body> pushed;
-    std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(pushed),
-                 [](const Body& body) { return body.movable() && (!body.force.isZero(0) || !body.torque.isZero(0)); });
-    for (const Body& body : adapter_.step(1, h, changed_, pushed).bodies)
+  void push(const Body& body) override {
+    if (!body.force.isZero(0) || !body.torque.isZero(0)) pushed_.push_back(body);
+  }
+  void step(double h) override {
+    for (const Body& body : adapter_.step(1, static_cast<Real>(h), changed_, pushed_).bodies)
       states_[static_cast<std::size_t>(body.index)] = body;
     changed_.clear();
+    pushed_.clear();
   }
 
  private:
   Adapter& adapter_;
-  std::vector<Body> states_, changed_;
+  std::vector<Body> states_, changed_, pushed_;
 };
 
 /// Whether it says so, asked for the motion in its plainest form. The question has no words for a conveyor.

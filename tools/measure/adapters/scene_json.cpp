@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <set>
 
@@ -45,35 +46,31 @@ Json index_json(int index) {
   return index == the_world ? Json() : Json(index);
 }
 
+/// In the order of JointShape's kinds: the word, and what is said of such a joint beside whom it joins.
+struct JointWords {
+  const char* kind;
+  std::vector<std::string> fields;
+};
+const std::array<JointWords, 6> joint_words{{{"ball_and_socket", {"anchor"}},
+                                             {"hinge", {"anchor", "axis"}},
+                                             {"angle_limits", {"axis", "low", "high"}},
+                                             {"twist_limits", {"axis", "low", "high"}},
+                                             {"cone_limit", {"axis", "axis_b", "high"}},
+                                             {"motor", {"axis", "speed", "torque"}}}};
+
 Json joint_json(const World& world, const Joint& joint) {
   const JointShape shape = shape_of(world, joint);
-  Json json{{"kind", ""}, {"a", index_json(joint.a)}, {"b", index_json(joint.b)}, {"colliding", joint.colliding}};
-  switch (shape.kind) {
-    case JointShape::ball_and_socket:
-    case JointShape::hinge:
-      json["kind"] = shape.kind == JointShape::hinge ? "hinge" : "ball_and_socket";
-      json["anchor"] = json_of(shape.anchor_b);
-      if (shape.kind == JointShape::hinge) json["axis"] = json_of(shape.axis);
-      break;
-    case JointShape::angle_limits:
-    case JointShape::twist_limits:
-      json["kind"] = shape.kind == JointShape::angle_limits ? "angle_limits" : "twist_limits";
-      json["axis"] = json_of(shape.axis);
-      json["low"] = shape.low;
-      json["high"] = shape.high;
-      break;
-    case JointShape::cone_limit:
-      json["kind"] = "cone_limit";
-      json["axis"] = json_of(shape.axis);
-      json["axis_b"] = json_of(shape.axis_b);
-      json["high"] = shape.high;
-      break;
-    case JointShape::motor:
-      json["kind"] = "motor";
-      json["axis"] = json_of(shape.axis);
-      json["speed"] = shape.speed;
-      json["torque"] = shape.torque;
-  }
+  const JointWords& words = joint_words[static_cast<std::size_t>(shape.kind)];
+  const Json numbers{{"anchor", json_of(shape.anchor_b)},
+                     {"axis", json_of(shape.axis)},
+                     {"axis_b", json_of(shape.axis_b)},
+                     {"low", shape.low},
+                     {"high", shape.high},
+                     {"speed", shape.speed},
+                     {"torque", shape.torque}};
+  Json json{
+      {"kind", words.kind}, {"a", index_json(joint.a)}, {"b", index_json(joint.b)}, {"colliding", joint.colliding}};
+  for (const std::string& field : words.fields) json[field] = numbers[field];
   return json;
 }
 
@@ -263,39 +260,34 @@ Body body_from(const From& from) {
 }
 
 Joint joint_from(const From& from, const World& world) {
-  const auto has_only = [&](std::vector<std::string> fields) {
-    fields.insert(fields.begin(), {"kind", "a", "b", "colliding"});
-    from.has_only(fields);
-  };
-  const auto angle = [&](const char* field) { return from.number(field, -largest, largest); };
-  const std::string kind = from.word("kind");
+  const std::string word = from.word("kind");
+  const auto words =
+      std::find_if(joint_words.begin(), joint_words.end(), [&](const JointWords& one) { return one.kind == word; });
+  if (words == joint_words.end())
+    from.wrong("kind", "ball_and_socket, hinge, angle_limits, twist_limits, cone_limit or motor");
   const int a = from.index("a", world.bodies.size()), b = from.index("b", world.bodies.size());
-  if (kind == "ball_and_socket") {
-    has_only({"anchor"});
-    return ball_and_socket(world, a, b, from.vector("anchor"));
+  std::vector<std::string> fields{"kind", "a", "b", "colliding"};
+  fields.insert(fields.end(), words->fields.begin(), words->fields.end());
+  from.has_only(fields);
+  const auto anchor = [&] { return from.vector("anchor"); };
+  const auto axis = [&] { return from.direction("axis"); };
+  const auto angle = [&](const char* field) { return from.number(field, -largest, largest); };
+  switch (static_cast<JointShape::Kind>(words - joint_words.begin())) {
+    case JointShape::ball_and_socket:
+      return ball_and_socket(world, a, b, anchor());
+    case JointShape::hinge:
+      return hinge(world, a, b, anchor(), axis());
+    case JointShape::angle_limits:
+      return angle_limits(world, a, b, axis(), angle("low"), angle("high"));
+    case JointShape::twist_limits:
+      return twist_limits(world, a, b, axis(), angle("low"), angle("high"));
+    case JointShape::cone_limit:
+      return cone_limit(world, a, b, axis(), from.direction("axis_b"), angle("high"));
+    case JointShape::motor:
+      break;
   }
-  if (kind == "hinge") {
-    has_only({"anchor", "axis"});
-    return hinge(world, a, b, from.vector("anchor"), from.direction("axis"));
-  }
-  if (kind == "angle_limits") {
-    has_only({"axis", "low", "high"});
-    return angle_limits(world, a, b, from.direction("axis"), angle("low"), angle("high"));
-  }
-  if (kind == "twist_limits") {
-    has_only({"axis", "low", "high"});
-    return twist_limits(world, a, b, from.direction("axis"), angle("low"), angle("high"));
-  }
-  if (kind == "cone_limit") {
-    has_only({"axis", "axis_b", "high"});
-    return cone_limit(world, a, b, from.direction("axis"), from.direction("axis_b"), angle("high"));
-  }
-  if (kind == "motor") {
-    has_only({"axis", "speed", "torque"});
-    return motor_at_speed(world, a, b, from.direction("axis"), from.number("speed", -fastest, fastest),
-                          from.number("torque", 0, largest_torque));
-  }
-  from.wrong("kind", "ball_and_socket, hinge, angle_limits, twist_limits, cone_limit or motor");
+  return motor_at_speed(world, a, b, axis(), from.number("speed", -fastest, fastest),
+                        from.number("torque", 0, largest_torque));
 }
 
 /// Makes one of a list, whose name is in all that is said of it.

@@ -1,46 +1,262 @@
-/// Box3D plays motions.
-#include "pushback/tools/measure/peers/box3d.h"
-
+/// Box3D, in float.
+#include <box3d/box3d.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "pushback/tools/measure/peers/joint_shape.h"
 #include "pushback/tools/measure/peers/peer.h"
 
 namespace pushback {
 
 namespace {
 
-class PlaysMotion : public Player {
- public:
-  /// `often`: substeps are steps of Box3D's, each with so many substeps of its own as there are sweeps. Else a frame is a step.
-  PlaysMotion(const Motion& motion, const Setting& setting, const Box3dChoice& choice, bool often)
-      : world_(begun(motion)), box3d_(world_, choice, 1), setting_(setting), often_(often) {}
-  void frame(int substeps) override {
-    if (!often_) return box3d_.step(1.0 / frames_per_second, substeps);
-    for (int i = 0; i < substeps; ++i) box3d_.step(setting_.dt(), setting_.sweeps);
-  }
-  Eigen::Vector3d place(std::size_t body) const override { return box3d_.place(body); }
-
- private:
-  static World begun(const Motion& motion) {
-    World world;
-    motion.begin(world);
-    return world;
-  }
-
-  World world_;
-  Box3d box3d_;
-  Setting setting_;
-  bool often_;
+/// What its settings differ in. As it comes: none of these.
+struct Box3dChoice {
+  /// Contacts and joints as stiff as Box3D allows for a substep of h: 1/(8 h) and 1/(4 h) Hz, in the place of 30 and 60 Hz. What
+  /// bounces does so at any speed, not from 1 m/s on. Bodies may have 10 km/s, not 400 m/s, and turn by any angle in a step, not 45
+  /// degrees.
+  bool stiff = false;
+  /// Manifolds are made in each step, not kept until two bodies have moved by 5 cm or 10 degrees against each other.
+  bool anew = false;
 };
 
+constexpr float half_slab = 50;  // m
+
+/// Asked for where Box3D takes no more than a substep allows: it clamps to that by itself.
+constexpr float any_hertz = 1e6F;
+
+float real(Real value) {
+  return static_cast<float>(value);
+}
+b3Vec3 vector(const Vec3& v) {
+  return {real(v.x()), real(v.y()), real(v.z())};
+}
+b3Quat turn(const Quat& q) {
+  return {{real(q.x()), real(q.y()), real(q.z())}, real(q.w())};
+}
+Vec3 ours(const b3Vec3& v) {
+  return {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)};
+}
+
+/// What stands at `at` and is turned by `orientation`, both in world axes, in the axes of the body.
+b3Transform frame_in(const Body& body, const Vec3& at, const Quat& orientation) {
+  const Quat back = body.orientation.conjugate();
+  return {vector(back * (at - body.position)), turn((back * orientation).normalized())};
+}
+
+class Box3d : public Engine {
+ public:
+  /// Each step is divided into `substeps`: contacts are detected once for all of them.
+  Box3d(const World& world, const Box3dChoice& choice, int substeps) : choice_(choice), substeps_(substeps) {
+    b3WorldDef description = b3DefaultWorldDef();  // of a pair: the geometric mean of frictions, the larger restitution
+    description.gravity = vector(world.gravity);
+    description.enableSleep = false;
+    if (choice.stiff) {
+      description.contactHertz = any_hertz;
+      description.restitutionThreshold = 0;
+      description.maximumLinearSpeed = 1e4F;
+    }
+    world_ = b3CreateWorld(&description);
+    if (choice.anew) b3World_SetContactRecycleDistance(world_, 0);
+    for (const Body& body : world.bodies) add(body);
+    const b3BodyDef still = b3DefaultBodyDef();
+    last_ = static_cast<int>(bodies_.size());
+    bodies_.push_back(b3CreateBody(world_, &still));
+    // A twist is about an axis that the cone has, where there is one: after it.
+    for (const bool twists : {false, true}) {
+      for (const Joint& joint : world.joints) {
+        const JointShape shape = shape_of(world, joint);
+        if ((shape.kind == JointShape::twist_limits) == twists) add(world, joint, shape);
+      }
+    }
+  }
+
+  ~Box3d() override { b3DestroyWorld(world_); }
+  Box3d(const Box3d&) = delete;
+  Box3d& operator=(const Box3d&) = delete;
+
+  void put(const Body& body) override {
+    const b3BodyId made = its(body.index);
+    b3Body_SetTransform(made, vector(body.position), turn(body.orientation));
+    if (b3Body_GetType(made) == b3_staticBody) return;
+    b3Body_SetLinearVelocity(made, vector(body.velocity));
+    b3Body_SetAngularVelocity(made, vector(body.angular_velocity));
+  }
+
+  void get(Body& body) const override {
+    const b3BodyId made = its(body.index);
+    const b3Quat q = b3Body_GetRotation(made);
+    body.position = ours(b3Body_GetPosition(made));
+    body.orientation = Quat(q.s, q.v.x, q.v.y, q.v.z).normalized();
+    body.velocity = ours(b3Body_GetLinearVelocity(made));
+    body.angular_velocity = ours(b3Body_GetAngularVelocity(made));
+  }
+
+  /// A kinematic body moves by its velocity.
+  void drive(const Body& now, const Body&) override { put(now); }
+
+  void push(const Body& body) override {
+    if (!body.force.isZero(0)) b3Body_ApplyForceToCenter(its(body.index), vector(body.force), true);
+    if (!body.torque.isZero(0)) b3Body_ApplyTorque(its(body.index), vector(body.torque), true);
+  }
+  void step(double h) override { b3World_Step(world_, static_cast<float>(h), substeps_); }
+
+ private:
+  struct Made {
+    b3JointId id;
+    int a, b;
+    JointShape shape;            // of the joint itself, without limits
+    Vec3 axis_b = Vec3::Zero();  // of its limits; zero: it has none so far
+  };
+
+  b3BodyId its(int index) const { return bodies_[static_cast<std::size_t>(index == the_world ? last_ : index)]; }
+
+  void add(const Body& body) {
+    b3BodyDef description = b3DefaultBodyDef();
+    description.type = body.movable() ? b3_dynamicBody : is_driven(body) ? b3_kinematicBody : b3_staticBody;
+    description.position = vector(body.position);
+    description.rotation = turn(body.orientation);
+    if (!body.conveys) {
+      description.linearVelocity = vector(body.velocity);
+      description.angularVelocity = vector(body.angular_velocity);
+    }
+    description.enableSleep = false;
+    description.allowFastRotation = choice_.stiff;
+    const b3BodyId made = b3CreateBody(world_, &description);
+    add_shape(made, body);
+    if (body.movable()) {
+      const Vec3 inertia = body.principal_inverse_inertia.cwiseInverse();
+      b3MassData mass{.mass = real(1 / body.inverse_mass), .center = b3Vec3_zero, .inertia = b3Mat3_zero};
+      mass.inertia.cx.x = real(inertia.x());
+      mass.inertia.cy.y = real(inertia.y());
+      mass.inertia.cz.z = real(inertia.z());
+      b3Body_SetMassData(made, mass);
+    }
+    bodies_.push_back(made);
+  }
+
+  /// Box3D has no plane: a half-space is a slab of 100 m, as in its own samples.
+  void add_shape(b3BodyId made, const Body& body) const {
+    b3ShapeDef description = b3DefaultShapeDef();
+    description.baseMaterial.friction = real(body.friction);
+    description.baseMaterial.restitution = real(body.restitution);
+    if (body.conveys) description.baseMaterial.tangentVelocity = vector(body.orientation.conjugate() * body.velocity);
+    if (const auto* ball = std::get_if<Sphere>(&body.shape)) {
+      const b3Sphere sphere{b3Vec3_zero, real(ball->radius)};
+      b3CreateSphereShape(made, &description, &sphere);
+    } else if (const auto* box = std::get_if<Box>(&body.shape)) {
+      const b3Vec3 half = vector(box->half_extents);
+      const b3BoxHull hull = b3MakeBoxHull(half.x, half.y, half.z);
+      b3CreateHullShape(made, &description, &hull.base);
+    } else if (const auto* capsule = std::get_if<Capsule>(&body.shape)) {
+      const float half = real(capsule->half_length);
+      const b3Capsule along_y{{0, -half, 0}, {0, half, 0}, real(capsule->radius)};
+      b3CreateCapsuleShape(made, &description, &along_y);
+    } else if (const auto* solid = std::get_if<Hull>(&body.shape)) {
+      std::vector<b3Vec3> corners;
+      for (const Vec3& corner : solid->solid->corners) corners.push_back(vector(corner));
+      const int count = static_cast<int>(corners.size());
+      b3HullData* hull = b3CreateHull(corners.data(), count, count);
+      if (hull == nullptr) throw not_had(fmt::format("a hull of {} corners", count));
+      b3CreateHullShape(made, &description, hull);  // which copies it
+      b3DestroyHull(hull);
+    } else {
+      const Vec3 normal = body.orientation.conjugate() * std::get<HalfSpace>(body.shape).normal;
+      const b3Transform below{vector(-static_cast<Real>(half_slab) * normal),
+                              turn(Quat::FromTwoVectors(Vec3::UnitY(), normal))};
+      const b3BoxHull slab = b3MakeTransformedBoxHull(half_slab, half_slab, half_slab, below);
+      b3CreateHullShape(made, &description, &slab.base);
+    }
+  }
+
+  void add(const World& world, const Joint& joint, const JointShape& shape) {
+    const bool hinge = shape.kind == JointShape::hinge;
+    if (!hinge && shape.kind != JointShape::ball_and_socket) return limit(world, joint, shape);
+    const Quat axes = hinge ? Quat::FromTwoVectors(Vec3::UnitZ(), shape.axis) : Quat::Identity();
+    const auto fill = [&](b3JointDef& base) {
+      base.bodyIdA = its(joint.a);
+      base.bodyIdB = its(joint.b);
+      base.localFrameA = frame_in(world.body(joint.a), shape.anchor_a, axes);
+      base.localFrameB = frame_in(world.body(joint.b), shape.anchor_b, axes);
+      base.collideConnected = joint.colliding;
+      if (choice_.stiff) base.constraintHertz = any_hertz;
+    };
+    if (hinge) {
+      b3RevoluteJointDef description = b3DefaultRevoluteJointDef();
+      fill(description.base);
+      joints_.push_back({b3CreateRevoluteJoint(world_, &description), joint.a, joint.b, shape});
+    } else {
+      b3SphericalJointDef description = b3DefaultSphericalJointDef();
+      fill(description.base);
+      joints_.push_back({b3CreateSphericalJoint(world_, &description), joint.a, joint.b, shape});
+    }
+  }
+
+  /// The joint of this kind that the two have.
+  Made& made_for(const Joint& joint, JointShape::Kind kind) {
+    const auto found = std::find_if(joints_.begin(), joints_.end(), [&](const Made& made) {
+      return made.a == joint.a && made.b == joint.b && made.shape.kind == kind;
+    });
+    if (found == joints_.end()) throw not_had(joint.name + " without the joint that they limit");
+    return *found;
+  }
+
+  /// Limits and motors are of the joint itself here. The cone is about the z axis of A's frame, the twist about that of B's.
+  void limit(const World& world, const Joint& joint, const JointShape& shape) {
+    if (shape.kind == JointShape::angle_limits) {
+      const Made& hinge = made_for(joint, JointShape::hinge);
+      const bool along = hinge.shape.axis.dot(shape.axis) > 0;
+      b3RevoluteJoint_SetLimits(hinge.id, real(along ? shape.low : -shape.high), real(along ? shape.high : -shape.low));
+      return b3RevoluteJoint_EnableLimit(hinge.id, true);
+    }
+    if (shape.kind == JointShape::motor) {
+      const Made& hinge = made_for(joint, JointShape::hinge);
+      b3RevoluteJoint_SetMotorSpeed(hinge.id, real(hinge.shape.axis.dot(shape.axis) > 0 ? shape.speed : -shape.speed));
+      b3RevoluteJoint_SetMaxMotorTorque(hinge.id, real(shape.torque));
+      return b3RevoluteJoint_EnableMotor(hinge.id, true);
+    }
+    Made& socket = made_for(joint, JointShape::ball_and_socket);
+    const bool cone = shape.kind == JointShape::cone_limit;
+    const Vec3& axis_b = cone ? shape.axis_b : shape.axis;
+    if (!socket.axis_b.isZero(0) && std::abs(socket.axis_b.dot(axis_b)) < Real(0.9999))
+      throw not_had("twist limits about another axis than the cone's");
+    if (cone || socket.axis_b.isZero(0)) {
+      const Quat on_a = Quat::FromTwoVectors(Vec3::UnitZ(), shape.axis);
+      const Quat on_b = Quat::FromTwoVectors(shape.axis, axis_b) * on_a;
+      b3Joint_SetLocalFrameA(socket.id, frame_in(world.body(joint.a), socket.shape.anchor_a, on_a));
+      b3Joint_SetLocalFrameB(socket.id, frame_in(world.body(joint.b), socket.shape.anchor_b, on_b));
+      socket.axis_b = axis_b;
+    }
+    if (cone) {
+      b3SphericalJoint_SetConeLimit(socket.id, real(shape.high));
+      return b3SphericalJoint_EnableConeLimit(socket.id, true);
+    }
+    const bool along = socket.axis_b.dot(shape.axis) > 0;
+    b3SphericalJoint_SetTwistLimits(socket.id, real(along ? shape.low : -shape.high),
+                                    real(along ? shape.high : -shape.low));
+    b3SphericalJoint_EnableTwistLimit(socket.id, true);
+  }
+
+  Box3dChoice choice_;
+  int substeps_;
+  b3WorldId world_;
+  std::vector<b3BodyId> bodies_;  // those of the world, and one that stands for the world
+  int last_ = 0;
+  std::vector<Made> joints_;
+};
+
+/// `often`: substeps are steps of Box3D's, each with so many substeps of its own as there are sweeps. Else a frame is a step.
 Method method(const std::string& name, const std::string& title, const Box3dChoice& choice, bool often = false) {
-  return {.name = name,
-          .title = title,
-          .plays = [](const Motion&) { return true; },
-          .begin = [=](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            return std::make_unique<PlaysMotion>(motion, setting, choice, often);
-          },
-          .sweeps = often};
+  Method made = method_of(
+      name, title,
+      [choice, often](const World& world, const Setting& setting) {
+        return std::make_unique<Box3d>(world, choice, often ? setting.sweeps : setting.substeps);
+      },
+      !often);
+  made.sweeps = often;
+  return made;
 }
 
 }  // namespace
@@ -49,6 +265,10 @@ std::vector<Method> peer_methods() {
   return {method("box3d", "Box3D", {}), method("box3d-stiff", "Box3D, stiff", {.stiff = true}),
           method("box3d-often", "Box3D, stiff, contacts detected in each substep", {.stiff = true}, true),
           method("box3d-manifolds-anew", "Box3D, stiff, manifolds made in each step", {.stiff = true, .anew = true})};
+}
+
+std::unique_ptr<Engine> begin_engine(const World& world, const PeerSetting& setting) {
+  return std::make_unique<Box3d>(world, Box3dChoice{.stiff = setting.tuned}, setting.own_substeps);
 }
 
 std::string peer_version() {

@@ -1,13 +1,15 @@
-/// Bullet 3 plays motions, in float or in double: BT_USE_DOUBLE_PRECISION says which, and has to fit the libraries.
+/// Bullet 3, in float or in double: BT_USE_DOUBLE_PRECISION says which, and has to fit the libraries.
 #include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
+#include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
-#include "pushback/tools/measure/peers/bullet.h"
+#include "pushback/tools/measure/peers/joint_shape.h"
 #include "pushback/tools/measure/peers/peer.h"
 #include "pushback/tools/measure/study/every_motion.h"
 
@@ -15,17 +17,93 @@ namespace pushback {
 
 namespace {
 
-/// What the methods differ in.
+constexpr btScalar no_limit = 100;  // rad
+
+template <class Solver>
+std::unique_ptr<btConstraintSolver> make() {
+  return std::make_unique<Solver>();
+}
+
+/// What the ways in which it is played differ in. As it comes: with nothing but this solver.
 struct Choice {
-  std::function<std::unique_ptr<btConstraintSolver>()> solver;
+  std::function<std::unique_ptr<btConstraintSolver>()> solver = make<btSequentialImpulseConstraintSolver>;
+  int sweeps = 10;
   /// The number of sweeps means nothing to it. The four corners of a box say too much for it, so that it gives up and sweeps
   /// instead, unless contacts yield a little: J v + softness * impulse = ..., 1/kg.
   bool direct = false;
   btScalar softness = 0;
+  /// Friction in two directions, what bounces does so at any speed, and 0.1 mm around a hull, not 40, that overlap where hulls touch.
+  bool tuned = true;
   /// Overlap is always removed by a velocity of its own, not only from 4 cm on, and contacts act from where bodies touch,
   /// not from 2 cm before. Else neither a push against overlap nor a gap that is left lets a bounce be what it should.
   bool split = false;
+  /// Of a hard case: pairs of their own friction and restitution; where it is tuned, all of the warm start and an ERP of 0.8. Only what
+  /// bounces touches from where it touches, and hulls lie on a plane.
+  bool hard_case = false;
 };
+
+btVector3 bullet(const Vec3& v) {
+  return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
+}
+
+btQuaternion bullet(const Quat& q) {
+  return {static_cast<btScalar>(q.x()), static_cast<btScalar>(q.y()), static_cast<btScalar>(q.z()),
+          static_cast<btScalar>(q.w())};
+}
+
+Vec3 ours(const btVector3& v) {
+  return {static_cast<Real>(v.x()), static_cast<Real>(v.y()), static_cast<Real>(v.z())};
+}
+
+// A pair has the product of its two, unless one asks for something else.
+btScalar mean_friction(const btCollisionObject* a, const btCollisionObject* b) {
+  return std::sqrt(a->getFriction() * b->getFriction());
+}
+btScalar larger_restitution(const btCollisionObject* a, const btCollisionObject* b) {
+  return std::max(a->getRestitution(), b->getRestitution());
+}
+
+/// A half-space is a plane under balls. Under boxes it is a slab of half that depth, m, as Bullet finds one corner of a box on
+/// a plane in a step, but all four of a box on a box.
+struct Slab {
+  bool used;
+  btScalar half;
+
+  std::unique_ptr<btCollisionShape> shape_of(const Body& body) const {
+    if (const auto* ball = std::get_if<Sphere>(&body.shape))
+      return std::make_unique<btSphereShape>(static_cast<btScalar>(ball->radius));
+    if (const auto* box = std::get_if<Box>(&body.shape)) return std::make_unique<btBoxShape>(bullet(box->half_extents));
+    if (const auto* capsule = std::get_if<Capsule>(&body.shape))
+      return std::make_unique<btCapsuleShape>(static_cast<btScalar>(capsule->radius),
+                                              static_cast<btScalar>(2 * capsule->half_length));
+    if (const auto* hull = std::get_if<Hull>(&body.shape)) {
+      auto made = std::make_unique<btConvexHullShape>();
+      for (const Vec3& corner : hull->solid->corners) made->addPoint(bullet(corner), false);
+      made->recalcLocalAabb();
+      return made;
+    }
+    if (used) return std::make_unique<btBoxShape>(btVector3(half, half, half));
+    return std::make_unique<btStaticPlaneShape>(bullet(std::get<HalfSpace>(body.shape).normal), btScalar(0));
+  }
+
+  /// Where the shape's origin is and how it is turned.
+  btTransform transform_of(const Body& body) const {
+    const auto* half_space = std::get_if<HalfSpace>(&body.shape);
+    if (half_space == nullptr || !used) return btTransform(bullet(body.orientation), bullet(body.position));
+    const btTransform top(bullet(Quat::FromTwoVectors(Vec3::UnitY(), half_space->normal)), bullet(body.position));
+    return top * btTransform(btQuaternion::getIdentity(), btVector3(0, -half, 0));
+  }
+};
+
+/// The inertia is the true one: Bullet's own would be of the shape with its margin around it.
+btRigidBody::btRigidBodyConstructionInfo mass_of(const Body& body, btCollisionShape* shape) {
+  btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shape);
+  if (body.movable()) {
+    info.m_mass = static_cast<btScalar>(1 / body.inverse_mass);
+    info.m_localInertia = bullet(Vec3(body.principal_inverse_inertia.cwiseInverse()));
+  }
+  return info;
+}
 
 /// Counts rows where they are swept, a list at once: Bullet ends its iterations where nothing is left to correct. A tangent
 /// whose normal presses with nothing is only looked at; it counts.
@@ -76,39 +154,69 @@ bool hand_over_belts(btManifoldPoint& point, void* one, void* other) {
   return true;
 }
 
-class Bullet : public PlayerInSubsteps {
+class Bullet : public Engine {
  public:
-  Bullet(const Motion& motion, const Setting& setting, const Choice& choice)
-      : choice_(choice), solver_(choice.solver()), dt_(static_cast<btScalar>(setting.dt())) {
-    World world;
-    motion.fill(world);
+  Bullet(const World& world, const Choice& choice) : choice_(choice), solver_(choice.solver()) {
+    const auto any = [&](const auto& is) { return std::any_of(world.bodies.begin(), world.bodies.end(), is); };
+    if (choice.hard_case) {
+      gCalculateCombinedFrictionCallback = mean_friction;
+      gCalculateCombinedRestitutionCallback = larger_restitution;
+    }
     dynamics_.emplace(&dispatcher_, &broad_phase_, solver_.get(), &configuration_);
     dynamics_->setGravity(bullet(world.gravity));
     btContactSolverInfo& info = dynamics_->getSolverInfo();
-    info.m_numIterations = setting.sweeps;
-    info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-    info.m_restitutionVelocityThreshold = 0;
-    info.m_globalCfm = choice.softness * dt_;
+    info.m_numIterations = choice.sweeps;
+    if (choice.tuned) {
+      info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+      info.m_restitutionVelocityThreshold = 0;
+    }
     if (choice.split) info.m_splitImpulsePenetrationThreshold = 0;
-    const bool belts = has_conveyor(motion);
+    if (choice.tuned && choice.hard_case) {
+      info.m_warmstartingFactor = 1;
+      info.m_erp = btScalar(0.8);
+    }
+    const bool belts = any([](const Body& body) { return body.conveys; });
     if (belts) info.m_solverMode |= SOLVER_ENABLE_FRICTION_DIRECTION_CACHING;
     gContactProcessedCallback = belts ? hand_over_belts : nullptr;
-    slab_.used = std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) {
-      return std::holds_alternative<Box>(body.shape) || std::holds_alternative<Hull>(body.shape);
-    });
+    slab_ = {any([&](const Body& body) {
+               return std::holds_alternative<Box>(body.shape) ||
+                      (!choice.hard_case && std::holds_alternative<Hull>(body.shape));
+             }),
+             btScalar(choice.hard_case ? 50 : 20)};
     for (const Body& body : world.bodies) add(body);
-    for (const Pin& pin : motion.pins) add(pin, world);
+    for (const Joint& joint : world.joints) add(world, shape_of(world, joint), joint);
   }
   ~Bullet() override {
-    for (const auto& pin : pins_) dynamics_->removeConstraint(pin.get());
+    for (const auto& joint : joints_) dynamics_->removeConstraint(joint.get());
     for (const auto& body : bodies_) dynamics_->removeRigidBody(body.get());
   }
 
-  void substep() override { dynamics_->stepSimulation(dt_, 0); }
-  Eigen::Vector3d place(std::size_t body) const override {
-    if (bodies_[body]->isStaticObject()) return put_[body];
-    const btVector3& at = bodies_[body]->getCenterOfMassPosition();
-    return {static_cast<double>(at.x()), static_cast<double>(at.y()), static_cast<double>(at.z())};
+  void put(const Body& body) override {
+    btRigidBody& made = its(body);
+    made.setCenterOfMassTransform(slab_.transform_of(body));
+    made.setInterpolationWorldTransform(made.getCenterOfMassTransform());
+    made.setLinearVelocity(bullet(body.velocity));
+    made.setAngularVelocity(bullet(body.angular_velocity));
+  }
+  void get(Body& body) const override {
+    const btRigidBody& made = *bodies_[static_cast<std::size_t>(body.index)];
+    const btQuaternion q = made.getOrientation();
+    body.position = ours(made.getCenterOfMassPosition());
+    body.orientation = Quat(q.w(), q.x(), q.y(), q.z()).normalized();
+    body.velocity = ours(made.getLinearVelocity());
+    body.angular_velocity = ours(made.getAngularVelocity());
+  }
+  /// A step makes the velocity of what it finds moved, and leaves it there.
+  void drive(const Body&, const Body& then) override { its(then).setWorldTransform(slab_.transform_of(then)); }
+  void push(const Body& body) override {
+    its(body).applyCentralForce(bullet(body.force));
+    its(body).applyTorque(bullet(body.torque));
+  }
+  void step(double h) override {
+    dynamics_->getSolverInfo().m_globalCfm = choice_.softness * static_cast<btScalar>(h);
+    for (const Motor& motor : motors_)
+      motor.hinge->setMaxMotorImpulse(static_cast<btScalar>(static_cast<double>(motor.torque) * h));
+    dynamics_->stepSimulation(static_cast<btScalar>(h), 0);
   }
   /// Nothing with split impulses either: how often it sweeps those depends on what is left, and it does not say.
   std::optional<double> row_solves() const override {
@@ -118,17 +226,24 @@ class Bullet : public PlayerInSubsteps {
   }
 
  private:
+  btRigidBody& its(const Body& body) { return its(body.index); }
+  btRigidBody& its(int index) {
+    return index == the_world ? btTypedConstraint::getFixedBody() : *bodies_[static_cast<std::size_t>(index)];
+  }
+
+  /// In a motion all bodies are alike, and a pair has the product of its two.
+  btScalar each_of(Real pair) const { return static_cast<btScalar>(choice_.hard_case ? pair : std::sqrt(pair)); }
+
   void add(const Body& body) {
     shapes_.push_back(slab_.shape_of(body));
-    // 0.04 m around a hull, else, that overlap where hulls touch.
-    if (std::holds_alternative<Hull>(body.shape)) shapes_.back()->setMargin(btScalar(1e-4));
-    put_.push_back(body.position.cast<double>());
+    if (choice_.tuned && std::holds_alternative<Hull>(body.shape)) shapes_.back()->setMargin(btScalar(1e-4));
     btRigidBody::btRigidBodyConstructionInfo info = mass_of(body, shapes_.back().get());
     info.m_startWorldTransform = slab_.transform_of(body);
-    info.m_friction = static_cast<btScalar>(std::sqrt(body.friction));  // a pair has the product of its two
-    info.m_restitution = static_cast<btScalar>(std::sqrt(body.restitution));
+    info.m_friction = each_of(body.friction);
+    info.m_restitution = each_of(body.restitution);
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     btRigidBody& made = *bodies_.back();
+    if (is_driven(body)) made.setCollisionFlags(made.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
     if (body.conveys) {
       belts_.push_back(std::make_unique<btVector3>(bullet(body.velocity)));
       made.setUserPointer(belts_.back().get());
@@ -137,22 +252,93 @@ class Bullet : public PlayerInSubsteps {
       made.setAngularVelocity(bullet(body.angular_velocity));
     }
     made.setActivationState(DISABLE_DEACTIVATION);
-    if (choice_.split) made.setContactProcessingThreshold(0);
+    if (choice_.split && (!choice_.hard_case || body.restitution > 0)) made.setContactProcessingThreshold(0);
     dynamics_->addRigidBody(&made);
   }
 
-  void add(const Pin& pin, const World& world) {
-    const auto local = [&](int index) {
-      const Body& body = world.bodies[static_cast<std::size_t>(index)];
-      return bullet(Vec3(body.orientation.conjugate() * (pin.anchor - body.position)));
-    };
-    btRigidBody& b = *bodies_[static_cast<std::size_t>(pin.b)];
-    if (pin.a == the_world) pins_.push_back(std::make_unique<btPoint2PointConstraint>(b, local(pin.b)));
-    else
-      pins_.push_back(std::make_unique<btPoint2PointConstraint>(*bodies_[static_cast<std::size_t>(pin.a)], b,
-                                                                local(pin.a), local(pin.b)));
-    dynamics_->addConstraint(pins_.back().get(), true);  // true: the two do not collide
+  /// The frame in the body's that now has its axis `which` along `axis`, and its origin at `at`.
+  btTransform frame_on(int index, const Vec3& at, int which, const Vec3& axis) {
+    const btTransform there(bullet(Quat::FromTwoVectors(Vec3::Unit(which), axis)), bullet(at));
+    return its(index).getCenterOfMassTransform().inverse() * there;
   }
+
+  void add(const World& world, const JointShape& shape, const Joint& joint) {
+    btRigidBody &a = its(joint.a), &b = its(joint.b);
+    const auto local = [&](int index, const Vec3& at) {
+      if (choice_.hard_case) return its(index).getCenterOfMassTransform().inverse() * bullet(at);
+      const Body& body = world.body(index);
+      return bullet(Vec3(body.orientation.conjugate() * (at - body.position)));
+    };
+    switch (shape.kind) {
+      case JointShape::ball_and_socket:
+        if (!choice_.hard_case && joint.a == the_world)
+          return add(std::make_unique<btPoint2PointConstraint>(b, local(joint.b, shape.anchor_b)), joint);
+        return add(std::make_unique<btPoint2PointConstraint>(a, b, local(joint.a, shape.anchor_a),
+                                                             local(joint.b, shape.anchor_b)),
+                   joint);
+      case JointShape::hinge:
+        return add(std::make_unique<btHingeConstraint>(a, b, frame_on(joint.a, shape.anchor_a, 2, shape.axis),
+                                                       frame_on(joint.b, shape.anchor_b, 2, shape.axis), true),
+                   joint);
+      case JointShape::angle_limits:
+        return limit(shape, joint);
+      case JointShape::twist_limits:
+        if (std::abs(shape.low + shape.high) > Real(1e-4)) throw not_had("twist limits that are not symmetric");
+        return add_turns(shape, joint, no_limit, static_cast<btScalar>(shape.high));
+      case JointShape::cone_limit:
+        return add_turns(shape, joint, static_cast<btScalar>(shape.high), no_limit);
+      case JointShape::motor:
+        return drive(shape, joint);
+    }
+  }
+  void add(std::unique_ptr<btTypedConstraint> made, const Joint& joint) {
+    dynamics_->addConstraint(made.get(), !joint.colliding);
+    joints_.push_back(std::move(made));
+    pairs_.emplace_back(joint.a, joint.b);
+  }
+  /// The joint of this kind that the two have.
+  template <class Made>
+  Made& made_for(const Joint& joint) {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      auto* made = dynamic_cast<Made*>(joints_[i].get());
+      if (made != nullptr && pairs_[i] == std::pair(joint.a, joint.b)) return *made;
+    }
+    throw not_had(joint.name + " without the joint that they limit");
+  }
+  bool along(const btHingeConstraint& hinge, const JointShape& shape, const Joint& joint) {
+    const btVector3 axis =
+        its(joint.a).getCenterOfMassTransform().getBasis() * hinge.getAFrame().getBasis().getColumn(2);
+    return axis.dot(bullet(shape.axis)) > 0;
+  }
+  /// Bullet bounds the impulse of a step: set in each.
+  void drive(const JointShape& shape, const Joint& joint) {
+    auto& hinge = made_for<btHingeConstraint>(joint);
+    hinge.enableAngularMotor(true, static_cast<btScalar>(along(hinge, shape, joint) ? shape.speed : -shape.speed), 0);
+    motors_.push_back({&hinge, shape.torque});
+  }
+  void limit(const JointShape& shape, const Joint& joint) {
+    auto& hinge = made_for<btHingeConstraint>(joint);
+    const bool along = this->along(hinge, shape, joint);
+    hinge.setLimit(static_cast<btScalar>(along ? shape.low : -shape.high),
+                   static_cast<btScalar>(along ? shape.high : -shape.low), 1);
+  }
+  /// The cone of the swing, or the twist. Bullet's joint with both holds two points on each other, too: those of the ball and socket.
+  void add_turns(const JointShape& shape, const Joint& joint, btScalar swing, btScalar twist) {
+    const auto& socket = made_for<btPoint2PointConstraint>(joint);
+    const Vec3& axis_b = shape.kind == JointShape::cone_limit ? shape.axis_b : shape.axis;
+    btTransform on_a = frame_on(joint.a, Vec3::Zero(), 0, shape.axis),
+                on_b = frame_on(joint.b, Vec3::Zero(), 0, axis_b);
+    on_a.setOrigin(socket.getPivotInA());
+    on_b.setOrigin(socket.getPivotInB());
+    auto made = std::make_unique<btConeTwistConstraint>(its(joint.a), its(joint.b), on_a, on_b);
+    made->setLimit(swing, swing, twist, 1);
+    add(std::move(made), joint);
+  }
+
+  struct Motor {
+    btHingeConstraint* hinge;
+    Real torque;  // N m
+  };
 
   Choice choice_;
   Slab slab_;
@@ -163,16 +349,11 @@ class Bullet : public PlayerInSubsteps {
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btVector3>> belts_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
-  std::vector<std::unique_ptr<btTypedConstraint>> pins_;
-  Places put_;  // where the bodies were at first, of which those that nothing moves have another origin here
+  std::vector<std::unique_ptr<btTypedConstraint>> joints_;
+  std::vector<std::pair<int, int>> pairs_;  // of each joint
+  std::vector<Motor> motors_;
   std::optional<btDiscreteDynamicsWorld> dynamics_;
-  btScalar dt_;
 };
-
-template <class Solver>
-std::unique_ptr<btConstraintSolver> make() {
-  return std::make_unique<Solver>();
-}
 
 /// The solver for all constraints at once, with what it needs.
 struct Dantzig : private btDantzigSolver, public btMLCPSolver {
@@ -181,14 +362,16 @@ struct Dantzig : private btDantzigSolver, public btMLCPSolver {
 
 Method method(const std::string& name, const std::string& title, const Choice& choice) {
   const bool in_double = sizeof(btScalar) == sizeof(double);
-  return {.name = (in_double ? "bullet-double" : "bullet") + name,
-          .title = title + (in_double ? ", double" : ", float"),
-          // Solved directly, all rows make one dense matrix: those of a thousand bodies at rest would take 14 GB.
-          .plays = [choice](const Motion& motion) { return !choice.direct || moving_bodies(motion) <= 200; },
-          .begin = [choice](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            return std::make_unique<Bullet>(motion, setting, choice);
-          },
-          .sweeps = !choice.direct};
+  Method made = method_of((in_double ? "bullet-double" : "bullet") + name, title + (in_double ? ", double" : ", float"),
+                          [choice](const World& world, const Setting& setting) {
+                            Choice with = choice;
+                            with.sweeps = setting.sweeps;
+                            return std::make_unique<Bullet>(world, with);
+                          });
+  // Solved directly, all rows make one dense matrix: those of a thousand bodies at rest would take 14 GB.
+  if (choice.direct) made.plays = [](const Motion& motion) { return moving_bodies(motion) <= 200; };
+  made.sweeps = !choice.direct;
+  return made;
 }
 
 }  // namespace
@@ -200,6 +383,11 @@ std::vector<Method> peer_methods() {
       method("-nncg", "Bullet, conjugate gradients", {.solver = make<Counting<btNNCGConstraintSolver>>}),
       method("-dantzig", "Bullet, solved directly",
              {.solver = make<Dantzig>, .direct = true, .softness = btScalar(1e-6)})};
+}
+
+std::unique_ptr<Engine> begin_engine(const World& world, const PeerSetting& setting) {
+  return std::make_unique<Bullet>(
+      world, Choice{.sweeps = setting.sweeps, .tuned = setting.tuned, .split = setting.tuned, .hard_case = true});
 }
 
 std::string peer_version() {

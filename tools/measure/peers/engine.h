@@ -1,13 +1,13 @@
-/// Another engine with a world of ours in it. Each engine's source defines one, and a program is linked with one of them.
+/// Another engine with a world of ours in it, which plays motions, and hard cases as a solver of ours.
 #pragma once
 
-#include <memory>
-
-#include "pushback/common/world/world.h"
+#include "pushback/common/world/step_solver.h"
 #include "pushback/tools/measure/hard_cases/peers.h"
+#include "pushback/tools/measure/study/play.h"
 
 namespace pushback {
 
+/// Sleeping and damping are off; a pair rubs and bounces as a pair of ours does.
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -17,24 +17,61 @@ class Engine {
   virtual void get(Body& body) const = 0;
   /// An immovable body that moves: in the next step it goes from `now` to `then`.
   virtual void drive(const Body& now, const Body& then) = 0;
-  /// Moves on by h, s, with the force and torque of each body. Throws InvalidInput where the engine gives up.
-  virtual void step(const std::vector<Body>& bodies, Real h) = 0;
+  /// The force and torque of a movable body act in the next step.
+  virtual void push(const Body& body) = 0;
+  /// Moves on by h, s. Throws InvalidInput where the engine gives up.
+  virtual void step(double h) = 0;
+  /// As of a Player.
+  virtual std::optional<double> row_solves() const { return {}; }
 };
 
-/// With the world in it. Sleeping and damping are off; a pair rubs and bounces as a pair of ours does. Throws not_had where
-/// the engine lacks something that is in the world.
 using BeginEngine = std::unique_ptr<Engine>(const World& world, const PeerSetting& setting);
-BeginEngine begin_engine;
 
 /// "not possible: ODE has no cone limit"
 InvalidInput not_had(const std::string& what);
 
-/// Throws not_had where the body has what no engine here is told of: a skin, groups, a surface that conveys.
+/// Throws not_had where the body has what no engine is told of in a hard case: a skin, groups, a surface that conveys.
 void check_plain(const Body& body);
 
 /// An immovable body whose velocity moves it; that of a conveyor moves its surface alone.
 inline bool is_driven(const Body& body) {
   return !body.movable() && !body.conveys && (!body.velocity.isZero(0) || !body.angular_velocity.isZero(0));
 }
+
+using BeginForMotion = std::function<std::unique_ptr<Engine>(const World& world, const Setting& setting)>;
+
+/// Plays every motion by the engine that `begin` makes of its world. `divides`: it is given frames, and divides them by itself.
+Method method_of(const std::string& name, const std::string& title, const BeginForMotion& begin, bool divides = false);
+
+/// A whole step hands the world to the engine. What others have changed since is written into it; where that is more than
+/// positions and velocities, the engine begins anew. Contacts are found by ours, where bodies are after the step, so that an
+/// overlap means the same whoever moved them; of what the engine pushed there they know nothing: their impulses are 0.
+class EngineSolver : public StepSolver {
+ public:
+  EngineSolver(BeginEngine* begin, PeerSetting setting) : begin_(begin), setting_(std::move(setting)) {}
+  /// A copy begins anew: an engine cannot be copied.
+  EngineSolver(const EngineSolver& other) : StepSolver(other), begin_(other.begin_), setting_(other.setting_) {}
+  EngineSolver(EngineSolver&&) = default;
+  EngineSolver& operator=(const EngineSolver&) = delete;
+
+  Plan plan(Real) const override { return {.detections = setting_.substeps, .substeps = setting_.own_substeps}; }
+  bool holds_joints() const override { return true; }
+  /// Call by call: throws, as an engine finds contacts by itself and cannot be given any.
+  void check(World& world, Real h) override;
+  void solve(World& world, Real h, int /*sweeps*/) override { check(world, h); }
+  void whole_step(World& world, Real dt, int sweeps) override;
+
+ private:
+  void hand_over(const World& world);
+  void substep(World& world, Real h);
+
+  BeginEngine* begin_;
+  PeerSetting setting_;
+  std::unique_ptr<Engine> engine_;
+  std::vector<Body> left_;     // as they were left after the latest step
+  std::vector<Joint> joints_;  // that the engine was built with
+  std::vector<bool> driven_;   // of its bodies: which were driven then
+  Vec3 gravity_ = Vec3::Zero();
+};
 
 }  // namespace pushback

@@ -4,7 +4,7 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/common/experiment/program.h"
-#include "pushback/tools/measure/peers/engine_solver.h"
+#include "pushback/tools/measure/peers/engine.h"
 #include "pushback/tools/measure/peers/peer.h"
 
 using namespace pushback;

@@ -1,18 +1,361 @@
-/// MuJoCo plays motions.
-#include "pushback/tools/measure/peers/mujoco.h"
-
+/// MuJoCo, in double.
 #include <fmt/format.h>
+#include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <numbers>
+#include <stdexcept>
 
+#include "pushback/common/basics/input.h"
+#include "pushback/tools/measure/peers/joint_shape.h"
 #include "pushback/tools/measure/peers/peer.h"
 #include "pushback/tools/measure/study/every_motion.h"
 
 namespace pushback {
 
 namespace {
+
+struct ReleaseMujoco {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+using MujocoModel = std::unique_ptr<mjModel, ReleaseMujoco>;
+using MujocoData = std::unique_ptr<mjData, ReleaseMujoco>;
+
+/// What its settings differ in. As it comes: none of these.
+struct MujocoChoice {
+  /// Attributes of MJCF's <option>: the method, its effort, the cone.
+  std::string options;
+  /// As hard as it goes: contacts and constraints have the least time constant that MuJoCo allows, two steps, and nearly the largest
+  /// impedance. It comes with 0.02 s, and 0.9 to 0.95.
+  bool hard = false;
+  bool sweeps = false;  ///< rows are swept, and counted
+  double margin = 0;    ///< m: contacts act so far ahead
+  /// The spring and damper of a contact that bounces, MJCF's two negative numbers; else a restitution is not had.
+  std::optional<std::array<double, 2>> spring = {};
+  bool trees = true;  ///< what hangs on another body is its child in a tree; else every joint is a constraint
+  /// What hangs by a ball begins with its angular velocity, where the other body has none; else that is not had. Of several planes that
+  /// stay, each is a part of the world, not of a body of its own: with two such bodies and few others, MuJoCo 2.2.2 ends with "Broadphase
+  /// buffer full", as each is a pair with every body, also with the other. And all that is asked for is read back, which rounds turns.
+  bool of_motion = false;
+};
+
+std::string text(const Vec3& v) {
+  return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z());
+}
+
+std::string text(const Quat& q) {
+  return fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}", q.w(), q.x(), q.y(), q.z());
+}
+
+MujocoModel model_of(const std::string& mjcf) {
+  mju_user_warning = [](const char*) {};  // its own writes a file; lost_by asks
+  const auto files = std::make_unique<mjVFS>();
+  mj_defaultVFS(files.get());
+  mj_makeEmptyFileVFS(files.get(), "world.xml", static_cast<int>(mjcf.size()));
+  std::memcpy(files->filedata[0], mjcf.data(), mjcf.size());
+  std::array<char, 1000> problem{};
+  MujocoModel model(mj_loadXML("world.xml", files.get(), problem.data(), static_cast<int>(problem.size())));
+  mj_deleteVFS(files.get());
+  if (model == nullptr) throw std::runtime_error(fmt::format("MuJoCo: {}", problem.data()));
+  return model;
+}
+
+/// What went wrong so far; null: nothing. MuJoCo begins anew by itself where a state is no number.
+const char* lost_by(const mjData& data) {
+  for (const int lost : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL})
+    if (data.warning[lost].number > 0) return mju_warningText(lost, 0);
+  return nullptr;
+}
+
+/// A joint of the world, as read.
+struct Held {
+  JointShape shape;
+  int a, b;
+};
+
+/// A world as MJCF. Bodies are called b0, b1 ... by their index. What hangs on another body by a joint is its child in a tree, held
+/// by coordinates; a joint that closes a loop is an equality.
+class Mjcf {
+ public:
+  Mjcf(const World& world, const MujocoChoice& choice) : world_(world), of_motion_(choice.of_motion) {
+    for (const Joint& joint : world.joints) {
+      const JointShape shape = shape_of(world, joint);
+      if (shape.kind != JointShape::ball_and_socket && shape.kind != JointShape::hinge) throw not_had(joint.name);
+      (choice.trees && hang(joint.a, joint.b) ? parents_ : loops_).push_back({shape, joint.a, joint.b});
+    }
+    long moving = 0;
+    for (const Body& body : world.bodies) moving += body.movable() ? 1 : 0;
+    const long contacts = most_contacts(moving);
+    text_ = fmt::format(
+        "<mujoco><compiler angle='radian'/><size njmax='{}' nconmax='{}'/>"
+        "<option gravity='{}' {}><flag multiccd='enable'/></option><default><geom margin='{}'/></default>",
+        4 * contacts + 6 * static_cast<long>(loops_.size()), contacts, text(world.gravity), choice.options,
+        choice.margin);
+    for (const Body& body : world.bodies) asset(body);
+    text_ += "<worldbody>";
+    for (const Body& body : world.bodies)
+      if (held_by(body.index) == nullptr || held_by(body.index)->a == the_world)
+        add(body, Vec3::Zero(), Quat::Identity());
+    text_ += "</worldbody>";
+    close_loops();
+    contacts_of_pairs();
+    text_ += "</mujoco>";
+  }
+  const std::string& operator()() const { return text_; }
+
+ private:
+  /// As many as there may be, or as fit into the 2 GB that MuJoCo has room for: 12 bytes for each two rows, 24 for each row and
+  /// velocity.
+  static long most_contacts(long moving) {
+    constexpr double room = 1.4e9, rows = 4;
+    const double b = 24 * rows * 6 * static_cast<double>(moving), a = 12 * rows * rows;
+    return std::min(200 + 16 * moving, static_cast<long>((std::sqrt(b * b + 4 * a * room) - b) / (2 * a)));
+  }
+
+  /// Whether b, which moves and hangs on nothing yet, is from now on a child of a.
+  bool hang(int a, int b) {
+    if (b == the_world || !world_.body(b).movable() || held_by(b) != nullptr) return false;
+    for (const Held* above = held_by(a); above != nullptr; above = held_by(above->a))
+      if (above->a == b) return false;
+    return a == the_world || a != b;
+  }
+  const Held* held_by(int index) const {
+    for (const Held& held : parents_)
+      if (held.b == index) return &held;
+    return nullptr;
+  }
+
+  void asset(const Body& body) {
+    const auto* hull = std::get_if<Hull>(&body.shape);
+    if (hull == nullptr) return;
+    text_ += fmt::format("<asset><mesh name='m{}' vertex='", body.index);
+    for (const Vec3& corner : hull->solid->corners) text_ += text(corner) + " ";
+    text_ += "'/></asset>";
+  }
+
+  static std::string geom_of(const Body& body) {
+    if (const auto* ball = std::get_if<Sphere>(&body.shape))
+      return fmt::format("type='sphere' size='{:.17g}'", ball->radius);
+    if (const auto* box = std::get_if<Box>(&body.shape))
+      return fmt::format("type='box' size='{}'", text(box->half_extents));
+    if (const auto* capsule = std::get_if<Capsule>(&body.shape))
+      return fmt::format("type='capsule' size='{:.17g} {:.17g}' quat='{}'", capsule->radius, capsule->half_length,
+                         text(Quat(Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitY()))));
+    if (std::holds_alternative<Hull>(body.shape)) return fmt::format("type='mesh' mesh='m{}'", body.index);
+    return fmt::format("type='plane' size='0 0 1' quat='{}'",
+                       text(Quat(Quat::FromTwoVectors(Vec3::UnitZ(), std::get<HalfSpace>(body.shape).normal))));
+  }
+  static std::string rubbing(Real mu) {
+    return mu > 0 ? fmt::format("condim='3' friction='{:.17g} 0 0'", mu) : "condim='1'";
+  }
+
+  bool is_of_world(const Body& body) const {
+    const auto stays = [](const Body& one) { return std::holds_alternative<HalfSpace>(one.shape) && !is_driven(one); };
+    return of_motion_ && stays(body) && std::count_if(world_.bodies.begin(), world_.bodies.end(), stays) > 1;
+  }
+
+  /// The body in the frame of the one that it hangs on, and in it those that hang on it.
+  void add(const Body& body, const Vec3& from, const Quat& turn) {
+    if (is_of_world(body)) {
+      text_ += fmt::format("<geom name='g{}' pos='{}' {} {}/>", body.index, text(body.position), geom_of(body),
+                           rubbing(body.friction));
+      return;
+    }
+    text_ += fmt::format("<body name='b{}' pos='{}' quat='{}' {}>", body.index,
+                         text(Vec3(turn.conjugate() * (body.position - from))),
+                         text(Quat(turn.conjugate() * body.orientation)), is_driven(body) ? "mocap='true'" : "");
+    if (body.movable()) {
+      const Held* held = held_by(body.index);
+      const auto local = [&](const Vec3& v) { return text(Vec3(body.orientation.conjugate() * v)); };
+      if (held == nullptr) text_ += "<freejoint/>";
+      else
+        text_ +=
+            fmt::format("<joint type='{}' pos='{}' {}/>", held->shape.kind == JointShape::hinge ? "hinge" : "ball",
+                        local(held->shape.anchor_b - body.position),
+                        held->shape.kind == JointShape::hinge ? fmt::format("axis='{}'", local(held->shape.axis)) : "");
+      text_ += fmt::format("<inertial pos='0 0 0' mass='{:.17g}' diaginertia='{}'/>", 1 / body.inverse_mass,
+                           text(Vec3(body.principal_inverse_inertia.cwiseInverse())));
+    }
+    text_ += fmt::format("<geom name='g{}' {} {}/>", body.index, geom_of(body), rubbing(body.friction));
+    for (const Held& held : parents_)
+      if (held.a == body.index) add(world_.body(held.b), body.position, body.orientation);
+    text_ += "</body>";
+  }
+
+  /// A hinge has two points of its axis in common.
+  void close_loops() {
+    if (loops_.empty()) return;
+    text_ += "<equality>";
+    for (const Held& held : loops_) {
+      const bool hinge = held.shape.kind == JointShape::hinge;
+      const int of = held.a == the_world ? held.b : held.a, to = held.a == the_world ? the_world : held.b;
+      const Vec3& anchor = held.a == the_world ? held.shape.anchor_b : held.shape.anchor_a;
+      const Body& body = world_.body(of);
+      for (const Real along : {Real(-0.5), Real(0.5)}) {
+        if (!hinge && along > 0) continue;
+        const Vec3 at = anchor + (hinge ? along : 0) * held.shape.axis;
+        text_ += fmt::format("<connect body1='b{}' {}anchor='{}'/>", of,
+                             to == the_world ? "" : fmt::format("body2='b{}' ", to),
+                             text(Vec3(body.orientation.conjugate() * (at - body.position))));
+      }
+    }
+    text_ += "</equality>";
+  }
+
+  /// A pair has the larger of its two frictions, unless it is one of its own in the place of what is found for its bodies. Those that
+  /// are joined do not touch.
+  void contacts_of_pairs() {
+    const JoinedPairs joined(world_.joints);
+    std::string pairs;
+    for (const Body& a : world_.bodies) {
+      for (const Body& b : world_.bodies) {
+        if (b.index <= a.index || (!a.movable() && !b.movable())) continue;
+        const bool joint = joined.contain(a.index, b.index);
+        if (joint || a.friction != b.friction)
+          pairs += fmt::format("<exclude body1='b{}' body2='b{}'/>", a.index, b.index);
+        if (!joint && a.friction != b.friction) {
+          const Real mu = std::sqrt(a.friction * b.friction);
+          pairs +=
+              fmt::format("<pair geom1='g{}' geom2='g{}' {}/>", a.index, b.index,
+                          mu > 0 ? fmt::format("condim='3' friction='{0:.17g} {0:.17g} 0 0 0'", mu) : "condim='1'");
+        }
+      }
+    }
+    if (!pairs.empty()) text_ += "<contact>" + pairs + "</contact>";
+  }
+
+  const World& world_;
+  bool of_motion_;
+  std::vector<Held> parents_, loops_;
+  std::string text_;
+};
+
+/// Of a free joint: the velocity in world axes, and the angular velocity, like that of a ball joint, in those of the body.
+void set_velocity(mjtNum* velocity, const Body& body, bool free) {
+  Eigen::Map<Eigen::Vector3d> moving(velocity), turning(velocity + (free ? 3 : 0));
+  if (free) moving = body.velocity.cast<double>();
+  turning = (body.orientation.conjugate() * body.angular_velocity).cast<double>();
+}
+
+class Mujoco : public Engine {
+ public:
+  Mujoco(const World& world, const MujocoChoice& choice) : choice_(choice) {
+    for (const Body& body : world.bodies)
+      if (body.restitution != 0 && !choice.spring) throw not_had("restitution");
+    model_ = model_of(Mjcf(world, choice)());
+    data_.reset(mj_makeData(model_.get()));
+    for (const Body& body : world.bodies) {
+      const int id = mj_name2id(model_.get(), mjOBJ_BODY, fmt::format("b{}", body.index).c_str());
+      const int joint = id < 0 ? -1 : model_->body_jntadr[id];
+      ids_.push_back(id);
+      free_.push_back(joint >= 0 && model_->jnt_type[joint] == mjJNT_FREE ? joint : -1);
+      if (free_.back() >= 0) {
+        put(body);
+      } else if (joint >= 0 && choice.of_motion && model_->jnt_type[joint] == mjJNT_BALL) {
+        set_velocity(data_->qvel + model_->jnt_dofadr[joint], body, false);
+      } else if (body.movable() && (!body.velocity.isZero(0) || !body.angular_velocity.isZero(0))) {
+        throw not_had("a joined body that begins with a velocity");
+      }
+    }
+    read_back();
+  }
+
+  void put(const Body& body) override {
+    const int joint = free_[static_cast<std::size_t>(body.index)];
+    if (joint < 0) {
+      if (!body.movable() && model_->body_mocapid[ids_[static_cast<std::size_t>(body.index)]] >= 0) return;
+      throw not_had("a joined body that is put elsewhere");
+    }
+    Eigen::Map<Eigen::Matrix<double, 7, 1>> place(data_->qpos + model_->jnt_qposadr[joint]);
+    const Eigen::Quaterniond q = body.orientation.cast<double>();
+    place << body.position.cast<double>(), q.w(), q.x(), q.y(), q.z();
+    set_velocity(data_->qvel + model_->jnt_dofadr[joint], body, true);
+  }
+
+  void get(Body& body) const override {
+    const int id = ids_[static_cast<std::size_t>(body.index)];
+    const int joint = free_[static_cast<std::size_t>(body.index)];
+    if (joint < 0 || choice_.of_motion) read_back();
+    const mjtNum* q = joint >= 0 ? data_->qpos + model_->jnt_qposadr[joint] + 3 : data_->xquat + 4 * id;
+    const mjtNum* at = joint >= 0 ? data_->qpos + model_->jnt_qposadr[joint] : data_->xipos + 3 * id;
+    body.position = Eigen::Map<const Eigen::Vector3d>(at).cast<Real>();
+    body.orientation = Quat(q[0], q[1], q[2], q[3]).normalized();
+    if (joint >= 0) {
+      const Eigen::Map<const Eigen::Matrix<double, 6, 1>> velocity(data_->qvel + model_->jnt_dofadr[joint]);
+      body.velocity = velocity.head<3>().cast<Real>();
+      body.angular_velocity = body.orientation * Vec3(velocity.tail<3>().cast<Real>());
+      return;
+    }
+    std::array<mjtNum, 6> velocity{};  // the angular one comes first
+    mj_objectVelocity(model_.get(), data_.get(), mjOBJ_BODY, id, velocity.data(), 0);
+    body.angular_velocity = {velocity[0], velocity[1], velocity[2]};
+    body.velocity = {velocity[3], velocity[4], velocity[5]};
+  }
+
+  /// A body that is moved by hand has a place, and no velocity that contacts would see.
+  void drive(const Body&, const Body& then) override {
+    const int at = model_->body_mocapid[ids_[static_cast<std::size_t>(then.index)]];
+    Eigen::Map<Eigen::Vector3d>(data_->mocap_pos + 3 * at) = then.position.cast<double>();
+    const Eigen::Quaterniond q = then.orientation.cast<double>();
+    Eigen::Map<Eigen::Vector4d>(data_->mocap_quat + 4 * at) << q.w(), q.x(), q.y(), q.z();
+  }
+
+  void push(const Body& body) override {
+    Eigen::Map<Eigen::Matrix<double, 6, 1>> force(data_->xfrc_applied + 6 * ids_[static_cast<std::size_t>(body.index)]);
+    force << body.force.cast<double>(), body.torque.cast<double>();
+  }
+  void step(double h) override {
+    if (model_->opt.timestep != h) take_steps_of(h);
+    mj_step(model_.get(), data_.get());
+    moved_ = true;
+    row_solves_ += static_cast<double>(data_->nefc) * data_->solver_iter;
+    if (const char* lost = lost_by(*data_)) throw InvalidInput(fmt::format("not finite, or too large: {}", lost));
+  }
+
+  /// Rows times iterations, in all steps, of sweeps.
+  std::optional<double> row_solves() const override {
+    if (!choice_.sweeps) return {};
+    return row_solves_;
+  }
+
+ private:
+  /// A step leaves the places and velocities of where it began.
+  void read_back() const {
+    if (!moved_) return;
+    mj_kinematics(model_.get(), data_.get());
+    mj_comPos(model_.get(), data_.get());
+    mj_comVel(model_.get(), data_.get());
+    moved_ = false;
+  }
+
+  void take_steps_of(double h) {
+    model_->opt.timestep = h;
+    if (!choice_.hard) return;
+    const auto harden = [](mjtNum* solref, mjtNum* solimp, int count, const std::array<double, 2>& reference) {
+      for (int i = 0; i < count; ++i) {
+        solref[mjNREF * i] = reference[0];
+        solref[mjNREF * i + 1] = reference[1];
+        solimp[mjNIMP * i] = solimp[mjNIMP * i + 1] = 0.9999;
+      }
+    };
+    const std::array<double, 2> rigid{2 * h, 1}, contact = choice_.spring.value_or(rigid);
+    harden(model_->geom_solref, model_->geom_solimp, model_->ngeom, contact);
+    harden(model_->pair_solref, model_->pair_solimp, model_->npair, contact);
+    harden(model_->eq_solref, model_->eq_solimp, model_->neq, rigid);
+  }
+
+  MujocoChoice choice_;
+  MujocoModel model_;
+  MujocoData data_;
+  std::vector<int> ids_;
+  std::vector<int> free_;      // the free joint of each body; -1: it has none
+  mutable bool moved_ = true;  // since it was read back
+  double row_solves_ = 0;
+};
 
 /// What the methods differ in.
 struct Choice {
@@ -43,11 +386,11 @@ MujocoChoice choice_of(const Choice& choice, const Setting& setting, const World
           choice.solver == "PGS" ? fmt::format("iterations='{}' tolerance='0'", setting.sweeps) : "tolerance='1e-12'",
           choice.noslip ? "impratio='10' noslip_iterations='10'" : ""),
       .hard = choice.hard,
+      .sweeps = choice.solver == "PGS",
       // Without it bodies that just touch fall freely in the first step.
       .margin = choice.hard ? 1e-6 : 0,
       .trees = !choice.connect,
-      .spins = true,
-      .planes_of_world = true};
+      .of_motion = true};
   if (choice.bounces) {
     // Of a spring that bounces, 1/s. A bounce is of pi / rate, and its restitution off by some rate * dt: both fall with dt.
     const double rate = std::min(30.0 * setting.substeps, 120 * std::sqrt(setting.substeps));
@@ -56,27 +399,6 @@ MujocoChoice choice_of(const Choice& choice, const Setting& setting, const World
   return made;
 }
 
-class PlaysMotion : public PlayerInSubsteps {
- public:
-  PlaysMotion(const Motion& motion, const Setting& setting, const Choice& choice)
-      : h_(setting.dt()), counts_rows_(choice.solver == "PGS") {
-    World world;
-    motion.begin(world);
-    mujoco_.emplace(world, choice_of(choice, setting, world));
-  }
-  void substep() override { mujoco_->step(h_); }
-  Eigen::Vector3d place(std::size_t body) const override { return mujoco_->place(body); }
-  std::optional<double> row_solves() const override {
-    if (!counts_rows_) return {};
-    return mujoco_->row_solves();
-  }
-
- private:
-  double h_;
-  bool counts_rows_;
-  std::optional<Mujoco> mujoco_;
-};
-
 /// Of a thousand bodies at rest the rows have no room: a step has a dense matrix of rows and velocities, and 2 GB at most.
 constexpr int most_bodies = 200;
 
@@ -84,20 +406,18 @@ constexpr int most_bodies = 200;
 enum class For { all, pins, friction };
 
 Method method(const std::string& name, const std::string& title, const Choice& choice, For what = For::all) {
-  return {.name = name,
-          .title = title,
-          .plays =
-              [what, bounces = choice.bounces](const Motion& motion) {
-                World world;
-                motion.fill(world);  // MuJoCo has no restitution, but springs
-                return (world.bodies.back().restitution > 0) == bounces && !has_conveyor(motion) &&
-                       moving_bodies(motion) <= most_bodies && (what != For::pins || !motion.pins.empty()) &&
-                       (what != For::friction || has_contacts(motion));
-              },
-          .begin = [choice](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            return std::make_unique<PlaysMotion>(motion, setting, choice);
-          },
-          .sweeps = choice.solver == "PGS"};
+  Method made = method_of(name, title, [choice](const World& world, const Setting& setting) {
+    return std::make_unique<Mujoco>(world, choice_of(choice, setting, world));
+  });
+  made.plays = [what, bounces = choice.bounces](const Motion& motion) {
+    World world;
+    motion.fill(world);  // MuJoCo has no restitution, but springs
+    return (world.bodies.back().restitution > 0) == bounces && !has_conveyor(motion) &&
+           moving_bodies(motion) <= most_bodies && (what != For::pins || !motion.pins.empty()) &&
+           (what != For::friction || has_contacts(motion));
+  };
+  made.sweeps = choice.solver == "PGS";
+  return made;
 }
 
 }  // namespace
@@ -110,6 +430,12 @@ std::vector<Method> peer_methods() {
           method("mujoco-bounce", "MuJoCo, springs that bounce", {.bounces = true}),
           method("mujoco-rk4", "MuJoCo, Runge and Kutta", {.integrator = "RK4"}, For::pins),
           method("mujoco-connect", "MuJoCo, pins as constraints", {.connect = true}, For::pins)};
+}
+
+std::unique_ptr<Engine> begin_engine(const World& world, const PeerSetting& setting) {
+  return std::make_unique<Mujoco>(
+      world, MujocoChoice{.options = setting.tuned ? "cone='elliptic' tolerance='1e-12' iterations='200'" : "",
+                          .hard = setting.tuned});
 }
 
 std::string peer_version() {

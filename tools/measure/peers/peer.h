@@ -1,16 +1,18 @@
-/// Another engine plays motions. Each engine's source defines this, and a program is linked with one of them.
+/// What each engine's source defines; a program is linked with one of them.
 #pragma once
 
-#include "pushback/tools/measure/hard_cases/peers.h"
-#include "pushback/tools/measure/study/play.h"
+#include "pushback/tools/measure/peers/engine.h"
 
 namespace pushback {
 
-/// The engine, in the ways in which it is played. Friction and restitution of a motion's bodies become those of each pair.
+/// The engine, in the ways in which it plays motions.
 std::vector<Method> peer_methods();
 
 /// The settings in which it may play hard cases.
 std::vector<PeerSetting> settings_of_peer();
+
+/// With the world of a hard case in it. Throws not_had where the engine lacks something that is in the world.
+BeginEngine begin_engine;
 
 /// Its name, its version, and what it says of how it was built.
 std::string peer_version();
