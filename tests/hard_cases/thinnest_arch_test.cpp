@@ -11,8 +11,6 @@ TEST_CASE("thinnest arch: with many wedges it is Milankovitch's, 0.1075 of the m
   CHECK(thinnest_arch(2000).thickness == Approx(0.1075).margin(5e-5));
 }
 
-/// The joints that there were stay, and the line of thrust has to be within the new ones as well.
-/// Two that lean on each other, and a stone between them: hinges at three joints, or four with none too many, make no mechanism.
 /// Of four wedges the line touches the outer edge at crown and springing and the inner one at 45 degrees. The joint at a distance r
 /// bears H (y0 - r cos a) = W r sin a - M.
 TEST_CASE("thinnest arch: of four wedges, the moments about the three hinges of its collapse balance") {
@@ -25,5 +23,3 @@ TEST_CASE("thinnest arch: of four wedges, the moments about the three hinges of 
   CHECK(thrust * (outer - r) == Approx(area * pi / 4 * r - (1 - std::sqrt(Real(0.5))) * moment).epsilon(1e-9));
   CHECK(arch.thickness > Real(0.05));
 }
-
-/// What each joint of the case's arch asks of friction, at the angle a from the crown: |H sin a - W cos a| / (H cos a + W sin a).

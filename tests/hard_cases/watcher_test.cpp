@@ -45,27 +45,27 @@ std::string said_of(const std::function<void(World&)>& fill, const Allowance& al
   }
   plant(world);
   watcher.look(world, h);
-  if (!watcher.broken().empty()) CHECK(watcher.broken_at() == 31);
   return watcher.broken();
 }
 
-bool speaks_of(const std::string& said, const std::string& what) {
+void speaks_of(const std::string& said, const std::string& what) {
   INFO("said: '" << said << "', should speak of '" << what << "'");
   CHECK(said.find(what) != std::string::npos);
-  return said.find(what) != std::string::npos;
 }
 
 const Allowance any{.energy = 1000, .overlap = 1};
+const Allowance isolated{.energy = 1000, .overlap = 1, .isolated = true};
 
 }  // namespace
 
 TEST_CASE("watcher: a number that is not finite") {
   for (const Real bad : {std::numeric_limits<Real>::quiet_NaN(), std::numeric_limits<Real>::infinity()}) {
-    speaks_of(said_of(ball_on_ground, any, [bad](World& w) { w.bodies[1].position.z() = bad; }), "not finite");
-    speaks_of(said_of(ball_on_ground, any, [bad](World& w) { w.bodies[1].velocity.x() = bad; }), "not finite");
-    speaks_of(said_of(ball_on_ground, any, [bad](World& w) { w.bodies[1].angular_velocity.y() = bad; }), "not finite");
-    speaks_of(said_of(ball_on_ground, any, [bad](World& w) { w.bodies[1].orientation.w() = bad; }), "not finite");
-    speaks_of(said_of(ball_on_ground, any, [bad](World& w) { w.contacts.at(0).impulse.y() = bad; }), "not finite");
+    for (const std::function<void(World&)>& spoil : std::vector<std::function<void(World&)>>{
+             [bad](World& w) { w.bodies[1].position.z() = bad; }, [bad](World& w) { w.bodies[1].velocity.x() = bad; },
+             [bad](World& w) { w.bodies[1].angular_velocity.y() = bad; },
+             [bad](World& w) { w.bodies[1].orientation.w() = bad; },
+             [bad](World& w) { w.contacts.at(0).impulse.y() = bad; }})
+      speaks_of(said_of(ball_on_ground, any, spoil), "not finite");
   }
 }
 
@@ -109,7 +109,6 @@ TEST_CASE("watcher: friction above mu times what presses, along each tangent") {
 }
 
 TEST_CASE("watcher: momentum and angular momentum lost where nothing is there to take them") {
-  const Allowance isolated{.energy = 1000, .overlap = 1, .isolated = true};
   CHECK(said_of(two_in_free_space, isolated, [](World&) {}) == "");
   // Towards the origin: angular momentum does not notice.
   speaks_of(
@@ -125,27 +124,17 @@ TEST_CASE("watcher: momentum and angular momentum lost where nothing is there to
 }
 
 TEST_CASE("watcher: what is joined to something immovable gives momentum away, and what is driven is given energy") {
-  const Allowance isolated{.energy = 1000, .overlap = 1, .isolated = true};
-  const auto without_half_of_it = [](World& world) {
-    world.bodies[1].velocity *= Real(0.5);
-    world.bodies[1].angular_velocity *= Real(0.5);
-  };
-  const auto joined = [&](int a, bool driven) {
+  const auto joined = [](int a, bool driven) {
     return [=](World& world) {
-      without_half_of_it(world);
-      world.joints.push_back({.name = "a string", .a = a, .b = 1, .ask = {}, .driven = driven});
+      world.bodies[0].position.y() += 1;
+      world.bodies.back().velocity *= Real(0.5);
+      world.joints.push_back({.name = "a string", .a = a, .b = 0, .ask = {}, .driven = driven});
     };
   };
   CHECK(said_of(two_in_free_space, isolated, joined(the_world, false)) == "");
-  speaks_of(said_of(two_in_free_space, isolated, joined(0, false)), "momentum changed");
-  const auto lifted = [](bool driven) {
-    return [driven](World& world) {
-      world.bodies[0].position.y() += 1;
-      world.joints.push_back({.name = "a crane", .a = the_world, .b = 0, .ask = {}, .driven = driven});
-    };
-  };
-  CHECK(said_of(ball_in_the_air, {}, lifted(true)) == "");
-  speaks_of(said_of(ball_in_the_air, {}, lifted(false)), "J gained");
+  speaks_of(said_of(two_in_free_space, isolated, joined(1, false)), "momentum changed");
+  CHECK(said_of(ball_in_the_air, {}, joined(the_world, true)) == "");
+  speaks_of(said_of(ball_in_the_air, {}, joined(the_world, false)), "J gained");
 }
 
 TEST_CASE("watcher: an overlap deeper than allowed") {
@@ -160,7 +149,7 @@ TEST_CASE("stages: a ball at rest is held by the same sum, though its contact is
     const Stage& stage = stage_named(name);
     World world;
     ball_on_ground(world);
-    const Stepper step = stage.begin_doubled();
+    const Stepper step = stage.begin(GivenContacts::twice);
     for (int i = 0; i < 60; ++i) step.step(world, h);
     INFO(name);
     REQUIRE(world.contacts.size() == 1);

@@ -5,7 +5,6 @@
 #include "pushback/common/world/measure.h"
 #include "tests/methods/played.h"
 #include "tests/support/catch.h"
-#include "tests/support/complaint.h"
 #include "tests/support/on_ground.h"
 
 using namespace pushback;
@@ -67,22 +66,4 @@ TEST_CASE("avbd: a pendulum by an error of the order of the step, and joints tha
     farthest = std::max(farthest, joints_scenes::largest_joint_error(world));
   }
   CHECK(farthest < Real(0.01));
-}
-
-TEST_CASE("avbd: settings that cannot be are refused by name") {
-  World world;
-  ball_on_ground(world, 0);
-  const auto refused = [&](const std::string& name, const auto& spoil) {
-    Avbd solver;
-    spoil(solver);
-    const std::string message = complaint([&] { world.step(solver, h); });
-    INFO(message);
-    CHECK(message.find(name) != std::string::npos);
-  };
-  refused("part of an old error that is kept is 2", [](Avbd& solver) { solver.error_kept = 2; });
-  refused("part of a penalty that is kept is -1", [](Avbd& solver) { solver.penalty_kept = -1; });
-  refused("least penalty is 0", [](Avbd& solver) { solver.least_penalty = 0; });
-  refused("largest penalty is 0.5", [](Avbd& solver) { solver.most_penalty = Real(0.5); });
-  refused("growth of penalties is -1", [](Avbd& solver) { solver.growth = -1; });
-  refused("margin is -1", [](Avbd& solver) { solver.margin = -1; });
 }

@@ -19,15 +19,11 @@ Real energy(const World& world) {
 #define COULOMBS Xpbd, Avbd, ConjugateSolver  // whose friction is not relaxed
 #define EVERY_METHOD COULOMBS, Sap
 
-TEMPLATE_TEST_CASE("methods: the same scene twice has the same bits, and a copy goes on as the original does", "",
-                   EVERY_METHOD) {
-  World one, other;
+TEMPLATE_TEST_CASE("methods: a copy goes on in the bits of the original", "", EVERY_METHOD) {
+  World one;
   heap(one, 2, 3, Real(-0.5));
-  heap(other, 2, 3, Real(-0.5));
-  auto solver = made<TestType>(), its = made<TestType>();
+  auto solver = made<TestType>();
   for (int i = 0; i < 60; ++i) one.step(solver, h, 10);
-  for (int i = 0; i < 60; ++i) other.step(its, h, 10);
-  CHECK(hash_of(one) == hash_of(other));
   World copy = one;
   AnySolver copied = solver;
   for (int i = 0; i < 60; ++i) {

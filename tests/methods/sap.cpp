@@ -30,17 +30,13 @@ void play(World& world, Sap& solver, int steps) {
 
 }  // namespace
 
-TEST_CASE("sap: a ball rests as deep as its spring says, be it made for the step or for a material") {
+TEST_CASE("sap: a ball rests as deep as its spring says") {
   World world;
   const Body& ball = ball_on_ground(world, 0);
   Sap solver;
   play(world, solver, 120);
   CHECK(depth_of(ball) ==
         Approx(g * h * (h + tau_of_one) * softness * of_ball(depth_of(ball))).epsilon(in_double ? 1e-6 : 1e-2));
-  solver.stiffness = 1e4;
-  solver.relaxation = Real(0.1);
-  play(world, solver, 600);
-  CHECK(depth_of(ball) == Approx(10 * g / 1e4).epsilon(in_double ? 1e-6 : 1e-3));
 }
 
 // A spring that cannot pull stops nobody whom it has pushed.
@@ -52,7 +48,7 @@ TEST_CASE("sap: on a slope below the angle of friction a box creeps, by R_t time
   world.add(box(Vec3::Constant(Real(0.5)), 100).turned(-angle, Vec3::UnitZ()).at(Real(0.5) * out).rough(Real(0.4)));
   Sap solver;
   play(world, solver, 120);
-  const Real creep = solver.slip * of_corner * g * h * std::sin(angle) / 4;
+  const Real creep = Sap::slip * of_corner * g * h * std::sin(angle) / 4;
   CHECK(world.bodies[1].velocity.dot(down) == Approx(creep).epsilon(0.01));
   for (const Contact& at : world.contacts) CHECK(at.state == ContactState::sticking);
 }
@@ -66,7 +62,6 @@ TEST_CASE("sap: above the angle of friction it slides with g (sin - mu cos), and
   any_motion_named("incline").begin(world);
   const Vec3 out = std::get<HalfSpace>(world.bodies[0].shape).normal;
   Sap solver;
-  solver.margin = 0;  // the way ahead of h + tau alone finds what hovers
   play(world, solver, 60);
   const Body& sliding = world.bodies[1];
   const Real before = sliding.velocity.norm();
@@ -125,24 +120,6 @@ TEST_CASE("sap: what rests is off by the depth of its springs, of the order of t
   }
 }
 
-TEST_CASE("sap: impulses are within their cones, and momentum is conserved on ice") {
-  World world;
-  world.add(ground().rough(0));
-  world.add(box({3, Real(0.1), 1}, 100).at({0, Real(0.1), 0}).rough(Real(0.5)));
-  world.add(box(Vec3::Constant(Real(0.5)), 100).at({-2, Real(0.7), 0}).rough(Real(0.5)).moving({4, 0, 0}));
-  Sap solver;
-  for (int i = 0; i < 60; ++i) {
-    world.step(solver, h);
-    for (const Contact& at : world.contacts) {
-      const Real normal = at.impulse.dot(at.normal), largest = at.friction * normal;
-      REQUIRE(normal >= 0);
-      REQUIRE((at.impulse - normal * at.normal).norm() <= largest + tiny * (1 + largest));
-    }
-  }
-  CHECK(momentum(world).x() == Approx(400).epsilon(tiny));
-}
-
-// 2/7 of the belt's speed, and the rest as spin.
 TEST_CASE("sap: a pendulum by an error of the order of the step, and joints that hold a hundredfold mass") {
   if (in_double)
     CHECK(std::log2(error_of<Sap>("pendulum", 8, 1) / error_of<Sap>("pendulum", 16, 1)) == Approx(1).margin(0.05));
@@ -182,22 +159,10 @@ TEST_CASE("sap: a joint's bounds, its speed and its softness are kept") {
         Approx(0.1 / (h + tau_of_one) / (1 + softness)).epsilon(1e-5));
 }
 
-// It starts from where nothing pushes, or from the velocities of the step before: whichever costs less.
-TEST_CASE("sap: settings that cannot be are refused by name") {
+TEST_CASE("sap: a period that cannot be is refused by name") {
   World world;
   ball_on_ground(world, 0);
-  const auto refused = [&](const std::string& name, const auto& spoil) {
-    Sap solver;
-    spoil(solver);
-    const std::string message = complaint([&] { world.step(solver, h); });
-    INFO(message);
-    CHECK(message.find(name) != std::string::npos);
-  };
-  refused("period of contacts is 0", [](Sap& solver) { solver.period = 0; });
-  refused("slip of contacts is -1", [](Sap& solver) { solver.slip = -1; });
-  refused("stiffness is 0", [](Sap& solver) { solver.stiffness = 0; });
-  refused("relaxation is -1", [](Sap& solver) { solver.relaxation = -1; });
-  refused("margin is -1", [](Sap& solver) { solver.margin = -1; });
-  refused("tolerance is 0", [](Sap& solver) { solver.tolerance = 0; });
-  refused("most_steps is 0", [](Sap& solver) { solver.most_steps = 0; });
+  Sap solver;
+  solver.period = 0;
+  CHECK(complaint([&] { world.step(solver, h); }).find("period of contacts is 0") != std::string::npos);
 }

@@ -33,7 +33,7 @@ void price_of(benchmark::State& state) {
   Solver<Others...> without;
   Solver<Others..., Added> with;
   InTurn turns;
-  for (auto _ : state) turns.round({[&] { return frozen.seconds(without); }, [&] { return frozen.seconds(with); }});
+  for (auto _ : state) frozen.round(turns, sweeps, without, with);
   const double rows = static_cast<double>(with.rows().size() - without.rows().size()) / frozen.contacts();
   state.counters["ns per contact and step"] = 1e9 * turns.difference(1, 0) / frozen.contacts();
   state.counters["ns without"] = 1e9 * turns.time(0) / frozen.contacts();
@@ -95,18 +95,16 @@ void indirect_calls(benchmark::State& state) {
   Only<FullSolver, Called> compiled;
   constexpr int steps = 100;
   InTurn turns;
-  for (auto _ : state) {
-    turns.round({[&] {
-                   return seconds_of([&] {
-                     for (int i = 0; i < steps; ++i) world.step(compiled, dt, sweeps);
-                   });
-                 },
-                 [&] {
-                   return seconds_of([&] {
-                     for (int i = 0; i < steps; ++i) chosen.step(world, dt, sweeps);
-                   });
-                 }});
-  }
+  const auto seconds = [](const auto& step) {
+    return [&step] {
+      return seconds_of([&] {
+        for (int i = 0; i < steps; ++i) step();
+      });
+    };
+  };
+  const auto by_compiled = [&] { world.step(compiled, dt, sweeps); };
+  const auto by_chosen = [&] { chosen.step(world, dt, sweeps); };
+  for (auto _ : state) turns.round({seconds(by_compiled), seconds(by_chosen)});
   state.counters["ns per step"] = 1e9 * turns.difference(1, 0) / steps;
   state.counters["ns without"] = 1e9 * turns.time(0) / steps;
 }
@@ -138,29 +136,6 @@ void frictionless_solving(benchmark::State& state) {
 }
 BENCHMARK(frictionless_solving)->Iterations(400)->Unit(benchmark::kMicrosecond);
 
-/// Whole steps of 50 stacks of four, which stand though nothing rubs.
-void frictionless_step(benchmark::State& state) {
-  World with_needed;
-  with_needed.add(ground().rough(0));
-  for (int i = 0; i < 200; ++i) {
-    const int which = i / 4, column = which % 10, row = which / 10;
-    with_needed.add(box(Vec3::Constant(Real(0.5)), 100)
-                        .rough(0)
-                        .at({Real(1.5) * Real(column), Real(0.5) + Real(i % 4), Real(1.5) * Real(row)}));
-  }
-  World with_never_heard = with_needed;
-  OnlyWhatIsNeeded needed(with_needed, FullSolver{});
-  Solver<Clamping, Baumgarte, Slop, WarmStart> never_heard;
-  InTurn turns;
-  for (auto _ : state) {
-    turns.round({[&] { return seconds_of([&] { needed.step(with_needed, dt, sweeps); }); },
-                 [&] { return seconds_of([&] { with_never_heard.step(never_heard, dt, sweeps); }); }});
-  }
-  state.counters["needed, us"] = 1e6 * turns.time(0);
-  state.counters["needed / never heard"] = turns.ratio(0, 1);
-}
-BENCHMARK(frictionless_step)->Iterations(600)->Unit(benchmark::kMicrosecond);
-
 // ---- warm starting's cache, where there is none -----------------------------------------------------------------------------
 
 void without_warm_start(benchmark::State& state) {
@@ -170,7 +145,7 @@ void without_warm_start(benchmark::State& state) {
   FittingSolver needed(frozen.world, NeverHad{});
   NeverHad never_had;
   InTurn turns;
-  for (auto _ : state) turns.round({[&] { return frozen.seconds(needed); }, [&] { return frozen.seconds(never_had); }});
+  for (auto _ : state) frozen.round(turns, sweeps, needed, never_had);
   struct SettingsAndRows : Clamping, Baumgarte, Slop, Restitution, Friction {
     Rows rows;
   };
@@ -189,10 +164,7 @@ void without_joints(benchmark::State& state) {
   for (Body& body : frozen.world.bodies) body.bouncy(Real(0.1));  // so that the choice leaves nothing else out
   FittingSolver needed(frozen.world, jointed);
   InTurn turns;
-  for (auto _ : state) {
-    turns.round({[&] { return frozen.seconds(full); }, [&] { return frozen.seconds(jointed); },
-                 [&] { return frozen.seconds(needed); }});
-  }
+  for (auto _ : state) frozen.round(turns, sweeps, full, jointed, needed);
   state.counters["full, us"] = 1e6 * turns.time(0);
   state.counters["with joints / full"] = turns.ratio(1, 0);
   state.counters["needed / full"] = turns.ratio(2, 0);

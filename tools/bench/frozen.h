@@ -45,6 +45,11 @@ class FrozenPyramid {
     put_back();
     return seconds_of(solve);
   }
+  /// A round in which each of these solvers has its turn.
+  template <class... Solvers>
+  void round(InTurn& turns, int sweeps, Solvers&... solvers) {
+    turns.round({[this, sweeps, &solvers] { return seconds(solvers, sweeps); }...});
+  }
   double contacts() const { return static_cast<double>(world.contacts.size()); }
 
  private:

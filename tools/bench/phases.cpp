@@ -69,43 +69,24 @@ void phases_of(benchmark::State& state, World world, int substeps) {
   state.counters["contacts"] = static_cast<double>(world.contacts.size());
 }
 
-World pyramid_of_210() {
-  World world;
-  pyramid(world, 20);
-  return world;
-}
-World stack_of_40() {
-  World world;
-  stack(world, 40);
-  return world;
-}
-
-World pile_of_4000() {
-  World world;
-  heap(world, 20, 10, -10);
-  return world;
-}
-
 template <class Full>
-void pyramid_in_8_substeps(benchmark::State& state) {
-  phases_of<Full>(state, pyramid_of_210(), 8);
+void add(const std::string& solver) {
+  const auto phases_in = [&](const std::string& name, const std::function<void(World&)>& fill, int substeps,
+                             int steps) {
+    World world;
+    fill(world);
+    benchmark::RegisterBenchmark((name + "<" + solver + ">").c_str(), phases_of<Full>, world, substeps)
+        ->Iterations(steps);
+  };
+  phases_in("pyramid_in_8_substeps", [](World& world) { pyramid(world, 20); }, 8, 300);
+  phases_in("stack_in_32_substeps", [](World& world) { stack(world, 40); }, 32, 300);
+  phases_in("pile_in_8_substeps", [](World& world) { heap(world, 20, 10, -10); }, 8, 120);
 }
-template <class Full>
-void stack_in_32_substeps(benchmark::State& state) {
-  phases_of<Full>(state, stack_of_40(), 32);
-}
-template <class Full>
-void pile_in_8_substeps(benchmark::State& state) {
-  phases_of<Full>(state, pile_of_4000(), 8);
-}
-BENCHMARK(pyramid_in_8_substeps<DetectedOnce>)->Iterations(300);
-BENCHMARK(pyramid_in_8_substeps<Wide<double>>)->Iterations(300);
-BENCHMARK(pyramid_in_8_substeps<Wide<float>>)->Iterations(300);
-BENCHMARK(stack_in_32_substeps<DetectedOnce>)->Iterations(300);
-BENCHMARK(stack_in_32_substeps<Wide<double>>)->Iterations(300);
-BENCHMARK(stack_in_32_substeps<Wide<float>>)->Iterations(300);
-BENCHMARK(pile_in_8_substeps<DetectedOnce>)->Iterations(120);
-BENCHMARK(pile_in_8_substeps<Wide<double>>)->Iterations(120);
-BENCHMARK(pile_in_8_substeps<Wide<float>>)->Iterations(120);
+[[maybe_unused]] const bool added = [] {
+  add<DetectedOnce>("DetectedOnce");
+  add<Wide<double>>("Wide<double>");
+  add<Wide<float>>("Wide<float>");
+  return true;
+}();
 
 }  // namespace

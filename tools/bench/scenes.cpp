@@ -1,10 +1,13 @@
-/// What a step of each scene costs with everything and with what it needs, and what sleepers cost those who are awake.
+/// What a step of each scene costs with everything and with what it needs, with one method for all of it and with each island moved as it
+/// calls for; and what sleepers cost those who are awake.
 ///
 /// All that is compared is timed in turn within one run; counters are medians.
 #include <benchmark/benchmark.h>
 
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
+#include "pushback/chapters/26_to_each_its_own/by_island.h"
+#include "pushback/common/basics/input.h"
 #include "pushback/tools/bench/in_turn.h"
 #include "pushback/tools/catalogue/catalogue.h"
 
@@ -17,41 +20,90 @@ constexpr int sweeps = 10;
 
 // ---- each scene ----------------------------------------------------------------------------------------------------------
 
-/// 10 s in steps of 1/60 s: with everything, with what is called for, and with sleep besides. Each step is timed in turn;
-/// 9 runs, of each step the median.
+/// 10 s of it, of each step the median.
+class Steps {
+ public:
+  /// Times a step by each of these.
+  void round(std::size_t step, const std::vector<std::function<void()>>& ways) {
+    std::vector<std::function<double()>> timed;
+    for (const auto& way : ways) timed.emplace_back([&way] { return seconds_of(way); });
+    turns_[step].round(timed);
+  }
+  std::size_t count() const { return turns_.size(); }
+  /// us
+  double mean(std::size_t which) const {
+    double sum = 0;
+    for (const InTurn& step : turns_) sum += step.time(which);
+    return 1e6 * sum / static_cast<double>(count());
+  }
+
+ private:
+  std::vector<InTurn> turns_ = std::vector<InTurn>(600);
+};
+
+/// With everything, with what is called for, and with sleep besides.
 void scene(benchmark::State& state, const NamedScene& named) {
-  constexpr std::size_t steps = 600, runs = 9;
-  std::vector<InTurn> turns(steps);
+  Steps steps;
   for (auto _ : state) {
-    for (std::size_t run = 0; run < runs; ++run) {
+    for (int run = 0; run < 9; ++run) {
       World all;
       named.fill(all);
       World awake = all, resting = all;
       JointedSolver full;
       OnlyWhatIsNeeded needed(awake, full), with_sleep(resting, full, Sleep{});
-      for (InTurn& step : turns) {
-        step.round({[&] { return seconds_of([&] { all.step(full, dt, sweeps); }); },
-                    [&] { return seconds_of([&] { needed.step(awake, dt, sweeps); }); },
-                    [&] { return seconds_of([&] { with_sleep.step(resting, dt, sweeps); }); }});
-      }
+      for (std::size_t i = 0; i < steps.count(); ++i)
+        steps.round(i, {[&] { all.step(full, dt, sweeps); }, [&] { needed.step(awake, dt, sweeps); },
+                        [&] { with_sleep.step(resting, dt, sweeps); }});
     }
   }
-  const auto mean = [&turns](std::size_t which) {
-    double sum = 0;
-    for (const InTurn& step : turns) sum += step.time(which);
-    return 1e6 * sum / steps;
-  };
-  state.counters["1 everything, us"] = mean(0);
-  state.counters["2 needed, us"] = mean(1);
-  state.counters["3 with sleep, us"] = mean(2);
-  state.counters["needed / everything"] = mean(1) / mean(0);
-  state.counters["with sleep / everything"] = mean(2) / mean(0);
+  state.counters["1 everything, us"] = steps.mean(0);
+  state.counters["2 needed, us"] = steps.mean(1);
+  state.counters["3 with sleep, us"] = steps.mean(2);
+  state.counters["needed / everything"] = steps.mean(1) / steps.mean(0);
+  state.counters["with sleep / everything"] = steps.mean(2) / steps.mean(0);
 }
-[[maybe_unused]] const bool scenes_registered = [] {
+
+/// With chapter 22's substeps for all, and with each island its own; and how many parts of the bodies' steps were each method's.
+void islands(benchmark::State& state, const NamedScene& named) {
+  Steps steps;
+  double moved = 0, flying = 0, in_half_steps = 0;
+  try {
+    for (auto _ : state) {
+      for (int run = 0; run < 5; ++run) {
+        World at_once;
+        named.fill(at_once);
+        World divided = at_once;
+        Wide<Real> one;
+        ByIsland own;
+        for (std::size_t i = 0; i < steps.count(); ++i) {
+          steps.round(i, {[&] { at_once.step(one, dt); }, [&] { divided.step(own, dt); }});
+          for (const Body& body : divided.bodies) {
+            if (!body.movable()) continue;
+            ++moved;
+            flying += own.moved_by(body.index) == MovedBy::flight ? 1 : 0;
+            in_half_steps += own.moved_by(body.index) == MovedBy::half_steps ? 1 : 0;
+          }
+        }
+      }
+    }
+  } catch (const InvalidInput& error) {
+    return state.SkipWithError(error.what());
+  }
+  state.counters["1 one method, us"] = steps.mean(0);
+  state.counters["2 each its own, us"] = steps.mean(1);
+  state.counters["3 its own / one"] = steps.mean(1) / steps.mean(0);
+  state.counters["4 in flight"] = flying / moved;
+  state.counters["5 half steps"] = in_half_steps / moved;
+}
+[[maybe_unused]] const bool registered = [] {
   for (const NamedScene& named : all_scenes()) {
-    benchmark::RegisterBenchmark(("scene/" + named.name).c_str(), scene, named)
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
+    const auto add = [&](const std::string& what, const auto& function) {
+      benchmark::RegisterBenchmark((what + "/" + named.name).c_str(), function, named)
+          ->Iterations(1)
+          ->Unit(benchmark::kMillisecond);
+    };
+    add("scene", scene);
+    add("islands", islands);
   }
   return true;
 }();

@@ -1,12 +1,16 @@
 #!/usr/bin/env bash
-# The table of docs/speed.md, "Each scene", from what ./course bench scenes -- --benchmark_filter=^scene/ --benchmark_format=csv
-# prints; read from the standard input.
+# The tables of docs/speed.md, "Each scene" and "Each island its own step", from what ./course bench scenes --
+# --benchmark_filter=^scene/ (or ^islands/) --benchmark_format=csv prints; read from the standard input.
 set -euo pipefail
-echo '| scene | everything | what is called for | and sleep | called for / everything | and sleep / everything |'
-echo '| --- | --- | --- | --- | --- | --- |'
 awk -F, '
   function us(t) { return t < 10 ? sprintf("%.2f", t) : sprintf("%.1f", t) }
-  /^"scene\// {  # its counters, sorted by their names, are the last five fields
-    split($1, name, "/")
+  function heads(line) { if (!begun++) { print line; print "| --- | --- | --- | --- | --- | --- |" } }
+  /^"(scene|islands)\// { split($1, name, "/") }  # its counters, sorted by their names, are the last five fields
+  /^"scene\// {
+    heads("| scene | everything | what is called for | and sleep | called for / everything | and sleep / everything |")
     printf "| %s | %s | %s | %s | %.2f | %.2f |\n", name[2], us($(NF - 4)), us($(NF - 3)), us($(NF - 2)), $(NF - 1), $NF
+  }
+  /^"islands\// {
+    heads("| scene | one method | each island its own | its own / one | in flight | by half steps |")
+    printf "| %s | %s | %s | %.2f | %.0f %% | %.0f %% |\n", name[2], us($(NF - 4)), us($(NF - 3)), $(NF - 2), 100 * $(NF - 1), 100 * $NF
   }'

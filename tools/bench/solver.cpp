@@ -33,45 +33,21 @@ void solve(benchmark::State& state, int rows_per_contact) {
                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-using NormalsOnly = Solver<Clamping, Baumgarte, Slop>;
-
 void composed(benchmark::State& state) {
   solve<FullSolver>(state, 3);
 }
-void by_hand(benchmark::State& state) {
-  solve<flat_07::FlatSolver>(state, 3);
-}
 void normals_only(benchmark::State& state) {
-  solve<NormalsOnly>(state, 1);
+  solve<Solver<Clamping, Baumgarte, Slop>>(state, 1);
 }
 
 // Cost against contacts (a pyramid of base n) and against sweeps: both should grow linearly.
-BENCHMARK(composed)
-    ->ArgNames({"base", "sweeps"})
-    ->Args({5, 10})
-    ->Args({5, 50})
-    ->Args({10, 10})
-    ->Args({20, 10})
-    ->Args({40, 10})
-    ->Args({20, 20})
-    ->Args({20, 50})
-    ->Args({20, 100})
-    ->UseManualTime()
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK(by_hand)
-    ->ArgNames({"base", "sweeps"})
-    ->Args({5, 10})
-    ->Args({5, 50})
-    ->Args({20, 10})
-    ->Args({20, 50})
-    ->UseManualTime()
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK(normals_only)
-    ->ArgNames({"base", "sweeps"})
-    ->Args({20, 10})
-    ->Args({20, 50})
-    ->UseManualTime()
-    ->Unit(benchmark::kMicrosecond);
+void bases_and_sweeps(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"base", "sweeps"})->UseManualTime()->Unit(benchmark::kMicrosecond);
+  for (const int base : {5, 10, 20, 40}) bench->Args({base, 10});
+  for (const int sweeps : {20, 50, 100}) bench->Args({20, sweeps});
+}
+BENCHMARK(composed)->Apply(bases_and_sweeps);
+BENCHMARK(normals_only)->Apply(bases_and_sweeps);
 
 /// Both solvers on the same contacts, in turn, and the median of the ratios.
 void composed_against_by_hand(benchmark::State& state) {
@@ -79,8 +55,7 @@ void composed_against_by_hand(benchmark::State& state) {
   FullSolver composed_solver;
   flat_07::FlatSolver flat_solver;
   InTurn turns;
-  for (auto _ : state)
-    turns.round({[&] { return frozen.seconds(composed_solver); }, [&] { return frozen.seconds(flat_solver); }});
+  for (auto _ : state) frozen.round(turns, 10, composed_solver, flat_solver);
   state.counters["median ratio"] = turns.ratio(0, 1);
 }
 BENCHMARK(composed_against_by_hand)->Iterations(400)->Unit(benchmark::kMicrosecond);
@@ -93,9 +68,7 @@ void friction_against_pyramid(benchmark::State& state) {
   Solver<Clamping, Baumgarte, Slop, Restitution, AnyFriction, WarmStart> solver;
   FullSolver pyramid_solver;
   InTurn turns;
-  for (auto _ : state)
-    turns.round(
-        {[&] { return frozen.seconds(solver, sweeps); }, [&] { return frozen.seconds(pyramid_solver, sweeps); }});
+  for (auto _ : state) frozen.round(turns, sweeps, solver, pyramid_solver);
   state.counters["median ratio"] = turns.ratio(0, 1);
   state.counters["ns per contact and sweep"] = 1e9 * turns.time(0) / (frozen.contacts() * sweeps);
 }
@@ -108,9 +81,12 @@ void scaled_back(benchmark::State& state) {
 void friction_cone(benchmark::State& state) {
   friction_against_pyramid<FrictionCone>(state);
 }
-BENCHMARK(pyramid_of_friction)->ArgName("sweeps")->Arg(10)->Arg(100)->Iterations(200)->Unit(benchmark::kMicrosecond);
-BENCHMARK(scaled_back)->ArgName("sweeps")->Arg(10)->Arg(100)->Iterations(200)->Unit(benchmark::kMicrosecond);
-BENCHMARK(friction_cone)->ArgName("sweeps")->Arg(10)->Arg(100)->Iterations(200)->Unit(benchmark::kMicrosecond);
+void ten_and_hundred(benchmark::internal::Benchmark* bench) {
+  bench->ArgName("sweeps")->Arg(10)->Arg(100)->Iterations(200)->Unit(benchmark::kMicrosecond);
+}
+BENCHMARK(pyramid_of_friction)->Apply(ten_and_hundred);
+BENCHMARK(scaled_back)->Apply(ten_and_hundred);
+BENCHMARK(friction_cone)->Apply(ten_and_hundred);
 
 /// What chapter 10's ways to undo overlap cost beside chapter 03's, on the same contacts, in turn. With a slop of 0 every
 /// contact is too deep, with one of 20 mm none.
@@ -121,7 +97,7 @@ void against_baumgarte(benchmark::State& state) {
   FullSolver baumgarte;
   solver.slop = baumgarte.slop = static_cast<Real>(state.range(0)) / 1000;
   InTurn turns;
-  for (auto _ : state) turns.round({[&] { return frozen.seconds(solver); }, [&] { return frozen.seconds(baumgarte); }});
+  for (auto _ : state) frozen.round(turns, 10, solver, baumgarte);
   state.counters["median ratio"] = turns.ratio(0, 1);
 }
 BENCHMARK(against_baumgarte<SplitImpulse>)->ArgName("slop_mm")->Arg(0)->Arg(20)->Iterations(200);

@@ -87,23 +87,22 @@ void shared(benchmark::State& state, const std::function<void(World&)>& fill, in
   state.counters["barriers"] = median(rounds);
 }
 
-void pile_of(benchmark::State& state, int n, int high) {
-  shared(state, [=](World& world) { heap(world, n, high, -static_cast<Real>(n) / 2); }, 2, 240);
-}
-void pyramid_of(benchmark::State& state, int base) {
-  shared(state, [=](World& world) { pyramid(world, base); }, 2, 120);
-}
-void stack_of(benchmark::State& state, int count) {
-  shared(state, [=](World& world) { stack(world, count); }, 2, 120);
-}
-BENCHMARK_CAPTURE(stack_of, boxes, 10)->Iterations(2000)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(stack_of, boxes, 40)->Iterations(1000)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(pyramid_of, base, 10)->Iterations(1000)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(pyramid_of, base, 20)->Iterations(400)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(pile_of, 125, 5, 5)->Iterations(400)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(pile_of, 512, 8, 8)->Iterations(100)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(pile_of, 1000, 10, 10)->Iterations(60)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(pile_of, 4000, 20, 10)->Iterations(20)->Unit(benchmark::kMicrosecond);
+[[maybe_unused]] const bool added = [] {
+  const auto add = [](const std::string& name, const std::function<void(World&)>& fill, int settle, int steps) {
+    benchmark::RegisterBenchmark(name.c_str(), shared, fill, 2, settle)
+        ->Iterations(steps)
+        ->Unit(benchmark::kMicrosecond);
+  };
+  add("stack_of/10", [](World& world) { stack(world, 10); }, 120, 2000);
+  add("stack_of/40", [](World& world) { stack(world, 40); }, 120, 1000);
+  add("pyramid_of/55", [](World& world) { pyramid(world, 10); }, 120, 1000);
+  add("pyramid_of/210", [](World& world) { pyramid(world, 20); }, 120, 400);
+  add("pile_of/125", [](World& world) { heap(world, 5, 5, Real(-2.5)); }, 240, 400);
+  add("pile_of/512", [](World& world) { heap(world, 8, 8, -4); }, 240, 100);
+  add("pile_of/1000", [](World& world) { heap(world, 10, 10, -5); }, 240, 60);
+  add("pile_of/4000", [](World& world) { heap(world, 20, 10, -10); }, 240, 20);
+  return true;
+}();
 
 /// A round in which nobody has anything to do.
 void empty_round(benchmark::State& state) {

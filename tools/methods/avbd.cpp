@@ -19,14 +19,6 @@ Real speed(const Jacobian& j, const Body& a, const Body& b) {
 }  // namespace
 
 void Avbd::check(World& world, Real h) {
-  require_between("part of an old error that is kept", error_kept, 0, 1);
-  require_between("part of a penalty that is kept", penalty_kept, 0, 1);
-  require_positive("least penalty", least_penalty);
-  if (!(most_penalty >= least_penalty))
-    throw InvalidInput(
-        fmt::format("largest penalty is {}: the least, {}, or more is needed", most_penalty, least_penalty));
-  require_not_negative("growth of penalties", growth);
-  require_not_negative("margin", margin);
   check_plain_joints(world, h, "AVBD");
 }
 

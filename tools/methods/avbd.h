@@ -23,12 +23,12 @@ namespace pushback {
 ///   C. Giles, E. Diaz, C. Yuksel, "Augmented Vertex Block Descent", ACM Transactions on Graphics 44 (4), SIGGRAPH 2025
 class Avbd : public StepSolver {
  public:
-  Real error_kept = Real(0.95);    ///< alpha, of 0 ... 1: the part of an old error that a step leaves alone
-  Real penalty_kept = Real(0.99);  ///< of 0 ... 1: the part of k that the next step starts from
-  Real least_penalty = 1;          ///< in 1 / (K h^2): it halves what a row asks of free bodies
-  Real most_penalty = Real(1e6);   ///< likewise
-  Real growth = 100;               ///< of k in a sweep, for each m of |C|, likewise, 1/m
-  Real margin = Real(0.01);        ///< m: contacts are detected so far ahead, and by the way of a step
+  static constexpr Real error_kept = Real(0.95);    ///< alpha: the part of an old error that a step leaves alone
+  static constexpr Real penalty_kept = Real(0.99);  ///< the part of k that the next step starts from
+  static constexpr Real least_penalty = 1;          ///< in 1 / (K h^2): it halves what a row asks of free bodies
+  static constexpr Real most_penalty = Real(1e6);   ///< likewise
+  static constexpr Real growth = 100;               ///< of k in a sweep, for each m of |C|, likewise, 1/m
+  static constexpr Real margin = Real(0.01);        ///< m: contacts are detected so far ahead, and by the way of a step
 
   Plan plan(Real h) const override { return {.sweeps = 10, .margin = {.least = margin, .ahead = h}}; }
   bool holds_joints() const override { return true; }

@@ -34,19 +34,8 @@ SapProblem::Contact::Jacobian point_at(const Vec3& r) {
 
 }  // namespace
 
-Real Sap::tau(Real h) const {
-  return std::max(relaxation, period * h / pi);
-}
-
 void Sap::check(World&, Real) {
   require_positive("period of contacts", period);
-  require_positive("slip of contacts", slip);
-  if (!(stiffness > 0)) throw InvalidInput(fmt::format("stiffness is {}: a number above 0 is needed", stiffness));
-  require_not_negative("relaxation", relaxation);
-  require_not_negative("margin", margin);
-  require_positive("tolerance", static_cast<Real>(tolerance));
-  if (most_steps < 1)
-    throw InvalidInput(fmt::format("most_steps is {}: a whole number, 1 or more, is needed", most_steps));
 }
 
 double Sap::rigid() const {
@@ -74,7 +63,7 @@ void Sap::tie(std::vector<Bond>& bonds, const Body& a, const Body& b, const type
 }
 
 void Sap::add_contacts(const World& world, Real h) {
-  const double feedback = 1 / static_cast<double>(h + tau(h)), soft = feedback / static_cast<double>(h * stiffness);
+  const double feedback = 1 / static_cast<double>(h + tau(h));
   for (const Contact& at : world.contacts) {
     const auto [a, b] = world.bodies_of(at);
     const Vec3 r_a = at.point - a.position, r_b = at.point - b.position;
@@ -82,8 +71,8 @@ void Sap::add_contacts(const World& world, Real h) {
     tie(problem_.contacts, a, b, -point_at(r_a), point_at(r_b),
         SapContactLaw{.n = at.normal.cast<double>(),
                       .mu = static_cast<double>(at.friction),
-                      .r_t = static_cast<double>(slip) * w,
-                      .r_n = std::max(rigid() * w, soft),
+                      .r_t = slip * w,
+                      .r_n = rigid() * w,
                       .wanted = feedback * static_cast<double>(at.depth)});
   }
 }

@@ -1,8 +1,6 @@
 /// Semi-analytic primal solver (SAP): a step is the minimum of one convex function of all velocities.
 #pragma once
 
-#include <limits>
-
 #include "pushback/common/world/step_solver.h"
 #include "pushback/tools/methods/sap_problem.h"
 
@@ -10,14 +8,14 @@ namespace pushback {
 
 /// All contacts and joints together, by Newton's method on velocities:
 ///
-///   l(v) = (v - v*)^T M (v - v*) / 2 + sum of l_c(J_c v)          sap_problem.h; l_c: sap_laws.h
+///   l(v) = (v - v*)^T M (v - v*) / 2 + sum of l_c(J_c v)          sap_problem.h
 ///
-///   contact   R_t = sigma w,   R_n = max(beta^2 / (4 pi^2) w, 1 / (h k (h + tau))),   v = -phi / (h + tau)
-///   joint     R = beta^2 / (4 pi^2) w,                                                v = -C / (h + tau) - b
+///   contact   R_t = sigma w,   R_n = beta^2 / (4 pi^2) w,   v = -phi / (h + tau)
+///   joint                      R   = beta^2 / (4 pi^2) w,   v = -C / (h + tau) - b
 ///
 /// w: how easily the contact moves, the Frobenius norm of its 3 x 3 block of J M^-1 J^T over 3, 1/kg; of an equation of a joint
-/// J M^-1 J^T. phi: distance, m, below 0 for an overlap. With k = inf, contacts are springs with a period of beta steps, critically
-/// damped: tau = beta h / pi. So a contact that bears m g is m g h (h + tau) R_n deep. A joint's bounds are held, and its spring keeps
+/// J M^-1 J^T. phi: distance, m, below 0 for an overlap. Contacts are springs with a period of beta steps, critically damped:
+/// tau = beta h / pi. So a contact that bears m g is m g h (h + tau) R_n deep. A joint's bounds are held, and its spring keeps
 /// its own softness.
 ///
 /// `sweeps` do not matter: Newton's method ends where its equations hold. There is no restitution here, and friction that slides is
@@ -25,22 +23,20 @@ namespace pushback {
 ///   A. Castro, F. Permenter, X. Han, "An Unconstrained Convex Formulation of Compliant Contact", IEEE Transactions on Robotics, 2022
 class Sap : public StepSolver {
  public:
-  Real period = 1;                                         ///< beta, steps, above 0
-  Real slip = Real(1e-3);                                  ///< sigma, above 0
-  Real stiffness = std::numeric_limits<Real>::infinity();  ///< k, N/m, above 0; infinite: rigid
-  Real relaxation = 0;                                     ///< tau, s; never less than beta h / pi
-  Real margin = Real(0.01);  ///< m: contacts are detected so far ahead, and by the way of h + tau
-  double tolerance = 1e-8;   ///< of Newton's method, see sap_problem.h
-  int most_steps = 100;      ///< of Newton's method
+  Real period = 1;                            ///< beta, steps, above 0
+  static constexpr double slip = 1e-3;        ///< sigma
+  static constexpr Real margin = Real(0.01);  ///< m: contacts are detected so far ahead, and by the way of h + tau
+  static constexpr double tolerance = 1e-8;   ///< of Newton's method, see sap_problem.h
+  static constexpr int most_steps = 100;      ///< of Newton's method
 
   Plan plan(Real h) const override { return {.sweeps = 1, .margin = {.least = margin, .ahead = h + tau(h)}}; }
   bool holds_joints() const override { return true; }
-  /// Throws InvalidInput where a setting cannot be used.
+  /// Throws InvalidInput where the period cannot be used.
   void check(World& world, Real h) override;
   void solve(World& world, Real h, int sweeps) override;
 
  private:
-  Real tau(Real h) const;
+  Real tau(Real h) const { return period * h / pi; }
   double rigid() const;  // beta^2 / (4 pi^2)
   int place_of(const Body& body);
   template <class Bond, class Law>

@@ -31,24 +31,16 @@ SapProblem::Vector SapProblem::times_mass(const Vector& v) const {
 
 SapProblem::Vector SapProblem::pushes(const Vector& v) const {
   Vector sum = Vector::Zero(v.size());
-  const auto of = [&](const auto& bonds) {
-    for (const auto& bond : bonds) {
-      const auto impulse = bond.law.at(bond.along(v) + bond.rest).impulse;
-      each_body(bond, [&](int body, const auto& j) { sum.segment<6>(6 * Index{body}) += j.transpose() * impulse; });
-    }
-  };
-  of(contacts);
-  of(rows);
+  each_bond(*this, [&](const auto& bond) {
+    const auto impulse = bond.law.at(bond.along(v) + bond.rest).impulse;
+    each_body(bond, [&](int body, const auto& j) { sum.segment<6>(6 * Index{body}) += j.transpose() * impulse; });
+  });
   return sum;
 }
 
 double SapProblem::cost(const Vector& v) const {
   double sum = (v - free_).dot(times_mass(v - free_)) / 2;
-  const auto of = [&](const auto& bonds) {
-    for (const auto& bond : bonds) sum += bond.law.at(bond.along(v) + bond.rest).cost;
-  };
-  of(contacts);
-  of(rows);
+  each_bond(*this, [&](const auto& bond) { sum += bond.law.at(bond.along(v) + bond.rest).cost; });
   return sum;
 }
 
@@ -69,18 +61,14 @@ void SapProblem::assemble(const Vector& v) {
       for (int row = 0; row < 6; ++row) entries.emplace_back(6 * high + row, 6 * low + column, block(row, column));
   };
   for (std::size_t i = 0; i < masses_.size(); ++i) add(static_cast<int>(i), static_cast<int>(i), masses_[i]);
-  const auto of = [&](auto& bonds) {
-    for (auto& bond : bonds) {
-      bond.u = bond.along(v) + bond.rest;
-      const auto g = bond.law.at(bond.u).slope;
-      each_body(bond, [&](int body, const auto& j) { add(body, body, j.transpose() * (g * j).eval()); });
-      if (bond.a == nothing_moves || bond.b == nothing_moves) continue;
-      const auto& [high, low] = bond.b > bond.a ? std::tie(bond.j_b, bond.j_a) : std::tie(bond.j_a, bond.j_b);
-      add(std::min(bond.a, bond.b), std::max(bond.a, bond.b), high.transpose() * (g * low).eval());
-    }
-  };
-  of(contacts);
-  of(rows);
+  each_bond(*this, [&](auto& bond) {
+    bond.u = bond.along(v) + bond.rest;
+    const auto g = bond.law.at(bond.u).slope;
+    each_body(bond, [&](int body, const auto& j) { add(body, body, j.transpose() * (g * j).eval()); });
+    if (bond.a == nothing_moves || bond.b == nothing_moves) return;
+    const auto& [high, low] = bond.b > bond.a ? std::tie(bond.j_b, bond.j_a) : std::tie(bond.j_a, bond.j_b);
+    add(std::min(bond.a, bond.b), std::max(bond.a, bond.b), high.transpose() * (g * low).eval());
+  });
   h_.resize(free_.size(), free_.size());
   h_.setFromTriplets(entries.begin(), entries.end());
 }
@@ -100,26 +88,18 @@ int SapProblem::minimise(Vector& v, double tolerance, int most_steps) {
 }
 
 double SapProblem::best_part(const Vector& v, const Vector& change, const Vector& slope) {
-  const auto prepare = [&](auto& bonds) {
-    for (auto& bond : bonds) bond.change = bond.along(change);
-  };
-  prepare(contacts);
-  prepare(rows);
+  each_bond(*this, [&](auto& bond) { bond.change = bond.along(change); });
   const Vector heavy = times_mass(change);
   const double start = heavy.dot(v - free_), bend = heavy.dot(change);
   double first = 0, second = 0;  // l' and l'' along the line
   const auto look = [&](double part) {
     first = start + part * bend;
     second = bend;
-    const auto of = [&](const auto& bonds) {
-      for (const auto& bond : bonds) {
-        const auto answer = bond.law.at(bond.u + part * bond.change);
-        first -= answer.impulse.dot(bond.change);
-        second += bond.change.dot(answer.slope * bond.change);
-      }
-    };
-    of(contacts);
-    of(rows);
+    each_bond(*this, [&](const auto& bond) {
+      const auto answer = bond.law.at(bond.u + part * bond.change);
+      first -= answer.impulse.dot(bond.change);
+      second += bond.change.dot(answer.slope * bond.change);
+    });
   };
   const double enough = 1e-4 * std::abs(slope.dot(change));
   double low = 0, high = 1;

@@ -46,7 +46,6 @@ Vec3 way_of(const Body& body, const Vec3& now, const Vec3& from, Real h) {
 void Xpbd::check(World& world, Real h) {
   if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
   require_not_negative("threshold", threshold);
-  require_not_negative("margin", margin);
   check_plain_joints(world, h, "XPBD");
 }
 

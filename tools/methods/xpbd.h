@@ -27,7 +27,8 @@ class Xpbd : public StepSolver {
  public:
   int substeps = 1;            ///< of each step; the paper has 10 to 40 in 1/60 s, of one sweep each
   Real threshold = Real(0.1);  ///< m/s; what arrives slower does not bounce
-  Real margin = Real(0.01);    ///< m: contacts are detected so far ahead, since corrections of others may close them
+  /// m: contacts are detected so far ahead, since corrections of others may close them.
+  static constexpr Real margin = Real(0.01);
 
   Plan plan(Real /*dt*/) const override { return {.detections = substeps, .sweeps = 1, .margin = {.least = margin}}; }
   bool holds_joints() const override { return true; }

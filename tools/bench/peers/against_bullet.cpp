@@ -83,53 +83,37 @@ void beside_peer(benchmark::State& state, const std::function<void(World&)>& fil
   }
 }
 
-void pyramid_of_210(benchmark::State& state) {
-  beside_peer(state, [](World& world) { pyramid(world, 20); }, 8, 300);
-}
-void pyramid_of_210_in_4_substeps(benchmark::State& state) {
-  beside_peer(state, [](World& world) { pyramid(world, 20); }, 4, 300);
-}
-void pyramid_of_210_as_recommended(benchmark::State& state) {
-  beside_peer(state, [](World& world) { pyramid(world, 20); }, Wide<Real>{}.substeps, 120);
-}
-void stack_of_40(benchmark::State& state) {
-  beside_peer(state, [](World& world) { stack(world, 40); }, 32, 120);
-}
-void stack_of_40_in_8_substeps(benchmark::State& state) {
-  beside_peer(state, [](World& world) { stack(world, 40); }, 8, 600);
-}
 /// Each box aside by up to 3 mm.
-void crooked_stack_of_40(benchmark::State& state) {
-  const auto fill = [](World& world) {
-    stack(world, 40);
-    Random random(1);
-    for (Body& body : world.bodies)
-      if (body.movable()) body.position += random.vector(Real(3e-3)).cwiseProduct(Vec3(1, 0, 1));
+void crooked_stack(World& world) {
+  stack(world, 40);
+  Random random(1);
+  for (Body& body : world.bodies)
+    if (body.movable()) body.position += random.vector(Real(3e-3)).cwiseProduct(Vec3(1, 0, 1));
+}
+void columns_of_ten(World& world) {
+  world.add(ground());
+  for (int i = 0; i < 400; ++i)
+    world.add(box(Vec3::Constant(Real(0.5)), 1).at({2 * Real(i / 10), Real(0.5) + Real(i % 10), 0}));
+}
+[[maybe_unused]] const bool added = [] {
+  const auto add = [](const std::string& name, const std::function<void(World&)>& fill, int substeps, int settle,
+                      int steps) {
+    benchmark::RegisterBenchmark(name.c_str(), beside_peer, fill, substeps, settle)
+        ->Iterations(steps)
+        ->Unit(benchmark::kMicrosecond);
   };
-  beside_peer(state, fill, 8, 600);
-}
-void columns_of_ten(benchmark::State& state) {
-  const auto fill = [](World& world) {
-    world.add(ground());
-    for (int i = 0; i < 400; ++i)
-      world.add(box(Vec3::Constant(Real(0.5)), 1).at({2 * Real(i / 10), Real(0.5) + Real(i % 10), 0}));
-  };
-  beside_peer(state, fill, 8, 300);
-}
-void pile_of_512(benchmark::State& state) {
-  beside_peer(state, [](World& world) { heap(world, 8, 8, -4); }, 8, 240);
-}
-void pile_of_4000(benchmark::State& state) {
-  beside_peer(state, [](World& world) { heap(world, 20, 10, -10); }, 8, 240);
-}
-BENCHMARK(pyramid_of_210)->Iterations(200)->Unit(benchmark::kMicrosecond);
-BENCHMARK(pyramid_of_210_in_4_substeps)->Iterations(200)->Unit(benchmark::kMicrosecond);
-BENCHMARK(pyramid_of_210_as_recommended)->Iterations(60)->Unit(benchmark::kMicrosecond);
-BENCHMARK(stack_of_40)->Iterations(200)->Unit(benchmark::kMicrosecond);
-BENCHMARK(stack_of_40_in_8_substeps)->Iterations(100)->Unit(benchmark::kMicrosecond);
-BENCHMARK(crooked_stack_of_40)->Iterations(100)->Unit(benchmark::kMicrosecond);
-BENCHMARK(columns_of_ten)->Iterations(100)->Unit(benchmark::kMicrosecond);
-BENCHMARK(pile_of_512)->Iterations(60)->Unit(benchmark::kMicrosecond);
-BENCHMARK(pile_of_4000)->Iterations(20)->Unit(benchmark::kMicrosecond);
+  const auto pyramid_of_210 = [](World& world) { pyramid(world, 20); };
+  const auto stack_of_40 = [](World& world) { stack(world, 40); };
+  add("pyramid_of_210", pyramid_of_210, 8, 300, 200);
+  add("pyramid_of_210_in_4_substeps", pyramid_of_210, 4, 300, 200);
+  add("pyramid_of_210_as_recommended", pyramid_of_210, Wide<Real>{}.substeps, 120, 60);
+  add("stack_of_40", stack_of_40, 32, 120, 200);
+  add("stack_of_40_in_8_substeps", stack_of_40, 8, 600, 100);
+  add("crooked_stack_of_40", crooked_stack, 8, 600, 100);
+  add("columns_of_ten", columns_of_ten, 8, 300, 100);
+  add("pile_of_512", [](World& world) { heap(world, 8, 8, -4); }, 8, 240, 60);
+  add("pile_of_4000", [](World& world) { heap(world, 20, 10, -10); }, 8, 240, 20);
+  return true;
+}();
 
 }  // namespace

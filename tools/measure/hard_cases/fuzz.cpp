@@ -1,6 +1,7 @@
 #include "pushback/tools/measure/hard_cases/fuzz.h"
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
+#include "pushback/chapters/07_warm_start/scaled.h"
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/chapters/22_wide/wide.h"
 #include "pushback/chapters/26_to_each_its_own/by_island.h"
@@ -8,6 +9,7 @@
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/catalogue/solvers.h"
 #include "pushback/tools/measure/hard_cases/finite.h"
+#include "pushback/tools/measure/hard_cases/ledger.h"
 #include "pushback/tools/measure/hard_cases/momentum_account.h"
 #include "pushback/tools/measure/hard_cases/watcher.h"
 
@@ -21,8 +23,8 @@ using BookedFullSolver =
     BookedSolver<Solver, Clamping, Baumgarte, Slop, Restitution, Booked<Friction>, WarmStart, Bookkeeper>;
 using BookedSoftSolver =
     BookedSolver<RelaxingSolver, Clamping, SoftContacts, Restitution, Booked<Friction>, WarmStart, RelaxingBookkeeper>;
-using BookedAllTogether = BookedSolver<RelaxingSolver, Clamping, SoftContacts, BookedImpacts, Booked<FrictionCone>,
-                                       BookedScaledWarmStart, RelaxingBookkeeper>;
+using BookedAllTogether = BookedSolver<RelaxingSolver, Clamping, SoftContacts, SimultaneousImpacts,
+                                       Booked<FrictionCone>, ScaledWarmStart, RelaxingBookkeeper>;
 
 void print_scene(const RandomScene& scene) {
   const Vec3& g = scene.world.gravity;
@@ -86,57 +88,55 @@ class Felt : public ForwardingSolver {
   std::vector<Body> before_;  // as they were when they began to move
 };
 
-/// A stage's solver, and how it is stepped.
-template <class ContactSolver>
+/// A world that is watched. Energy is the ledger's, and overlaps are what they are.
 class Watched {
  public:
-  Watched(const RandomScene& scene, int count, int sweeps, bool log)
-      : scene_(scene), world_(scene_.world), count_(count), sweeps_(sweeps), log_(log), solver_(ledger_) {
-    constexpr Real any = std::numeric_limits<Real>::infinity();  // energy is the ledger's; overlaps are what they are
-    allowance_ = {.energy = any, .overlap = any, .isolated = scene_.isolated};
-  }
+  static constexpr Real any = std::numeric_limits<Real>::infinity();
+  explicit Watched(const RandomScene& scene)
+      : watcher(scene.world, {.energy = any, .overlap = any, .isolated = scene.isolated}), scene_(scene) {}
 
-  Finding run() {
-    if (log_) print_scene(scene_);
-    Watcher watcher(world_, allowance_);
-    Felt felt(solver_, watcher);
+  Watcher watcher;
+
+  /// Each of its steps is cut into so many parts from outside, and by the solver into so many. `within`: what is wrong within a step.
+  template <class Within>
+  Finding run(StepSolver& solver, int parts, int sweeps, int substeps, bool log, const Within& within) {
+    if (log) print_scene(scene_);
+    World world = scene_.world;
+    const Real dt = scene_.dt / static_cast<Real>(parts);
     Finding finding;
     for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
-      for (int i = 0; i < count_ && finding.broken.empty(); ++i) {
-        const Real dt = scene_.dt / static_cast<Real>(count_);
-        world_.step(felt, dt, sweeps_);
-        finding.broken = felt.broken.empty() ? ledger_.account.broken : felt.broken;
-        watcher.look(world_, dt);
+      for (int i = 0; i < parts && finding.broken.empty(); ++i) {
+        world.step(solver, dt, sweeps);
+        finding.broken = within();
+        watcher.look(world, dt, substeps);
         if (finding.broken.empty()) finding.broken = watcher.broken();
       }
       finding.step = step;
-      if (log_) {
+      if (log) {
         fmt::print("{:>3}  T {:<13.6g} |p| {:<13.6g} |L| {:<13.6g} {:>3} contacts, {:.4g} m deep  {}\n", step,
-                   kinetic_energy(world_), momentum(world_).norm(), angular_momentum(world_).norm(),
-                   world_.contacts.size(), deepest_overlap(world_), finding.broken);
+                   kinetic_energy(world), momentum(world).norm(), angular_momentum(world).norm(), world.contacts.size(),
+                   deepest_overlap(world), finding.broken);
       }
     }
-    finding.hash = hash_of(world_);
-    finding.account = ledger_.account;
+    finding.hash = hash_of(world);
     return finding;
   }
 
  private:
-  RandomScene scene_;
-  World& world_;
-  int count_, sweeps_;
-  bool log_;
-  Allowance allowance_;
-  Ledger ledger_;
-  ContactSolver solver_;
+  const RandomScene& scene_;
 };
 
-template <class ContactSolver, int substeps, int sweeps>
-Finding watched(const RandomScene& scene, bool log) {
-  return Watched<ContactSolver>(scene, substeps, sweeps, log).run();
+/// A solver that keeps books, in steps that are cut from outside.
+template <class ContactSolver, int parts, int sweeps>
+Finding with_books(const RandomScene& scene, bool log) {
+  Watched watched(scene);
+  Ledger ledger;
+  ContactSolver solver(ledger);
+  Felt felt(solver, watched.watcher);
+  return watched.run(felt, parts, sweeps, 1, log, [&] { return felt.broken.empty() ? ledger.broken : felt.broken; });
 }
 
-/// A solver that divides its steps itself: what is watched is the world after each.
+/// A solver that divides its steps itself: within them, the world after each substep is felt.
 template <class Full>
 struct FeltWhole : Full {
   Watcher* watcher = nullptr;
@@ -158,25 +158,6 @@ struct FeltWhole : Full {
     watcher->feel(world);
   }
 };
-template <class ContactSolver>
-Finding watched_whole(const RandomScene& scene, bool log) {
-  if (log) print_scene(scene);
-  World world = scene.world;
-  constexpr Real any = std::numeric_limits<Real>::infinity();
-  Watcher watcher(world, {.energy = any, .overlap = any, .isolated = scene.isolated});
-  FeltWhole<ContactSolver> solver;
-  solver.watcher = &watcher;
-  Finding finding;
-  for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
-    world.step(solver, scene.dt);
-    watcher.look(world, scene.dt, solver.substeps);
-    finding.broken = watcher.broken();
-    finding.step = step;
-  }
-  finding.hash = hash_of(world);
-  return finding;
-}
-
 /// Each island by its own step: within that of the many, too, is felt.
 struct FeltIslands : ByIsland {
   FeltWhole<Wide<Real>> felt;
@@ -185,34 +166,32 @@ struct FeltIslands : ByIsland {
   StepSolver& inner() override { return felt; }
   const StepSolver& inner() const override { return felt; }
 };
-Finding watched_islands(const RandomScene& scene, bool log) {
-  if (log) print_scene(scene);
-  World world = scene.world;
-  constexpr Real any = std::numeric_limits<Real>::infinity();
-  Watcher watcher(world, {.energy = any, .overlap = any, .isolated = scene.isolated});
+std::string nothing() {
+  return {};
+}
+Finding wide(const RandomScene& scene, bool log) {
+  Watched watched(scene);
+  FeltWhole<Wide<Real>> solver;
+  solver.watcher = &watched.watcher;
+  return watched.run(solver, 1, solver.plan(scene.dt).sweeps, solver.substeps, log, nothing);
+}
+Finding islands(const RandomScene& scene, bool log) {
+  Watched watched(scene);
   FeltIslands solver;
-  solver.felt.watcher = &watcher;
-  Finding finding;
-  for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
-    world.step(solver, scene.dt);
-    watcher.look(world, scene.dt, solver.many.substeps);
-    finding.broken = watcher.broken();
-    finding.step = step;
-  }
-  finding.hash = hash_of(world);
-  return finding;
+  solver.felt.watcher = &watched.watcher;
+  return watched.run(solver, 1, solver.plan(scene.dt).sweeps, solver.many.substeps, log, nothing);
 }
 
 struct FuzzedStage {
   const char* name;
   Finding (*watched)(const RandomScene& scene, bool log);
 };
-constexpr FuzzedStage stages_with_books[] = {{"07 warm start", watched<BookedFullSolver, 1, 10>},
-                                             {"11 substeps", watched<BookedFullSolver, 32, 1>},
-                                             {"12 soft contacts", watched<BookedSoftSolver, 32, 1>},
-                                             {"22 wide", watched_whole<Wide<Real>>},
-                                             {"26 by island", watched_islands},
-                                             {"all together", watched<BookedAllTogether, 32, 1>}};
+constexpr FuzzedStage watched_within[] = {{"07 warm start", with_books<BookedFullSolver, 1, 10>},
+                                          {"11 substeps", with_books<BookedFullSolver, 32, 1>},
+                                          {"12 soft contacts", with_books<BookedSoftSolver, 32, 1>},
+                                          {"22 wide", wide},
+                                          {"26 by island", islands},
+                                          {"all together", with_books<BookedAllTogether, 32, 1>}};
 
 /// Of any solver: what it says it did.
 Finding accounted(const RandomScene& scene, const NamedSolver& named) {
@@ -243,8 +222,8 @@ Finding fuzz(const RandomScene& scene, const std::string& stage, bool log) {
   const NamedSolver& solver = solver_named(stage);
   try {
     const Finding finding = accounted(scene, solver);
-    for (const FuzzedStage& with_books : stages_with_books)
-      if (finding.broken.empty() && with_books.name == stage) return with_books.watched(scene, log);
+    for (const FuzzedStage& one : watched_within)
+      if (finding.broken.empty() && one.name == stage) return one.watched(scene, log);
     return finding;
   } catch (const InvalidInput& refused) {  // a part of a step began from what the part before had left
     Finding finding;

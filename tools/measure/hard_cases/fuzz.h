@@ -1,7 +1,9 @@
 /// A random scene under one stage, with everything watched that must hold in any scene.
 #pragma once
 
-#include "pushback/tools/measure/hard_cases/ledger.h"
+#include <string>
+#include <vector>
+
 #include "pushback/tools/measure/hard_cases/random_scene.h"
 
 namespace pushback {
@@ -10,7 +12,6 @@ struct Finding {
   std::string broken;      ///< what broke first; empty: nothing
   int step = 0;            ///< in which step, from 1
   std::uint64_t hash = 0;  ///< of the world at the end
-  Account account;
 };
 
 /// All solvers of the catalogue. What they say they did is held against what they did, and some are watched from inside as well.

@@ -41,36 +41,27 @@ void Play::run(Real seconds, Real dt, const std::function<void(World&)>& after_e
   }
 }
 
-World Trial::filled(const std::function<void(World&)>& fill) const {
+Real Play::largest(Real seconds, const std::function<Real(const World&)>& of) {
+  Real most = 0;
+  run(seconds, Real(1) / 60, [&](const World& now) { most = std::max(most, of(now)); });
+  return most;
+}
+
+Play Trial::play(const std::function<void(World&)>& fill, const AllowanceOf& allowance_of, GivenContacts given) {
   World world;
   fill(world);
-  if (start_ == 0) return world;
-  Random random(static_cast<std::uint64_t>(start_));
-  for (Body& body : world.bodies) {
-    if (body.movable()) body.position += random.vector(nudge);
+  if (start_ > 0) {
+    Random random(static_cast<std::uint64_t>(start_));
+    for (Body& body : world.bodies)
+      if (body.movable()) body.position += random.vector(nudge);
   }
-  return world;
-}
-
-Play Trial::begun(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of,
-                  Stepper stepper) {
-  World start = filled(fill);
-  Allowance allowance = allowance_of(start);
+  Allowance allowance = allowance_of(world);
   allowance.epsilon = stage_->epsilon;
-  return {*this, std::move(start), allowance, std::move(stepper)};
-}
-
-Play Trial::play(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of) {
-  return begun(fill, allowance_of, stage_->begin());
+  return {*this, std::move(world), allowance, stage_->begin(given)};
 }
 
 Play Trial::play(const std::function<void(World&)>& fill, const Allowance& allowance) {
   return play(fill, [&allowance](const World&) { return allowance; });
-}
-
-Play Trial::play_given(const std::function<void(World&)>& fill,
-                       const std::function<Allowance(const World&)>& allowance_of, bool twice) {
-  return begun(fill, allowance_of, twice ? stage_->begin_doubled() : stage_->begin_call_by_call());
 }
 
 namespace {
@@ -89,12 +80,14 @@ Real larger(Real p, Real q) {
 
 }  // namespace
 
+std::string Criterion::limit_with_unit() const {
+  return fmt::format("{:g}{}{}", limit, unit.empty() ? "" : " ", unit);
+}
+
 std::string criteria_of(const HardCase& hard_case) {
   std::string text;
-  for (const Criterion& c : hard_case.criteria) {
-    text +=
-        fmt::format("{}{} ≤ {:g}{}{}", text.empty() ? "" : "; ", c.what, c.limit, c.unit.empty() ? "" : " ", c.unit);
-  }
+  for (const Criterion& one : hard_case.criteria)
+    text += fmt::format("{}{} ≤ {}", text.empty() ? "" : "; ", one.what, one.limit_with_unit());
   return text;
 }
 
@@ -145,6 +138,7 @@ const std::vector<HardCase>& hard_cases() {
                          guided_cases(), no_solution_cases(), scale_cases(), step_cases(), joint_cases(), ball_cases(),
                          edge_cases(), mechanism_cases()})
       list.insert(list.end(), group.begin(), group.end());
+    for (HardCase& hard_case : list) hard_case.scene.name = hard_case.title;
     return list;
   }();
   return all;

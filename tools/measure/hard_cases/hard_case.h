@@ -13,6 +13,7 @@
 namespace pushback {
 
 class Trial;
+using AllowanceOf = std::function<Allowance(const World&)>;
 
 /// One world under one stage's solver, watched.
 class Play {
@@ -23,12 +24,15 @@ class Play {
   void step(Real dt = Real(1) / 60);
   /// As many steps as make up `seconds`; `after_each` may look at the world, or poke it.
   void run(Real seconds, Real dt = Real(1) / 60, const std::function<void(World&)>& after_each = {});
+  /// Of a number that is looked at after each of the steps of 1/60 s; at least 0.
+  Real largest(Real seconds, const std::function<Real(const World&)>& of);
   /// False once a number was not finite, or the solver has refused the world: what is measured then says nothing.
   bool sound() const { return sound_; }
   const Watcher& watcher() const { return watcher_; }
 
  private:
   friend class Trial;
+  using AllowanceOf = std::function<Allowance(const World&)>;
   Play(Trial& trial, World start, const Allowance& allowance, Stepper stepper);
 
   Trial* trial_;
@@ -51,11 +55,8 @@ class Trial {
   /// A world of its own, filled, with a solver of its own.
   Play play(const std::function<void(World&)>& fill, const Allowance& allowance = {});
   /// Where what is allowed depends on what the world was filled with.
-  Play play(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of);
-
-  /// The same, each contact given to the solver by the step, once; or twice.
-  Play play_given(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of,
-                  bool twice);
+  Play play(const std::function<void(World&)>& fill, const AllowanceOf& allowance_of,
+            GivenContacts given = GivenContacts::none);
 
   /// The step by which the stage moves what flies or slides alone: dt, or what it divides dt into; 0: as if it had none.
   Real substep(Real dt = Real(1) / 60) const {
@@ -69,11 +70,6 @@ class Trial {
 
  private:
   friend class Play;
-  /// The world in which a play begins.
-  World filled(const std::function<void(World&)>& fill) const;
-  Play begun(const std::function<void(World&)>& fill, const std::function<Allowance(const World&)>& allowance_of,
-             Stepper stepper);
-
   const Stage* stage_;
   int start_;
   std::string broken_;
@@ -87,16 +83,18 @@ struct Criterion {
   std::string what;  ///< "drift of the top after 10 s"
   std::string unit;  ///< "mm"
   Real limit;        ///< in that unit
+  /// "1 mm"
+  std::string limit_with_unit() const;
 };
 
 struct HardCase {
   std::string name;      ///< as typed: "stack-20"
   std::string title;     ///< as read: "stack of 20"
   std::string stresses;  ///< what it is hard for, in a line
-  std::vector<Criterion> criteria;
-  Scene scene;  ///< how it begins; from where, and until when, one would look at it
+  std::vector<Criterion> criteria = {};
+  Scene scene = {};  ///< how it begins; from where, and until when, one would look at it
   /// Plays it and returns the numbers, one a criterion, in the criteria's units.
-  std::function<std::vector<Real>(Trial&)> run;
+  std::function<std::vector<Real>(Trial&)> run = {};
   int starts = 1;  ///< it passes if it does from each of them
 };
 

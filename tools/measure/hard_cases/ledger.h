@@ -12,10 +12,10 @@
 /// Nothing is assumed of the other rows, so the sum over a sweep holds for any number of rows and sweeps, converged or not:
 /// energy comes in through b alone, the push-out speed or the bounce, and each row pays K d^2 / 2 for being solved.
 ///
-/// Two things this does not cover, and the ledger enters them as what they are:
+/// Two things this does not cover, and the ledger goes on from what they leave:
 ///  - the start from old impulses does whatever work it does;
 ///  - where a contact has come to press less, the bound of its friction has shrunk below what it has already rubbed. It has to
-///    give some of that back, though it might want more: no theta. That can return energy, and is counted apart.
+///    give some of that back, though it might want more: no theta. That can return energy.
 ///
 /// What is checked is each sweep over the normals, and each sweep over the tangents in which no bound had shrunk.
 ///
@@ -27,67 +27,42 @@
 ///
 /// Where the normals are solved as often as it takes, each visit to a row obeys the inequality, and -b d and the term in gamma add
 /// up over the visits; but what is paid does not follow from the sum of the d: at least nothing.
-///
-/// Where the start is scaled, it is held to what it promises, of the rows as they then are:
-///
-///   f = lambda . (A + Gamma) lambda / 2 + lambda . (J V + b) <= 0      which is dT + b . lambda + lambda . Gamma lambda / 2
 #pragma once
 
 #include <string>
 
-#include "pushback/chapters/07_warm_start/scaled.h"
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/09_impacts/simultaneous.h"
 #include "pushback/chapters/12_soft_contacts/relaxing_solver.h"
 
 namespace pushback {
 
-/// What was seen in all solves. Shares are of the larger of the kinetic energies before and after.
-struct Account {
-  std::string broken;      ///< the first sweep that gained more than its rows allow; empty: none did
-  long solves = 0;         ///< with at least one contact
-  long started_above = 0;  ///< of them, those in which the old impulses raised the kinetic energy
-  Real most_started = 0;   ///< the largest share by which they did
-  long returned = 0;       ///< those in which a sweep of friction gave energy back
-  Real most_returned = 0;  ///< the largest share in one solve
-  long ended_above = 0;    ///< those that ended above their start plus what b may feed in, by more than rounding
-  Real most_above = 0;     ///< the largest share of it
-  void add(const Account& other);
-};
-
 /// Keeps the books of one solver. The effects below tell it where a solve has got to.
 class Ledger {
  public:
-  Account account;
-  bool cone = false;  ///< the bound of friction is a disc
-
-  void open(const Rows& rows);            ///< no impulse yet
-  void guess_scaled(const Rows& rows);    ///< the old impulses are in, and must not make things worse
-  void started(const Rows& rows);         ///< the old impulses are in
-  void reopened(const Rows& rows);        ///< the bodies have moved, the rows may have changed
-  void normals_swept(const Rows& rows);   ///< each normal once, by itself
-  void impacts_swept(const Rows& rows);   ///< each normal any number of times
-  void tangents_swept(const Rows& rows);  ///< a sweep is over
-  void finished(const Rows& rows);
-  std::size_t normals = 0;                      ///< so many rows, the first ones
-  std::vector<Real> friction;                   ///< mu of each contact that has tangents
+  std::string broken;          ///< the first sweep that gained more than its rows allow; empty: none did
+  bool repeated = false;       ///< normals are solved as often as it takes in a sweep
+  bool cone = false;           ///< the bound of friction is a disc
+  std::size_t normals = 0;     ///< so many rows, the first ones
+  std::vector<Real> friction;  ///< mu of each contact that has tangents
   const std::vector<Real>* softness = nullptr;  ///< gamma of the first rows, 1/kg; none: they hold
-  std::vector<Real> guess;  ///< of each row, N s, before it is scaled: impulses as large as these were rounded off
+
+  void open(const Rows& rows);        ///< no impulse yet
+  void go_on_from(const Rows& rows);  ///< whatever has changed since: the old impulses are in, or the bodies have moved
+  void normals_swept(const Rows& rows);   ///< each normal, by itself
+  void tangents_swept(const Rows& rows);  ///< a sweep is over
 
  private:
   Real softness_of(std::size_t row) const { return softness && row < softness->size() ? (*softness)[row] : 0; }
   /// The bodies that the rows may move, once each, in the order of the world.
   void gather(const Rows& rows);
   Real energy() const;
-  void balance(const char* what, const Rows& rows, std::size_t begin, std::size_t end, bool repeated = false);
-  void remember(const Rows& rows);
+  void balance(const char* what, const Rows& rows, std::size_t begin, std::size_t end);
   bool bounds_shrunk(const Rows& rows) const;
 
   std::vector<const Body*> bodies_;
   Real rounding_ = 0;  // relative
-  Real opening_ = 0;   // J, before any impulse
   Real now_ = 0;       // J, after what was booked last
-  Real returned_ = 0;  // J, by friction in this solve
   std::vector<Real> impulses_;
 };
 
@@ -108,36 +83,11 @@ struct Booked : OneFriction {
   }
 };
 
-/// Instead of SimultaneousImpacts.
-struct BookedImpacts : SimultaneousImpacts {
-  Ledger* ledger = nullptr;
-  void sweep(auto& step) {
-    ledger->normals_swept(step.rows);
-    SimultaneousImpacts::sweep(step);
-    ledger->impacts_swept(step.rows);
-  }
-};
-
-/// Instead of ScaledWarmStart.
-struct BookedScaledWarmStart : ScaledWarmStart {
-  Ledger* ledger = nullptr;
-  void start(auto& step) {
-    ledger->guess.clear();
-    for (const Row& row : step.rows) {
-      const Real wanted = first_guess_[row.owner].dot(row.n);
-      ledger->guess.push_back(std::clamp(wanted, row.lo, row.hi));
-    }
-    ScaledWarmStart::start(step);
-    ledger->guess_scaled(step.rows);
-  }
-};
-
 /// The last effect: nothing acts after it in any hook.
 struct Bookkeeper : Effect {
   Ledger* ledger = nullptr;
   void build(StepContext& step) { ledger->open(step.rows); }
-  void start(StepContext& step) { ledger->started(step.rows); }
-  void finish(StepContext& step) { ledger->finished(step.rows); }
+  void start(StepContext& step) { ledger->go_on_from(step.rows); }
 };
 /// The same for a solver that relaxes.
 struct RelaxingBookkeeper : Bookkeeper, Relaxes {
@@ -145,13 +95,16 @@ struct RelaxingBookkeeper : Bookkeeper, Relaxes {
     ledger->softness = &step.softness;
     Bookkeeper::build(step);
   }
-  void relax(RelaxingContext& step) { ledger->reopened(step.rows); }
+  void relax(RelaxingContext& step) { ledger->go_on_from(step.rows); }
 };
 
 /// A solver of which some effects keep books, all in one ledger.
 template <template <class...> class SolverOf, class... Effects>
 struct BookedSolver : SolverOf<Effects...> {
-  explicit BookedSolver(Ledger& ledger) { (hand_to(static_cast<Effects&>(*this), ledger), ...); }
+  explicit BookedSolver(Ledger& ledger) {
+    ledger.repeated = std::derived_from<BookedSolver, SimultaneousImpacts>;
+    (hand_to(static_cast<Effects&>(*this), ledger), ...);
+  }
 
  private:
   template <class E>

@@ -18,23 +18,25 @@ using namespace pushback;
 
 namespace {
 
-/// Marks, and the last stage's worst number; with `all`, every number of every stage.
-void print_row(const Table& table, std::size_t row, bool all) {
-  const HardCase& hard_case = table.cases[row];
+/// Marks, and the last stage's worst number.
+void print_row(const Table& table, std::size_t row) {
   std::string marks;
   for (std::size_t column = 0; column < table.stages.size(); ++column) marks += table.passed(row, column) ? "✓" : "✗";
   const std::size_t last = table.stages.size() - 1;
   const auto rescued = rescuer(table, row);
-  fmt::print("{:<24}{}  {}: {}, {:.3f} ms a step{}\n", hard_case.name, marks, table.stages[last].name,
+  fmt::print("{:<24}{}  {}: {}, {:.3f} ms a step{}\n", table.cases[row].name, marks, table.stages[last].name,
              worst_number(table, row, last), table.at(row, last).ms_per_step,
              rescued ? fmt::format("; rescued by {}", table.stages[*rescued].name) : "");
-  for (std::size_t column = 0; all && column < table.stages.size(); ++column) {
+}
+/// Every number of every stage that has been played.
+void print_numbers(const Table& table, std::size_t row) {
+  for (std::size_t column = 0; column < table.stages.size(); ++column) {
+    if (!table.played(row, column)) continue;
     const Outcome& outcome = table.at(row, column);
     fmt::print("  {} {:<28}", table.passed(row, column) ? "✓" : "✗", table.stages[column].name);
     for (std::size_t i = 0; i < outcome.numbers.size(); ++i) {
-      const Criterion& c = hard_case.criteria[i];
-      fmt::print("{} {} (≤ {:g}{}{}); ", c.what, in_short(outcome.largest[i], c.limit, c.unit), c.limit,
-                 c.unit.empty() ? "" : " ", c.unit);
+      const Criterion& c = table.cases[row].criteria[i];
+      fmt::print("{} {} (≤ {}); ", c.what, in_short(outcome.largest[i], c.limit, c.unit), c.limit_with_unit());
     }
     const std::string starts = passed_of_starts(outcome);
     fmt::print("{}{}{:.3f} ms{}{}\n", starts, starts.empty() ? "" : "; ", outcome.ms_per_step,
@@ -49,35 +51,14 @@ void show(const Table& table, const std::filesystem::path& folder, bool images) 
   fmt::print("\n{}\n", (folder / (images ? "overview.png" : "table.md")).string());
 }
 
-/// The parts, put together: the same files as if all had been played here. More parts than cases have had pairs of case and stage.
-void join(std::size_t parts, std::size_t cases, const std::filesystem::path& folder, bool images) {
+/// The parts, put together: the same files as if all had been played here.
+void join(std::size_t parts, const std::filesystem::path& folder, bool images) {
   const auto folders = folders_of_parts(folder, parts, "origin.txt", Holds::numbers);
-  const int fields = parts > cases ? 2 : 1;
+  constexpr int fields = 2;  // a thing is a pair of case and stage
   const Table table = read_table_csv(joined(texts_of_parts(folders, "table.csv"), fields));
   write_text_file(folder / "table.csv", table_csv(table));
   write_text_file(folder / "times.csv", joined(texts_of_parts(folders, "times.csv"), fields));
   show(table, folder, images);
-}
-
-/// The pairs of a case and a stage that are this part's, in turn: the lines of table.csv and of times.csv.
-std::pair<std::string, std::string> play_pairs(const std::vector<HardCase>& cases, const std::vector<Stage>& stages,
-                                               const Shard& shard, int jobs) {
-  std::string numbers, times;
-  const auto add = [](std::string& to, const std::string& csv) {  // one heading
-    to += to.empty() ? csv : csv.substr(csv.find('\n') + 1);
-  };
-  std::size_t index = 0;
-  for (const HardCase& c : cases) {
-    std::vector<Stage> mine;
-    for (const Stage& stage : stages)
-      if (shard.has(index++)) mine.push_back(stage);
-    if (mine.empty()) continue;
-    const Table table = play({c}, std::move(mine), jobs, [](const Table&, std::size_t, std::size_t) {});
-    print_row(table, 0, true);
-    add(numbers, table_csv(table));
-    add(times, times_csv(table));
-  }
-  return {numbers, times};
 }
 
 /// Of a solver of one's own, beside the others; false where it came to no end somewhere.
@@ -108,7 +89,7 @@ int main(int argc, char** argv) {
   std::size_t parts = 0;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   int starts = many_starts;
-  bool quick = false, only_needed = false, no_images = false, list = false, redraw = false;
+  bool quick = false, no_images = false, list = false, redraw = false;
   bool alone = false, ended = true;
   CommandLine line("Every hard case under every stage of the solver: which feature keeps which case stable?",
                    "hard_cases_table");
@@ -116,15 +97,13 @@ int main(int argc, char** argv) {
   line.option("--stages", stage_names, "Only these stages, by their names or a part of them, separated by commas")
       .split_at_commas();
   line.flag("--quick", quick, "Only the chapters' stages, without the stages that came after");
-  line.flag("--only-what-is-needed", only_needed,
-            "Through the dispatch of chapter 20: each world by what it calls for. The same numbers, in the folder "
-            "hard_cases/only_what_is_needed");
   line.option("--out", out,
               "Folder in which the folder hard_cases is made; what is not the whole table goes to hard_cases/part")
       .shows_default();
-  line.option("--jobs", jobs, "So many threads; the results do not depend on it").shows_default();
+  line.option("--jobs", jobs, "So many threads; the results do not depend on it").between(1, 256).shows_default();
   line.option("--starts", starts,
               "At most so many starts of the cases at a knife's edge; with fewer than 30 not the whole table")
+      .between(1, many_starts)
       .shows_default();
   line.option("--shard", shard_text, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
   line.option("--join", parts,
@@ -142,10 +121,6 @@ int main(int argc, char** argv) {
   line.flag("--alone", alone, "The column 'mine' and no other, in this process, and no table.md");
   line.flag("--list", list, "List the cases and the stages, and do nothing");
   const int status = line.run(argc, argv, [&] {
-    if (jobs < 1 || jobs > 256)
-      throw InvalidInput(fmt::format("--jobs is {}: a whole number from 1 to 256 is needed", jobs));
-    if (starts < 1 || starts > many_starts)
-      throw InvalidInput(fmt::format("--starts is {}: a whole number from 1 to {} is needed", starts, many_starts));
     require_between("--at-most", static_cast<Real>(giving_up.seconds), Real(0.1), 3600);  // the range lets nan pass
     if (alone && mine.empty()) throw InvalidInput("--alone is of --mine LIBRARY, which is missing");
     if (redraw) {
@@ -158,7 +133,6 @@ int main(int argc, char** argv) {
     std::vector<Stage> all = table_stages();
     if (quick) all.erase(all.begin() + chapter_stages, all.end());
     std::vector<Stage> columns = chosen("stage", all, stage_names);
-    if (only_needed) std::transform(columns.begin(), columns.end(), columns.begin(), only_what_is_needed);
     if (!mine.empty()) {
       if (alone) columns.clear();
       columns.push_back(stage_of_library(mine));
@@ -172,43 +146,32 @@ int main(int argc, char** argv) {
     }
     const bool whole = cases.size() == hard_cases().size() && columns.size() == table_stages().size() &&
                        starts == many_starts && mine.empty();
-    std::filesystem::path folder = std::filesystem::path(out) / "hard_cases" /
-                                   (only_needed ? "only_what_is_needed"
-                                    : whole     ? ""
-                                                : "part");
-    if (parts > 0) return join(parts, cases.size(), folder, !no_images);
+    std::filesystem::path folder = std::filesystem::path(out) / "hard_cases" / (whole ? "" : "part");
+    if (parts > 0) return join(parts, folder, !no_images);
     const Shard shard = shard_of(shard_text);
     if (shard.of > cases.size() * columns.size())
       throw InvalidInput(
           fmt::format("--shard is '{}': there are {} cases under {} stages, and each part needs one pair", shard_text,
                       cases.size(), columns.size()));
-    if (shard.of > cases.size() && !mine.empty())
-      throw InvalidInput(
-          fmt::format("--shard is '{}': with --mine there are parts for {} cases", shard_text, cases.size()));
     if (!shard.whole()) folder /= shard.folder();
     make_writable_folder(folder);
-    const auto write = [&](const std::string& numbers, const std::string& times) {
-      write_text_file(folder / "table.csv", numbers);
-      write_text_file(folder / "times.csv", times);
-      if (!shard.whole()) write_text_file(folder / "origin.txt", origin_text(origin_here()));
-    };
-    if (shard.of > cases.size()) {
-      const auto [numbers, times] = play_pairs(cases, columns, shard, jobs);
-      return write(numbers, times);
-    }
-    std::size_t index = 0;
-    std::erase_if(cases, [&](const HardCase&) { return !shard.has(index++); });
     const bool all_numbers = !whole && (mine.empty() || cases.size() <= 3);
     std::size_t printed = 0;
     const bool terminal = isatty(fileno(stdout)) == 1;
     const auto progress = [&](const Table& so_far, std::size_t rows, std::size_t done) {
       if (terminal) fmt::print("\r\033[K");
-      for (; printed < rows; ++printed) print_row(so_far, printed, all_numbers);
+      for (; printed < rows; ++printed) {
+        if (shard.whole()) print_row(so_far, printed);
+        else fmt::print("{}\n", so_far.cases[printed].name);
+        if (all_numbers || !shard.whole()) print_numbers(so_far, printed);
+      }
       if (terminal && done < so_far.outcomes.size()) fmt::print("{} of {}", done, so_far.outcomes.size());
       std::fflush(stdout);
     };
-    const Table table = play(std::move(cases), std::move(columns), jobs, progress, giving_up);
-    write(table_csv(table), times_csv(table));
+    const Table table = play(std::move(cases), std::move(columns), jobs, progress, giving_up, shard);
+    write_text_file(folder / "table.csv", table_csv(table));
+    write_text_file(folder / "times.csv", times_csv(table));
+    if (!shard.whole()) write_text_file(folder / "origin.txt", origin_text(origin_here()));
     if (shard.whole() && !alone) show(table, folder, !no_images);
     if (!mine.empty() && !alone) ended = sum_up(table);
   });

@@ -95,7 +95,7 @@ void towers(Random& random, World& world, int count) {
 }
 
 /// Nothing is as it should be.
-void chaos(Random& random, World& world, int count, bool isolated, bool no_room) {
+void chaos(Random& random, World& world, int count, bool isolated) {
   const Real spread = one_in(random, 4) ? 0 : over_octaves(random, -8, 7);  // 0: all centres in one place
   const Vec3 middle = one_in(random, 5) ? random.vector(over_octaves(random, 10, 24)) : Vec3(Vec3::Zero());
   const Sizes sizes = one_in(random, 3) ? ordinary : extreme;
@@ -106,7 +106,7 @@ void chaos(Random& random, World& world, int count, bool isolated, bool no_room)
       Body plane = half_space(random.direction());
       plane.position = middle + random.vector(spread);
       Vec3& normal = std::get<HalfSpace>(plane.shape).normal;
-      if (!no_room && normal.dot(middle - plane.position) < 0) normal = -normal;
+      if (normal.dot(middle - plane.position) < 0) normal = -normal;
       surface(random, plane, 10, 1);
       world.add(plane);
       continue;
@@ -126,7 +126,7 @@ void chaos(Random& random, World& world, int count, bool isolated, bool no_room)
 
 }  // namespace
 
-RandomScene random_scene(std::uint64_t seed, bool no_room) {
+RandomScene random_scene(std::uint64_t seed) {
   Random random(seed);
   RandomScene scene;
   const int count = 1 + static_cast<int>(random.below(one_in(random, 3) ? 20 : 8));
@@ -138,10 +138,10 @@ RandomScene random_scene(std::uint64_t seed, bool no_room) {
       towers(random, scene.world, count);
       break;
     case 2:
-      chaos(random, scene.world, count, false, no_room);
+      chaos(random, scene.world, count, false);
       break;
     default:
-      chaos(random, scene.world, count, true, no_room);
+      chaos(random, scene.world, count, true);
       scene.isolated = true;
       scene.world.gravity.setZero();
   }

@@ -18,7 +18,7 @@ struct RandomScene {
 /// 1000 rad/s, any overlap up to one place for all centres, mu up to 10, e up to 1, fixed bodies, several half-spaces, up to
 /// 1e7 m from the origin, other steps than 1/60 s. The same seed gives the same bits with every compiler and library.
 ///
-/// There is a point that all half-spaces leave free, though not always room around it. `no_room`: not even a point.
-RandomScene random_scene(std::uint64_t seed, bool no_room = false);
+/// There is a point that all half-spaces leave free, though not always room around it.
+RandomScene random_scene(std::uint64_t seed);
 
 }  // namespace pushback

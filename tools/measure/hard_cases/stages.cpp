@@ -17,16 +17,18 @@ class CallByCall : public ForwardingSolver {
  public:
   explicit CallByCall(AnySolver solver) : solver_(std::move(solver)) {}
 
+ protected:
+  AnySolver solver_;
+
  private:
   StepSolver& inner() override { return solver_; }
   const StepSolver& inner() const override { return solver_; }
-  AnySolver solver_;
 };
 
 /// Hands every contact to the solver twice, each under an id of its own. In the world there is one, with the sum.
-class Doubled : public ForwardingSolver {
+class Doubled : public CallByCall {
  public:
-  explicit Doubled(AnySolver solver) : solver_(std::move(solver)) {}
+  using CallByCall::CallByCall;
   void detected(World& world, Real h) override {
     if (plan(Real(1) / 60).substeps > 1)
       for (Contact& contact : twice_) contact.impulse = contact.last_impulse;
@@ -84,9 +86,6 @@ class Doubled : public ForwardingSolver {
       world.contacts[i].state = twice_[2 * i].state;
     }
   }
-  StepSolver& inner() override { return solver_; }
-  const StepSolver& inner() const override { return solver_; }
-  AnySolver solver_;
   Contacts twice_;
 };
 
@@ -98,15 +97,6 @@ Stepper steps_by(AnySolver solver) {
   return stepper;
 }
 
-/// `choose` sees the world before its first step.
-template <class Choose>
-Stepper needed_steps_by(const Choose& choose) {
-  return {[choose, solver = std::optional<OnlyWhatIsNeeded>{}](World& world, Real dt) mutable {
-    if (!solver) solver.emplace(choose(world));
-    solver->step(world, dt);
-  }};
-}
-
 /// Of one world, in all of its steps: some minutes.
 constexpr double most_multiplications = 4e10;
 
@@ -116,35 +106,21 @@ Stage direct_stage() {
   solver.too_far = 1e-6;
   solver.rounds = 1;
   solver.work = most_multiplications;
-  const AnySolver any = solver;
-  const auto fitting = [any](const World& world, std::optional<Sleep> sleep) {
-    return OnlyWhatIsNeeded(world, any, std::move(sleep));
-  };
   Stage stage{{"19 direct contacts",
                "08 friction cone on a seat, all contacts of a step solved directly: from one start, within 4·10¹⁰ "
                "multiplications",
-               any, fitting}};
+               solver,
+               {}}};
   stage.most_starts = 1;
   return stage;
 }
 
 }  // namespace
 
-Stepper Stage::begin() const {
-  if (!only_needed) return steps_by(solver);
-  return needed_steps_by([choose = fitting](const World& world) { return choose(world, {}); });
-}
-
-Stepper Stage::begin_call_by_call() const {
-  const CallByCall calls(solver);
-  if (!only_needed) return steps_by(calls);
-  return needed_steps_by([calls](const World& world) { return OnlyWhatIsNeeded(world, calls); });
-}
-
-Stepper Stage::begin_doubled() const {
-  const Doubled doubled(solver);
-  if (!only_needed) return steps_by(doubled);
-  return needed_steps_by([doubled](const World& world) { return OnlyWhatIsNeeded(world, doubled); });
+Stepper Stage::begin(GivenContacts given) const {
+  if (given == GivenContacts::once) return steps_by(CallByCall(solver));
+  if (given == GivenContacts::twice) return steps_by(Doubled(solver));
+  return steps_by(solver);
 }
 
 const std::vector<Stage>& stages() {
@@ -166,11 +142,6 @@ const std::vector<Stage>& table_stages() {
     return list;
   }();
   return all;
-}
-
-Stage only_what_is_needed(Stage stage) {
-  stage.only_needed = true;
-  return stage;
 }
 
 const Stage& stage_named(const std::string& name) {

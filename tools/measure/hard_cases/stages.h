@@ -13,13 +13,14 @@ namespace pushback {
 /// Moves a world on by dt. Holds a solver with its memory: one for each world.
 struct Stepper {
   std::function<void(World&, Real dt)> step;
-  std::function<bool(int body)> half_steps =
-      {};  ///< whether the latest step was half steps of this body; none: of nobody
+  /// Whether the latest step was half steps of this body; none: of nobody.
+  std::function<bool(int body)> half_steps = {};
 };
 
+/// How a solver comes by its contacts: a solver with a step of its own finds them itself, unless they are given.
+enum class GivenContacts { none, once, twice };
+
 struct Stage : NamedSolver {
-  /// Through the dispatch of chapter 20: with what the world calls for when the stepper first sees it.
-  bool only_needed = false;
   /// From so many starts at most is a case played: what takes long is played once.
   int most_starts = std::numeric_limits<int>::max();
   /// What flies, or slides alone, is moved by half steps (chapter 24).
@@ -33,9 +34,7 @@ struct Stage : NamedSolver {
   /// Into how many it divides a step of dt.
   int substeps(Real dt = Real(1) / 60) const { return solver.plan(dt).all_substeps(); }
 
-  Stepper begin() const;
-  Stepper begin_call_by_call() const;  ///< a solver with a step of its own is given its contacts, too
-  Stepper begin_doubled() const;       ///< the same, with every contact given to the solver twice
+  Stepper begin(GivenContacts given = GivenContacts::none) const;
 };
 
 /// All of the catalogue's solvers.
@@ -45,9 +44,6 @@ inline constexpr std::size_t chapter_stages = 8;
 
 /// The columns of the table: all stages, and all contacts solved directly in each step, within a count of multiplications.
 const std::vector<Stage>& table_stages();
-
-/// The stage that begins through that dispatch wherever this one does not. Bits are to be the same.
-Stage only_what_is_needed(Stage stage);
 
 /// Of the table's. Throws InvalidInput, naming those that there are.
 const Stage& stage_named(const std::string& name);

@@ -1,4 +1,4 @@
-/// What is to stand: how long, and by which numbers one sees that it did.
+/// What cases share: how one looks at them, what may be gained, and what is read off while something stands.
 #pragma once
 
 #include "pushback/tools/measure/hard_cases/hard_case.h"
@@ -8,6 +8,20 @@ namespace pushback {
 inline constexpr Real slop = Real(0.005);    ///< m, of chapter 04: what lies deeper is "beyond"
 inline constexpr Real frame = Real(1) / 60;  ///< s, the step of every case that does not say another
 
+/// Sees what is `size` m across and high round `centre`, from the front, a little from the right and above.
+Camera view(const Vec3& centre, Real size);
+/// `seconds`: when its picture is taken.
+Scene seen(std::function<void(World&)> fill, const Camera& camera, Real seconds);
+
+/// What may be gained where bodies stand: the work of lifting all of them by a millimetre.
+Allowance standing(const World& world);
+/// By so many m.
+AllowanceOf lifting(Real height);
+/// Standing, where what falls may strike as deep as this, m.
+AllowanceOf striking(Real overlap);
+/// Nothing may be gained; a thousandth is for bounces that sweeps leave not quite solved. What is allowed besides: `other`.
+AllowanceOf bouncing(const Allowance& other = {});
+
 /// What is read off while a pile stands.
 struct Stood {
   Real drift = 0;    ///< m, sideways, of the body that moved most
@@ -15,39 +29,45 @@ struct Stood {
   Real beyond = 0;   ///< m deeper than the slop, the deepest of all steps
   Real jitter = 0;   ///< m/s, the fastest centre of mass in the last second
   Real kinetic = 0;  ///< J, the most in the last second
+  Real gained = 0;   ///< J, above the start, the most
 };
 
 /// Moves on by `seconds`, at least 1, in steps of dt.
 Stood stand(Play& play, Real seconds, Real dt = frame);
 
-/// What may be gained where bodies stand: the work of lifting all of them by a millimetre.
-Allowance standing(const World& world);
-
-/// A case in which everything stands for ten seconds: drift in mm, deeper than the slop in mm, speed in mm/s.
-struct StandingCase {
-  std::string name, title, stresses;
-  std::function<void(World&)> fill;
-  Camera camera;
-  Real drift_limit = 1;   ///< mm, sideways
-  Real moved_limit = 0;   ///< mm, in any direction; 0: the drift counts, above 0: this in its place
-  Real beyond_limit = 1;  ///< mm
+/// Which of these numbers has which limit: in thousandths where the unit is one of mm, mm/s and mJ, or in J.
+struct Asked {
+  Criterion criterion;
+  Real Stood::* number;
 };
-HardCase must_stand(const StandingCase& what);
+inline Asked drift_up_to(Real limit) {
+  return {{"drift after 10 s", "mm", limit}, &Stood::drift};
+}
+inline Asked displaced_up_to(Real limit) {
+  return {{"largest displacement after 10 s", "mm", limit}, &Stood::moved};
+}
+inline Asked beyond_the_slop(Real limit = 1) {
+  return {{"deeper than the slop", "mm", limit}, &Stood::beyond};
+}
+inline Asked at_rest() {
+  return {{"speed in the last second", "mm/s", 1}, &Stood::jitter};
+}
 
-/// A case in which what falls comes to rest within ten seconds: speed in mm/s, overlap in mm, the slop and 1 mm.
-struct SettlingCase {
-  std::string name, title, stresses;
-  std::function<void(World&)> fill;
-  Camera camera;
-  Real seconds;  ///< when its picture is taken
-  Real overlap;  ///< m, as deep as it may strike
-};
-HardCase must_settle(const SettlingCase& what);
+/// `what`, with these criteria, of how it stands.
+HardCase must_stand(HardCase what, const std::vector<Asked>& asked, const std::function<Stood(Trial&)>& how);
+/// Its scene is to stand for so long, in steps of dt.
+HardCase must_stand(HardCase what, const std::vector<Asked>& asked, Real seconds = 10, Real dt = frame);
+
+/// What falls in its scene comes to rest within ten seconds, and may strike as deep as `overlap` m.
+HardCase must_settle(HardCase what, Real overlap);
 
 /// A stack of three that falls a little, and past it slides a box 0.4 m high, its centre `height` m up.
 void falling_and_sliding(World& world, Real height);
 
-/// Sees what is `size` m across and high round `centre`, from the front, a little from the right and above.
-Camera view(const Vec3& centre, Real size);
+/// mm: both move on by five seconds; how far a body is at most from where the other world has it, but for `shift`.
+Real farthest_apart(Play& one, Play& other, const Vec3& shift = Vec3::Zero());
+
+/// m, of points that a joint holds on each other: how far apart they are.
+Real gap_of(const World& world, const Joint& joint);
 
 }  // namespace pushback

@@ -251,6 +251,7 @@ std::string times_csv(const Table& table) {
   std::string csv = "case,stage,ms_per_step\n";
   for (std::size_t row = 0; row < table.cases.size(); ++row) {
     for (std::size_t column = 0; column < table.stages.size(); ++column) {
+      if (!table.played(row, column)) continue;
       csv += fmt::format("{},{},{:.4f}\n", csv_field(table.cases[row].name), csv_field(table.stages[column].name),
                          table.at(row, column).ms_per_step);
     }

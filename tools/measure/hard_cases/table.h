@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "pushback/common/basics/shard.h"
 #include "pushback/tools/measure/hard_cases/hard_case.h"
 
 namespace pushback {
@@ -20,6 +21,9 @@ struct Table {
 
   const Outcome& at(std::size_t row, std::size_t column) const { return outcomes[row * stages.size() + column]; }
   bool passed(std::size_t row, std::size_t column) const { return at(row, column).passed(cases[row]); }
+  /// By their names; none where it has not been played.
+  const Outcome* find(const std::string& name, const std::string& stage) const;
+  bool played(std::size_t row, std::size_t column) const { return !at(row, column).numbers.empty(); }
   /// How many cases pass in a column.
   std::size_t passes(std::size_t column) const {
     std::size_t count = 0;
@@ -37,10 +41,10 @@ struct GivingUp {
   int times = 3;
 };
 
-/// Plays every case under every stage. Each pair has a world and a solver of its own, so that the order and the number of
-/// threads change nothing.
+/// Plays every case under every stage, or of these pairs those that are the part's. Each has a world and a solver of its own, so that
+/// the order and the number of threads change nothing.
 Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress,
-           const GivingUp& giving_up = {});
+           const GivingUp& giving_up = {}, const Shard& shard = {});
 
 /// With an outcome for each pair, of nothing.
 Table empty_table(std::vector<HardCase> cases, std::vector<Stage> stages);

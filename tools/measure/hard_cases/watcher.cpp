@@ -73,14 +73,11 @@ Watcher::Watcher(const World& start, const Allowance& allowance)
 }
 
 void Watcher::breaks(const std::string& how) {
-  if (!broken_.empty()) return;
-  broken_ = fmt::format("{} after {:.3g} s", how, time_);
-  broken_at_ = steps_;
+  if (broken_.empty()) broken_ = fmt::format("{} after {:.3g} s", how, time_);
 }
 
 void Watcher::look(const World& world, Real dt, int substeps, const std::function<bool(int body)>& half_steps) {
   time_ += dt;
-  ++steps_;
   if (!finite(world)) return breaks("not finite");
 
   feel(world);

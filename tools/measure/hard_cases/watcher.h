@@ -41,8 +41,6 @@ class Watcher {
 
   /// What broke first, in a few words with its number and the time; empty while all is well.
   const std::string& broken() const { return broken_; }
-  /// The number of steps after which it broke.
-  int broken_at() const { return broken_at_; }
   Real energy_gained() const { return energy_gained_; }  ///< J, the most seen above the start
   Real deepest() const { return deepest_; }              ///< m, the deepest overlap seen
 
@@ -62,9 +60,7 @@ class Watcher {
   std::vector<Vec3> momenta_;  // and of each body P, kg m/s
   Real gained_ = 0;            // J, above the start, as of the last look
   Real time_ = 0;
-  int steps_ = 0;
   std::string broken_;
-  int broken_at_ = 0;
   Real energy_gained_ = 0, deepest_ = 0;
 };
 
