@@ -18,6 +18,9 @@ bool has_contacts(const Motion& motion);
 /// How many bodies can move.
 int moving_bodies(const Motion& motion);
 
+/// Whether something has a restitution.
+bool has_bounces(const Motion& motion);
+
 /// Whether a body's surface moves: not every engine has that, and neither has the text in which adapters are asked.
 bool has_conveyor(const Motion& motion);
 

@@ -9,6 +9,15 @@ namespace {
 /// m, c: from a jaw's edge to its centre, half a diagonal of its square.
 const Real to_edge = std::sqrt(Real(2)) * Grasp::half_side;
 
+/// Where the bodies are after each of so many frames if they stay where `fill` puts them.
+std::vector<Places> staying(const std::function<void(World&)>& fill, int frames) {
+  World world;
+  fill(world);
+  Places places;
+  for (const Body& body : world.bodies) places.emplace_back(body.position.cast<double>());
+  return std::vector<Places>(static_cast<std::size_t>(frames), places);
+}
+
 }  // namespace
 
 Real Grasp::friction_needed() const {
@@ -27,6 +36,10 @@ void Grasp::operator()(World& world) const {
 
 std::vector<Pin> Grasp::pins() const {
   return {{the_world, 1, {out - half, 0, 0}}, {the_world, 2, {half - out, 0, 0}}};
+}
+
+std::vector<Places> Grasp::truth(int frames) const {
+  return staying(*this, frames);
 }
 
 void PileOfHulls::operator()(World& world) const {
@@ -51,12 +64,8 @@ void PileOfHulls::operator()(World& world) const {
   }
 }
 
-std::vector<Places> staying(const std::function<void(World&)>& fill, int frames) {
-  World world;
-  fill(world);
-  Places places;
-  for (const Body& body : world.bodies) places.emplace_back(body.position.cast<double>());
-  return std::vector<Places>(static_cast<std::size_t>(frames), places);
+std::vector<Places> PileOfHulls::truth(int frames) const {
+  return staying(*this, frames);
 }
 
 }  // namespace pushback::further

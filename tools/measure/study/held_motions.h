@@ -30,6 +30,7 @@ struct Grasp {
   /// The floor, the left jaw, the right jaw, the box.
   void operator()(World& world) const;
   std::vector<Pin> pins() const;
+  std::vector<Places> truth(int frames) const;
 };
 
 /// A square pyramid of convex hulls: layers of 14 x 14, 13 x 13 ... 1. A hull is a block with its four upright edges cut off, an octagonal
@@ -42,9 +43,7 @@ struct PileOfHulls {
   static constexpr double seconds = 0.5;
 
   void operator()(World& world) const;
+  std::vector<Places> truth(int frames) const;
 };
-
-/// Where the bodies are after each of so many frames if they stay where `fill` puts them.
-std::vector<Places> staying(const std::function<void(World&)>& fill, int frames);
 
 }  // namespace pushback::further
