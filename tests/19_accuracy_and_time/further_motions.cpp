@@ -6,10 +6,8 @@
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
 #include "pushback/chapters/25_moment_of_impact/at_impacts.h"
-#include "pushback/tools/measure/study/chaplygin.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/further_motions.h"
-#include "pushback/tools/measure/study/held_motions.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;
@@ -62,47 +60,6 @@ struct Random {
 TEST_CASE("gaps: cut at impacts it is exact, and with the impact at the end of a substep of first order") {
   CHECK(error_of("gaps", AtImpacts(), 1) < 1e-12);
   is_of_first_order("gaps", {1, 4, 16, 64, 256}, 0.01, 0.1);
-}
-
-TEST_CASE("superball: each bounce obeys Newton and Coulomb, and keeps the momentum about its point") {
-  int slips = 0, sticks = 0;
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    Random random(seed);
-    const double radius = random.between(0.05, 0.25);
-    const BallBetweenPlates ball{.radius = radius,
-                                 .apart = 2 * radius + random.between(0.2, 1.2),
-                                 .mu = random.between(0, 0.5),
-                                 .e = random.between(0.7, 1),
-                                 .height = radius + 0.1,
-                                 .velocity = random.any(6),
-                                 .spin = random.any(60)};
-    INFO(seed);
-    for (const Bounce& bounce : ball.bounces(0.4)) {
-      const Vector3d arm(0, bounce.ceiling ? radius : -radius, 0), after = bounce.velocity + bounce.kick;
-      CHECK(bounce.velocity.y() * arm.y() > 0);
-      CHECK(after.y() == Approx(-ball.e * bounce.velocity.y()).margin(1e-12));
-      // About the point that touches, an impulse there has no moment; per kg, with 2/5 r^2.
-      const Vector3d turned = 0.4 * radius * radius * (bounce.spin_after - bounce.spin);
-      CHECK((turned - arm.cross(bounce.kick)).norm() < 1e-12);
-      Vector3d slip = bounce.velocity + bounce.spin.cross(arm), left = after + bounce.spin_after.cross(arm);
-      slip.y() = left.y() = 0;
-      CHECK((bounce.slip - slip).norm() < 1e-12);
-      const Vector3d rub(bounce.kick.x(), 0, bounce.kick.z());
-      const double bound = ball.mu * std::abs(bounce.kick.y());
-      CHECK(rub.dot(slip) <= 0);
-      CHECK(rub.cross(slip).norm() < 1e-12);  // against the slip
-      if (bounce.sticks) {
-        CHECK(rub.norm() <= bound + 1e-12);
-        CHECK(left.norm() < 1e-11);
-      } else {
-        CHECK(rub.norm() == Approx(bound));
-        CHECK(left.dot(slip) > 0);
-      }
-      ++(bounce.sticks ? sticks : slips);
-    }
-  }
-  CHECK(slips > 100);
-  CHECK(sticks > 100);
 }
 
 TEST_CASE("superball: cut at impacts it is exact, and a friction pyramid never gets there") {

@@ -263,28 +263,6 @@ TEST_CASE(
   CHECK(back.out.empty());
 }
 
-TEST_CASE("each motion and engine is one part's, in turn, and ours in float goes with ours in double") {
-  const std::vector<Engine> engines{{"motion", ""}, {"motion_float", ""}, {"motion_wide", ""}, {"motion_ode", ""}};
-  std::vector<const Motion*> motions;
-  for (const char* const name : {"bounce", "sliding", "break"}) motions.push_back(&motion_named(name));
-  for (const std::size_t of : {1, 2, 3, 4, 5, 9}) {
-    std::map<std::string, int> played;
-    for (std::size_t part = 1; part <= of; ++part) {
-      const auto pieces = pieces_of(motions, engines, {part, of});
-      CHECK(!pieces.empty());
-      for (const Piece& piece : pieces) {
-        CHECK(piece.engines.size() == (of <= 3 ? 4 : piece.engines[0].program == "motion" ? 2 : 1));
-        for (const Engine& engine : piece.engines) ++played[piece.motion->name + " " + engine.program];
-        if (piece.engines[0].program == "motion") CHECK(piece.engines[1].program == "motion_float");
-      }
-    }
-    CHECK(played.size() == 12);
-    for (const auto& [what, times] : played) CHECK(times == 1);
-  }
-  CHECK(complaint([&] { pieces_of(motions, engines, {1, 10}); }) ==
-        "--shard is '1/10': there are 3 motions and engines to them, 9 pieces in all, and each part needs one");
-}
-
 // ---- the program -----------------------------------------------------------------------------------------------------
 
 TEST_CASE("the study refuses what it cannot do, before it has written anything") {
@@ -292,7 +270,7 @@ TEST_CASE("the study refuses what it cannot do, before it has written anything")
   for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{
            {"--only nothing", "'nothing'"},
            {"--join 1", "--join"},
-           {"--shard 1/99 --only bounce", "1 motions and engines to them"}}) {
+           {"--shard 2/2 --only bounce", "there are 1 motions, and each part needs one"}}) {
     const Ended ended = call_program(STUDY_PROGRAM, arguments + " --out '" + (scratch / "out").string() + "'");
     INFO(arguments << ": " << ended.err);
     CHECK(ended.status == 2);

@@ -7,6 +7,7 @@
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/measure/frozen/report.h"
 #include "pushback/tools/measure/frozen/trace.h"
+#include "pushback/tools/measure/results/chosen.h"
 #include "pushback/tools/measure/results/origin.h"
 
 using namespace pushback;
@@ -86,13 +87,9 @@ int main(int argc, char** argv) {
       const auto folders = folders_of_parts(to, parts, "frozen_origin.txt", Holds::times);
       return show(joined(texts_of_parts(folders, "frozen.csv")), problems, to);
     }
-    if (shard.of > problems.size())
-      throw InvalidInput(
-          fmt::format("--shard is '{}': there are {} problems, and each part needs one", shard_text, problems.size()));
+    problems = of_part("problems", std::move(problems), shard);
     if (!shard.whole()) to /= shard.folder();
     make_writable_folder(to);
-    std::size_t index = 0;
-    std::erase_if(problems, [&](const FrozenProblem&) { return !shard.has(index++); });
     const std::string csv = csv_of(study_frozen(problems, quick));
     if (shard.whole()) {
       show(csv, problems, to);

@@ -5,9 +5,7 @@
 #include "pushback/chapters/24_half_step/top.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/basics/named.h"
-#include "pushback/tools/measure/study/chaplygin.h"
 #include "pushback/tools/measure/study/further_motions.h"
-#include "pushback/tools/measure/study/held_motions.h"
 
 namespace pushback {
 

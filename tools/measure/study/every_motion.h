@@ -1,4 +1,4 @@
-/// The motions that the study plays: chapter 19's, two of later chapters, and those of further_motions.h, held_motions.h and chaplygin.h.
+/// The motions that the study plays: chapter 19's, two of later chapters, and those of further_motions.h.
 #pragma once
 
 #include "pushback/chapters/19_accuracy_and_time/motion.h"

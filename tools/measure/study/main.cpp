@@ -2,8 +2,8 @@
 #include <fmt/ranges.h>
 
 #include "pushback/common/basics/files.h"
-#include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/program.h"
+#include "pushback/tools/measure/results/chosen.h"
 #include "pushback/tools/measure/results/origin.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/report.h"
@@ -66,7 +66,8 @@ class Report {
 /// The parts, put together: they have timed, so of one kind of machine.
 AllMeasured join(std::size_t parts, const std::filesystem::path& folder) {
   const auto folders = folders_of_parts(folder, parts, "origin.txt", Holds::times);
-  const AllMeasured all = read_csv_of_parts(texts_of_parts(folders, "study.csv"));
+  AllMeasured all;
+  for (const std::string& text : texts_of_parts(folders, "study.csv")) all.merge(read_csv(text));
   std::string machines;
   for (const std::string& text : texts_of_parts(folders, "machine.md")) machines += text + "\n";
   write_text_file(folder / "study.csv", csv_of(all));
@@ -83,10 +84,9 @@ void add_engine(std::vector<Engine>& engines, const std::string& program, const 
 }
 
 void measure_and_draw(const Asked& asked, const std::filesystem::path& programs) {
-  std::vector<const Motion*> motions;
-  for (const Motion& motion : every_motion())
-    if (asked.only.empty()) motions.push_back(&motion);
-  for (const std::string& name : asked.only) motions.push_back(&any_motion_named(name));
+  std::vector<Motion> motions;
+  for (const std::string& name : asked.only) motions.push_back(any_motion_named(name));
+  if (motions.empty()) motions = every_motion();
   std::filesystem::path folder =
       std::filesystem::path(asked.out) / (asked.methods ? "methods" : "19_accuracy_and_time");
   const auto tell = [&](const AllMeasured& all) {
@@ -105,10 +105,10 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
       asked.methods ? engines_named({"motion", "motion_wide", "motion_methods"}) : engines_in(programs, asked.others);
   add_engine(engines, "motion_mine", "PUSHBACK_MINE", asked.mine);
   add_engine(engines, "motion_adapter", "PUSHBACK_ADAPTER", asked.adapter);
-  const std::vector<Piece> pieces = pieces_of(motions, engines, shard);
+  motions = of_part("motions", std::move(motions), shard);
   if (!shard.whole()) folder /= shard.folder();
   make_writable_folder(folder);
-  RoundOptions options{.engines = {}, .programs = programs, .quick = asked.quick};
+  RoundOptions options{.engines = engines, .programs = programs, .quick = asked.quick};
   if (asked.methods) options.methods = compared_methods();
   options.say = [](const std::string& what) {
     fmt::print("{}\n", what);
@@ -120,15 +120,12 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   AllMeasured all;
   const std::filesystem::path kept = folder / "study.csv";
   if (asked.resume && std::filesystem::exists(kept)) all = read_csv(read_text_file(kept));
-  for (const Piece& piece : pieces) {
-    const std::string& name = piece.motion->name;
-    if (asked.resume && all.contains(name)) {
+  for (const Motion& motion : motions) {
+    if (asked.resume && all.contains(motion.name)) {
       ++run.resumed;
       continue;
     }
-    options.engines = piece.engines;
-    const Measurements found = measure(*piece.motion, options);
-    all[name].insert(all[name].end(), found.begin(), found.end());
+    all[motion.name] = measure(motion, options);
     write_text_file(kept, csv_of(all));  // the run may yet be ended
   }
   run.took = std::chrono::steady_clock::now() - began;

@@ -150,25 +150,6 @@ std::vector<Engine> engines_in(const std::filesystem::path& programs, bool other
   return found;
 }
 
-std::vector<Piece> pieces_of(const std::vector<const Motion*>& motions, const std::vector<Engine>& engines,
-                             const Shard& shard) {
-  std::vector<Piece> all;
-  for (const Motion* motion : motions) {
-    for (const Engine& engine : engines) {
-      const bool alone = shard.of > motions.size() && engine.program != "motion_float";
-      if (&engine == &engines.front() || alone) all.push_back({motion, {}});
-      all.back().engines.push_back(engine);
-    }
-  }
-  if (shard.of > all.size())
-    throw InvalidInput(fmt::format(
-        "--shard is '{}/{}': there are {} motions and engines to them, {} pieces in all, and each part needs one",
-        shard.part, shard.of, motions.size(), all.size()));
-  std::size_t index = 0;
-  std::erase_if(all, [&](const Piece&) { return !shard.has(index++); });
-  return all;
-}
-
 std::vector<Engine> engines_of(const AllMeasured& all) {
   std::vector<Engine> found;
   for (const Engine& engine : known_engines()) {
@@ -251,21 +232,6 @@ AllMeasured read_csv(const std::string& text) {
     std::sort(one.seconds.begin(), one.seconds.end());
     all[fields[0]].push_back(one);
   });
-  return all;
-}
-
-AllMeasured read_csv_of_parts(const std::vector<std::string>& texts) {
-  AllMeasured all;
-  for (const std::string& text : texts)
-    for (const auto& [motion, measured] : read_csv(text))
-      all[motion].insert(all[motion].end(), measured.begin(), measured.end());
-  const auto place = [](const Measured& one) {
-    return std::find_if(known_engines().begin(), known_engines().end(),
-                        [&](const Engine& engine) { return engine.program == one.engine; });
-  };
-  for (auto& [motion, measured] : all)
-    std::stable_sort(measured.begin(), measured.end(),
-                     [&](const Measured& a, const Measured& b) { return place(a) < place(b); });
   return all;
 }
 

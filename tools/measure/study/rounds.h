@@ -7,7 +7,6 @@
 
 #include "pushback/chapters/19_accuracy_and_time/front.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
-#include "pushback/common/basics/shard.h"
 
 namespace pushback::study {
 
@@ -45,17 +44,6 @@ Measurements measure(const Motion& motion, const RoundOptions& options);
 /// By the name of the motion.
 using AllMeasured = std::map<std::string, Measurements>;
 
-/// What one part measures and another does not: a motion by some engines.
-struct Piece {
-  const Motion* motion;
-  std::vector<Engine> engines;
-};
-/// Those of a part. While there is a motion for each part, its engines are timed in turn; of more parts each has engines of its own,
-/// where ours in float goes with ours in double, by whose front its settings are chosen. Throws InvalidInput where a part would have
-/// nothing.
-std::vector<Piece> pieces_of(const std::vector<const Motion*>& motions, const std::vector<Engine>& engines,
-                             const Shard& shard);
-
 /// The known engines of which something was measured.
 std::vector<Engine> engines_of(const AllMeasured& all);
 
@@ -63,7 +51,5 @@ std::vector<Engine> engines_of(const AllMeasured& all);
 /// InvalidInput where a line is not one of these.
 std::string csv_of(const AllMeasured& all);
 AllMeasured read_csv(const std::string& text);
-/// What parts have measured, each motion's by all engines in their order.
-AllMeasured read_csv_of_parts(const std::vector<std::string>& texts);
 
 }  // namespace pushback::study
