@@ -1,4 +1,4 @@
-/// The study's motions that are of no chapter: the laws that their closed forms obey, and solvers that come to the same, or let go as they must.
+/// The study's motions that are of no chapter: their truth, and solvers that come to the same, or let go as they must.
 #include <cmath>
 #include <random>
 

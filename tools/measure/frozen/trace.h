@@ -20,9 +20,9 @@ struct TraceLimits {
 };
 
 /// A sweeping method is looked at after 0, 1, 2, 3 ... sweeps, from 5 on after a quarter more each time. One that only
-/// says how it ended (`smoothed`, `best`, Siconos) is run from r = 0 for one tolerance of the ladder after the other (where runs are long, for
-/// those of the tables alone), and has a point for each that it reached by relative_residual. Siconos' runs begin with few iterations, and have
-/// four times as many until one reaches the tolerance or has taken longer than the limit. Where it has reached it by its own
+/// says how it ended (`smoothed`, `best`, Siconos) is run from r = 0 for one tolerance of the ladder after the other (where runs are
+/// long, for those of the tables alone), and has a point for each that it reached by relative_residual. Siconos' runs begin with few
+/// iterations, and have four times as many until one reaches the tolerance or has taken longer than the limit. Where it has reached it by its own
 /// measure only (siconos_unit), it is asked for so much less.
 class Trace {
  public:

@@ -60,8 +60,8 @@ struct Conveyor {
   std::vector<Places> truth(int frames) const;
 };
 
-/// Tongs hold a box. Each of its two jaws is a square bar, turned so that an edge touches a side of the box, and hangs on a pin of the world
-/// above the box by an arm without mass. The pins are nearer to the middle than the sides are, so a jaw's weight swings it inwards,
+/// Tongs hold a box. Each of its two jaws is a square bar, turned so that an edge touches a side of the box, and hangs on a pin of the
+/// world above the box by an arm without mass. The pins are nearer to the middle than the sides are, so a jaw's weight swings it inwards,
 /// and so does the box's weight, by friction. With the contact H below the pin and w farther out, the jaw's centre of mass
 /// c farther still, M a jaw's mass and m the box's, all planar:
 ///
@@ -89,8 +89,8 @@ struct Grasp {
 };
 
 /// A square pyramid of convex hulls: layers of 14 x 14, 13 x 13 ... 1. A hull is a block with its four upright edges cut off, an octagonal
-/// prism, and stands on a corner of each of the four below. Hulls of a layer do not touch. Patches of contact lie above patches of contact, so
-/// normal forces balance every hull: its own weight goes down by four quarters, and a load from above goes straight down.
+/// prism, and stands on a corner of each of the four below. Hulls of a layer do not touch. Patches of contact lie above patches of contact,
+/// so normal forces balance every hull: its own weight goes down by four quarters, and a load from above goes straight down.
 struct PileOfHulls {
   int base = 14;                                                                    // 1,015 hulls
   static constexpr Real half_width = Real(0.5), cut = Real(0.2), high = Real(0.5);  // m
@@ -101,15 +101,16 @@ struct PileOfHulls {
   std::vector<Places> truth(int frames) const;
 };
 
-/// Chaplygin's ball: a sphere whose three moments of inertia differ, with its centre of mass in its centre, rolls on the plane y = 0 without
-/// slip. Friction at rest bends its path. It stands here in the place of Euler's disk, whose round rim none of our shapes has. With n up, the
-/// arm from the centre to the contact is -r n, and the angular momentum about the contact is
+/// Chaplygin's ball: a sphere whose three moments of inertia differ, with its centre of mass in its centre, rolls on the plane y = 0
+/// without slip. Friction at rest bends its path. It stands here in the place of Euler's disk, whose round rim none of our shapes has.
+/// With n up, the arm from the centre to the contact is -r n, and the angular momentum about the contact is
 ///
 ///   K = J w + m r^2 n x (w x n)      J: the inertia about the centre,  w: the spin
 ///   dK/dt = K x w,   dn/dt = n x w   in body axes     (S. A. Chaplygin 1903, On a ball's rolling on a horizontal plane, in translation:
 ///                                                      Regular and Chaotic Dynamics 7 (2002) 131-148)
 ///
-/// Gravity and the contact's force have no moment about the contact, and the contact moves as fast as the centre, so in world axes K does not change:
+/// Gravity and the contact's force have no moment about the contact, and the contact moves as fast as the centre, so in world axes K does
+/// not change:
 ///
 ///   (J + m r^2 (1 - n n^T)) w = K,   q' = (0, w) q / 2,   x' = r w x n        J = R I R^T
 struct RollingBall {
@@ -133,8 +134,8 @@ struct RollingBall {
   Eigen::Matrix3d inertia_about_contact(const Eigen::Quaterniond& turned) const;
 };
 
-/// A ball whose spin is about none of its principal axes. Its path winds, by a third of a radian, and ends half a metre beside a straight line.
-/// Friction has to be 0.24 of the normal force at most.
+/// A ball whose spin is about none of its principal axes. Its path winds, by a third of a radian, and ends half a metre beside a straight
+/// line. Friction has to be 0.24 of the normal force at most.
 struct Chaplygin {
   static constexpr Real radius = Real(0.5), mass = 10, mu = 1;  // m, kg
   static constexpr double seconds = 2;

@@ -55,8 +55,8 @@ struct Patience {
 };
 
 /// Plays the motion, once in any case. Only substeps are in the time: not the making of a world, not asking where bodies
-/// are (for which MuJoCo has kinematics to do), and not the comparing. The error is the farthest that any body was from its true place in any
-/// frame; the time is the median of some times that it was played. `truth`: motion.truth(motion.frames()).
+/// are (for which MuJoCo has kinematics to do), and not the comparing. The error is the farthest that any body was from its true place
+/// in any frame; the time is the median of some times that it was played. `truth`: motion.truth(motion.frames()).
 study::Measured play(const Motion& motion, const std::vector<Places>& truth, const Method& method,
                      const Setting& setting, const Patience& patience = {});
 

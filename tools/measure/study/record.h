@@ -15,7 +15,7 @@ void read_row_solves(const std::string& word, Measured& into);
 
 /// "full/4/16 error 1.2345e-03 seconds 4.5678e-02 row-solves 6.7890e+06", of what was played once.
 std::string line_of(const Measured& once);
-/// Adds to a setting what such a line says of it. Throws std::runtime_error, with the engine and the line, where it is none of this setting.
+/// Adds to a setting what such a line says of it. Throws std::runtime_error, with the engine and the line, where it is none.
 void add_line(const std::string& line, Measured& into);
 
 }  // namespace pushback::study
