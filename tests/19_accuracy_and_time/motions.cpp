@@ -6,12 +6,14 @@
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/09_impacts/simultaneous.h"
+#include "pushback/chapters/13_joints/scenes.h"
 #include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/17_direct_contacts/best.h"
 #include "pushback/chapters/17_direct_contacts/warm_direct_contacts.h"
 #include "pushback/chapters/19_accuracy_and_time/seat.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/relaxed_law.h"
 #include "tests/support/call.h"
@@ -19,6 +21,7 @@
 #include "tests/support/complaint.h"
 
 using namespace pushback;
+using joints_scenes::largest_joint_error;
 
 namespace {
 

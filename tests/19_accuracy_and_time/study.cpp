@@ -27,7 +27,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 Measurements some(std::mt19937& random) {
   Measurements found;
   for (std::size_t count = 1 + random() % 30; found.size() < count;) {
-    const unsigned end = random() % 12;
+    const auto end = random() % 12;
     found.push_back({.engine = random() % 2 == 0 ? "motion" : "motion_ode",
                      .method = random() % 2 == 0 ? "slim" : "soft",
                      .substeps = 1 << random() % 5,
