@@ -167,8 +167,8 @@ std::string failure(const std::string& methods, const std::string& answers) {
   motion.most_substeps = motion.most_passes = 2;
   motion.most_sweeps = 1;
   try {
-    CHECK(measure(motion, {.engines = {{"motion_odd", "odd", ""}}, .programs = scratch / "."}).size() ==
-          (methods.empty() ? 0 : 2));
+    const Measurements found = measure(motion, {.engines = {{"motion_odd", "odd", ""}}, .programs = scratch / "."});
+    CHECK(found.size() == (methods.empty() ? 0 : 2));
   } catch (const std::runtime_error& error) {
     return error.what();
   }
