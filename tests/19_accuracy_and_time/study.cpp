@@ -17,19 +17,25 @@
 using namespace pushback;
 using namespace pushback::study;
 
+// ---- front -----------------------------------------------------------------------------------------------------------
+
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-Measured point(double seconds, double error) {
-  return {.engine = "motion", .method = "slim", .sweeps = 1, .error = error, .seconds = {seconds}};
-}
-/// Times and errors of few values, so that many are alike; some lost.
+/// Settings of few methods, knobs, times and errors, so that many are alike; some are lost, or given up.
 Measurements some(std::mt19937& random) {
   Measurements found;
-  for (std::size_t count = 1 + random() % 30; found.size() < count;)
-    found.push_back(
-        point(1 + static_cast<double>(random() % 8), random() % 6 == 0 ? infinite : static_cast<double>(random() % 8)));
+  for (std::size_t count = 1 + random() % 30; found.size() < count;) {
+    const auto end = random() % 12;
+    found.push_back({.engine = random() % 2 == 0 ? "motion" : "motion_ode",
+                     .method = random() % 2 == 0 ? "slim" : "soft",
+                     .substeps = 1 << random() % 5,
+                     .sweeps = static_cast<int>(random() % 3),
+                     .error = end < 2 ? infinite : static_cast<double>(random() % 8),
+                     .late = end == 0,
+                     .seconds = {1 + static_cast<double>(random() % 8)}});
+  }
   return found;
 }
 bool no_worse(const Measured& one, const Measured& other) {
@@ -38,9 +44,7 @@ bool no_worse(const Measured& one, const Measured& other) {
 
 }  // namespace
 
-// ---- front -----------------------------------------------------------------------------------------------------------
-
-TEST_CASE("the front is sorted, nobody on it is worse than another, and all else is") {
+TEST_CASE("the front is sorted, nobody on it is worse than another, and all else is; the cheapest is the fastest") {
   std::mt19937 random(14);
   for (int trial = 0; trial < 500; ++trial) {
     const Measurements all = some(random), found = front(all);
@@ -49,45 +53,59 @@ TEST_CASE("the front is sorted, nobody on it is worse than another, and all else
       CHECK(found[i - 1].error > found[i].error);
     }
     for (const Measured& one : all) {
-      if (!std::isfinite(one.error)) continue;
-      CHECK(std::any_of(found.begin(), found.end(), [&](const Measured& other) { return no_worse(other, one); }));
+      const auto beats = [&](const Measured& other) { return no_worse(other, one); };
+      CHECK((!std::isfinite(one.error) || std::any_of(found.begin(), found.end(), beats)));
+      for (const double slack : {1.0, 2.0, 3.5}) {
+        const auto is_far_better = [&](const Measured& other) {
+          return other.error <= one.error && slack * other.median() < one.median();
+        };
+        CHECK(is_near_front(one, all, slack) ==
+              (std::isfinite(one.error) && std::none_of(all.begin(), all.end(), is_far_better)));
+      }
     }
-    for (const Measured& one : found) {
-      CHECK(std::isfinite(one.error));
+    for (const Measured& one : found)
       for (const Measured& other : all) CHECK((!no_worse(other, one) || no_worse(one, other)));
-    }
-    Measurements turned(all.rbegin(), all.rend());
-    const Measurements again = front(turned);
-    REQUIRE(again.size() == found.size());
-    for (std::size_t i = 0; i < found.size(); ++i)
-      CHECK((no_worse(again[i], found[i]) && no_worse(found[i], again[i])));
-  }
-  CHECK(front({}).empty());
-  CHECK(front({point(1, infinite)}).empty());
-}
-
-TEST_CASE("the cheapest is the fastest of those that are near enough, and what is near the front is so by its factor") {
-  std::mt19937 random(15);
-  for (int trial = 0; trial < 500; ++trial) {
-    const Measurements all = some(random);
     for (double error = -0.5; error < 9; ++error) {
       double least = infinite;
       for (const Measured& one : all)
         if (one.error <= error) least = std::min(least, one.median());
-      const auto found = cheapest(all, error);
-      REQUIRE(found.has_value() == std::isfinite(least));
-      if (found) CHECK((found->median() == least && found->error <= error));
-    }
-    for (const Measured& one : all) {
-      for (const double slack : {1.0, 2.0, 3.5}) {
-        bool near = std::isfinite(one.error);
-        for (const Measured& other : all)
-          near = near && !(other.error <= one.error && slack * other.median() < one.median());
-        CHECK(is_near_front(one, all, slack) == near);
-      }
+      const auto nearest = cheapest(all, error);
+      REQUIRE(nearest.has_value() == std::isfinite(least));
+      if (nearest) CHECK((nearest->median() == least && nearest->error <= error));
     }
   }
+  CHECK(front({}).empty());
   CHECK(!cheapest({}, 1));
+}
+
+TEST_CASE("a robust error is the largest of all that are as fine, and what is good by chance is not chosen") {
+  std::mt19937 random(15);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Measurements all = some(random), counted = robust(all);
+    REQUIRE(counted.size() == all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      double largest = all[i].error;
+      for (const Measured& finer : all)
+        if (!finer.late && finer.engine == all[i].engine && finer.method == all[i].method &&
+            finer.substeps >= all[i].substeps && finer.sweeps >= all[i].sweeps)
+          largest = std::max(largest, finer.error);
+      CHECK(counted[i].error == largest);
+      CHECK((counted[i].setting() == all[i].setting() && counted[i].seconds == all[i].seconds));
+    }
+  }
+  for (int lucky = 0; lucky < 5; ++lucky) {  // errors fall with the step, but for one that is fast enough to be chosen
+    Measurements all;
+    for (int i = 0; i < 6; ++i)
+      all.push_back({.engine = "motion",
+                     .method = "slim",
+                     .substeps = 1 << i,
+                     .sweeps = 1,
+                     .error = std::ldexp(i == lucky ? 0.01 : 1, -i),
+                     .seconds = {std::ldexp(1, i)}});
+    const double wanted = all[static_cast<std::size_t>(lucky)].error;
+    CHECK(cheapest(all, wanted)->substeps == 1 << lucky);
+    CHECK(!cheapest(robust(all), wanted));
+  }
 }
 
 // ---- limits ----------------------------------------------------------------------------------------------------------
@@ -137,36 +155,20 @@ TEST_CASE("what falls to 0 has no limit but a bound, which is no less than what 
 
 namespace {
 
-/// A program that is a script: it prints what `answers` (lines of a shell's case) say.
-class StandIns {
- public:
-  void add(const std::string& name, const std::string& methods, const std::string& answers) {
-    const fs::path file = scratch_ / name;
-    std::ofstream(file) << "#!/bin/sh\nshift\n"
-                        << "if [ $# = 0 ]; then printf '" << methods << "'; exit 0; fi\n"
-                        << "for s in \"$@\"; do case $s in --*) break;; " << answers << " esac; done\nexit 0\n";
-    fs::permissions(file, fs::perms::owner_all);
-    engines_.push_back({name, "called " + name});
-  }
-  RoundOptions options(int rounds) const { return {.engines = engines_, .programs = scratch_ / ".", .rounds = rounds}; }
-
- private:
-  Scratch scratch_;
-  std::vector<Engine> engines_;
-};
-
-const std::string good = "*) echo \"$s error 1e-3 seconds 2e-2 row-solves 5\";;";
-
-Motion tried(int most_substeps, int most_sweeps, int most_passes) {
+/// What `measure` throws where a program is a script: it prints what `answers`, lines of a shell's case, say.
+std::string failure(const std::string& methods, const std::string& answers) {
+  const Scratch scratch;
+  std::ofstream(scratch / "motion_odd") << "#!/bin/sh\nshift\n"
+                                        << "if [ $# = 0 ]; then printf '" << methods << "'; exit 0; fi\n"
+                                        << "for s in \"$@\"; do case $s in --*) break;; " << answers
+                                        << " esac; done\nexit 0\n";
+  fs::permissions(scratch / "motion_odd", fs::perms::owner_all);
   Motion motion = motion_named("bounce");
-  motion.most_substeps = most_substeps;
-  motion.most_sweeps = most_sweeps;
-  motion.most_passes = most_passes;
-  return motion;
-}
-std::string failure(const Motion& motion, const RoundOptions& options) {
+  motion.most_substeps = motion.most_passes = 2;
+  motion.most_sweeps = 1;
   try {
-    measure(motion, options);
+    const Measurements found = measure(motion, {.engines = {{"motion_odd", "odd", ""}}, .programs = scratch / "."});
+    CHECK(found.size() == (methods.empty() ? 0 : 2));
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -175,48 +177,39 @@ std::string failure(const Motion& motion, const RoundOptions& options) {
 
 }  // namespace
 
-TEST_CASE("what is no line of measurements is refused") {
-  const std::string heading = lines_of(csv_of({}))[0] + "\n", good_line = "bounce,motion,a,1,1,1e-3,5,1,1,1,1 2";
-  CHECK(read_csv(heading + good_line + "\n").at("bounce")[0].median() == 1.5);
-  for (const char* line : {"", "bounce,motion,a,1,1,1e-3,5,1,1,1,", "bounce,motion,a,1,1,1e-3,5,1,1,1,1 x",
-                           "bounce,motion,a,1,1,1e-3,x,1,1,1,1", "bounce,motion,a,1,1,soon,5,1,1,1,1",
-                           "bounce,motion,a,one,1,1e-3,5,1,1,1,1"}) {
-    INFO(line);
-    CHECK_THROWS_AS(read_csv(heading + line + "\n"), InvalidInput);
-  }
-  CHECK_THROWS_AS(read_csv(good_line), InvalidInput);
-}
-
 TEST_CASE("a program that fails, or prints what is no measurement, is named") {
   for (const auto& [answers, part] : std::vector<std::pair<std::string, std::string>>{
            {"*) exit 3;;", "failed"},
            {"*) echo garbage;;", "garbage"},
            {"*) echo \"$s error soon seconds 1 row-solves 5\";;", "soon"},
-           {"*) echo \"$s error 1x seconds 1 row-solves 5\";;", "1x"},
            {"*) echo \"$s error nan seconds 1 row-solves 5\";;", "nan"},
            {"*) echo \"$s error -1 seconds 1 row-solves 5\";;", "-1"},
            {"*) echo \"$s error 1 seconds soon row-solves 5\";;", "soon"},
-           {"*) echo \"$s error 1 seconds -1 row-solves 5\";;", "-1"},
+           {"*) echo \"$s error 1 seconds 0 row-solves 5\";;", "no time"},
            {"*) echo \"$s error 1 seconds 1\";;", "a/1/1"},
            {"*) echo \"$s error 1 seconds 1 row-solves many\";;", "many"},
-           {"*) echo \"$s error 1 seconds 1 row-solves -1\";;", "-1"},
            {"*) echo \"b/1/1 error 1 seconds 1 row-solves 5\";;", "b/1/1"},
-           {"a/1/1) echo \"$s error 1 seconds 1 row-solves 5\";;", "printed 1 lines for 2 settings"},
-           {"*) ;;", "printed 0 lines for 2 settings"},
-           {"*) echo; echo; echo;;", "printed 6 lines for 2 settings"}}) {
-    StandIns programs;
-    programs.add("motion_odd", "a/SMALL-STEPS/SWEEPS: method\\n", answers);
-    const std::string said = failure(tried(2, 1, 2), programs.options(0));
+           {"a/1/1) echo \"$s error 1 seconds 1 row-solves 5\";;", "printed 1 lines for 2 settings"}}) {
+    const std::string said = failure("a/SMALL-STEPS/SWEEPS: method\\n", answers);
     INFO(answers << ": " << said);
     CHECK(contains(said, "motion_odd"));
     CHECK(contains(said, part));
   }
-  StandIns programs;
-  programs.add("motion", "", good);
-  CHECK(measure(tried(2, 1, 2), programs.options(2)).empty());  // it plays nothing of this
-  RoundOptions options = programs.options(0);
-  options.engines = {{"motion_that_is_not_there", "x"}};
-  CHECK(contains(failure(tried(2, 1, 2), options), "motion_that_is_not_there"));
+  const std::string good = "*) echo \"$s error 1e-3 seconds 2e-2 row-solves 5\";;";
+  CHECK(failure("a/SMALL-STEPS/SWEEPS: method\\n", good).empty());
+  CHECK(failure("", good).empty());                                              // it plays nothing of this
+  CHECK(failure("a/SMALL-STEPS/SWEEPS: method\\n", "*) kill -9 $$;;").empty());  // what crashes is lost
+}
+
+TEST_CASE("what is no line of measurements is refused") {
+  const std::string heading = lines_of(csv_of({}))[0] + "\n", good_line = "bounce,motion,a,1,1,1e-3,5,1,1,1,1 2";
+  CHECK(read_csv(heading + good_line + "\n").at("bounce")[0].median() == 1.5);
+  for (const char* line : {"", "bounce,motion,a,1,1,1e-3,5,1,1,1,", "bounce,motion,a,1,1,1e-3,5,1,1,1,1 x",
+                           "bounce,motion,a,1,1,1e-3,x,1,1,1,1", "bounce,motion,a,one,1,1e-3,5,1,1,1,1"}) {
+    INFO(line);
+    CHECK_THROWS_AS(read_csv(heading + line + "\n"), InvalidInput);
+  }
+  CHECK_THROWS_AS(read_csv(good_line), InvalidInput);
 }
 
 // ---- errors that are measured ---------------------------------------------------------------------------------------
@@ -270,66 +263,40 @@ TEST_CASE(
   CHECK(back.out.empty());
 }
 
-TEST_CASE("each motion and engine is one part's, in turn, and ours in float goes with ours in double") {
-  const std::vector<Engine> engines{{"motion", ""}, {"motion_float", ""}, {"motion_wide", ""}, {"motion_ode", ""}};
-  std::vector<const Motion*> motions;
-  for (const char* const name : {"bounce", "sliding", "break"}) motions.push_back(&motion_named(name));
-  for (const std::size_t of : {1, 2, 3, 4, 5, 9}) {
-    std::map<std::string, int> played;
-    for (std::size_t part = 1; part <= of; ++part) {
-      const auto pieces = pieces_of(motions, engines, {part, of});
-      CHECK(!pieces.empty());
-      for (const Piece& piece : pieces) {
-        CHECK(piece.engines.size() == (of <= 3 ? 4 : piece.engines[0].program == "motion" ? 2 : 1));
-        for (const Engine& engine : piece.engines) ++played[piece.motion->name + " " + engine.program];
-        if (piece.engines[0].program == "motion") CHECK(piece.engines[1].program == "motion_float");
-      }
-    }
-    CHECK(played.size() == 12);
-    for (const auto& [what, times] : played) CHECK(times == 1);
-  }
-  CHECK(complaint([&] { pieces_of(motions, engines, {1, 10}); }) ==
-        "--shard is '1/10': there are 3 motions and engines to them, 9 pieces in all, and each part needs one");
-}
-
 // ---- the program -----------------------------------------------------------------------------------------------------
 
 TEST_CASE("the study refuses what it cannot do, before it has written anything") {
   const Scratch scratch;
-  const std::string out = " --out '" + (scratch / "out").string() + "'";
-  for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{{"--only nothing", "'nothing'"},
-                                                                                        {"--rounds 0", "--rounds"},
-                                                                                        {"--rounds many", "--rounds"},
-                                                                                        {"--what", "--what"}}) {
-    const Ended ended = call_program(STUDY_PROGRAM, arguments + out);
+  for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{
+           {"--only nothing", "'nothing'"},
+           {"--join 1", "--join"},
+           {"--shard 2/2 --only bounce", "there are 1 motions, and each part needs one"}}) {
+    const Ended ended = call_program(STUDY_PROGRAM, arguments + " --out '" + (scratch / "out").string() + "'");
     INFO(arguments << ": " << ended.err);
     CHECK(ended.status == 2);
     CHECK(contains(ended.err, part));
-    CHECK(ended.out.empty());
     CHECK(!fs::exists(scratch / "out"));
   }
-  CHECK(call_program(STUDY_PROGRAM, "--help").status == 0);
 }
 
 TEST_CASE("parts of the study, each measured on a machine of its own, make the whole") {
   const Scratch scratch;
-  const fs::path folder = scratch / "out/19_accuracy_and_time";
-  AllMeasured whole;
-  for (std::size_t i = 0; i < all_motions().size(); ++i) {
-    const Measured one{
-        .engine = "motion", .method = "steady", .sweeps = 1, .error = 1e-3, .seconds = {0.5 + static_cast<double>(i)}};
-    whole[all_motions()[i].name] = {one};
-    const fs::path part = folder / fmt::format("shard_{}_of_2", 1 + i % 2);
-    fs::create_directories(part);
-    AllMeasured so_far;
-    if (fs::exists(part / "study.csv")) so_far = read_csv(text_of(part / "study.csv"));
-    so_far[all_motions()[i].name] = {one};
-    std::ofstream(part / "study.csv") << csv_of(so_far);
-    std::ofstream(part / "machine.md") << "machine of part " << 1 + i % 2 << "\n";
-    std::ofstream(part / "origin.txt") << origin_text({"machine", "compiler", "commit"});
+  const fs::path folder = scratch / "out/19_accuracy_and_time", second = folder / "shard_2_of_2";
+  AllMeasured whole, parts[2];
+  for (std::size_t i = 0; i < all_motions().size(); ++i)
+    whole[all_motions()[i].name] = parts[i % 2][all_motions()[i].name] = {
+        {.engine = "motion", .method = "steady", .sweeps = 1, .error = 1e-3, .seconds = {static_cast<double>(i + 1)}}};
+  for (const int part : {1, 2}) {
+    const fs::path to = folder / fmt::format("shard_{}_of_2", part);
+    fs::create_directories(to);
+    std::ofstream(to / "study.csv") << csv_of(parts[part - 1]);
+    std::ofstream(to / "machine.md") << "machine of part " << part << "\n";
+    std::ofstream(to / "origin.txt") << origin_text({"machine", "compiler", "commit"});
   }
-  const std::string out = " --out '" + (scratch / "out").string() + "'";
-  const Ended ended = call_program(STUDY_PROGRAM, "--join 2" + out, 100);
+  const auto join = [&](const std::string& count) {
+    return call_program(STUDY_PROGRAM, "--join " + count + " --out '" + (scratch / "out").string() + "'", 100);
+  };
+  const Ended ended = join("2");
   INFO(ended.err);
   CHECK(ended.status == 0);
   CHECK(text_of(folder / "study.csv") == csv_of(whole));
@@ -337,17 +304,13 @@ TEST_CASE("parts of the study, each measured on a machine of its own, make the w
   for (const Origin& other : {Origin{"another", "compiler", "commit"},
                               {"machine", "another", "commit"},
                               {"machine", "compiler", "another"}}) {
-    std::ofstream(folder / "shard_2_of_2/origin.txt") << origin_text(other);
-    const Ended mixed = call_program(STUDY_PROGRAM, "--join 2" + out);
-    INFO(mixed.err);
+    std::ofstream(second / "origin.txt") << origin_text(other);
+    const Ended mixed = join("2");
     CHECK(mixed.status == 2);
     CHECK(contains(mixed.err, "shard_2_of_2/origin.txt"));
     CHECK(contains(mixed.err, "'another'"));
   }
-  fs::remove(folder / "shard_2_of_2/origin.txt");
-  CHECK(call_program(STUDY_PROGRAM, "--join 2" + out).status == 2);
-  const Ended missing = call_program(STUDY_PROGRAM, "--join 3" + out);
-  CHECK(missing.status == 2);
-  CHECK(contains(missing.err, "shard_1_of_3"));
-  CHECK(contains(call_program(STUDY_PROGRAM, "--shard 1/99 --only bounce" + out).err, "1 motions and engines to them"));
+  fs::remove(second / "origin.txt");
+  CHECK(join("2").status == 2);
+  CHECK(contains(join("3").err, "shard_1_of_3"));
 }

@@ -171,8 +171,8 @@ TEST_CASE("what an adapter says of a motion is what the engine behind it does, t
     REQUIRE(lines.size() == 2);
     const auto truth = motion.truth(motion.frames());
     for (const auto& [line, setting] : {std::pair{lines[0], Setting{2, 4}}, {lines[1], Setting{4, 2}}}) {
-      const Played here = play(motion, truth, method_with({}), setting, {.at_least = 0});
-      CHECK(contains(line, fmt::format(" error {:.4e} ", here.error)));
+      const double error = play(motion, truth, method_with({}), setting, {.at_least = 0}).error;
+      CHECK(contains(line, fmt::format(" error {:.4e} ", error)));
       CHECK(contains(line, " row-solves –"));
     }
   }

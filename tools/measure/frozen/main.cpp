@@ -5,9 +5,9 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/program.h"
-#include "pushback/tools/measure/frozen/frozen.h"
-#include "pushback/tools/measure/frozen/pictures.h"
-#include "pushback/tools/measure/frozen/words.h"
+#include "pushback/tools/measure/frozen/report.h"
+#include "pushback/tools/measure/frozen/trace.h"
+#include "pushback/tools/measure/results/chosen.h"
 #include "pushback/tools/measure/results/origin.h"
 
 using namespace pushback;
@@ -20,15 +20,15 @@ void draw(const FrozenPoints& points, const std::filesystem::path& to) {
   write_plot(to / "profiles.png", profile_panels(points));
 }
 
-/// Files and pictures of the whole; the remarks are printed, too.
+/// Files and pictures of the whole; what the chapter's page shows is printed, too.
 void show(const std::string& csv, const std::vector<FrozenProblem>& problems, const std::filesystem::path& to) {
   const FrozenPoints points = read_frozen_csv(csv);
   std::string page;
   for (const std::string& remark : remarks_of(points, problems)) page += "- " + remark + "\n";
   if (std::none_of(problems.begin(), problems.end(), [](const FrozenProblem& problem) { return problem.foreign; }))
     page += "- no folder of foreign problems was given: only our own are here\n";
-  fmt::print("{}", page);
-  const std::string short_page = reached_of(points) + "\n" + page;  // what the chapter's page shows
+  const std::string short_page = reached_of(points) + "\n" + page;
+  fmt::print("{}", short_page);
   for (const std::string& table : tables_of(points)) page += "\n" + table;
   write_text_file(to / "reached.md", short_page);
   write_text_file(to / "frozen.md", page);
@@ -43,8 +43,7 @@ void show_large(std::vector<FrozenProblem> foreign, bool quick, const std::files
   std::erase_if(foreign, [](const FrozenProblem& problem) { return problem.problem.contacts() < large_contacts; });
   std::move(foreign.begin(), foreign.end(), std::back_inserter(problems));
   std::string page;
-  for (const std::string& table : tables_of(read_frozen_csv(study_large(problems, quick))))
-    page += (page.empty() ? "" : "\n") + table;
+  for (const std::string& table : tables_of(study_large(problems, quick))) page += (page.empty() ? "" : "\n") + table;
   fmt::print("{}", page);
   write_text_file(to / "large.md", page);
 }
@@ -88,14 +87,10 @@ int main(int argc, char** argv) {
       const auto folders = folders_of_parts(to, parts, "frozen_origin.txt", Holds::times);
       return show(joined(texts_of_parts(folders, "frozen.csv")), problems, to);
     }
-    if (shard.of > problems.size())
-      throw InvalidInput(
-          fmt::format("--shard is '{}': there are {} problems, and each part needs one", shard_text, problems.size()));
+    problems = of_part("problems", std::move(problems), shard);
     if (!shard.whole()) to /= shard.folder();
     make_writable_folder(to);
-    std::size_t index = 0;
-    std::erase_if(problems, [&](const FrozenProblem&) { return !shard.has(index++); });
-    const std::string csv = study_frozen(problems, quick);
+    const std::string csv = csv_of(study_frozen(problems, quick));
     if (shard.whole()) {
       show(csv, problems, to);
     } else {

@@ -1,27 +1,26 @@
-/// frozen.csv: every point that was traced. Words (words.h) and pictures (pictures.h) are made of it alone, again at any time.
+/// frozen.csv: every point that was traced. Tables and pictures (report.h) are made of it alone, again at any time.
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "pushback/tools/measure/frozen/profile.h"
 
 namespace pushback::frozen {
 
 inline constexpr std::array tolerances{1e-3, 1e-6, 1e-10};  ///< of relative_residual: what is asked for
 
-/// The first line of frozen.csv: what the others have, one a point.
-inline constexpr const char* csv_heading =
-    "problem,contacts,method,sweeps,row_solves,systems,residual,median_s,lower_quartile_s,upper_quartile_s";
-
+/// How far a method has come on a problem, and what was paid so far.
 struct FrozenPoint {
-  int sweeps = 0, systems = 0;
+  int sweeps = 0;                         ///< or iterations, where that is what the method counts
+  int systems = 0;                        ///< linear systems
   std::optional<double> row_solves = {};  ///< not of Siconos, whose iterations are not over rows
-  double residual = 0, seconds = 0;       ///< seconds: the median
-  double lower_quartile = 0, upper_quartile = 0;
+  double residual = 0;
+  /// Of solving up to here, one a round: the residual and other programs not counted. Read again, five of the same median and quartiles.
+  std::vector<double> seconds = {};
+
+  double time(double part = 0.5) const;  ///< s: the median of the rounds; 0.25, 0.75: the quartiles
 };
 
 struct FrozenPoints {
@@ -34,32 +33,28 @@ struct FrozenPoints {
   std::vector<Problem> problems;
 };
 
+std::string csv_of(const FrozenPoints& all);
 /// Throws InvalidInput where a line is not one of these.
 FrozenPoints read_frozen_csv(const std::string& text);
 
 /// Where the residual is that low for the first time; nullptr: nowhere.
-inline const FrozenPoint* reaching(double tolerance, const std::vector<FrozenPoint>& points) {
-  const auto found =
-      std::find_if(points.begin(), points.end(), [&](const FrozenPoint& point) { return point.residual <= tolerance; });
-  return found == points.end() ? nullptr : &*found;
-}
+const FrozenPoint* reaching(double tolerance, const std::vector<FrozenPoint>& points);
 
-/// What each method pays until its residual is that low, problem by problem.
-template <class Cost>
-Costs costs_to(double tolerance, const FrozenPoints& all, const Cost& cost) {
-  Costs costs;
-  for (const FrozenPoints::Problem& of : all.problems) {
-    costs.emplace_back();
-    for (const std::vector<FrozenPoint>& points : of.of_method) {
-      const FrozenPoint* point = reaching(tolerance, points);
-      costs.back().push_back(point == nullptr ? not_reached : cost(*point));
-    }
-  }
-  return costs;
-}
-/// Median s.
-inline Costs times_to(double tolerance, const FrozenPoints& all) {
-  return costs_to(tolerance, all, [](const FrozenPoint& point) { return point.seconds; });
-}
+inline constexpr double not_reached = std::numeric_limits<double>::infinity();
+
+/// costs[p][m]: what method m takes for problem p, in any unit, above 0; not_reached where it does not solve it.
+using Costs = std::vector<std::vector<double>>;
+/// Median s of each method until its residual is that low.
+Costs times_to(double tolerance, const FrozenPoints& all);
+/// Row solves likewise, 1 at least.
+Costs row_solves_to(double tolerance, const FrozenPoints& all);
+
+/// A performance profile: who is how far behind the best, on how many problems.
+///
+///   f_m(tau) = the part of all problems that method m solves within tau times the cost of whoever is cheapest there
+///
+/// f_m(1): where m is the cheapest. f_m(infinity): what it solves at all. E. Dolan, J. More, "Benchmarking optimization
+/// software with performance profiles", 2002. A problem that nobody solves counts against all. 0 where there are no problems.
+double part_within(const Costs& costs, std::size_t method, double tau);
 
 }  // namespace pushback::frozen

@@ -1,6 +1,6 @@
 /// An independent judge: the solvers of Siconos (Inria), and its own measure of error, on the same contact problems.
 ///
-/// Built in with the option PUSHBACK_SICONOS, where Debian's libsiconos-numerics-dev is. Where it is not, there are no methods.
+/// Built with the option PUSHBACK_SICONOS, where Debian's libsiconos-numerics-dev is. Where it is not, there are no methods.
 #pragma once
 
 #include <algorithm>

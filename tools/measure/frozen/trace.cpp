@@ -4,15 +4,10 @@
 #include <cmath>
 
 #include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
-#include "pushback/common/basics/quantile.h"
 #include "pushback/tools/measure/frozen/methods.h"
 #include "pushback/tools/measure/study/stopwatch.h"
 
 namespace pushback::frozen {
-
-double TracePoint::time(double part) const {
-  return quantile(seconds, part);
-}
 
 Trace::Trace(const ContactProblem& problem, const std::string& method, const TraceLimits& limits,
              const SparseRows& factor)
@@ -25,14 +20,11 @@ void Trace::again() {
   else sweep_along();
 }
 
-bool Trace::counts_rows() const {
-  return !is_siconos(method_);
-}
-
-const TracePoint* Trace::reaching(double tolerance) const {
-  const auto found = std::find_if(points_.begin(), points_.end(),
-                                  [&](const TracePoint& point) { return point.residual <= tolerance; });
-  return found == points_.end() ? nullptr : &*found;
+FrozenPoint Trace::point(int sweeps, int systems, double residual) const {
+  FrozenPoint point{.sweeps = sweeps, .systems = systems, .residual = residual};
+  // Each sweep solves a row for each normal and each tangent.
+  if (!is_siconos(method_)) point.row_solves = 3.0 * static_cast<double>(problem_.contacts()) * sweeps;
+  return point;
 }
 
 void Trace::sweep_along() {
@@ -46,7 +38,7 @@ void Trace::sweep_along() {
     if (first) {
       const double residual = relative_residual(problem_, r);
       if (!std::isfinite(residual)) return;  // it has left the range of numbers
-      points_.push_back({static_cast<int>(done), 0, residual});
+      points_.push_back(point(static_cast<int>(done), 0, residual));
     }
     points_[i].seconds.push_back(solving.seconds());
     const auto most = static_cast<std::size_t>(limits_.sweeps);
@@ -60,45 +52,93 @@ void Trace::sweep_along() {
   }
 }
 
-TracePoint Trace::climbed_to(Rung& rung, double tolerance) const {
+FrozenPoint Trace::climbed_to(Rung& rung) const {
   while (is_siconos(method_)) {
     const SiconosAnswer found = solve_by_siconos(problem_, method_, rung.asked, rung.iterations, limits_.patience);
-    const TracePoint point{found.iterations, 0, relative_residual(problem_, found.r), {found.seconds}};
-    if (point.residual <= tolerance || found.seconds > limits_.seconds) return point;
-    const double tighter = 0.5 * tolerance * problem_.q.norm() / siconos_unit(problem_, found.r);
+    FrozenPoint reached = point(found.iterations, 0, relative_residual(problem_, found.r));
+    reached.seconds = {found.seconds};
+    if (reached.residual <= rung.tolerance || found.seconds > limits_.seconds) return reached;
+    const double tighter = 0.5 * rung.tolerance * problem_.q.norm() / siconos_unit(problem_, found.r);
     if (found.reached && tighter < 0.99 * rung.asked) rung.asked = tighter;
     else if (rung.iterations < limits_.sweeps) rung.iterations = std::min(4 * rung.iterations, limits_.sweeps);
-    else return point;
+    else return reached;
   }
   Stopwatch solving;
   solving.go();
   const Solution found =
       method_ == "smoothed"
-          ? Solution(solve_smoothed(problem_, {.tolerance = tolerance, .work = limits_.work}, factor_))
-          : solve_best(problem_, {.tolerance = tolerance, .work = limits_.work});
+          ? Solution(solve_smoothed(problem_, {.tolerance = rung.tolerance, .work = limits_.work}, factor_))
+          : solve_best(problem_, {.tolerance = rung.tolerance, .work = limits_.work});
   solving.stop();
-  return {found.sweeps, found.systems, found.residual, {solving.seconds()}};
+  FrozenPoint reached = point(found.sweeps, found.systems, found.residual);
+  reached.seconds = {solving.seconds()};
+  return reached;
 }
 
 void Trace::climb() {
-  if (!rungs_.empty()) {
-    for (std::size_t i = 0; i < rungs_.size(); ++i) {
-      Rung rung = rungs_[i].rung;
-      points_[i].seconds.push_back(climbed_to(rung, rungs_[i].tolerance).seconds[0]);
-    }
-    return;
+  for (std::size_t i = 0; i < rungs_.size(); ++i) {
+    Rung rung = rungs_[i];
+    points_[i].seconds.push_back(climbed_to(rung).seconds[0]);
   }
-  Rung rung{1, std::min(10, limits_.sweeps)};
+  if (!rungs_.empty()) return;
+  Rung rung{1, 1, std::min(10, limits_.sweeps)};
   for (const double tolerance : limits_.ladder) {
     if (!points_.empty() && points_.back().residual <= tolerance) continue;  // met on the way to the last
     const bool is_asked = std::find(limits_.asked.begin(), limits_.asked.end(), tolerance) != limits_.asked.end();
     if (!is_asked && !points_.empty() && points_.back().seconds[0] > limits_.quick_run) continue;
+    rung.tolerance = tolerance;
     rung.asked = std::min(rung.asked, tolerance);
-    const TracePoint point = climbed_to(rung, tolerance);
-    if (!(point.residual <= tolerance) || point.seconds[0] > limits_.seconds) return;
-    points_.push_back(point);
-    rungs_.push_back({tolerance, rung});
+    const FrozenPoint reached = climbed_to(rung);
+    if (!(reached.residual <= tolerance) || reached.seconds[0] > limits_.seconds) return;
+    points_.push_back(reached);
+    rungs_.push_back(rung);
   }
+}
+
+namespace {
+
+TraceLimits limits_of(bool quick) {
+  TraceLimits limits;
+  limits.asked.assign(tolerances.begin(), tolerances.end());
+  if (quick) {
+    limits.seconds = 0.03;
+    limits.work = 1e8;
+    limits.ladder = limits.asked;
+  }
+  return limits;
+}
+
+FrozenPoints traced(const std::vector<FrozenProblem>& problems, const TraceLimits& limits, int rounds,
+                    int rounds_of_long) {
+  FrozenPoints all{frozen_methods(), {}};
+  for (const FrozenProblem& frozen : problems) {
+    std::vector<Trace> traces;
+    for (const std::string& method : all.methods) traces.emplace_back(frozen.problem, method, limits, frozen.factor);
+    const bool is_long = std::any_of(traces.begin(), traces.end(), [&](const Trace& trace) {
+      return !trace.points().empty() && trace.points().back().time() > limits.seconds / 4;
+    });
+    for (int round = 1; round < (is_long ? rounds_of_long : rounds); ++round)
+      for (Trace& trace : traces) trace.again();
+    all.problems.push_back({frozen.name, static_cast<int>(frozen.problem.contacts()), {}});
+    for (const Trace& trace : traces) all.problems.back().of_method.push_back(trace.points());
+  }
+  return all;
+}
+
+}  // namespace
+
+FrozenPoints study_frozen(const std::vector<FrozenProblem>& problems, bool quick) {
+  return traced(problems, limits_of(quick), quick ? 3 : 7, 3);
+}
+
+FrozenPoints study_large(const std::vector<FrozenProblem>& problems, bool quick) {
+  TraceLimits limits = limits_of(quick);
+  if (!quick) {
+    limits.seconds = 10;
+    limits.work = 2e10;
+    limits.ladder = limits.asked;
+  }
+  return traced(problems, limits, 1, 1);
 }
 
 }  // namespace pushback::frozen

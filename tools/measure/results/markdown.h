@@ -3,6 +3,8 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,11 @@ inline std::string markdown_row(const std::vector<std::string>& cells) {
 /// The heads of a table's columns, and the rule below them.
 inline std::string markdown_heads(const std::vector<std::string>& heads) {
   return markdown_row(heads) + markdown_row(std::vector<std::string>(heads.size(), "---"));
+}
+
+/// A number above 0 in two digits, or all before the point; no exponent.
+inline std::string two_digits(double value) {
+  return fmt::format("{:.{}f}", value, std::max(0, 1 - static_cast<int>(std::floor(std::log10(value)))));
 }
 
 }  // namespace pushback

@@ -56,6 +56,12 @@ std::string processor() {
   return fmt::format("{}, {} cores", name, std::thread::hardware_concurrency());
 }
 
+std::string load_now() {
+  std::ifstream file("/proc/loadavg");
+  std::string one, five, fifteen;
+  return file >> one >> five >> fifteen ? fmt::format("{}, {}, {}", one, five, fifteen) : "unknown";
+}
+
 Origin origin_here() {
   return {processor(), compiler_here(), commit_here()};
 }

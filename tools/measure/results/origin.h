@@ -9,6 +9,8 @@ namespace pushback {
 
 /// Of /proc/cpuinfo, and how many of them: "AMD EPYC 7B12, 2 cores".
 std::string processor();
+/// Of /proc/loadavg: how many programs wanted to run, in the mean of the last 1, 5 and 15 minutes. "unknown" where it is not there.
+std::string load_now();
 
 /// The commit is the one checked out where this program is, with a + where sources have changed since; "unknown" without git. Of
 /// parts that begin later, PUSHBACK_COMMIT in the environment says it.

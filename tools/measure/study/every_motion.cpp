@@ -5,138 +5,79 @@
 #include "pushback/chapters/24_half_step/top.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/basics/named.h"
-#include "pushback/tools/measure/study/chaplygin.h"
 #include "pushback/tools/measure/study/further_motions.h"
-#include "pushback/tools/measure/study/held_motions.h"
 
 namespace pushback {
 
 namespace {
 
-Motion top_on_a_pin() {
-  const half_step_scenes::Top top;
-  return {.name = "top",
-          .title = "a top on a pin",
-          .fill =
-              [top](World& world) {
-                top(world);
-                world.joints.clear();  // it is a pin of the motion
-              },
-          .seconds = 2,
-          .truth =
-              [top](int frames) {
-                std::vector<Places> found;
-                for (int frame = 1; frame <= frames; ++frame)
-                  found.push_back({(half_step_scenes::Top::stem *
-                                    top.axis(static_cast<Real>(frame) / static_cast<Real>(frames_per_second)))
-                                       .cast<double>()});
-                return found;
-              },
-          .pins = {{the_world, 0, Vec3::Zero()}},
-          .most_substeps = 1024,
-          .most_sweeps = 4,
-          .most_passes = 2048};
+struct TopOnPin : half_step_scenes::Top {
+  static constexpr double seconds = 2;
+  void operator()(World& world) const {
+    Top::operator()(world);
+    world.joints.clear();  // it is a pin of the motion
+  }
+  std::vector<Pin> pins() const { return {{the_world, 0, Vec3::Zero()}}; }
+  std::vector<Places> truth(int frames) const {
+    std::vector<Places> found;
+    for (int frame = 1; frame <= frames; ++frame)
+      found.push_back({(stem * axis(static_cast<Real>(frame) / static_cast<Real>(frames_per_second))).cast<double>()});
+    return found;
+  }
+};
+
+struct WithoutJoints : moment_of_impact_scenes::PendulumAtWall {  // they are pins of the motion
+  static constexpr double seconds = 2;
+  void operator()(World& world) const { fill(world); }
+};
+
+/// How far the study tries to go: substeps, sweeps, and their product.
+struct Tried {
+  int most_substeps, most_sweeps, most_passes;
+};
+
+template <class Scene>
+Motion motion_of(const std::string& name, const std::string& title, const Scene& scene, const Tried& tried) {
+  Motion motion{.name = name,
+                .title = title,
+                .fill = scene,
+                .seconds = Scene::seconds,
+                .truth = [scene](int frames) { return scene.truth(frames); },
+                .most_substeps = tried.most_substeps,
+                .most_sweeps = tried.most_sweeps,
+                .most_passes = tried.most_passes};
+  if constexpr (requires { scene.pins(); }) motion.pins = scene.pins();
+  return motion;
 }
 
-Motion pendulum_at_wall() {
-  const moment_of_impact_scenes::PendulumAtWall pendulum;
-  return {.name = "pendulum-at-wall",
-          .title = "a double pendulum meets a wall, e = 0.8",
-          .fill = [pendulum](World& world) { pendulum.fill(world); },
-          .seconds = 2,
-          .truth = [pendulum](int frames) { return pendulum.truth(frames); },
-          .pins = pendulum.pins(),
-          .most_substeps = 1024,
-          .most_sweeps = 16,
-          .most_passes = 2048};
+World filled(const Motion& motion) {
+  World world;
+  motion.fill(world);
+  return world;
 }
 
-Motion gaps() {
-  const further::Gaps balls;
-  return {.name = "gaps",
-          .title = "six balls in a row with gaps, e = 0.9",
-          .fill = balls,
-          .seconds = balls.seconds,
-          .truth = [balls](int frames) { return balls.truth(frames); },
-          .most_substeps = 2048,
-          .most_sweeps = 4,
-          .most_passes = 2048};
-}
-
-Motion superball() {
-  const further::Superball ball;
-  return {.name = "superball",
-          .title = "a ball that spins between two plates, e = 0.9",
-          .fill = ball,
-          .seconds = ball.seconds,
-          .truth = [ball](int frames) { return ball.truth(frames); },
-          .most_substeps = 2048,
-          .most_sweeps = 4,
-          .most_passes = 2048};
-}
-
-Motion conveyor() {
-  const further::Conveyor belt;
-  return {.name = "conveyor",
-          .title = "a box is put on a belt",
-          .fill = belt,
-          .seconds = belt.seconds,
-          .truth = [belt](int frames) { return belt.truth(frames); },
-          .most_substeps = 1024,
-          .most_sweeps = 16,
-          .most_passes = 2048};
-}
-
-Motion grasp() {
-  const further::Grasp tongs;
-  return {.name = "grasp",
-          .title = "tongs hold a box by friction",
-          .fill = tongs,
-          .seconds = tongs.seconds,
-          .truth = [tongs](int frames) { return further::staying(tongs, frames); },
-          .pins = tongs.pins(),
-          .most_substeps = 256,
-          .most_sweeps = 64,
-          .most_passes = 1024};
-}
-
-Motion chaplygin() {
-  const further::Chaplygin ball;
-  return {.name = "chaplygin",
-          .title = "a ball of three moments of inertia rolls",
-          .fill = ball,
-          .seconds = ball.seconds,
-          .truth = [ball](int frames) { return ball.truth(frames); },
-          .most_substeps = 1024,
-          .most_sweeps = 16,
-          .most_passes = 2048};
-}
-
-Motion hulls() {
-  const further::PileOfHulls pile;
-  return {.name = "hulls-1015",
-          .title = "a pyramid of 1,015 hulls",
-          .fill = pile,
-          .seconds = pile.seconds,
-          .truth = [pile](int frames) { return further::staying(pile, frames); },
-          .most_substeps = 8,
-          .most_sweeps = 16,
-          .most_passes = 16};
+template <class Is>
+bool any_body(const Motion& motion, const Is& is) {
+  const World world = filled(motion);
+  return std::any_of(world.bodies.begin(), world.bodies.end(), is);
 }
 
 }  // namespace
 
 const std::vector<Motion>& every_motion() {
+  using namespace further;
   static const std::vector<Motion> motions = [] {
     std::vector<Motion> all = all_motions();
-    all.push_back(top_on_a_pin());
-    all.push_back(pendulum_at_wall());
-    all.push_back(gaps());
-    all.push_back(superball());
-    all.push_back(conveyor());
-    all.push_back(grasp());
-    all.push_back(chaplygin());
-    all.push_back(hulls());
+    all.push_back(motion_of("top", "a top on a pin", TopOnPin{}, {1024, 4, 2048}));
+    all.push_back(
+        motion_of("pendulum-at-wall", "a double pendulum meets a wall, e = 0.8", WithoutJoints{}, {1024, 16, 2048}));
+    all.push_back(motion_of("gaps", "six balls in a row with gaps, e = 0.9", Gaps{}, {2048, 4, 2048}));
+    all.push_back(
+        motion_of("superball", "a ball that spins between two plates, e = 0.9", Superball{}, {2048, 4, 2048}));
+    all.push_back(motion_of("conveyor", "a box is put on a belt", Conveyor{}, {1024, 16, 2048}));
+    all.push_back(motion_of("grasp", "tongs hold a box by friction", Grasp{}, {256, 64, 1024}));
+    all.push_back(motion_of("chaplygin", "a ball of three moments of inertia rolls", Chaplygin{}, {1024, 16, 2048}));
+    all.push_back(motion_of("hulls-1015", "a pyramid of 1,015 hulls", PileOfHulls{}, {8, 16, 16}));
     return all;
   }();
   return motions;
@@ -147,23 +88,21 @@ const Motion& any_motion_named(const std::string& name) {
 }
 
 bool has_contacts(const Motion& motion) {
-  World world;
-  motion.fill(world);
-  const auto stands = [](const Body& body) { return !body.movable(); };
-  return motion.pins.empty() || std::any_of(world.bodies.begin(), world.bodies.end(), stands);
+  return motion.pins.empty() || any_body(motion, [](const Body& body) { return !body.movable(); });
 }
 
-int moving_bodies(const Motion& motion) {
-  World world;
-  motion.fill(world);
-  return static_cast<int>(
-      std::count_if(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.movable(); }));
+bool has_bounces(const Motion& motion) {
+  return any_body(motion, [](const Body& body) { return body.restitution > 0; });
 }
 
 bool has_conveyor(const Motion& motion) {
-  World world;
-  motion.fill(world);
-  return std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.conveys; });
+  return any_body(motion, [](const Body& body) { return body.conveys; });
+}
+
+int moving_bodies(const Motion& motion) {
+  const World world = filled(motion);
+  return static_cast<int>(
+      std::count_if(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.movable(); }));
 }
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// The motions that the study plays: chapter 19's, two of later chapters, and those of further_motions.h, held_motions.h and chaplygin.h.
+/// The motions that the study plays: chapter 19's, two of later chapters, and those of further_motions.h.
 #pragma once
 
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
@@ -17,6 +17,9 @@ bool has_contacts(const Motion& motion);
 
 /// How many bodies can move.
 int moving_bodies(const Motion& motion);
+
+/// Whether something has a restitution.
+bool has_bounces(const Motion& motion);
 
 /// Whether a body's surface moves: not every engine has that, and neither has the text in which adapters are asked.
 bool has_conveyor(const Motion& motion);

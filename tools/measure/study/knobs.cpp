@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "pushback/tools/measure/results/markdown.h"
 #include "pushback/tools/measure/study/limits.h"
@@ -32,31 +33,28 @@ constexpr double near_enough = 0.1, near_enough_for_sweeps = 0.7;
 
 struct Line {
   std::vector<double> knob, error, seconds;
+  std::string remains = "–";
 };
 
-Line line_of(const Measurements& all, const Turned& how) {
-  std::vector<const Measured*> found;
-  for (const Measured& one : all)
-    if (one.engine == "motion" && one.method == how.method && one.error > 0 &&
-        one.error < (how.substeps == 0 ? near_enough : near_enough_for_sweeps) &&
-        (how.substeps == 0 || one.substeps == how.substeps) && (how.sweeps == 0 || one.sweeps == how.sweeps))
-      found.push_back(&one);
-  const auto knob = [&](const Measured& one) { return how.substeps == 0 ? one.substeps : one.sweeps; };
-  std::sort(found.begin(), found.end(), [&](const Measured* a, const Measured* b) { return knob(*a) < knob(*b); });
+Line line_of(const std::vector<MotionMeasured>& all, const Turned& how) {
+  const bool substeps = how.substeps == 0;
+  std::map<int, const Measured*> found;  // by the knob
   Line line;
-  for (const Measured* one : found) {
-    line.knob.push_back(knob(*one));
+  for (const MotionMeasured& of : all) {
+    if (of.motion->name != how.motion) continue;
+    for (const Measured& one : of.all)
+      if (one.engine == "motion" && one.method == how.method && one.error > 0 &&
+          one.error < (substeps ? near_enough : near_enough_for_sweeps) &&
+          (substeps ? one.sweeps == how.sweeps : one.substeps == how.substeps))
+        found[substeps ? one.substeps : one.sweeps] = &one;
+    if (substeps) line.remains = limit_of(of.all, "motion", how.method, how.sweeps).remains();
+  }
+  for (const auto& [knob, one] : found) {
+    line.knob.push_back(knob);
     line.error.push_back(one->error);
     line.seconds.push_back(one->median());
   }
   return line;
-}
-
-const Measurements& measured_of(const std::vector<MotionMeasured>& all, const std::string& motion) {
-  static const Measurements none;
-  for (const MotionMeasured& measured : all)
-    if (measured.motion->name == motion) return measured.all;
-  return none;
 }
 
 /// What a change of method or engine does, all else being equal: the geometric means of the ratios.
@@ -93,14 +91,13 @@ std::string ratio_row(const std::string& what, const std::string& motion, const 
 std::string table_of_knobs(const std::vector<MotionMeasured>& all) {
   std::string text = markdown_heads({"knob", "motion", "error", "time", "remains as h → 0", "measured"});
   for (const Turned& how : turned) {
-    const Line line = line_of(measured_of(all, how.motion), how);
+    const Line line = line_of(all, how);
     if (line.knob.size() < 3) continue;
     const bool small = how.substeps == 0;
     text += fmt::format(
         "| {} doubled | {} | times {:.2f}, slope {:.2f} | times {:.2f} | {} | `{}` with {} {}, {:g} to {:g} |\n",
         small ? "substeps" : "sweeps", how.motion, std::pow(2, slope(line.knob, line.error)),
-        slope(line.knob, line.error), std::pow(2, slope(line.knob, line.seconds)),
-        small ? limit_of(measured_of(all, how.motion), "motion", how.method, how.sweeps).remains() : "–", how.method,
+        slope(line.knob, line.error), std::pow(2, slope(line.knob, line.seconds)), line.remains, how.method,
         small ? how.sweeps : how.substeps, small ? "sweeps" : "substeps", line.knob.front(), line.knob.back());
   }
   for (const MotionMeasured& measured : all) {
@@ -133,7 +130,7 @@ std::vector<Panel> panels_of_knobs(const std::vector<MotionMeasured>& all) {
                 .log_y = true,
                 .floor = 1e-9};
     for (const Turned* const end = next + count; next < end; ++next) {
-      const Line line = line_of(measured_of(all, next->motion), *next);
+      const Line line = line_of(all, *next);
       Curve curve{fmt::format("{}, {}", next->motion, next->method),
                   {line.knob.begin(), line.knob.end()},
                   {line.error.begin(), line.error.end()},

@@ -72,27 +72,9 @@ constexpr Law laws[] = {{"full", "friction pyramid; slop of 5 mm"},
                         {"mujoco-connect", "springs as hard as the step allows"}};
 
 std::string law_of(const std::string& method) {
-  const auto* found =
-      std::find_if(std::begin(laws), std::end(laws), [&](const Law& law) { return law.method == method; });
-  return found == std::end(laws) ? "–" : found->says;
-}
-
-struct Row {
-  std::string engine, method;
-};
-
-/// Those of all these motions, in the order in which they were measured; float is left to the engines that have nothing else.
-std::vector<Row> rows_of(const std::vector<const MotionMeasured*>& motions) {
-  std::vector<Row> rows;
-  for (const MotionMeasured* measured : motions) {
-    for (const Measured& one : measured->all) {
-      const bool known = std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
-        return row.engine == one.engine && row.method == one.method;
-      });
-      if (!known && one.engine != "motion_float") rows.push_back({one.engine, one.method});
-    }
-  }
-  return rows;
+  for (const Law& law : laws)
+    if (law.method == method) return law.says;
+  return "–";
 }
 
 }  // namespace
@@ -113,10 +95,17 @@ std::string table_of_limits(const std::vector<MotionMeasured>& all) {
     std::vector<std::string> heads{"method", "what its law adds or leaves out"};
     for (const MotionMeasured* measured : motions) heads.push_back(fmt::format("`{}`", measured->motion->name));
     text += (text.empty() ? "" : "\n") + markdown_heads(heads);
-    for (const Row& row : rows_of(motions)) {
-      std::vector<std::string> cells{fmt::format("`{}`", row.method), law_of(row.method)};
-      for (const MotionMeasured* measured : motions)
-        cells.push_back(limit_of(measured->all, row.engine, row.method).text());
+    std::vector<std::pair<std::string, std::string>>
+        rows;  // engine and method, in the order in which they were measured
+    for (const MotionMeasured* measured : motions)
+      for (const Measured& one : measured->all)
+        // Float is left to the engines that have nothing else.
+        if (const std::pair row{one.engine, one.method};
+            one.engine != "motion_float" && std::find(rows.begin(), rows.end(), row) == rows.end())
+          rows.push_back(row);
+    for (const auto& [engine, method] : rows) {
+      std::vector<std::string> cells{fmt::format("`{}`", method), law_of(method)};
+      for (const MotionMeasured* measured : motions) cells.push_back(limit_of(measured->all, engine, method).text());
       text += markdown_row(cells);
     }
   }
@@ -129,10 +118,11 @@ std::string table_of_hops(const std::vector<MotionMeasured>& all) {
   for (const MotionMeasured& measured : all) {
     const auto hop = hop_of(*measured.motion);
     if (!hop) continue;
-    text +=
-        fmt::format("| {} | {:.3f} m/s | {:.1f} mm | {:.1f} mm | {} | {} |\n", measured.motion->title, hop->speed,
-                    1000 * hop->height, 1000 * hop->error, limit_of(measured.all, "motion_mujoco", "mujoco").remains(),
-                    limit_of(measured.all, "motion_mujoco", "mujoco-pgs").remains());
+    const auto remains = [&](const std::string& method) {
+      return limit_of(measured.all, "motion_mujoco", method).remains();
+    };
+    text += fmt::format("| {} | {:.3f} m/s | {:.1f} mm | {:.1f} mm | {} | {} |\n", measured.motion->title, hop->speed,
+                        1000 * hop->height, 1000 * hop->error, remains("mujoco"), remains("mujoco-pgs"));
   }
   return text;
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "pushback/common/basics/quantile.h"
+#include "pushback/tools/measure/results/markdown.h"
 
 namespace pushback::study {
 
@@ -32,29 +33,15 @@ Extrapolated extrapolated(double e1, double e2, double e3) {
   return {.limit = limit, .order = -std::log2(q), .valid = limit >= nearest * e3 && limit <= farthest * e3};
 }
 
-/// Two digits, in mm, without an exponent.
-std::string millimetres(double metres) {
-  const double mm = 1000 * metres;
-  const int digits = std::max(0, 1 - static_cast<int>(std::floor(std::log10(mm))));
-  return fmt::format("{:.{}f}", mm, digits);
-}
-
 }  // namespace
 
 std::string Limit::remains() const {
+  const auto mm = [](double metres) { return two_digits(1000 * metres); };
   if (kind == Kind::unknown) return "–";
   if (most < seen) return fmt::format("< {:.4f} mm", 1000 * seen);
-  switch (kind) {
-    case Kind::unknown:
-      break;
-    case Kind::reached:
-      return millimetres(least) + " mm";
-    case Kind::falling:
-      return "< " + millimetres(most) + " mm";
-    case Kind::scattered:
-      return millimetres(std::max(least, seen)) + " to " + millimetres(most) + " mm";
-  }
-  return "";
+  if (kind == Kind::reached) return mm(least) + " mm";
+  if (kind == Kind::falling) return "< " + mm(most) + " mm";
+  return mm(std::max(least, seen)) + " to " + mm(most) + " mm";
 }
 
 std::string Limit::text() const {
@@ -77,13 +64,13 @@ Limit limit_of(const std::vector<double>& errors) {
       return {Limit::Kind::reached, last.limit, last.limit, last.order};
   }
   if (*most - *least <= level * *most) {
-    const double middle = quantile({e.end() - 3, e.end()}, 0.5);
+    const double middle = median({e.end() - 3, e.end()});
     return {Limit::Kind::reached, middle, middle, 0};
   }
   if (e[n - 1] < e[n - 2] && e[n - 2] < e[n - 3])
     return {Limit::Kind::falling, 0, e[n - 1], e[n - 1] > 0 ? std::log2(e[n - 3] / e[n - 1]) / 2 : 0};
   if (n >= 6) {
-    const double before = quantile({e.end() - 6, e.end() - 3}, 0.5), last = quantile({e.end() - 3, e.end()}, 0.5);
+    const double before = median({e.end() - 6, e.end() - 3}), last = median({e.end() - 3, e.end()});
     if (last < before / 2) return {Limit::Kind::falling, 0, *most, last > 0 ? std::log2(before / last) / 3 : 0};
   }
   return {Limit::Kind::scattered, *least, *most, 0};
@@ -120,6 +107,8 @@ Finest finest_of(const Measurements& all, const std::string& engine, const std::
   return {sweeps, *steps_of[sweeps].rbegin()};
 }
 
+}  // namespace
+
 std::vector<std::string> methods_of(const Measurements& all, const std::string& engine) {
   std::vector<std::string> methods;
   for (const Measured& one : all)
@@ -127,8 +116,6 @@ std::vector<std::string> methods_of(const Measurements& all, const std::string& 
       methods.push_back(one.method);
   return methods;
 }
-
-}  // namespace
 
 Limit limit_of(const Measurements& all, const std::string& engine, const std::string& method) {
   return limit_of(all, engine, method, finest_of(all, engine, method).sweeps);

@@ -34,6 +34,9 @@ struct Limit {
 ///   else                                                                                scattered
 Limit limit_of(const std::vector<double>& errors);
 
+/// In the order in which they were measured.
+std::vector<std::string> methods_of(const Measurements& all, const std::string& engine);
+
 inline constexpr int any_step = 1 << 30;  ///< substeps: no step of the grid is finer
 
 /// Of one method of one engine with so many sweeps, in steps down to 1/(60 finest) s. Not finite where substeps of the grid, powers

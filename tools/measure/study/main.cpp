@@ -2,11 +2,10 @@
 #include <fmt/ranges.h>
 
 #include "pushback/common/basics/files.h"
-#include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/program.h"
+#include "pushback/tools/measure/results/chosen.h"
+#include "pushback/tools/measure/results/origin.h"
 #include "pushback/tools/measure/study/every_motion.h"
-#include "pushback/tools/measure/study/machine.h"
-#include "pushback/tools/measure/study/methods.h"
 #include "pushback/tools/measure/study/report.h"
 
 using namespace pushback;
@@ -16,82 +15,84 @@ namespace {
 
 struct Asked {
   bool quick = false, others = false, redraw = false, methods = false, resume = false;
-  int rounds = 0;
   std::vector<std::string> only;
   std::string out = "renders", shard = "1/1", mine, adapter;
   std::size_t parts = 0;
 };
 
-using Tables = std::vector<std::pair<std::string, std::string>>;  // a file's name, and what is in it
-
-void write_tables(const std::filesystem::path& folder, const Tables& tables) {
-  for (const auto& [name, table] : tables) {
-    write_text_file(folder / name, table);
-    fmt::print("{}\n", table);
+/// Pictures of motions, a panel each, and tables.
+class Report {
+ public:
+  Report(const AllMeasured& measured, std::filesystem::path folder) : folder_(std::move(folder)) {
+    for (const Motion& motion : every_motion())
+      if (const auto found = measured.find(motion.name); found != measured.end())
+        all_.push_back({&motion, found->second});
   }
-}
+  template <class PanelOf>
+  void picture(const std::string& file, const PanelOf& panel_of) const {
+    std::vector<Panel> panels;
+    for (const MotionMeasured& measured : all_) panels.push_back(panel_of(measured));
+    write_plot(folder_ / file, panels);
+  }
+  void table(const std::string& file, const std::string& text) const {
+    write_text_file(folder_ / file, text);
+    fmt::print("{}\n", text);
+  }
+  void write(const std::vector<Engine>& engines) const {
+    picture("work_precision.png", [&](const auto& one) { return work_precision(one, engines); });
+    picture("methods.png", [](const auto& one) { return fronts_of_methods(one, "motion"); });
+    picture("steps.png", [](const auto& one) { return fronts_of_methods(one, "motion_wide"); });
+    if (const auto panels = panels_of_knobs(all_); !panels.empty()) write_plot(folder_ / "knobs.png", panels);
+    table("cheapest.md", table_of_cheapest(all_));
+    table("engines.md", table_of_engines(all_, engines));
+    table("others.md", table_of_others(all_, engines));
+    table("knobs.md", table_of_knobs(all_));
+    table("limits.md", table_of_limits(all_));
+    table("hops.md", table_of_hops(all_));
+  }
+  void write_methods() const {
+    picture("fronts.png", fronts_of_compared);
+    table("sweep.md", table_of_errors(all_, 16, 1));
+    table("sweeps.md", table_of_errors(all_, 4, 4));
+    table("times.md", table_of_times(all_, 1e-3));
+    table("limits.md", table_of_limits(all_));
+  }
 
-std::vector<MotionMeasured> in_order(const AllMeasured& all) {
-  std::vector<MotionMeasured> found;
-  for (const Motion& motion : every_motion())
-    if (const auto measured = all.find(motion.name); measured != all.end())
-      found.push_back({&motion, measured->second});
-  return found;
-}
-
-template <class PanelOf>
-void write_panels(const std::filesystem::path& file, const std::vector<MotionMeasured>& all, const PanelOf& panel_of) {
-  std::vector<Panel> panels;
-  for (const MotionMeasured& measured : all) panels.push_back(panel_of(measured));
-  write_plot(file, panels);
-}
-
-void report(const AllMeasured& measured, const std::vector<Engine>& engines, const std::filesystem::path& folder) {
-  const std::vector<MotionMeasured> all = in_order(measured);
-  write_panels(folder / "work_precision.png", all, [&](const auto& one) { return work_precision(one, engines); });
-  write_panels(folder / "methods.png", all, [](const auto& one) { return fronts_of_methods(one, "motion"); });
-  write_panels(folder / "steps.png", all, [](const auto& one) { return fronts_of_methods(one, "motion_wide"); });
-  if (const auto panels = panels_of_knobs(all); !panels.empty()) write_plot(folder / "knobs.png", panels);
-  write_tables(folder, {{"cheapest.md", table_of_cheapest(all)},
-                        {"engines.md", table_of_engines(all)},
-                        {"others.md", table_of_others(all, engines)},
-                        {"knobs.md", table_of_knobs(all)},
-                        {"limits.md", table_of_limits(all)},
-                        {"hops.md", table_of_hops(all)}});
-}
-
-void report_on_methods(const AllMeasured& measured, const std::filesystem::path& folder) {
-  const std::vector<MotionMeasured> all = in_order(measured);
-  write_panels(folder / "fronts.png", all, fronts_of_compared);
-  write_tables(folder, {{"sweep.md", table_of_errors(all, 16, 1)},
-                        {"sweeps.md", table_of_errors(all, 4, 4)},
-                        {"times.md", table_of_times(all, 1e-3)},
-                        {"limits.md", table_of_limits(all)}});
-}
+ private:
+  std::filesystem::path folder_;
+  std::vector<MotionMeasured> all_;
+};
 
 /// The parts, put together: they have timed, so of one kind of machine.
 AllMeasured join(std::size_t parts, const std::filesystem::path& folder) {
   const auto folders = folders_of_parts(folder, parts, "origin.txt", Holds::times);
-  std::vector<AllMeasured> measured;
-  for (const std::string& text : texts_of_parts(folders, "study.csv")) measured.push_back(read_csv(text));
+  AllMeasured all;
+  for (const std::string& text : texts_of_parts(folders, "study.csv")) all.merge(read_csv(text));
   std::string machines;
   for (const std::string& text : texts_of_parts(folders, "machine.md")) machines += text + "\n";
-  const AllMeasured all = together(measured);
   write_text_file(folder / "study.csv", csv_of(all));
   write_text_file(folder / "machine.md", machines);
   return all;
 }
 
+/// An engine that is loaded from a file finds it by this variable.
+void add_engine(std::vector<Engine>& engines, const std::string& program, const char* variable,
+                const std::string& file) {
+  if (file.empty()) return;
+  engines.push_back(engines_named({program}).front());
+  setenv(variable, std::filesystem::absolute(file).c_str(), 1);
+}
+
 void measure_and_draw(const Asked& asked, const std::filesystem::path& programs) {
-  std::vector<const Motion*> motions;
-  for (const Motion& motion : every_motion())
-    if (asked.only.empty()) motions.push_back(&motion);
-  for (const std::string& name : asked.only) motions.push_back(&any_motion_named(name));
+  std::vector<Motion> motions;
+  for (const std::string& name : asked.only) motions.push_back(any_motion_named(name));
+  if (motions.empty()) motions = every_motion();
   std::filesystem::path folder =
       std::filesystem::path(asked.out) / (asked.methods ? "methods" : "19_accuracy_and_time");
   const auto tell = [&](const AllMeasured& all) {
-    if (asked.methods) report_on_methods(all, folder);
-    else report(all, engines_of(all), folder);
+    const Report report(all, folder);
+    if (asked.methods) report.write_methods();
+    else report.write(engines_of(all));
   };
   if (asked.parts > 0) return tell(join(asked.parts, folder));
   const Shard shard = shard_of(asked.shard);
@@ -100,21 +101,15 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
     make_writable_folder(folder);
     return tell(read_csv(read_text_file(folder / "study.csv")));
   }
-  std::vector<Engine> engines = asked.methods ? engines_of_methods() : engines_in(programs, asked.others);
-  if (!asked.mine.empty()) {
-    engines.push_back(engine_of_mine());
-    setenv("PUSHBACK_MINE", std::filesystem::absolute(asked.mine).c_str(), 1);  // where its program looks for it
-  }
-  if (!asked.adapter.empty()) {
-    engines.push_back(engine_of_adapter());
-    setenv("PUSHBACK_ADAPTER", std::filesystem::absolute(asked.adapter).c_str(), 1);
-  }
-  const std::vector<Piece> pieces = pieces_of(motions, engines, shard);
+  std::vector<Engine> engines =
+      asked.methods ? engines_named({"motion", "motion_wide", "motion_methods"}) : engines_in(programs, asked.others);
+  add_engine(engines, "motion_mine", "PUSHBACK_MINE", asked.mine);
+  add_engine(engines, "motion_adapter", "PUSHBACK_ADAPTER", asked.adapter);
+  motions = of_part("motions", std::move(motions), shard);
   if (!shard.whole()) folder /= shard.folder();
   make_writable_folder(folder);
-  RoundOptions options{.engines = {}, .programs = programs, .quick = asked.quick};
+  RoundOptions options{.engines = engines, .programs = programs, .quick = asked.quick};
   if (asked.methods) options.methods = compared_methods();
-  if (asked.rounds > 0 || asked.quick) options.rounds = std::max(1, asked.rounds);
   options.say = [](const std::string& what) {
     fmt::print("{}\n", what);
     std::fflush(stdout);
@@ -125,15 +120,12 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   AllMeasured all;
   const std::filesystem::path kept = folder / "study.csv";
   if (asked.resume && std::filesystem::exists(kept)) all = read_csv(read_text_file(kept));
-  for (const Piece& piece : pieces) {
-    const std::string& name = piece.motion->name;
-    if (asked.resume && all.contains(name)) {
+  for (const Motion& motion : motions) {
+    if (asked.resume && all.contains(motion.name)) {
       ++run.resumed;
       continue;
     }
-    options.engines = piece.engines;
-    const Measurements found = measure(*piece.motion, options);
-    all[name].insert(all[name].end(), found.begin(), found.end());
+    all[motion.name] = measure(motion, options);
     write_text_file(kept, csv_of(all));  // the run may yet be ended
   }
   run.took = std::chrono::steady_clock::now() - began;
@@ -154,8 +146,6 @@ int main(int argc, char** argv) {
             "The methods of docs/methods.md and some of ours, into methods/ in that folder");
   line.option("--mine", asked.mine, "A solver as a shared object, as one more engine");
   line.option("--adapter", asked.adapter, "A program that hands motions to another engine, as one more engine");
-  line.option("--rounds", asked.rounds, "In which all that is near a front is timed; 3, or 1 with --quick")
-      .between(1, 1000);
   line.flag(
       "--resume", asked.resume,
       "Motions that study.csv in that folder has stay as they are, of a run that was ended; the others are measured");

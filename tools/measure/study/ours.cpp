@@ -40,10 +40,7 @@ Method method(const std::string& name, const std::string& title) {
                 return motion.pins.empty() == !std::derived_from<ContactSolver, HoldsJoints> &&
                        has_contacts(motion) == std::derived_from<ContactSolver, Clamping>;
               },
-          .begin = [any = AnySolver(solver)](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            const bool counts_rows = !solves_systems;
-            return std::make_unique<Ours>(motion, setting, any, counts_rows);
-          }};
+          .begin = by_ours(solver, {.counts_rows = !solves_systems})};
 }
 
 }  // namespace

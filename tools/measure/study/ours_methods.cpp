@@ -7,12 +7,6 @@ using namespace pushback;
 
 namespace {
 
-bool has_bounces(const Motion& motion) {
-  World world;
-  motion.fill(world);
-  return std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.restitution > 0; });
-}
-
 template <class ContactSolver>
 Method method(const std::string& name, const std::string& title) {
   constexpr bool bounces = requires(ContactSolver solver) { solver.threshold; };
@@ -25,10 +19,8 @@ Method method(const std::string& name, const std::string& title) {
               [holds = solver.holds_joints()](const Motion& motion) {
                 return (motion.pins.empty() || holds) && (bounces || !has_bounces(motion));
               },
-          .begin = [any = AnySolver(solver)](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            const bool counts_rows = !std::same_as<ContactSolver, Avbd> && !std::same_as<ContactSolver, Sap>;
-            return std::make_unique<Ours>(motion, setting, any, counts_rows);
-          },
+          .begin =
+              by_ours(solver, {.counts_rows = !std::same_as<ContactSolver, Avbd> && !std::same_as<ContactSolver, Sap>}),
           .sweeps = !std::same_as<ContactSolver, Sap>};
 }
 

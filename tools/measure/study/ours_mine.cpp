@@ -8,7 +8,7 @@
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/loaded_solver.h"
-#include "pushback/tools/measure/study/play.h"
+#include "pushback/tools/measure/study/ours.h"
 
 using namespace pushback;
 
@@ -22,24 +22,13 @@ void give_up(int) {
   _exit(1);
 }
 
-class Mine : public PlayerInSubsteps {
+class Mine : public Ours {
  public:
-  Mine(const Motion& motion, const Setting& setting, AnySolver solver)
-      : solver_(std::move(solver)), dt_(static_cast<Real>(setting.dt())), sweeps_(setting.sweeps) {
-    motion.begin(world_);
-  }
+  using Ours::Ours;
   void frame(int substeps) override {
     alarm(patience);
-    PlayerInSubsteps::frame(substeps);
+    Ours::frame(substeps);
   }
-  void substep() override { world_.step(solver_, dt_, sweeps_); }
-  Eigen::Vector3d place(std::size_t body) const override { return world_.bodies[body].position.cast<double>(); }
-
- private:
-  World world_;
-  AnySolver solver_;
-  Real dt_;
-  int sweeps_;
 };
 
 }  // namespace
@@ -55,7 +44,7 @@ int main(int argc, char** argv) {
                        .title = "your own",
                        .plays = [solver](const Motion& motion) { return motion.pins.empty() || solver.holds_joints(); },
                        .begin = [solver](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-                         return std::make_unique<Mine>(motion, setting, solver);
+                         return std::make_unique<Mine>(motion, setting, solver, Stepping{.counts_rows = false});
                        }});
   } catch (const InvalidInput& problem) {
     fmt::print(stderr, "{}\n", problem.what());

@@ -5,7 +5,7 @@
 #include "pushback/chapters/25_moment_of_impact/at_impacts.h"
 #include "pushback/chapters/27_which_error/within_error.h"
 #include "pushback/tools/measure/study/every_motion.h"
-#include "pushback/tools/measure/study/play.h"
+#include "pushback/tools/measure/study/ours.h"
 
 using namespace pushback;
 
@@ -19,41 +19,17 @@ struct WideAndStiff : Wide<double> {
 template <class ContactSolver>
 constexpr bool is_half_step = std::derived_from<ContactSolver, HalfStep>;
 
-/// A solver that divides each step of 1/60 s.
+/// For so many substeps.
 template <class ContactSolver>
-class Divides : public Player {
- public:
-  Divides(const Motion& motion, const Setting& setting)
-      : sweeps_(setting.sweeps),
-        sweeps_all_(!is_half_step<ContactSolver> &&
-                    (motion.pins.empty() || std::is_same_v<ContactSolver, DetectedOnce>)) {
-    if constexpr (std::derived_from<ContactSolver, ByIsland>) solver_.many.threshold = solver_.few.threshold = 0;
-    else solver_.threshold = 0;  // bounces are compared at every speed
-    motion.begin(world_);
-  }
-  void frame(int substeps) override {
-    if constexpr (std::same_as<ContactSolver, WithinError>) solver_.error = Real(1e-3) / static_cast<Real>(substeps);
-    else if constexpr (std::same_as<ContactSolver, ByIsland>) solver_.few.substeps = substeps;
-    else solver_.substeps = substeps;
-    const std::size_t before = rows_solved;
-    world_.step(solver_, Real(1) / frames_per_second, sweeps_);
-    rows_solved_ += rows_solved - before;
-  }
-  Eigen::Vector3d place(std::size_t body) const override {
-    return world_.bodies[body].position.template cast<double>();
-  }
-  std::optional<double> row_solves() const override {
-    if (!sweeps_all_) return {};
-    return static_cast<double>(rows_solved_);
-  }
-
- private:
-  World world_;
-  ContactSolver solver_;
-  int sweeps_;
-  bool sweeps_all_;              // joints, too
-  std::size_t rows_solved_ = 0;  // by this player's steps
-};
+ContactSolver divided(int substeps) {
+  ContactSolver solver;
+  if constexpr (std::derived_from<ContactSolver, ByIsland>) solver.many.threshold = solver.few.threshold = 0;
+  else solver.threshold = 0;  // bounces are compared at every speed
+  if constexpr (std::same_as<ContactSolver, WithinError>) solver.error = Real(1e-3) / static_cast<Real>(substeps);
+  else if constexpr (std::same_as<ContactSolver, ByIsland>) solver.few.substeps = substeps;
+  else solver.substeps = substeps;
+  return solver;
+}
 
 template <class ContactSolver>
 Method method(const std::string& name, const std::string& title) {
@@ -65,7 +41,10 @@ Method method(const std::string& name, const std::string& title) {
                 return !std::same_as<ContactSolver, WideAndStiff> || motion.pins.empty();
               },
           .begin = [](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            return std::make_unique<Divides<ContactSolver>>(motion, setting);
+            const bool sweeps_joints = motion.pins.empty() || std::is_same_v<ContactSolver, DetectedOnce>;
+            return std::make_unique<Ours>(
+                motion, setting, divided<ContactSolver>(setting.substeps),
+                Stepping{.divides = true, .counts_rows = !is_half_step<ContactSolver> && sweeps_joints});
           },
           .sweeps = !is_half_step<ContactSolver>};
 }

@@ -12,9 +12,12 @@
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/kit.h"
+#include "pushback/tools/measure/study/record.h"
 #include "pushback/tools/measure/study/stopwatch.h"
 
 namespace pushback {
+
+using study::Measured;
 
 namespace {
 
@@ -63,9 +66,7 @@ double seconds_of(const Motion& motion, const Method& method, const Setting& set
   own.go();
   try {
     for (int i = 0; i < frames; ++i) player->frame(setting.substeps);
-  } catch (const InvalidInput&) {
-    own.stop();  // where it was lost before
-    return player->seconds().value_or(own.seconds());
+  } catch (const InvalidInput&) {  // where it was lost before
   }
   own.stop();
   return player->seconds().value_or(own.seconds());
@@ -76,29 +77,41 @@ double largest_error(const std::vector<Places>& places, const std::vector<Places
   for (std::size_t frame = 0; frame < places.size(); ++frame) {
     for (std::size_t body = 0; body < places[frame].size(); ++body) {
       const double error = (places[frame][body] - truth[frame][body]).norm();
-      if (!(error < lost_beyond)) return no_error_known;
+      if (!(error < lost_beyond)) return std::numeric_limits<double>::infinity();
       largest = std::max(largest, error);
     }
   }
   return largest;
 }
 
+/// Given up before it has begun.
+Measured not_played(const Method& method, const Setting& setting) {
+  return {.engine = "",
+          .method = method.name,
+          .substeps = setting.substeps,
+          .sweeps = method.sweeps ? setting.sweeps : 0,
+          .error = std::numeric_limits<double>::infinity(),
+          .late = true,
+          .seconds = {0}};
+}
+
 }  // namespace
 
-Played play(const Motion& motion, const std::vector<Places>& truth, const Method& method, const Setting& setting,
-            const Patience& patience) {
+Measured play(const Motion& motion, const std::vector<Places>& truth, const Method& method, const Setting& setting,
+              const Patience& patience) {
   World world;
   motion.fill(world);
   const Playing once(motion, method, setting, patience.at_most, world.bodies.size());
-  Played played{.error = once.lost || once.late ? no_error_known : largest_error(once.places, truth),
-                .seconds = once.seconds,
-                .row_solves = once.row_solves,
-                .late = once.late};
+  Measured played = not_played(method, setting);
+  if (!once.lost && !once.late) played.error = largest_error(once.places, truth);
+  played.late = once.late;
+  played.row_solves = once.row_solves;
+  played.seconds = {once.seconds};
   if (once.late || once.seconds >= patience.at_least) return played;
   std::vector<double> times;
   for (double spent = 0; spent < patience.at_least && times.size() < 1000; spent += times.back())
     times.push_back(seconds_of(motion, method, setting));
-  played.seconds = median(times);
+  played.seconds = {median(times)};
   return played;
 }
 
@@ -108,16 +121,6 @@ struct Asked {
   const Method* method;
   Setting setting;
 };
-
-void list(const std::vector<Motion>& motions) {
-  for (const Motion& motion : motions) fmt::print("{}: {}\n", motion.name, motion.title);
-}
-
-void list(const std::vector<Method>& methods, const Motion& motion) {
-  for (const Method& method : methods)
-    if (method.plays(motion))
-      fmt::print("{}{}: {}\n", method.name, method.sweeps ? "/SMALL-STEPS/SWEEPS" : "/SMALL-STEPS", method.title);
-}
 
 int number_in(const std::string& text, const std::string& asked, int most) {
   int number = 0;
@@ -163,11 +166,6 @@ bool check(const std::vector<Method>& methods) {
   return right;
 }
 
-bool is_more_work(const Asked& one, const Asked& than) {
-  return one.method == than.method && one.setting.substeps >= than.setting.substeps &&
-         one.setting.sweeps >= than.setting.sweeps;
-}
-
 }  // namespace
 
 std::string built_by() {
@@ -201,24 +199,28 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
     }
     require_between("--at-least", static_cast<Real>(patience.at_least), 0, 60);  // the ranges above let nan pass
     require_between("--at-most", static_cast<Real>(patience.at_most), 0, 3600);
-    if (motion_name.empty()) return list(every_motion());
+    if (motion_name.empty()) {
+      for (const Motion& motion : every_motion()) fmt::print("{}: {}\n", motion.name, motion.title);
+      return;
+    }
     const Motion& motion = any_motion_named(motion_name);
-    if (settings.empty()) return list(methods, motion);
+    if (settings.empty()) {
+      for (const Method& method : methods)
+        if (method.plays(motion))
+          fmt::print("{}/SMALL-STEPS{}: {}\n", method.name, method.sweeps ? "/SWEEPS" : "", method.title);
+      return;
+    }
     std::vector<Asked> all;
     for (const std::string& setting : settings) all.push_back(read(setting, motion, methods));
     const std::vector<Places> truth = motion.truth(motion.frames());  // once: of the chain it takes half a second
-    std::vector<Asked> late;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const bool hopeless =
-          std::any_of(late.begin(), late.end(), [&](const Asked& before) { return is_more_work(all[i], before); });
-      const Played played = hopeless ? Played{.error = no_error_known, .late = true}
-                                     : play(motion, truth, *all[i].method, all[i].setting, patience);
-      if (played.late) late.push_back(all[i]);
-      fmt::print("{} error {} seconds {:.4e} row-solves {}\n", settings[i],
-                 std::isfinite(played.error) ? fmt::format("{:.4e}", played.error)
-                 : played.late               ? "late"
-                                             : "lost",
-                 played.seconds, played.row_solves ? fmt::format("{:.4e}", *played.row_solves) : "–");
+    study::Measurements late;
+    for (const Asked& asked : all) {
+      Measured one = not_played(*asked.method, asked.setting);
+      const auto asks_for_more = [&](const Measured& before) { return study::is_as_fine(one, before); };
+      if (std::none_of(late.begin(), late.end(), asks_for_more))
+        one = play(motion, truth, *asked.method, asked.setting, patience);
+      if (one.late) late.push_back(one);
+      fmt::print("{}\n", study::line_of(one));
       std::fflush(stdout);
     }
   });

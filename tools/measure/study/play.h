@@ -1,10 +1,10 @@
 /// An engine plays a motion: how far from the truth it comes, and how long it takes.
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <optional>
 
+#include "pushback/chapters/19_accuracy_and_time/front.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
 
 namespace pushback {
@@ -49,35 +49,22 @@ struct Method {
   bool sweeps = true;  ///< whether the number of sweeps is a knob of it
 };
 
-/// Of a motion that was lost, or given up.
-inline constexpr double no_error_known = std::numeric_limits<double>::infinity();
-
-struct Played {
-  double error = 0;    ///< m, the farthest that any body was from its true place in any frame; or no_error_known
-  double seconds = 0;  ///< of wall time, for the whole motion: the median of some times that it was played
-  std::optional<double> row_solves = {};  ///< in the whole motion; nothing: no measure
-  bool late = false;                      ///< given up
-};
-
 struct Patience {
   double at_least = 0.01;  ///< s: it is played again until it has taken so long
   double at_most = 60;     ///< s: after which it is given up; looked at after each frame
 };
 
 /// Plays the motion, once in any case. Only substeps are in the time: not the making of a world, not asking where bodies
-/// are (for which MuJoCo has kinematics to do), and not the comparing. `truth`: motion.truth(motion.frames()).
-Played play(const Motion& motion, const std::vector<Places>& truth, const Method& method, const Setting& setting,
-            const Patience& patience = {});
+/// are (for which MuJoCo has kinematics to do), and not the comparing. The error is the farthest that any body was from its true place
+/// in any frame; the time is the median of some times that it was played. `truth`: motion.truth(motion.frames()).
+study::Measured play(const Motion& motion, const std::vector<Places>& truth, const Method& method,
+                     const Setting& setting, const Patience& patience = {});
 
 /// The compiler of this program, its version, and how it was called.
 std::string built_by();
 
-/// The program  NAME MOTION METHOD/SMALL-STEPS/SWEEPS ...  plays the motion in each of these settings and prints a line for each:
-///
-///   full/4/16 error 1.2345e-03 seconds 4.5678e-02 row-solves 6.7890e+06
-///
-/// with "–" for row solves where they are no measure,
-/// and the error "lost" where a body was more than 10 km off, and "late" where it was given up, or not begun, as it asks for no
+/// The program  NAME MOTION METHOD/SMALL-STEPS/SWEEPS ...  plays the motion in each of these settings and prints a line for each, as
+/// record.h has it. It is "lost" where a body was more than 10 km off, and "late" where it was given up, or not begun, as it asks for no
 /// less of either knob than one before it that was given up. Without a motion it lists the motions that there are, with one its
 /// methods; with --version it says which engine plays: `version`; with --check it answers kit.h's questions. Returns the exit status: 0; 2
 /// where a value cannot be used, and then nothing was played; 1 where an answer is wrong.

@@ -6,13 +6,12 @@
 #include <cmath>
 
 #include "pushback/tools/measure/results/markdown.h"
+#include "pushback/tools/measure/results/origin.h"
 #include "pushback/tools/measure/study/limits.h"
 
 namespace pushback::study {
 
 namespace {
-
-constexpr Real least_drawn = 1e-7;  // m: what is less is drawn here
 
 struct Tolerance {
   double error;  // m
@@ -29,38 +28,37 @@ Measurements those(const Measurements& all, const Which& which) {
 Measurements of_engine(const Measurements& all, const std::string& engine) {
   return those(all, [&](const Measured& one) { return one.engine == engine; });
 }
-bool is_ours(const std::string& engine) {
-  return engine == "motion" || engine == "motion_float" || engine == "motion_wide";
+Measurements of_method(const Measurements& all, const std::string& method) {
+  return those(all, [&](const Measured& one) { return one.method == method; });
 }
-Measurements ours(const Measurements& all) {
-  return those(all, [](const Measured& one) { return is_ours(one.engine); });
+/// By robust errors.
+Measurements of_maker(const Measurements& all, const std::string& maker) {
+  return robust(those(all, [&](const Measured& one) {
+    return std::any_of(known_engines().begin(), known_engines().end(),
+                       [&](const Engine& engine) { return engine.program == one.engine && engine.maker == maker; });
+  }));
 }
 
-Curve curve_of(const Measurements& points, const Motion& motion, const std::string& label, const std::string& colour,
-               Curve::Style style) {
-  Curve curve{label, {}, {}, colour, style};
+void add_curve(Panel& panel, const Measurements& points, const Motion& motion, Curve curve) {
   for (const Measured& one : points) {
     if (!std::isfinite(one.error)) continue;
     curve.x.push_back(static_cast<Real>(1000 * one.median() / motion.seconds));
     curve.y.push_back(static_cast<Real>(one.error));
   }
-  return curve;
-}
-
-void add(Panel& panel, const Curve& curve) {
   if (!curve.x.empty()) panel.curves.push_back(curve);
 }
 
 Panel error_against_time(const Motion& motion) {
-  Panel panel{.title = motion.title,
-              .x_label = "wall time for a second, ms",
-              .y_label = "largest error, m",
-              .log_x = true,
-              .log_y = true,
-              .floor = least_drawn};
+  return {.title = motion.title,
+          .x_label = "wall time for a second, ms",
+          .y_label = "largest error, m",
+          .log_x = true,
+          .log_y = true,
+          .floor = Real(1e-7)};  // m: what is less is drawn here
+}
+void add_tolerances(Panel& panel) {
   for (const Tolerance& tolerance : tolerances)
     panel.lines.push_back({static_cast<Real>(tolerance.error), tolerance.name});
-  return panel;
 }
 
 /// So many digits, and no exponent; of what is larger, all before the point.
@@ -92,15 +90,17 @@ double per_frame(const Motion& motion, double seconds) {
 Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& engines) {
   const Motion& motion = *measured.motion;
   Panel panel = error_against_time(motion);
-  add(panel, curve_of(of_engine(measured.all, "motion"), motion, "", "#c4d8e8", Curve::Style::points));
+  add_tolerances(panel);
+  add_curve(panel, of_engine(measured.all, "motion"), motion, {"", {}, {}, "#c4d8e8", Curve::Style::points});
   for (std::size_t i = engines.size(); i-- > 0;) {  // ours last, on top
     const Measurements settings = of_engine(measured.all, engines[i].program);
-    const std::size_t colour = engines[i].colour;
-    Curve curve =
-        curve_of(front(robust(settings)), motion, fmt::format("{}, of {}", engines[i].title, settings.size()),
-                 line_colour(colour), engines[i].dashed ? Curve::Style::dashed : Curve::Style::line_and_points);
-    if (engines[i].dashed) curve.marker = marker_of(colour + 3);
-    add(panel, curve);
+    Curve curve{fmt::format("{}, of {}", engines[i].title, settings.size()),
+                {},
+                {},
+                line_colour(engines[i].colour),
+                engines[i].dashed ? Curve::Style::dashed : Curve::Style::line_and_points};
+    if (engines[i].dashed) curve.marker = marker_of(engines[i].colour + 3);
+    add_curve(panel, front(robust(settings)), motion, curve);
   }
   return panel;
 }
@@ -115,20 +115,18 @@ constexpr const char* divided[] = {"once",   "wide",      "wide-float", "by-isla
 
 Panel fronts_of_methods(const MotionMeasured& measured, const std::string& engine) {
   Panel panel = error_against_time(*measured.motion);
+  add_tolerances(panel);
   const Measurements all = of_engine(measured.all, engine);
-  std::vector<std::string> methods;
-  for (const Measured& one : all)
-    if (std::find(methods.begin(), methods.end(), one.method) == methods.end()) methods.push_back(one.method);
   std::size_t next = 0;
-  for (const std::string& method : methods) {
+  for (const std::string& method : methods_of(all, engine)) {
     const bool like_sister = method.ends_with("-cold") || method.ends_with("-stiff");  // in her colour, dashed
     const auto* known = std::find(std::begin(divided), std::end(divided), method.substr(0, method.find("-stiff")));
     const std::size_t colour =
         known != std::end(divided) ? static_cast<std::size_t>(known - divided) : next - (like_sister ? 1 : 0);
     if (!like_sister) ++next;
-    const Measurements settings = those(all, [&](const Measured& one) { return one.method == method; });
-    add(panel, curve_of(front(robust(settings)), *measured.motion, method, line_colour(colour),
-                        like_sister ? Curve::Style::dashed : Curve::Style::line_and_points));
+    add_curve(
+        panel, front(robust(of_method(all, method))), *measured.motion,
+        {method, {}, {}, line_colour(colour), like_sister ? Curve::Style::dashed : Curve::Style::line_and_points});
   }
   return panel;
 }
@@ -137,65 +135,47 @@ std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
   std::string text =
       markdown_heads({"motion", "of settings", "below 1 cm", "below 1 mm", "below 0.1 mm", "below 1 µm"});
   for (const MotionMeasured& measured : all) {
-    const Measurements our = robust(ours(measured.all));
-    text += fmt::format("| {} | {} ", measured.motion->title, our.size());
+    const Measurements our = of_maker(measured.all, ours);
+    std::vector<std::string> row{measured.motion->title, std::to_string(our.size())};
+    const auto frame = [&](double seconds) { return plain(per_frame(*measured.motion, seconds)); };
     for (const Tolerance& tolerance : tolerances) {
       const auto found = cheapest(our, tolerance.error);
-      const auto frame = [&](double seconds) { return plain(per_frame(*measured.motion, seconds)); };
-      const auto rows = [&] { return found->row_solves ? plain(*found->row_solves / measured.motion->frames()) : "–"; };
-      text += found ? fmt::format("| `{}`{}: {} µs ({} to {}), {} row solves, {} mm off, {} remains ", found->setting(),
-                                  in_float(*found), frame(found->median()), frame(found->quartile(1)),
-                                  frame(found->quartile(3)), rows(), plain(1000 * found->error),
-                                  // in double, where its method was played with all steps
-                                  limit_of(measured.all, found->engine == "motion_float" ? "motion" : found->engine,
-                                           found->method, found->sweeps)
-                                      .remains())
-                    : "| not reached ";
+      row.emplace_back("not reached");
+      if (!found) continue;
+      // What remains is in double, where its method was played with all steps.
+      const std::string engine = found->engine == "motion_float" ? "motion" : found->engine;
+      row.back() = fmt::format(
+          "`{}`{}: {} µs ({} to {}), {} row solves, {} mm off, {} remains", found->setting(), in_float(*found),
+          frame(found->median()), frame(found->quartile(1)), frame(found->quartile(3)),
+          found->row_solves ? plain(*found->row_solves / measured.motion->frames()) : "–", plain(1000 * found->error),
+          limit_of(measured.all, engine, found->method, found->sweeps).remains());
     }
-    text += "|\n";
+    text += markdown_row(row);
   }
   return text;
 }
 
-std::string table_of_engines(const std::vector<MotionMeasured>& all) {
-  struct Maker {
-    const char* name;
-    std::vector<std::string> engines;
-  };
-  std::vector<Maker> makers{{"Pushback", {"motion", "motion_float", "motion_wide"}},
-                            {"Bullet", {"motion_bullet", "motion_bullet_double"}},
-                            {"ODE", {"motion_ode"}},
-                            {"MuJoCo", {"motion_mujoco"}}};
-  for (const Maker& maker :
-       {Maker{"Box3D", {"motion_box3d"}}, {"Jolt", {"motion_jolt"}}, {"entered", {"motion_adapter"}}})
-    if (std::any_of(all.begin(), all.end(), [&](const MotionMeasured& measured) {
-          return !of_engine(measured.all, maker.engines.front()).empty();
-        }))
-      makers.push_back(maker);
-  std::vector<std::string> heads{"an error below 1 mm", "Pushback, told 1 mm"};
-  for (const Maker& maker : makers) heads.emplace_back(maker.name);
+std::string table_of_engines(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines) {
+  std::vector<std::string> makers, heads{"an error below 1 mm", "Pushback, told 1 mm"};
+  for (const Engine& engine : engines)
+    if (!engine.maker.empty() && std::find(makers.begin(), makers.end(), engine.maker) == makers.end())
+      makers.push_back(engine.maker);
+  heads.insert(heads.end(), makers.begin(), makers.end());
   std::string text = markdown_heads(heads);
   for (const MotionMeasured& measured : all) {
-    const auto told = std::find_if(measured.all.begin(), measured.all.end(), [](const Measured& one) {
-      return one.method == "within" && one.substeps == 1 && one.sweeps <= 1;
-    });
-    text += fmt::format("| {} | {} |", measured.motion->title,
-                        told == measured.all.end()
-                            ? "–"
-                            : fmt::format("{} µs, {} mm off", plain(per_frame(*measured.motion, told->median())),
-                                          plain(1000 * told->error, 2)));
-    for (const Maker& maker : makers) {
-      const Measurements settings = robust(those(measured.all, [&](const Measured& one) {
-        return std::find(maker.engines.begin(), maker.engines.end(), one.engine) != maker.engines.end();
-      }));
-      const Measurements best = front(settings);
+    std::vector<std::string> row{measured.motion->title, "–"};
+    const auto frame = [&](const Measured& one) { return plain(per_frame(*measured.motion, one.median())); };
+    for (const Measured& told : of_method(measured.all, "within"))
+      if (told.substeps == 1 && told.sweeps <= 1)
+        row.back() = fmt::format("{} µs, {} mm off", frame(told), plain(1000 * told.error, 2));
+    for (const std::string& maker : makers) {
+      const Measurements settings = of_maker(measured.all, maker), best = front(settings);
       const auto found = cheapest(settings, 1e-3);
-      text += best.empty() ? " – |"
-              : found      ? fmt::format(" {} µs, `{}`{} |", plain(per_frame(*measured.motion, found->median())),
-                                         found->setting(), in_float(*found))
-                           : fmt::format(" not below {} mm |", plain(1000 * best.back().error, 2));
+      row.push_back(best.empty() ? "–"
+                    : found      ? fmt::format("{} µs, `{}`{}", frame(*found), found->setting(), in_float(*found))
+                                 : fmt::format("not below {} mm", plain(1000 * best.back().error, 2)));
     }
-    text += "\n";
+    text += markdown_row(row);
   }
   return text;
 }
@@ -205,27 +185,121 @@ std::string table_of_others(const std::vector<MotionMeasured>& all, const std::v
                                      "below 1 µm", "where its front is between 10 cm and 0.01 mm, we take at most",
                                      "substeps, at most", "remains of theirs as h → 0, at least", "of ours"});
   for (const MotionMeasured& measured : all) {
+    const Measurements our = of_maker(measured.all, ours);
     for (const Engine& engine : engines) {
-      if (is_ours(engine.program)) continue;
-      const Measurements theirs = robust(of_engine(measured.all, engine.program)), our = robust(ours(measured.all));
-      text += fmt::format("| {} | {} | {} ", measured.motion->title, engine.title, theirs.size());
+      if (engine.maker == ours) continue;
+      const Measurements theirs = robust(of_engine(measured.all, engine.program));
+      std::vector<std::string> row{measured.motion->title, engine.title, std::to_string(theirs.size())};
       for (const Tolerance& tolerance : tolerances) {
         const auto found = cheapest(theirs, tolerance.error), best = cheapest(our, tolerance.error);
-        text += !found  ? "| not reached "
-                : !best ? fmt::format("| {} µs, we not at all ", plain(per_frame(*measured.motion, found->median())))
-                        : fmt::format("| {} times as long ", plain(found->median() / best->median(), 2));
+        row.push_back(!found  ? "not reached"
+                      : !best ? fmt::format("{} µs, we not at all", plain(per_frame(*measured.motion, found->median())))
+                              : fmt::format("{} times as long", plain(found->median() / best->median(), 2)));
       }
       const double slower = times_slower(our, theirs, 1e-5, 1e-1);
-      text += theirs.empty()       ? "| it does not play this "
-              : slower == 0        ? "| it has no such front "
-              : std::isinf(slower) ? "| we do not reach all of it "
-                                   : fmt::format("| {} times its time ", plain(slower, 2));
+      row.push_back(theirs.empty()       ? "it does not play this"
+                    : slower == 0        ? "it has no such front"
+                    : std::isinf(slower) ? "we do not reach all of it"
+                                         : fmt::format("{} times its time", plain(slower, 2)));
       const int own = std::max(finest_of(our, "motion"), finest_of(our, "motion_wide"));
       const int finest = theirs.empty() ? own : std::min(own, finest_of(theirs, engine.program));
-      text += fmt::format("| {} | {} | {} |\n", finest > 0 ? std::to_string(finest) : "–",
-                          least_remaining(measured.all, {engine.program}, finest),
-                          least_remaining(measured.all, {"motion", "motion_wide"}, finest));
+      row.push_back(finest > 0 ? std::to_string(finest) : "–");
+      row.push_back(least_remaining(measured.all, {engine.program}, finest));
+      row.push_back(least_remaining(measured.all, {"motion", "motion_wide"}, finest));
+      text += markdown_row(row);
     }
+  }
+  return text;
+}
+
+namespace {
+
+/// A row for each compared method that was measured, with what `cell(motion, its measurements)` says.
+template <class Cell>
+std::string table_of_compared(const std::vector<MotionMeasured>& all, const Cell& cell) {
+  std::vector<std::string> heads{"method"};
+  for (const MotionMeasured& measured : all) heads.push_back(fmt::format("`{}`", measured.motion->name));
+  std::string text = markdown_heads(heads);
+  for (const std::string& method : compared_methods()) {
+    std::vector<std::string> row{fmt::format("`{}`", method)};
+    bool measured_at_all = false;
+    for (const MotionMeasured& measured : all) {
+      const Measurements its = of_method(measured.all, method);
+      measured_at_all = measured_at_all || !its.empty();
+      row.push_back(its.empty() ? "–" : cell(*measured.motion, its));
+    }
+    if (measured_at_all) text += markdown_row(row);
+  }
+  return text;
+}
+
+}  // namespace
+
+const std::vector<std::string>& compared_methods() {
+  static const std::vector<std::string> methods{"slim",      "split-joints", "direct-joints", "jointed", "once",
+                                                "half-step", "xpbd",         "avbd",          "nncg",    "sap"};
+  return methods;
+}
+
+Panel fronts_of_compared(const MotionMeasured& measured) {
+  Panel panel = error_against_time(*measured.motion);
+  for (std::size_t i = 0; i < compared_methods().size(); ++i) {
+    const std::string& method = compared_methods()[i];
+    const std::size_t look =
+        i < 4
+            ? 0
+            : i - 3;  // those of one step a substep are alike; else of two that share a colour, each has its own shape
+    const bool dashed = method == "direct-joints" || method == "nncg" || method == "sap";
+    add_curve(panel, front(robust(of_method(measured.all, method))), *measured.motion,
+              {method,
+               {},
+               {},
+               line_colour(look),
+               dashed ? Curve::Style::dashed : Curve::Style::line_and_points,
+               marker_of(look)});
+  }
+  return panel;
+}
+
+std::string table_of_errors(const std::vector<MotionMeasured>& all, int substeps, int sweeps) {
+  return table_of_compared(all, [&](const Motion&, const Measurements& its) -> std::string {
+    for (const Measured& one : its)
+      if (one.substeps == substeps && (one.sweeps == sweeps || one.sweeps == 0))
+        return std::isfinite(one.error) ? two_digits(std::max(1000 * one.error, 1e-4)) : one.late ? "late" : "lost";
+    return "–";
+  });
+}
+
+std::string table_of_times(const std::vector<MotionMeasured>& all, double error) {
+  return table_of_compared(all, [&](const Motion& motion, const Measurements& its) -> std::string {
+    const auto found = cheapest(robust(its), error);
+    if (!found) return "not reached";
+    const std::string setting = found->setting();
+    return fmt::format("{} µs, `{}`", two_digits(per_frame(motion, found->median())),
+                       setting.substr(setting.find('/') + 1));
+  });
+}
+
+std::string table_of_machine(const MachineReport& run, const std::vector<Engine>& engines, const AllMeasured& all) {
+  std::string text = "| measured | |\n| --- | --- |\n";
+  text += fmt::format("| on | {} |\n", processor());
+  text += fmt::format("| in | {:.0f} min, one program at a time |\n", std::ceil(run.took.count() / 60));
+  if (run.resumed > 0) text += fmt::format("| motions measured before, by a run that was ended | {} |\n", run.resumed);
+  text += fmt::format("| load of 1, 5, 15 min as it began | {} |\n", run.load_before);
+  text += fmt::format("| as it ended, this run itself being 1 | {} |\n\n", run.load_after);
+  text += markdown_heads({"engine", "version", "settings tried", "timed again near a front", "lost", "given up"});
+  for (std::size_t i = 0; i < engines.size(); ++i) {
+    int tried = 0, again = 0, lost = 0, late = 0;
+    for (const auto& [motion, measured] : all) {
+      for (const Measured& one : of_engine(measured, engines[i].program)) {
+        ++tried;
+        again += one.seconds.size() > 1 ? 1 : 0;
+        late += one.late ? 1 : 0;
+        lost += !one.late && !std::isfinite(one.error) ? 1 : 0;
+      }
+    }
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", engines[i].title, run.versions.at(i), tried, again, lost,
+                        late);
   }
   return text;
 }

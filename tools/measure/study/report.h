@@ -1,7 +1,7 @@
-/// What was measured, as diagrams and as tables.
+/// What was measured, as diagrams and as tables in Markdown.
 #pragma once
 
-#include <map>
+#include <chrono>
 
 #include "pushback/common/experiment/plot.h"
 #include "pushback/tools/measure/study/rounds.h"
@@ -21,31 +21,49 @@ Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& 
 /// The same of the methods of one program of ours, one line each: "motion", in double; "motion_wide", which divides steps itself.
 Panel fronts_of_methods(const MotionMeasured& measured, const std::string& engine);
 
-/// Markdown. "For an error below 1 cm, 1 mm, 0.1 mm, 1 µm the cheapest setting is ..., and costs ... us a frame of 1/60 s;
-/// its error is ..., of which ... remains as h -> 0."
+/// "For an error below 1 cm, 1 mm, 0.1 mm, 1 µm the cheapest setting is ..., and costs ... us a frame of 1/60 s; its error is ..., of
+/// which ... remains as h -> 0."
 std::string table_of_cheapest(const std::vector<MotionMeasured>& all);
 
-/// Markdown. A row a motion. What the solver that is told 1 mm takes for a frame, and how far off it is; a column an engine with all of
-/// its builds: the cheapest setting below 1 mm and its time for a frame; or
-/// the least error that it reaches.
-std::string table_of_engines(const std::vector<MotionMeasured>& all);
+/// A row a motion. What the solver that is told 1 mm takes for a frame, and how far off it is; a column a maker with all of his engines:
+/// the cheapest setting below 1 mm and its time for a frame; or the least error that it reaches.
+std::string table_of_engines(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
 
-/// Markdown. For the same four errors: how many times as long the others take as we do; what remains of their error and of ours
+/// For the same four errors: how many times as long the others take as we do; what remains of their error and of ours
 /// as h -> 0, in the same steps, each by the method of which the least does.
 std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
 
-/// Markdown. A row a knob and motion: by what a doubling changes error and time, from slopes; warm against cold, float against
-/// double.
+/// A row a knob and motion: by what a doubling changes error and time, from slopes; warm against cold, float against double.
 std::string table_of_knobs(const std::vector<MotionMeasured>& all);
-
-/// Markdown. What remains of every method's error as h -> 0, and of which order in h is what smaller steps remove; see limits.h.
-/// In three tables: bodies move, bodies rest, bodies hang.
-std::string table_of_limits(const std::vector<MotionMeasured>& all);
-
-/// Markdown. The speed, height and error that a body lifts off with by the relaxed law, and what remains of MuJoCo's error.
-std::string table_of_hops(const std::vector<MotionMeasured>& all);
-
 /// Error against the two knobs that are numbers, in the rows of table_of_knobs.
 std::vector<Panel> panels_of_knobs(const std::vector<MotionMeasured>& all);
+
+/// What remains of every method's error as h -> 0, and of which order in h is what smaller steps remove; see limits.h.
+/// Tables of motions that are alike: bodies move, bodies rest, bodies hang ...
+std::string table_of_limits(const std::vector<MotionMeasured>& all);
+
+/// The speed, height and error that a body lifts off with by the relaxed law, and what remains of MuJoCo's error.
+std::string table_of_hops(const std::vector<MotionMeasured>& all);
+
+// What docs/methods.md shows: methods of the literature, and ours beside them.
+
+/// Ours first.
+const std::vector<std::string>& compared_methods();
+/// Error against time, the front of each of them in its own colour, from what all engines have measured of one motion.
+Panel fronts_of_compared(const MotionMeasured& measured);
+/// Errors, mm, a row a method and a column a motion, in so many substeps and sweeps; of methods without sweeps in so many substeps.
+std::string table_of_errors(const std::vector<MotionMeasured>& all, int substeps, int sweeps);
+/// The least time for 1/60 s with a robust error of at most `error`, m, and its setting, likewise.
+std::string table_of_times(const std::vector<MotionMeasured>& all, double error);
+
+/// Where, of what and under what load was measured: without these a time says nothing.
+struct MachineReport {
+  std::string load_before, load_after;
+  std::chrono::duration<double> took;
+  std::vector<std::string> versions;  ///< of the engines, in their order
+  int resumed = 0;                    ///< motions that were measured before, by a run that was ended
+};
+/// The machine and the engines, and how many settings of each were tried.
+std::string table_of_machine(const MachineReport& run, const std::vector<Engine>& engines, const AllMeasured& all);
 
 }  // namespace pushback::study

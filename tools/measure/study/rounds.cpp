@@ -3,9 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -13,6 +11,7 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/tools/measure/results/csv.h"
+#include "pushback/tools/measure/study/record.h"
 
 namespace pushback::study {
 
@@ -32,32 +31,6 @@ std::vector<std::string> said_by(const std::vector<std::string>& command) {
   auto said = said_or_crashed(command);
   if (!said) throw std::runtime_error(fmt::format("'{}' failed: it crashed", fmt::join(command, " ")));
   return *std::move(said);
-}
-
-bool read_number(const std::string& word, double& into) {
-  const char* end = word.data() + word.size();
-  const auto read = std::from_chars(word.data(), end, into);
-  return read.ec == std::errc() && read.ptr == end;
-}
-
-/// m; infinite where it was lost or late; nothing where it is no error.
-std::optional<double> error_in(const std::string& word) {
-  if (word == "late" || word == "lost") return std::numeric_limits<double>::infinity();
-  double error = 0;
-  if (!read_number(word, error) || !(error >= 0)) return {};
-  return error;
-}
-
-constexpr const char* no_measure = "–";
-
-/// Whether it is a count, or says that there is none.
-bool read_row_solves(const std::string& word, Measured& into) {
-  into.row_solves.reset();
-  if (word == no_measure) return true;
-  double count = 0;
-  if (!read_number(word, count) || !(count >= 0)) return false;
-  into.row_solves = count;
-  return true;
 }
 
 using Indices = std::vector<std::size_t>;
@@ -96,7 +69,7 @@ class Asking {
         throw std::runtime_error(
             fmt::format("{} printed {} lines for {} settings", engine, lines->size(), last - first));
       for (std::size_t i = first; i < last; ++i) {
-        if (lines) read((*lines)[i - first], all[which[i]]);
+        if (lines) add_line((*lines)[i - first], all[which[i]]);
         else if (last - first > 1) play(all, {which[i]});
         else lose(all[which[i]]);
       }
@@ -118,24 +91,9 @@ class Asking {
     if (options_.quick) return {"--at-least", "0", "--at-most", "0.15"};
     return {"--at-most", "5"};
   }
-  static void read(const std::string& line, Measured& into) {
-    std::istringstream in(line);
-    std::string setting, word, error, row_solves;
-    double seconds = 0;
-    in >> setting >> word >> error >> word >> seconds >> word >> row_solves;
-    const auto found = error_in(error);
-    if (!in || setting != into.setting() || !found || (std::isfinite(*found) && !(seconds > 0)) ||
-        !read_row_solves(row_solves, into))
-      throw std::runtime_error(fmt::format("{} printed no measurement of {}: '{}'", into.engine, into.setting(), line));
-    into.late = error == "late";
-    into.error = *found;
-    into.seconds.insert(std::upper_bound(into.seconds.begin(), into.seconds.end(), seconds), seconds);
-  }
-
   void lose(Measured& one) const {
     options_.say(fmt::format("{}: {} crashed, by {}", motion_.name, one.engine, one.setting()));
-    one.error = std::numeric_limits<double>::infinity();
-    one.seconds.insert(one.seconds.begin(), 0);  // nobody knows
+    add_line(fmt::format("{} error lost seconds 0 row-solves –", one.setting()), one);  // how long it took nobody knows
   }
 
   const Motion& motion_;
@@ -153,80 +111,48 @@ Indices indices_of_those_near_front(const Measurements& all, std::size_t first) 
 
 }  // namespace
 
-namespace {
-
-const std::vector<Engine> known_engines{{"motion", "ours, double", 0},
-                                        {"motion_float", "ours, float", 0, true},
-                                        {"motion_wide", "ours, 21 to 27", 6},
-                                        {"motion_bullet", "Bullet, float", 1, true},
-                                        {"motion_bullet_double", "Bullet, double", 1},
-                                        {"motion_ode", "ODE, double", 2},
-                                        {"motion_mujoco", "MuJoCo, double", 3},
-                                        {"motion_box3d", "Box3D, float", 4},
-                                        {"motion_jolt", "Jolt, float", 5}};
-
-}  // namespace
-
-std::vector<Engine> engines_of_methods() {
-  return {known_engines[0], known_engines[2], {"motion_methods", "other methods", 1}};
+const std::vector<Engine>& known_engines() {
+  static const std::vector<Engine> engines{{"motion", "ours, double", ours, 0},
+                                           {"motion_float", "ours, float", ours, 0, true},
+                                           {"motion_wide", "ours, 21 to 27", ours, 6},
+                                           {"motion_bullet", "Bullet, float", "Bullet", 1, true},
+                                           {"motion_bullet_double", "Bullet, double", "Bullet", 1},
+                                           {"motion_ode", "ODE, double", "ODE", 2},
+                                           {"motion_mujoco", "MuJoCo, double", "MuJoCo", 3},
+                                           {"motion_box3d", "Box3D, float", "Box3D", 4},
+                                           {"motion_jolt", "Jolt, float", "Jolt", 5},
+                                           {"motion_methods", "other methods", "", 1},
+                                           {"motion_mine", "mine", "mine", 7},
+                                           {"motion_adapter", "entered", "entered", 7}};
+  return engines;
 }
 
-Engine engine_of_mine() {
-  return {"motion_mine", "mine", 7};
-}
-
-Engine engine_of_adapter() {
-  return {"motion_adapter", "entered", 7};
+std::vector<Engine> engines_named(const std::vector<std::string>& programs) {
+  std::vector<Engine> found;
+  for (const std::string& program : programs) {
+    const auto is_it = [&](const Engine& engine) { return engine.program == program; };
+    const auto engine = std::find_if(known_engines().begin(), known_engines().end(), is_it);
+    if (engine == known_engines().end()) throw InvalidInput(fmt::format("no engine is played by '{}'", program));
+    found.push_back(*engine);
+  }
+  return found;
 }
 
 std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others) {
-  const auto is_there = [&](const Engine& engine) { return std::filesystem::exists(programs / engine.program); };
-  const auto theirs = known_engines.begin() + 3;
-  std::vector<Engine> found(known_engines.begin(), known_engines.begin() + 2);
-  std::copy_if(known_engines.begin() + 2, others ? known_engines.end() : theirs, std::back_inserter(found), is_there);
-  if (others && std::none_of(theirs, known_engines.end(), is_there))
+  std::vector<Engine> found = engines_named({"motion", "motion_float", "motion_wide"});
+  if (!others) return found;
+  const std::size_t own = found.size();
+  for (const Engine& engine : engines_named(
+           {"motion_bullet", "motion_bullet_double", "motion_ode", "motion_mujoco", "motion_box3d", "motion_jolt"}))
+    if (std::filesystem::exists(programs / engine.program)) found.push_back(engine);
+  if (found.size() == own)
     throw std::runtime_error("no other engine's program is there: configure with -DPUSHBACK_PEERS=ON");
   return found;
 }
 
-std::vector<Piece> pieces_of(const std::vector<const Motion*>& motions, const std::vector<Engine>& engines,
-                             const Shard& shard) {
-  std::vector<Piece> all;
-  for (const Motion* motion : motions) {
-    for (const Engine& engine : engines) {
-      const bool alone = shard.of > motions.size() && engine.program != "motion_float";
-      if (&engine == &engines.front() || alone) all.push_back({motion, {}});
-      all.back().engines.push_back(engine);
-    }
-  }
-  if (shard.of > all.size())
-    throw InvalidInput(fmt::format(
-        "--shard is '{}/{}': there are {} motions and engines to them, {} pieces in all, and each part needs one",
-        shard.part, shard.of, motions.size(), all.size()));
-  std::size_t index = 0;
-  std::erase_if(all, [&](const Piece&) { return !shard.has(index++); });
-  return all;
-}
-
-AllMeasured together(const std::vector<AllMeasured>& parts) {
-  AllMeasured all;
-  for (const AllMeasured& part : parts)
-    for (const auto& [motion, measured] : part) all[motion].insert(all[motion].end(), measured.begin(), measured.end());
-  const auto place = [](const Measured& one) {
-    return std::find_if(known_engines.begin(), known_engines.end(),
-                        [&](const Engine& engine) { return engine.program == one.engine; });
-  };
-  for (auto& [motion, measured] : all)
-    std::stable_sort(measured.begin(), measured.end(),
-                     [&](const Measured& a, const Measured& b) { return place(a) < place(b); });
-  return all;
-}
-
 std::vector<Engine> engines_of(const AllMeasured& all) {
-  std::vector<Engine> found, possible = known_engines;
-  possible.push_back(engines_of_methods().back());
-  possible.push_back(engine_of_adapter());
-  for (const Engine& engine : possible) {
+  std::vector<Engine> found;
+  for (const Engine& engine : known_engines()) {
     const auto is_its = [&](const Measured& one) { return one.engine == engine.program; };
     if (std::any_of(all.begin(), all.end(),
                     [&](const auto& of) { return std::any_of(of.second.begin(), of.second.end(), is_its); }))
@@ -265,9 +191,9 @@ Measurements measure(const Motion& motion, const RoundOptions& options) {
     latest = indices_of_those_near_front(all, first);
     near.insert(near.end(), latest.begin(), latest.end());
   }
-  for (int round = 1; round <= options.rounds; ++round) {
-    options.say(
-        fmt::format("{}: round {} of {}, {} settings near a front", motion.name, round, options.rounds, near.size()));
+  const int rounds = options.quick ? 1 : 3;
+  for (int round = 1; round <= rounds; ++round) {
+    options.say(fmt::format("{}: round {} of {}, {} settings near a front", motion.name, round, rounds, near.size()));
     asking.play(all, near);
   }
   return all;
@@ -285,11 +211,7 @@ std::string csv_of(const AllMeasured& all) {
   for (const auto& [motion, measured] : all)
     for (const Measured& one : measured)
       text += fmt::format("{},{},{},{},{},{},{},{:.4e},{:.4e},{:.4e},{:.4e}\n", motion, one.engine, one.method,
-                          one.substeps, one.sweeps,
-                          one.late                   ? "late"
-                          : std::isfinite(one.error) ? fmt::format("{:.4e}", one.error)
-                                                     : "lost",
-                          one.row_solves ? fmt::format("{:.4e}", *one.row_solves) : no_measure, one.median(),
+                          one.substeps, one.sweeps, error_text(one), row_solves_text(one), one.median(),
                           one.quartile(1), one.quartile(3), fmt::join(one.seconds, " "));
   return text;
 }
@@ -301,10 +223,8 @@ AllMeasured read_csv(const std::string& text) {
                  .method = fields[2],
                  .substeps = csv_number<int>(fields[3]),
                  .sweeps = csv_number<int>(fields[4])};
-    const auto error = error_in(fields[5]);
-    if (!error || !read_row_solves(fields[6], one)) throw InvalidInput("an error and a count are needed");
-    one.late = fields[5] == "late";
-    one.error = *error;
+    read_error(fields[5], one);
+    read_row_solves(fields[6], one);
     for (const std::size_t of_all : {7, 8, 9}) csv_number<double>(fields[of_all]);  // for who draws by other means
     std::istringstream times(fields[10]);
     for (std::string time; times >> time;) one.seconds.push_back(csv_number<double>(time));

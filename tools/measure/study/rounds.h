@@ -7,33 +7,29 @@
 
 #include "pushback/chapters/19_accuracy_and_time/front.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
-#include "pushback/common/basics/shard.h"
 
 namespace pushback::study {
 
-/// How an engine is called in diagrams, by the name of its program.
+/// A program that plays motions, and how it is called in diagrams and tables.
 struct Engine {
-  std::string program, title;
+  std::string program, title, maker;
   std::size_t colour = 0;  ///< line_colour's
   bool dashed = false;     ///< and with another shape than its sister of the same colour
 };
-/// Ours, in double and in float; `motion_wide`, if it is in the folder of the programs; and if `others` are asked for, those of
-/// Bullet, ODE and MuJoCo that are there: std::runtime_error where none is.
-std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others);
+inline const std::string ours = "Pushback";  ///< the maker of our engines
 
-/// Ours in double, those that divide steps themselves, and those of docs/methods.md.
-std::vector<Engine> engines_of_methods();
-/// The program that plays a reader's solver.
-Engine engine_of_mine();
-/// The program that plays an adapter's engine.
-Engine engine_of_adapter();
+/// All that there may be, in the order of tables: ours, others', those of docs/methods.md, a reader's solver, an adapter's engine.
+const std::vector<Engine>& known_engines();
+/// Of these programs. Throws InvalidInput where one is not known.
+std::vector<Engine> engines_named(const std::vector<std::string>& programs);
+/// Ours; and if `others` are asked for, those of other makers that are there: std::runtime_error where none is.
+std::vector<Engine> engines_in(const std::filesystem::path& programs, bool others);
 
 struct RoundOptions {
   std::vector<Engine> engines;            ///< see engines_in
   std::filesystem::path programs;         ///< the folder of `motion` and the others
   std::vector<std::string> methods = {};  ///< only these; empty: all
   bool quick = false;                     ///< fewer settings, fewer rounds, less patience
-  int rounds = 3;                         ///< in which what is near a front is timed
   std::function<void(const std::string&)> say = [](const std::string&) {};  ///< what is under way
 };
 
@@ -41,28 +37,14 @@ struct RoundOptions {
 std::string version_of(const Engine& engine, const std::filesystem::path& programs);
 
 /// First every setting once: powers of 2 of substeps, powers of 4 of sweeps, as far as the motion wants to have them tried.
-/// In float only what is near the front in double. What is then near the robust front of its engine is timed again, `rounds` times, all
+/// In float only what is near the front in double. What is then near the robust front of its engine is timed again, three times, all
 /// of it in every round before the next begins. Throws std::runtime_error where a program fails.
 Measurements measure(const Motion& motion, const RoundOptions& options);
 
 /// By the name of the motion.
 using AllMeasured = std::map<std::string, Measurements>;
 
-/// What one part measures and another does not: a motion by some engines.
-struct Piece {
-  const Motion* motion;
-  std::vector<Engine> engines;
-};
-/// Those of a part. While there is a motion for each part, its engines are timed in turn; of more parts each has engines of its own,
-/// where ours in float goes with ours in double, by whose front its settings are chosen. Throws InvalidInput where a part would have
-/// nothing.
-std::vector<Piece> pieces_of(const std::vector<const Motion*>& motions, const std::vector<Engine>& engines,
-                             const Shard& shard);
-
-/// What parts have measured, each motion's by all engines in their order.
-AllMeasured together(const std::vector<AllMeasured>& parts);
-
-/// The engines of which something was measured.
+/// The known engines of which something was measured.
 std::vector<Engine> engines_of(const AllMeasured& all);
 
 /// A line a measurement, and one of headings, with all times; and back: what is then drawn and said is the same. Throws
