@@ -1,6 +1,6 @@
 # Tests run for a moment, and mostly drive what libraries and programs have compiled. But some have the bits of what was compiled
 # apart from them, or stored ones, at the programs' own level; and some run for long.
-set(as_programs 20_only_what_is_needed 21_detected_once 22_wide 23_threads 25_moment_of_impact 27_which_error determinism flat hard_cases_played hashes
+set(as_programs 20_only_what_is_needed 21_detected_once 22_wide 23_threads 25_moment_of_impact determinism flat hard_cases_played hashes
     soak)
 list(TRANSFORM as_programs PREPEND test_)
 targets_below(tests tests)
