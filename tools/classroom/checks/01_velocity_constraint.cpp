@@ -95,7 +95,8 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          ride.rails_velocity = random.vector(4);
          ride.play(answer);
          return {{"the ring of your bar leaves the moving rail with", ride.leaves(), "m/s"},
-                 {"the centre of your bar goes along the moving rail with", ride.along(), "m/s", 1e-5}};
+                 {"the centre of your bar goes along the moving rail with", ride.along(), "m/s", 1e-5},
+                 {"your bar on the moving rail turns with", ride.body.angular_velocity.norm(), "rad/s", 1e-5}};
        },
        "the ring has to move across the rail as the rail does, so b = -n · u. Along the rail, which has no friction, "
        "the rail's velocity does nothing."},
