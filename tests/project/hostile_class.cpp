@@ -165,7 +165,7 @@ std::set<std::string> running() {
 }
 
 void get_what_is_due(const HostileClass& hostile) {
-  const Ended ended = hostile.grade("--jobs 4 --seconds 1 --megabytes 200 --compile-seconds 6");
+  const Ended ended = hostile.grade("--jobs 2 --seconds 1 --megabytes 200 --compile-seconds 6");
   if (ended.status != 0) FAIL(ended.err);
   CHECK(contains(ended.err, "not graded: 'stray.txt' is no folder"));
   const nlohmann::json results = hostile.results();
