@@ -346,7 +346,8 @@ TEST_CASE("Hard cases: a hinge's limits, a cone and a twist: held, or said not t
         world.gravity.setZero();
         world.add(box(Vec3::Constant(Real(0.2)), 1).fixed());
         world.add(box({Real(0.1), Real(0.4), Real(0.15)}, 2).at({0, Real(-0.7), 0}));
-        const Vec3 anchor(0, Real(-0.25), 0), down = -Vec3::UnitY(), axis = which == twist ? Vec3::UnitY() : Vec3::UnitZ();
+        const Vec3 anchor(0, Real(-0.25), 0), down = -Vec3::UnitY(),
+                                              axis = which == twist ? Vec3::UnitY() : Vec3::UnitZ();
         world.joints.push_back(which == angle ? hinge(world, 0, 1, anchor, axis)
                                               : ball_and_socket(world, 0, 1, anchor));
         world.joints.push_back(which == angle  ? angle_limits(world, 0, 1, axis, Real(-0.3), Real(0.9))
