@@ -21,9 +21,9 @@ struct Allowance {
 /// Looks at a world after every step and keeps the first thing that was not as it must be, and to the end the most energy
 /// gained and the deepest overlap:
 /// - every number finite;
-/// - energy not above the start, unless a joint is driven: a motor does work. Kinetic and potential energy together, with the term by which a body in free fall differs
-///   from them when it moves by v += h g, x += h v: that sum free flight keeps exactly. Where h changes, each step is held
-///   to the sum with its own h;
+/// - energy not above the start, unless a joint is driven: a motor does work. Kinetic and potential energy together, with the term by
+///   which a body in free fall differs from them when it moves by v += h g, x += h v: that sum free flight keeps exactly. Where h
+///   changes, each step is held to the sum with its own h;
 /// - momentum and angular momentum of an isolated system kept to rounding, unless something is joined to what is immovable:
 ///   that takes what it is given;
 /// - no contact pulls, and none rubs by more than mu times what it presses, along each of its two tangents;
