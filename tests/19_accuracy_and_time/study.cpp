@@ -218,7 +218,7 @@ namespace {
 
 /// m, of a setting that the program plays.
 double error(const std::string& motion, const std::string& setting, const fs::path& program = MOTION_WIDE_PROGRAM) {
-  const Ended played = call_program(program, motion + " " + setting + " --at-least 0", 100);
+  const Ended played = call_program(program, motion + " " + setting + " --at-least 0 --at-most 3600", 300);
   INFO(motion << " " << setting << ": " << played.out << played.err);
   REQUIRE(played.out.starts_with(setting + " error "));
   return std::stod(played.out.substr(setting.size() + 7));
