@@ -1,6 +1,11 @@
 /// What solvers share that detect contacts once in a step: this chapter's, one contact after the other, and chapter 22's.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/chapters/13_joints/joint_row.h"
 

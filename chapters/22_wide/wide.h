@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "pushback/chapters/18_direct_joints/trees_directly.h"
