@@ -14,7 +14,7 @@ TEST_CASE("fuzz: the solvers that keep books end in the same bits as the stages 
   for (const std::string& name : fuzzed_stages()) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       const RandomScene scene = random_scene(seed);
-      const Finding finding = fuzz(scene, name);
+      const FuzzResult finding = fuzz(scene, name);
       INFO(name << ", scene " << seed << " " << finding.broken);
       REQUIRE(finding.broken.empty());
       World world = scene.world;

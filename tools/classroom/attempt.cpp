@@ -66,13 +66,13 @@ struct Problem {
 /// Why a program that did not come to its end has ended. The sandbox gives signals back as a shell does. The kernel ends a
 /// program that is over its processor time by SIGXCPU or SIGKILL, and a program may send both to itself. The time by the clock
 /// tells them apart.
-Problem problem_of(const Ended& ended, double seconds, const std::string& where, const Limits& limits,
+Problem problem_of(const Ended& ended, double seconds, const std::string& where, const AttemptLimits& limits,
                    const std::string& last_printed) {
   const auto by_signal = [&](int signal) { return ended.signal == signal || ended.status == 128 + signal; };
   if (ended.out_of_time || ((by_signal(SIGXCPU) || by_signal(SIGKILL)) && seconds >= limits.seconds))
     return {"time", fmt::format("{}, your program had no answer after {} s of processor time, or {} s by the clock. "
                                 "Look for a loop that never ends.",
-                                where, limits.seconds, Limits::patience * limits.seconds)};
+                                where, limits.seconds, AttemptLimits::patience * limits.seconds)};
   if (by_signal(SIGABRT))
     return {"crash",
             fmt::format("{}, your program stopped itself{}.", where, last_printed.empty() ? "" : ": " + last_printed)};
@@ -129,17 +129,17 @@ std::string first_error(const std::string& messages, const fs::path& students_fi
 }
 
 /// Why there is no program.
-std::string built_not(const Ended& ended, const fs::path& own, const Limits& limits) {
+std::string built_not(const Ended& ended, const fs::path& own, const AttemptLimits& limits) {
   if (ended.out_of_time || ended.err.find("CPU time limit exceeded") != std::string::npos)
     return fmt::format("the compiler was not done after {} s of processor time, or {} s by the clock.",
-                       limits.compile_seconds, Limits::patience * limits.compile_seconds);
+                       limits.compile_seconds, AttemptLimits::patience * limits.compile_seconds);
   return shortened(first_error(shortened(ended.err, 100'000), own), 1000);
 }
 
 }  // namespace
 
 Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t seed, const Sandbox* sandbox,
-                const Limits& limits) {
+                const AttemptLimits& limits) {
   Attempt outcome;
   const ScratchFolder scratch;
   const fs::path own = scratch.path / file.filename(), object = scratch.path / "answer.o",
@@ -155,7 +155,7 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
                        int seconds, int megabytes, const std::string& input) {
     const Command within = limited(seconds, megabytes, command);
     return run_program(sandbox ? sandbox->around(within, scratch.path, readable, may_be) : within,
-                       Limits::patience * seconds, input);
+                       AttemptLimits::patience * seconds, input);
   };
   const auto build = [&](const Command& command, const std::vector<fs::path>& readable) {
     return run(command, readable, Sandbox::Folder::writable, limits.compile_seconds, limits.compile_megabytes, "");

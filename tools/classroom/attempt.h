@@ -10,7 +10,7 @@ namespace pushback {
 
 /// What a process of the compiler, and the program, may use at most. Seconds are of the processor; six times as many by the clock
 /// end all of it: on a machine that compiles many students at once nobody should lose points.
-struct Limits {
+struct AttemptLimits {
   int seconds = 10;
   int megabytes = 1024;  ///< of memory
   int compile_seconds = 60;
@@ -20,6 +20,6 @@ struct Limits {
 
 /// `sandbox`: none where it is null.
 Attempt attempt(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed, const Sandbox* sandbox,
-                const Limits& limits = {});
+                const AttemptLimits& limits = {});
 
 }  // namespace pushback

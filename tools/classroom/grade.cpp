@@ -101,7 +101,7 @@ Json graded(const Grading& grading, const Exercise& exercise, const HandedIn& ha
 
 /// What a student's result follows from.
 std::string fingerprint(const Grading& grading, const HandedIn& handed_in, std::uint64_t seed) {
-  const Limits& limits = grading.limits;
+  const AttemptLimits& limits = grading.limits;
   std::string all = fmt::format("{} {} {} {} {} {}", seed, grading.sandboxed, limits.seconds, limits.megabytes,
                                 limits.compile_seconds, limits.compile_megabytes);
   for (const Exercise* exercise : grading.exercises) {

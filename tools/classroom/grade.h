@@ -39,7 +39,7 @@ struct Grading {
   int jobs = 1;
   Shard shard;
   bool sandboxed = true;
-  Limits limits;
+  AttemptLimits limits;
 };
 
 /// Leaves a file for each student in out/students. A student whose file is of the same answers, points and seed is not

@@ -47,7 +47,7 @@ void list(const std::vector<Exercise>& all, const StudentFiles& files) {
 }
 
 /// A compiler that is not done by then has been given something that never ends.
-constexpr Limits limits{.compile_seconds = 20};
+constexpr AttemptLimits limits{.compile_seconds = 20};
 
 std::string heading(const Exercise& exercise) {
   return fmt::format("{} {}: {}\n", short_name(exercise), chapter_of(exercise), exercise.title);

@@ -99,11 +99,11 @@ class Watched {
 
   /// Each of its steps is cut into so many parts from outside, and by the solver into so many. `within`: what is wrong within a step.
   template <class Within>
-  Finding run(StepSolver& solver, int parts, int sweeps, int substeps, bool log, const Within& within) {
+  FuzzResult run(StepSolver& solver, int parts, int sweeps, int substeps, bool log, const Within& within) {
     if (log) print_scene(scene_);
     World world = scene_.world;
     const Real dt = scene_.dt / static_cast<Real>(parts);
-    Finding finding;
+    FuzzResult finding;
     for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
       for (int i = 0; i < parts && finding.broken.empty(); ++i) {
         world.step(solver, dt, sweeps);
@@ -128,7 +128,7 @@ class Watched {
 
 /// A solver that keeps books, in steps that are cut from outside.
 template <class ContactSolver, int parts, int sweeps>
-Finding with_books(const RandomScene& scene, bool log) {
+FuzzResult with_books(const RandomScene& scene, bool log) {
   Watched watched(scene);
   Ledger ledger;
   ContactSolver solver(ledger);
@@ -169,13 +169,13 @@ struct FeltIslands : ByIsland {
 std::string nothing() {
   return {};
 }
-Finding wide(const RandomScene& scene, bool log) {
+FuzzResult wide(const RandomScene& scene, bool log) {
   Watched watched(scene);
   FeltWhole<Wide<Real>> solver;
   solver.watcher = &watched.watcher;
   return watched.run(solver, 1, solver.plan(scene.dt).sweeps, solver.substeps, log, nothing);
 }
-Finding islands(const RandomScene& scene, bool log) {
+FuzzResult islands(const RandomScene& scene, bool log) {
   Watched watched(scene);
   FeltIslands solver;
   solver.felt.watcher = &watched.watcher;
@@ -184,7 +184,7 @@ Finding islands(const RandomScene& scene, bool log) {
 
 struct FuzzedStage {
   const char* name;
-  Finding (*watched)(const RandomScene& scene, bool log);
+  FuzzResult (*watched)(const RandomScene& scene, bool log);
 };
 constexpr FuzzedStage watched_within[] = {{"07 warm start", with_books<BookedFullSolver, 1, 10>},
                                           {"11 substeps", with_books<BookedFullSolver, 32, 1>},
@@ -194,11 +194,11 @@ constexpr FuzzedStage watched_within[] = {{"07 warm start", with_books<BookedFul
                                           {"all together", with_books<BookedAllTogether, 32, 1>}};
 
 /// Of any solver: what it says it did.
-Finding accounted(const RandomScene& scene, const NamedSolver& named) {
+FuzzResult accounted(const RandomScene& scene, const NamedSolver& named) {
   World world = scene.world;
   AnySolver solver = named.solver;
   MomentumAccount account(world);
-  Finding finding;
+  FuzzResult finding;
   for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
     world.step(solver, scene.dt);
     finding.step = step;
@@ -218,15 +218,15 @@ std::vector<std::string> fuzzed_stages() {
   return all;
 }
 
-Finding fuzz(const RandomScene& scene, const std::string& stage, bool log) {
+FuzzResult fuzz(const RandomScene& scene, const std::string& stage, bool log) {
   const NamedSolver& solver = solver_named(stage);
   try {
-    const Finding finding = accounted(scene, solver);
+    const FuzzResult finding = accounted(scene, solver);
     for (const FuzzedStage& one : watched_within)
       if (finding.broken.empty() && one.name == stage) return one.watched(scene, log);
     return finding;
   } catch (const InvalidInput& refused) {  // a part of a step began from what the part before had left
-    Finding finding;
+    FuzzResult finding;
     finding.broken = refused.what();
     return finding;
   }

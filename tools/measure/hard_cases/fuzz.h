@@ -8,7 +8,7 @@
 
 namespace pushback {
 
-struct Finding {
+struct FuzzResult {
   std::string broken;      ///< what broke first; empty: nothing
   int step = 0;            ///< in which step, from 1
   std::uint64_t hash = 0;  ///< of the world at the end
@@ -19,6 +19,6 @@ std::vector<std::string> fuzzed_stages();
 
 /// 60 steps of a scene. Throws InvalidInput for a stage that is not one of fuzzed_stages(). `log`: the scene and
 /// every step are printed.
-Finding fuzz(const RandomScene& scene, const std::string& stage, bool log = false);
+FuzzResult fuzz(const RandomScene& scene, const std::string& stage, bool log = false);
 
 }  // namespace pushback

@@ -13,7 +13,7 @@ using namespace pushback;
 
 namespace {
 
-using Findings = std::map<std::pair<std::string, std::uint64_t>, Finding>;  // by stage and seed
+using Findings = std::map<std::pair<std::string, std::uint64_t>, FuzzResult>;  // by stage and seed
 
 std::filesystem::path origin_of(const std::string& saved) {
   return saved + ".origin";
@@ -28,7 +28,7 @@ Findings read_parts(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     std::istringstream in(read_text_file(file));
     for (std::string stage, numbers; std::getline(in, stage, '\t');) {
-      Finding f;
+      FuzzResult f;
       std::uint64_t seed = 0;
       std::getline(in, numbers, '\t');
       std::getline(in, f.broken);
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
         if (!shard.has(i)) continue;
         ++runs;
         if (replay) fmt::print("scene {}, {}\n", first + i, stage);
-        const Finding finding = finding_of(stage, first + i);
+        const FuzzResult finding = finding_of(stage, first + i);
         saved += fmt::format("{}\t{} {}\t{}\n", stage, first + i, finding.step, finding.broken);
         const bool broke = !finding.broken.empty(), expected = known.contains(first + i);
         if (broke != expected) ++failed;
