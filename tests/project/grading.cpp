@@ -104,7 +104,8 @@ struct Solvers {
 
 }  // namespace
 
-TEST_CASE("a class's own solvers are graded up to a chapter: where each stands, and why it goes no further") {
+TEST_CASE("a class's own solvers are graded up to a chapter: where each stands, and why it goes no further",
+          "[checked]") {
   Solvers all;
   const fs::path points = all.scratch / "handout.points";
   CHECK(call_program(HANDOUT_PROGRAM, (all.scratch / "handout").string() + " --with 03 --mine 06").status == 0);
@@ -138,7 +139,7 @@ TEST_CASE("a class's own solvers are graded up to a chapter: where each stands, 
   CHECK_FALSE(fs::exists(all.scratch / "none"));
 }
 
-TEST_CASE("parts, each for itself, make the whole, and half of a result is graded anew") {
+TEST_CASE("parts, each for itself, make the whole, and half of a result is graded anew", "[checked]") {
   Class all;
   const Ended one = all.grade("--shard 1/2");
   CHECK(one.err == "graded: anna\ngraded: carl\ngraded: eve\n");
@@ -210,7 +211,8 @@ TEST_CASE(
             .status == 0);
 }
 
-TEST_CASE("of a folder, files at most two folders deep are taken: no links, nothing large, one of each name") {
+TEST_CASE("of a folder, files at most two folders deep are taken: no links, nothing large, one of each name",
+          "[checked]") {
   Class all;
   const fs::path right = all.scratch / "anna/03_baumgarte.h", name = right.filename();
   const auto folder = [&](const std::string& of) {

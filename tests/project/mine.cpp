@@ -122,7 +122,7 @@ TEST_CASE("a mistake of an earlier chapter is told in the solver of a later one"
   CHECK(contains(slip.sentence(), "You get these numbers if 1/h is forgotten."));
 }
 
-TEST_CASE("each chapter's plain loop passes as a whole file, also with its rows in another order") {
+TEST_CASE("each chapter's plain loop passes as a whole file, also with its rows in another order", "[checked]") {
   const Scratch folder;
   for (const ChapterOfMine& chapter : chapters_of_mine()) {
     const VerdictOfMine made = verdict_of_mine(chapter.number, plain_loop(chapter.number), folder / "", 1);

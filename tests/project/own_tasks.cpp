@@ -77,7 +77,7 @@ TEST_CASE("a file may not read what is right of an exercise of one's own") {
   CHECK(verdict_on(exercise, "#include <fstream>\n" + filled_in(exercise, reads + right), 1, &sandbox).passed());
 }
 
-TEST_CASE("what is changed in an exercise of one's own is compiled anew") {
+TEST_CASE("what is changed in an exercise of one's own is compiled anew", "[checked]") {
   Tasks tasks;
   CHECK(exercises_with(tasks.folder).back().title == "a brake of bounded strength");
   std::string text = text_of(tasks.brake / "checks.cpp");
