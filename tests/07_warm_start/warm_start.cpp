@@ -6,6 +6,7 @@
 
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
+#include "tests/support/catch.h"
 #include "tests/support/on_ground.h"
 
 using namespace pushback;

@@ -228,20 +228,22 @@ double error(const std::string& motion, const std::string& setting, const fs::pa
 
 TEST_CASE("the errors of the committed study are those that its settings have") {
   const AllMeasured all = read_csv(text_of("renders/19_accuracy_and_time/study.csv"));
-  for (const auto& [motion, engine, setting] :
-       std::vector<std::array<std::string, 3>>{{"bounce", "motion", "slim/16/4"},
-                                               {"stack-10", "motion", "direct-contacts/16/1"},
-                                               {"chain", "motion", "direct-joints/32/1"},
-                                               {"break", "motion_wide", "impact/1"},
-                                               {"pyramid-10", "motion_wide", "half-step/1"},
-                                               {"conveyor", "motion_wide", "half-step/4"}}) {
-    INFO(motion << " " << setting);
-    const Measurements& of_motion = all.at(motion);
-    const auto found = std::find_if(of_motion.begin(), of_motion.end(), [&](const Measured& one) {
-      return one.engine == engine && one.setting() == setting;
+  struct Kept {
+    std::string motion, engine, setting;
+  };
+  for (const Kept& kept : {Kept{"bounce", "motion", "slim/16/4"},
+                           {"stack-10", "motion", "direct-contacts/16/1"},
+                           {"chain", "motion", "direct-joints/32/1"},
+                           {"break", "motion_wide", "impact/1"},
+                           {"pyramid-10", "motion_wide", "half-step/1"},
+                           {"conveyor", "motion_wide", "half-step/4"}}) {
+    INFO(kept.motion << " " << kept.setting);
+    const Measurements& of_motion = all.at(kept.motion);
+    const auto found = std::find_if(of_motion.begin(), of_motion.end(), [&kept](const Measured& one) {
+      return one.engine == kept.engine && one.setting() == kept.setting;
     });
     REQUIRE(found != of_motion.end());
-    const double now = error(motion, setting, fs::path(MOTION_PROGRAM).parent_path() / engine);
+    const double now = error(kept.motion, kept.setting, fs::path(MOTION_PROGRAM).parent_path() / kept.engine);
     CHECK(now == Approx(found->error).epsilon(1e-3).margin(1e-11));
   }
 }
