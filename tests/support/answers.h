@@ -61,7 +61,7 @@ inline std::vector<WrittenAnswer> written_answers(const Exercise& exercise, cons
 
 /// The verdict on this text as a student's file.
 inline Verdict verdict_on(const Exercise& exercise, const std::string& text, std::uint64_t seed,
-                          const Sandbox* sandbox = nullptr, const Limits& limits = {}) {
+                          const Sandbox* sandbox = nullptr, const AttemptLimits& limits = {}) {
   const ScratchFolder scratch;
   const std::filesystem::path file = scratch.path / (exercise.name + ".h");
   write_text_file(file, text);
