@@ -116,8 +116,8 @@ void Avbd::descend(World& world, int body, const Vec3& velocity, const Vec3& ang
   own.angular_velocity += change.tail<3>();
 }
 
-void Avbd::raise(Bond& bond) const {
-  const auto grow = [this](Force& row) {
+void Avbd::raise(Bond& bond) {
+  const auto grow = [](Force& row) {
     row.k = std::min(row.k + growth * std::abs(row.c) * row.unit, most_penalty * row.unit);
   };
   for (int i = 0; i < bond.rows; ++i)

@@ -66,7 +66,7 @@ class Avbd : public StepSolver {
   void add_joints(World& world, Real h);
   static void answer(const World& world, Bond& bond, Real h);
   void descend(World& world, int body, const Vec3& velocity, const Vec3& angular_velocity, Real h);
-  void raise(Bond& bond) const;
+  static void raise(Bond& bond);
 
   std::vector<Bond> bonds_;                   // contacts first
   std::vector<std::vector<std::size_t>> of_;  // of each body: its bonds

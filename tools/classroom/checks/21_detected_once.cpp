@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "pushback/chapters/01_velocity_constraint/row.h"
 #include "pushback/chapters/21_detected_once/exercise/asked.h"
 #include "pushback/tools/classroom/checks/scenes.h"
