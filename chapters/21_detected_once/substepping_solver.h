@@ -1,4 +1,4 @@
-/// What solvers share that detect contacts once in a step: this chapter's, one contact after the other, and chapter 22's.
+/// Shared by the two solvers that detect contacts once per step: this chapter's, and chapter 22's.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace pushback {
 
-/// What soft contacts ask for in substeps of one length: see SoftContacts, chapter 12.
+/// The coefficients of all soft contacts for one length of substep: see SoftContacts, chapter 12.
 struct PushOut {
   Real rate;        ///< k / (c + h k), 1/s
   Real gamma_by_K;  ///< gamma / K
@@ -19,7 +19,7 @@ struct PushOut {
   Real threshold;   ///< m/s; what arrives slower does not bounce
 };
 
-/// What a contact point shows: `known`: whether the step before had it.
+/// The state that a picture shows at a contact point. `known`: the step before had this contact.
 template <class Scalar>
 ContactState state_of(bool known, Scalar friction, Scalar pushed, Scalar rubbed1, Scalar rubbed2) {
   if (!known) return ContactState::fresh;
@@ -43,7 +43,7 @@ inline Vec3 within_cone(const Vec3& impulse, const Vec3& n, Real friction) {
 struct SubsteppingSolver : StepSolver {
   int substeps = 32;  ///< of a step of `per`: a longer one has more, a shorter one fewer, so contacts are as stiff
   Real per = 0;       ///< s; 0: of every step, however long
-  Real margin = Real(0.02);     ///< m: beside what a pair may come nearer in a step
+  Real margin = Real(0.02);     ///< m, added to the distance that a pair may approach in one step
   Real threshold = Real(0.1);   ///< m/s; what arrives slower does not bounce
   Real precision = Real(1e-6);  ///< to which normals are solved while something bounces, of the fastest bounce,
   int most_rounds = 100;        ///< or until they have been solved so often
@@ -78,14 +78,14 @@ struct SubsteppingSolver : StepSolver {
     for (const JointRow& row : rows) sum.residual = std::max(sum.residual, row.error());
     return sum;
   }
-  /// Joints have rows of their own, made anew in each substep; of the contacts they know nothing.
+  /// Joints build their own rows in each substep and do not read the contacts, so the list of contact rows is empty.
   StepContext joints_step(World& world, Real h) { return {world, world.contacts, no_rows_, h}; }
   PushOut push_out(Real h) const {
     const Real w = spring.angular_frequency(per > 0 ? per / static_cast<Real>(substeps) : h),
                damping = 2 * spring.damping_ratio + h * w;
     return {w / damping, 1 / (h * w * damping), spring.fastest_push_out, threshold};
   }
-  /// `act(i, p)` for each contact that the step before had: p, N s, is what it is to start from.
+  /// Calls `act(i, p)` for each contact that the step before had. p, N s: its initial impulse.
   template <class Act>
   void start_from_last_step(const World& world, Real h, const Act& act) {
     const Real scale = world.impulse_scale(h);

@@ -18,7 +18,7 @@ struct Quantity {
   double tolerance;  ///< how far it may be from the right one
 };
 
-/// What a scene measures: a quantity, and its value.
+/// One measured value of a scene, with its quantity.
 struct Reading : Quantity {
   template <class Value>
   Reading(std::string its_words, Value its_value, std::string its_unit = "", double its_tolerance = 1e-6)
@@ -26,12 +26,12 @@ struct Reading : Quantity {
   Real value;
 };
 
-/// `Answer` is what an exercise asks of the student: functions, or an effect. Beside it stands `checks_of`, which lists its checks.
+/// `Answer`: the functions, or the effect, that the student writes. `checks_of`, declared after it, lists the checks of the exercise.
 template <class Answer>
 struct Check {
   std::string says;  ///< of a right answer: "a column that lands flat stays on the ground"
   int points;
-  /// A scene made of random numbers, and what is measured in it: the same quantities, in the same order, whatever the answer.
+  /// Plays a random scene and returns its readings. Their quantities and order are the same for every answer.
   std::function<std::vector<Reading>(Random&, const Answer&)> play;
   /// What is physically wrong with any answer that fails: goes on from "your column leaves with 0.31 m/s where 0 is right: ".
   std::string hint = {};
@@ -72,7 +72,7 @@ struct Exercise {
   bool graded() const { return !in_page && !whole(); }
 };
 
-/// Each check is played in so many scenes.
+/// The number of scenes in which each check is played.
 inline constexpr std::size_t scenes_of_a_check = 3;
 
 /// The random numbers of one of them.

@@ -62,9 +62,9 @@ struct Run {
 
   /// Samples of the last `seconds`: at least one.
   std::vector<Sample> last(Real seconds) const;
-  /// Of one of the series, the largest value.
+  /// The largest value of the series of this name.
   Real largest(const std::string& name) const;
-  /// The mean of all steps.
+  /// The mean of that series over all steps.
   Real mean(const std::string& name) const;
 };
 

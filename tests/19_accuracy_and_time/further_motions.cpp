@@ -173,7 +173,7 @@ TEST_CASE("chaplygin: energy and K stay, and by Newton and Euler one friction mo
     CHECK(later.orientation.norm() == Approx(1).epsilon(1e-14));
     CHECK(later.centre.y() == ball.centre.y());
 
-    // Of these equations it knows nothing; m x'' is the force of the contact, but for the weight that it carries.
+    // The truth does not use these equations. m x'' is the force of the contact minus the weight that it carries.
     const RollingBall before = later.after(-dt, 4), after = later.after(dt, 4);
     const auto turning = [](const RollingBall& at) {
       const Eigen::Matrix3d R = at.orientation.toRotationMatrix();

@@ -75,7 +75,7 @@ Places speeds_between(const Places& before, const Places& after) {
   return found;
 }
 
-/// Of all balls, each of 1 kg.
+/// Sums over all balls, each of 1 kg.
 struct Sums {
   Eigen::Vector3d place = Eigen::Vector3d::Zero(), momentum = place, turning = place;
   double squares = 0;

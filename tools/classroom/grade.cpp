@@ -84,7 +84,7 @@ Json graded(const Grading& grading, const Exercise& exercise, const HandedIn& ha
   for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
     if (exercise.whole() && exercise.checks[i].points == 0) continue;  // it ended with an earlier chapter
     const bool passed = verdict.checks[i] == Passed::yes &&
-                        !verdict.changes_nothing() &&  // what the gap itself passes is no work
+                        !verdict.changes_nothing() &&  // the gap itself passes these checks
                         (!exercise.whole() || exercise.checks[i].stage <= fails);
     const int worth = grading.points.of(exercise, i);
     of += worth;

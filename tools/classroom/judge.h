@@ -34,9 +34,8 @@ struct Verdict {
   /// The kind of the problem, "nothing changes" or "not a number"; empty: none of these.
   std::string mistake;
   std::vector<NumbersOfScenes> right;  ///< the numbers of each check
-  bool changes_nothing() const {
-    return mistake == "nothing changes";
-  }  ///< its numbers are those of the file with the gap
+  /// Its numbers are those of the file with the gap.
+  bool changes_nothing() const { return mistake == "nothing changes"; }
   bool passed() const {
     return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](Passed one) { return one == Passed::yes; });
   }

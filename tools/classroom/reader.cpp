@@ -19,8 +19,8 @@ constexpr const char* memory = ".remembered";
 
 constexpr auto never = fs::file_time_type::min();
 
-/// When a header in the folder was written last. An editor may save by deleting, or write beside the file and rename: what is gone
-/// comes back.
+/// When a header in the folder was last written. An editor may delete a file before it saves it, or rename a new file into its place,
+/// so a missing file is no error.
 fs::file_time_type last_written(const fs::path& folder) {
   std::error_code gone;
   fs::file_time_type last = never;

@@ -20,13 +20,12 @@ std::string lines_printed(const Attempt& outcome);
 /// Calls `check` whenever a header in the folder was written, until interrupted.
 [[noreturn]] void watch(const std::filesystem::path& folder, const std::function<void()>& check);
 
-/// A folder in which somebody works, and what is remembered there of each exercise or chapter, by its name.
+/// A reader's working folder. It stores, for each exercise or chapter by name, whether it is solved and how many hints were shown.
 class WorkFolder {
  public:
   explicit WorkFolder(const std::filesystem::path& folder);
   const std::filesystem::path& path() const { return folder_; }
-  /// Writes the file. What was there is kept beside it, with .old at its end, then .old2, ...; returns where that is; empty:
-  /// nothing was there.
+  /// Writes the file. An existing file is kept under the same name with .old, .old2, ... Returns that path, or an empty one.
   std::filesystem::path begin_anew(const std::filesystem::path& file, const std::string& text) const;
   /// What stood there when it was solved; 0: it was not.
   std::uint64_t solved(const std::string& name) const;

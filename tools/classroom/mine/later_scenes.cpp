@@ -83,7 +83,7 @@ struct Corrected {
   }
 };
 
-Measured plan_of_a_step() {
+MeasuredScene plan_of_a_step() {
   return {{{"of contacts, a step of yours has so many detections:", "", 0.5},
            {"and so many substeps:", "", 0.5},
            {"and in each so many sweeps:", "", 0.5},

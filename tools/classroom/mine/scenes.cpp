@@ -16,7 +16,7 @@ constexpr Meeting balls_that_slide{
 constexpr Meeting deep{.speed = slow, .depth = {0.01, 0.05}, .rate = {2, 5}, .sweeps = {2, 5.9}};
 
 /// So many sweeps that it has converged.
-Measured pile_of_any_velocities(bool deep_and_bouncy) {
+MeasuredScene pile_of_any_velocities(bool deep_and_bouncy) {
   return of_a_pile([=](Random& random, const WholeSolver& answer) {
     Pile pile(random);
     for (Contact& c : pile.world.contacts) {

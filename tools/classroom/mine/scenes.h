@@ -21,23 +21,23 @@
 
 namespace pushback {
 
-/// A scene made of random numbers, and what is measured in it.
-struct Measured {
+/// A random scene of a check, with the quantities that it measures.
+struct MeasuredScene {
   using Play = std::function<Numbers(Random&, const WholeSolver&)>;
   std::vector<Quantity> quantities;
   Play play;  ///< the quantities, in their order
 
-  Measured(std::vector<Quantity> all, Play its) : quantities(std::move(all)), play(std::move(its)) {}
+  MeasuredScene(std::vector<Quantity> all, Play its) : quantities(std::move(all)), play(std::move(its)) {}
   /// A type that says its quantities, and plays.
   template <class Scene>
     requires requires(const Scene& scene) { scene.quantities(); }
-  Measured(const Scene& scene) : quantities(scene.quantities()), play(scene) {}
+  MeasuredScene(const Scene& scene) : quantities(scene.quantities()), play(scene) {}
 };
 
 struct CheckOfChapter {
   int chapter;       ///< that asks for it first
   std::string says;  ///< of a right solver: "bodies that leave are let go"
-  Measured scene;
+  MeasuredScene scene;
   /// Chapters of which, and of all that begin from them, a right solver does not pass it any more.
   std::vector<int> ends = {};
 };

@@ -247,7 +247,7 @@ struct Pile : Touching {
   }
 };
 
-inline Measured of_a_pile(Measured::Play play) {
+inline MeasuredScene of_a_pile(MeasuredScene::Play play) {
   std::vector<Quantity> all;
   for (const int box : {1, 2, 3}) {
     all.push_back({fmt::format("box {} of your pile moves with", box), "m/s", exact});

@@ -16,7 +16,7 @@ constexpr std::size_t most_named = 3;  // mistakes that show the same: more are 
 /// that leave the fewest checks unexplained, and then those that explain the most; each name once.
 std::vector<Slip> likely_slips(int chapter, const VerdictOfMine& made, std::uint64_t seed) {
   const std::vector<Passed>& checks = made.verdict.checks;
-  /// Whether a mistake would not pass a check, and whether it gives the numbers that were sent, to a hundredth of what it changes.
+  /// Whether a mistake fails a check, and whether it reproduces the reader's numbers to a hundredth of the change that it makes.
   const auto shown = [&](const Slip& slip, std::size_t check) {
     const std::vector<Quantity>& quantities = made.exercise.checks[check].quantities;
     bool fails = false, same = true;

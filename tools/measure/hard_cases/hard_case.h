@@ -24,7 +24,7 @@ class Play {
   void step(Real dt = Real(1) / 60);
   /// As many steps as make up `seconds`; `after_each` may look at the world, or poke it.
   void run(Real seconds, Real dt = Real(1) / 60, const std::function<void(World&)>& after_each = {});
-  /// Of a number that is looked at after each of the steps of 1/60 s; at least 0.
+  /// The largest value, at least 0, of `of` after each step of 1/60 s.
   Real largest(Real seconds, const std::function<Real(const World&)>& of);
   /// False once a number was not finite, or the solver has refused the world: what is measured then says nothing.
   bool sound() const { return sound_; }
@@ -32,7 +32,6 @@ class Play {
 
  private:
   friend class Trial;
-  using AllowanceOf = std::function<Allowance(const World&)>;
   Play(Trial& trial, World start, const Allowance& allowance, Stepper stepper);
 
   Trial* trial_;

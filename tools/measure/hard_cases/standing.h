@@ -1,4 +1,4 @@
-/// What cases share: how one looks at them, what may be gained, and what is read off while something stands.
+/// Helpers that cases share: cameras, allowances of energy and overlap, and measurements of a standing pile.
 #pragma once
 
 #include "pushback/tools/measure/hard_cases/hard_case.h"
@@ -13,16 +13,16 @@ Camera view(const Vec3& centre, Real size);
 /// `seconds`: when its picture is taken.
 Scene seen(std::function<void(World&)> fill, const Camera& camera, Real seconds);
 
-/// What may be gained where bodies stand: the work of lifting all of them by a millimetre.
+/// The energy that standing bodies may gain: the work of lifting all of them by a millimetre.
 Allowance standing(const World& world);
-/// By so many m.
+/// The same, with this height in m.
 AllowanceOf lifting(Real height);
-/// Standing, where what falls may strike as deep as this, m.
+/// The same, and falling bodies may overlap by this much, m, when they strike.
 AllowanceOf striking(Real overlap);
 /// Nothing may be gained; a thousandth is for bounces that sweeps leave not quite solved. What is allowed besides: `other`.
 AllowanceOf bouncing(const Allowance& other = {});
 
-/// What is read off while a pile stands.
+/// Measurements of a standing pile.
 struct Stood {
   Real drift = 0;    ///< m, sideways, of the body that moved most
   Real moved = 0;    ///< m, in any direction, of the body that moved most

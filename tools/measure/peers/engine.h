@@ -44,8 +44,8 @@ using BeginForMotion = std::function<std::unique_ptr<Engine>(const World& world,
 Method method_of(const std::string& name, const std::string& title, const BeginForMotion& begin, bool divides = false);
 
 /// A whole step hands the world to the engine. What others have changed since is written into it; where that is more than
-/// positions and velocities, the engine begins anew. Contacts are found by ours, where bodies are after the step, so that an
-/// overlap means the same whoever moved them; of what the engine pushed there they know nothing: their impulses are 0.
+/// positions and velocities, the engine is built again. Our collision detection finds the contacts after the step, so that an overlap
+/// means the same under every engine. Their impulses are 0, because the engine's impulses are not read.
 class EngineSolver : public StepSolver {
  public:
   EngineSolver(BeginEngine* begin, PeerSetting setting) : begin_(begin), setting_(std::move(setting)) {}

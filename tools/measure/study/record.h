@@ -1,4 +1,4 @@
-/// How a Measured is written down: the line that a program prints of what it has played, and words where there is no number.
+/// A Measured as text: the line that a program prints, and the words that stand for missing numbers.
 #pragma once
 
 #include "pushback/chapters/19_accuracy_and_time/front.h"
