@@ -104,7 +104,6 @@ class Live {
  private:
   class Lane;
 
-  std::vector<ParameterWithDefault> all_parameters() const;
   const ParameterWithDefault& parameter(const std::string& flag) const;
   void begin();
   Ray ray(const Camera& camera, Real aspect, Real x, Real y) const;

@@ -117,10 +117,6 @@ std::vector<std::string> wrapped(std::string_view text, float size, int width, b
   return lines;
 }
 
-int missing_characters(std::string_view text, bool bold) {
-  return pango_layout_get_unknown_glyphs_count(laid_out(text, 20, bold).get());
-}
-
 // ---- shapes ----------------------------------------------------------------------------------------------------------
 
 void fill_rectangle(Image& image, int x, int y, int width, int height, Ink ink, float opacity) {
@@ -133,14 +129,6 @@ void fill_disc(Image& image, float x, float y, float radius, Ink ink) {
   const Pen pen = pen_on(image, ink);
   cairo_arc(pen.get(), x, y, radius, 0, 2 * std::numbers::pi);
   cairo_fill(pen.get());
-}
-
-void draw_line(Image& image, Spot from, Spot to, float width, Ink ink) {
-  const Pen pen = pen_on(image, ink);
-  cairo_set_line_width(pen.get(), width);
-  cairo_move_to(pen.get(), from.x, from.y);
-  cairo_line_to(pen.get(), to.x, to.y);
-  cairo_stroke(pen.get());
 }
 
 void draw_arrow(Image& image, Spot from, Spot to, float width, Ink ink) {

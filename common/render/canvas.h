@@ -29,12 +29,9 @@ void write_text(Image& image, std::string_view text, int x, int y, float size, I
 int text_width(std::string_view text, float size, bool bold = false);
 /// `text` in lines of `width` pixels, broken where words end; a word that is longer stays whole.
 std::vector<std::string> wrapped(std::string_view text, float size, int width, bool bold = false);
-/// How many characters the font lacks.
-int missing_characters(std::string_view text, bool bold = false);
 
 void fill_rectangle(Image& image, int x, int y, int width, int height, Ink ink, float opacity = 1);
 void fill_disc(Image& image, float x, float y, float radius, Ink ink);
-void draw_line(Image& image, Spot from, Spot to, float width, Ink ink);
 /// Its head ends at `to`.
 void draw_arrow(Image& image, Spot from, Spot to, float width, Ink ink);
 

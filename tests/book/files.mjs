@@ -15,7 +15,7 @@ after(() => rmSync(scratch, { recursive: true }));
 const json = (file) => JSON.parse(readFileSync(file, "utf8"));
 
 test("every motion and every hard case is as the schema says, and what is not is refused", () => {
-  assert.ok(programs, "benchmark_files is built by ./course test");
+  assert.ok(programs, "benchmark_files is built by ./course test --book");
   assert.equal(spawnSync(`${programs}/benchmark_files`, [scratch]).status, 0);
   const validate = new Ajv({ strictTypes: false, allErrors: true }).compile(
     json("tools/measure/adapters/benchmark.schema.json"),
