@@ -15,12 +15,6 @@ using namespace pushback;
 #define SOURCE_DIR "."
 #endif
 
-namespace {
-
-constexpr Real exact = in_double ? Real(1e-12) : Real(1e-4);
-
-}  // namespace
-
 TEST_CASE("bodies and queries: debris lies on the scenery and falls through people") {
   World world;
   constexpr std::uint32_t scenery = 1, people = 2, debris = 4;
@@ -60,7 +54,7 @@ TEST_CASE("bodies and queries: a lift goes up by 2 m in 4 s, and turns by a quar
     world.step(solver, dt);
   }
 
-  CHECK((world.bodies[std::size_t(lift)].position - Vec3(0, 2, 0)).norm() < exact);
+  CHECK((world.bodies[std::size_t(lift)].position - Vec3(0, 2, 0)).norm() < point_rounding);
   CHECK((world.bodies[std::size_t(load)].position - Vec3(0, 2.375, -0.5)).norm() < Real(1e-3));
 }
 
@@ -195,9 +189,9 @@ TEST_CASE("bodies and queries: what a ray hits, and what a body would touch") {
 
   REQUIRE(hit);
   CHECK(hit->body == 1);
-  CHECK(std::abs(hit->distance - Real(3.5)) < exact);
-  CHECK((hit->point - Vec3(-0.5, 0.5, 0)).norm() < exact);
-  CHECK((hit->normal - Vec3(-1, 0, 0)).norm() < exact);
+  CHECK(std::abs(hit->distance - Real(3.5)) < point_rounding);
+  CHECK((hit->point - Vec3(-0.5, 0.5, 0)).norm() < point_rounding);
+  CHECK((hit->normal - Vec3(-1, 0, 0)).norm() < point_rounding);
   REQUIRE(on_the_way.size() == 2);
   CHECK((on_the_way[0].body == 1 && on_the_way[1].body == 2));
   CHECK(nearest_hit(world, {.origin = {-4, 2, 0}, .direction = {1, 0, 0}}) == std::nullopt);
@@ -210,5 +204,5 @@ TEST_CASE("bodies and queries: what a ray hits, and what a body would touch") {
   CHECK_FALSE(room);
   REQUIRE(within_a_metre.size() == 1);
   CHECK(within_a_metre[0].body == 1);
-  CHECK(std::abs(within_a_metre[0].contacts[0].depth - Real(0.125)) < exact);  // 0.875 m apart
+  CHECK(std::abs(within_a_metre[0].contacts[0].depth - Real(0.125)) < point_rounding);  // 0.875 m apart
 }

@@ -15,14 +15,14 @@ using namespace pushback;
 
 namespace {
 
-struct Tried {
+struct Accounted {
   std::string name;
   AnySolver solver;
   Real epsilon;  // of the numbers that impulses are in
 };
 
-std::vector<Tried> all_tried() {
-  std::vector<Tried> all;
+std::vector<Accounted> all_tried() {
+  std::vector<Accounted> all;
   for (const NamedSolver& one : all_solvers()) all.push_back({one.name, one.solver, eps});
   all.push_back({"Recommended", Recommended{}, eps});
   Recommended within;
@@ -36,7 +36,7 @@ std::vector<Tried> all_tried() {
 }  // namespace
 
 TEST_CASE("momentum: what is put on a body by hand acts for the whole step, however the step is divided") {
-  for (const Tried& tried : all_tried()) {
+  for (const Accounted& tried : all_tried()) {
     for (const Real spin : {Real(0), Real(3), Real(40)}) {  // of a wheel with which the others have nothing to do
       INFO(tried.name << ", " << spin << " rad/s");
       AnySolver solver = tried.solver;
@@ -76,7 +76,7 @@ TEST_CASE("momentum: what is put on a body by hand acts for the whole step, howe
 }
 
 TEST_CASE("momentum: a ball and a box that bounce, alone and on each other, report the impulse of the impact") {
-  for (const Tried& tried : all_tried()) {
+  for (const Accounted& tried : all_tried()) {
     if (tried.name == "00 naive" || tried.name < "05") continue;  // they know no bounce
     for (const bool ball : {true, false}) {
       for (const int count : {1, 2}) {
@@ -125,7 +125,7 @@ TEST_CASE("momentum: what has parted is listed with its impulse, and is no conta
 
 TEST_CASE("momentum: a hanging weight's joint bears its weight, whatever divides the step, with a limit or without") {
   const Real mass = 10;
-  for (const Tried& tried : all_tried()) {
+  for (const Accounted& tried : all_tried()) {
     if (!tried.solver.holds_joints()) continue;
     for (const bool limited : {false, true}) {
       for (const Real dt : {h, h / 4}) {
@@ -145,7 +145,7 @@ TEST_CASE("momentum: a hanging weight's joint bears its weight, whatever divides
 }
 
 TEST_CASE("momentum: joints report what they gave, in a chain that whips and meets the ground") {
-  for (const Tried& tried : all_tried()) {
+  for (const Accounted& tried : all_tried()) {
     if (!tried.solver.holds_joints()) continue;
     INFO(tried.name);
     AnySolver solver = tried.solver;

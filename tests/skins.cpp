@@ -10,12 +10,6 @@
 
 using namespace pushback;
 
-namespace {
-
-constexpr Real exact = in_double ? Real(1e-12) : Real(1e-4);
-
-}  // namespace
-
 TEST_CASE("skin: round bodies touch as if their radius were larger by it") {
   Random random(1);
   int touching = 0;
@@ -40,9 +34,9 @@ TEST_CASE("skin: round bodies touch as if their radius were larger by it") {
     REQUIRE(found.size() == expected.size());
     for (std::size_t k = 0; k < found.size(); ++k) {
       ++touching;
-      CHECK(std::abs(found[k].depth - expected[k].depth) < exact);
-      CHECK((found[k].normal - expected[k].normal).norm() < exact);
-      CHECK((found[k].point - expected[k].point).norm() < exact);
+      CHECK(std::abs(found[k].depth - expected[k].depth) < point_rounding);
+      CHECK((found[k].normal - expected[k].normal).norm() < point_rounding);
+      CHECK((found[k].point - expected[k].point).norm() < point_rounding);
     }
   }
   CHECK(touching > 2000);
@@ -67,8 +61,8 @@ TEST_CASE("skin: the depth of any two shapes is larger by both skins than withou
       ++compared;
       CHECK(skinned[k].id == plain[k].id);
       CHECK(skinned[k].normal == plain[k].normal);
-      CHECK(std::abs(skinned[k].depth - (plain[k].depth + skin_a + skin_b)) < exact);
-      CHECK((skinned[k].point - (plain[k].point + (skin_a - skin_b) / 2 * plain[k].normal)).norm() < exact);
+      CHECK(std::abs(skinned[k].depth - (plain[k].depth + skin_a + skin_b)) < point_rounding);
+      CHECK((skinned[k].point - (plain[k].point + (skin_a - skin_b) / 2 * plain[k].normal)).norm() < point_rounding);
     }
   }
   CHECK(compared > 2000);

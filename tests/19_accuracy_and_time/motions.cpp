@@ -16,6 +16,7 @@
 #include "pushback/common/world/situations.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/relaxed_law.h"
+#include "tests/19_accuracy_and_time/errors_in.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -203,16 +204,6 @@ TEST_CASE("the truth of each motion moves as far as a law says") {
 
 namespace {
 
-/// m, of settings that a program plays.
-std::vector<double> errors_in(const std::string& motion, const std::string& settings,
-                              const fs::path& program = MOTION_PROGRAM) {
-  const Ended ended = call_program(program, motion + " " + settings + " --at-least 0 --at-most 600", 120);
-  INFO(motion << " " << settings << ": " << ended.err);
-  REQUIRE(ended.status == 0);
-  std::vector<double> found;
-  for (const std::string& line : lines_of(ended.out)) found.push_back(std::stod(line.substr(line.find(" error ") + 7)));
-  return found;
-}
 std::vector<std::string> methods_of(const std::string& motion) {
   std::vector<std::string> names;
   for (const std::string& line : lines_of(call_program(MOTION_PROGRAM, motion).out))
@@ -248,7 +239,7 @@ TEST_CASE("half the step is half the error: of what slides, and of what swings")
   const auto halves = [](const std::string& motion, const std::string& method, const std::string& sweeps) {
     std::string settings;
     for (const char* substeps : {"8", "16", "32", "64"}) settings += method + "/" + substeps + "/" + sweeps + " ";
-    const auto errors = errors_in(motion, settings);
+    const auto errors = errors_in(MOTION_PROGRAM, motion, settings);
     REQUIRE(errors.size() == 4);
     for (std::size_t i = 1; i < errors.size(); ++i) {
       INFO(motion << ", " << method << ": " << errors[i - 1] << ", then " << errors[i] << " m");
@@ -258,20 +249,6 @@ TEST_CASE("half the step is half the error: of what slides, and of what swings")
   for (const std::string& method : methods_of("sliding"))
     if (!method.starts_with("full")) halves("sliding", method, "4");
   for (const std::string& method : methods_of("pendulum")) halves("pendulum", method, "1");
-}
-
-TEST_CASE("in float a bounce errs as in double, and what lies still only by what float rounds") {
-  const std::string settings = "full/8/4 slim/16/1 direct-contacts/8/1 soft/8/1";
-  const auto in_double = errors_in("bounce", settings), in_float = errors_in("bounce", settings, MOTION_FLOAT_PROGRAM);
-  REQUIRE(in_double.size() == in_float.size());
-  for (std::size_t i = 0; i < in_double.size(); ++i) CHECK(in_float[i] == Approx(in_double[i]).epsilon(0.01));
-  // A box whose centre is at 1.5 m is known to 6e-8 of that; and a seat of 1 um is then not one to a per cent any more.
-  const double seat = errors_in("heavy-on-light", "direct-contacts/8/1").at(0);
-  const double of_float = errors_in("heavy-on-light", "direct-contacts/8/1", MOTION_FLOAT_PROGRAM).at(0);
-  CHECK(seat == Approx(2e-6).epsilon(1e-3));
-  INFO(of_float);
-  CHECK(of_float > 1e-7 * 1.5);
-  CHECK(std::abs(of_float - seat) > 1e-3 * seat);  // double it is not
 }
 
 // ---- a seat, and direct contacts --------------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ using namespace pushback;
 
 namespace {
 
-constexpr Real tight = 5000 * eps;  // 1e-12 in double, 6e-4 in float: for lengths of about 1 m
+constexpr Real rounding = 5000 * eps;  // 1e-12 in double, 6e-4 in float: for lengths of about 1 m
 
 Vec3 lengths(Random& random, Real low, Real high) {  // one statement each, as in random.h
   const Real x = random.between(low, high);
@@ -26,7 +26,7 @@ Vec3 lengths(Random& random, Real low, Real high) {  // one statement each, as i
   return {x, y, z};
 }
 
-void require_equal(const Vec3& a, const Vec3& b, Real tolerance = tight) {
+void require_near(const Vec3& a, const Vec3& b, Real tolerance = rounding) {
   INFO("(" << a.transpose() << ") and (" << b.transpose() << ")");
   REQUIRE((a - b).norm() <= tolerance);
 }
@@ -51,9 +51,9 @@ TEST_CASE("a hull of a box's eight corners weighs what the box weighs") {
     REQUIRE(solid_of(made).faces.size() == 6);
     REQUIRE(solid_of(made).edges.size() == 12);
     REQUIRE(solid_of(made).volume == Approx(8 * extents.prod()));
-    require_equal(made.position, where);
+    require_near(made.position, where);
     REQUIRE(made.inverse_mass == crate.inverse_mass);
-    REQUIRE((made.inverse_inertia - crate.inverse_inertia).norm() <= tight * crate.inverse_inertia.norm());
+    REQUIRE((made.inverse_inertia - crate.inverse_inertia).norm() <= rounding * crate.inverse_inertia.norm());
     // Of the points' own axes, if they are principal.
     if (angle == 0) REQUIRE(made.orientation.coeffs() == Quat::Identity().coeffs());
   }
@@ -70,28 +70,28 @@ TEST_CASE("the inertia of a tetrahedron with three edges at right angles") {
     Points points = {corner};
     for (int axis = 0; axis < 3; ++axis) points.push_back(corner + legs[axis] * Vec3::Unit(axis));
     const Body made = hull(points, mass);
-    require_equal(made.position, corner + legs / 4);
+    require_near(made.position, corner + legs / 4);
     REQUIRE(solid_of(made).volume == Approx(legs.prod() / 6));
     Mat3 inertia = mass / 80 * legs * legs.transpose();
     inertia.diagonal() = 3 * mass / 80 * (Vec3::Constant(legs.squaredNorm()) - legs.cwiseAbs2());
     const Mat3 product = inertia * made.inverse_inertia;
-    REQUIRE((product - Mat3::Identity()).norm() < 100 * tight);
+    REQUIRE((product - Mat3::Identity()).norm() < 100 * rounding);
     const Points now = corners_of(made);  // all where they were given
-    for (std::size_t k = 0; k < 4; ++k) require_equal(now[k], points[k]);
+    for (std::size_t k = 0; k < 4; ++k) require_near(now[k], points[k]);
   }
   const Body regular = hull({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, 2);  // m s^2 / 20, s^2 = 8
-  REQUIRE((regular.inverse_inertia - Mat3::Identity() / Real(0.8)).norm() < tight);
+  REQUIRE((regular.inverse_inertia - Mat3::Identity() / Real(0.8)).norm() < rounding);
 }
 
 TEST_CASE("at() moves the centre of mass, turned() turns about it") {
   const Points ramp = wedge(3, 1, 2);
   Body made = hull(ramp, 1);
-  require_equal(made.position, {Real(0.5), Real(1) / 3, 0});
+  require_near(made.position, {Real(0.5), Real(1) / 3, 0});
   Body turned = hull(ramp, 1).turned(pi / 2, Vec3::UnitZ()).at({7, 8, 9});
   const Quat quarter(Eigen::AngleAxis<Real>(pi / 2, Vec3::UnitZ()));
   const Points now = corners_of(turned);
   for (std::size_t i = 0; i < ramp.size(); ++i) {
-    require_equal(now[i], Vec3(7, 8, 9) + quarter * (ramp[i] - made.position), 10 * tight);
+    require_near(now[i], Vec3(7, 8, 9) + quarter * (ramp[i] - made.position), 10 * rounding);
   }
 }
 

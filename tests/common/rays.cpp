@@ -14,12 +14,10 @@ using namespace pushback;
 
 namespace {
 
-/// m: what rounding may do to a point some metres away.
-constexpr Real exact = in_double ? Real(1e-12) : Real(1e-4);
 constexpr Real infinite = std::numeric_limits<Real>::infinity();
 
 /// Any of the five shapes, somewhere within 1 m of the origin.
-Body any_shape(Random& random) {
+Body any_of_five(Random& random) {
   const std::size_t kind = random.below(6);
   if (kind == 0) return half_space(random.direction()).at(random.vector(1));
   if (kind > 1) return random.body(1).at(random.vector(1));
@@ -47,29 +45,30 @@ TEST_CASE("ray: it hits on the surface, no nearer point of it is inside, and wha
   Random random(1);
   int hits = 0, from_inside = 0, misses = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Body body = any_shape(random);
+    const Body body = any_of_five(random);
     const Ray ray = any_ray(random);
     const Vec3 direction = ray.direction.normalized();
     const auto hit = first_hit(ray, body);
     const Real way = hit ? hit->distance : std::min(ray.length, Real(20));
     for (int k = 0; k < 100; ++k)
-      REQUIRE(outside(body, ray.origin + way * Real(k) / 100 * direction) >= (hit && hit->inside ? -infinite : -exact));
+      REQUIRE(outside(body, ray.origin + way * Real(k) / 100 * direction) >=
+              (hit && hit->inside ? -infinite : -point_rounding));
     if (!hit) {
       ++misses;
     } else if (hit->inside) {
       ++from_inside;
-      REQUIRE(outside(body, ray.origin) < exact);
+      REQUIRE(outside(body, ray.origin) < point_rounding);
       REQUIRE((hit->distance == 0 && hit->point == ray.origin && hit->normal == -direction));
     } else {
       ++hits;
       REQUIRE(hit->distance >= 0);
       REQUIRE(hit->distance <= ray.length);
-      REQUIRE((hit->point - (ray.origin + hit->distance * direction)).norm() < exact);
-      REQUIRE(std::abs(outside(body, hit->point)) < exact);
-      REQUIRE(std::abs(hit->normal.norm() - 1) < exact);
-      REQUIRE(hit->normal.dot(direction) <= exact);
+      REQUIRE((hit->point - (ray.origin + hit->distance * direction)).norm() < point_rounding);
+      REQUIRE(std::abs(outside(body, hit->point)) < point_rounding);
+      REQUIRE(std::abs(hit->normal.norm() - 1) < point_rounding);
+      REQUIRE(hit->normal.dot(direction) <= point_rounding);
       const Real step = Real(0.01);
-      REQUIRE(std::abs(outside(body, hit->point + step * hit->normal) - step) < exact);
+      REQUIRE(std::abs(outside(body, hit->point + step * hit->normal) - step) < point_rounding);
     }
   }
   CHECK(hits > 5000);
@@ -92,7 +91,7 @@ TEST_CASE("ray: distances in closed form") {
   const auto corner = first_hit({.origin = {-5, 5, Real(0.25)}, .direction = {1, -1, 0}}, sphere(1, 1));
   REQUIRE(corner);
   CHECK(corner->distance == Approx(5 * root - std::sqrt(Real(1) - Real(0.0625))));
-  CHECK((corner->point - corner->normal).norm() < exact);  // of the unit sphere
+  CHECK((corner->point - corner->normal).norm() < point_rounding);  // of the unit sphere
 }
 
 TEST_CASE("ray: along faces, from the surface, from inside, and as long as it has to be") {

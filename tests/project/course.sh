@@ -233,15 +233,15 @@ course exercise && expect 127 "is built first, only this once"
 course mine three --seed 10 && expect 3 "--target mine 03_three" "mine: three --seed 10 in $scratch/sub" && expect_not "10_ten"
 course mine --hint && expect 3 "--target mine" "mine: --hint in $scratch/sub"
 course mine hard-cases slop && expect 3 "--target mine hard_cases_table" "mine: hard-cases slop in $scratch/sub" && expect_not "04_four"
-course mine study rolling && expect 3 "--target mine study motion_mine" "mine: study rolling in $scratch/sub"
+course mine study rolling && expect 3 "--target mine study motion_float motion_mine" "mine: study rolling in $scratch/sub"
 course grade -- -rf a && expect 3 "--target grade" "grade: -- -rf a in $scratch/sub"
 
 # The study of accuracy and time, and the other engines, which are built only when they are asked for.
 for name in study frozen hard_cases_peers; do program $name; done
 touch "$scratch/sub/mine.mjs"
-course study --quick && expect 0 "--target study frozen" "study: --quick --out renders/here" "frozen: --quick --out renders/here" && expect_not "peers"
+course study --quick && expect 0 "--target study frozen motion_float motion_methods" "study: --quick --out renders/here" "frozen: --quick --out renders/here" && expect_not "peers"
 course study --quick -- --only bounce && expect 0 "study: --quick --only bounce --out renders/here" && expect_not "frozen:"
-course study --peers --keep && expect 0 "-DPUSHBACK_PEERS=ON" "--target study frozen peers" "study: --peers --out renders" "frozen: --out renders"
+course study --peers --keep && expect 0 "-DPUSHBACK_PEERS=ON" "--target study frozen motion_float motion_methods peers" "study: --peers --out renders" "frozen: --out renders"
 course hard-cases slop --peers -- --jobs 1
 expect 0 "-DPUSHBACK_PEERS=ON" "--target hard_cases_peers peers" "peers: slop --jobs 1" "took " && expect_not "table:"
 course hard-cases slop -- --adapter mine.mjs

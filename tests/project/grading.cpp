@@ -154,7 +154,8 @@ TEST_CASE("parts, each for itself, make the whole, and half of a result is grade
 }
 
 TEST_CASE(
-    "an archive is graded as the folder in it, and one that leads elsewhere is not taken, nor one that is too much") {
+    "an archive is graded as the folder in it, and one that leads elsewhere is not taken, nor one that is too much",
+    "[checked]") {
   Class all;
   const auto shell = [&](const std::string& commands) {
     const Ended ended =
@@ -340,7 +341,7 @@ TEST_CASE("a handout has tasks and gaps, and neither answers nor checks, and its
   CHECK_FALSE(fs::exists(scratch / "none"));
 }
 
-TEST_CASE("what was handed out is what is graded") {
+TEST_CASE("what was handed out is what is graded", "[checked]") {
   Class all;
   const std::string points = (all.scratch / "handout.points").string();
   const auto handed_out = [&](const std::string& which) {

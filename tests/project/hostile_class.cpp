@@ -17,7 +17,6 @@ struct Student {
   std::string name;
   int points = 0;
   std::string mistake, words, above, inside;
-  bool soon = false;  ///< in the short test
 };
 
 std::string trimmed(const std::string& text) {
@@ -39,9 +38,7 @@ std::vector<Student> students() {
     for (std::string& part : parts) part = trimmed(part);
     if (line.starts_with("  ") && !all.empty()) add(trimmed(line));
     else if (parts[1] == "0" || parts[1] == "6") {
-      const bool soon = parts[0].starts_with("*"), right = parts[1] == "6";
-      all.push_back(
-          {parts[0].substr(soon), std::stoi(parts[1]), parts[2], parts[3], "", right ? "@RIGHT@\n" : "", soon});
+      all.push_back({parts[0], std::stoi(parts[1]), parts[2], parts[3], "", parts[1] == "6" ? "@RIGHT@\n" : ""});
       add(parts[4]);
     }
   }
@@ -91,13 +88,12 @@ constexpr const char* everywhere = R"(#include <arpa/inet.h>
 /// A folder for each in scratch/class, and beside it what a teacher has.
 class HostileClass {
  public:
-  explicit HostileClass(bool all) : exercises_(all_exercises()), asked_(exercise_named(exercises_, "03")) {
+  HostileClass() : exercises_(all_exercises()), asked_(exercise_named(exercises_, "03")) {
     write_text_file(make("home") / "secret.txt", "key-of-the-teacher\n");
     const std::string right = "normal.bias = std::min(normal.bias, std::max(-cap, beta / h * normal.separation));\n";
     hand_in({"a right one", 6, "", "", "", right});
     hand_in({"-rf", 6, "", "", "", right});
-    for (const Student& student : students())
-      if (all || student.soon) hand_in(student);
+    for (const Student& student : students()) hand_in(student);
     const std::string file = asked_.name + ".h";
     fs::create_symlink(folder_ / "class/a right one" / file, make("class/a link") / file);
     REQUIRE(mkfifo((make("class/a pipe") / file).c_str(), 0600) == 0);
@@ -164,7 +160,11 @@ std::set<std::string> running() {
   return names;
 }
 
-void get_what_is_due(const HostileClass& hostile) {
+}  // namespace
+
+TEST_CASE("a hostile class gets what is due") {
+  if (!has_sandbox()) return;
+  const HostileClass hostile;
   const Ended ended = hostile.grade("--jobs 2 --seconds 1 --megabytes 200 --compile-seconds 6");
   if (ended.status != 0) FAIL(ended.err);
   CHECK(contains(ended.err, "not graded: 'stray.txt' is no folder"));
@@ -184,18 +184,6 @@ void get_what_is_due(const HostileClass& hostile) {
   }
   CHECK_FALSE(contains(hostile.all_that_is_left(), "key-of-the-teacher"));
   CHECK_FALSE(running().contains("outlives\n"));
-}
-
-}  // namespace
-
-TEST_CASE("a hostile class gets what is due: what is likely to be tried") {
-  if (!has_sandbox()) return;
-  get_what_is_due(HostileClass(false));
-}
-
-TEST_CASE("a hostile class gets what is due: all", "[checked]") {
-  if (!has_sandbox()) return;
-  get_what_is_due(HostileClass(true));
 }
 
 TEST_CASE("an archive that unpacks to more than the sandbox holds is not taken") {

@@ -136,7 +136,7 @@ TEST_CASE("each chapter's plain loop passes as a whole file, also with its rows 
   CHECK(verdict_of_mine(8, edited(8, forwards, backwards), folder / "", 1).verdict.passed());
 }
 
-TEST_CASE("a whole file that crashes, throws, has no end or does not compile is told so") {
+TEST_CASE("a whole file that crashes, throws, has no end or does not compile is told so", "[checked]") {
   const Scratch folder;
   const auto kind = [&](const std::string& text) { return verdict_of_mine(0, text, folder / "", 1).outcome.kind; };
   CHECK(kind(solver_that("std::abort();")) == "crash");
