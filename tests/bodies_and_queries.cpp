@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "pushback/chapters/13_joints/weld.h"
-#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/world/query.h"
+#include "pushback/engine/presets.h"
 #include "tests/support/call.h"
 #include "tests/support/yardstick.h"
 

@@ -1,7 +1,7 @@
 // Bodies that are moved by hand, and conveyors: what they carry obeys closed forms, whatever solver there is.
 
-#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/engine/substeps/wide.h"
 #include "pushback/tools/catalogue/solvers.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"

@@ -1,7 +1,7 @@
 // Skins: what keeps other bodies away from a body's shape.
 
-#include "pushback/chapters/20_only_what_is_needed/sleep.h"
 #include "pushback/common/collision/collide.h"
+#include "pushback/engine/islands/sleep.h"
 #include "pushback/tools/catalogue/solvers.h"
 #include "tests/support/any_shape.h"
 #include "tests/support/catch.h"

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "pushback/chapters/16_whole_problem/matrix.h"
-#include "pushback/chapters/16_whole_problem/sweeping_methods.h"
 #include "pushback/common/experiment/iterated_problem.h"
+#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/sweeping_methods.h"
 
 namespace pushback {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "pushback/chapters/16_whole_problem/sweeps.h"
+#include "pushback/engine/direct/sweeps.h"
 
 namespace pushback {
 

@@ -9,7 +9,7 @@
 ///   Analysis", 2024, ask of each simulator which of these it keeps.
 #pragma once
 
-#include "pushback/chapters/16_whole_problem/contact_problem.h"
+#include "pushback/engine/direct/contact_problem.h"
 
 namespace pushback {
 

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <string>
 
-#include "pushback/chapters/16_whole_problem/contact_problem.h"
+#include "pushback/engine/direct/contact_problem.h"
 
 namespace pushback {
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "pushback/chapters/16_whole_problem/matrix.h"
-#include "pushback/chapters/16_whole_problem/sweeping_methods.h"
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/sweeping_methods.h"
 
 namespace pushback::whole_problem_scenes {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
-#include "pushback/chapters/16_whole_problem/matrix.h"
-#include "pushback/chapters/17_direct_contacts/best.h"
+#include "pushback/engine/direct/best.h"
+#include "pushback/engine/direct/matrix.h"
 
 namespace pushback {
 

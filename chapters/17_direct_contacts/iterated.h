@@ -2,8 +2,8 @@
 #pragma once
 
 #include "pushback/chapters/16_whole_problem/iterated.h"
-#include "pushback/chapters/17_direct_contacts/proximal_newton.h"
-#include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
+#include "pushback/engine/direct/proximal_newton.h"
+#include "pushback/engine/direct/smoothed_newton.h"
 
 namespace pushback {
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "pushback/chapters/17_direct_contacts/pivoting.h"
-#include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/engine/direct/smoothed_newton.h"
 
 namespace pushback {
 

@@ -1,7 +1,7 @@
 /// All ways to solve a contact problem, by name.
 #pragma once
 
-#include "pushback/chapters/17_direct_contacts/best.h"
+#include "pushback/engine/direct/best.h"
 
 namespace pushback {
 

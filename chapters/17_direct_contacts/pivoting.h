@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "pushback/chapters/16_whole_problem/contact_problem.h"
+#include "pushback/engine/direct/contact_problem.h"
 
 namespace pushback {
 

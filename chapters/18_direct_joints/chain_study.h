@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
-#include "pushback/chapters/16_whole_problem/matrix.h"
-#include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/direct/direct_joints.h"
+#include "pushback/engine/direct/matrix.h"
 
 namespace pushback::direct_joints_scenes {
 

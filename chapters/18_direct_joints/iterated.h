@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "pushback/chapters/16_whole_problem/matrix.h"
-#include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/common/experiment/iterated_problem.h"
+#include "pushback/engine/direct/direct_joints.h"
+#include "pushback/engine/direct/matrix.h"
 
 namespace pushback::direct_joints_scenes {
 

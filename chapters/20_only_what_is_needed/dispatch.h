@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "pushback/chapters/20_only_what_is_needed/only.h"
-#include "pushback/chapters/20_only_what_is_needed/sleep.h"
 #include "pushback/common/world/forwarding_solver.h"
 #include "pushback/common/world/step.h"
+#include "pushback/engine/islands/sleep.h"
 
 namespace pushback {
 

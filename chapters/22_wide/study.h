@@ -1,8 +1,8 @@
 /// Other orders of the pairs, for the same solver, and how full its lanes are.
 #pragma once
 
-#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/engine/substeps/wide.h"
 
 namespace pushback::wide_scenes {
 

@@ -1,9 +1,9 @@
-#include "pushback/chapters/23_threads/crew.h"
 #include "pushback/chapters/23_threads/study.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marks.h"
 #include "pushback/common/render/palette.h"
 #include "pushback/common/world/steps_in.h"
+#include "pushback/engine/substeps/crew.h"
 
 using namespace pushback;
 using namespace pushback::threads_scenes;

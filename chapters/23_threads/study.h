@@ -1,8 +1,8 @@
 /// Who takes which bundle, counted; and parts in another order.
 #pragma once
 
-#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/engine/substeps/wide.h"
 
 namespace pushback::threads_scenes {
 

@@ -1,5 +1,4 @@
 #include "pushback/chapters/11_substeps/substeps.h"
-#include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/19_accuracy_and_time/true_places.h"
 #include "pushback/chapters/24_half_step/on_floor.h"
 #include "pushback/chapters/24_half_step/study.h"
@@ -7,6 +6,7 @@
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marks.h"
 #include "pushback/common/render/palette.h"
+#include "pushback/engine/direct/direct_joints.h"
 
 using namespace pushback;
 using namespace pushback::half_step_scenes;

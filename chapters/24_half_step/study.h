@@ -2,9 +2,9 @@
 #pragma once
 
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
-#include "pushback/chapters/24_half_step/composition.h"
 #include "pushback/chapters/24_half_step/plain.h"
 #include "pushback/common/world/any_solver.h"
+#include "pushback/engine/half_step/composition.h"
 
 namespace pushback::half_step_scenes {
 

@@ -5,10 +5,10 @@
 #include "pushback/chapters/09_impacts/from_surface.h"
 #include "pushback/chapters/19_accuracy_and_time/true_places.h"
 #include "pushback/chapters/24_half_step/study.h"
-#include "pushback/chapters/25_moment_of_impact/at_impacts.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marks.h"
+#include "pushback/engine/half_step/at_impacts.h"
 
 using namespace pushback;
 using namespace pushback::moment_of_impact_scenes;

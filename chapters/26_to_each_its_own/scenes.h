@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
-#include "pushback/chapters/26_to_each_its_own/by_island.h"
+#include "pushback/engine/islands/by_island.h"
 
 namespace pushback::to_each_its_own_scenes {
 

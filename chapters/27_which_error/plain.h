@@ -1,7 +1,7 @@
 /// By how much a step is off, and in how many substeps the next one is taken, as plain functions.
 #pragma once
 
-#include "pushback/chapters/27_which_error/estimate.h"
+#include "pushback/engine/islands/estimate.h"
 
 namespace pushback::plain_27 {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pushback/chapters/26_to_each_its_own/scenes.h"
-#include "pushback/chapters/27_which_error/within_error.h"
+#include "pushback/engine/islands/within_error.h"
 
 namespace pushback::which_error_scenes {
 

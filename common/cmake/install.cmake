@@ -1,17 +1,15 @@
 # cmake --install, whole or by components, each of which is installed alone:
-#   simulation   headers, and what a world and the recommended solver need: pushback_simulation, and chapters up to recommended
-#   chapters     the same, and the libraries of other chapters
+#   simulation   headers, and what a world and the recommended solver need: pushback_simulation and engine
+#   chapters     the same, and the libraries of chapters
 #   experiment   the same as simulation, and pictures, sheets and plots: pushback
 #   exercises    a folder of a student's own: the program pushback-exercise, and what it compiles and links answers with; see
 #                tools/classroom/kit.cmake
 # The first three are for find_package(Pushback), which takes them as COMPONENTS.
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/pushback)
-set(recommended_needs whole_problem direct_contacts direct_joints only_what_is_needed wide half_step moment_of_impact to_each_its_own which_error)
-set(simulation_targets pushback_settings pushback_simulation ${recommended_needs})
+set(simulation_targets pushback_settings pushback_simulation engine)
 get_property(chapters_targets GLOBAL PROPERTY chapter_libraries)
-list(REMOVE_ITEM chapters_targets ${recommended_needs})
-list(APPEND chapters_targets flat_solver)
+list(APPEND chapters_targets flat_solver crew)
 set(experiment_targets pushback_render pushback_program pushback choosing)
 set(components simulation)
 if(PUSHBACK_PICTURES)
@@ -28,7 +26,7 @@ foreach(component IN LISTS components)
     endif()]] COMPONENT ${component})
   endif()
 endforeach()
-install(DIRECTORY common chapters DESTINATION include/pushback COMPONENT simulation FILES_MATCHING PATTERN "*.h" PATTERN exercise EXCLUDE)
+install(DIRECTORY common engine chapters DESTINATION include/pushback COMPONENT simulation FILES_MATCHING PATTERN "*.h" PATTERN exercise EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/package/pushback-config.cmake ${PROJECT_BINARY_DIR}/package/pushback-config-version.cmake
   DESTINATION ${package} COMPONENT simulation)
 

@@ -2,9 +2,9 @@
 #include <random>
 
 #include "pushback/chapters/16_whole_problem/laws.h"
-#include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/17_direct_contacts/methods.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/direct/matrix.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;

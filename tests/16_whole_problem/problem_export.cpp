@@ -3,11 +3,11 @@
 
 #include <fstream>
 
-#include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/chapters/17_direct_contacts/methods.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/direct/matrix.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 

@@ -1,9 +1,9 @@
 /// Chapter 16's residual and chapter 19's frozen problems, held against Siconos. Skipped where it is not built in.
 #include <random>
 
-#include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/direct/matrix.h"
 #include "pushback/tools/measure/frozen/methods.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"

@@ -1,9 +1,9 @@
 /// Chapter 17: contacts without friction, solved by pivoting, beside what CGAL finds in rational numbers.
 #include <random>
 
-#include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/17_direct_contacts/pivoting.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/direct/matrix.h"
 #include "tests/support/catch.h"
 
 #ifdef PUSHBACK_CGAL

@@ -3,13 +3,13 @@
 #include <random>
 
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
-#include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
-#include "pushback/chapters/17_direct_contacts/best.h"
 #include "pushback/chapters/17_direct_contacts/growth.h"
-#include "pushback/chapters/17_direct_contacts/newton_system.h"
-#include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/direct/best.h"
+#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/newton_system.h"
+#include "pushback/engine/direct/smoothed_newton.h"
 #include "tests/support/catch.h"
 #include "tests/support/foreign_problems.h"
 #include "tests/support/frame.h"

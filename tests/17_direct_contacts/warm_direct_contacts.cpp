@@ -1,15 +1,15 @@
 /// Chapter 17: contacts solved directly from a guess, and a handful of them without an allocation.
-#include "pushback/chapters/17_direct_contacts/warm_direct_contacts.h"
+#include "pushback/engine/direct/warm_direct_contacts.h"
 
 #include <functional>
 
 #include "pushback/chapters/03_baumgarte/baumgarte.h"
 #include "pushback/chapters/04_slop/slop.h"
-#include "pushback/chapters/16_whole_problem/matrix.h"
-#include "pushback/chapters/17_direct_contacts/best.h"
-#include "pushback/chapters/17_direct_contacts/handful.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/direct/best.h"
+#include "pushback/engine/direct/handful.h"
+#include "pushback/engine/direct/matrix.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/frame.h"

@@ -1,5 +1,5 @@
 /// Chapter 18: the joints of a step solved at once.
-#include "pushback/chapters/18_direct_joints/direct_joints.h"
+#include "pushback/engine/direct/direct_joints.h"
 #include "pushback/chapters/04_slop/slop.h"
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/chapters/13_joints/study.h"

@@ -1,5 +1,5 @@
 /// Chapter 18: the matrix of all joints in blocks, its factors and its order.
-#include "pushback/chapters/18_direct_joints/joint_matrix.h"
+#include "pushback/engine/direct/joint_matrix.h"
 
 #include <Eigen/Cholesky>
 
@@ -8,8 +8,8 @@
 #include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/13_joints/weld.h"
 #include "pushback/chapters/14_joints_under_load/structures.h"
-#include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/engine/direct/direct_joints.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 

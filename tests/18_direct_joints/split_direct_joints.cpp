@@ -1,5 +1,5 @@
 /// Chapter 18: joints solved at once, beside contacts and in substeps.
-#include "pushback/chapters/18_direct_joints/trees_directly.h"
+#include "pushback/engine/direct/trees_directly.h"
 
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/chapters/13_joints/study.h"

@@ -1,11 +1,11 @@
 /// Chapter 19: frozen problems, what is traced on them, and performance profiles. Nothing here depends on a clock.
 #include <filesystem>
 
-#include "pushback/chapters/16_whole_problem/matrix.h"
-#include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/shard.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/smoothed_newton.h"
 #include "pushback/tools/measure/frozen/methods.h"
 #include "pushback/tools/measure/frozen/report.h"
 #include "pushback/tools/measure/frozen/trace.h"

@@ -5,7 +5,7 @@
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
-#include "pushback/chapters/25_moment_of_impact/at_impacts.h"
+#include "pushback/engine/half_step/at_impacts.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/further_motions.h"
 #include "tests/support/catch.h"

@@ -1,5 +1,5 @@
 // Bodies that stay where they are: the tree against asking every one.
-#include "pushback/chapters/20_only_what_is_needed/still_bodies.h"
+#include "pushback/engine/islands/still_bodies.h"
 
 #include <algorithm>
 #include <cmath>

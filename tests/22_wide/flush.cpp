@@ -5,8 +5,8 @@
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/21_detected_once/detected_once.h"
-#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/engine/substeps/wide.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 

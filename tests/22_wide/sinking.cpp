@@ -1,7 +1,7 @@
 /// How far bodies sink on contacts that are as stiff as the substeps allow: as 1 / w^2, beyond 32 substeps as well.
-#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/substeps/wide.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 

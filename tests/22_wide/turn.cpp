@@ -1,6 +1,6 @@
 /// Bodies that turn side by side, beside one after the other.
-#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/engine/substeps/wide.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 

@@ -2,14 +2,14 @@
 #include <numeric>
 #include <set>
 
-#include "pushback/chapters/22_wide/wide.h"
-#include "pushback/chapters/23_threads/crew.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/collision/broad_phase.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/substeps/crew.h"
+#include "pushback/engine/substeps/wide.h"
 #include "pushback/tools/catalogue/catalogue.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"

@@ -1,9 +1,9 @@
 /// Chapter 24: the matrix between bodies, and Newton's method on it.
 #include <Eigen/LU>
 
-#include "pushback/chapters/16_whole_problem/matrix.h"
-#include "pushback/chapters/24_half_step/newton_from_guess.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/half_step/newton_from_guess.h"
 #include "tests/24_half_step/order.h"
 #include "tests/support/catch.h"
 

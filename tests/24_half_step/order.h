@@ -2,8 +2,8 @@
 #pragma once
 
 #include "pushback/chapters/19_accuracy_and_time/front.h"
-#include "pushback/chapters/24_half_step/composition.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/engine/half_step/composition.h"
 #include "tests/support/yardstick.h"
 
 namespace pushback {

@@ -1,14 +1,14 @@
 /// Chapter 25: what a step that is cut at impacts makes exact, and what it bounds.
-#include "pushback/chapters/25_moment_of_impact/at_impacts.h"
+#include "pushback/engine/half_step/at_impacts.h"
 
 #include "pushback/chapters/24_half_step/study.h"
-#include "pushback/chapters/25_moment_of_impact/gap.h"
 #include "pushback/chapters/25_moment_of_impact/plain.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/half_step/gap.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/yardstick.h"

@@ -1,9 +1,9 @@
 /// Chapter 25: how far apart, and when they first touch.
-#include "pushback/chapters/25_moment_of_impact/first_touch.h"
+#include "pushback/engine/half_step/first_touch.h"
 
-#include "pushback/chapters/25_moment_of_impact/gap.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/collision/collide.h"
+#include "pushback/engine/half_step/gap.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 

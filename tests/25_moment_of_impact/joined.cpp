@@ -4,11 +4,11 @@
 #include "pushback/chapters/13_joints/weld.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
 #include "pushback/chapters/24_half_step/study.h"
-#include "pushback/chapters/25_moment_of_impact/at_impacts.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/half_step/at_impacts.h"
 #include "tests/24_half_step/order.h"
 #include "tests/support/catch.h"
 

@@ -1,5 +1,5 @@
 /// Chapter 26: each island by its own step. What is exact, what is kept, and what one island does to another: nothing.
-#include "pushback/chapters/26_to_each_its_own/by_island.h"
+#include "pushback/engine/islands/by_island.h"
 
 #include <bit>
 #include <numeric>

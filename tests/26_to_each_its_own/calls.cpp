@@ -1,5 +1,5 @@
 /// Chapter 26: what an island calls for.
-#include "pushback/chapters/26_to_each_its_own/calls.h"
+#include "pushback/engine/islands/calls.h"
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/13_joints/hinge.h"

@@ -1,9 +1,9 @@
 /// Chapter 26: what is saved for half steps where contacts are many, and what it is spent on.
-#include "pushback/chapters/26_to_each_its_own/savings.h"
+#include "pushback/engine/islands/savings.h"
 
-#include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/islands/by_island.h"
 #include "tests/26_to_each_its_own/falling_heap.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"

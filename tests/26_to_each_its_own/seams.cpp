@@ -1,9 +1,9 @@
 /// What rolls over tiles that lie flush, by half steps: edges that it hardly touches make systems that are nearly singular.
 #include <cmath>
 
-#include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/engine/islands/by_island.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "pushback/chapters/19_accuracy_and_time/true_places.h"
-#include "pushback/chapters/27_which_error/within_error.h"
+#include "pushback/engine/islands/within_error.h"
 #include "tests/support/yardstick.h"
 
 namespace pushback::which_error_tests {

@@ -1,5 +1,5 @@
 /// Fast, Recommended, Exact: each is more exact than the one before.
-#include "pushback/chapters/27_which_error/presets.h"
+#include "pushback/engine/presets.h"
 #include "pushback/chapters/24_half_step/study.h"
 #include "tests/support/catch.h"
 

@@ -1,9 +1,9 @@
 /// Bodies thrown freely: no end of them is let in, whichever comes first, and elastic ones keep their energy.
 #include "tests/support/thrown.h"
 
-#include "pushback/chapters/25_moment_of_impact/at_impacts.h"
-#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/world/any_solver.h"
+#include "pushback/engine/half_step/at_impacts.h"
+#include "pushback/engine/presets.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 

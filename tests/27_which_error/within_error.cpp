@@ -1,14 +1,14 @@
 /// Chapter 27: what is known of an error, beside the truth; whether it is kept; and what that takes.
-#include "pushback/chapters/27_which_error/within_error.h"
+#include "pushback/engine/islands/within_error.h"
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/15_limits_motors_springs/limits.h"
-#include "pushback/chapters/23_threads/crew.h"
 #include "pushback/chapters/24_half_step/top.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/chapters/26_to_each_its_own/scenes.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/substeps/crew.h"
 #include "tests/27_which_error/played.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"

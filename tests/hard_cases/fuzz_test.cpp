@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/engine/islands/by_island.h"
 #include "pushback/tools/measure/hard_cases/stages.h"
 #include "tests/support/catch.h"
 

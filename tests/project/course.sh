@@ -198,7 +198,7 @@ stand_in chromium true
 course test --book && expect 0 "no live page is tested" "1 tests/book/pages.mjs" && expect_not "live_page.mjs"
 CI=true course test --book live_page && expect 1 "no live page can be tested"
 stand_in em++ true
-course test --book && expect 0 "cmake --build --preset wasm" "--target 04_slop wide" "1 tests/book/live_page.mjs tests/book/pages.mjs"
+course test --book && expect 0 "cmake --build --preset wasm" "--target 04_slop engine" "1 tests/book/live_page.mjs tests/book/pages.mjs"
 course book -- --address https://x.org/book --repository=http://y.org
 expect 0 "cmake --build --preset wasm" "build.js --address https://x.org/book --repository=http://y.org" && expect_not "still pictures"
 course book --still --serve && expect 0 "node tools/book/serve.js build/book" && expect_not "npm ci"

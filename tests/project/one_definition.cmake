@@ -1,7 +1,7 @@
 # Not built by default: ./course check links it with the preset odr. The objects themselves, as of an archive the linker takes
 # those only that somebody needs.
 add_executable(one_definition EXCLUDE_FROM_ALL one_definition.cpp)
-foreach(folder common chapters tools)
+foreach(folder common engine chapters tools)
   targets_below(targets ${folder})
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)

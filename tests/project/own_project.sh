@@ -61,20 +61,19 @@ sources() {  # sources LINE...: the libraries come along, and no test, option or
 
 ways=$(sed -n '/^```cmake$/,/^```$/ { /^```/d; p }' pushback/README.md)  # of README.md: a line each, then the one that links
 link=$(tail -n 1 <<<"$ways")
-[[ $(wc -l <<<"$ways") == 4 && $link == "target_link_libraries(my_program pushback::pushback pushback::recommended pushback::choosing)" ]] ||
+[[ $(wc -l <<<"$ways") == 4 && $link == "target_link_libraries(my_program pushback::pushback pushback::engine pushback::choosing)" ]] ||
   wrong "README.md should show three lines of CMake and one that links, but these were found: $ways"
 
 nothing_drawn=(-DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,PkgConfig,OpenGL,Threads}"=ON")
-chapters="libdirect_contacts.a libdirect_joints.a libhalf_step.a libmoment_of_impact.a libonly_what_is_needed.a"
-libraries="libaccuracy_and_time.a libchoosing.a $chapters libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libthreads.a libto_each_its_own.a libwhich_error.a libwhole_problem.a libwide.a"
+libraries="libaccuracy_and_time.a libchoosing.a libcrew.a libdirect_contacts.a libengine.a libonly_what_is_needed.a libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libwhole_problem.a"
 way=add_subdirectory
 sources "$(grep -o '^add_subdirectory([^)]*)' <<<"$ways" | sed "s|pushback|$scratch/pushback pushback|")" "$link"
 way=FetchContent
 sources "include(FetchContent)" "FetchContent_Declare(pushback SOURCE_DIR $scratch/pushback)" \
   "$(grep -o '^FetchContent_MakeAvailable([^)]*)' <<<"$ways")" "$link"
 way="add_subdirectory without pictures"
-libraries="libaccuracy_and_time.a $chapters libpushback_simulation.a libpushback_simulation_float.a libto_each_its_own.a libwhich_error.a libwhole_problem.a libwide.a" options=("${nothing_drawn[@]}")
-simulation=$'#include "pushback/chapters/27_which_error/presets.h"
+libraries="libaccuracy_and_time.a libdirect_contacts.a libengine.a libonly_what_is_needed.a libpushback_simulation.a libpushback_simulation_float.a libwhole_problem.a" options=("${nothing_drawn[@]}")
+simulation=$'#include "pushback/engine/presets.h"
 #include "pushback/common/world/situations.h"
 int main() {
   pushback::World world;
@@ -86,7 +85,7 @@ int main() {
 mkdir "$way"
 echo "$simulation" >"$way/main.cpp"
 sources "set(PUSHBACK_PICTURES OFF)" "add_subdirectory($scratch/pushback pushback)" \
-  "target_link_libraries(my_program pushback::pushback_simulation pushback::recommended)"
+  "target_link_libraries(my_program pushback::pushback_simulation pushback::engine)"
 
 installed() {  # installed COMPONENT FIND LINE...: the component alone, in a prefix of its own, and a project that finds it
   way="component $1"
@@ -106,7 +105,7 @@ refused() {  # refused WORDS FIND: no project finds that, and it is told so
 mkdir "component simulation"
 echo "$simulation" >"component simulation/main.cpp"
 installed simulation "find_package(Pushback 0.1 REQUIRED COMPONENTS simulation)" \
-  "target_link_libraries(my_program pushback::pushback_simulation pushback::recommended)"
+  "target_link_libraries(my_program pushback::pushback_simulation pushback::engine)"
 "$way/build/my_program" || wrong "a stack of three does not stand"
 ! grep -rq . --include=judge.h --include=answer_program.h "$way/prefix" || wrong "exercises are installed with it"
 refused "its component experiment is not installed" "find_package(Pushback REQUIRED COMPONENTS experiment)"
@@ -122,10 +121,10 @@ grep -q '^| .* recommended | ' renders/my_experiment/numbers.md || wrong "its pr
 mkdir "component chapters"
 cat >"component chapters/main.cpp" <<END  # what the libraries of chapters 07, 16, 17, 20 and 23 have to say of a stack
 #include "pushback/chapters/07_warm_start/flat.h"
-#include "pushback/chapters/17_direct_contacts/best.h"
-#include "pushback/chapters/16_whole_problem/matrix.h"
+#include "pushback/engine/direct/best.h"
+#include "pushback/engine/direct/matrix.h"
 #include "pushback/chapters/20_only_what_is_needed/questions.h"
-#include "pushback/chapters/23_threads/crew.h"
+#include "pushback/engine/substeps/crew.h"
 #include "pushback/common/world/situations.h"
 using namespace pushback;
 int main() {
@@ -139,6 +138,6 @@ int main() {
 }
 END
 installed chapters "find_package(Pushback REQUIRED COMPONENTS chapters)" \
-  "target_link_libraries(my_program pushback::flat_solver pushback::direct_contacts pushback::only_what_is_needed pushback::threads)"
+  "target_link_libraries(my_program pushback::flat_solver pushback::engine pushback::only_what_is_needed pushback::crew)"
 "$way/build/my_program" || wrong "a stack of three is not solved, or nothing rubs in it"
 echo "all as expected"

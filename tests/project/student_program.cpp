@@ -2,8 +2,8 @@
 // README begins
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/27_which_error/choose.h"
-#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/experiment/experiment.h"
+#include "pushback/engine/presets.h"
 
 using namespace pushback;
 

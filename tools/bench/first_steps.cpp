@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "pushback/chapters/27_which_error/presets.h"
+#include "pushback/engine/presets.h"
 #include "pushback/tools/bench/in_turn.h"
 
 using namespace pushback;

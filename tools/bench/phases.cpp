@@ -4,9 +4,9 @@
 #include <array>
 
 #include "pushback/chapters/21_detected_once/detected_once.h"
-#include "pushback/chapters/22_wide/wide.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/common/world/step.h"
+#include "pushback/engine/substeps/wide.h"
 #include "pushback/tools/bench/in_turn.h"
 
 using namespace pushback;

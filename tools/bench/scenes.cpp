@@ -6,8 +6,8 @@
 
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
-#include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/engine/islands/by_island.h"
 #include "pushback/tools/bench/in_turn.h"
 #include "pushback/tools/catalogue/catalogue.h"
 

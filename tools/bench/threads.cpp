@@ -1,9 +1,9 @@
 /// Chapter 23: a step with one thread and with two, in turn within one run; and where the second one's time goes.
 #include <benchmark/benchmark.h>
 
-#include "pushback/chapters/22_wide/wide.h"
-#include "pushback/chapters/23_threads/crew.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/substeps/crew.h"
+#include "pushback/engine/substeps/wide.h"
 #include "pushback/tools/bench/in_turn.h"
 
 using namespace pushback;

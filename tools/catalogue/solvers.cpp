@@ -11,11 +11,11 @@
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
-#include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/21_detected_once/detected_once.h"
-#include "pushback/chapters/22_wide/wide.h"
-#include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/engine/direct/direct_joints.h"
+#include "pushback/engine/islands/by_island.h"
+#include "pushback/engine/substeps/wide.h"
 
 namespace pushback {
 

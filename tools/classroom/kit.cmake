@@ -24,13 +24,14 @@ ${libraries}
 $<TARGET_LINKER_FILE:fmt::fmt>
 ")
 endfunction()
-# What the checks include, and what that includes. A chapter includes earlier ones alone, so the last comes first: a linker reads
-# each library once.
-know_sources(common chapters)
+# What the checks include, and what that includes. The last chapter comes first and the engine after all, because a linker reads each
+# library once.
+know_sources(common engine chapters)
 list(TRANSFORM checks PREPEND tools/classroom/ OUTPUT_VARIABLE files)
 included_libraries(needed exercises ${files})
 set(answer_libraries answer_program exercises)
 get_property(libraries GLOBAL PROPERTY chapter_libraries)
+list(PREPEND libraries crew engine)
 list(REVERSE libraries)
 foreach(library IN LISTS libraries)
   if(library IN_LIST needed)
@@ -56,7 +57,7 @@ list(TRANSFORM answer_libraries REPLACE "(.+)" "@PREFIX@/${CMAKE_INSTALL_LIBDIR}
 list(TRANSFORM installed REPLACE ".*TARGET_FILE_NAME:exercises.*" "@PREFIX@/${CMAKE_INSTALL_LIBDIR}/libscenes.a")
 list(REMOVE_ITEM answer_libraries exercises)
 write_kit(${PROJECT_BINARY_DIR}/package/exercise "${flags}" ${installed})
-foreach(folder common chapters)
+foreach(folder common engine chapters)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION include/pushback COMPONENT exercises FILES_MATCHING PATTERN "*.h" PATTERN "task.md")
 endforeach()
 file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/chapters/*/README.md ${PROJECT_SOURCE_DIR}/docs/*.md

@@ -1,9 +1,9 @@
 /// ./course run export: the contacts of one step of a scene, as a problem in a file for ./course run solve.
-#include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/common/experiment/program.h"
+#include "pushback/engine/direct/matrix.h"
 #include "pushback/tools/catalogue/catalogue.h"
 #include "pushback/tools/catalogue/solvers.h"
 

@@ -4,13 +4,13 @@
 
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
-#include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/chapters/17_direct_contacts/growth.h"
-#include "pushback/chapters/17_direct_contacts/newton_system.h"
-#include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/newton_system.h"
+#include "pushback/engine/direct/smoothed_newton.h"
 
 using namespace pushback;
 

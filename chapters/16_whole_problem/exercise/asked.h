@@ -1,8 +1,8 @@
 /// What exercise 16 asks for.
 #pragma once
 
-#include "pushback/chapters/16_whole_problem/contact_problem.h"
 #include "pushback/common/exercise/exercise.h"
+#include "pushback/engine/direct/contact_problem.h"
 
 namespace pushback::exercise_16 {
 

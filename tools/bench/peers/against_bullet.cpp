@@ -4,12 +4,12 @@
 #include <benchmark/benchmark.h>
 
 #include "pushback/chapters/21_detected_once/study.h"
-#include "pushback/chapters/22_wide/wide.h"
-#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/engine/presets.h"
+#include "pushback/engine/substeps/wide.h"
 #include "pushback/tools/bench/in_turn.h"
 #include "pushback/tools/measure/peers/peer.h"
 

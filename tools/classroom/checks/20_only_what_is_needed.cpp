@@ -1,5 +1,5 @@
 #include "pushback/chapters/20_only_what_is_needed/exercise/asked.h"
-#include "pushback/chapters/20_only_what_is_needed/islands.h"
+#include "pushback/common/world/islands.h"
 
 namespace pushback::exercise_20 {
 

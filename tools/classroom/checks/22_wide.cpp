@@ -1,7 +1,7 @@
 #include <numeric>
 
-#include "pushback/chapters/22_wide/colours.h"
 #include "pushback/chapters/22_wide/exercise/asked.h"
+#include "pushback/engine/substeps/colours.h"
 #include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_22 {

@@ -9,10 +9,10 @@
 #include "pushback/chapters/10_position_correction/scenes.h"
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
-#include "pushback/chapters/16_whole_problem/matrix.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
-#include "pushback/chapters/17_direct_contacts/newton_system.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/newton_system.h"
 #include "pushback/tools/measure/frozen/scenes.h"
 
 namespace pushback::frozen {

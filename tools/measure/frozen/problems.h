@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pushback/chapters/16_whole_problem/contact_problem.h"
+#include "pushback/engine/direct/contact_problem.h"
 
 namespace pushback::frozen {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pushback/chapters/17_direct_contacts/smoothed_newton.h"
+#include "pushback/engine/direct/smoothed_newton.h"
 #include "pushback/tools/measure/frozen/methods.h"
 #include "pushback/tools/measure/study/stopwatch.h"
 

@@ -1,7 +1,7 @@
 /// One method on one problem: the residual as it goes, and what was paid so far. And all methods on all problems, round after round.
 #pragma once
 
-#include "pushback/chapters/16_whole_problem/contact_problem.h"
+#include "pushback/engine/direct/contact_problem.h"
 #include "pushback/tools/measure/frozen/points.h"
 #include "pushback/tools/measure/frozen/problems.h"
 

@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "pushback/chapters/14_joints_under_load/split_joints.h"
-#include "pushback/chapters/17_direct_contacts/warm_direct_contacts.h"
 #include "pushback/chapters/19_accuracy_and_time/seat.h"
-#include "pushback/chapters/26_to_each_its_own/by_island.h"
 #include "pushback/common/basics/named.h"
+#include "pushback/engine/direct/warm_direct_contacts.h"
+#include "pushback/engine/islands/by_island.h"
 
 namespace pushback {
 

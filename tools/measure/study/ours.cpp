@@ -4,9 +4,9 @@
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
-#include "pushback/chapters/17_direct_contacts/warm_direct_contacts.h"
-#include "pushback/chapters/18_direct_joints/direct_joints.h"
 #include "pushback/chapters/19_accuracy_and_time/seat.h"
+#include "pushback/engine/direct/direct_joints.h"
+#include "pushback/engine/direct/warm_direct_contacts.h"
 #include "pushback/tools/measure/study/every_motion.h"
 
 using namespace pushback;

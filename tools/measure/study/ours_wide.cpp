@@ -1,9 +1,9 @@
 /// The program `motion_wide`: the solvers that divide each step themselves play the motions.
 #include "pushback/chapters/21_detected_once/detected_once.h"
-#include "pushback/chapters/22_wide/wide.h"
-#include "pushback/chapters/24_half_step/composition.h"
-#include "pushback/chapters/25_moment_of_impact/at_impacts.h"
-#include "pushback/chapters/27_which_error/within_error.h"
+#include "pushback/engine/half_step/at_impacts.h"
+#include "pushback/engine/half_step/composition.h"
+#include "pushback/engine/islands/within_error.h"
+#include "pushback/engine/substeps/wide.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/ours.h"
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <filesystem>
 
-#include "pushback/chapters/27_which_error/presets.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/common/basics/quantile.h"
 #include "pushback/common/experiment/program.h"
+#include "pushback/engine/presets.h"
 #include "pushback/tools/measure/results/markdown.h"
 #include "pushback/tools/measure/results/origin.h"
 #include "pushback/tools/measure/study/every_motion.h"

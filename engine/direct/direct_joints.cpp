@@ -1,0 +1,87 @@
+#include "pushback/engine/direct/direct_joints.h"
+
+#include <cmath>
+
+namespace pushback {
+
+/// Which joints there are, and which of their rows with limits are between them. Returns whether A may be another than before.
+bool DirectJoints::guess(StepContext& step) {
+  bool soft = false;
+  held_.clear();
+  taken_before_.swap(taken_);
+  taken_.clear();
+  const World& world = step.world;
+  const Real scale = world.impulse_scale(step.dt);
+  each_row(step, [&](const JointRow& row, const std::vector<Real>& impulses, std::size_t n) {
+    const Joint& joint = world.joints[row.owner];
+    const auto index = [](int body, const Body& its) { return its.movable() ? body : not_moving; };
+    if (n == 0) held_.push_back({index(joint.a, *row.a), index(joint.b, *row.b), 0});
+    ++held_.back().rows;
+    const Real before = n < impulses.size() ? scale * impulses[n] : 0;
+    taken_.push_back(row.lo < before && before < row.hi);
+    soft |= row.softness != 0;
+  });
+  return soft || taken_ != taken_before_;
+}
+
+/// What is held at a limit begins there.
+void DirectJoints::start(StepContext& step) {
+  const Real scale = step.world.impulse_scale(step.dt);
+  std::size_t i = 0;
+  each_row(step, [&](Row& row, const std::vector<Real>& impulses, std::size_t n) {
+    if (!taken_[i++]) row.reach(n < impulses.size() ? scale * impulses[n] : 0);
+  });
+}
+
+/// Block principal pivoting: all wrong rows change sides while they get fewer; after three rounds in which they do not, one alone.
+/// Júdice and Pires, "A block principal pivoting algorithm for large-scale strictly monotone LCPs", 1994.
+void DirectJoints::sweep(StepContext&) {
+  std::size_t fewest = joint_rows_.size() + 1;
+  int patience = 0;
+  for (int round = 0; round < most_rounds; ++round) {
+    solve_at_once();
+    find_wrong();
+    if (wrong_.size() < fewest) fewest = wrong_.size(), patience = 3;
+    else if (patience > 0) --patience;
+    else wrong_.resize(1);
+    for (const std::size_t i : wrong_) taken_[i] = !taken_[i];
+    for (JointRow& row : joint_rows_)
+      if (limited(row)) row.reach(row.impulse);
+    if (wrong_.empty()) return;
+    matrix_.factor(joint_rows_, held_, taken_);
+  }
+  for (JointRow& row : joint_rows_)
+    if (limited(row) && std::isfinite(row.effective_mass)) row.solve();
+}
+
+/// Also where that goes beyond a limit.
+void DirectJoints::solve_at_once() {
+  change_.clear();
+  for (const JointRow& row : joint_rows_) change_.push_back(static_cast<double>(-row.speed_error()));
+  matrix_.solve(change_);
+  for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
+    if (!matrix_.counts(i)) continue;
+    const Real lambda = static_cast<Real>(change_[i]);
+    joint_rows_[i].impulse += lambda;
+    joint_rows_[i].apply(lambda);
+  }
+}
+
+/// Rows with limits that are on the wrong side of one by more than rounding.
+void DirectJoints::find_wrong() {
+  constexpr Real rounding = 1024 * std::numeric_limits<Real>::epsilon();  // m/s
+  wrong_.clear();
+  for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
+    const JointRow& row = joint_rows_[i];
+    if (!limited(row) || !std::isfinite(row.effective_mass)) continue;
+    const Real little = rounding * row.effective_mass, total = taken_[i] ? row.impulse : row.wanted();
+    const bool below = total < row.lo - little;
+    const bool above = total > row.hi + little;
+    const bool wrong = taken_[i]               ? below || above
+                       : row.impulse == row.lo ? total > row.lo + little
+                                               : total < row.hi - little;
+    if (wrong) wrong_.push_back(i);
+  }
+}
+
+}  // namespace pushback

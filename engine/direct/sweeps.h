@@ -1,0 +1,97 @@
+/// Sweeps over a contact problem: what chapters 06 and 08 do to rows, written for W.
+///
+/// A sweep gives each contact in turn new impulses, as if it were alone. First all normals,
+///
+///   r_n <- max(0, r_n - u_n / W_nn),     then all tangents, with u_t as the others have left it, within mu r_n
+///
+/// The three differ in what they do with the tangents only.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "pushback/engine/direct/contact_problem.h"
+
+namespace pushback {
+
+/// What the steps of a contact need of its block of W.
+struct ContactBlock {
+  Eigen::Matrix3d w;
+  double larger_eigenvalue;  ///< of the tangents' 2 x 2 block, 1/kg
+
+  explicit ContactBlock(const Eigen::Matrix3d& block)
+      : w(block),
+        larger_eigenvalue((w(1, 1) + w(2, 2)) / 2 + std::hypot((w(1, 1) - w(2, 2)) / 2, (w(1, 2) + w(2, 1)) / 2)) {}
+};
+
+/// Each tangent by itself within its own bound: chapter 06's pyramid.
+struct Pyramid {
+  static void step(const ContactBlock& at, double radius, Eigen::Vector2d u, Eigen::Vector2d& r) {
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      const double k = at.w(1 + i, 1 + i);
+      if (k <= 0) continue;  // nothing that an impulse could change
+      const double total = std::clamp(r[i] - u[i] / k, -radius, radius);
+      u += (total - r[i]) * at.w.block<2, 1>(1, 1 + i);
+      r[i] = total;
+    }
+  }
+};
+
+inline Eigen::Vector2d drawn_back_to_disc(const Eigen::Vector2d& r, double radius) {
+  const double length = r.norm();
+  return length > radius ? Eigen::Vector2d(r * (radius / length)) : r;
+}
+
+/// Both tangents at once, what is too long scaled back: chapter 08's near miss.
+struct ScaledBackStep {
+  static void step(const ContactBlock& at, double radius, const Eigen::Vector2d& u, Eigen::Vector2d& r) {
+    const Eigen::Matrix2d k = at.w.bottomRightCorner<2, 2>();
+    const double determinant = k(0, 0) * k(1, 1) - k(0, 1) * k(1, 0);
+    if (determinant <= 0) return;
+    const Eigen::Vector2d solved(k(1, 1) * u[0] - k(0, 1) * u[1], k(0, 0) * u[1] - k(1, 0) * u[0]);
+    r = drawn_back_to_disc(r - solved / determinant, radius);
+  }
+};
+
+/// One step of the same size for both, projected to the disc: chapter 08's cone. Where nothing changes, Coulomb's law holds.
+struct Cone {
+  static void step(const ContactBlock& at, double radius, const Eigen::Vector2d& u, Eigen::Vector2d& r) {
+    if (at.larger_eigenvalue > 0) r = drawn_back_to_disc(r - u / at.larger_eigenvalue, radius);
+  }
+};
+
+/// One after the other, from impulses that are given.
+template <class TangentStep>
+class Sweeper {
+ public:
+  explicit Sweeper(const ContactProblem& problem) : problem_(problem) {
+    for (const Eigen::Matrix3d& block : diagonal_blocks(problem)) blocks_.emplace_back(block);
+  }
+  void sweep(Vector& r) const {
+    for (Eigen::Index c = 0; c < problem_.contacts(); ++c) {
+      const double own = block(c).w(0, 0);
+      if (own > 0) r[3 * c] = std::max(0.0, r[3 * c] - speed(3 * c, r) / own);
+    }
+    for (Eigen::Index c = 0; c < problem_.contacts(); ++c) {
+      const Eigen::Vector2d u(speed(3 * c + 1, r), speed(3 * c + 2, r));
+      Eigen::Vector2d tangents = r.segment<2>(3 * c + 1);
+      TangentStep::step(block(c), problem_.mu[c] * r[3 * c], u, tangents);
+      r.segment<2>(3 * c + 1) = tangents;
+    }
+  }
+
+ private:
+  const ContactBlock& block(Eigen::Index c) const { return blocks_[static_cast<std::size_t>(c)]; }
+  /// One row of W r + q.
+  double speed(Eigen::Index row, const Vector& r) const {
+    double u = problem_.q[row];
+    for (SparseRows::InnerIterator it(problem_.w, row); it; ++it) u += it.value() * r[it.col()];
+    return u;
+  }
+
+  const ContactProblem& problem_;
+  std::vector<ContactBlock> blocks_;
+};
+
+}  // namespace pushback

@@ -1,0 +1,71 @@
+#include "pushback/engine/direct/warm_direct_contacts.h"
+
+#include <fmt/format.h>
+
+#include "pushback/common/basics/input.h"
+#include "pushback/engine/direct/best.h"
+#include "pushback/engine/direct/handful.h"
+#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/newton_system.h"
+#include "pushback/engine/direct/proximal_newton.h"
+#include "pushback/engine/direct/smoothed_newton.h"
+
+namespace pushback {
+
+/// Contacts. Beyond that, a system between them takes longer than all of the smoothed ones between bodies, from nothing.
+constexpr Eigen::Index most_from_guess = 100;
+
+void WarmDirectContacts::start(StepContext& step) {
+  if (step.contacts.empty()) return;
+  look_at_guess(step);
+  if (relative_residual(r_, u_, q_, mu_) <= tolerance) return;  // what rests: W is not even written down
+  if (!solve_as_handful(step.rows)) solve_as_large(step);
+  for (std::size_t i = 0; i < places_.size(); ++i) step.rows[i].reach(static_cast<Real>(r_[places_[i]]));
+}
+
+/// The guess is taken away, and given again: so u and q are known without W.
+void WarmDirectContacts::look_at_guess(StepContext& step) {
+  Rows& rows = step.rows;
+  places_ = places_in_problem(step.contacts, rows);
+  for (Vector* all : {&r_, &u_, &q_}) all->setZero(3 * static_cast<Eigen::Index>(step.contacts.size()));
+  mu_.setZero(static_cast<Eigen::Index>(step.contacts.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    r_[places_[i]] = static_cast<double>(rows[i].impulse);
+    rows[i].reach(0);
+    if (i >= step.contacts.size())
+      mu_[static_cast<Eigen::Index>(rows[i].owner)] = static_cast<double>(step.contacts[rows[i].owner].friction);
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) q_[places_[i]] = static_cast<double>(step.speed_error(i));
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].reach(static_cast<Real>(r_[places_[i]]));
+  for (std::size_t i = 0; i < rows.size(); ++i) u_[places_[i]] = static_cast<double>(step.speed_error(i));
+}
+
+bool WarmDirectContacts::solve_as_handful(const Rows& rows) {
+  if (mu_.size() > Handful::most || static_cast<Eigen::Index>(rows.size()) < r_.size()) return false;
+  Handful::Impulses r = r_;
+  if (!solve_handful({matrix_of_handful(rows, places_), q_, mu_}, r, tolerance)) return false;
+  r_ = r;
+  return true;
+}
+
+void WarmDirectContacts::solve_as_large(StepContext& step) {
+  if (!(work > 0))
+    throw InvalidInput(
+        fmt::format("{} contacts are too large a problem for the multiplications that are left", mu_.size()));
+  ContactProblem problem = problem_of(step.contacts, step.rows);
+  problem.q -= problem.w * r_;  // u = W r + q with what the guess has done already
+  if (mu_.size() <= most_from_guess) {
+    work -= newton(problem, r_, {tolerance, rounds, work}).multiplications;
+    if (relative_residual(problem, r_) <= too_far) return;
+  }
+  const SmoothedSolution smoothed =
+      solve_smoothed(problem, {.tolerance = tolerance, .work = work}, factor_of(step.world, step.contacts));
+  work -= smoothed.work;
+  if (smoothed.residual < relative_residual(problem, r_)) r_ = smoothed.r;
+  if (relative_residual(problem, r_) <= too_far) return;
+  const Solution from_nothing = solve_best(problem, {.tolerance = tolerance, .work = work, .rounds = 1});
+  work -= from_nothing.work;
+  if (from_nothing.residual < relative_residual(problem, r_)) r_ = from_nothing.r;
+}
+
+}  // namespace pushback

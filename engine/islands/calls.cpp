@@ -1,0 +1,177 @@
+#include "pushback/engine/islands/calls.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pushback/engine/direct/joint_graph.h"
+#include "pushback/engine/half_step/gap.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr Real too_deep =
+    Real(5e-3);  // m: half steps let it out by a tenth in a hundredth of a second, and only against gravity
+constexpr Real along = Real(1e-6);  // of a belt's speed, at right angles to the face: rounding
+constexpr Real apart = Real(1e-6);  // m: what is nearer touches, and does not meet
+
+/// Each equation of the joint holds, rigidly and in both directions.
+bool rigid(const World& world, const Joint& joint, Equations& equations) {
+  equations.clear();
+  joint.ask(world.body(joint.a), world.body(joint.b), {world.time, 0}, equations);
+  return std::all_of(equations.begin(), equations.end(), [](const Equation& equation) {
+    return equation.softness == 0 && std::isinf(equation.lo) && std::isinf(equation.hi);
+  });
+}
+
+/// Whether the ground turns, or its surface moves otherwise than straight along its face, as a belt that only rubs. What only goes from
+/// place to place, as a lift does, carries what half steps move.
+bool turns_or_pushes(const Body& ground, const Contact& at) {
+  if (ground.velocity == Vec3::Zero() && ground.angular_velocity == Vec3::Zero()) return false;
+  if (ground.angular_velocity != Vec3::Zero()) return true;
+  return ground.conveys && std::abs(ground.velocity.dot(at.normal)) > along * ground.velocity.norm();
+}
+
+/// The corner of a body that may get farthest along a direction n within dt. A turn moves a corner at r from the body's position by no more
+/// than  dt n . (w x r) + dt^2/2 w^2 |r|  along n.
+struct Corner {
+  Real at;     // m, along it, from the world's origin
+  Real speed;  // m/s, as the body turns
+  Real way;    // m, in dt
+};
+Corner first_to_get(const Body& body, const Vec3& direction, Real dt) {
+  const Quat to_body = body.orientation.conjugate();
+  const Vec3& w = body.angular_velocity;
+  const Vec3 n = to_body * direction, turning = body.movable() ? to_body * direction.cross(w) : Vec3::Zero();
+  const Real bend = dt * dt / 2 * w.squaredNorm(), centre = direction.dot(body.position);
+  Corner first{.at = -std::numeric_limits<Real>::infinity(), .speed = 0, .way = 0};
+  for (const Vec3& r : corners_of_core(body)) {
+    const Corner corner{centre + n.dot(r), turning.dot(r), dt * turning.dot(r) + bend * r.norm()};
+    if (corner.at + corner.way > first.at + first.way) first = corner;
+  }
+  return first;
+}
+
+/// Along a direction in which bodies are apart: whether a corner of one that turns may arrive within dt, faster than `threshold`, m/s.
+bool corners_arrive(const Body& a, const Body& b, const Vec3& normal, Real dt, Real threshold, Real falls) {
+  const auto turns = [](const Body& body) { return body.movable() && !body.angular_velocity.isZero(0); };
+  if (!turns(a) && !turns(b)) return false;
+  const Corner of_a = first_to_get(a, normal, dt), of_b = first_to_get(b, -normal, dt);
+  const Real gap = -of_a.at - of_b.at - roundness(a) - roundness(b), comes = normal.dot(a.velocity - b.velocity);
+  const Real approach = comes + of_a.speed + of_b.speed;
+  return approach > threshold && gap <= dt * (comes + falls) + of_a.way + of_b.way && (gap > apart || approach > falls);
+}
+
+}  // namespace
+
+Real way_of_tips(const Body& body, Real dt) {
+  const Real spin = body.angular_velocity.norm();
+  return !body.movable() || spin == 0 ? 0 : reach_of_core(body) * std::min(dt * spin, Real(2));
+}
+
+void Calls::find(const World& world, const Contacts& contacts, Real dt, Real threshold, const Limits& limits) {
+  all_.resize(world.bodies.size());
+  std::iota(all_.begin(), all_.end(), 0);
+  islands_.separate(all_, all_.size());
+  islands_.join(contacts, world);
+  islands_.join(world.joints, world);
+  of_.assign(all_.size(), {});
+  moved_by_.resize(all_.size(), MovedBy::nothing);
+  look_at_contacts(world, contacts, dt, threshold);
+  look_at_joints(world);
+  look_at_bodies(world, limits.turn / dt);
+  for (const Body& body : world.bodies)
+    moved_by_[std::size_t(body.index)] =
+        body.movable() ? called_for(of_[std::size_t(island_of(body.index))], limits) : MovedBy::nothing;
+}
+
+void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold) {
+  const Real falls = dt * world.gravity.norm();
+  const auto each_pair = [&](const auto& act) {
+    for (auto first = contacts.begin(); first != contacts.end();) {
+      const auto end = std::find_if(first, contacts.end(), [&first](const Contact& at) {
+        return at.id.body_a != first->id.body_a || at.id.body_b != first->id.body_b;
+      });
+      const auto [a, b] = world.bodies_of(*first);
+      act(of_movable(a, b), first, end);
+      first = end;
+    }
+  };
+  each_pair([&world](Island& island, auto first, auto end) {
+    ++island.near;
+    const auto [a, b] = world.bodies_of(*first);
+    const Body& ground = a.movable() ? b : a;
+    if (ground.movable()) return;
+    island.refused |= std::any_of(first, end, [&ground](const Contact& at) { return turns_or_pushes(ground, at); });
+    const Vec3 goes = ground.conveys ? Vec3::Zero() : ground.velocity;
+    island.refused |= island.ground_goes.value_or(goes) != goes;  // as in a press
+    island.ground_goes = goes;
+  });
+  each_pair([&](Island& island, auto first, auto end) {
+    const Contact& nearest =
+        *std::max_element(first, end, [](const Contact& p, const Contact& q) { return p.depth < q.depth; });
+    int acting = 0;
+    for (; first != end; ++first) {
+      const Real gap = -first->depth, approach = -separating_speed(world, *first);
+      island.refused |= -gap > too_deep;
+      island.impact |= first->ahead;  // they meet elsewhere than where they are nearest
+      island.overlap += std::max(Real(0), -gap);
+      island.deepest = std::max(island.deepest, -gap);
+      if (gap > dt * (std::max(Real(0), approach) + falls)) continue;
+      ++acting;
+      // What rests does not arrive: its speed is rounding.
+      island.impact |= approach > threshold && (gap > apart || approach > falls);
+    }
+    const auto [a, b] = world.bodies_of(nearest);
+    if (corners_arrive(a, b, nearest.normal, dt, threshold, falls)) {  // where no contact is yet
+      acting = std::max(acting, 1);
+      island.impact = true;
+    }
+    island.contacts += acting;
+    island.pairs += acting > 0;
+  });
+}
+
+void Calls::look_at_joints(const World& world) {
+  if (world.joints.empty()) return;
+  std::vector<JoinedBodies> joined;
+  for (const Joint& joint : world.joints) {
+    const auto moving = [&world](int body) { return world.body(body).movable() ? body : not_moving; };
+    joined.push_back(std::minmax({moving(joint.a), moving(joint.b)}));
+  }
+  const std::vector<bool> loops = in_loops(joined);
+  Equations equations;
+  for (std::size_t i = 0; i < world.joints.size(); ++i) {
+    const Joint& joint = world.joints[i];
+    const Body &a = world.body(joint.a), &b = world.body(joint.b);
+    if (!a.movable() && !b.movable()) continue;
+    Island& island = of_movable(a, b);
+    ++island.joints;
+    island.refused = island.refused || loops[i] || !rigid(world, joint, equations);
+  }
+}
+
+void Calls::look_at_bodies(const World& world, Real turn) {
+  for (const Force& force : world.forces)
+    for (const int body : force.bodies.empty() ? all_ : force.bodies) of_[std::size_t(island_of(body))].refused = true;
+  for (const Body& body : world.bodies) {
+    if (!body.movable()) continue;
+    Island& island = of_[std::size_t(island_of(body.index))];
+    island.refused |= body.asleep;
+    island.turns |= body.angular_velocity.norm() > turn;
+    island.kept &= of(body.index) == MovedBy::half_steps;
+  }
+}
+
+MovedBy Calls::called_for(Island& island, const Limits& limits) {
+  if (island.refused) return MovedBy::substeps;
+  if (island.near == 0) return island.joints == 0 ? MovedBy::flight : MovedBy::half_steps;
+  const bool many = island.contacts > (island.kept ? limits.most_kept : limits.most);
+  if (island.joints > 0) return many ? MovedBy::substeps : MovedBy::half_steps;
+  island.many = many;
+  const bool balls_meet = island.impact && island.contacts == island.pairs && island.contacts <= limits.most_meeting;
+  const bool calm = !island.impact && !island.turns;
+  return !island.many || calm || balls_meet ? MovedBy::half_steps : MovedBy::substeps;
+}
+
+}  // namespace pushback

@@ -1,0 +1,34 @@
+/// Whose angular momentum is kept.
+#pragma once
+
+#include <vector>
+
+#include "pushback/common/world/islands.h"
+#include "pushback/engine/substeps/colours.h"
+
+namespace pushback {
+
+/// Of each body, whether it floats: no body of its island (chapter 20) touches, or is joined to, what nothing moves. What is immovable
+/// does not float. `pairs`: all that touch.
+inline std::vector<bool> floating(const std::vector<PairOfBodies>& pairs, const World& world) {
+  std::vector<int> all(world.bodies.size());
+  std::iota(all.begin(), all.end(), 0);
+  Islands islands;
+  islands.separate(all, all.size());
+  std::vector<bool> held(all.size(), false);
+  const auto meet = [&](const Body& a, const Body& b) {
+    if (a.movable() && b.movable()) islands.join(a.index, b.index);
+    else if (a.movable() || b.movable()) held[std::size_t((a.movable() ? a : b).index)] = true;
+  };
+  for (const PairOfBodies& pair : pairs) meet(world.bodies[pair.a], world.bodies[pair.b]);
+  for (const Joint& joint : world.joints) meet(world.body(joint.a), world.body(joint.b));
+  std::vector<bool> held_island(all.size(), false);  // of the island's lowest body
+  for (const int i : all)
+    if (held[std::size_t(i)]) held_island[std::size_t(islands.island_of(i))] = true;
+  std::vector<bool> floats(all.size());
+  for (const int i : all)
+    floats[std::size_t(i)] = world.body(i).movable() && !held_island[std::size_t(islands.island_of(i))];
+  return floats;
+}
+
+}  // namespace pushback

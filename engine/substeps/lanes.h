@@ -1,0 +1,90 @@
+/// Several numbers as one, and vectors of them.
+///
+/// In an anonymous namespace: each file that includes this has its own, made for the processor that it is compiled for.
+#pragma once
+
+#include "pushback/engine/substeps/bundle.h"
+
+#ifdef __EMSCRIPTEN__
+#include "pushback/engine/substeps/one_lane.h"
+#else
+#include <experimental/simd>
+
+namespace pushback {
+namespace {
+
+namespace simd = std::experimental;
+
+/// `width` lanes: what is done to one of them is done to all. With one, it is a number.
+template <class Real, int width>
+using LanesOf = simd::simd<Real, simd::simd_abi::deduce_t<Real, width> >;
+
+}  // namespace
+}  // namespace pushback
+#endif
+
+namespace pushback {
+namespace {
+
+template <class Lanes>
+struct Vec {
+  Lanes x, y, z;
+  friend Vec operator+(const Vec& p, const Vec& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+  friend Vec operator-(const Vec& p, const Vec& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
+  friend Vec operator*(const Lanes& s, const Vec& p) { return {s * p.x, s * p.y, s * p.z}; }
+};
+template <class Lanes>
+Lanes dot(const Vec<Lanes>& p, const Vec<Lanes>& q) {
+  return p.x * q.x + p.y * q.y + p.z * q.z;
+}
+template <class Lanes>
+Vec<Lanes> cross(const Vec<Lanes>& p, const Vec<Lanes>& q) {
+  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+}
+template <class Lanes>
+struct Symmetric {
+  Lanes xx, xy, xz, yy, yz, zz;
+  friend Vec<Lanes> operator*(const Symmetric& m, const Vec<Lanes>& p) {
+    return {m.xx * p.x + m.xy * p.y + m.xz * p.z, m.xy * p.x + m.yy * p.y + m.yz * p.z,
+            m.xz * p.x + m.yz * p.y + m.zz * p.z};
+  }
+};
+
+/// Lane by lane, one or the other.
+template <class Lanes>
+Lanes either(const typename Lanes::mask_type& so, const Lanes& yes, Lanes no) {
+  where(so, no) = yes;
+  return no;
+}
+template <class Lanes>
+Vec<Lanes> either(const typename Lanes::mask_type& so, const Vec<Lanes>& yes, const Vec<Lanes>& no) {
+  return {either(so, yes.x, no.x), either(so, yes.y, no.y), either(so, yes.z, no.z)};
+}
+
+/// Lanes of eight numbers, from the one at `at` on.
+template <class Lanes, class Real>
+Lanes load(const Eight<Real>& from, int at) {
+  return Lanes(from.of + at, simd::element_aligned);
+}
+template <class Lanes, class Real>
+Vec<Lanes> load(const EightVectors<Real>& from, int at) {
+  return {load<Lanes>(from.x, at), load<Lanes>(from.y, at), load<Lanes>(from.z, at)};
+}
+template <class Lanes, class Real>
+Symmetric<Lanes> load(const EightSymmetric<Real>& from, int at) {
+  return {load<Lanes>(from.xx, at), load<Lanes>(from.xy, at), load<Lanes>(from.xz, at),
+          load<Lanes>(from.yy, at), load<Lanes>(from.yz, at), load<Lanes>(from.zz, at)};
+}
+template <class Lanes, class Real>
+void store(const Lanes& lanes, Eight<Real>& to, int at) {
+  lanes.copy_to(to.of + at, simd::element_aligned);
+}
+template <class Lanes, class Real>
+void store(const Vec<Lanes>& vectors, EightVectors<Real>& to, int at) {
+  store(vectors.x, to.x, at);
+  store(vectors.y, to.y, at);
+  store(vectors.z, to.z, at);
+}
+
+}  // namespace
+}  // namespace pushback

@@ -1,0 +1,15 @@
+// For any processor: eight lanes are as many registers as it takes.
+#include "pushback/engine/substeps/passes.h"
+
+namespace pushback {
+
+template <>
+Passes<float> plain_passes(int lanes) {
+  return passes_for<float>("any processor", lanes);
+}
+template <>
+Passes<double> plain_passes(int lanes) {
+  return passes_for<double>("any processor", lanes);
+}
+
+}  // namespace pushback

@@ -1,0 +1,116 @@
+/// Chapter 21's solver, eight pairs of bodies at a time.
+///
+///   Wide<float> solver;
+///   world.step(solver, 1.0 / 60);
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "pushback/engine/direct/trees_directly.h"
+#include "pushback/engine/substeps/bundle.h"
+#include "pushback/engine/substeps/colours.h"
+#include "pushback/engine/substeps/floating.h"
+#include "pushback/engine/substeps/rides.h"
+#include "pushback/engine/substeps/substepping_solver.h"
+
+namespace pushback {
+
+/// The fastest passes that this processor can do; or for 1, 4 or 8 `lanes`, the same bits in another time.
+template <class Scalar>
+Passes<Scalar> passes_of_this_processor(int lanes = 0);
+
+/// Rows and impulses are of the type Scalar, whatever Real is; positions are Real. Defined for float and double.
+///
+/// Where the normal turns with a face, or lies between two round bodies, contacts ride: n, both arms and C follow the bodies in each
+/// substep. What floats keeps its angular momentum: there rows are placed anew however slowly a pair moves.
+template <class Scalar, class JointEffect = TreesDirectly>
+class Wide : public SubsteppingSolver {
+ public:
+  JointEffect joints;
+  Real stays_within = Real(1e-4);  ///< of a pair's longest arm: it moves so far and keeps its rows
+  Passes<Scalar> passes = passes_of_this_processor<Scalar>();
+  Passes<Real> turning = passes_of_this_processor<Real>();  ///< of bodies
+  /// The order in which pairs are solved; each set at once.
+  Sets (*sets_of)(const std::vector<PairOfBodies>& pairs, const World& world) = coloured;
+  /// Who does the bundles of a set, and what else falls into parts; null: this one alone.
+  std::shared_ptr<Workers> crew;
+
+  Wide() {
+    per = Real(1) / 60;
+    abrupt = Real(0.5);
+  }
+  Plan plan(Real dt) const override {
+    Plan plan = SubsteppingSolver::plan(dt);
+    plan.moves_bodies = true;  // and reads I^-1 only of pairs whose rows are placed anew
+    plan.workers = crew ? crew.get() : &alone();
+    return plan;
+  }
+  void check(World& world, Real h) override {
+    SubsteppingSolver::check(world, h);
+    require_not_negative("stays_within", stays_within);
+    StepContext step = joints_step(world, h);
+    joints.check(step);
+  }
+  void detected(World& world, Real h) override;
+  void solve(World& world, Real h, int sweeps) override;
+  void integrate_positions(World& world, Real h) override;
+  void moved(World& world, Real h) override;
+  void done(World& world) override;
+  Solved solved() const override { return measured_.value_or(measure()); }
+
+ protected:
+  /// Writes the impulses so far, the depth and the state of the i-th contact.
+  void write_back(Contact& contact, std::size_t i) const;
+
+ private:
+  struct Place {  // of a contact of the world
+    std::size_t bundle, contact, lane;
+  };
+  std::size_t place_of(World& world, std::size_t body);
+  void lay_out(const Sets& sets);
+  void pack(const World& world, std::size_t at, std::span<const PairOfBodies> pairs);
+  Bundles<Scalar> bundles(std::size_t begin, std::size_t end);
+  template <class Act>
+  void each_body(const Act& act);
+  template <class Act>
+  Scalar each_bundle(const Act& act);
+  template <class Act>
+  Scalar set_by_set(const Act& act);
+  template <class Act>
+  Scalar largest_in(std::size_t begin, std::size_t end, const Act& act);
+  void sweep(StepContext& step, void (*friction_pass)(const Bundles<Scalar>&));
+  void place_rows();
+  void measure_reaches(const World& world);
+  void forget_impacts();
+  Solved measure() const;
+
+  Workers* at_work_ = &alone();      // in this step
+  std::vector<Body*> bodies_;        // those that touch; the last one stands in empty lanes
+  std::vector<std::size_t> places_;  // of each body of the world, in bodies_
+  std::vector<Twist<Scalar>> now_, before_, moved_, given_;
+  std::vector<Bundle<Scalar>> bundles_;
+  std::vector<std::span<const PairOfBodies>> packed_;  // what is in each bundle
+  std::vector<std::size_t> ends_;                      // of each set, in bundles_
+  std::vector<WidePoint<Scalar>> points_;
+  std::vector<WideContact<Scalar>> contacts_;
+  std::vector<Inertia<Scalar>> inertias_;     // of bodies_
+  std::vector<EightVectors<Scalar>> starts_;  // of contacts_
+  std::vector<Place> where_;                  // of each contact of the world
+  std::vector<Scalar> largest_;               // of each part of a pass, what it returned
+  std::optional<Solved> measured_;            // before the impulses of an impact were forgotten
+  bool bouncy_ = false;                       // whether any contact is
+  std::vector<Real> reaches_;                 // of bodies_: their longest arm, m; and the shortest of those that move
+  Real shortest_reach_ = 0;
+  std::vector<bool> floats_;  // of each body of the world; and whether one that touches does:
+  bool something_floats_ = false;
+  std::vector<Vec3> guesses_;  // what it starts from, N s
+};
+
+extern template class Wide<float>;  // compiled once, in wide.cpp
+extern template class Wide<double>;
+extern template class Wide<float, SteadyJoints>;
+extern template class Wide<double, SteadyJoints>;
+
+}  // namespace pushback
