@@ -1,15 +1,15 @@
-/// Three solvers to take where no chapter is the subject. Their prices: docs/which_solver.md
+/// Three solvers to use as they are. Their prices: docs/which_solver.md
 ///
 ///   Recommended solver;
-///   solver.error = 1e-3;  // m, of a place after a second; without it each island has the steps that chapter 26 gives it
+///   solver.error = 1e-3;  // m, of a place after a second; without it only the energy of each island is checked
 ///   world.step(solver, 1.0 / 60);
 #pragma once
 
-#include "pushback/engine/islands/within_error.h"
+#include "pushback/engine/islands/island_solver.h"
 
 namespace pushback {
 
-/// For pictures and games: all in 8 substeps, in float. A stack of ten sinks by 7 mm, and more than 24 boxes on each other buckle
+/// For pictures and games: everything in 8 substeps, in float. A stack of ten sinks by 7 mm, and stacks of more than 24 boxes buckle
 /// (chapter 12).
 struct Fast : Wide<float> {
   Fast() {
@@ -18,21 +18,20 @@ struct Fast : Wide<float> {
   }
 };
 
-/// Each island by the step that it calls for: what is few, or rests, is solved at once and to second order; what tumbles in 32
-/// substeps, in double. With `error`, in as many as that calls for.
-struct Recommended : WithinError {};
+/// Each island by the step that fits it: few contacts and resting islands are solved at once and to second order, tumbling ones in 32
+/// substeps, in double. With `error`, in as many substeps as the error needs.
+using Recommended = IslandSolver;
 
-/// The same with errors 4 to 30 times smaller where there are any, in up to 2.5 times the time: 128 substeps, half steps in 8 and
-/// more.
-struct Exact : WithinError {
+/// The same with errors 4 to 30 times smaller, unless they are 0, in up to 2.5 times the time: 128 substeps, half steps in 8 and more.
+struct Exact : IslandSolver {
   Exact() {
-    many.substeps = 128;
-    many.spring.hertz *= 4;  // as stiff as these substeps hold
-    few.substeps = 8;
-    joined.substeps = 8;
-    few.most_work = joined.most_work = 1e7;
+    substep_solver.substeps = 128;
+    substep_solver.spring.hertz *= 4;  // as stiff as these substeps hold
+    contact_half_step.substeps = 8;
+    joint_half_step.substeps = 8;
+    contact_half_step.most_work = joint_half_step.most_work = 1e7;
     energy = Real(1e-6);
-    savings.of_contact *= 4;
+    budget.per_contact *= 4;
   }
 };
 

@@ -53,11 +53,10 @@ void step_part(World& world, StepSolver& solver, const Plan& plan, const ForcesO
   world.last_impulses_known = true;
 }
 
-/// Moves those who are simulated on by dt seconds. Throws as World::step does.
+/// Moves the simulated bodies on by dt seconds, by this plan. Throws as World::step does.
 template <class Simulated>
-void step(World& world, StepSolver& solver, Real dt, int sweeps, Simulated& simulated) {
+void step(World& world, StepSolver& solver, const Plan& plan, Real dt, int sweeps, Simulated& simulated) {
   check_step(dt, sweeps, world.gravity);
-  const Plan plan = solver.plan(dt);
   const Real of_detection = dt / static_cast<Real>(plan.detections);
   const ForcesOfSubsteps forces(world, plan);
   for (Joint& joint : world.joints) std::fill(joint.impulses.begin(), joint.impulses.end(), 0);
@@ -68,6 +67,12 @@ void step(World& world, StepSolver& solver, Real dt, int sweeps, Simulated& simu
     simulated.end(world, of_detection);
   }
   if (plan.detections > 1) sums.write_to(world);
+}
+
+/// The same by the solver's own plan.
+template <class Simulated>
+void step(World& world, StepSolver& solver, Real dt, int sweeps, Simulated& simulated) {
+  step(world, solver, solver.plan(dt), dt, sweeps, simulated);
 }
 
 }  // namespace pushback

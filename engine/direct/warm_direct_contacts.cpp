@@ -15,12 +15,21 @@ namespace pushback {
 /// Contacts. Beyond that, a system between them takes longer than all of the smoothed ones between bodies, from nothing.
 constexpr Eigen::Index most_from_guess = 100;
 
+std::string WarmDirectContacts::too_large(std::size_t contacts) {
+  return fmt::format("{} contacts are too large a problem for the multiplications that are left", contacts);
+}
+
 void WarmDirectContacts::start(StepContext& step) {
-  if (step.contacts.empty()) return;
+  if (!try_start(step)) throw InvalidInput(too_large(step.contacts.size()));
+}
+
+bool WarmDirectContacts::try_start(StepContext& step) {
+  if (step.contacts.empty()) return true;
   look_at_guess(step);
-  if (relative_residual(r_, u_, q_, mu_) <= tolerance) return;  // what rests: W is not even written down
-  if (!solve_as_handful(step.rows)) solve_as_large(step);
+  if (relative_residual(r_, u_, q_, mu_) <= tolerance) return true;  // what rests: W is not even written down
+  if (!solve_as_handful(step.rows) && !solve_as_large(step)) return false;
   for (std::size_t i = 0; i < places_.size(); ++i) step.rows[i].reach(static_cast<Real>(r_[places_[i]]));
+  return true;
 }
 
 /// The guess is taken away, and given again: so u and q are known without W.
@@ -48,24 +57,23 @@ bool WarmDirectContacts::solve_as_handful(const Rows& rows) {
   return true;
 }
 
-void WarmDirectContacts::solve_as_large(StepContext& step) {
-  if (!(work > 0))
-    throw InvalidInput(
-        fmt::format("{} contacts are too large a problem for the multiplications that are left", mu_.size()));
+bool WarmDirectContacts::solve_as_large(StepContext& step) {
+  if (!(work > 0)) return false;
   ContactProblem problem = problem_of(step.contacts, step.rows);
   problem.q -= problem.w * r_;  // u = W r + q with what the guess has done already
   if (mu_.size() <= most_from_guess) {
     work -= newton(problem, r_, {tolerance, rounds, work}).multiplications;
-    if (relative_residual(problem, r_) <= too_far) return;
+    if (relative_residual(problem, r_) <= too_far) return true;
   }
   const SmoothedSolution smoothed =
       solve_smoothed(problem, {.tolerance = tolerance, .work = work}, factor_of(step.world, step.contacts));
   work -= smoothed.work;
   if (smoothed.residual < relative_residual(problem, r_)) r_ = smoothed.r;
-  if (relative_residual(problem, r_) <= too_far) return;
+  if (relative_residual(problem, r_) <= too_far) return true;
   const Solution from_nothing = solve_best(problem, {.tolerance = tolerance, .work = work, .rounds = 1});
   work -= from_nothing.work;
   if (from_nothing.residual < relative_residual(problem, r_)) r_ = from_nothing.r;
+  return true;
 }
 
 }  // namespace pushback

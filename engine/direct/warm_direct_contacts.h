@@ -12,15 +12,19 @@ struct WarmDirectContacts : Effect {
   double tolerance = 1e-5;  ///< of relative_residual
   double too_far = 1e-3;    ///< of the same, and solved from nothing
   int rounds = 3;           ///< of Newton's method, see NewtonLimits
-  /// Multiplications in all steps together. Once they are spent, the next system is refused: InvalidInput.
+  /// Multiplications in all steps together. Once they are spent, the next system is refused.
   double work = std::numeric_limits<double>::infinity();
 
+  /// Throws InvalidInput if `work` is spent.
   void start(StepContext& step);
+  /// The same, but returns false.
+  bool try_start(StepContext& step);
+  static std::string too_large(std::size_t contacts);
 
  private:
   void look_at_guess(StepContext& step);
   bool solve_as_handful(const Rows& rows);
-  void solve_as_large(StepContext& step);
+  bool solve_as_large(StepContext& step);
 
   std::vector<Eigen::Index> places_;  // of each row in the problem
   Eigen::VectorXd r_, u_, q_, mu_;    // of the problem, u with r, q without

@@ -4,133 +4,86 @@
 #include <span>
 
 #include "pushback/common/world/step_solver.h"
-#include "pushback/engine/half_step/held_contacts.h"
-#include "pushback/engine/half_step/held_joints.h"
+#include "pushback/engine/half_step/composition.h"
+#include "pushback/engine/half_step/impact_cuts.h"
 
 namespace pushback {
 
-/// x += h v and the turn of h w, as a free body moves; I^-1 stays behind until it is refreshed.
-void drift(Body& body, Real h);
+/// The result of a try of a step.
+struct Outcome {
+  bool converged = false;
+  double work = 0;          ///< multiplications, roughly
+  Real energy_error = 0;    ///< as a fraction of what is allowed; see EnergyControl
+  Real position_error = 0;  ///< the same; see ErrorControl
+};
 
-/// In the place of a solver in World::step, of which it keeps the calls and not the order:
+/// A solver with an integrator of its own. World::step calls it at the usual times, and it does this:
 ///
-///   v += h/2 M^-1 f(x)                          half of the kick
+///   v += h/2 M^-1 f(x)                          the first half of the kick
 ///   v += M^-1 J(x)^T lambda                     so that C = 0 after the drift: lambda by Newton's method
-///   x += h v,  q turns by h w                   the drift, as a free body would
-///   v += h/2 M^-1 f(x)                          the other half, with the forces of the new place
+///   x += h v,  q turns by h w                   the drift, as a free body would move
+///   v += h/2 M^-1 f(x)                          the second half, with the forces at the new place
 ///   v += M^-1 J(x)^T lambda                     so that J v = 0
 ///
-/// The position is a constraint of its own, so no error is fed back as a velocity: there is no beta. Backwards in time
-/// it is the same step. Forces are to depend on places and on time: one that depends on velocities, as drag does, is of first
-/// order.
+/// The position is a constraint of its own, so no error is fed back as a velocity: there is no beta. The step is the same backwards in
+/// time. Forces may depend on places and on time. A force that depends on velocities, such as drag, makes the step first order.
 ///
-/// Contacts are held in both stages as well, see held_contacts.h; so are limits, motors and springs, see held_joints.h. What
-/// cannot be solved by itself is solved together: newton_from_guess.h. An impact within a step is of first order.
+/// Contacts are held in both stages as well, see held_contacts.h; so are limits, motors and springs, see held_joints.h. Rows that
+/// cannot be solved one kind at a time are solved together: newton_from_guess.h. An impact within a step is of first order, unless
+/// `impacts` cuts the step there.
 ///
-/// Where Newton's method does not get there, the step is divided in two, and these again. Refused are sleeping bodies, springs whose
-/// force has a limit or that swing too fast for h, and in a composed step all that does not run backwards.
-///   Andersen, "Rattle", J. Comput. Phys. 1983; Hairer, Lubich, Wanner, Geometric Numerical Integration, VII.1.
-class HalfStep : public StepSolver {
+/// Where Newton's method does not converge, the step is divided in two, and these again. HalfStep refuses sleeping bodies, springs whose
+/// force has a limit or that oscillate too fast for h, and in a composed step everything that does not run backwards.
+class HalfStep : public StepSolver, public HalfStepSettings {
  public:
-  int substeps = 1;                                                                   ///< of each step
-  Real tolerance = std::numeric_limits<Real>::digits > 24 ? Real(1e-8) : Real(2e-6);  ///< m or rad: the largest |C|
-  int most_rounds = 20;        ///< of Newton's method, before a step is divided
-  Real threshold = Real(0.1);  ///< m/s; what arrives slower does not bounce
-  int most_halvings = 8;       ///< before it is refused: InvalidInput
-  double most_work = 1e10;     ///< multiplications in a step, roughly; what needs more is refused
-  bool from_afar = true;  ///< contacts are solved from nothing (17) where Newton's method fails; else that is refused
+  std::optional<Impacts> impacts;                ///< whether the step is cut at impacts, and how these are solved
+  int most_events = 64;                          ///< impacts in a substep, before contacts are held for the rest of it
+  std::span<const Real> composition = one_step;  ///< each substep: a composition of steps, see composition.h
 
-  /// Settings alone, of those above.
-  void set_as(const HalfStep& other);
-  /// Throws InvalidInput if one of them cannot be used.
-  void check_settings() const;
+  using HalfStepSettings::check;
   Plan plan(Real dt) const override;
   bool holds_joints() const override { return true; }
   void check(World& world, Real h) override;
   void detected(World& world, Real h) override;
-  /// The whole step, with its own drift. `sweeps` do not matter.
+  /// A step of h, with its own drift. `sweeps` do not matter. Throws InvalidInput if it does not converge; the bodies are then where they
+  /// were.
   void solve(World& world, Real h, int sweeps) override;
-  /// Contacts keep what they bore for the next step, and report what was given in this one.
   void done(World& world) override;
-  /// World::step has moved the bodies, which `solve` left standing still where they are to be: they get their velocities.
+  /// World::step has moved the bodies, which `solve` left at rest at their new places. Gives them their velocities.
   void moved(World& world, Real h) override;
-  Solved solved() const override { return {joints_.rows() + contacts_.rows(), off_}; }
-  /// In the latest step: how often one was divided in two.
-  int halvings() const { return halvings_; }
-  /// In the latest step: of Newton's method, all together. None where what contacts bore before is what they bear.
-  int rounds() const { return rounds_ + contacts_.factored(); }
-  /// Whether the latest step was refused because a single matrix of its contacts would take more than `most_work`.
-  bool too_large() const { return contacts_.too_large(); }
-  /// In the latest step: multiplications, roughly, of all systems and sweeps. A step that was refused has them, too.
-  double work() const { return (most_work - together_.work) + (most_work - contacts_.work_left()); }
+  Solved solved() const override { return {motion_.rows(), motion_.speed_error()}; }
 
- protected:
-  /// One after the other, in parts of a substep; they add up to 1. One that is negative goes back in time.
-  virtual std::span<const Real> parts() const;
-  /// A part of a substep, as it is or in pieces of its own: each is a call of this one.
-  virtual void advance(World& world, Real h);
+  /// A step of dt, s, as World::step takes it. If it does not converge, bodies are where they were, but contacts and forces are not.
+  Outcome try_step(World& world, Real dt);
 
-  struct Acceleration {
-    Vec3 linear, angular;
-  };
-  bool holds_contacts() const;
-  /// World::contacts, where a step of h s begins, and where a drift of h s has ended.
-  virtual void begin_contacts(World& world, Real h);
-  virtual void detect_contacts(World& world, Real h);
-  /// By forces, where the bodies are, m/s^2 and rad/s^2.
-  Acceleration acceleration(const World& world, std::size_t body) const;
-  /// Multiplications of somebody else in this step. Throws InvalidInput where they are more than are left.
-  void spend(double work);
-
-  struct State {
-    Vec3 velocity, angular_velocity, position;
-    Quat orientation;
-    explicit State(const Body& body);
-    void give(Body& body) const;
-  };
-  /// Between two steps: all that a step changes.
-  struct Moment {
-    std::vector<Body> bodies;
-    Contacts contacts;
-    HeldContacts held;
-    HeldJoints joints;
-    std::vector<Acceleration> accelerations;
-    Real time;
-  };
-  Moment moment(const World& world) const;
-  void back_to(World& world, const Moment& moment);
-  /// An impact, which takes no time: rows of contacts, all normals and then two tangents of each, with everything that joints hold
-  /// meanwhile. False where that cannot be solved. `h`: of the step.
-  bool strike(World& world, const Contacts& contacts, Rows& rows, Real h);
-
-  HeldContacts contacts_;
-  bool alone_ = true;          // nobody comes near anybody in the step: contacts are not even asked for
-  std::vector<State> before_;  // the latest drift
+  // ---- of the latest step ---------------------------------------------------------------------------------------------
+  /// How often a step was divided in two.
+  int halvings() const { return motion_.halvings(); }
+  /// Of Newton's method, all together. 0 if contacts bear the same loads as before.
+  int rounds() const { return motion_.rounds(); }
+  /// Whether a single matrix of contacts would have taken more than `most_work`.
+  bool too_large() const { return motion_.contacts.too_large(); }
+  /// Multiplications, roughly, of all systems and sweeps; also of a step that failed.
+  double work() const { return motion_.work(); }
+  /// How often bodies met, whether `most_events` were too few, the kinetic energy that impacts dissipated (J), and whether contacts were
+  /// held. Only with `impacts`. The energy is below 0 if Newton's rule and friction added some, which happens only with joints.
+  int events() const { return cuts_.events(); }
+  bool bound_reached() const { return cuts_.bound_reached(); }
+  Real taken() const { return cuts_.taken(); }
+  bool held() const { return cuts_.held(); }
 
  private:
-  void halve(World& world, Real h, int halvings);
-  bool step(World& world, Real h);
-  void accelerate(World& world);
-  void kick(World& world, Real h) const;
-  static void keep(const World& world, std::vector<State>& states);
-  static void give(World& world, const std::vector<State>& states);
+  bool run(World& world, Real h);
+  bool holds_contacts() const { return composition.size() == 1; }
 
-  bool holds_together() const;
-  bool press(World& world, Real h);
-  void project(World& world, Real h);
-  bool solve_together(World& world, Real h);
-  static Margin margin(Real gravity, Real h);
-  static bool moves(const World& world, Real h);
-
-  HeldJoints joints_;
-  NewtonFromGuess together_;
-  std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body; none where nobody has any
-  std::vector<Acceleration> accelerations_;     // of each body, where it is; none where gravity is all
-  std::vector<State> begun_;                    // the step
-  std::vector<State> after_;                    // all steps
-  Real time_ = 0;                               // s: of the bodies
-  Real off_ = 0;
-  int halvings_ = 0, rounds_ = 0;
+  KickDrift motion_;
+  ImpactCuts cuts_;
+  std::vector<KickDrift::State> states_;  // of all bodies, as the step began, or as it ended
 };
+
+/// HalfStep, cut at impacts.
+HalfStep at_impacts(Impacts impacts = Impacts::simultaneous);
+/// HalfStep, composed: of fourth order.
+HalfStep composed(std::span<const Real> composition = suzuki);
 
 }  // namespace pushback

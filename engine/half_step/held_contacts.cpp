@@ -236,23 +236,24 @@ bool HeldContacts::turns_back(const World& world) {
 }
 
 /// From the guess by Newton's method, and where that does not get there, as chapter 17 does.
-void HeldContacts::solve_rows(World& world, Real h) {
+bool HeldContacts::solve_rows(World& world, Real h) {
   do {
     newton_.clear();
     add_to(newton_, world);
     newton_.solve(world, direct_.tolerance * unit_ / 16, direct_.too_far * unit_ / 16);
     take(world);
   } while (turns_back(world));
-  if (off(world) <= direct_.too_far) return;
-  if (!from_afar) throw InvalidInput(fmt::format("{} contacts are not solved from what they bore", taking_.size()));
-  solve_from_afar(world, h);
+  if (off(world) <= direct_.too_far) return true;
+  if (fall_back_to_full_solve) return solve_from_nothing(world, h);
+  failure_ = fmt::format("{} contacts are not solved from what they bore", taking_.size());
+  return false;
 }
 
 void HeldContacts::find_out() {
   for (Taking& taking : taking_) taking.slides.setZero();
 }
 
-void HeldContacts::solve_from_afar(World& world, Real h) {
+bool HeldContacts::solve_from_nothing(World& world, Real h) {
   find_out();
   place(world);
   touching_.clear();
@@ -260,33 +261,32 @@ void HeldContacts::solve_from_afar(World& world, Real h) {
   world.contacts.swap(touching_);  // chapter 17 solves those of the world
   StepContext step{world, world.contacts, rows_, h};
   direct_.work = newton_.work;
-  try {
-    direct_.start(step);
-    for (std::size_t k = 0; k < taking_.size(); ++k) {
-      const ContactId& id = world.contacts[k].id;
-      if (!(step.speed_error(k) > -solved))
-        throw InvalidInput(fmt::format("where bodies {} and {} touch, {} m/s are left: half steps need solved contacts",
-                                       id.body_a, id.body_b, -step.speed_error(k)));
-    }
-  } catch (const InvalidInput&) {
-    world.contacts.swap(touching_);
-    throw;
+  failure_ = direct_.try_start(step) ? "" : WarmDirectContacts::too_large(taking_.size());
+  for (std::size_t k = 0; k < taking_.size() && failure_.empty(); ++k) {
+    const ContactId& id = world.contacts[k].id;
+    if (!(step.speed_error(k) > -solved))
+      failure_ = fmt::format("where bodies {} and {} touch, {} m/s are left: half steps need solved contacts",
+                             id.body_a, id.body_b, -step.speed_error(k));
   }
-  newton_.work = direct_.work;
   world.contacts.swap(touching_);
+  if (!failure_.empty()) return false;
+  newton_.work = direct_.work;
   take(world);
+  return true;
 }
 
-void HeldContacts::press(World& world, Real h) {
+bool HeldContacts::press(World& world, Real h) {
   begin_pressing(world, h);
-  if (!(off(world) <= direct_.tolerance)) solve_rows(world, h);
+  if (!(off(world) <= direct_.tolerance) && !solve_rows(world, h)) return false;
   end_pressing(world, h);
+  return true;
 }
 
-void HeldContacts::project(World& world, Real h) {
+bool HeldContacts::project(World& world, Real h) {
   begin_projecting(world, h);
-  if (!(off(world) <= direct_.tolerance)) solve_rows(world, h);
+  if (!(off(world) <= direct_.tolerance) && !solve_rows(world, h)) return false;
   end_projecting(world, h);
+  return true;
 }
 
 /// What overlaps comes out by a tenth in a hundredth of a second, or no faster than the second half of the kick takes back: h g / 4.

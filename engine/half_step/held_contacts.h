@@ -12,6 +12,10 @@ namespace pushback {
 /// Chapter 17's, for contacts that are to be solved as exactly as rounding lets them.
 WarmDirectContacts exact_direct_contacts();
 
+inline BodyPair pair_of(const Contact& at) {
+  return {static_cast<int>(at.id.body_a), static_cast<int>(at.id.body_b)};
+}
+
 /// All contacts solved at once, in each stage from what they bore in the step before:
 ///
 ///   positions     gap + h J v >= 0,  lambda >= 0      along J where the drift begins
@@ -36,8 +40,9 @@ class HeldContacts {
   static constexpr Real touches = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-5);
 
   Real threshold = Real(0.1);  ///< m/s; what arrives slower does not bounce
-  double most_work = 1e10;     ///< multiplications, roughly, from `begin` to `begin`; what needs more is refused
-  bool from_afar = true;       ///< where Newton's method does not get there from the guess; else it is refused
+  double most_work = 1e10;     ///< multiplications, roughly, from `begin` to `begin`, before a stage fails
+  /// Solve from nothing (chapter 17) where Newton's method fails from the guess. Otherwise a stage fails there.
+  bool fall_back_to_full_solve = true;
   /// Of these pairs alone, ascending, contacts are held; without, of all.
   std::optional<std::vector<BodyPair>> only;
   bool holds(const ContactId& id) const;
@@ -46,15 +51,16 @@ class HeldContacts {
   void begin(const World& world);
   /// How fast what touches approaches and slips, as a step begins.
   void look(const World& world);
-  /// The first stage. Throws InvalidInput where it cannot be solved.
-  void press(World& world, Real h);
+  /// The first stage. False if it cannot be solved; `failure` says why.
+  bool press(World& world, Real h);
   /// World::contacts are those where the bodies are now.
   void detected(const World& world);
   /// The drift after the next `press` turns this contact of World::contacts in by `depth` m more than J and earlier calls account for.
   /// The press aims higher by that much.
   void bends(std::size_t contact, Real depth) { known_[contact].bends += depth; }
-  /// The second.
-  void project(World& world, Real h);
+  /// The second. False as above.
+  bool project(World& world, Real h);
+  const std::string& failure() const { return failure_; }
   /// What has acted at a contact of World::contacts between two steps: N s along its normal, its first and its second tangent. `look`
   /// once all of it has.
   void add(const World& world, std::size_t contact, const Vec3& impulses);
@@ -117,8 +123,8 @@ class HeldContacts {
   void give_guess(World& world, Real h);
   double off(const World& world) const;
   void place(World& world);
-  void solve_rows(World& world, Real h);
-  void solve_from_afar(World& world, Real h);
+  bool solve_rows(World& world, Real h);
+  bool solve_from_nothing(World& world, Real h);
 
   WarmDirectContacts direct_ = exact_direct_contacts();
   NewtonFromGuess newton_;
@@ -126,6 +132,7 @@ class HeldContacts {
   double unit_ = 1;    // |q|, m/s
   Contacts touching_;  // those of taking_
   Rows rows_;
+  std::string failure_;
   std::vector<Known> known_, known_before_;  // of World::contacts, ascending
   Contacts sums_;  // since `begin`, in the order of first action; a contact that parts and returns appears twice
 };

@@ -155,20 +155,21 @@ void HeldJoints::apply(const std::vector<double>& lambda) {
   }
 }
 
-void HeldJoints::pull(const World& world, Real h) {
-  if (!springs_) return;
+std::string HeldJoints::pull(const World& world, Real h) {
+  if (!springs_) return {};
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Held& held = held_[i];
     if (held.kind != Kind::spring) continue;
     JointRow& row = rows_[i];
     if (!(h * h * held.stiffness < 4 * row.effective_mass))
-      throw InvalidInput(fmt::format(
-          "{} swings with {} rad/s, half steps of {} s follow up to {}: more substeps are needed",
-          world.joints[row.owner].name, std::sqrt(held.stiffness / row.effective_mass), h, 2 / std::abs(h)));
+      return fmt::format("{} swings with {} rad/s, half steps of {} s follow up to {}: more substeps are needed",
+                         world.joints[row.owner].name, std::sqrt(held.stiffness / row.effective_mass), h,
+                         2 / std::abs(h));
     row.impulse = -h / 2 * (held.stiffness * held.c + held.damping * row.speed());
   }
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (held_[i].kind == Kind::spring) rows_[i].apply(rows_[i].impulse);
+  return {};
 }
 
 void HeldJoints::pull_on(Real h) {

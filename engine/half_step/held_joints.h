@@ -29,8 +29,8 @@ class HeldJoints {
   Real ask(const World& world, Real time);
   /// Rows where the last `ask` was, of the bodies' I^-1.
   void place(World& world, Real time, Real h);
-  /// The first half of what springs do, by the velocities before it. Throws InvalidInput where h is too long for one.
-  void pull(const World& world, Real h);
+  /// The first half of what springs do, by the velocities before it. Returns why not, if h is too long for one.
+  std::string pull(const World& world, Real h);
   /// The second, of those that do not damp.
   void pull_on(Real h);
   /// What the rows are expected to bear in half of h.

@@ -3,33 +3,27 @@
 
 #include <algorithm>
 
-#include "pushback/engine/half_step/at_impacts.h"
-#include "pushback/engine/half_step/composition.h"
+#include "pushback/engine/half_step/half_step.h"
 
 namespace pushback {
 
-/// Copies of an island's bodies, and of the immovable ones that it touches or hangs from, in the order of the whole world: so its
-/// contacts, too, stay in the order of their ids. Its joints it has itself, until they are given back.
+/// Copies of an island's bodies, and of the immovable ones that it touches or hangs from, in the order of the whole world, so that its
+/// contacts stay in the order of their ids. The island's joints are moved here until they are given back.
 class IslandWorld {
  public:
   World world;
   HalfStep half_step;
-  AtImpacts cut_step = [] {
-    AtImpacts s;
-    s.impacts = Impacts::sequential;
-    return s;
-  }();
-  Composed<Suzuki> fourth_order;
-  bool impact = false;  ///< bodies may meet in this step: it is cut where they do
-  bool fourth = false;  ///< it is moved by steps of fourth order: it has joints, and no contacts
+  bool impact = false;  ///< bodies may meet in this step, so it is cut where they do
+  bool fourth = false;  ///< the island gets steps of fourth order: it has joints, and no contacts
   bool held = false;    ///< half steps have moved it
-  double took = 0;      ///< multiplications, roughly: of the latest try
 
-  HalfStep& solver() {
-    if (fourth) return fourth_order;
-    return impact ? cut_step : half_step;
+  /// Sets what `half_step` does, after a change of the above.
+  void set_order() {
+    half_step.impacts = impact && !fourth ? std::optional(Impacts::sequential) : std::nullopt;
+    half_step.composition = one_step;
+    if (fourth) half_step.composition = suzuki;
   }
-
+  void set(const HalfStepSettings& settings) { static_cast<HalfStepSettings&>(half_step) = settings; }
   /// Joints and contacts have to be solved together.
   bool joined_and_near() const { return impact && !world.joints.empty(); }
 
@@ -45,13 +39,13 @@ class IslandWorld {
     world.dt_before = whole.dt_before;
     world.last_impulses_known = false;
   }
-  /// A body, as often as one likes; all of them before what follows.
+  /// A body, any number of times. Add all bodies before contacts and joints.
   void add(int body) { bodies_.push_back(body); }
   void sort() {
     std::sort(bodies_.begin(), bodies_.end());
     bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
   }
-  /// A contact of the step before, if both bodies are here.
+  /// A contact of the step before, if both of its bodies are here.
   void add(const Contact& contact) {
     const int a = here(static_cast<int>(contact.id.body_a)), b = here(static_cast<int>(contact.id.body_b));
     if (a == nowhere || b == nowhere) return;
@@ -65,7 +59,8 @@ class IslandWorld {
       if (*body != the_world) *body = here(*body);
     joints_.push_back(index);
   }
-  /// Bodies as they are in the whole world now. Returns whether something beside gravity, joints and contacts does work on them.
+  /// Copies the bodies as they are in the whole world now. Returns whether anything other than gravity, joints and contacts does work on
+  /// them.
   bool copy_bodies(const World& whole) {
     world.bodies.clear();
     world.time = whole.time;
@@ -87,8 +82,8 @@ class IslandWorld {
       all[joints_[i]] = std::move(joint);
     }
   }
-  /// Where its bodies are now, and what touches there. Of the impulses of the step the last substep of the whole world has `part`.
-  void give(World& whole, Real part) const {
+  /// Writes bodies and contacts into the whole world. `fraction`: the share of the last substep of the whole world in impulses.
+  void give(World& whole, Real fraction) const {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (!world.bodies[i].movable()) continue;
       whole.bodies[std::size_t(bodies_[i])] = world.bodies[i];
@@ -99,10 +94,10 @@ class IslandWorld {
       Contact& copy = whole.contacts.emplace_back(contact);
       copy.id.body_a = static_cast<std::uint32_t>(bodies_[contact.id.body_a]);
       copy.id.body_b = static_cast<std::uint32_t>(bodies_[contact.id.body_b]);
-      copy.last_impulse = part * contact.last_impulse;
+      copy.last_impulse = fraction * contact.last_impulse;
     }
     for (const std::size_t joint : joints_)
-      for (Real& impulse : whole.joints[joint].last_impulses) impulse *= part;
+      for (Real& impulse : whole.joints[joint].last_impulses) impulse *= fraction;
   }
   const std::vector<int>& bodies() const { return bodies_; }
   int lowest() const { return lowest_; }

@@ -1,4 +1,4 @@
-#include "pushback/engine/islands/calls.h"
+#include "pushback/engine/islands/step_classifier.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@ namespace pushback {
 namespace {
 
 constexpr Real too_deep =
-    Real(5e-3);  // m: half steps let it out by a tenth in a hundredth of a second, and only against gravity
+    Real(5e-3);  // m: half steps resolve a tenth of an overlap in a hundredth of a second, and only against gravity
 constexpr Real along = Real(1e-6);  // of a belt's speed, at right angles to the face: rounding
-constexpr Real apart = Real(1e-6);  // m: what is nearer touches, and does not meet
+constexpr Real apart = Real(1e-6);  // m: a nearer pair touches already
 
 /// Each equation of the joint holds, rigidly and in both directions.
 bool rigid(const World& world, const Joint& joint, Equations& equations) {
@@ -24,16 +24,16 @@ bool rigid(const World& world, const Joint& joint, Equations& equations) {
   });
 }
 
-/// Whether the ground turns, or its surface moves otherwise than straight along its face, as a belt that only rubs. What only goes from
-/// place to place, as a lift does, carries what half steps move.
+/// Whether the ground turns, or its surface moves other than straight along its face. Half steps can move bodies on a belt that only rubs
+/// and on a lift that does not turn.
 bool turns_or_pushes(const Body& ground, const Contact& at) {
   if (ground.velocity == Vec3::Zero() && ground.angular_velocity == Vec3::Zero()) return false;
   if (ground.angular_velocity != Vec3::Zero()) return true;
   return ground.conveys && std::abs(ground.velocity.dot(at.normal)) > along * ground.velocity.norm();
 }
 
-/// The corner of a body that may get farthest along a direction n within dt. A turn moves a corner at r from the body's position by no more
-/// than  dt n . (w x r) + dt^2/2 w^2 |r|  along n.
+/// The corner of a body that may get farthest along a direction n within dt. A turn moves a corner at r from the body's position by at
+/// most  dt n . (w x r) + dt^2/2 w^2 |r|  along n.
 struct Corner {
   Real at;     // m, along it, from the world's origin
   Real speed;  // m/s, as the body turns
@@ -69,23 +69,23 @@ Real way_of_tips(const Body& body, Real dt) {
   return !body.movable() || spin == 0 ? 0 : reach_of_core(body) * std::min(dt * spin, Real(2));
 }
 
-void Calls::find(const World& world, const Contacts& contacts, Real dt, Real threshold, const Limits& limits) {
+void StepClassifier::classify(const World& world, const Contacts& contacts, Real dt, Real threshold,
+                              const ClassifierLimits& limits) {
   all_.resize(world.bodies.size());
   std::iota(all_.begin(), all_.end(), 0);
   islands_.separate(all_, all_.size());
   islands_.join(contacts, world);
   islands_.join(world.joints, world);
-  of_.assign(all_.size(), {});
-  moved_by_.resize(all_.size(), MovedBy::nothing);
-  look_at_contacts(world, contacts, dt, threshold);
-  look_at_joints(world);
-  look_at_bodies(world, limits.turn / dt);
+  by_island_.assign(all_.size(), {});
+  step_of_.resize(all_.size(), StepType::none);
+  read_contacts(world, contacts, dt, threshold);
+  read_joints(world);
+  read_bodies(world, limits.turn / dt);
   for (const Body& body : world.bodies)
-    moved_by_[std::size_t(body.index)] =
-        body.movable() ? called_for(of_[std::size_t(island_of(body.index))], limits) : MovedBy::nothing;
+    step_of_[std::size_t(body.index)] = body.movable() ? step_for(at(island_of(body.index)), limits) : StepType::none;
 }
 
-void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold) {
+void StepClassifier::read_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold) {
   const Real falls = dt * world.gravity.norm();
   const auto each_pair = [&](const auto& act) {
     for (auto first = contacts.begin(); first != contacts.end();) {
@@ -104,8 +104,8 @@ void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real 
     if (ground.movable()) return;
     island.refused |= std::any_of(first, end, [&ground](const Contact& at) { return turns_or_pushes(ground, at); });
     const Vec3 goes = ground.conveys ? Vec3::Zero() : ground.velocity;
-    island.refused |= island.ground_goes.value_or(goes) != goes;  // as in a press
-    island.ground_goes = goes;
+    island.refused |= island.ground_velocity.value_or(goes) != goes;  // as in a press
+    island.ground_velocity = goes;
   });
   each_pair([&](Island& island, auto first, auto end) {
     const Contact& nearest =
@@ -119,7 +119,7 @@ void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real 
       island.deepest = std::max(island.deepest, -gap);
       if (gap > dt * (std::max(Real(0), approach) + falls)) continue;
       ++acting;
-      // What rests does not arrive: its speed is rounding.
+      // A resting contact does not arrive: its speed is rounding.
       island.impact |= approach > threshold && (gap > apart || approach > falls);
     }
     const auto [a, b] = world.bodies_of(nearest);
@@ -132,7 +132,7 @@ void Calls::look_at_contacts(const World& world, const Contacts& contacts, Real 
   });
 }
 
-void Calls::look_at_joints(const World& world) {
+void StepClassifier::read_joints(const World& world) {
   if (world.joints.empty()) return;
   std::vector<JoinedBodies> joined;
   for (const Joint& joint : world.joints) {
@@ -151,27 +151,27 @@ void Calls::look_at_joints(const World& world) {
   }
 }
 
-void Calls::look_at_bodies(const World& world, Real turn) {
+void StepClassifier::read_bodies(const World& world, Real turn) {
   for (const Force& force : world.forces)
-    for (const int body : force.bodies.empty() ? all_ : force.bodies) of_[std::size_t(island_of(body))].refused = true;
+    for (const int body : force.bodies.empty() ? all_ : force.bodies) at(island_of(body)).refused = true;
   for (const Body& body : world.bodies) {
     if (!body.movable()) continue;
-    Island& island = of_[std::size_t(island_of(body.index))];
+    Island& island = at(island_of(body.index));
     island.refused |= body.asleep;
     island.turns |= body.angular_velocity.norm() > turn;
-    island.kept &= of(body.index) == MovedBy::half_steps;
+    island.kept &= step_of(body.index) == StepType::half_steps;
   }
 }
 
-MovedBy Calls::called_for(Island& island, const Limits& limits) {
-  if (island.refused) return MovedBy::substeps;
-  if (island.near == 0) return island.joints == 0 ? MovedBy::flight : MovedBy::half_steps;
+StepType StepClassifier::step_for(Island& island, const ClassifierLimits& limits) {
+  if (island.refused) return StepType::substeps;
+  if (island.near == 0) return island.joints == 0 ? StepType::flight : StepType::half_steps;
   const bool many = island.contacts > (island.kept ? limits.most_kept : limits.most);
-  if (island.joints > 0) return many ? MovedBy::substeps : MovedBy::half_steps;
+  if (island.joints > 0) return many ? StepType::substeps : StepType::half_steps;
   island.many = many;
   const bool balls_meet = island.impact && island.contacts == island.pairs && island.contacts <= limits.most_meeting;
   const bool calm = !island.impact && !island.turns;
-  return !island.many || calm || balls_meet ? MovedBy::half_steps : MovedBy::substeps;
+  return !island.many || calm || balls_meet ? StepType::half_steps : StepType::substeps;
 }
 
 }  // namespace pushback

@@ -1,0 +1,90 @@
+/// Half steps that are cut where bodies meet.
+#pragma once
+
+#include "pushback/engine/half_step/kick_drift.h"
+
+namespace pushback {
+
+/// How an impact is solved (chapter 09): each pair by itself, the fastest first, until no pair approaches; or all at the same time.
+enum class Impacts { sequential, simultaneous };
+
+/// Pairs that are apart fly freely, without constraints:
+///
+///   1. the first time at which any of them touch, see first_touch.h
+///   2. a half step until then; pairs that stay in touch are held in it, as in chapter 24
+///   3. where bodies touch and approach, an impact:  J v >= -e v_n,  impulses inside the cone, solved directly (chapter 17); with a
+///      smaller e where e and friction together would add energy
+///
+/// and again, until the step is over. So bodies that are apart when a step begins cannot pass through each other. A pair that
+/// stays in touch is held as in chapter 24, also at other points.
+///
+/// A held body may come down with its other end, or turn so far in a drift that it sinks in. The drift is then repeated, and ends when the
+/// sinking begins.
+///
+/// Bounces end. A body that leaves with u and is pressed back by a returns after 2 u / a, slower by e. Infinitely many bounces take
+///
+///   T = 2 u / (a (1 - e))
+///
+/// If T is not above a substep, this bounce is the last: the body leaves with no speed, u^2 / (2 a) <= a h^2 (1 - e)^2 / 8 too low. With
+/// joints a is not known in advance, and is taken to be g.
+///
+/// Joined bodies do not fly freely. The half step itself shows how they move: its drift goes by v + h/2 a, with an a that includes the
+/// joints. The time of touch of bodies that accelerate so is off by O(h^3). Newton's method corrects it, with a half step up to that time
+/// in each round. The impact is solved together with J v = 0 of the joints. A limit that is reached within a step is an impact as well, but
+/// the step is not cut for it.
+class ImpactCuts {
+ public:
+  static constexpr Real sinks = Real(1e-4);  ///< m: a drift lets a held contact in by no more than this
+
+  Impacts impacts = Impacts::simultaneous;
+  int most_events = 64;  ///< in a substep; the rest of it is then a half step in which all pairs are held
+
+  /// Before a step.
+  void begin() { events_ = 0, taken_ = 0, bound_reached_ = held_ = false; }
+  /// A substep of h. False leaves the reason in `motion.failure`.
+  bool advance(KickDrift& motion, World& world, Real h);
+
+  // ---- of the latest step ---------------------------------------------------------------------------------------------
+  int events() const { return events_; }                 ///< how often bodies met
+  bool bound_reached() const { return bound_reached_; }  ///< whether `most_events` were too few
+  Real taken() const { return taken_; }                  ///< J: kinetic energy that impacts have dissipated
+  bool held() const { return held_; }                    ///< whether contacts were held
+
+ private:
+  static constexpr Real touches = HeldContacts::touches;
+  static constexpr Real stands = std::numeric_limits<Real>::digits > 24 ? Real(1e-6)
+                                                                        : Real(1e-3);  // m/s: slower is no impact
+  struct Sunk {  // a held contact that the drift has let in
+    Real since;  // s: since it began to sink; infinite if unknown
+    std::ptrdiff_t known =
+        -1;       // its index in the contacts before the drift, if it touched there and the turn explains all of it
+    Real by = 0;  // m
+  };
+  /// s: the length of a part of a substep; nothing if the part failed.
+  using Length = std::optional<Real>;
+
+  bool impact(KickDrift& motion, World& world, Real h, bool& met);
+  bool bounce(KickDrift& motion, World& world, Real h, const std::vector<std::size_t>& which);
+  bool strike_free(StepContext& step);
+  void find_accelerations(const KickDrift& motion, const World& world);
+  Length try_step(KickDrift& motion, World& world, const KickDrift::Snapshot& begin, Real within);
+  Real pressing(const World& world, const Contact& at) const;
+  void hold_touching(KickDrift& motion, World& world, Real h);
+  bool next_touch(KickDrift& motion, const World& world, const std::vector<Body>& bodies, Real within,
+                  std::optional<Real>& touch);
+  std::vector<Sunk> sunk_since(const KickDrift& motion, const World& world, const Contacts& begun, Real h) const;
+  Real touch_in(const KickDrift& motion, const World& world, const Contacts& begun, Real h) const;
+  bool touch_already(const Contacts& contacts) const;
+  Length move_free(KickDrift& motion, World& world, Real within);
+  Length move_joined(KickDrift& motion, World& world, Real within);
+
+  std::vector<std::size_t> touching_, of_pair_;  // indices of World::contacts
+  std::vector<Vec3> accelerations_, turning_;    // of each body, with the loads of contacts, m/s^2 and rad/s^2
+  std::optional<BodyPair> first_;                // of KickDrift::near_pairs, the pair that touches first
+  WarmDirectContacts direct_ = exact_direct_contacts();
+  int events_ = 0;
+  Real taken_ = 0;
+  bool bound_reached_ = false, held_ = false;
+};
+
+}  // namespace pushback

@@ -1,0 +1,72 @@
+#include "pushback/engine/islands/energy_control.h"
+
+#include <cmath>
+
+#include "pushback/common/world/measure.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr Real of_contacts = Real(0.01);  // of T + m (h g)^2 / 2: if contacts add more, they were not solved
+constexpr Real of_their_own =
+    Real(1) / 120;  // s: in shorter steps many contacts get one half step, as substeps are fewer, too
+constexpr Real infinite = std::numeric_limits<Real>::infinity();
+
+Real mass_of(const World& world) {
+  Real mass = 0;
+  for (const Body& body : world.bodies)
+    if (body.movable()) mass += 1 / body.inverse_mass;
+  return mass;
+}
+
+}  // namespace
+
+Outcome try_half_steps(IslandWorld& island, const IslandStep& step, int substeps) {
+  const bool worked_on = island.copy_bodies(step.whole);
+  World& world = island.world;
+  HalfStep& solver = island.half_step;
+  solver.substeps = substeps;
+  const Real kinetic_before = kinetic_energy(world), before = kinetic_before + potential_energy(world);
+  Outcome outcome = solver.try_step(world, step.dt);
+  if (island.joined_and_near()) solver.most_work = std::max(1.0, solver.most_work - outcome.work);
+  if (!outcome.converged) outcome.energy_error = infinite;
+  if (!outcome.converged || worked_on) return outcome;
+  const Real kinetic = kinetic_energy(world), gained = kinetic + potential_energy(world) - before;
+  const Real mass = mass_of(world), freed = mass * world.gravity.norm() * step.classifier.overlap(island.lowest()),
+             all = std::max(kinetic, kinetic_before) + mass * (step.dt * world.gravity).squaredNorm() / 2;
+  if (world.joints.empty()) {  // contacts dissipate an unknown energy, and add none beyond what overlap frees
+    outcome.energy_error = gained - freed > of_contacts * all ? infinite : 0;
+    return outcome;
+  }
+  Real off = std::abs(gained);
+  if (island.impact) {
+    const Real left = gained + solver.taken();
+    off = std::max(gained, solver.held() ? left : std::abs(left)) - freed;
+  }
+  outcome.energy_error = off / (step.settings.energy * all);
+  return outcome;
+}
+
+int most_half_steps(const IslandWorld& island, const IslandStep& step) {
+  const int of_contacts_substeps = step.settings.contact_half_step.substeps;
+  if (!island.world.joints.empty()) return step.settings.most_half_steps;
+  if (!step.classifier.many_contacts(island.lowest())) return of_contacts_substeps;
+  return std::min(of_contacts_substeps, static_cast<int>(std::ceil(step.dt / of_their_own)));
+}
+
+void control_by_energy(IslandWorld& island, IslandMemory& memory, const IslandStep& step) {
+  const bool joints = !island.world.joints.empty();
+  const bool few_meet = island.impact && !joints && !step.classifier.many_contacts(island.lowest());
+  const int least = most_half_steps(island, step), most = few_meet ? 4 * least : least;
+  memory.substeps = joints ? std::max(memory.next, step.settings.joint_half_step.substeps) : least;
+  Outcome outcome;
+  for (;; memory.substeps *= 2) {
+    outcome = try_half_steps(island, step, memory.substeps);
+    if (outcome.energy_error <= 1 || 2 * memory.substeps > most || !can_double(island, outcome)) break;
+  }
+  island.held = outcome.energy_error <= 1;
+  memory.next = outcome.energy_error < Real(0.125) ? memory.substeps / 2 : memory.substeps;
+}
+
+}  // namespace pushback

@@ -1,0 +1,55 @@
+#include "pushback/engine/islands/island_settings.h"
+
+#include <cmath>
+
+#include "pushback/common/basics/input.h"
+#include "pushback/engine/islands/error_control.h"
+
+namespace pushback {
+
+namespace {
+
+void check_limits(const ClassifierLimits& limits) {
+  if (limits.most < 0) throw InvalidInput(fmt::format("most is {}: a whole number, 0 or more, is needed", limits.most));
+  for (const auto& [name, limit] : {std::pair("most_kept", limits.most_kept), {"most_meeting", limits.most_meeting}})
+    if (limit < limits.most)
+      throw InvalidInput(fmt::format("{} is {}: no less than most is needed, which is {}", name, limit, limits.most));
+  if (limits.most_detections < 1 || limits.most_detections > 64)
+    throw InvalidInput(
+        fmt::format("most_detections is {}: a whole number from 1 to 64 is needed", limits.most_detections));
+  require_positive("turn", limits.turn);
+}
+
+void check_budget(const WorkBudgetSettings& budget) {
+  const auto require = [](const char* name, double number, bool allowed, const char* what) {
+    if (!allowed || !std::isfinite(number))
+      throw InvalidInput(fmt::format("budget.{} is {}: a finite number{} is needed", name, number, what));
+  };
+  require("per_contact", budget.per_contact, budget.per_contact > 0, " above 0");
+  require("fraction", budget.fraction, budget.fraction >= 0, ", 0 or more,");
+  require("at_first", budget.at_first, budget.at_first >= 0, ", 0 or more,");
+  require("most", budget.most, budget.most >= 1, ", 1 or more,");
+  require("at_once", budget.at_once, budget.at_once >= 1, ", 1 or more,");
+}
+
+}  // namespace
+
+void IslandSettings::check() const {
+  check_limits(limits);
+  check_budget(budget);
+  require_positive("energy", energy);
+  contact_half_step.check();
+  joint_half_step.check();
+  if (most_half_steps < joint_half_step.substeps)
+    throw InvalidInput(
+        fmt::format("most_half_steps is {}: no less than joint_half_step.substeps is needed, which is {}",
+                    most_half_steps, joint_half_step.substeps));
+  if (!(error > 0)) throw InvalidInput(fmt::format("error is {}: a length above 0 is needed", error));
+  if (check_every < 1)
+    throw InvalidInput(fmt::format("check_every is {}: a whole number, 1 or more, is needed", check_every));
+  if (most_substeps < ErrorControl::least_substeps)
+    throw InvalidInput(
+        fmt::format("most_substeps is {}: {} or more is needed", most_substeps, ErrorControl::least_substeps));
+}
+
+}  // namespace pushback

@@ -1,0 +1,192 @@
+#include "pushback/engine/islands/island_solver.h"
+
+#include "pushback/common/world/step.h"
+
+namespace pushback {
+
+namespace {
+
+constexpr int waits_after_failing = 10;  // steps; twice as many after each further failure,
+constexpr int most_failures = 4;         // up to this many
+constexpr int most_meetings = 8;  // in a step that is taken again for them; then the bodies that meet get substeps
+constexpr double of_look = 750;   // multiplications, for a contact that bears the same load in a half step as before
+
+/// Whether half steps have let a contact in that was not detected. Islands that were deep before are left out: a press has no room.
+bool lets_in(const IslandWorld& island, const StepClassifier& classifier) {
+  const Real before = classifier.deepest(island.lowest()),
+             most = std::max(ImpactCuts::sinks, before + ImpactCuts::sinks / 10);
+  return before <= 10 * ImpactCuts::sinks &&
+         std::any_of(island.world.contacts.begin(), island.world.contacts.end(),
+                     [most](const Contact& at) { return !at.parted && at.depth > most; });
+}
+
+/// Half of the kick, the drift, and the other half.
+void fly(Body& body, const Vec3& gravity, int parts, Real dt) {
+  const Vec3 force = body.force, torque = body.torque;
+  keep_velocity(body);
+  integrate_velocity(body, gravity, dt / 2);
+  for (int i = 0; i < parts; ++i) move(body, dt / static_cast<Real>(parts));
+  body.force = force, body.torque = torque;
+  integrate_velocity(body, gravity, dt / 2);
+}
+
+}  // namespace
+
+void IslandSolver::whole_step(World& world, Real dt, int sweeps) {
+  check_step(dt, sweeps, world.gravity);
+  Everybody::check(world);
+  IslandSettings::check();
+  substep_solver.SubsteppingSolver::check(world, dt);
+  const Plan plan = substep_solver.plan(dt);
+  contacts_.find(world, plan, dt);
+  memory_.resize(world.bodies.size());
+  for (IslandMemory& memory : memory_) memory.waits = std::max(0, memory.waits - 1);
+  errors_.begin(world);
+  call_by_call_ = false;
+  solved_ = {};
+  for (int meetings = 0;; ++meetings) {
+    const bool too_many = meetings == most_meetings;
+    classify(world, too_many, dt);
+    step_islands(world, plan, dt);
+    if (too_many || !others_were_met(world, dt)) break;
+  }
+  fall_back(world);
+  add_up(errors_.step_remaining(remaining_, world, classifier_, contacts_.found, substep_solver, *this, dt, sweeps));
+  commit(world, dt);
+}
+
+void IslandSolver::solve(World& world, Real h, int sweeps) {
+  call_by_call_ = true;
+  substep_solver.solve(world, h, sweeps);
+}
+
+int IslandSolver::half_steps_of(int body) {
+  if (step_of(body) != StepType::half_steps) return 0;
+  return memory_[std::size_t(classifier_.island_of(body))].substeps;
+}
+
+BodyError IslandSolver::error_of(int body) {
+  const bool substeps = step_of(body) == StepType::substeps;
+  return errors_.error_of(body, classifier_, *this, substeps ? substep_solver.substeps : half_steps_of(body));
+}
+
+/// Makes islands, and a world of each that gets half steps. Islands that have to wait, or cannot pay, get substeps.
+void IslandSolver::classify(World& world, bool too_many_meetings, Real dt) {
+  ClassifierLimits now = limits;
+  if (too_many_meetings) now.most = now.most_kept = now.most_meeting = 0;
+  classifier_.classify(world, contacts_.found, dt, substep_solver.threshold, now);
+  budgets_.pool(world, classifier_, budget);
+  for (const Body& body : world.bodies) {
+    if (step_of(body.index) != StepType::half_steps) continue;
+    const int island = classifier_.island_of(body.index);
+    if (memory_[std::size_t(island)].waits > 0 || !budgets_.can_pay(island, classifier_, budget))
+      classifier_.leave_to_substeps(body.index);
+  }
+  islands_.divide(world, classifier_, contacts_.found);
+}
+
+void IslandSolver::step_islands(World& world, const Plan& plan, Real dt) {
+  const IslandStep step{world, classifier_, *this, dt};
+  plan.workers->each(islands_.size(), 4, [&](Part part) {
+    for (std::size_t i = part.begin; i < part.end; ++i) step_island(islands_[i], step);
+  });
+  islands_.give_joints(world);
+}
+
+void IslandSolver::step_island(IslandWorld& island, const IslandStep& step) {
+  const int lowest = island.lowest();
+  const bool joints = !island.world.joints.empty(), many = classifier_.many_contacts(lowest);
+  island.impact = classifier_.impact(lowest) || (joints && classifier_.near(lowest));
+  island.set(joints ? joint_half_step : contact_half_step);
+  island.set_order();
+  HalfStep& solver = island.half_step;
+  if (island.joined_and_near()) {
+    solver.threshold = contact_half_step.threshold;
+    solver.tolerance = std::min(solver.tolerance, at_impacts().tolerance);
+  }
+  WorkBudget& saved = budgets_.of(lowest);
+  const double price = WorkBudgets::price(lowest, classifier_, budget);
+  if (many) {
+    solver.most_work = std::min(saved.saved(), budget.at_once * price);
+    solver.fall_back_to_full_solve = false;
+  }
+  IslandMemory& memory = memory_[std::size_t(lowest)];
+  errors_.control(island, memory, step);
+  if (island.held && !island.impact && !many && lets_in(island, classifier_)) {
+    island.impact = true;
+    classifier_.mark_impact(lowest);
+    island.set(contact_half_step);
+    island.set_order();
+    errors_.control(island, memory, step);
+  }
+  if (many) {
+    const double work = solver.work() + of_look * classifier_.contacts(lowest) * memory.substeps;
+    if (island.held) saved.succeed(price - work, budget.most * price);
+    else saved.fail(work, budget.at_once);
+  }
+  if (!island.held && (!many || solver.too_large())) {  // too large: it stays so while the same bodies touch
+    const int failures = many || island.joined_and_near() ? memory.failures : 0;
+    memory = {.waits = waits_after_failing << failures, .failures = std::min(failures + 1, most_failures)};
+  }
+  if (island.held) memory.failures = 0;
+}
+
+/// Whether bodies may have come upon others, which are not of their island: bodies that have bounced, and bodies that joints have made
+/// faster than detection expected. Looks as far as the speeds of both, before and after, can bring them in dt, and adds the contacts
+/// that it finds. Then the bodies are one island.
+bool IslandSolver::others_were_met(const World& world, Real dt) {
+  std::vector<bool> may_meet(world.bodies.size(), false);
+  std::vector<Real> ways;
+  for (const Body& body : world.bodies) ways.push_back(dt * body.velocity.norm());
+  bool any = false;
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    const IslandWorld& island = islands_[i];
+    if (!island.held) continue;
+    const bool bounced = island.impact && island.half_step.events() > 0, joints = !island.world.joints.empty();
+    for (const Body& after : island.world.bodies) {
+      const auto at = std::size_t(island.bodies()[std::size_t(after.index)]);
+      if (!after.movable()) continue;
+      const Real expected = ways[at] + substep_solver.margin / 2;
+      const auto reaches = [joints, dt](const Body& body) {
+        return dt * body.velocity.norm() + (joints ? way_of_tips(body, dt) : 0);
+      };
+      ways[at] = std::max(reaches(world.bodies[at]), reaches(after));
+      may_meet[at] = bounced || (joints && ways[at] > expected);
+      any |= may_meet[at];
+    }
+  }
+  return any && contacts_.add_near(world, ways, [&](std::size_t p, std::size_t q) {
+    if (!may_meet[p] && !may_meet[q]) return false;
+    const int first = static_cast<int>(p), second = static_cast<int>(q);
+    const bool both = world.bodies[p].movable() && world.bodies[q].movable();
+    return !both || classifier_.island_of(first) != classifier_.island_of(second);
+  });
+}
+
+/// Islands that half steps could not move get substeps.
+void IslandSolver::fall_back(const World& world) {
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    const IslandWorld& island = islands_[i];
+    if (island.held) {
+      add_up(island.half_step.solved());
+      continue;
+    }
+    for (const int body : island.bodies())
+      if (world.body(body).movable()) classifier_.leave_to_substeps(body);
+  }
+  budgets_.share_out(world, classifier_, budget);
+}
+
+void IslandSolver::commit(World& world, Real dt) {
+  for (Body& body : world.bodies)
+    if (step_of(body.index) == StepType::flight)
+      fly(body, world.gravity, ErrorControl::parts_of_flight(body, *this, dt), dt);
+  islands_.commit(world, world.dt_before / dt);
+  errors_.end(classifier_, dt);
+}
+
+void IslandSolver::add_up(const Solved& solved) {
+  solved_ = {solved_.rows + solved.rows, std::max(solved_.residual, solved.residual)};
+}
+
+}  // namespace pushback

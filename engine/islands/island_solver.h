@@ -1,0 +1,76 @@
+/// Each island of a world by the step that fits it.
+///
+///   IslandSolver solver;
+///   solver.error = 1e-3;  // m; without it only the energy is checked
+///   world.step(solver, 1.0 / 60);
+#pragma once
+
+#include "pushback/common/world/forwarding_solver.h"
+#include "pushback/engine/islands/error_control.h"
+#include "pushback/engine/islands/island_worlds.h"
+#include "pushback/engine/islands/step_contacts.h"
+#include "pushback/engine/islands/work_budgets.h"
+
+namespace pushback {
+
+/// Islands are solved independently, each by the cheapest step that is accurate enough. StepClassifier chooses:
+///
+///   flight       v += h/2 g,  x += h v,  v += h/2 g: the parabola itself
+///   half steps   contacts as `contact_half_step` says; joints as `joint_half_step` says, with contacts or without
+///   substeps     `substep_solver`
+///
+/// A step runs through these stages, which docs/engine.md draws:
+///
+///   detect → classify → step each island: Outcome → (if bodies met others: classify again) → fall back → substeps → commit
+///
+/// Half steps of resting islands cost next to nothing, however many contacts there are. In a tumbling island they can cost a hundred times
+/// as much as substeps. So if contacts are many, half steps are paid for from savings: see work_budget.h. The number of half steps follows
+/// from the energy (EnergyControl) or from `error` (ErrorControl). An island that half steps cannot move gets substeps, for a while.
+///
+/// Between steps the solver remembers for each body how it was moved, and in how many substeps. A program that composes its steps itself,
+/// as chapter 20's sleep does, uses `substep_solver` only.
+class IslandSolver : public ForwardingSolver, public IslandSettings {
+ public:
+  Wide<Real> substep_solver;
+
+  /// Throws as World::step does; nothing has changed then.
+  void whole_step(World& world, Real dt, int sweeps) override;
+  /// Call by call: `substep_solver` only.
+  void solve(World& world, Real h, int sweeps) override;
+  /// Of all islands.
+  Solved solved() const override { return call_by_call_ ? substep_solver.solved() : solved_; }
+
+  // ---- of the latest step ---------------------------------------------------------------------------------------------
+  /// How a body was moved. For a body that was not there: none.
+  StepType step_of(int body) const { return classifier_.step_of(body); }
+  /// The half steps of its island; 0 for a body that was moved otherwise.
+  int half_steps_of(int body);
+  /// What is known about its error, with `error`. For a body that was not there: nothing.
+  BodyError error_of(int body);
+  /// Errors count from now on.
+  void forget_errors() { errors_.forget(); }
+
+ private:
+  StepSolver& inner() override { return substep_solver; }
+  const StepSolver& inner() const override { return substep_solver; }
+
+  void classify(World& world, bool too_many_meetings, Real dt);
+  void step_islands(World& world, const Plan& plan, Real dt);
+  void step_island(IslandWorld& island, const IslandStep& step);
+  bool others_were_met(const World& world, Real dt);
+  void fall_back(const World& world);
+  void commit(World& world, Real dt);
+  void add_up(const Solved& solved);
+
+  StepContacts contacts_;
+  StepClassifier classifier_;
+  WorkBudgets budgets_;
+  IslandWorlds islands_;
+  ErrorControl errors_;
+  RemainingBodies remaining_;
+  std::vector<IslandMemory> memory_;  // of each body that is the lowest of its island
+  Solved solved_;                     // of all islands so far
+  bool call_by_call_ = false;
+};
+
+}  // namespace pushback

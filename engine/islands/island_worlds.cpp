@@ -1,0 +1,66 @@
+#include "pushback/engine/islands/island_worlds.h"
+
+namespace pushback {
+
+void IslandWorlds::add_bodies(const World& world, StepClassifier& classifier) {
+  count_ = 0;
+  place_.assign(world.bodies.size(), -1);
+  for (const Body& body : world.bodies) {
+    if (classifier.step_of(body.index) != StepType::half_steps) continue;
+    const int lowest = classifier.island_of(body.index);
+    int& place = place_[std::size_t(lowest)];
+    if (place < 0) {
+      place = static_cast<int>(count_);
+      if (count_ == islands_.size()) islands_.emplace_back();
+      islands_[count_++].begin(world, lowest);
+    }
+    islands_[std::size_t(place)].add(body.index);
+  }
+}
+
+/// Null if half steps do not move both.
+IslandWorld* IslandWorlds::island_of(const Body& a, const Body& b, StepClassifier& classifier) {
+  const int moving = (a.movable() ? a : b).index;
+  if (classifier.step_of(moving) != StepType::half_steps) return nullptr;
+  if (a.movable() && b.movable() && classifier.island_of(a.index) != classifier.island_of(b.index)) return nullptr;
+  return &islands_[std::size_t(place_[std::size_t(classifier.island_of(moving))])];
+}
+
+void IslandWorlds::divide(World& world, StepClassifier& classifier, const Contacts& found) {
+  add_bodies(world, classifier);
+  if (count_ == 0) return;
+  for (const Contact& contact : found) {
+    const auto [a, b] = world.bodies_of(contact);
+    if (a.movable() && b.movable()) continue;
+    if (IslandWorld* island = island_of(a, b, classifier)) island->add((a.movable() ? b : a).index);
+  }
+  for (const Joint& joint : world.joints)
+    if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b), classifier))
+      for (const int body : {joint.a, joint.b})
+        if (body != the_world) island->add(body);
+  for (std::size_t i = 0; i < count_; ++i) islands_[i].sort();
+  for (const Contact& contact : world.contacts) {
+    const auto [a, b] = world.bodies_of(contact);
+    if (IslandWorld* island = island_of(a, b, classifier)) island->add(contact);
+  }
+  for (std::size_t i = 0; i < world.joints.size(); ++i) {
+    Joint& joint = world.joints[i];
+    if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b), classifier)) island->take(joint, i);
+  }
+}
+
+void IslandWorlds::give_joints(World& world) {
+  for (std::size_t i = 0; i < count_; ++i) islands_[i].give_joints(world.joints);
+}
+
+void IslandWorlds::commit(World& world, Real fraction) const {
+  const auto lower = [](const Contact& first, const Contact& second) { return first.id < second.id; };
+  const auto others = static_cast<std::ptrdiff_t>(world.contacts.size());
+  for (std::size_t i = 0; i < count_; ++i)
+    if (islands_[i].held) islands_[i].give(world, fraction);
+  std::sort(world.contacts.begin() + others, world.contacts.end(), lower);
+  std::inplace_merge(world.contacts.begin(), world.contacts.begin() + others, world.contacts.end(), lower);
+  world.last_impulses_known = true;
+}
+
+}  // namespace pushback

@@ -1,0 +1,31 @@
+/// The islands that half steps move, as worlds.
+#pragma once
+
+#include "pushback/engine/islands/island_world.h"
+#include "pushback/engine/islands/step_classifier.h"
+
+namespace pushback {
+
+class IslandWorlds {
+ public:
+  /// Makes a world of each island that gets half steps. Moves its joints there, until `give_joints`. `found`: the contacts of this step.
+  void divide(World& world, StepClassifier& classifier, const Contacts& found);
+  void give_joints(World& world);
+  /// Writes the bodies and contacts of islands that half steps have moved into the whole world, whose last substep had `fraction` of the
+  /// step.
+  void commit(World& world, Real fraction) const;
+
+  std::size_t size() const { return count_; }
+  IslandWorld& operator[](std::size_t i) { return islands_[i]; }
+  const IslandWorld& operator[](std::size_t i) const { return islands_[i]; }
+
+ private:
+  void add_bodies(const World& world, StepClassifier& classifier);
+  IslandWorld* island_of(const Body& a, const Body& b, StepClassifier& classifier);
+
+  std::vector<IslandWorld> islands_;  // those from `count_` on are kept for their allocated memory
+  std::size_t count_ = 0;
+  std::vector<int> place_;  // of each body that is the lowest of its island, in islands_
+};
+
+}  // namespace pushback

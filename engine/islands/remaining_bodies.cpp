@@ -1,0 +1,124 @@
+#include "pushback/engine/islands/remaining_bodies.h"
+
+#include <tuple>
+
+#include "pushback/common/world/step.h"
+#include "pushback/engine/islands/step_contacts.h"
+
+namespace pushback {
+
+namespace {
+
+/// The remaining bodies, as World::step knows them, in a world whose contacts have been found.
+struct Remaining {
+  const StepClassifier& classifier;
+  Contacts& found;
+  bool are_found = true;  // for the first detection only
+
+  bool contain(const Body& body) const { return classifier.step_of(body.index) == StepType::substeps; }
+  static void check(const World&) {}
+  void find_contacts(World& world, const Margin& margin) {
+    if (are_found) world.contacts.swap(found);
+    else find_again(world, margin);
+    are_found = false;
+  }
+  void find_again(World& world, const Margin& margin) const {
+    world.find_contacts(margin);
+    std::erase_if(world.contacts, [&](const Contact& contact) {
+      const auto [a, b] = world.bodies_of(contact);
+      return (a.movable() && !contain(a)) || (b.movable() && !contain(b));
+    });
+  }
+  template <class Act>
+  void each(World& world, const Act& act) const {
+    for (Body& body : world.bodies)
+      if (!body.movable() || contain(body)) act(body);
+  }
+  static void end(World&, Real /*dt*/) {}
+};
+
+int detections(const World& world, const Remaining& remaining, const ClassifierLimits& limits, Real dt) {
+  Real fastest = 0;
+  for (const Body& body : world.bodies)
+    if (remaining.contain(body)) fastest = std::max(fastest, body.angular_velocity.norm());
+  int times = 1;
+  while (2 * times <= limits.most_detections && fastest * dt > limits.turn * static_cast<Real>(times)) times *= 2;
+  return times;
+}
+
+/// If no body remains: the step of the immovable ones.
+void step_immovable(World& world, const StepSolver& solver, Real dt) {
+  world.contacts_before.swap(world.contacts);
+  world.contacts.clear();
+  for (Body& body : world.bodies) {
+    if (body.movable()) continue;
+    keep_velocity(body);
+    integrate_velocity(body, world.gravity, dt);  // which clears its forces
+    move(body, dt);
+  }
+  world.time += dt;
+  world.dt_before = dt / static_cast<Real>(solver.plan(dt).all_substeps());
+}
+
+}  // namespace
+
+class RemainingBodies::Absence {
+ public:
+  Absence(RemainingBodies& memory, World& world, const Remaining& remaining)
+      : memory_(memory), world_(world), remaining_(remaining) {
+    memory_.joints_.swap(world.joints);
+    memory_.lent_.clear();
+    for (std::size_t i = 0; i < memory_.joints_.size(); ++i) {
+      const Body &a = world.body(memory_.joints_[i].a), &b = world.body(memory_.joints_[i].b);
+      if (!remaining.contain(a.movable() ? a : b)) continue;
+      world.joints.push_back(std::move(memory_.joints_[i]));
+      memory_.lent_.push_back(i);
+    }
+    memory_.velocities_.clear();
+    for (Body& body : world.bodies) {
+      memory_.velocities_.emplace_back(body.velocity, body.angular_velocity);
+      if (body.movable() && !remaining.contain(body)) body.velocity = body.angular_velocity = Vec3::Zero();
+    }
+  }
+  ~Absence() {
+    for (std::size_t i = 0; i < memory_.lent_.size(); ++i)
+      memory_.joints_[memory_.lent_[i]] = std::move(world_.joints[i]);
+    memory_.joints_.swap(world_.joints);
+    memory_.joints_.clear();
+    for (Body& body : world_.bodies) {
+      if (!body.movable() || remaining_.contain(body)) continue;
+      std::tie(body.velocity, body.angular_velocity) = memory_.velocities_[std::size_t(body.index)];
+    }
+  }
+  Absence(const Absence&) = delete;
+  Absence& operator=(const Absence&) = delete;
+
+ private:
+  RemainingBodies& memory_;
+  World& world_;
+  const Remaining& remaining_;
+};
+
+Solved RemainingBodies::step(World& world, const StepClassifier& classifier, Contacts& found, Wide<Real>& solver,
+                             const ClassifierLimits& limits, Real dt, int sweeps) {
+  Remaining remaining{classifier, found};
+  const auto remains = [&](const Body& body) { return remaining.contain(body); };
+  if (std::none_of(world.bodies.begin(), world.bodies.end(), remains)) {
+    step_immovable(world, solver, dt);
+    return {};
+  }
+  std::erase_if(found, [&](const Contact& contact) {
+    const auto [a, b] = world.bodies_of(contact);
+    return !remains(a.movable() ? a : b) || contact.id.feature == no_feature;
+  });
+  const int times = detections(world, remaining, limits, dt);
+  Plan plan = solver.plan(dt / static_cast<Real>(times));
+  plan.detections = times;
+  {
+    const Absence absence(*this, world, remaining);
+    pushback::step(world, solver, plan, dt, sweeps, remaining);
+  }
+  return solver.solved();
+}
+
+}  // namespace pushback

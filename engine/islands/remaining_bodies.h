@@ -1,0 +1,25 @@
+/// The bodies that substeps move, while all others stand still.
+#pragma once
+
+#include "pushback/engine/islands/island_settings.h"
+#include "pushback/engine/substeps/wide.h"
+
+namespace pushback {
+
+class RemainingBodies {
+ public:
+  /// Moves immovable bodies, and all that `classifier` leaves to substeps, by dt. Bodies that get another step stand still meanwhile, and
+  /// their joints are not there. `found`: the contacts of this step, which are used up. Faster spins get more detections. Throws
+  /// InvalidInput as World::step does.
+  Solved step(World& world, const StepClassifier& classifier, Contacts& found, Wide<Real>& solver,
+              const ClassifierLimits& limits, Real dt, int sweeps);
+
+ private:
+  class Absence;  // of the joints and velocities of all other bodies
+
+  std::vector<Joint> joints_;                      // of the world
+  std::vector<std::size_t> lent_;                  // of these, the joints between remaining bodies
+  std::vector<std::pair<Vec3, Vec3>> velocities_;  // of all bodies
+};
+
+}  // namespace pushback

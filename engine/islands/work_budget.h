@@ -1,0 +1,62 @@
+/// How much work half steps may take in islands with many contacts.
+#pragma once
+
+#include <algorithm>
+
+namespace pushback {
+
+/// The work that half steps will take is not known before they are tried. The work of substeps is known: so many multiplications
+/// per contact. While an island gets substeps, it saves a fraction of their work. When it has saved enough, half steps are tried, and
+/// stopped when they have spent the savings. Half steps that succeed are charged the work beyond that of substeps; if they took
+/// less, the rest is saved. After a failure, the next try needs twice the savings.
+///
+/// So an island takes at most 1 + `fraction` times as long as by substeps only, apart from its savings `at_first`. This is the ski rental
+/// problem: to rent or to buy without knowing how often there will be snow.
+///   Karlin, Manasse, Rudolph, Sleator, Competitive snoopy caching, Algorithmica 1988.
+struct WorkBudgetSettings {
+  double per_contact = 4000;  ///< multiplications: the work of 32 substeps in a step, per contact
+  double fraction = 0.25;     ///< of the work of substeps, saved
+  double at_first = 480;      ///< per body: the work of so many contacts in one step, or half as many in two
+  double most = 120;          ///< steps of substeps: the largest savings
+  double at_once = 20;        ///< the same, spent in one step
+};
+
+/// What some bodies have saved, and need for the next try.
+class WorkBudget {
+ public:
+  WorkBudget() = default;
+  explicit WorkBudget(double saved) : saved_(saved), bodies_(1) {}
+  /// Bodies of one island pool their savings.
+  void add(const WorkBudget& other) {
+    saved_ += other.saved_;
+    required_steps_ = std::max(required_steps_, other.required_steps_);
+    bodies_ += other.bodies_;
+  }
+  /// The share of one body.
+  WorkBudget share() const {
+    WorkBudget share(saved_ / std::max(bodies_, 1));
+    share.required_steps_ = required_steps_;
+    return share;
+  }
+  /// Multiplications.
+  double saved() const { return saved_; }
+  /// `price`: the work of substeps in a step.
+  bool can_pay(double price) const { return saved_ >= required_steps_ * price; }
+  void save(double work, double most) { saved_ = std::clamp(saved_ + work, 0.0, std::max(saved_, most)); }
+  void succeed(double saves, double most_saved) {
+    save(saves, most_saved);
+    required_steps_ = std::max(1.0, required_steps_ / 2);
+  }
+  /// No more than `most` steps are ever required.
+  void fail(double work, double most) {
+    saved_ = std::max(0.0, saved_ - work);
+    required_steps_ = std::min(most, 2 * required_steps_);
+  }
+
+ private:
+  double saved_ = 0;
+  double required_steps_ = 1;  // of substeps
+  int bodies_ = 0;
+};
+
+}  // namespace pushback
