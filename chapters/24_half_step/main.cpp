@@ -26,7 +26,7 @@ class Fine {
  public:
   explicit Fine(const Motion& motion) {
     motion.begin(world_);
-    auto step = in_substeps<Composed<Suzuki>>(4);
+    auto step = in_substeps(4, composed());
     step.tolerance = least_tolerance;
     for (int frame = 0; frame <= 60 * frames_per_second; ++frame) {
       places_.push_back(world_.bodies[0].position);
@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
           .with_exactly(1)
           .coloured(0);
       e.variant(fmt::format("half step, {} substeps", substeps), in_substeps(substeps)).with_exactly(1).coloured(1);
-      e.variant(fmt::format("order 4, {} substeps", substeps), in_substeps<Composed<Suzuki>>(substeps))
+      e.variant(fmt::format("order 4, {} substeps", substeps), in_substeps(substeps, composed()))
           .with_exactly(1)
           .coloured(2);
     };
@@ -104,7 +104,7 @@ int main(int argc, char** argv) {
     };
     keeps_its_energy(e.variant("whole step", Whole{}), 0);
     keeps_its_energy(e.variant("half step", HalfStep{}), 1);
-    keeps_its_energy(e.variant("order 4", Composed<Suzuki>{}), 2);
+    keeps_its_energy(e.variant("order 4", composed()), 2);
     World begin;
     pendulum.begin(begin);
     const Real from = energy(begin);
@@ -179,7 +179,7 @@ int main(int argc, char** argv) {
           to.x.push_back(static_cast<Real>(count));
           to.y.push_back(1000 * largest_error(chain, of_chain.places, solver));
         };
-        auto composed = in_substeps<Composed<Suzuki>>(count);
+        auto composed = in_substeps(count, composed());
         composed.tolerance = least_tolerance;  // or the rods' own error would be seen
         add(links[0], Substeps(Whole{}, count));
         add(links[1], in_substeps(count));

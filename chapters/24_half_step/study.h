@@ -4,7 +4,7 @@
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
 #include "pushback/chapters/24_half_step/plain.h"
 #include "pushback/common/world/any_solver.h"
-#include "pushback/engine/half_step/composition.h"
+#include "pushback/engine/half_step/half_step.h"
 
 namespace pushback::half_step_scenes {
 
@@ -15,7 +15,7 @@ inline plain_24::Bob bob_let_go() {
 
 /// The plain loop, of fourth order.
 inline void composed_step(plain_24::Bob& bob, const Vec3& g, Real h) {
-  for (const Real part : Suzuki::parts) half_step(bob, g, part * h);
+  for (const Real part : suzuki) half_step(bob, g, part * h);
 }
 
 /// Where a bob is after each 1/60 s of 2 s.
@@ -50,9 +50,7 @@ inline Real largest_error(const Motion& motion, const std::vector<Places>& truth
   return static_cast<Real>(largest);
 }
 
-template <class Step = HalfStep>
-Step in_substeps(int count) {
-  Step step;
+inline HalfStep in_substeps(int count, HalfStep step = {}) {
   step.substeps = count;
   step.threshold = 0;  // bounces are compared at every speed
   return step;

@@ -8,7 +8,7 @@
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marks.h"
-#include "pushback/engine/half_step/at_impacts.h"
+#include "pushback/engine/half_step/half_step.h"
 
 using namespace pushback;
 using namespace pushback::moment_of_impact_scenes;
@@ -18,8 +18,8 @@ namespace {
 
 using Whole = Solver<Clamping, Baumgarte, Slop, RestitutionFromSurface>;  // chapter 09
 
-AtImpacts cut(Impacts impacts) {
-  AtImpacts step;
+HalfStep cut(Impacts impacts) {
+  HalfStep step = at_impacts();
   step.impacts = impacts;
   return step;
 }
@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
     const auto by_each_step = [&] {
       e.variant("whole step", Whole{}).coloured(0);
       e.variant("half step", HalfStep{}).with_exactly(1).coloured(1);
-      e.variant("cut at impacts", AtImpacts{}).with_exactly(1).coloured(2);
+      e.variant("cut at impacts", at_impacts()).with_exactly(1).coloured(2);
     };
 
     e.scene({.name = fmt::format("a bullet of 10 mm at {} m/s, and a sheet of 1 mm", bullet.speed),
@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
                .pictures = false});
       e.variant("half step", in_substeps(1)).with_exactly(1).coloured(1);
       e.variant("half step, 64 substeps", in_substeps(64)).with_exactly(1).coloured(3);
-      e.variant("cut at impacts", in_substeps<AtImpacts>(1)).with_exactly(1).coloured(2);
+      e.variant("cut at impacts", in_substeps(1, at_impacts())).with_exactly(1).coloured(2);
       e.series_without_curves("error", [&truth](const World& world) { return truth.error(world); });
       e.number("largest error", "mm", [](const Run& run) { return run.largest("error"); });
     }
@@ -104,7 +104,7 @@ int main(int argc, char** argv) {
              .pictures = false});
     const Real rests = std::sqrt(2 / World::g) * Real(1.8) / Real(0.2);  // t (1 + e) / (1 - e)
     for (const auto& [name, solver] : {std::pair<std::string, AnySolver>{"half step", in_substeps(1)},
-                                       {"cut at impacts", in_substeps<AtImpacts>(1)}})
+                                       {"cut at impacts", in_substeps(1, at_impacts())}})
       e.variant(name, solver).with_exactly(1).coloured(name == "half step" ? 1 : 2).expect("rests after", rests);
     e.series("height", "m", [](const World& world) { return world.bodies[1].position.y() - Real(0.5); });
     e.series_without_curves("speed", [](const World& world) { return world.bodies[1].velocity.norm(); });
@@ -115,8 +115,8 @@ int main(int argc, char** argv) {
     e.scene({.name = "a double pendulum meets a wall, e = 0.8", .fill = pendulum, .seconds = 2, .pictures = false});
     e.variant("half step", in_substeps(1)).with_exactly(1).coloured(1);
     e.variant("half step, 8 substeps", in_substeps(8)).with_exactly(1).coloured(3);
-    e.variant("cut at impacts", in_substeps<AtImpacts>(1)).with_exactly(1).coloured(2);
-    e.variant("cut at impacts, 8 substeps", in_substeps<AtImpacts>(8)).with_exactly(1).coloured(4);
+    e.variant("cut at impacts", in_substeps(1, at_impacts())).with_exactly(1).coloured(2);
+    e.variant("cut at impacts, 8 substeps", in_substeps(8, at_impacts())).with_exactly(1).coloured(4);
     e.series_without_curves("error", [](const World& world) { return swings.error(world); });
     e.number("largest error", "mm", [](const Run& run) { return run.largest("error"); });
 
@@ -147,7 +147,7 @@ int main(int argc, char** argv) {
             to.y.push_back(1000 * largest_error(motion, truth, solver));
           };
           add(half, in_substeps(count));
-          add(with_cuts, in_substeps<AtImpacts>(count));
+          add(with_cuts, in_substeps(count, at_impacts()));
         }
         e.panel({.title = motion.title,
                  .x_label = "substeps in 1/60 s",

@@ -20,7 +20,8 @@ Real all_of(const World& world) {
 template <class Each>
 Each at_every_speed() {
   Each solver;
-  if constexpr (std::same_as<Each, ByIsland>) solver.many.threshold = solver.few.threshold = 0;
+  if constexpr (std::same_as<Each, IslandSolver>)
+    solver.substep_solver.threshold = solver.contact_half_step.threshold = 0;
   else solver.threshold = 0;
   return solver;
 }
@@ -29,7 +30,7 @@ Each at_every_speed() {
 struct Played {
   Curve energy, substeps;
 };
-Played play(const Chain& chain, ByIsland solver, const std::string& label, std::size_t colour) {
+Played play(const Chain& chain, IslandSolver solver, const std::string& label, std::size_t colour) {
   World world;
   chain(world);
   const Real begin = all_of(world);
@@ -39,7 +40,7 @@ Played play(const Chain& chain, ByIsland solver, const std::string& label, std::
     played.energy.x.push_back(world.time);
     played.energy.y.push_back(100 * (all_of(world) - begin) / chain.fall());
     played.substeps.x.push_back(world.time);
-    played.substeps.y.push_back(static_cast<Real>(solver.substeps_of(0)));
+    played.substeps.y.push_back(static_cast<Real>(solver.half_steps_of(0)));
   }
   return played;
 }
@@ -56,8 +57,8 @@ int main(int argc, char** argv) {
   Yard yard;
   e.parameter({"--speed", "v", "m/s", "Speed of the ball that comes upon ten", 0, 20}, &yard.speed);
   return e.run(argc, argv, [&] {
-    const std::vector<std::pair<MovedBy, std::string>> ways{
-        {MovedBy::flight, "in flight"}, {MovedBy::half_steps, "by half steps"}, {MovedBy::substeps, "by substeps"}};
+    const std::vector<std::pair<StepType, std::string>> ways{
+        {StepType::flight, "in flight"}, {StepType::half_steps, "by half steps"}, {StepType::substeps, "by substeps"}};
     std::vector<std::pair<Ink, std::string>> colours;
     for (const auto& [how, name] : ways) colours.emplace_back(body_ink(colour_of(how)), name);
     e.scene({.name = "a yard",
@@ -89,7 +90,7 @@ int main(int argc, char** argv) {
                .seconds = static_cast<Real>(motion.seconds),
                .pictures = false});
       e.variant("substeps", at_every_speed<Wide<Real>>()).with_exactly(1).coloured(0);
-      e.variant("by island", at_every_speed<ByIsland>()).with_exactly(1).coloured(2);
+      e.variant("by island", at_every_speed<IslandSolver>()).with_exactly(1).coloured(2);
       const auto error = [&truth](const World& world) { return truth.error(world); };
       if (motion.name == "chain") e.series("error", "mm", error, true);
       else e.series_without_curves("error", error);
@@ -115,9 +116,9 @@ int main(int argc, char** argv) {
       }
       e.panel({.title = "a yard", .x_label = "s", .y_label = "bodies", .curves = moved});
 
-      ByIsland careless;
-      careless.energy = Real(1e6);      // no step is taken again
-      careless.joined.most_work = 1e7;  // and few are left to substeps
+      IslandSolver careless;
+      careless.energy = Real(1e6);               // no step is taken again
+      careless.joint_half_step.most_work = 1e7;  // and few are left to substeps
       const Chain chain;
       const Played four = play(chain, careless, "four, always", 0), more = play(chain, {}, "as energy says", 2);
       const std::string title = "a chain that whips";

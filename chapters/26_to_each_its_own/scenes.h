@@ -2,26 +2,26 @@
 #pragma once
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
-#include "pushback/engine/islands/by_island.h"
+#include "pushback/engine/islands/island_solver.h"
 
 namespace pushback::to_each_its_own_scenes {
 
 /// Of the palette: mustard, blue and brick, which differ in lightness as well.
-inline int colour_of(MovedBy how) {
-  return how == MovedBy::flight ? 2 : how == MovedBy::half_steps ? 0 : 4;
+inline int colour_of(StepType how) {
+  return how == StepType::flight ? 2 : how == StepType::half_steps ? 0 : 4;
 }
 
 /// After each step every body that moves has the colour of how it was moved.
 class Painted : public ForwardingSolver {
  public:
-  ByIsland by_island;
+  IslandSolver by_island;
 
   Solved solved() const override { return by_island.solved(); }
   Plan plan(Real /*dt*/) const override { return {}; }  // each island has its own
   void whole_step(World& world, Real dt, int sweeps) override {
     by_island.whole_step(world, dt, sweeps);
     for (Body& body : world.bodies)
-      if (body.movable()) body.coloured(colour_of(by_island.moved_by(body.index)));
+      if (body.movable()) body.coloured(colour_of(by_island.step_of(body.index)));
   }
 
  private:
@@ -29,7 +29,7 @@ class Painted : public ForwardingSolver {
   const StepSolver& inner() const override { return by_island; }
 };
 /// How many bodies have been painted so.
-inline int moved_so(const World& world, MovedBy how) {
+inline int moved_so(const World& world, StepType how) {
   return static_cast<int>(std::count_if(world.bodies.begin(), world.bodies.end(), [how](const Body& body) {
     return body.movable() && body.colour == colour_of(how);
   }));

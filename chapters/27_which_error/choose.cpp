@@ -56,7 +56,7 @@ struct Step {
   Real known;      // m
   int bodies_kept, bodies;
   std::size_t contacts;
-  Known most;  // of the body whose step was worst
+  BodyError most;  // of the body whose step was worst
   std::map<std::string, int> ways;
 };
 struct Played {
@@ -82,15 +82,15 @@ struct Played {
   }
 };
 
-std::string way_of(const Known& known) {
+std::string way_of(const BodyError& known) {
   switch (known.how) {
-    case MovedBy::flight:
+    case StepType::flight:
       return "in flight";
-    case MovedBy::half_steps:
+    case StepType::half_steps:
       return known.order == 4 ? "steps of fourth order" : "half steps";
-    case MovedBy::substeps:
+    case StepType::substeps:
       return "substeps";
-    case MovedBy::nothing:
+    case StepType::none:
       break;
   }
   return "not at all";
@@ -111,7 +111,7 @@ Played play(World world, Real error, int steps) {
               {}};
     for (Body& body : world.bodies) {
       if (!body.movable()) continue;
-      const Known known = solver.within.known(body.index);
+      const BodyError known = solver.within.error_of(body.index);
       body.coloured(static_cast<int>(paint_of(known)));
       ++step.bodies;
       step.bodies_kept += known.kept;
@@ -127,7 +127,7 @@ Played play(World world, Real error, int steps) {
 
 /// m, after each 1/60 s: how far places are from those of the same scene in steps `finer` times shorter, within `finer` times less.
 std::vector<Real> measure(World world, const Played& played, Real error, int finer) {
-  WithinError truth;
+  IslandSolver truth;
   truth.error = error / static_cast<Real>(finer);
   std::vector<Real> off;
   for (const World& at : played.worlds) {

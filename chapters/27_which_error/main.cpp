@@ -14,10 +14,10 @@ using namespace pushback::which_error_scenes;
 namespace {
 
 /// Bounces are compared at every speed.
-WithinError at_every_speed(Real error) {
-  WithinError solver;
+IslandSolver at_every_speed(Real error) {
+  IslandSolver solver;
   solver.error = error;
-  solver.many.threshold = solver.few.threshold = 0;
+  solver.substep_solver.threshold = solver.contact_half_step.threshold = 0;
   return solver;
 }
 
@@ -29,12 +29,12 @@ struct Played {
 Played play(const Motion& motion, const TruePlaces& truth, Real error) {
   World world;
   motion.begin(world);
-  WithinError solver = at_every_speed(error);
+  IslandSolver solver = at_every_speed(error);
   Played played;
   for (int frame = 0; frame < motion.frames(); ++frame) {
     world.step(solver, Real(1) / frames_per_second);
     Real known = 0;
-    for (const Body& body : world.bodies) known = std::max(known, solver.known(body.index).place);
+    for (const Body& body : world.bodies) known = std::max(known, solver.error_of(body.index).place);
     played.times.push_back(world.time);
     played.known.push_back(1000 * known);
     played.measured.push_back(truth.error(world));
@@ -130,11 +130,11 @@ int main(int argc, char** argv) {
         Curve curve{name, {}, {}, line_colour(substeps.size()), Curve::Style::line, marker_of(substeps.size())};
         World world;
         to_each_its_own_scenes::Yard{}(world);
-        WithinError solver;
+        IslandSolver solver;
         solver.error = Real(1e-3);
         while (world.time < Real(2.4)) {
           world.step(solver, Real(1) / 60);
-          const Known known = solver.known(body);
+          const BodyError known = solver.error_of(body);
           curve.x.push_back(world.time);
           curve.y.push_back(static_cast<Real>(known.order == 4 ? 5 * known.substeps : known.substeps));
         }

@@ -2,16 +2,16 @@
 #pragma once
 
 #include "pushback/chapters/26_to_each_its_own/scenes.h"
-#include "pushback/engine/islands/within_error.h"
+#include "pushback/engine/islands/island_solver.h"
 
 namespace pushback::which_error_scenes {
 
 /// Of the palette: mustard, teal, blue, olive and brick.
 enum class Paint { flight = 2, two = 1, more = 0, fourth = 5, substeps = 4 };
 
-inline Paint paint_of(const Known& known) {
-  if (known.how == MovedBy::flight) return Paint::flight;
-  if (known.how == MovedBy::substeps) return Paint::substeps;
+inline Paint paint_of(const BodyError& known) {
+  if (known.how == StepType::flight) return Paint::flight;
+  if (known.how == StepType::substeps) return Paint::substeps;
   if (known.order == 4) return Paint::fourth;
   return known.substeps > 2 ? Paint::more
                             : Paint::two;  // a step that is looked at has two, and the next ones may have one
@@ -20,7 +20,7 @@ inline Paint paint_of(const Known& known) {
 /// After each step every body that moves has the colour of how it was moved.
 class Painted : public ForwardingSolver {
  public:
-  WithinError within;
+  IslandSolver within;
 
   explicit Painted(Real error) { within.error = error; }
   Solved solved() const override { return within.solved(); }
@@ -28,7 +28,7 @@ class Painted : public ForwardingSolver {
   void whole_step(World& world, Real dt, int sweeps) override {
     within.whole_step(world, dt, sweeps);
     for (Body& body : world.bodies)
-      if (body.movable()) body.coloured(static_cast<int>(paint_of(within.known(body.index))));
+      if (body.movable()) body.coloured(static_cast<int>(paint_of(within.error_of(body.index))));
   }
 
  private:

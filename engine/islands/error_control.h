@@ -51,7 +51,7 @@ class ErrorControl {
   void control(IslandWorld& island, IslandMemory& memory, const IslandStep& step);
   /// RemainingBodies::step, again with more substeps if the error needs them.
   Solved step_remaining(RemainingBodies& remaining, World& world, StepClassifier& classifier, Contacts& found,
-                        Wide<Real>& solver, const IslandSettings& settings, Real dt, int sweeps);
+                        const SubstepPass& pass);
   /// The parts in which a free body turns. Its position is exact in one.
   static int parts_of_flight(const Body& body, const IslandSettings& settings, Real dt);
   /// After a step.
@@ -92,11 +92,10 @@ class ErrorControl {
   Real find_enough(Search& search);
   Real difference(const Search& search);
   Outcome try_twice(Search& search);
-  Real step_stiffly(RemainingBodies& remaining, World& world, const World& before, StepClassifier& classifier,
-                    Contacts& found, Wide<Real>& solver, const IslandSettings& settings, Real dt, int sweeps,
-                    Solved& solved);
+  Real step_stiffly(RemainingBodies& remaining, World& world, const World& before, const StepClassifier& classifier,
+                    Contacts& found, const SubstepPass& pass, Solved& solved);
   void find_meetings(const Contacts& found, const World& before, const World& after, StepClassifier& classifier,
-                     Real threshold, Real dt);
+                     const SubstepPass& pass);
   /// The error of substeps after this step, as a fraction of `error`. Errors are forgotten in a second, during which as much may be added.
   Real substep_error(Real step, Real error) const { return (2 * (in_a_second_ + step) + sunken_) / error; }
 

@@ -51,13 +51,14 @@ void IslandSolver::whole_step(World& world, Real dt, int sweeps) {
     if (too_many || !others_were_met(world, dt)) break;
   }
   fall_back(world);
-  add_up(errors_.step_remaining(remaining_, world, classifier_, contacts_.found, substep_solver, *this, dt, sweeps));
+  const SubstepPass pass{substep_solver, inner(), *this, dt, sweeps};
+  add_up(errors_.step_remaining(remaining_, world, classifier_, contacts_.found, pass));
   commit(world, dt);
 }
 
 void IslandSolver::solve(World& world, Real h, int sweeps) {
   call_by_call_ = true;
-  substep_solver.solve(world, h, sweeps);
+  inner().solve(world, h, sweeps);
 }
 
 int IslandSolver::half_steps_of(int body) {

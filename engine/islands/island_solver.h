@@ -38,7 +38,7 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   /// Call by call: `substep_solver` only.
   void solve(World& world, Real h, int sweeps) override;
   /// Of all islands.
-  Solved solved() const override { return call_by_call_ ? substep_solver.solved() : solved_; }
+  Solved solved() const override { return call_by_call_ ? inner().solved() : solved_; }
 
   // ---- of the latest step ---------------------------------------------------------------------------------------------
   /// How a body was moved. For a body that was not there: none.
@@ -47,6 +47,9 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   int half_steps_of(int body);
   /// What is known about its error, with `error`. For a body that was not there: nothing.
   BodyError error_of(int body);
+  const StepClassifier& classifier() const { return classifier_; }
+  /// The islands that half steps moved, or were tried on.
+  const IslandWorlds& islands() const { return islands_; }
   /// Errors count from now on.
   void forget_errors() { errors_.forget(); }
 

@@ -99,26 +99,25 @@ class RemainingBodies::Absence {
   const Remaining& remaining_;
 };
 
-Solved RemainingBodies::step(World& world, const StepClassifier& classifier, Contacts& found, Wide<Real>& solver,
-                             const ClassifierLimits& limits, Real dt, int sweeps) {
+Solved RemainingBodies::step(World& world, const StepClassifier& classifier, Contacts& found, const SubstepPass& pass) {
   Remaining remaining{classifier, found};
   const auto remains = [&](const Body& body) { return remaining.contain(body); };
   if (std::none_of(world.bodies.begin(), world.bodies.end(), remains)) {
-    step_immovable(world, solver, dt);
+    step_immovable(world, pass.runner, pass.dt);
     return {};
   }
   std::erase_if(found, [&](const Contact& contact) {
     const auto [a, b] = world.bodies_of(contact);
     return !remains(a.movable() ? a : b) || contact.id.feature == no_feature;
   });
-  const int times = detections(world, remaining, limits, dt);
-  Plan plan = solver.plan(dt / static_cast<Real>(times));
+  const int times = detections(world, remaining, pass.settings.limits, pass.dt);
+  Plan plan = pass.runner.plan(pass.dt / static_cast<Real>(times));
   plan.detections = times;
   {
     const Absence absence(*this, world, remaining);
-    pushback::step(world, solver, plan, dt, sweeps, remaining);
+    pushback::step(world, pass.runner, plan, pass.dt, pass.sweeps, remaining);
   }
-  return solver.solved();
+  return pass.runner.solved();
 }
 
 }  // namespace pushback

@@ -6,13 +6,21 @@
 
 namespace pushback {
 
+/// How the remaining bodies are moved in this step.
+struct SubstepPass {
+  Wide<Real>& solver;
+  StepSolver& runner;  ///< the same solver, or one around it, which World::step calls
+  const IslandSettings& settings;
+  Real dt;
+  int sweeps;
+};
+
 class RemainingBodies {
  public:
   /// Moves immovable bodies, and all that `classifier` leaves to substeps, by dt. Bodies that get another step stand still meanwhile, and
   /// their joints are not there. `found`: the contacts of this step, which are used up. Faster spins get more detections. Throws
   /// InvalidInput as World::step does.
-  Solved step(World& world, const StepClassifier& classifier, Contacts& found, Wide<Real>& solver,
-              const ClassifierLimits& limits, Real dt, int sweeps);
+  Solved step(World& world, const StepClassifier& classifier, Contacts& found, const SubstepPass& pass);
 
  private:
   class Absence;  // of the joints and velocities of all other bodies

@@ -51,21 +51,20 @@ int ErrorControl::parts_of_flight(const Body& body, const IslandSettings& settin
 /// x += h v has an error of h / 2 times the change of v (chapter 24). That and the depth of contacts are known after a step. If they are
 /// too large, the step is taken again in more substeps: the first error falls with their number, the second with its square.
 Solved ErrorControl::step_remaining(RemainingBodies& remaining, World& world, StepClassifier& classifier,
-                                    Contacts& found, Wide<Real>& solver, const IslandSettings& settings, Real dt,
-                                    int sweeps) {
+                                    Contacts& found, const SubstepPass& pass) {
+  Wide<Real>& solver = pass.solver;
+  const IslandSettings& settings = pass.settings;
   const auto moves = [&](const Body& body) { return classifier.step_of(body.index) == StepType::substeps; };
-  const auto once = [&] { return remaining.step(world, classifier, found, solver, settings.limits, dt, sweeps); };
+  const auto once = [&] { return remaining.step(world, classifier, found, pass); };
   if (std::isinf(settings.error)) return once();
-  in_a_second_ *= 1 - std::min(Real(1), dt / horizon);
+  in_a_second_ *= 1 - std::min(Real(1), pass.dt / horizon);
   sunken_ = 0;
   met_.assign(world.bodies.size(), false);
   if (std::none_of(world.bodies.begin(), world.bodies.end(), moves)) return once();
   const World before = world;
   const Contacts all = found;
   Solved solved;
-  const auto stiffly = [&] {
-    return step_stiffly(remaining, world, before, classifier, found, solver, settings, dt, sweeps, solved);
-  };
+  const auto stiffly = [&] { return step_stiffly(remaining, world, before, classifier, found, pass, solved); };
   Real largest = stiffly();
   const Real off = substep_error(largest, settings.error);
   if (off > 1 && solver.substeps < settings.most_substeps) {
@@ -78,19 +77,19 @@ Solved ErrorControl::step_remaining(RemainingBodies& remaining, World& world, St
     solver.substeps = std::max(least_substeps, solver.substeps / 2);
   }
   in_a_second_ += largest;
-  find_meetings(all, before, world, classifier, solver.threshold, dt);
+  find_meetings(all, before, world, classifier, pass);
   return solved;
 }
 
 /// Returns the largest error of the step, m, and sets the errors of the bodies.
 Real ErrorControl::step_stiffly(RemainingBodies& remaining, World& world, const World& before,
-                                StepClassifier& classifier, Contacts& found, Wide<Real>& solver,
-                                const IslandSettings& settings, Real dt, int sweeps, Solved& solved) {
+                                const StepClassifier& classifier, Contacts& found, const SubstepPass& pass,
+                                Solved& solved) {
   {
-    const StiffSprings springs(solver.spring);
-    solved = remaining.step(world, classifier, found, solver, settings.limits, dt, sweeps);
+    const StiffSprings springs(pass.solver.spring);
+    solved = remaining.step(world, classifier, found, pass);
   }
-  const Real half = dt / static_cast<Real>(2 * solver.plan(dt).all_substeps());
+  const Real half = pass.dt / static_cast<Real>(2 * pass.solver.plan(pass.dt).all_substeps());
   const auto moves = [&](int body) { return classifier.step_of(body) == StepType::substeps; };
   Real largest = 0;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
@@ -105,13 +104,14 @@ Real ErrorControl::step_stiffly(RemainingBodies& remaining, World& world, const 
 /// Marks islands in which something has bounced, or in which joined bodies approached faster than a step of fall makes them, and do so no
 /// more.
 void ErrorControl::find_meetings(const Contacts& found, const World& before, const World& after,
-                                 StepClassifier& classifier, Real threshold, Real dt) {
+                                 StepClassifier& classifier, const SubstepPass& pass) {
   const auto meet = [&](const Contact& contact) {
     for (const std::size_t body : {contact.id.body_a, contact.id.body_b})
       if (after.bodies[body].movable()) met_[std::size_t(classifier.island_of(static_cast<int>(body)))] = true;
   };
   for (const Contact& contact : after.contacts)
-    if (contact.restitution > 0 && !contact.impulse.isZero(0) && separating_speed(before, contact) < -threshold)
+    if (contact.restitution > 0 && !contact.impulse.isZero(0) &&
+        separating_speed(before, contact) < -pass.solver.threshold)
       meet(contact);
   std::vector<bool> is_joined(after.bodies.size());
   for (const Joint& joint : after.joints)
@@ -119,7 +119,7 @@ void ErrorControl::find_meetings(const Contacts& found, const World& before, con
       if (body != the_world) is_joined[std::size_t(body)] = true;
   for (const Contact& contact : found) {
     const Real came = separating_speed(before, contact);
-    if ((is_joined[contact.id.body_a] || is_joined[contact.id.body_b]) && came <= -dt * after.gravity.norm() &&
+    if ((is_joined[contact.id.body_a] || is_joined[contact.id.body_b]) && came <= -pass.dt * after.gravity.norm() &&
         separating_speed(after, contact) >= came / 2)
       meet(contact);
   }

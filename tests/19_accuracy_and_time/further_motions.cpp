@@ -5,7 +5,7 @@
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
-#include "pushback/engine/half_step/at_impacts.h"
+#include "pushback/engine/half_step/half_step.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/further_motions.h"
 #include "tests/support/catch.h"
@@ -58,12 +58,12 @@ struct Random {
 }  // namespace
 
 TEST_CASE("gaps: cut at impacts it is exact, and with the impact at the end of a substep of first order") {
-  CHECK(error_of("gaps", AtImpacts(), 1) < 1e-12);
+  CHECK(error_of("gaps", at_impacts(), 1) < 1e-12);
   is_of_first_order("gaps", {1, 4, 16, 64, 256}, 0.01, 0.1);
 }
 
 TEST_CASE("superball: cut at impacts it is exact, and a friction pyramid never gets there") {
-  CHECK(error_of("superball", AtImpacts(), 1) < 1e-11);
+  CHECK(error_of("superball", at_impacts(), 1) < 1e-11);
   is_of_first_order("superball", {16, 64, 256, 1024}, 0.1, 1);
   const auto pyramid = [](int substeps) {
     return error_of("superball", Solver<Clamping, Baumgarte, Restitution, Friction>(), substeps);
@@ -73,8 +73,8 @@ TEST_CASE("superball: cut at impacts it is exact, and a friction pyramid never g
 }
 
 TEST_CASE("conveyor: half steps have it right, and a friction pyramid never gets there") {
-  CHECK(error_of("conveyor", AtImpacts(), 1) < 1e-4);
-  CHECK(error_of("conveyor", AtImpacts(), 64) < 1e-8);
+  CHECK(error_of("conveyor", at_impacts(), 1) < 1e-4);
+  CHECK(error_of("conveyor", at_impacts(), 64) < 1e-8);
   is_of_first_order("conveyor", {1, 4, 16, 64}, 0.02, 0.03, 16);
   CHECK(error_of("conveyor", Solver<Clamping, Baumgarte, Restitution, Friction>(), 64, 16) > 0.2);
 }

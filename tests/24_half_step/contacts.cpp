@@ -205,7 +205,7 @@ TEST_CASE("half step: what takes more than most_work is refused, stops soon afte
       CAPTURE(part, from_afar);
       HalfStep bounded;
       bounded.most_work = part * needed;
-      bounded.from_afar = from_afar;
+      bounded.fall_back_to_full_solve = from_afar;
       world = begin;
       const std::string said = complaint([&] { world.step(bounded, h); });
       CHECK(said == (from_afar ? "144 contacts are too large a problem for the multiplications that are left"

@@ -85,15 +85,15 @@ TEST_CASE("half step: of second order, and composed of fourth, the pendulum and 
     CAPTURE(name, its_order);
     const Motion& motion = motion_named(name);
     const auto truth = motion.truth(motion.frames());
-    const auto error_of = [&](int count) { return largest_error(motion, truth, exact<decltype(step)>(count)); };
+    const auto error_of = [&](int count) { return largest_error(motion, truth, exact(count, step)); };
     CHECK(order(substeps, error_of) == Approx(its_order).margin(its_order == 2 ? 0.1 : 0.2));
     CHECK(error_of(at) < least);
   };
   check("pendulum", HalfStep{}, {4, 8, 16, 32}, 2, 8, 1.9e-5);
   check("chain", HalfStep{}, {4, 8, 16, 32}, 2, 8, 6.1e-5);
-  check("pendulum", Composed<Yoshida>{}, {1, 2, 4, 8}, 4, 8, 1e-6);
-  check("pendulum", Composed<Suzuki>{}, {1, 2, 4, 8}, 4, 1, 3e-7);
-  check("chain", Composed<Suzuki>{}, {1, 2, 4, 8}, 4, 1, 1.4e-4);
+  check("pendulum", composed(yoshida), {1, 2, 4, 8}, 4, 8, 1e-6);
+  check("pendulum", composed(), {1, 2, 4, 8}, 4, 1, 3e-7);
+  check("chain", composed(), {1, 2, 4, 8}, 4, 1, 1.4e-4);
 }
 
 TEST_CASE("half step: the plain loop is the same step, and each wrong way is of first order") {
@@ -116,7 +116,7 @@ TEST_CASE("half step: the plain loop is the same step, and each wrong way is of 
     World reference;
     reference.add(sphere(Real(0.1), 1).at({std::sin(pi / 3), -std::cos(pi / 3), 0}));
     reference.joints.push_back(distance(reference, the_world, Vec3::Zero(), 0, reference.bodies[0].position));
-    auto fine = exact<Composed<Suzuki>>(8);
+    HalfStep fine = exact(8, composed());
     for (int i = 0; i < 120; ++i) reference.step(fine, h);
     return reference.bodies[0].position;
   }();
@@ -348,11 +348,11 @@ TEST_CASE("half step: what it does not do is refused by name, and nothing has ch
   refused("asleep", step, [](World& world) { world.bodies[0].asleep = true; });
   refused("whose force has a limit", step, join([=](World& w) { return soft(limits(w), {2, 1}); }));
   refused("more substeps", step, join(springs(30)));
-  const Composed<Suzuki> composed;
-  refused("that damps", composed, join(springs(2)));
-  refused("angle limits", composed, join(limits));
-  refused("a motor", composed, join([](World& w) { return motor_at_speed(w, the_world, 0, Vec3::UnitZ(), 1, 5); }));
-  refused("composed step goes back in time", composed,
+  const HalfStep fourth = composed();
+  refused("that damps", fourth, join(springs(2)));
+  refused("angle limits", fourth, join(limits));
+  refused("a motor", fourth, join([](World& w) { return motor_at_speed(w, the_world, 0, Vec3::UnitZ(), 1, 5); }));
+  refused("composed step goes back in time", fourth,
           [](World& world) { world.add(half_space(Vec3::UnitX()).at({Real(0.81), 0, 0})); });
   const auto wrong = [&](const std::string& name, auto HalfStep::* setting, auto value) {
     HalfStep with;

@@ -3,7 +3,7 @@
 
 #include "pushback/chapters/19_accuracy_and_time/front.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/engine/half_step/composition.h"
+#include "pushback/engine/half_step/half_step.h"
 #include "tests/support/yardstick.h"
 
 namespace pushback {
@@ -11,9 +11,7 @@ namespace pushback {
 inline constexpr Real rounding = in_double ? Real(1e-11) : Real(1e-4);
 
 /// Newton's method to rounding: what is left is the step's own error.
-template <class Step = HalfStep>
-Step exact(int substeps = 1) {
-  Step step;
+inline HalfStep exact(int substeps = 1, HalfStep step = {}) {
   step.substeps = substeps;
   if (in_double) step.tolerance = Real(1e-13);
   return step;

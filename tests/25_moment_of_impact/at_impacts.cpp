@@ -1,5 +1,5 @@
 /// Chapter 25: what a step that is cut at impacts makes exact, and what it bounds.
-#include "pushback/engine/half_step/at_impacts.h"
+#include "pushback/engine/half_step/half_step.h"
 
 #include "pushback/chapters/24_half_step/study.h"
 #include "pushback/chapters/25_moment_of_impact/plain.h"
@@ -21,7 +21,7 @@ namespace {
 /// The largest error of a motion of chapter 19, m.
 Real error_of_cut(const std::string& name) {
   const Motion& motion = motion_named(name);
-  return largest_error(motion, motion.truth(motion.frames()), in_substeps<AtImpacts>(1));
+  return largest_error(motion, motion.truth(motion.frames()), in_substeps(1, at_impacts()));
 }
 Real all_energy(const World& world) {
   return kinetic_energy(world) + potential_energy(world);
@@ -54,7 +54,7 @@ TEST_CASE("impact: the page's three lines") {
   World world;
   world.add(ground());
   world.add(sphere(Real(0.5), 1).at({0, Real(0.6), 0}).moving({0, -20, 0}).bouncy(Real(0.5)));
-  AtImpacts solver;
+  HalfStep solver = at_impacts();
   world.step(solver, 1.0 / 60);
   CHECK(solver.events() == 1);
   CHECK_FALSE(solver.bound_reached());
@@ -71,7 +71,7 @@ TEST_CASE("impact: infinitely many bounces take t (1 + e) / (1 - e), and then it
   World world;
   world.add(ground());
   world.add(sphere(Real(0.5), 2).at({0, Real(1.5), 0}).bouncy(e));
-  AtImpacts step = in_substeps<AtImpacts>(1);
+  HalfStep step = in_substeps(1, at_impacts());
   Real rests = 0;
   int events = 0;
   while (world.time < 5) {
@@ -95,7 +95,7 @@ TEST_CASE("impact: a box that lands on an edge is held at its next one") {
     World world;
     world.add(ground());
     world.add(box(Vec3::Constant(Real(0.5)), 10).turned(tilt, Vec3::UnitZ()).at({0, Real(1.5), 0}));
-    AtImpacts step;
+    HalfStep step = at_impacts();
     Real deepest = 0;
     for (int i = 0; i < 120; ++i) {
       world.step(step, h);
@@ -119,7 +119,7 @@ TEST_CASE("impact: no bullet passes a fixed sheet, whatever its shape, its way a
     Body bullet = i % 2 == 0 ? sphere(Real(0.005), Real(0.01))
                              : box({Real(0.004), Real(0.003), Real(0.005)}, Real(0.01)).oriented(random.orientation());
     world.add(bullet.at(from).moving(speed * (aim - from).normalized()).spinning(random.vector(20)).bouncy(Real(0.3)));
-    AtImpacts step;
+    HalfStep step = at_impacts();
     int events = 0;
     for (int k = 0; k < 12; ++k) {
       world.step(step, h);
@@ -135,7 +135,7 @@ TEST_CASE("impact: a row of balls, in sequence and at the same time: the two dif
   for (const Impacts impacts : {Impacts::sequential, Impacts::simultaneous})
     for (const Real gap : {Real(0), Real(0.001)}) {
       World world = row_of_balls(5, gap, 1);
-      AtImpacts step;
+      HalfStep step = at_impacts();
       step.impacts = impacts;
       int events = 0;
       for (int i = 0; i < 6; ++i) {
@@ -171,7 +171,7 @@ TEST_CASE("impact: balls in a box keep their energy, e = 1, and none gets out") 
                     .moving(random.vector(20))
                     .rough(0)
                     .bouncy(1));
-  AtImpacts step;
+  HalfStep step = at_impacts();
   const Real begin = kinetic_energy(world);
   int events = 0;
   for (int i = 0; i < 120; ++i) {
@@ -187,7 +187,7 @@ TEST_CASE("impact: balls in a box keep their energy, e = 1, and none gets out") 
 
 TEST_CASE("impact: a heap of anything gains no energy, cut or not") {
   for (const auto& [seed, solver] :
-       {std::pair<std::uint64_t, AnySolver>{2, AtImpacts{}}, {5, AtImpacts{}}, {5, HalfStep{}}}) {
+       {std::pair<std::uint64_t, AnySolver>{2, at_impacts()}, {5, at_impacts()}, {5, HalfStep{}}}) {
     Random random(seed);
     World world;
     world.add(ground());
@@ -214,7 +214,7 @@ TEST_CASE("impact: with no events allowed it is a half step, and says so") {
     return world;
   };
   World cut = dropped(), whole = dropped();
-  AtImpacts none;
+  HalfStep none = at_impacts();
   none.most_events = 0;
   HalfStep half;
   for (int i = 0; i < 3; ++i) {
@@ -232,7 +232,7 @@ TEST_CASE("impact: more events than allowed are asked for by a ball between two 
   world.add(half_space(Vec3::UnitX()).at({-Real(0.51), 0, 0}).bouncy(1).rough(0));
   world.add(half_space(-Vec3::UnitX()).at({Real(0.51), 0, 0}).bouncy(1).rough(0));
   world.add(sphere(Real(0.5), 1).moving({50, 0, 0}).bouncy(1).rough(0));
-  AtImpacts step;
+  HalfStep step = at_impacts();
   world.step(step, h);
   CHECK_FALSE(step.bound_reached());
   CHECK(step.events() == Approx(static_cast<double>(50 * h / Real(0.02))).margin(1));
@@ -247,7 +247,7 @@ TEST_CASE("impact: more events than allowed are asked for by a ball between two 
 TEST_CASE("impact: a negative number of events is refused") {
   World world;
   world.add(sphere(Real(0.5), 1));
-  AtImpacts step;
+  HalfStep step = at_impacts();
   step.most_events = -1;
   CHECK(complaint([&] { world.step(step, h); }).find("most_events is -1") != std::string::npos);
   CHECK(world.bodies[0].position.isZero(0));
@@ -258,7 +258,7 @@ TEST_CASE("impact: the plain loop is the same step, and a late one is of first o
   World world;
   world.add(ground());
   world.add(sphere(Real(0.5), 1).at({0, Real(1.5), 0}).bouncy(e));
-  AtImpacts step = in_substeps<AtImpacts>(1);
+  HalfStep step = in_substeps(1, at_impacts());
   plain_25::Ball ball{1, 0, e};
   for (int i = 0; i < 200; ++i) {
     world.step(step, h);
@@ -280,7 +280,7 @@ TEST_CASE("impact: the rod is where its closed form has it") {
   const moment_of_impact_scenes::SpinningRod rod;
   World world;
   rod(world);
-  AtImpacts step;
+  HalfStep step = at_impacts();
   step.substeps = 16;
   while (world.time < Real(0.4)) {
     world.step(step, h);

@@ -8,7 +8,7 @@
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/half_step/at_impacts.h"
+#include "pushback/engine/half_step/half_step.h"
 #include "tests/24_half_step/order.h"
 #include "tests/support/catch.h"
 
@@ -17,8 +17,8 @@ using moment_of_impact_scenes::PendulumAtWall;
 
 namespace {
 
-AtImpacts in_parts(int substeps) {
-  return half_step_scenes::in_substeps<AtImpacts>(substeps);
+HalfStep in_parts(int substeps) {
+  return half_step_scenes::in_substeps(substeps, at_impacts());
 }
 /// rad: how far the ball on a pin has turned.
 double angle_of(const World& world) {
@@ -73,7 +73,7 @@ TEST_CASE("joined impact: a ball on a pin meets a wall at the instant and with t
     const auto off = [&](int substeps) {
       World world;
       scene(world);
-      AtImpacts step = in_parts(substeps);
+      HalfStep step = in_parts(substeps);
       while (step.events() == 0) world.step(step, h);
       REQUIRE(step.events() == 1);
       const Body& ball = world.bodies[0];
@@ -90,7 +90,7 @@ TEST_CASE("joined impact: a ball on a pin meets a wall at the instant and with t
     CHECK(order({4, 8, 16, 32}, off) == Approx(2).margin(0.2));
     World world;
     scene(world);
-    AtImpacts step = in_parts(64);
+    HalfStep step = in_parts(64);
     while (step.events() == 0) world.step(step, h);
     if (e == 1) {  // on its way back it passes each place as long after the impact as it did before
       const double met = (static_cast<double>(world.time) + time_to(angle_of(world))) / 2;
@@ -114,7 +114,7 @@ TEST_CASE("joined impact: what is pressed to a wall comes to rest there, and bou
   PendulumAtWall scene{.links = 0, .e = Real(0.5), .wall = Real(0.1)};
   World world;
   scene(world);
-  AtImpacts step = in_parts(1);
+  HalfStep step = in_parts(1);
   int events = 0;
   for (int i = 0; i < 180; ++i) {
     world.step(step, h);
@@ -143,7 +143,7 @@ TEST_CASE("joined impact: two dumbbells that meet keep momentum, angular momentu
     dumbbell({1, Real(0.35), Real(0.05)}, {-2, 0, Real(0.1)});
     const Vec3 p = momentum(world), l = angular_momentum(world);
     const Real begin = kinetic_energy(world);
-    AtImpacts step = in_parts(8);
+    HalfStep step = in_parts(8);
     int events = 0;
     for (int i = 0; i < 60; ++i) {
       world.step(step, h);
@@ -165,7 +165,7 @@ TEST_CASE("joined impact: the joint bears its part of an impact, and says so") {
   world.bodies[0].principal_inverse_inertia.setZero();
   world.add(half_space(-Vec3::UnitX()).at({along.x() + Real(0.1), 0, 0}).rough(0));
   world.joints.push_back(distance(world, the_world, Vec3::Zero(), ball, along));
-  AtImpacts step = in_parts(1);
+  HalfStep step = in_parts(1);
   world.step(step, h);
   CHECK(step.events() == 1);
   CHECK(step.taken() == Approx(2 * 9 / 2.0).epsilon(in_double ? 1e-9 : 1e-4));  // m v^2 / 2, all of it
@@ -186,7 +186,7 @@ TEST_CASE("joined impact: what impacts take of the energy is the part 1 - e^2, a
       world.add(sphere(Real(0.1), 2).at({0, Real(0.3), 0}).bouncy(e).rough(0));
       if (joined) world.add(sphere(Real(0.1), 3).at({0, Real(0.8), 0}));
       if (joined) world.joints.push_back(weld(world, 1, 2, {0, Real(0.5), 0}));
-      AtImpacts step = in_parts(1);
+      HalfStep step = in_parts(1);
       const Real fall = (joined ? 5 : 2) * g * Real(0.2);  // J, until it touches
       int steps = 0;
       for (; step.events() == 0 && steps < 60; ++steps) {
@@ -213,7 +213,7 @@ TEST_CASE("joined impact: a bullet on a thread does not pass a sheet of 1 mm") {
     world.add(sphere(Real(0.005), Real(0.01)).at({-1, 0, 0}).moving({0, -speed, 0}).rough(0).bouncy(Real(0.5)));
     world.add(box({Real(0.0005), Real(0.2), Real(0.2)}, 1).fixed().at({0, -1, 0}));
     world.joints.push_back(distance(world, the_world, Vec3::Zero(), 0, {-1, 0, 0}));
-    AtImpacts step;
+    HalfStep step = at_impacts();
     step.substeps = 4;
     int events = 0;
     for (int i = 0; i < 12; ++i) {
@@ -232,7 +232,7 @@ TEST_CASE("joined impact: where nobody meets anybody it is chapter 24's step, to
   motion_named("chain").begin(world);
   world.add(ground().at({0, -20, 0}));
   World other = world;
-  AtImpacts cut;
+  HalfStep cut = at_impacts();
   HalfStep half;
   half.tolerance = cut.tolerance;
   cut.substeps = half.substeps = 4;

@@ -1,5 +1,5 @@
 /// Chapter 26: each island by its own step. What is exact, what is kept, and what one island does to another: nothing.
-#include "pushback/engine/islands/by_island.h"
+#include "pushback/engine/islands/island_solver.h"
 
 #include <bit>
 #include <numeric>
@@ -24,14 +24,14 @@ namespace {
 /// The largest error of a motion of chapter 19, m.
 Real error_by_island(const std::string& name) {
   const Motion& motion = motion_named(name);
-  ByIsland solver;
-  solver.many.threshold = solver.few.threshold = 0;
+  IslandSolver solver;
+  solver.substep_solver.threshold = solver.contact_half_step.threshold = 0;
   return half_step_scenes::largest_error(motion, motion.truth(motion.frames()), solver);
 }
 /// Few contacts have half steps, many have not.
-ByIsland without_savings() {
-  ByIsland solver;
-  solver.savings.at_first = solver.savings.part = 0;
+IslandSolver without_savings() {
+  IslandSolver solver;
+  solver.budget.at_first = solver.budget.fraction = 0;
   return solver;
 }
 auto bits(Real number) {
@@ -116,11 +116,11 @@ TEST_CASE("by island: the page's two lines") {
   World world;
   world.add(ground());
   world.add(sphere(Real(0.5), 1).at({0, 5, 0}));
-  ByIsland solver;
+  IslandSolver solver;
   world.step(solver, 1.0 / 60);
-  CHECK(solver.moved_by(0) == MovedBy::nothing);
-  CHECK(solver.moved_by(1) == MovedBy::flight);
-  CHECK(solver.moved_by(2) == MovedBy::nothing);
+  CHECK(solver.step_of(0) == StepType::none);
+  CHECK(solver.step_of(1) == StepType::flight);
+  CHECK(solver.step_of(2) == StepType::none);
 }
 
 TEST_CASE("by island: what flies is on its parabola, and keeps its angular momentum and the energy of its spin") {
@@ -131,10 +131,10 @@ TEST_CASE("by island: what flies is on its parabola, and keeps its angular momen
   const auto energy_of_spin = [&] { return world.bodies[0].angular_velocity.dot(spin_momentum(world.bodies[0])) / 2; };
   const Real begin = energy_of_spin();
   Real off = 0;
-  ByIsland solver;
+  IslandSolver solver;
   for (int i = 1; i <= 180; ++i) {
     world.step(solver, h);
-    REQUIRE(solver.moved_by(0) == MovedBy::flight);
+    REQUIRE(solver.step_of(0) == StepType::flight);
     const Real t = static_cast<Real>(i) * h;
     const Body& body = world.bodies[0];
     CHECK((body.position - (from + t * thrown + t * t / 2 * world.gravity)).norm() < 1000 * eps * 60);
@@ -153,7 +153,7 @@ TEST_CASE("by island: an island moves in the same bits whatever other islands th
     World world;
     world.add(ground());
     parts[i].add(world, place(i));
-    ByIsland solver;
+    IslandSolver solver;
     for (int step = 0; step < steps; ++step) world.step(solver, h);
     auto& states = alone.emplace_back();
     for (std::size_t body = 1; body < world.bodies.size(); ++body) states.push_back(state_of(world.bodies[body]));
@@ -170,7 +170,7 @@ TEST_CASE("by island: an island moves in the same bits whatever other islands th
       begins.push_back(world.bodies.size());
       parts[order[k]].add(world, place(order[k]));
     }
-    ByIsland solver;
+    IslandSolver solver;
     for (int step = 0; step < steps; ++step) world.step(solver, h);
     for (std::size_t k = 0; k < count; ++k)
       for (std::size_t body = 0; body < alone[order[k]].size(); ++body) {
@@ -188,14 +188,14 @@ TEST_CASE("by island: two that meet become one, and part again, with momentum an
   world.add(box(Vec3::Constant(Real(0.5)), 3).at({2, Real(0.3), Real(0.1)}).moving({-2, 0, 0}).bouncy(Real(0.5)));
   const Vec3 p = momentum(world), l = angular_momentum(world);
   const Real before = kinetic_energy(world);
-  ByIsland solver;
-  std::vector<MovedBy> seen;
+  IslandSolver solver;
+  std::vector<StepType> seen;
   for (int i = 0; i < 120; ++i) {
     world.step(solver, h);
-    CHECK(solver.moved_by(0) == solver.moved_by(1));
-    if (seen.empty() || seen.back() != solver.moved_by(0)) seen.push_back(solver.moved_by(0));
+    CHECK(solver.step_of(0) == solver.step_of(1));
+    if (seen.empty() || seen.back() != solver.step_of(0)) seen.push_back(solver.step_of(0));
   }
-  CHECK(seen == std::vector{MovedBy::flight, MovedBy::half_steps, MovedBy::flight});
+  CHECK(seen == std::vector{StepType::flight, StepType::half_steps, StepType::flight});
   CHECK((momentum(world) - p).norm() < 1000 * eps);
   CHECK((angular_momentum(world) - l).norm() < 10000 * eps);
   CHECK(kinetic_energy(world) < before);
@@ -207,7 +207,7 @@ TEST_CASE("by island: one that bounces comes upon another within the step, and d
   world.add(box({Real(0.5), 2, 2}, 1).fixed().at({Real(-0.5), 0, 0}).rough(0));
   world.add(sphere(Real(0.1), 1).at({Real(0.11), 0, 0}).moving({-6, 0, 0}).bouncy(1).rough(0));
   world.add(sphere(Real(0.1), 1).at({Real(0.34), 0, 0}).moving({-6, 0, 0}).bouncy(1).rough(0));  // beyond the margin
-  ByIsland solver;
+  IslandSolver solver;
   for (int i = 0; i < 10; ++i) {
     world.step(solver, h);
     CHECK(world.bodies[2].position.x() - world.bodies[1].position.x() > Real(0.2) - 100 * eps);
@@ -234,10 +234,10 @@ TEST_CASE(
             turned = put(Body(slab).at({18, Real(0.1), 0}).conveying(Vec3::Zero()).spinning({0, 1, 0}),
                          {18, Real(0.3), Real(0.5)}),
             carried = put(Body(slab).at({27, Real(0.1), 0}).conveying({2, 0, 0}), {27, Real(0.3), 0});
-  ByIsland solver;
+  IslandSolver solver;
   world.step(solver, h);
-  for (const int body : {pushed, turned}) CHECK(solver.moved_by(body) == MovedBy::substeps);
-  for (const int body : {lifted, carried}) CHECK(solver.moved_by(body) == MovedBy::half_steps);
+  for (const int body : {pushed, turned}) CHECK(solver.step_of(body) == StepType::substeps);
+  for (const int body : {lifted, carried}) CHECK(solver.step_of(body) == StepType::half_steps);
 }
 
 TEST_CASE("by island: joints come back in their order, with what they bore") {
@@ -254,7 +254,7 @@ TEST_CASE("by island: joints come back in their order, with what they bore") {
   join("second, upper", the_world, 2, {5, 0, 0});
   join("second, lower", 2, 3, {5, -1, 0});
   join("first, upper", the_world, 0, {0, 0, 0});
-  ByIsland solver;
+  IslandSolver solver;
   for (int i = 0; i < 3; ++i) world.step(solver, h);
   const auto check = [&world](std::size_t place, const char* name, int a, int b, Real mass) {
     const Joint& joint = world.joints[place];
@@ -276,7 +276,7 @@ TEST_CASE("by island: what many alone has to move is moved as by many alone, to 
     World by_island, by_many;
     fill(by_island);
     fill(by_many);
-    ByIsland solver = without_savings();
+    IslandSolver solver = without_savings();
     solver.limits.most_detections = 1;  // as `many` alone
     Wide<Real> many;
     for (int i = 0; i < 60; ++i) {
@@ -298,7 +298,7 @@ TEST_CASE("by island: what many alone has to move is moved as by many alone, to 
 TEST_CASE("by island: contacts are detected again where bodies tumble, so a heap that falls overlaps less") {
   const auto deepest = [](int most_detections) {
     World world = falling_heap();
-    ByIsland solver;
+    IslandSolver solver;
     solver.limits.most_detections = most_detections;
     Real most = 0;
     for (int i = 0; i < 120; ++i) {
@@ -324,10 +324,10 @@ TEST_CASE("by island: where contacts are detected again, who has a step of its o
   world.add(box(Vec3::Constant(Real(0.1)), 10).at({0, 0, Real(0.19)}).spinning({0, 0, 30}));
   world.add(sphere(Real(0.1), 10).at({Real(1.4) * std::cos(Real(0.3)), Real(1.4) * std::sin(Real(0.3)), 0}));
   world.joints.push_back(ball_and_socket(world, the_world, 0, Vec3::Zero()));
-  ByIsland solver;
+  IslandSolver solver;
   world.step(solver, h);
-  REQUIRE(solver.moved_by(0) == MovedBy::substeps);
-  REQUIRE(solver.moved_by(2) == MovedBy::flight);
+  REQUIRE(solver.step_of(0) == StepType::substeps);
+  REQUIRE(solver.step_of(2) == StepType::flight);
   CHECK(world.bodies[2].velocity == Vec3::Zero());
 }
 
@@ -338,7 +338,7 @@ TEST_CASE("by island: the end of a rod that spins meets what its middle never co
     world.add(box({Real(1.5), Real(0.05), Real(0.05)}, 10).spinning({0, 0, spin}).bouncy(1).rough(0));
     world.add(sphere(Real(0.1), 10).at({0, Real(1.45), 0}).bouncy(1).rough(0));
     const Real before = kinetic_energy(world);
-    ByIsland solver;
+    IslandSolver solver;
     while (world.bodies[1].velocity == Vec3::Zero() && world.time < 1) world.step(solver, h);
     CHECK(world.bodies[1].velocity.norm() > spin / 2);
     return kinetic_energy(world) / before;
@@ -347,11 +347,11 @@ TEST_CASE("by island: the end of a rod that spins meets what its middle never co
 }
 
 TEST_CASE("by island: settings that cannot be used are named, and nothing has changed") {
-  const auto refused = [](const std::string& said, const std::function<void(ByIsland&)>& change) {
+  const auto refused = [](const std::string& said, const std::function<void(IslandSolver&)>& change) {
     World world;
     stack(world, 2);
     world.bodies[1].velocity = {1, 0, 0};
-    ByIsland solver;
+    IslandSolver solver;
     change(solver);
     const auto before = state_of(world);
     const std::string words = complaint([&] { world.step(solver, h); });
@@ -359,24 +359,25 @@ TEST_CASE("by island: settings that cannot be used are named, and nothing has ch
     CHECK(words.starts_with(said));
     CHECK(state_of(world) == before);
   };
-  refused("most is -1: a whole number, 0 or more", [](ByIsland& s) { s.limits.most = -1; });
-  refused("most_kept is 7: no less than most", [](ByIsland& s) { s.limits.most_kept = 7; });
-  refused("most_meeting is 3: no less than most", [](ByIsland& s) { s.limits.most_meeting = 3; });
-  refused("most_detections is 0", [](ByIsland& s) { s.limits.most_detections = 0; });
-  refused("turn is 0", [](ByIsland& s) { s.limits.turn = 0; });
-  refused("most_work is 0", [](ByIsland& s) { s.few.most_work = 0; });
-  refused("energy is 0", [](ByIsland& s) { s.energy = 0; });
-  refused("energy is nan", [](ByIsland& s) { s.energy = std::numeric_limits<Real>::quiet_NaN(); });
-  refused("most_substeps is 3: no less than joined's", [](ByIsland& s) { s.most_substeps = 3; });
-  refused("substeps is 0", [](ByIsland& s) { s.few.substeps = 0; });
-  refused("tolerance", [](ByIsland& s) { s.joined.tolerance = 0; });
-  refused("margin is -1", [](ByIsland& s) { s.many.margin = -1; });
-  for (const auto& [name, setting] : {std::pair<std::string, double Savings::*>{"of_contact", &Savings::of_contact},
-                                      {"part", &Savings::part},
-                                      {"at_first", &Savings::at_first},
-                                      {"most", &Savings::most},
-                                      {"at_once", &Savings::at_once}})
+  refused("most is -1: a whole number, 0 or more", [](IslandSolver& s) { s.limits.most = -1; });
+  refused("most_kept is 7: no less than most", [](IslandSolver& s) { s.limits.most_kept = 7; });
+  refused("most_meeting is 3: no less than most", [](IslandSolver& s) { s.limits.most_meeting = 3; });
+  refused("most_detections is 0", [](IslandSolver& s) { s.limits.most_detections = 0; });
+  refused("turn is 0", [](IslandSolver& s) { s.limits.turn = 0; });
+  refused("most_work is 0", [](IslandSolver& s) { s.contact_half_step.most_work = 0; });
+  refused("energy is 0", [](IslandSolver& s) { s.energy = 0; });
+  refused("energy is nan", [](IslandSolver& s) { s.energy = std::numeric_limits<Real>::quiet_NaN(); });
+  refused("most_substeps is 3: no less than joined's", [](IslandSolver& s) { s.most_substeps = 3; });
+  refused("substeps is 0", [](IslandSolver& s) { s.contact_half_step.substeps = 0; });
+  refused("tolerance", [](IslandSolver& s) { s.joint_half_step.tolerance = 0; });
+  refused("margin is -1", [](IslandSolver& s) { s.substep_solver.margin = -1; });
+  for (const auto& [name, setting] :
+       {std::pair<std::string, double WorkBudgetSettings::*>{"of_contact", &WorkBudgetSettings::per_contact},
+        {"part", &WorkBudgetSettings::fraction},
+        {"at_first", &WorkBudgetSettings::at_first},
+        {"most", &WorkBudgetSettings::most},
+        {"at_once", &WorkBudgetSettings::at_once}})
     for (const double value : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
       refused("savings." + name + " is " + fmt::format("{}: a finite number", value),
-              [=, setting = setting](ByIsland& s) { s.savings.*setting = value; });
+              [=, setting = setting](IslandSolver& s) { s.budget.*setting = value; });
 }

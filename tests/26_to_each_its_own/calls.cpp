@@ -1,5 +1,5 @@
 /// Chapter 26: what an island calls for.
-#include "pushback/engine/islands/calls.h"
+#include "pushback/engine/islands/step_classifier.h"
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/13_joints/hinge.h"
@@ -36,13 +36,13 @@ Contacts below_the_first(int count, Real depth = 0) {
   for (int i = 0; i < count; ++i) contacts.push_back(contact_of(0, 1, static_cast<std::uint32_t>(i), depth));
   return contacts;
 }
-void find(Calls& calls, const World& world, const Contacts& contacts) {
+void find(StepClassifier& calls, const World& world, const Contacts& contacts) {
   calls.find(world, contacts, h, threshold, {});
 }
 /// What body 1 is moved by, the contacts being those that there are.
-MovedBy called_by_first(World world) {
+StepType called_by_first(World world) {
   world.find_contacts({.least = Real(0.02), .ahead = h});
-  Calls calls;
+  StepClassifier calls;
   find(calls, world, world.contacts);
   return calls.of(1);
 }
@@ -60,12 +60,12 @@ World pendulum() {
 
 TEST_CASE("calls: one that is near the limit stays what it is") {
   const World world = standing(1);
-  Calls calls;
+  StepClassifier calls;
   const auto many = [&](int contacts) {
     find(calls, world, below_the_first(contacts));
-    CHECK(calls.of(1) == MovedBy::half_steps);  // it is calm
+    CHECK(calls.of(1) == StepType::half_steps);  // it is calm
     CHECK(calls.contacts(1) == contacts);
-    return calls.many(1);
+    return calls.substep_solver(1);
   };
   // Many contacts that were left to substeps stay many until there are few.
   CHECK(many(9));
@@ -87,9 +87,9 @@ TEST_CASE(
     "calls: few contacts of what is joined have half steps, many have not, and near the limit it stays what it is") {
   World world = standing(1);
   world.joints = {ball_and_socket(world, the_world, 1, {0, 1, 0})};
-  Calls calls;
+  StepClassifier calls;
   find(calls, world, {});
-  CHECK(calls.of(1) == MovedBy::half_steps);
+  CHECK(calls.of(1) == StepType::half_steps);
   CHECK_FALSE(calls.near(1));
   calls.leave_to_substeps(1);
   const auto call = [&](int contacts) {
@@ -98,17 +98,17 @@ TEST_CASE(
     CHECK(calls.contacts(1) == contacts);
     return calls.of(1);
   };
-  CHECK(call(9) == MovedBy::substeps);  // at rest, too: joints and many contacts are not solved from what they bore
-  CHECK(call(12) == MovedBy::substeps);
-  for (const int contacts : {8, 9, 12, 1, 12}) CHECK(call(contacts) == MovedBy::half_steps);
-  CHECK(call(13) == MovedBy::substeps);
-  CHECK(call(12) == MovedBy::substeps);
-  CHECK(call(8) == MovedBy::half_steps);
+  CHECK(call(9) == StepType::substeps);  // at rest, too: joints and many contacts are not solved from what they bore
+  CHECK(call(12) == StepType::substeps);
+  for (const int contacts : {8, 9, 12, 1, 12}) CHECK(call(contacts) == StepType::half_steps);
+  CHECK(call(13) == StepType::substeps);
+  CHECK(call(12) == StepType::substeps);
+  CHECK(call(8) == StepType::half_steps);
 }
 
 TEST_CASE("calls: many contacts have half steps while nothing arrives and nothing turns fast, few in any case") {
   World world = standing(1);
-  Calls calls;
+  StepClassifier calls;
   const Limits limits;
   const auto call = [&](int contacts, Real turn, Real arrives) {
     world.bodies[1].angular_velocity = {0, turn / h, 0};
@@ -120,10 +120,10 @@ TEST_CASE("calls: many contacts have half steps while nothing arrives and nothin
   calls.find(world, {}, h, threshold, limits);
   for (const int contacts : {8, 9, 100}) {
     CAPTURE(contacts);
-    const MovedBy else_by = contacts > 8 ? MovedBy::substeps : MovedBy::half_steps;
-    CHECK(call(contacts, limits.turn * Real(0.99), 0) == MovedBy::half_steps);
+    const StepType else_by = contacts > 8 ? StepType::substeps : StepType::half_steps;
+    CHECK(call(contacts, limits.turn * Real(0.99), 0) == StepType::half_steps);
     CHECK(call(contacts, limits.turn * Real(1.01), 0) == else_by);
-    CHECK(call(contacts, 0, threshold * Real(0.9)) == MovedBy::half_steps);
+    CHECK(call(contacts, 0, threshold * Real(0.9)) == StepType::half_steps);
     CHECK(call(contacts, 0, 2) == else_by);
     CHECK(calls.impact(1));
   }
@@ -131,14 +131,14 @@ TEST_CASE("calls: many contacts have half steps while nothing arrives and nothin
 
 TEST_CASE("calls: no contact is flight, however many islands there are, and what is not there is moved by nothing") {
   const World world = standing(3);
-  Calls calls;
+  StepClassifier calls;
   find(calls, world, below_the_first(4));
-  CHECK(calls.of(0) == MovedBy::nothing);
-  CHECK(calls.of(1) == MovedBy::half_steps);
-  CHECK(calls.of(2) == MovedBy::flight);
-  CHECK(calls.of(3) == MovedBy::flight);
-  CHECK(calls.of(4) == MovedBy::nothing);
-  CHECK(calls.of(1000) == MovedBy::nothing);
+  CHECK(calls.of(0) == StepType::none);
+  CHECK(calls.of(1) == StepType::half_steps);
+  CHECK(calls.of(2) == StepType::flight);
+  CHECK(calls.of(3) == StepType::flight);
+  CHECK(calls.of(4) == StepType::none);
+  CHECK(calls.of(1000) == StepType::none);
 }
 
 TEST_CASE("calls: the ground joins nobody, a contact between two that move does, and both have its many contacts") {
@@ -146,22 +146,22 @@ TEST_CASE("calls: the ground joins nobody, a contact between two that move does,
   Contacts contacts;
   for (std::uint32_t body = 1; body <= 3; ++body)
     for (std::uint32_t i = 0; i < 4; ++i) contacts.push_back(contact_of(0, body, i));
-  Calls calls;
+  StepClassifier calls;
   find(calls, world, contacts);
   for (int body = 1; body <= 3; ++body) {
     CHECK(calls.island_of(body) == body);
-    CHECK(calls.of(body) == MovedBy::half_steps);
+    CHECK(calls.of(body) == StepType::half_steps);
   }
-  Calls anew;
+  StepClassifier anew;
   contacts.push_back(contact_of(1, 2, 0));
   find(anew, world, contacts);
   CHECK(anew.island_of(2) == 1);
   CHECK(anew.contacts(1) == 9);
   CHECK(anew.contacts(3) == 4);
-  CHECK(anew.many(1));  // nobody had half steps
-  CHECK_FALSE(anew.many(3));
+  CHECK(anew.substep_solver(1));  // nobody had half steps
+  CHECK_FALSE(anew.substep_solver(3));
   find(calls, world, contacts);  // both had half steps
-  CHECK_FALSE(calls.many(1));
+  CHECK_FALSE(calls.substep_solver(1));
 }
 
 TEST_CASE("calls: many balls have half steps when they meet, many boxes do not") {
@@ -172,22 +172,22 @@ TEST_CASE("calls: many balls have half steps when they meet, many boxes do not")
   for (std::uint32_t i = 2; i < 21; ++i) row.push_back(contact_of(i, i + 1, 0));
   for (Contact& contact : row) contact.normal = Vec3::UnitX();
   const auto call = [&] {
-    Calls calls;
+    StepClassifier calls;
     find(calls, world, row);
-    CHECK(calls.many(2));
+    CHECK(calls.substep_solver(2));
     return std::pair{calls.of(2), calls.impact(2)};
   };
-  CHECK(call() == std::pair{MovedBy::half_steps, false});  // it is calm
+  CHECK(call() == std::pair{StepType::half_steps, false});  // it is calm
   world.bodies[2].velocity.x() = 5;
-  CHECK(call() == std::pair{MovedBy::half_steps, true});
+  CHECK(call() == std::pair{StepType::half_steps, true});
   row.push_back(row.back());  // a second point of the same pair: no balls
   row.back().id.feature = 1;
-  CHECK(call() == std::pair{MovedBy::substeps, true});
+  CHECK(call() == std::pair{StepType::substeps, true});
 }
 
 TEST_CASE("calls: what arrives slower than the threshold, or rests, is no impact") {
   World world = standing(1);
-  Calls calls;
+  StepClassifier calls;
   const auto impact = [&](Real speed, Real gap) {
     world.bodies[1].velocity.y() = -speed;
     find(calls, world, below_the_first(1, -gap));
@@ -202,38 +202,38 @@ TEST_CASE("calls: what arrives slower than the threshold, or rests, is no impact
 }
 
 TEST_CASE("calls: half steps have what they can hold, the others go to substeps") {
-  CHECK(called_by_first(standing(1)) == MovedBy::half_steps);
-  CHECK(called_by_first(pendulum()) == MovedBy::half_steps);
+  CHECK(called_by_first(standing(1)) == StepType::half_steps);
+  CHECK(called_by_first(pendulum()) == StepType::half_steps);
 
   World asleep = standing(1);
   asleep.bodies[1].asleep = true;
-  CHECK(called_by_first(asleep) == MovedBy::substeps);
+  CHECK(called_by_first(asleep) == StepType::substeps);
 
   for (const std::vector<int>& on : {std::vector<int>{}, {1}}) {
     World forced = standing(2);
     forced.forces.push_back({[](World&) {}, "a breeze", on});
-    CHECK(called_by_first(forced) == MovedBy::substeps);
+    CHECK(called_by_first(forced) == StepType::substeps);
   }
   World beside = standing(2);
   beside.forces.push_back({[](World&) {}, "a breeze", {2}});
-  CHECK(called_by_first(beside) == MovedBy::half_steps);
+  CHECK(called_by_first(beside) == StepType::half_steps);
 
   World deep = standing(1);
   deep.bodies[1].position.y() -= Real(0.004);
-  CHECK(called_by_first(deep) == MovedBy::half_steps);
+  CHECK(called_by_first(deep) == StepType::half_steps);
   deep.bodies[1].position.y() -= Real(0.006);
-  CHECK(called_by_first(deep) == MovedBy::substeps);
+  CHECK(called_by_first(deep) == StepType::substeps);
 
   World loop = pendulum();
   loop.add(sphere(Real(0.1), 1).at({1, 9, 0}));
   loop.joints.push_back(ball_and_socket(loop, 2, 3, {1, 8, 0}));
-  CHECK(called_by_first(loop) == MovedBy::half_steps);
+  CHECK(called_by_first(loop) == StepType::half_steps);
   loop.joints.push_back(ball_and_socket(loop, 1, 3, {0, 9, 0}));
-  CHECK(called_by_first(loop) == MovedBy::substeps);
+  CHECK(called_by_first(loop) == StepType::substeps);
 
   World limited = pendulum();
   limited.joints[0] = hinge(limited, the_world, 1, {0, 10, 0}, Vec3::UnitZ());
-  CHECK(called_by_first(limited) == MovedBy::half_steps);
+  CHECK(called_by_first(limited) == StepType::half_steps);
   limited.joints[1] = angle_limits(limited, 1, 2, Vec3::UnitZ(), -1, 1);
-  CHECK(called_by_first(limited) == MovedBy::substeps);
+  CHECK(called_by_first(limited) == StepType::substeps);
 }

@@ -5,7 +5,7 @@
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/engine/islands/by_island.h"
+#include "pushback/engine/islands/island_solver.h"
 #include "tests/24_half_step/order.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
@@ -132,11 +132,11 @@ TEST_CASE("joined, by island: who is joined to what it overlaps does not meet it
   world.add(box({Real(0.8), 1, Real(0.05)}, 10).at({Real(0.8), 0, 0}).spinning({0, 20, 0}).moving({0, 0, -16}));
   world.joints.push_back(hinge(world, 0, 1, Vec3::Zero(), Vec3::UnitY()));
   const Real motion = kinetic_energy(world);
-  ByIsland solver;
+  IslandSolver solver;
   for (int i = 0; i < 30; ++i) {
     world.step(solver, h);
     CHECK(world.contacts.empty());
-    CHECK(solver.moved_by(1) == MovedBy::half_steps);
+    CHECK(solver.step_of(1) == StepType::half_steps);
   }
   CHECK(kinetic_energy(world) == Approx(motion).epsilon(in_double ? 1e-6 : 1e-3));
 }
@@ -154,18 +154,18 @@ TEST_CASE("joined, by island: of scenes that nobody has looked at none gains ene
       draw(world, random);
       Real mass = 0;
       for (const Body& body : world.bodies) mass += body.movable() ? 1 / body.inverse_mass : 0;
-      ByIsland solver;
+      IslandSolver solver;
       bool before = true;
       for (int i = 0; i < 180; ++i) {
         const Real motion = kinetic_energy(world), begin = energy(world), overlap = deepest(world);
         world.step(solver, h);
         REQUIRE(std::isfinite(energy(world)));
         const bool now = std::none_of(world.bodies.begin(), world.bodies.end(), [&solver](const Body& body) {
-          return solver.moved_by(body.index) == MovedBy::substeps;
+          return solver.step_of(body.index) == StepType::substeps;
         });
         (now ? by_half_steps : by_substeps) += 1;
         if (now) {
-          CAPTURE(i, solver.substeps_of(1), overlap, world.contacts.size());
+          CAPTURE(i, solver.half_steps_of(1), overlap, world.contacts.size());
           const Real least = std::max(motion, kinetic_energy(world)) + mass * (h * world.gravity).squaredNorm() / 2;
           // What overlaps comes out: no farther than it was in, at each of a few contacts.
           if (draw != striker)  // there the box has half steps by itself as well, whose energy nobody looks at
@@ -183,18 +183,18 @@ TEST_CASE("joined, by island: of scenes that nobody has looked at none gains ene
 
 TEST_CASE("joined, by island: who cannot be held has substeps, and half steps again once they are allowed enough") {
   World world = welded_boxes();
-  ByIsland solver;
-  solver.joined.most_work = 1;  // for nothing
+  IslandSolver solver;
+  solver.joint_half_step.most_work = 1;  // for nothing
   for (int i = 0; i < 100; ++i) {
     world.step(solver, h);
-    for (const int box : {1, 2}) CHECK(solver.moved_by(box) == MovedBy::substeps);
+    for (const int box : {1, 2}) CHECK(solver.step_of(box) == StepType::substeps);
     CHECK(std::abs(world.bodies[1].position.y() - Real(0.5)) < Real(0.001));
   }
-  solver.joined.most_work = 1e7;
+  solver.joint_half_step.most_work = 1e7;
   int since = 0;
   for (int i = 0; i < 300; ++i) {
     world.step(solver, h);
-    since = solver.moved_by(1) == MovedBy::half_steps ? since + 1 : 0;
+    since = solver.step_of(1) == StepType::half_steps ? since + 1 : 0;
   }
   CHECK(since > 100);
 }

@@ -1,9 +1,9 @@
 /// Chapter 26: what is saved for half steps where contacts are many, and what it is spent on.
-#include "pushback/engine/islands/savings.h"
+#include "pushback/engine/islands/work_budget.h"
 
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/islands/by_island.h"
+#include "pushback/engine/islands/island_solver.h"
 #include "tests/26_to_each_its_own/falling_heap.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
@@ -13,38 +13,33 @@ using to_each_its_own_tests::falling_heap;
 
 namespace {
 
-/// Writes down what half steps take where contacts are many.
-class Watched : public ByIsland {
- public:
-  struct Try {
-    double allowed, took, price;  // multiplications; of the substeps that it stands for
-    bool from_afar, held;
-  };
-  std::vector<Try> tries;  // of the latest step
-
-  void whole_step(World& world, Real dt, int sweeps) override {
-    tries.clear();
-    ByIsland::whole_step(world, dt, sweeps);
-  }
-  bool many(int body) { return calls_.many(calls_.island_of(body)); }
-  /// Multiplications in this step, of all islands of many contacts that had substeps.
-  double price_of_substeps(const World& world) {
-    double price = 0;
-    for (const Body& body : world.bodies)
-      if (body.movable() && calls_.island_of(body.index) == body.index && calls_.many(body.index) &&
-          moved_by(body.index) == MovedBy::substeps)
-        price += savings.of_contact * calls_.contacts(body.index);
-    return price;
-  }
-
- protected:
-  void find_substeps(IslandWorld& island, Memory& memory, const World& whole, Real dt, int sweeps) override {
-    ByIsland::find_substeps(island, memory, whole, dt, sweeps);
-    if (!calls_.many(island.lowest())) return;
-    tries.push_back({island.solver().most_work, island.solver().work(),
-                     savings.of_contact * calls_.contacts(island.lowest()), island.solver().from_afar, island.held});
-  }
+/// A try of half steps in an island with many contacts.
+struct Try {
+  double allowed, work, price;  // multiplications; of the substeps that it replaces
+  bool falls_back, held;
 };
+std::vector<Try> tries_of(const IslandSolver& solver) {
+  std::vector<Try> tries;
+  for (std::size_t i = 0; i < solver.islands().size(); ++i) {
+    const IslandWorld& island = solver.islands()[i];
+    if (!solver.classifier().many_contacts(island.lowest())) continue;
+    const HalfStep& half_step = island.half_step;
+    tries.push_back({half_step.most_work, half_step.work(),
+                     WorkBudgets::price(island.lowest(), solver.classifier(), solver.budget),
+                     half_step.fall_back_to_full_solve, island.held});
+  }
+  return tries;
+}
+/// Multiplications in this step, of all islands with many contacts that had substeps.
+double price_of_substeps(const World& world, const IslandSolver& solver) {
+  StepClassifier islands = solver.classifier();
+  double price = 0;
+  for (const Body& body : world.bodies)
+    if (body.movable() && islands.island_of(body.index) == body.index && islands.many_contacts(body.index) &&
+        solver.step_of(body.index) == StepType::substeps)
+      price += WorkBudgets::price(body.index, islands, solver.budget);
+  return price;
+}
 
 /// For ten seconds, from a start that is a little off.
 void rests(int boxes, int start) {
@@ -54,11 +49,11 @@ void rests(int boxes, int start) {
   Random random(static_cast<std::uint64_t>(start));
   for (Body& body : world.bodies)
     if (body.movable()) body.position += random.vector(Real(1e-6));
-  ByIsland solver;
+  IslandSolver solver;
   int by_half_steps = 0;
   for (int i = 0; i < 600; ++i) {
     world.step(solver, h);
-    for (const Body& body : world.bodies) by_half_steps += solver.moved_by(body.index) == MovedBy::half_steps;
+    for (const Body& body : world.bodies) by_half_steps += solver.step_of(body.index) == StepType::half_steps;
   }
   CHECK(by_half_steps == 600 * boxes);
   Real fastest = 0;
@@ -70,17 +65,17 @@ void rests(int boxes, int start) {
 }  // namespace
 
 TEST_CASE("savings: they are shared out equally, and bounded; nobody has debts; who fails is to need more next time") {
-  Purse island;
-  for (const double saved : {100.0, 20.0, 0.0}) island.add(Purse(saved));
+  WorkBudget island;
+  for (const double saved : {100.0, 20.0, 0.0}) island.add(WorkBudget(saved));
   for (int i = 0; i < 3; ++i) CHECK(island.share().saved() == 40);
-  Purse failed(1000);
+  WorkBudget failed(1000);
   CHECK(failed.can_pay(1000));
   failed.fail(10, 20);
   CHECK_FALSE(failed.can_pay(900));
   failed.succeed(0, 1e9);
   CHECK(failed.can_pay(900));
 
-  Purse purse(50);
+  WorkBudget purse(50);
   purse.save(30, 100);
   CHECK(purse.saved() == 80);
   purse.save(30, 100);
@@ -107,16 +102,17 @@ TEST_CASE("by island: stacks have half steps all the time, and rest, from thirty
 
 TEST_CASE("by island: a heap that tumbles has substeps") {
   World world = falling_heap();
-  Watched solver;
+  IslandSolver solver;
   int tumble = 0, rest = 0;
   for (int i = 0; i < 120; ++i) {
     const std::vector<Body> before = world.bodies;
     world.step(solver, h);
+    StepClassifier islands = solver.classifier();
     for (const Body& body : before) {
-      if (!body.movable() || !solver.many(body.index)) continue;
+      if (!body.movable() || !islands.many_contacts(islands.island_of(body.index))) continue;
       const bool turns = body.angular_velocity.norm() * h > solver.limits.turn;
       (turns ? tumble : rest) += 1;
-      if (turns) CHECK(solver.moved_by(body.index) == MovedBy::substeps);
+      if (turns) CHECK(solver.step_of(body.index) == StepType::substeps);
     }
   }
   CHECK(tumble > 1000);
@@ -125,24 +121,24 @@ TEST_CASE("by island: a heap that tumbles has substeps") {
 
 TEST_CASE("by island: what half steps take of a heap that falls and comes to rest is bounded by what substeps take") {
   World world = falling_heap();
-  Watched solver;
+  IslandSolver solver;
   double all = 0, alone = 0, overrun = 0;
   int failed = 0, held = 0;
-  const double at_first = 64 * solver.savings.at_first * solver.savings.of_contact;
+  const double at_first = 64 * solver.budget.at_first * solver.budget.per_contact;
   for (int i = 0; i < 600; ++i) {
     world.step(solver, h);
-    const double price = solver.price_of_substeps(world);
+    const double price = price_of_substeps(world, solver);
     alone += price;
     all += price;
-    for (const auto& tried : solver.tries) {
-      CHECK(tried.allowed <= solver.savings.at_once * tried.price);
-      CHECK_FALSE(tried.from_afar);
-      overrun = std::max(overrun, tried.took / tried.allowed);
-      all += std::min(tried.took, tried.allowed);
+    for (const Try& tried : tries_of(solver)) {
+      CHECK(tried.allowed <= solver.budget.at_once * tried.price);
+      CHECK_FALSE(tried.falls_back);
+      overrun = std::max(overrun, tried.work / tried.allowed);
+      all += std::min(tried.work, tried.allowed);
       if (tried.held) alone += tried.price;
       ++(tried.held ? held : failed);
     }
-    CHECK(all <= (1 + solver.savings.part) * alone + at_first);
+    CHECK(all <= (1 + solver.budget.fraction) * alone + at_first);
   }
   CHECK(failed > 0);
   CHECK(held > 0);
@@ -158,7 +154,7 @@ TEST_CASE("by island: the first step of touching balls stays within its bound, h
       world.add(sphere(Real(0.5), 1)
                     .at({static_cast<Real>(i % across), static_cast<Real>(i / across / across) + Real(0.5),
                          static_cast<Real>(i / across % across)}));
-    Watched solver;
+    IslandSolver solver;
     world.step(solver, h);
     REQUIRE(solver.tries.size() == 1);
     const Watched::Try first = solver.tries.front();

@@ -3,7 +3,7 @@
 
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/engine/islands/by_island.h"
+#include "pushback/engine/islands/island_solver.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 
@@ -30,7 +30,7 @@ TEST_CASE("by island: a capsule that rolls over the seams of tiles gains no ener
     body.oriented(Quat::FromTwoVectors(Vec3::UnitY(), Vec3(-axis)));
     body.at(from + Vec3(0, radius - Real(1e-5), 0)).moving(speed * along).spinning(speed / radius * axis);
     const auto which = static_cast<std::size_t>(world.add(body.rough(Real(0.2))));
-    ByIsland solver;
+    IslandSolver solver;
     const auto energy = [&world] { return kinetic_energy(world) + potential_energy(world); };
     const Real begun = energy(), freed = Real(1e-4) / world.bodies[which].inverse_mass * World::g;
     for (int i = 0; i < 150; ++i) {

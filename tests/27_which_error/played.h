@@ -6,14 +6,14 @@
 #include <functional>
 
 #include "pushback/chapters/19_accuracy_and_time/true_places.h"
-#include "pushback/engine/islands/within_error.h"
+#include "pushback/engine/islands/island_solver.h"
 #include "tests/support/yardstick.h"
 
 namespace pushback::which_error_tests {
 
-inline WithinError within(Real error) {
-  WithinError solver;
-  solver.many.threshold = solver.few.threshold = 0;  // bounces are compared at every speed
+inline IslandSolver within(Real error) {
+  IslandSolver solver;
+  solver.substep_solver.threshold = solver.contact_half_step.threshold = 0;  // bounces are compared at every speed
   solver.error = error;
   return solver;
 }
@@ -43,11 +43,11 @@ struct Fared {
   bool said = true;  // that each step was within it
 };
 inline Fared fare(World world, Real error, const std::vector<Places>& truth) {
-  WithinError solver = within(error);
+  IslandSolver solver = within(error);
   Fared fared;
   for (const Places& places : truth) {
     world.step(solver, h);
-    for (const Body& body : world.bodies) fared.said &= solver.known(body.index).kept;
+    for (const Body& body : world.bodies) fared.said &= solver.error_of(body.index).kept;
     fared.off = std::max(fared.off, farthest(world, places) / error);
   }
   return fared;

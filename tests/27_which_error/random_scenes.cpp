@@ -63,7 +63,7 @@ World random_chain(Random& random) {
 }
 /// In 64 steps of fourth order, 320 half steps, to each of World::step.
 std::vector<Places> true_places(World world, int substeps) {
-  Composed<Suzuki> step;
+  HalfStep step = composed();
   step.substeps = substeps;
   step.tolerance = Real(1e-12);
   std::vector<Places> places;

@@ -2,7 +2,7 @@
 #include "tests/support/thrown.h"
 
 #include "pushback/common/world/any_solver.h"
-#include "pushback/engine/half_step/at_impacts.h"
+#include "pushback/engine/half_step/half_step.h"
 #include "pushback/engine/presets.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
@@ -10,7 +10,7 @@
 using namespace pushback;
 
 TEST_CASE("thrown bodies: no end is let in by more than a millimetre, elastic ones keep their energy") {
-  AtImpacts cut;
+  HalfStep cut = at_impacts();
   cut.impacts = Impacts::sequential;
   cut.substeps = 2;
   for (const auto& [name, solver] :
@@ -30,7 +30,7 @@ TEST_CASE("thrown bodies: no impact gives energy, however rough and elastic") {
   for (std::uint64_t seed = 0; seed < 120; ++seed) {
     INFO("seed " << seed);
     World world = thrown(seed).world;
-    AtImpacts solver;
+    HalfStep solver = at_impacts();
     solver.impacts = Impacts::sequential;
     const Real first = kinetic_energy(world);
     for (Body& body : world.bodies) body.bouncy(1).rough(Real(0.5));

@@ -1,5 +1,5 @@
 /// Chapter 27: what is known of an error, beside the truth; whether it is kept; and what that takes.
-#include "pushback/engine/islands/within_error.h"
+#include "pushback/engine/islands/island_solver.h"
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/15_limits_motors_springs/limits.h"
@@ -39,9 +39,9 @@ World loaded_plate(Real speed, Real mu) {
                   .rough(4));
   return world;
 }
-WithinError by_substeps_alone(Real error) {
-  WithinError solver = within(error);
-  solver.savings.at_first = solver.savings.part = 0;  // nobody can pay for half steps
+IslandSolver by_substeps_alone(Real error) {
+  IslandSolver solver = within(error);
+  solver.budget.at_first = solver.budget.fraction = 0;  // nobody can pay for half steps
   return solver;
 }
 
@@ -54,27 +54,24 @@ TEST_CASE("within an error: Runge's estimate of a step is what the step is off, 
     for (const Real error : {Real(1e-3), Real(1e-5)}) {
       World world;
       motion.begin(world);
-      WithinError solver = within(error);
-      solver.looks_every = 1;
+      IslandSolver solver = within(error);
+      solver.check_every = 1;
       const bool joints = !world.joints.empty();
       const bool decides = motion.name == "sliding" || motion.name == "rolling";  // once, in one of their steps
       for (int frame = 0; frame < motion.frames(); ++frame) {
         World truth = world;
         world.step(solver, h);
         int substeps = 0;
-        for (const Body& body : world.bodies) substeps = std::max(substeps, solver.known(body.index).substeps);
+        for (const Body& body : world.bodies) substeps = std::max(substeps, solver.error_of(body.index).substeps);
         if (substeps == 0 || (frame % 12 != 3 && !decides)) continue;
-        Composed<Suzuki> fourth_order;
-        AtImpacts cut_step;
-        cut_step.impacts = Impacts::sequential;
-        HalfStep& step = joints ? fourth_order : static_cast<HalfStep&>(cut_step);
-        step.set_as(joints ? solver.joined : solver.few);
+        HalfStep step = joints ? composed() : at_impacts(Impacts::sequential);
+        static_cast<HalfStepSettings&>(step) = joints ? solver.joint_half_step : solver.contact_half_step;
         step.substeps = (joints ? 16 : 64) * substeps;  // each of fourth order is five
         step.tolerance = Real(1e-12);
         step.most_work = 1e12;
         truth.step(step, h);
         const auto [off, body] = farthest_in_half_a_second(world, truth);
-        const Known known = solver.known(body);
+        const BodyError known = solver.error_of(body);
         constexpr Real rounding =
             Real(2e-9);  // m: of 64 times as many half steps, in places and in half a second of speed
         if (off < rounding && known.step < rounding) continue;
@@ -115,8 +112,8 @@ TEST_CASE("within an error: an infinite one is chapter 26, to the bit") {
   World world;
   to_each_its_own_scenes::Yard{}(world);
   World by_island = world;
-  WithinError solver;
-  ByIsland other;
+  IslandSolver solver;
+  IslandSolver other;
   for (int i = 0; i < 120; ++i) {
     world.step(solver, h);
     by_island.step(other, h);
@@ -129,13 +126,13 @@ TEST_CASE("within an error: what one island is known to need is nothing to anoth
   Chain{.pin = {20, 0, 0}}(both);
   const int ball = both.add(sphere(Real(0.3), 10).at(alone.bodies[0].position));
   both.joints.push_back(ball_and_socket(both, the_world, ball, Vec3::Zero()));
-  WithinError of_one = within(Real(1e-4)), of_both = of_one;
+  IslandSolver of_one = within(Real(1e-4)), of_both = of_one;
   for (int i = 0; i < 240; ++i) {
     alone.step(of_one, h);
     both.step(of_both, h);
     REQUIRE(both.body(ball).position == alone.bodies[0].position);
-    REQUIRE(of_both.known(ball).substeps == of_one.known(0).substeps);
-    REQUIRE(of_both.known(ball).order == of_one.known(0).order);
+    REQUIRE(of_both.error_of(ball).substeps == of_one.error_of(0).substeps);
+    REQUIRE(of_both.error_of(ball).order == of_one.error_of(0).order);
   }
 }
 
@@ -143,8 +140,8 @@ TEST_CASE("within an error: the same bits with any number of threads") {
   const auto after = [](std::shared_ptr<Workers> crew) {
     World world;
     to_each_its_own_scenes::Yard{}(world);
-    WithinError solver = within(Real(1e-4));
-    solver.many.crew = std::move(crew);
+    IslandSolver solver = within(Real(1e-4));
+    solver.substep_solver.crew = std::move(crew);
     for (int i = 0; i < 90; ++i) world.step(solver, h);
     return hash_of(world);
   };
@@ -156,15 +153,15 @@ TEST_CASE("within an error: a chain that whips keeps its energy, has many subste
   for (const Real error : {Real(1e-3), Real(1e-4)}) {
     World world;
     Chain{}(world);
-    WithinError solver = within(error);
+    IslandSolver solver = within(error);
     Real mass = 0, worst = 0;
     for (const Body& body : world.bodies) mass += 1 / body.inverse_mass;
     int most = 0, least_since = 1000;
     for (int i = 0; i < 600; ++i) {
       const Real motion = kinetic_energy(world), before = motion + potential_energy(world);
       world.step(solver, h);
-      const Known known = solver.known(0);
-      REQUIRE(known.how == MovedBy::half_steps);
+      const BodyError known = solver.error_of(0);
+      REQUIRE(known.how == StepType::half_steps);
       CHECK(known.kept);
       const Real larger = std::max(kinetic_energy(world), motion);
       const Real off = std::abs(kinetic_energy(world) + potential_energy(world) - before);
@@ -184,14 +181,14 @@ TEST_CASE(
   constexpr Real speed = 4, mu = Real(0.3);
   for (const Real error : {Real(1e-2), Real(1e-3), Real(1e-4)}) {
     World world = loaded_plate(speed, mu);
-    WithinError solver = by_substeps_alone(error);
+    IslandSolver solver = by_substeps_alone(error);
     Real largest = 0;
     bool said = true;
     for (int i = 1; i <= 60; ++i) {
-      const int substeps = std::max(1, solver.known(1).substeps);
+      const int substeps = std::max(1, solver.error_of(1).substeps);
       world.step(solver, h);
-      const Known known = solver.known(1);
-      REQUIRE(known.how == MovedBy::substeps);
+      const BodyError known = solver.error_of(1);
+      REQUIRE(known.how == StepType::substeps);
       const Real t = static_cast<Real>(i) * h, off = speed * t - mu * g * t * t / 2 - world.bodies[1].position.x();
       if (i > 30 && known.substeps == substeps)
         CHECK(known.step == Approx(mu * g * h * h / 2 / substeps).epsilon(0.01));
@@ -231,14 +228,14 @@ TEST_CASE("within an error: a pyramid that settles on springs stays within it, a
   World world;
   pyramid(world, 12);
   const World begun = world;
-  WithinError solver;
+  IslandSolver solver;
   solver.error = Real(1e-3);
-  solver.savings.at_first = solver.savings.part = 0;  // no half steps
+  solver.budget.at_first = solver.budget.fraction = 0;  // no half steps
   const int top = world.bodies.back().index;
   const auto off = [&](int body) { return (world.body(body).position - begun.body(body).position).norm(); };
   for (int i = 0; i < 60; ++i) {
     world.step(solver, h);
-    REQUIRE(solver.moved_by(top) == MovedBy::substeps);
+    REQUIRE(solver.step_of(top) == StepType::substeps);
     for (const Body& body : world.bodies) CHECK(off(body.index) <= solver.error);
     CHECK(sunken(world, [](int) { return true; }) == Approx(off(top)).epsilon(0.25));
   }
@@ -268,7 +265,7 @@ TEST_CASE("within an error: no step in which something bounces is said to be kep
     const int ball = world.add(capsule(Real(0.25), Real(0.5), 30).turned(1, {1, 2, 3}).at({0, 2, 0}).bouncy(Real(0.8)));
     for (int i = 0; piled && i < 12; ++i)
       world.add(box({Real(0.3), Real(0.3), Real(0.3)}, 10).turned(Real(i), {1, 2, 3}).at({0, 3 + Real(i), 0}));
-    WithinError solver;
+    IslandSolver solver;
     solver.error = Real(1e-3);
     int bounces = 0;
     for (int step = 0; step < 120; ++step) {
@@ -278,7 +275,7 @@ TEST_CASE("within an error: no step in which something bounces is said to be kep
         const bool touches = contact.id.body_a == std::uint32_t(ball) || contact.id.body_b == std::uint32_t(ball);
         if (!touches || contact.impulse.isZero(0) || separating_speed(before, contact) > Real(-0.2)) continue;
         ++bounces;
-        CHECK_FALSE(solver.known(ball).kept);
+        CHECK_FALSE(solver.error_of(ball).kept);
       }
     }
     CHECK(bounces > 1);
@@ -286,9 +283,9 @@ TEST_CASE("within an error: no step in which something bounces is said to be kep
 }
 
 TEST_CASE("within an error: settings that cannot be used are named, and nothing has changed") {
-  const auto refused = [](const std::string& said, const std::function<void(WithinError&)>& change) {
+  const auto refused = [](const std::string& said, const std::function<void(IslandSolver&)>& change) {
     World world = loaded_plate(4, Real(0.3));
-    WithinError solver = within(Real(1e-3));
+    IslandSolver solver = within(Real(1e-3));
     change(solver);
     const std::uint64_t before = hash_of(world);
     const std::string words = complaint([&] { world.step(solver, h); });
@@ -297,11 +294,11 @@ TEST_CASE("within an error: settings that cannot be used are named, and nothing 
     CHECK(hash_of(world) == before);
     CHECK(world.time == 0);
   };
-  refused("error is 0: a length above 0", [](WithinError& s) { s.error = 0; });
-  refused("error is nan: a length above 0", [](WithinError& s) { s.error = std::numeric_limits<Real>::quiet_NaN(); });
-  refused("looks_every is 0: a whole number, 1 or more", [](WithinError& s) { s.looks_every = 0; });
-  refused("most_of_many is 2: 4 or more", [](WithinError& s) { s.most_of_many = 2; });
-  refused("energy is 0", [](WithinError& s) { s.energy = 0; });
+  refused("error is 0: a length above 0", [](IslandSolver& s) { s.error = 0; });
+  refused("error is nan: a length above 0", [](IslandSolver& s) { s.error = std::numeric_limits<Real>::quiet_NaN(); });
+  refused("looks_every is 0: a whole number, 1 or more", [](IslandSolver& s) { s.check_every = 0; });
+  refused("most_of_many is 2: 4 or more", [](IslandSolver& s) { s.most_substeps = 2; });
+  refused("energy is 0", [](IslandSolver& s) { s.energy = 0; });
 }
 
 TEST_CASE("What is joined and meets something by substeps is not said to be kept") {
@@ -312,13 +309,13 @@ TEST_CASE("What is joined and meets something by substeps is not said to be kept
   pendulum(world);
   world.joints.push_back(angle_limits(world, the_world, 0, Vec3::UnitZ(), Real(-3), Real(3)));
   const std::vector<Places> truth = pendulum.truth(60);
-  WithinError solver;
+  IslandSolver solver;
   solver.error = Real(3e-2);
-  solver.many.threshold = 0;
+  solver.substep_solver.threshold = 0;
   int unkept = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     world.step(solver, Real(1) / 60, 1);
-    unkept += solver.known(1).kept ? 0 : 1;
+    unkept += solver.error_of(1).kept ? 0 : 1;
     const Real off = (world.bodies[1].position - truth[i][1].cast<Real>()).norm();
     INFO("step " << i << ", off by " << off);
     if (unkept == 0) REQUIRE(off < solver.error);
@@ -347,7 +344,7 @@ TEST_CASE("A step that half steps divide by themselves is not compared with one 
   for (const Real error : {Real(1e-3), Real(1e-4), Real(1e-5)}) {
     World world;
     top(world);
-    WithinError solver;
+    IslandSolver solver;
     solver.error = error;
     Real off = 0;
     for (int i = 1; i <= 60; ++i) {
@@ -355,7 +352,7 @@ TEST_CASE("A step that half steps divide by themselves is not compared with one 
       const Real t = static_cast<Real>(i) / 60;
       off = std::max(off, (world.bodies[0].position - half_step_scenes::Top::stem * top.axis(t)).norm());
     }
-    INFO("within " << error << ": off by " << off << ", known " << solver.known(0).place);
+    INFO("within " << error << ": off by " << off << ", known " << solver.error_of(0).place);
     CHECK(off < error);
   }
 }

@@ -7,7 +7,7 @@
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/common/basics/input.h"
-#include "pushback/engine/islands/by_island.h"
+#include "pushback/engine/islands/island_solver.h"
 #include "pushback/tools/bench/in_turn.h"
 #include "pushback/tools/catalogue/catalogue.h"
 
@@ -74,14 +74,14 @@ void islands(benchmark::State& state, const NamedScene& named) {
         named.fill(at_once);
         World divided = at_once;
         Wide<Real> one;
-        ByIsland own;
+        IslandSolver own;
         for (std::size_t i = 0; i < steps.count(); ++i) {
           steps.round(i, {[&] { at_once.step(one, dt); }, [&] { divided.step(own, dt); }});
           for (const Body& body : divided.bodies) {
             if (!body.movable()) continue;
             ++moved;
-            flying += own.moved_by(body.index) == MovedBy::flight ? 1 : 0;
-            in_half_steps += own.moved_by(body.index) == MovedBy::half_steps ? 1 : 0;
+            flying += own.step_of(body.index) == StepType::flight ? 1 : 0;
+            in_half_steps += own.step_of(body.index) == StepType::half_steps ? 1 : 0;
           }
         }
       }

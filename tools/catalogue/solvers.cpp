@@ -14,7 +14,7 @@
 #include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/engine/direct/direct_joints.h"
-#include "pushback/engine/islands/by_island.h"
+#include "pushback/engine/islands/island_solver.h"
 #include "pushback/engine/substeps/wide.h"
 
 namespace pushback {
@@ -76,7 +76,7 @@ const std::vector<NamedSolver>& all_solvers() {
                           "14 joints 20 times with a friction cone, contacts detected and rows built once in a step"),
       named<Wide<Real>>("22 wide",
                         "21 detected once, contacts solved eight pairs of bodies at a time, joints directly"),
-      named<ByIsland>(
+      named<IslandSolver>(
           "26 by island",
           "each island by its own step: flight, half steps where contacts are few or joints form a tree, else 22 wide"),
       dispatched<Substeps<SteadyJointedSolver>>(

@@ -5,7 +5,7 @@
 #include "pushback/chapters/12_soft_contacts/soft_contacts.h"
 #include "pushback/common/world/forwarding_solver.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/engine/islands/by_island.h"
+#include "pushback/engine/islands/island_solver.h"
 #include "pushback/engine/substeps/wide.h"
 #include "pushback/tools/catalogue/solvers.h"
 #include "pushback/tools/measure/hard_cases/finite.h"
@@ -159,7 +159,7 @@ struct FeltWhole : Full {
   }
 };
 /// Each island by its own step: within that of the many, too, is felt.
-struct FeltIslands : ByIsland {
+struct FeltIslands : IslandSolver {
   FeltWhole<Wide<Real>> felt;
 
  private:
@@ -179,7 +179,7 @@ FuzzResult islands(const RandomScene& scene, bool log) {
   Watched watched(scene);
   FeltIslands solver;
   solver.felt.watcher = &watched.watcher;
-  return watched.run(solver, 1, solver.plan(scene.dt).sweeps, solver.many.substeps, log, nothing);
+  return watched.run(solver, 1, solver.plan(scene.dt).sweeps, solver.substep_solver.substeps, log, nothing);
 }
 
 struct FuzzedStage {

@@ -6,7 +6,7 @@
 #include "pushback/chapters/19_accuracy_and_time/seat.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/engine/direct/warm_direct_contacts.h"
-#include "pushback/engine/islands/by_island.h"
+#include "pushback/engine/islands/island_solver.h"
 
 namespace pushback {
 
@@ -92,8 +92,8 @@ class Doubled : public CallByCall {
 Stepper steps_by(AnySolver solver) {
   const auto held = std::make_shared<AnySolver>(std::move(solver));
   Stepper stepper{[held](World& world, Real dt) { world.step(*held, dt); }};
-  if (const auto* by_island = held->as<ByIsland>())
-    stepper.half_steps = [held, by_island](int body) { return by_island->moved_by(body) != MovedBy::substeps; };
+  if (const auto* by_island = held->as<IslandSolver>())
+    stepper.half_steps = [held, by_island](int body) { return by_island->step_of(body) != StepType::substeps; };
   return stepper;
 }
 
@@ -128,7 +128,7 @@ const std::vector<Stage>& stages() {
     std::vector<Stage> list;
     for (const NamedSolver& solver : all_solvers()) {
       list.push_back({solver});
-      list.back().half_steps = solver.solver.as<ByIsland>() != nullptr;
+      list.back().half_steps = solver.solver.as<IslandSolver>() != nullptr;
     }
     return list;
   }();

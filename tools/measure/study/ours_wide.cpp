@@ -1,8 +1,7 @@
 /// The program `motion_wide`: the solvers that divide each step themselves play the motions.
 #include "pushback/chapters/21_detected_once/detected_once.h"
-#include "pushback/engine/half_step/at_impacts.h"
-#include "pushback/engine/half_step/composition.h"
-#include "pushback/engine/islands/within_error.h"
+#include "pushback/engine/half_step/half_step.h"
+#include "pushback/engine/islands/island_solver.h"
 #include "pushback/engine/substeps/wide.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/ours.h"
@@ -12,55 +11,79 @@ using namespace pushback;
 namespace {
 
 /// Springs that are as hard as the substeps allow, beyond 240 Hz.
-struct WideAndStiff : Wide<double> {
-  WideAndStiff() { spring.hertz = Real(1e6); }
-};
+/// A solver that is to divide each 1/60 s by itself, for so many substeps.
+using Divided = std::function<AnySolver(int substeps)>;
 
 template <class ContactSolver>
-constexpr bool is_half_step = std::derived_from<ContactSolver, HalfStep>;
-
-/// For so many substeps.
-template <class ContactSolver>
-ContactSolver divided(int substeps) {
-  ContactSolver solver;
-  if constexpr (std::derived_from<ContactSolver, ByIsland>) solver.many.threshold = solver.few.threshold = 0;
-  else solver.threshold = 0;  // bounces are compared at every speed
-  if constexpr (std::same_as<ContactSolver, WithinError>) solver.error = Real(1e-3) / static_cast<Real>(substeps);
-  else if constexpr (std::same_as<ContactSolver, ByIsland>) solver.few.substeps = substeps;
-  else solver.substeps = substeps;
+Divided divided(ContactSolver solver) {
+  return [solver](int substeps) mutable {
+    solver.threshold = 0;  // bounces are compared at every speed
+    solver.substeps = substeps;
+    return AnySolver(solver);
+  };
+}
+IslandSolver islands() {
+  IslandSolver solver;
+  solver.substep_solver.threshold = solver.contact_half_step.threshold = 0;
+  return solver;
+}
+AnySolver by_island(int substeps) {
+  IslandSolver solver = islands();
+  solver.contact_half_step.substeps = substeps;
+  return solver;
+}
+AnySolver within(int substeps) {
+  IslandSolver solver = islands();
+  solver.error = Real(1e-3) / static_cast<Real>(substeps);
+  return solver;
+}
+Wide<double> stiff() {
+  Wide<double> solver;
+  solver.spring.hertz = Real(1e6);
   return solver;
 }
 
-template <class ContactSolver>
-Method method(const std::string& name, const std::string& title) {
+bool any(const Motion&) {
+  return true;
+}
+bool without_pins(const Motion& motion) {
+  return motion.pins.empty();
+}
+bool without_contacts(const Motion& motion) {
+  return !has_contacts(motion);
+}
+
+/// `joints`: whether it sweeps over them. `half_steps`: it has no sweeps at all.
+Method method(const std::string& name, const std::string& title, const Divided& solver, bool joints = false,
+              bool (*plays)(const Motion&) = any, bool half_steps = false) {
   return {.name = name,
           .title = title,
-          .plays =
-              [](const Motion& motion) {
-                if constexpr (std::derived_from<ContactSolver, Composed<Suzuki>>) return !has_contacts(motion);
-                return !std::same_as<ContactSolver, WideAndStiff> || motion.pins.empty();
-              },
-          .begin = [](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            const bool sweeps_joints = motion.pins.empty() || std::is_same_v<ContactSolver, DetectedOnce>;
+          .plays = plays,
+          .begin = [=](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
             return std::make_unique<Ours>(
-                motion, setting, divided<ContactSolver>(setting.substeps),
-                Stepping{.divides = true, .counts_rows = !is_half_step<ContactSolver> && sweeps_joints});
+                motion, setting, solver(setting.substeps),
+                Stepping{.divides = true, .counts_rows = !half_steps && (motion.pins.empty() || joints)});
           },
-          .sweeps = !is_half_step<ContactSolver>};
+          .sweeps = !half_steps};
+}
+Method half_steps(const std::string& name, const std::string& title, const HalfStep& solver,
+                  bool (*plays)(const Motion&) = any) {
+  return method(name, title, divided(solver), false, plays, true);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<Method> methods{method<DetectedOnce>("once", "detected once"),
-                                    method<Wide<double>>("wide", "detected once, wide"),
-                                    method<Wide<float>>("wide-float", "detected once, wide, rows in float"),
-                                    method<WideAndStiff>("wide-stiff", "detected once, wide, springs without a limit"),
-                                    method<ByIsland>("by-island", "each island by what it calls for"),
-                                    method<WithinError>("within", "within 1 mm, divided by these substeps"),
-                                    method<HalfStep>("half-step", "kick, drift, kick"),
-                                    method<Composed<Suzuki>>("order-4", "five of these, of fourth order"),
-                                    method<AtImpacts>("impact", "kick, drift, kick, cut at impacts")};
+  const std::vector<Method> methods{
+      method("once", "detected once", divided(DetectedOnce{}), true),
+      method("wide", "detected once, wide", divided(Wide<double>{})),
+      method("wide-float", "detected once, wide, rows in float", divided(Wide<float>{})),
+      method("wide-stiff", "detected once, wide, springs without a limit", divided(stiff()), false, without_pins),
+      method("by-island", "each island by what it calls for", by_island),
+      method("within", "within 1 mm, divided by these substeps", within),
+      half_steps("half-step", "kick, drift, kick", HalfStep{}),
+      half_steps("order-4", "five of these, of fourth order", composed(), without_contacts),
+      half_steps("impact", "kick, drift, kick, cut at impacts", at_impacts())};
   return play_program(argc, argv, "Plays a motion by the solvers that divide each 1/60 s themselves.",
                       fmt::format("Pushback, steps divided by the solver; {}", built_by()), methods);
 }
