@@ -179,11 +179,11 @@ int main(int argc, char** argv) {
           to.x.push_back(static_cast<Real>(count));
           to.y.push_back(1000 * largest_error(chain, of_chain.places, solver));
         };
-        auto composed = in_substeps(count, composed());
-        composed.tolerance = least_tolerance;  // or the rods' own error would be seen
+        HalfStep fourth = in_substeps(count, composed());
+        fourth.tolerance = least_tolerance;  // or the rods' own error would be seen
         add(links[0], Substeps(Whole{}, count));
         add(links[1], in_substeps(count));
-        add(links[2], composed);
+        add(links[2], fourth);
       }
       e.panel({.title = "ten links and a hundredfold ball",
                .x_label = "substeps in 1/60 s",

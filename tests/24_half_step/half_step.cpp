@@ -354,7 +354,7 @@ TEST_CASE("half step: what it does not do is refused by name, and nothing has ch
   refused("a motor", fourth, join([](World& w) { return motor_at_speed(w, the_world, 0, Vec3::UnitZ(), 1, 5); }));
   refused("composed step goes back in time", fourth,
           [](World& world) { world.add(half_space(Vec3::UnitX()).at({Real(0.81), 0, 0})); });
-  const auto wrong = [&](const std::string& name, auto HalfStep::* setting, auto value) {
+  const auto wrong = [&](const std::string& name, auto HalfStepSettings::* setting, auto value) {
     HalfStep with;
     with.*setting = static_cast<std::remove_reference_t<decltype(with.*setting)>>(value);
     refused(name, with, [](World& world) { world.add(half_space(Vec3::UnitX()).at({Real(0.81), 0, 0})); });

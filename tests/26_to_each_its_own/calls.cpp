@@ -37,14 +37,14 @@ Contacts below_the_first(int count, Real depth = 0) {
   return contacts;
 }
 void find(StepClassifier& calls, const World& world, const Contacts& contacts) {
-  calls.find(world, contacts, h, threshold, {});
+  calls.classify(world, contacts, h, threshold, {});
 }
 /// What body 1 is moved by, the contacts being those that there are.
 StepType called_by_first(World world) {
   world.find_contacts({.least = Real(0.02), .ahead = h});
   StepClassifier calls;
   find(calls, world, world.contacts);
-  return calls.of(1);
+  return calls.step_of(1);
 }
 /// Two balls on a rod each, one below the other, high above all else.
 World pendulum() {
@@ -63,9 +63,9 @@ TEST_CASE("calls: one that is near the limit stays what it is") {
   StepClassifier calls;
   const auto many = [&](int contacts) {
     find(calls, world, below_the_first(contacts));
-    CHECK(calls.of(1) == StepType::half_steps);  // it is calm
+    CHECK(calls.step_of(1) == StepType::half_steps);  // it is calm
     CHECK(calls.contacts(1) == contacts);
-    return calls.substep_solver(1);
+    return calls.many_contacts(1);
   };
   // Many contacts that were left to substeps stay many until there are few.
   CHECK(many(9));
@@ -89,14 +89,14 @@ TEST_CASE(
   world.joints = {ball_and_socket(world, the_world, 1, {0, 1, 0})};
   StepClassifier calls;
   find(calls, world, {});
-  CHECK(calls.of(1) == StepType::half_steps);
+  CHECK(calls.step_of(1) == StepType::half_steps);
   CHECK_FALSE(calls.near(1));
   calls.leave_to_substeps(1);
   const auto call = [&](int contacts) {
     find(calls, world, below_the_first(contacts));
     CHECK(calls.near(1));
     CHECK(calls.contacts(1) == contacts);
-    return calls.of(1);
+    return calls.step_of(1);
   };
   CHECK(call(9) == StepType::substeps);  // at rest, too: joints and many contacts are not solved from what they bore
   CHECK(call(12) == StepType::substeps);
@@ -109,15 +109,15 @@ TEST_CASE(
 TEST_CASE("calls: many contacts have half steps while nothing arrives and nothing turns fast, few in any case") {
   World world = standing(1);
   StepClassifier calls;
-  const Limits limits;
+  const ClassifierLimits limits;
   const auto call = [&](int contacts, Real turn, Real arrives) {
     world.bodies[1].angular_velocity = {0, turn / h, 0};
     world.bodies[1].velocity = {0, -arrives, 0};
     calls.leave_to_substeps(1);
     find(calls, world, below_the_first(contacts, -Real(1e-4)));
-    return calls.of(1);
+    return calls.step_of(1);
   };
-  calls.find(world, {}, h, threshold, limits);
+  calls.classify(world, {}, h, threshold, limits);
   for (const int contacts : {8, 9, 100}) {
     CAPTURE(contacts);
     const StepType else_by = contacts > 8 ? StepType::substeps : StepType::half_steps;
@@ -133,12 +133,12 @@ TEST_CASE("calls: no contact is flight, however many islands there are, and what
   const World world = standing(3);
   StepClassifier calls;
   find(calls, world, below_the_first(4));
-  CHECK(calls.of(0) == StepType::none);
-  CHECK(calls.of(1) == StepType::half_steps);
-  CHECK(calls.of(2) == StepType::flight);
-  CHECK(calls.of(3) == StepType::flight);
-  CHECK(calls.of(4) == StepType::none);
-  CHECK(calls.of(1000) == StepType::none);
+  CHECK(calls.step_of(0) == StepType::none);
+  CHECK(calls.step_of(1) == StepType::half_steps);
+  CHECK(calls.step_of(2) == StepType::flight);
+  CHECK(calls.step_of(3) == StepType::flight);
+  CHECK(calls.step_of(4) == StepType::none);
+  CHECK(calls.step_of(1000) == StepType::none);
 }
 
 TEST_CASE("calls: the ground joins nobody, a contact between two that move does, and both have its many contacts") {
@@ -150,7 +150,7 @@ TEST_CASE("calls: the ground joins nobody, a contact between two that move does,
   find(calls, world, contacts);
   for (int body = 1; body <= 3; ++body) {
     CHECK(calls.island_of(body) == body);
-    CHECK(calls.of(body) == StepType::half_steps);
+    CHECK(calls.step_of(body) == StepType::half_steps);
   }
   StepClassifier anew;
   contacts.push_back(contact_of(1, 2, 0));
@@ -158,10 +158,10 @@ TEST_CASE("calls: the ground joins nobody, a contact between two that move does,
   CHECK(anew.island_of(2) == 1);
   CHECK(anew.contacts(1) == 9);
   CHECK(anew.contacts(3) == 4);
-  CHECK(anew.substep_solver(1));  // nobody had half steps
-  CHECK_FALSE(anew.substep_solver(3));
+  CHECK(anew.many_contacts(1));  // nobody had half steps
+  CHECK_FALSE(anew.many_contacts(3));
   find(calls, world, contacts);  // both had half steps
-  CHECK_FALSE(calls.substep_solver(1));
+  CHECK_FALSE(calls.many_contacts(1));
 }
 
 TEST_CASE("calls: many balls have half steps when they meet, many boxes do not") {
@@ -174,8 +174,8 @@ TEST_CASE("calls: many balls have half steps when they meet, many boxes do not")
   const auto call = [&] {
     StepClassifier calls;
     find(calls, world, row);
-    CHECK(calls.substep_solver(2));
-    return std::pair{calls.of(2), calls.impact(2)};
+    CHECK(calls.many_contacts(2));
+    return std::pair{calls.step_of(2), calls.impact(2)};
   };
   CHECK(call() == std::pair{StepType::half_steps, false});  // it is calm
   world.bodies[2].velocity.x() = 5;

@@ -156,15 +156,15 @@ TEST_CASE("by island: the first step of touching balls stays within its bound, h
                          static_cast<Real>(i / across % across)}));
     IslandSolver solver;
     world.step(solver, h);
-    REQUIRE(solver.tries.size() == 1);
-    const Watched::Try first = solver.tries.front();
+    REQUIRE(tries_of(solver).size() == 1);
+    const Try first = tries_of(solver).front();
     CHECK(first.held == (across == 4));
-    CHECK(first.took < 2 * first.allowed);  // the last matrix may exceed the bound, but is not larger than it
+    CHECK(first.work < 2 * first.allowed);  // the last matrix may exceed the bound, but is not larger than it
     if (across < 12) continue;
-    CHECK(first.took < 2 * first.price);  // a single matrix is too large, and is not made
+    CHECK(first.work < 2 * first.price);  // a single matrix is too large, and is not made
     for (int i = 0; i < 9; ++i) {         // nor tried again soon
       world.step(solver, h);
-      CHECK(solver.tries.empty());
+      CHECK(tries_of(solver).empty());
     }
   }
 }

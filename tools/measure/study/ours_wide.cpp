@@ -10,7 +10,6 @@ using namespace pushback;
 
 namespace {
 
-/// Springs that are as hard as the substeps allow, beyond 240 Hz.
 /// A solver that is to divide each 1/60 s by itself, for so many substeps.
 using Divided = std::function<AnySolver(int substeps)>;
 
@@ -37,6 +36,7 @@ AnySolver within(int substeps) {
   solver.error = Real(1e-3) / static_cast<Real>(substeps);
   return solver;
 }
+/// Springs that are as stiff as the substeps allow, beyond 240 Hz.
 Wide<double> stiff() {
   Wide<double> solver;
   solver.spring.hertz = Real(1e6);
