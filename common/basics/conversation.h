@@ -1,4 +1,4 @@
-/// A dialogue with another program: each question and each answer is one line.
+/// A dialogue with another program, in which each question and each answer is one line.
 #pragma once
 
 #include <sys/types.h>

@@ -12,7 +12,7 @@
 namespace pushback {
 
 /// The value below which a fraction p (0 ... 1) of the values lies. It has the index p (n - 1) among the n ascending values,
-/// interpolated linearly between neighbours. p = 0.5 is the median. Infinite values count too: every point between a finite and
+/// interpolated linearly between neighbours. p = 0.5 is the median. Infinite values count too, and every point between a finite and
 /// an infinite value is infinite. Throws InvalidInput for an empty list, a nan, a p outside 0 ... 1, and a point between -inf and
 /// inf.
 inline double quantile(std::vector<double> values, double p) {

@@ -1,4 +1,4 @@
-/// Work divided into independent parts: no part reads data that another part writes.
+/// Work divided into independent parts, none of which reads data that another part writes.
 #pragma once
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 
 namespace pushback {
 
-/// All bits of Body::touches, its default: the body touches every group.
+/// All bits of Body::touches. By default a body touches every group.
 inline constexpr std::uint32_t every_group = 0xFFFFFFFF;
 
 /// Position and velocity refer to the centre of mass, in world axes.
@@ -77,7 +77,7 @@ struct alignas(64) Body {
   }
 };
 
-/// Whether contacts between the two are detected: each must touch a group that the other belongs to.
+/// Whether contacts between the two are detected, because each touches a group that the other belongs to.
 inline bool may_touch(const Body& a, const Body& b) {
   return (a.touches & b.groups) != 0 && (b.touches & a.groups) != 0;
 }
@@ -89,7 +89,7 @@ Body capsule(Real radius, Real half_length, Real mass);
 /// The convex hull of the points (m), of uniform density. Throws InvalidInput unless there are 4 to 32 points that enclose a
 /// volume.
 ///
-/// At first every point is where it was given: the body's position is the centre of mass. If the axes of the points are not
+/// At first every point is where it was given, and the body's position is the centre of mass. If the axes of the points are not
 /// principal axes, the body's orientation gives the principal axes. at() therefore sets the position of the centre of mass,
 /// and turned() turns the solid about its centre of mass from the orientation in which it was given.
 Body hull(const std::vector<Vec3>& points, Real mass);

@@ -1,4 +1,4 @@
-// Finds the faces of a hull: every plane through three points that has no point beyond it contains one. The O(n^4) tests are
+// Finds the faces of a hull. Every plane through three points that has no point beyond it contains one. The O(n^4) tests are
 // few for the points of a stone, and a face with many corners is found as one face.
 #include <algorithm>
 #include <array>

@@ -24,7 +24,7 @@ void touch(const Placed<HalfSpace>& a, const Round& b, Manifold& found) {
   }
 }
 
-// The feature is the number of the corner: bit i is set if the corner lies on the positive side of axis i.
+// The feature is the number of the corner, whose bit i is set if the corner lies on the positive side of axis i.
 void touch(const Placed<HalfSpace>& a, const Placed<Box>& b, Manifold& found) {
   found.normal = a.axes * a.shape.normal;
   const Vec3& extents = b.shape.half_extents;

@@ -69,7 +69,7 @@ void touch(const Round& a, const Round& b, Manifold& found) {
   std::uint32_t feature = somewhere;
   const Real size = std::sqrt(segments.aa * segments.bb);
   if (size > 0 && a.half.cross(b.half).norm() < parallel * size) {
-    // Side by side: both ends of the stretch in which A lies next to B can touch.
+    // The cores lie side by side, so both ends of the stretch in which A lies next to B can touch.
     Real ends[2] = {segments.nearest_to_b(-1), segments.nearest_to_b(1)};
     if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
     const Real stretch = ends[1] - ends[0];

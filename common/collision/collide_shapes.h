@@ -62,8 +62,9 @@ inline Real rounding_of(Real size) {
   return 8 * std::numeric_limits<Real>::epsilon() * size;
 }
 
-/// Whether two shapes pass each other at a face: they overlap along its normal by no more than `clearly` (m), and the contact normal
-/// is more than 60 degrees from it. They then meet in a sliver at most, which can carry no load. So a box slides over flush tiles.
+/// Whether two shapes pass each other at a face. They do if they overlap along its normal by no more than `clearly` (m), and the
+/// contact normal is more than 60 degrees from it. Then they meet in a sliver at most, which can carry no load. A box therefore
+/// slides over flush tiles.
 inline bool passes_at_face(const Vec3& face, Real overlap, const Vec3& normal, Real clearly) {
   return overlap <= clearly && std::abs(face.dot(normal)) < Real(0.5);
 }
@@ -73,8 +74,8 @@ inline constexpr std::uint32_t somewhere = 0;      ///< the one point of a spher
 inline constexpr std::uint32_t lower_end = 1;      ///< the end towards -y of the (first) capsule's stretch in reach
 inline constexpr std::uint32_t upper_end = 2;      ///< the end towards +y
 inline constexpr std::uint32_t passing = 0x60000;  ///< of two shapes that pass each other
-/// A shape that slopes by less than this (the sine of about 1 degree) against its support lies flat: a capsule touches at two
-/// points, a box at up to four.
+/// A shape that slopes by less than this (the sine of about 1 degree) against its support lies flat. A capsule then touches at
+/// two points, a box at up to four.
 inline constexpr Real parallel = Real(0.02);
 
 // Each adds the points it finds to the manifold, whose normal points from the first argument to the second.

@@ -9,7 +9,7 @@
 
 namespace pushback {
 
-/// Identifies a contact point by its features, not by its position: the same corner, edge or face of the same two bodies has the
+/// Identifies a contact point by its features, not by its position. The same corner, edge or face of the same two bodies has the
 /// same id in the next step. Ids are ordered, so that one pass over both lists matches the contacts of two steps.
 struct ContactId {
   std::uint32_t body_a = 0;   ///< Body::index; body_a < body_b

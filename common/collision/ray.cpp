@@ -80,7 +80,7 @@ struct Inside {
     }
     return span;
   }
-  /// Convex, so the ray is inside from the first entry into one of the three parts to the last exit.
+  /// A capsule is convex, so the ray is inside from the first entry into one of the three parts to the last exit.
   Within operator()(const Capsule& c) const {
     Within all = Within::nowhere();
     for (const Within& part :

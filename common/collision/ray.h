@@ -33,8 +33,8 @@ void check(const Ray& ray);
 /// Where the ray enters the body, regardless of groups and skin; nullopt if it does not enter within its length.
 /// A ray that begins on a surface and leads out of the body does not hit it. Throws as check(ray).
 ///
-/// The solution has a closed form: a solid is an intersection of half-spaces, a ball, or for a capsule a cylinder between two
-/// balls, and the ray is inside each from one distance to another.
+/// The solution has a closed form, because a solid is an intersection of half-spaces, a ball, or for a capsule a cylinder between
+/// two balls, and the ray is inside each from one distance to another.
 /// Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986 (slabs); Haines, "Fast Ray-Convex Polyhedron Intersection",
 /// Graphics Gems II, 1991.
 std::optional<RayHit> first_hit(const Ray& ray, const Body& body);
