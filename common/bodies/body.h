@@ -77,7 +77,7 @@ struct alignas(64) Body {
   }
 };
 
-/// Whether contacts between the two are detected, because each touches a group that the other belongs to.
+/// Whether contacts between the two are detected, which needs each to touch a group that the other belongs to.
 inline bool may_touch(const Body& a, const Body& b) {
   return (a.touches & b.groups) != 0 && (b.touches & a.groups) != 0;
 }

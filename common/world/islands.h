@@ -1,5 +1,5 @@
-/// Islands: sets of movable bodies that contacts, joints and forces connect, directly or through other movable bodies. Immovable
-/// bodies connect nothing.
+/// Islands: sets of movable bodies that contacts, joints and other calls of `join` connect, directly or through other movable bodies.
+/// Immovable bodies connect nothing.
 #pragma once
 
 #include <numeric>
