@@ -56,7 +56,7 @@ Conversation::~Conversation() {
 void Conversation::say(const std::string& line) {
   for (std::size_t said = 0; said < line.size();) {
     const ssize_t now =
-        send(line_, line.data() + said, line.size() - said, MSG_NOSIGNAL);  // no signal where it has ended
+        send(line_, line.data() + said, line.size() - said, MSG_NOSIGNAL);  // no SIGPIPE if it has ended
     if (now < 0 && errno == EINTR) continue;
     if (now <= 0) throw std::runtime_error(fmt::format("'{}' has ended, and was to be asked more", name_));
     said += static_cast<std::size_t>(now);

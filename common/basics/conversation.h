@@ -1,4 +1,4 @@
-/// A program that is asked, a line at a time, and answers each with a line.
+/// A dialogue with another program, in which each question and each answer is one line.
 #pragma once
 
 #include <sys/types.h>
@@ -9,16 +9,16 @@ namespace pushback {
 
 class Conversation {
  public:
-  /// Starts command[0], looked up as a shell does, with the rest as its arguments. Its standard error stays ours. Throws
-  /// std::runtime_error where it cannot be started.
+  /// Starts command[0], found as a shell finds it, with the other words as its arguments. It shares our standard error. Throws
+  /// std::runtime_error if it cannot be started.
   explicit Conversation(std::vector<std::string> command);
-  /// It is told that nothing more comes, and ended if it does not end by itself within a second.
+  /// Closes the program's input, and kills the program if it does not end within 1 s.
   ~Conversation();
   Conversation(const Conversation&) = delete;
   Conversation& operator=(const Conversation&) = delete;
 
-  /// `question`: without an end of line. Throws std::runtime_error, naming the program, where it has ended, or has said no whole line
-  /// after `patience`, s.
+  /// Sends the question and returns the answer, both without an end of line. Throws std::runtime_error, naming the program, if it has
+  /// ended or has sent no whole line within `patience`, s.
   std::string answer(const std::string& question, double patience = 20);
 
  private:
@@ -26,8 +26,8 @@ class Conversation {
 
   std::string name_;
   pid_t child_ = 0;
-  int line_ = -1;      // a socket: what both sides write to and read from
-  std::string heard_;  // of the line after the last answer
+  int line_ = -1;      // a socket for both directions
+  std::string heard_;  // received after the last answer
 };
 
 }  // namespace pushback

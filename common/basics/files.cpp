@@ -14,12 +14,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of the latest call to the system that failed.
+/// The reason for the latest failure of a system call.
 std::string reason() {
   return errno == 0 ? "of a reason that the system does not give" : std::generic_category().message(errno);
 }
 
-/// Whether all of it has reached the file; else errno says why not.
+/// Whether the whole text has reached the file. If not, errno holds the reason.
 bool write_whole(const fs::path& file, const std::string& text) {
   errno = 0;
   std::ofstream out(file, std::ios::binary);
@@ -44,7 +44,7 @@ void make_writable_folder(const fs::path& folder) {
 
 namespace {
 
-/// Where a text is written until it is whole. The file goes away again unless it is given its final name.
+/// A temporary file for a text. The destructor removes it unless `keep` has given it its final name.
 class Draft {
  public:
   explicit Draft(const fs::path& file) : file_(file), draft_(file) { draft_ += ".part"; }

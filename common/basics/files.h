@@ -1,4 +1,4 @@
-/// Text files, whole or not at all; text in quotes.
+/// Text files, written whole or not at all, and quoted text.
 #pragma once
 
 #include <filesystem>
@@ -6,15 +6,15 @@
 
 namespace pushback {
 
-/// The folder that --out leads to, with all above it. Throws InvalidInput where it cannot be made or written to.
+/// Makes the folder of --out, with its parents. Throws InvalidInput if it cannot be made or written to.
 void make_writable_folder(const std::filesystem::path& folder);
-/// Written beside its place and moved there when whole. Throws InvalidInput, naming the file, where that fails.
+/// Writes a temporary file next to `file` and renames it when it is whole. Throws InvalidInput, naming the file, if that fails.
 void write_text_file(const std::filesystem::path& file, const std::string& text);
-/// Throws InvalidInput, naming the file and the reason, where write_text_file would: to call before a long piece of work.
+/// Throws InvalidInput, naming the file and the reason, if write_text_file would. Call it before a long computation.
 void require_writable_file(const std::filesystem::path& file);
-/// All of it. Throws InvalidInput, naming the file, where it cannot be read.
+/// The whole text. Throws InvalidInput, naming the file, if it cannot be read.
 std::string read_text_file(const std::filesystem::path& file);
-/// A folder for files that nobody keeps: it is gone with this. Throws std::runtime_error where none can be made.
+/// A temporary folder, which the destructor removes with its contents. Throws std::runtime_error if none can be made.
 class ScratchFolder {
  public:
   ScratchFolder();
@@ -24,7 +24,7 @@ class ScratchFolder {
   const std::filesystem::path path;
 };
 
-/// In double quotes, with quotes and backslashes escaped: as gnuplot and JSON read it.
+/// The text in double quotes, with quotes and backslashes escaped as gnuplot and JSON read them.
 std::string quoted(const std::string& text);
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// The door: whatever comes from outside is checked here, once, before anything is simulated.
+/// Checks of input. All values from outside are checked here, once, before the simulation uses them.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,8 +11,8 @@
 
 namespace pushback {
 
-/// A value that the simulation cannot use. The message names the value and what is allowed; a program that lets it
-/// reach `main` ends with exit status 2.
+/// A value that the simulation cannot use. The message names the value and the allowed values. If the exception reaches
+/// `main`, the program ends with exit status 2.
 class InvalidInput : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

@@ -1,4 +1,4 @@
-/// What is found by its name: a scene, a stage, a method.
+/// Finds scenes, stages and methods by name.
 #pragma once
 
 #include <fmt/ranges.h>
@@ -18,7 +18,7 @@ std::vector<std::string> names_of(const List& all) {
   return names;
 }
 
-/// The one of that name. Throws InvalidInput, naming all there are, where none has it. `kind`: "scene".
+/// The item with this name. Throws InvalidInput, listing all names, if there is none. `kind`: the word for an item, such as "scene".
 template <class List>
 const auto& named(const std::string& kind, const List& all, std::string_view name) {
   for (const auto& one : all)

@@ -17,7 +17,7 @@ namespace pushback {
 
 namespace {
 
-/// A file without a name for what goes in or comes out: unlike a pipe, it never makes one side wait for the other.
+/// An unnamed file for the input or output of a program. Unlike a pipe, it never makes one side wait for the other.
 class Passage {
  public:
   Passage() : file_(std::tmpfile(), std::fclose) {
@@ -48,7 +48,7 @@ class Passage {
 }  // namespace
 
 Ended run_program(std::vector<std::string> command, double seconds, std::string_view input) {
-  // In the foreground: who interrupts us interrupts the program as well.
+  // In the foreground, so that an interrupt from the keyboard reaches the program as well.
   command.insert(command.begin(), {"timeout", "--foreground", "--kill-after=5", fmt::format("{}", seconds)});
   std::vector<char*> words;
   for (std::string& word : command) words.push_back(word.data());
@@ -59,7 +59,7 @@ Ended run_program(std::vector<std::string> command, double seconds, std::string_
   posix_spawn_file_actions_init(&actions);
   for (int i = 0; i < 3; ++i)
     posix_spawn_file_actions_adddup2(&actions, passages[static_cast<std::size_t>(i)].number(), i);
-  // Nothing else that is open here: another thread's program may have its input and output among it.
+  // Close all other files, because the input and output of another thread's program may be among them.
   posix_spawn_file_actions_addclosefrom_np(&actions, 3);
   pid_t child = 0;
   const auto begin = std::chrono::steady_clock::now();
@@ -69,8 +69,8 @@ Ended run_program(std::vector<std::string> command, double seconds, std::string_
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   const int ended = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  // `timeout` returns 124, or 137 for a program that was still there five seconds after it had been asked to end. A program
-  // that returns one of them earlier was not ended by `timeout`.
+  // `timeout` returns 124, or 137 if the program still runs five seconds after the signal to end. A program that returns 124
+  // or 137 before its time is over was not ended by `timeout`.
   const bool out_of_time = (ended == 124 || ended == 128 + SIGKILL) && seconds > 0 &&
                            std::chrono::steady_clock::now() - begin >= std::chrono::duration<double>(seconds);
   return {out_of_time ? 124 : ended, passages[1].text(), passages[2].text(), WIFSIGNALED(status) ? WTERMSIG(status) : 0,

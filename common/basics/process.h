@@ -10,14 +10,15 @@ namespace pushback {
 
 /// How a program ended.
 struct Ended {
-  int status = -1;  ///< 127 where there is no such program, 124 where it took too long, -1 where a signal ended it
+  int status = -1;  ///< 127 if there is no such program, 124 if it ran out of time, -1 if a signal ended it
   std::string out, err;
-  int signal = 0;            ///< the one that ended it; 0: none
-  bool out_of_time = false;  ///< it took too long; a program may also return 124 by itself
+  int signal = 0;            ///< the signal that ended it; 0: none
+  bool out_of_time = false;  ///< it ran out of time; a program may also return 124 by itself
 };
 
-/// Runs command[0], looked up as a shell does, with the rest as its arguments and `input` on its standard input; no other
-/// file of ours is open in it. After `seconds` it is ended; 0: it may take as long as it likes.
+/// Runs command[0], found as a shell finds it, with the other words as its arguments and `input` on its standard input. The
+/// program inherits no other open file. It is ended after `seconds`; 0: no limit. Throws std::runtime_error if it cannot be
+/// started, or if a temporary file cannot be made or written.
 Ended run_program(std::vector<std::string> command, double seconds = 0, std::string_view input = "");
 
 inline std::vector<std::string> lines_of(const std::string& text) {

@@ -1,4 +1,4 @@
-/// Medians and quartiles, of times mostly.
+/// Medians and quartiles, mostly of times.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,10 +11,10 @@
 
 namespace pushback {
 
-/// The value below which the part p (0 ... 1) of the values lies: of n ascending values the one with index p (n - 1), by linear
-/// interpolation between its neighbours. p = 0.5 is the median. Infinite values are values like any other: between a finite and
-/// an infinite one every point is infinite. Throws InvalidInput for an empty list, a value that is no number, a p outside 0 ... 1,
-/// and a point between -inf and inf.
+/// The value below which a fraction p (0 ... 1) of the values lies. It has the index p (n - 1) among the n ascending values,
+/// interpolated linearly between neighbours. p = 0.5 is the median. Infinite values count too, and every point between a finite and
+/// an infinite value is infinite. Throws InvalidInput for an empty list, a nan, a p outside 0 ... 1, and a point between -inf and
+/// inf.
 inline double quantile(std::vector<double> values, double p) {
   if (values.empty()) throw InvalidInput("a quantile of no values: one or more are needed");
   if (!(p >= 0 && p <= 1)) throw InvalidInput(fmt::format("p of a quantile is {}: 0 to 1 is needed", p));

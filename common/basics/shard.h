@@ -1,4 +1,4 @@
-/// A part of a long piece of work, for a machine of its own.
+/// One part of a long computation, so that several machines can share the work.
 #pragma once
 
 #include <charconv>
@@ -12,13 +12,13 @@ namespace pushback {
 
 struct Shard {
   std::size_t part = 1, of = 1;
-  /// Whether this part does the work with this index: in turn, so that parts take about equally long.
+  /// Whether this part includes the item with this index. Parts take items in turn, so they take about equally long.
   bool has(std::size_t index) const { return index % of == part - 1; }
   bool whole() const { return of == 1; }
   std::string folder() const { return fmt::format("shard_{}_of_{}", part, of); }
 };
 
-/// "2/5". Throws InvalidInput.
+/// Reads "2/5": part 2 of 5. Throws InvalidInput unless the text has this form with 1 <= part <= of.
 inline Shard shard_of(const std::string& text) {
   Shard shard;
   const char* const end = text.data() + text.size();
@@ -30,8 +30,8 @@ inline Shard shard_of(const std::string& text) {
   return shard;
 }
 
-/// CSV of all parts as the whole would have written it: a heading, then the lines of one thing after those of the other, where a
-/// thing is named by its first field, or fields, and the parts have had them in turn.
+/// Merges the CSV of all parts into the text that a single run would have written: the heading, then the lines of each item.
+/// Successive lines with the same first `fields` fields belong to one item. The parts had the items in turn.
 inline std::string joined(const std::vector<std::string>& parts, int fields = 1) {
   std::string heading;
   std::vector<std::vector<std::string>> things(parts.size());  // of each part

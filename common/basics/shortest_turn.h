@@ -1,4 +1,4 @@
-/// One direction turned to another.
+/// The rotation from one direction to another.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,9 @@
 
 namespace pushback {
 
-/// The shortest turn from a to b; where they are opposite, one of the half turns. Of all others it has the bits of Eigen's
-/// FromTwoVectors, which takes 8 s to compile: it finds the axis of a half turn by a singular value decomposition.
+/// The shortest rotation from the direction of a to the direction of b; one of the half turns if they are opposite. All other
+/// results equal the bits of Eigen's FromTwoVectors, which takes 8 s to compile because it finds the axis of a half turn by a
+/// singular value decomposition.
 inline Quat shortest_turn(const Vec3& a, const Vec3& b) {
   const Vec3 from = a.normalized(), to = b.normalized();
   const Real cosine = to.dot(from);

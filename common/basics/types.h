@@ -1,4 +1,4 @@
-/// The scalar and the small matrices that everything is made of.
+/// The scalar type, and the small vectors and matrices.
 ///
 /// Units are SI. The legend of symbols is docs/notation.md.
 #pragma once
@@ -32,8 +32,8 @@ struct Tangents {
   Vec3 tangent1, tangent2;
 };
 
-/// t1 is whichever world axis lies flattest against n, pressed into the plane: a box sliding on the ground keeps
-/// its tangents for as long as it slides.
+/// t1 is the projection, to the plane perpendicular to n, of the world axis with the smallest component along n. The tangents
+/// depend only on n, so a box that slides on the ground keeps its tangents.
 inline Tangents tangents_of(const Vec3& n) {
   int flattest = 0;
   n.cwiseAbs().minCoeff(&flattest);

@@ -1,4 +1,4 @@
-/// Work that falls into parts of which none reads what another writes.
+/// Work divided into independent parts, none of which reads data that another part writes.
 #pragma once
 
 #include <algorithm>
@@ -7,17 +7,17 @@
 
 namespace pushback {
 
-/// The items from `begin` to before `end`; `index`: which of the parts this is.
+/// The items from `begin` to before `end`; `index`: the number of the part, from 0.
 struct Part {
   std::size_t begin, end, index;
 };
 
 class Workers;
 
-/// The workers of a program that names no others: one thread.
+/// The default workers: one thread.
 Workers& alone();
 
-/// What does the parts. This type does them one after the other; a type derived from it does several at a time.
+/// Runs the parts. This type runs them one after the other; a derived type runs several at a time.
 class Workers {
  public:
   Workers() = default;
@@ -25,16 +25,18 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
   virtual ~Workers() = default;
 
-  /// The workers for a step of so many bodies. With few bodies one thread does all, as waking another would take longer than its
-  /// part of the step.
+  /// The workers for a step of so many bodies. One thread runs a step of fewer than `least_bodies`, because waking another thread
+  /// would take longer than its share of the step.
   static constexpr std::size_t least_bodies = 256;
   Workers& of_bodies(std::size_t bodies) { return however_little_ || bodies >= least_bodies ? *this : alone(); }
 
-  /// Into how many parts `each` cuts so many items: with `least` or more in each, as what is little takes longer shared than alone.
+  /// The number of parts into which `each` divides so many items. Two or more parts have at least `least` items each, because
+  /// sharing less work takes longer than running it on one thread.
   std::size_t parts(std::size_t items, std::size_t least) const {
     return std::clamp<std::size_t>(items / (however_little_ ? 1 : least), 1, most_parts_);
   }
-  /// `act(part)` for each part, in no order; returns when all are done. Where the cuts are depends on the numbers alone.
+  /// Calls `act(part)` for each part, in no particular order, and returns when all calls have returned. The division depends only
+  /// on the two numbers and the settings of the workers.
   template <class Act>
   void each(std::size_t items, std::size_t least, const Act& act) {
     const std::size_t count = parts(items, least);
@@ -43,7 +45,7 @@ class Workers {
   }
 
  protected:
-  /// With `however_little`, nothing is too little to be shared: for who looks for what goes wrong in small scenes.
+  /// With `however_little`, any amount of work is shared, which exposes threading errors in small scenes.
   explicit Workers(std::size_t most_parts, bool however_little = false)
       : most_parts_(most_parts), however_little_(however_little) {}
 

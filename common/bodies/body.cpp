@@ -137,7 +137,7 @@ Body box(const Vec3& half_extents, Real mass) {
 Body capsule(Real radius, Real half_length, Real mass) {
   require_positive("radius", radius);
   require_positive("half-length of a capsule", half_length);
-  // A cylinder and two half-balls, each with its share of the mass by volume (both divided by pi r^2). A half-ball's
+  // A cylinder and two half-balls, each with its share of the mass by volume (volumes divided by pi r^2). A half-ball's
   // centre of mass lies 3r/8 beyond its flat side; its transverse inertia about that centre is 83/320 m r^2.
   const Real r2 = radius * radius;
   const Real cylinder = 2 * half_length;

@@ -21,8 +21,8 @@ struct Moments {
   Mat3 inertia_per_kilogram = Mat3::Zero();  // about the centre of mass
 };
 
-// The solid is the sum of the tetrahedra between the origin and the triangles a, b, c of its faces, each of which has
-// the volume V = a . (b x c) / 6, the integral of x equal to V (a + b + c) / 4, and the integral of x x^T equal to
+// The solid is the sum of the tetrahedra between the origin and the triangles a, b, c of its faces. A tetrahedron has the
+// volume V = a . (b x c) / 6. Its integral of x is V (a + b + c) / 4, and its integral of x x^T is
 // V (a a^T + b b^T + c c^T + (a + b + c)(a + b + c)^T) / 20.
 //   F. Tonon, Explicit exact formulas for the 3-D tetrahedron inertia tensor, J. Math. Stat. 1(1), 2005.
 Moments moments_of(const Polyhedron& solid) {
@@ -47,7 +47,7 @@ Moments moments_of(const Polyhedron& solid) {
   return sum;
 }
 
-/// Right-handed, and of the 24 ways to call three directions x, y and z the one that turns them least.
+/// Names three directions x, y and z: of the 24 right-handed ways the one that turns the axes least.
 Mat3 named(const Mat3& directions) {
   std::array<int, 3> order = {0, 1, 2};
   Mat3 best = Mat3::Identity();
@@ -77,7 +77,7 @@ Mat3 principal_axes(const Mat3& inertia) {
   if (mixed <= nothing) return Mat3::Identity();
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia);
   const Vec3& moments = solver.eigenvalues();  // ascending
-  // Where two moments are equal, rounding would choose the directions across the third.
+  // If two moments are equal, rounding would choose the directions perpendicular to the third axis.
   for (const int lone : {2, 0}) {
     if (std::abs(moments[1] - moments[2 - lone]) > 16 * nothing) continue;
     const Vec3 axis = solver.eigenvectors().col(lone).normalized();
@@ -103,7 +103,7 @@ PlacedSolid solid_of(const std::vector<Vec3>& points) {
     middle += points[i] / Real(points.size());
     largest = std::max(largest, points[i].norm());
   }
-  // About a point inside: far from the origin, the moments would cancel to a few digits.
+  // Relative to a point inside, because far from the origin the moments would cancel to a few digits.
   std::vector<Vec3> moved;
   for (const Vec3& p : points) moved.push_back(p - middle);
   const std::vector<std::vector<int>> faces = faces_around(moved);

@@ -1,4 +1,4 @@
-/// Convex polyhedra: from points to corners, edges and faces, and from those to mass. body.h has the body of one.
+/// Convex polyhedra: finds corners, edges and faces of points, and from these the mass properties. hull() in body.h makes a body.
 #pragma once
 
 #include <memory>
@@ -8,22 +8,22 @@
 
 namespace pushback {
 
-/// A uniform convex solid and where it is.
+/// A uniform convex solid and its pose.
 struct PlacedSolid {
   std::shared_ptr<const Polyhedron> solid;  ///< about its centre of mass, along its principal axes
-  Vec3 centre;                              ///< m, of mass, in the frame of the points it was made from
-  Mat3 axes;                                ///< columns: its principal axes, right-handed, likewise
+  Vec3 centre;                              ///< m, centre of mass in the frame of the given points
+  Mat3 axes;                                ///< columns: its principal axes in the same frame, right-handed
   Vec3 inertia_per_kilogram;                ///< m^2, about the principal axes
 };
 
-/// The convex hull of the points (m). Points inside it are left out; corners keep the order of the points. What is
-/// flat, straight or in one place to about 1e-7 of the solid's size (2e-6 in single precision) counts as such, and to 30
-/// times as much where that is ambiguous: four points of a plane make one face, not two.
+/// The convex hull of the points (m). Points inside it are left out; corners keep the order of the points. Points that are
+/// coplanar, collinear or coincident to about 1e-7 of the solid's size (2e-6 in single precision) count as such, so that four
+/// points of a plane make one face, not two. If the faces do not close then, the tolerance grows up to 30 times.
 ///
-/// The axes are those of the points wherever these are principal axes already, and otherwise called x, y and z such
-/// that they are turned as little as possible.
+/// The solid keeps the axes of the points if these are principal axes already. Otherwise its principal axes are named x, y and z
+/// so that they are turned as little as possible.
 ///
-/// Throws InvalidInput unless there are 4 to most_corners points, all finite, that enclose a volume.
+/// Throws InvalidInput unless there are 4 to most_corners points, all finite, that enclose a volume with faces that close.
 PlacedSolid solid_of(const std::vector<Vec3>& points);
 
 /// A box as a polyhedron. Bit i of a corner's number is set on the positive side of axis i.

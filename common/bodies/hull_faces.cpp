@@ -1,5 +1,5 @@
-// Which of the points make a face: every plane through three of them that has no point beyond it is one. That takes
-// O(n^4) tests, which are few for the few points of a stone; and a face with many corners is found as one.
+// Finds the faces of a hull. Every plane through three points that has no point beyond it contains one. The O(n^4) tests are
+// few for the points of a stone, and a face with many corners is found as one face.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,10 +14,10 @@ namespace pushback {
 namespace {
 
 using Faces = std::vector<std::vector<int>>;
-using Point = Eigen::Vector3d;  // once for a body: in double precision, whatever Real is
+using Point = Eigen::Vector3d;  // double whatever Real is, because faces are found only once for a body
 
-/// The corners of what a plane has in common with the hull. A side leads from a point to one that has all others on
-/// its left, and those on the line itself between the two.
+/// The corners of the polygon that a plane has in common with the hull, anticlockwise about the normal. All other points lie on
+/// the left of a side, or on the side itself.
 std::vector<int> loop_around(const std::vector<Point>& points, const std::vector<int>& in_plane, const Point& normal,
                              double near) {
   const auto next_after = [&](int from) {
@@ -35,7 +35,7 @@ std::vector<int> loop_around(const std::vector<Point>& points, const std::vector
     }
     return -1;
   };
-  // From a point that is surely a corner, as it lies farthest from another.
+  // Start at a point that is certainly a corner, because it lies farthest from another point.
   const auto farther = [&](int p, int q) {
     const Point& from = points[std::size_t(in_plane.front())];
     return (points[std::size_t(p)] - from).squaredNorm() < (points[std::size_t(q)] - from).squaredNorm();
@@ -48,7 +48,7 @@ std::vector<int> loop_around(const std::vector<Point>& points, const std::vector
   return loop;
 }
 
-/// `near`: points as near as this to a plane lie in it, to a line, on it, to each other, in one place.
+/// `near`: points at most this far (m) from a plane or a line lie in it; points at most twice as far from each other coincide.
 Faces planes_around(const std::vector<Point>& points, double near) {
   std::vector<int> distinct;
   for (int i = 0; i < int(points.size()); ++i) {
@@ -58,7 +58,7 @@ Faces planes_around(const std::vector<Point>& points, double near) {
     if (is_new) distinct.push_back(i);
   }
 
-  std::vector<std::uint32_t> known;  // planes, by the points in them
+  std::vector<std::uint32_t> known;  // planes: a bit for each point in them
   Faces faces;
   const auto try_plane = [&](int a, int b, int c) {
     const std::uint32_t three = 1u << a | 1u << b | 1u << c;
@@ -93,7 +93,7 @@ Faces planes_around(const std::vector<Point>& points, double near) {
   return faces;
 }
 
-/// Whether wherever a face ends another begins.
+/// Whether each side of a face is also a side, in the opposite direction, of exactly one other face.
 bool close(const Faces& faces) {
   std::array<std::array<int, most_corners>, most_corners> sides{};  // from each point to each other
   for (const auto& loop : faces) {
@@ -111,10 +111,10 @@ bool close(const Faces& faces) {
 
 }  // namespace
 
-// A plane through three points that span no more than `near` is off by eps * size / near at most on the far side. That
-// is less than `near`: no feature is too thin to have a plane and too thick to be left out. But a point at just this
-// distance is in the plane of some neighbours and not in that of others, and the faces do not close. Then a coarser
-// look, by another measure, finds them.
+// Rounding moves a plane through three points that span hardly more than `near` by at most eps * size^2 / near on the far side.
+// That is less than `near`, so no feature is too thin to have a plane and too thick to be left out. But a point at just this
+// distance lies in the plane of some neighbours and not in the plane of others, and then the faces do not close. A larger
+// `near` finds them.
 Faces faces_around(const std::vector<Vec3>& points) {
   std::vector<Point> exact;
   double size = 0;

@@ -1,4 +1,4 @@
-/// The two halves of making a hull: which points make a face (hull_faces.cpp), and what the faces enclose (hull.cpp).
+/// Two steps of making a hull: find the faces (hull_faces.cpp), and build a polyhedron from them (polyhedron.cpp).
 #pragma once
 
 #include <vector>
@@ -7,11 +7,12 @@
 
 namespace pushback {
 
-/// For each face of the convex hull, the numbers of the points at its corners, anticlockwise as seen from outside.
-/// Wherever one face ends another begins. Throws InvalidInput where the points enclose no volume. Expects 3 to most_corners points, all finite.
+/// For each face of the convex hull, the numbers of the points at its corners, anticlockwise as seen from outside. The faces
+/// close: each side belongs to two of them. Throws InvalidInput if the points (m) enclose no volume or no closed faces are found.
+/// Expects 3 to most_corners points, all finite.
 std::vector<std::vector<int>> faces_around(const std::vector<Vec3>& points);
 
-/// Works out everything but `volume` and `rounding`, for faces as above. Points that are in no face are left out.
+/// Computes everything but `volume` and `rounding` from faces as above. Points that are in no face are left out.
 Polyhedron polyhedron(const std::vector<Vec3>& points, const std::vector<std::vector<int>>& faces);
 
 }  // namespace pushback

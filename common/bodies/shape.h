@@ -21,7 +21,7 @@ struct Box {
 /// All points within `radius` of the segment from (0, -half_length, 0) to (0, half_length, 0).
 struct Capsule {
   Real radius;       ///< m
-  Real half_length;  ///< m, of the segment alone
+  Real half_length;  ///< m, of the segment
 };
 
 /// All points p with normal . p <= 0: solid below, free above. Always immovable.
@@ -29,7 +29,7 @@ struct HalfSpace {
   Vec3 normal;  ///< unit, pointing out of the solid
 };
 
-/// Corners, edges and faces of a convex solid that holds the origin. Their numbers name the points at which it touches.
+/// Corners, edges and faces of a convex solid that contains the origin. Their numbers make up the feature ids of its contacts.
 struct Polyhedron {
   struct Face {
     Vec3 normal;               ///< unit, outward
@@ -40,18 +40,18 @@ struct Polyhedron {
   };
   struct Edge {
     int from, to;     ///< corners, from < to
-    int left, right;  ///< faces; as seen from outside, `left` is on the left hand of who walks along the edge
+    int left, right;  ///< faces; as seen from outside, `left` lies on the left of the direction from `from` to `to`
   };
   std::vector<Vec3> corners;  ///< m; at most most_corners
   std::vector<Edge> edges;    ///< ascending by (from, to)
   std::vector<Face> faces;
   Real half_width = 0;  ///< m, half the least distance between a face and the corner farthest from it
   Real volume = 0;      ///< m^3
-  Real rounding = 0;    ///< m; a gap that is no larger may be rounding, of the corners where they were given
+  Real rounding = 0;    ///< m; a gap up to this may be rounding of the corners where they were given
 };
 inline constexpr int most_corners = 32;
 
-/// A convex polyhedron; hull() in body.h makes it. Copies share it.
+/// A convex polyhedron, made by hull() in body.h. Copies share the solid.
 struct Hull {
   std::shared_ptr<const Polyhedron> solid;  ///< never null in a world
 };

@@ -12,7 +12,7 @@ namespace pushback {
 
 namespace {
 
-/// The bounds of a shape along the world axes, about the body's position.
+/// The bounds of a shape along the world axes, relative to the body's position.
 struct Reach {
   const Mat3& axes;
   Bounds operator()(const Sphere& s) const { return both_ways(Vec3::Constant(s.radius)); }
@@ -36,7 +36,7 @@ struct Reach {
 
 Bounds bounds_of(const Body& body) {
   const Bounds reach = std::visit(Reach{body.orientation.toRotationMatrix()}, body.shape);
-  // Rounded outwards: what touches exactly must not be lost here.
+  // Rounded outwards, so that bodies that touch exactly are not lost here.
   const Vec3 farthest = body.position.cwiseAbs() + reach.high.cwiseMax(-reach.low);
   const Vec3 beyond = 16 * std::numeric_limits<Real>::epsilon() * farthest + Vec3::Constant(body.skin);
   return {body.position + reach.low - beyond, body.position + reach.high + beyond};
@@ -50,15 +50,15 @@ Bounds bounds_of(const Body& body, const Margin& margin) {
 
 namespace {
 
-/// The bounds of a body that is not a half-space, and which body it is.
+/// The bounds and the index of a body that is not a half-space.
 struct Entry {
   Bounds bounds;
   int index;
   bool movable;
 };
 
-/// The range and the mean size of the bounds along each axis, without the few that are farthest out or largest: one of these would
-/// otherwise make the columns of all others wide.
+/// The range and the mean size of the bounds along each axis, without the few bounds that are farthest out or largest, because one
+/// of these would make the columns of all others wide.
 struct Spread {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero(), size = Vec3::Zero();
 
@@ -93,7 +93,7 @@ bool reaches_into(const Bounds& bounds, const Vec3& normal, const Vec3& point_on
   return normal.dot(lowest - point_on_plane) <= 0;
 }
 
-/// Ascending by (first, second): dealt out by their first, then each hand sorted.
+/// Sorts by (first, second): a counting sort by the first index, then a sort of each group.
 std::vector<BodyPair> in_order(const std::vector<BodyPair>& pairs, std::size_t bodies) {
   std::vector<int> begin(bodies + 1, 0);
   for (const BodyPair& pair : pairs) ++begin[std::size_t(pair.first) + 1];
@@ -105,11 +105,11 @@ std::vector<BodyPair> in_order(const std::vector<BodyPair>& pairs, std::size_t b
   return ordered;
 }
 
-/// Columns along one axis, side by side along the other two, and who reaches into each. They are about twice as wide as bounds are, so
-/// that of many bodies each is in a few columns, and meets those of its column only.
+/// A grid of columns along one axis, and the bodies that reach into each. Columns are about twice as wide as the mean bounds, so that
+/// each of many bodies is in a few columns and meets only the bodies there.
 class Columns {
  public:
-  /// Of the columns along u and v that one body reaches into.
+  /// The first and last column, along u and along v, that one body reaches into.
   struct Span {
     std::array<int, 2> first, last;
   };
@@ -138,7 +138,7 @@ class Columns {
   std::span<const int> in(std::size_t column) const {
     return std::span(places_).subspan(begin_[column], begin_[column + 1] - begin_[column]);
   }
-  /// Of all columns that both reach into, whether this is the first: there the two are found.
+  /// Whether this is the first of the columns that both entries reach into. The pair is found only there.
   bool found_in(std::size_t column, int p, int q) const {
     const Span &one = spans_[std::size_t(p)], &other = spans_[std::size_t(q)];
     return column == column_at(std::max(one.first[0], other.first[0]), std::max(one.first[1], other.first[1]));
@@ -146,7 +146,8 @@ class Columns {
 
  private:
   std::size_t column_at(int u, int v) const { return std::size_t(u) * std::size_t(count_[1]) + std::size_t(v); }
-  /// It ascends with the coordinate: two bounds that overlap have a column in common. What is farther out belongs to the outermost one.
+  /// Ascends with the coordinate, so that overlapping bounds have a column in common. Coordinates out of range belong to the outermost
+  /// column.
   int along(std::size_t i, Real coordinate) const {
     if (count_[i] == 1) return 0;
     return int(std::clamp((coordinate - origin_[i]) * per_length_[i], Real(0), Real(count_[i] - 1)));
@@ -155,7 +156,7 @@ class Columns {
     const auto [u, v] = across_;
     return {{along(0, bounds.low[u]), along(1, bounds.low[v])}, {along(0, bounds.high[u]), along(1, bounds.high[v])}};
   }
-  /// `act(place, column)` for each entry in each of its columns.
+  /// Calls `act(place, column)` for each entry in each of its columns.
   template <class Act>
   void each(const Act& act) const {
     for (std::size_t place = 0; place < spans_.size(); ++place) {
@@ -172,8 +173,8 @@ class Columns {
   std::vector<int> places_;
 };
 
-/// The near pairs of these, each known by its place among them; `ways` replaces the margin if it is not empty.
-// Sort and sweep: in the order of their low ends along one axis, each body can only meet those that begin before it
+/// The near pairs of these bodies, as their places in `bodies`; `ways` replaces the margin if it is not empty.
+// Sort and sweep: in the order of their low ends along one axis, each body can only meet the bodies that begin before it
 // ends.
 //   D. Baraff, Dynamic simulation of non-penetrating rigid bodies, PhD thesis, Cornell, 1992.
 std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const Margin& margin,
@@ -195,7 +196,7 @@ std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const 
   });
 
   std::vector<BodyPair> pairs;
-  for (const int half_space : half_spaces) {  // not swept: every body begins before a half-space ends
+  for (const int half_space : half_spaces) {  // not swept, because every body begins before a half-space ends
     const Body& plane = *bodies[std::size_t(half_space)];
     const Vec3 normal = plane.orientation * std::get<HalfSpace>(plane.shape).normal;
     const Real nearer =
@@ -228,7 +229,7 @@ std::vector<BodyPair> near_places(const std::vector<const Body*>& bodies, const 
         const Vec3 low = entry.bounds.low, high = entry.bounds.high;
         std::size_t count = 0;
         for (std::size_t k = i + 1; k < here.size() && here[k].bounds.low[axis] <= high[axis]; ++k) {
-          // Written down in any case, kept if near: a branch that nobody can predict would take longer.
+          // Always written, but kept only if near, because an unpredictable branch would take longer.
           const Bounds& bounds = here[k].bounds;
           met[count] = k;
           count += std::size_t(bounds.low[u] <= high[u]) & std::size_t(low[u] <= bounds.high[u]) &
@@ -271,7 +272,7 @@ std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<cons
   for (const int index : which) these.push_back(&bodies[std::size_t(index)]);
   std::vector<BodyPair> pairs = near_places(these, margin, {}, alone());
   for (BodyPair& pair : pairs) pair = {which[std::size_t(pair.first)], which[std::size_t(pair.second)]};
-  return pairs;  // in order still: indices ascend as places do
+  return pairs;  // still in order, because indices ascend as places do
 }
 
 }  // namespace pushback

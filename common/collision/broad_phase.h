@@ -1,4 +1,4 @@
-/// Broad phase: which pairs of bodies are near enough to look at closely.
+/// Broad phase: finds the pairs of bodies that are near enough for the narrow phase.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace pushback {
 
-/// The smallest box along the world axes that holds a body's shape and skin; infinite in every direction for a half-space.
+/// The smallest box along the world axes that contains a body's shape and skin; infinite in every direction for a half-space.
 struct Bounds {
   Vec3 low, high;  ///< m
   bool overlaps(const Bounds& other) const {
@@ -18,17 +18,19 @@ struct Bounds {
   }
 };
 Bounds bounds_of(const Body& body);
-/// And all that is within the margin of it.
+/// The same, enlarged by the margin: by `least` on all sides, and by the way of the body in `ahead`.
 Bounds bounds_of(const Body& body, const Margin& margin);
 
 using BodyPair = std::pair<int, int>;  ///< indices, first < second
 
-/// Every pair whose bounds overlap and of which at least one body can move; empty places are in none. In ascending order of (first, second).
+/// All pairs whose bounds with the margin overlap and of which at least one body can move, in ascending order of (first, second).
+/// Removed bodies are in no pair.
 std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const Margin& margin = {},
                                  Workers& workers = alone());
-/// The same if each body may move by up to its way, m, in any direction. Bodies that go far cost only the pairs that they may meet.
+/// The same if each body may move up to `ways[index]`, m, in any direction. A body with a long way costs only the pairs that it may
+/// meet.
 std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const std::vector<Real>& ways);
-/// Those among the bodies with the indices `which`: ascending, none twice. How many others there are costs no time.
+/// The same among the bodies with the indices `which`, which ascend without repetition. Other bodies cost no time.
 std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<const int> which,
                                  const Margin& margin = {});
 

@@ -24,13 +24,13 @@ void touch(const Placed<HalfSpace>& a, const Round& b, Manifold& found) {
   }
 }
 
-// The feature is the number of the corner: bit i is set where the corner lies on the positive side of axis i.
+// The feature is the number of the corner, whose bit i is set if the corner lies on the positive side of axis i.
 void touch(const Placed<HalfSpace>& a, const Placed<Box>& b, Manifold& found) {
   found.normal = a.axes * a.shape.normal;
   const Vec3& extents = b.shape.half_extents;
-  const Vec3 slope = b.axes.transpose() * found.normal;  // of each axis of the box against the plane
-  // At most four points: the corners of the face that looks into the solid. The deepest corner is one of them. Where
-  // two faces look down alike, the first stays the one until another is clearly better.
+  const Vec3 slope = b.axes.transpose() * found.normal;  // sine of the slope of each box axis against the plane
+  // At most four points: the corners of the face that points most steeply into the solid. The deepest corner is one of them. If two
+  // faces are about equally steep, the first one counts until another is clearly steeper.
   int down = 0;
   for (int i = 1; i < 3; ++i) {
     if (std::abs(slope[i]) > std::abs(slope[down]) + Real(1e-3)) down = i;
@@ -65,12 +65,12 @@ const Placed<Hull>& as_touched(const Placed<Hull>& h) {
   return h;
 }
 
-/// Of a half-space the normal is always the same.
+/// Whether pairs with this first shape look ahead. The normal of a half-space is always the same.
 template <class P>
 constexpr bool turns_normal = std::is_same_v<P, const Placed<Box>> || std::is_same_v<P, const Placed<Hull>>;
 
-/// Of two that have been looked at where they are: where they would touch within `ahead`, s. If they pass each other, a point that is
-/// as far apart as the margin tells that these two come near each other.
+/// Finds where two shapes, whose present manifold is `found`, would touch within `ahead`, s. If they pass each other, adds a point that
+/// is as far apart as the margin, which records that the two come near each other.
 template <class First, class Second>
 void find_ahead(const Placed<First>& first, const Body& a, const Placed<Second>& second, const Body& b, Real ahead,
                 Manifold& found) {
@@ -85,14 +85,14 @@ void find_ahead(const Placed<First>& first, const Body& a, const Placed<Second>&
   };
   Real grazes = 0, part_of_second = !a.movable() ? 1 : b.movable() ? Real(0.5) : 0;
   if constexpr (requires { second.shape.radius; }) {
-    grazes = Real(1e-3) * second.shape.radius;  // a ball that rests sinks in by less
+    grazes = Real(1e-3) * second.shape.radius;  // a resting ball sinks in by less
     part_of_second = 1;
   }
   look_ahead(touch_at, way, grazes, part_of_second, found);
   if (found.passes) found.add(second.centre / 2, -found.margin, passing);
 }
 
-/// What has been found between two shapes, as their skins feel it: nearer by both, and midway between the two skins.
+/// Moves the points from the shapes to their skins: deeper by both skins, and midway between them.
 void add_skins(Manifold& found, Real first, Real second) {
   for (int i = 0; i < found.count; ++i) {
     found.touches[i].depth += first + second;
@@ -136,7 +136,7 @@ void collide(const Body& a, const Body& b, Contacts& contacts, const Margin& mar
       }
       return false;
     };
-    // There is one function for (box, sphere) and none for (sphere, box): then ask the other way round.
+    // There is a function for (box, sphere) but none for (sphere, box), so the order may have to be swapped.
     if (!try_order(shape_a, a, shape_b, b)) swapped = try_order(shape_b, b, shape_a, a);
     if (skinned) swapped ? add_skins(found, b.skin, a.skin) : add_skins(found, a.skin, b.skin);
     append(a, b, found, swapped, contacts);

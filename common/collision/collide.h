@@ -1,4 +1,4 @@
-/// Narrow phase: where two shapes touch.
+/// Narrow phase: finds the points at which two shapes touch.
 #pragma once
 
 #include "pushback/common/collision/contact.h"
@@ -6,11 +6,11 @@
 
 namespace pushback {
 
-/// Appends up to four points at which the bodies overlap to `contacts`; none where they do not, or where both are
-/// immovable. The normal points from `a` to `b`, whichever shapes they have; a.index < b.index. What is apart by no more
-/// than the margin counts as well: with a negative depth. The surfaces are those of the skins, where bodies have some.
+/// Appends to `contacts` up to four points at which the bodies overlap; none if they do not overlap or both are immovable. The
+/// normal points from `a` to `b`, whichever shapes they have; a.index < b.index. Bodies that are apart by no more than the margin
+/// also get points, with a negative depth. If a body has a skin, the surface of the skin counts.
 ///
-/// Joints and groups are not asked: whoever calls this has asked may_touch and JoinedPairs.
+/// Ignores joints and groups. The caller checks JoinedPairs and may_touch.
 void collide(const Body& a, const Body& b, Contacts& contacts, const Margin& margin = {});
 
 }  // namespace pushback

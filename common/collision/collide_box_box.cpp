@@ -1,5 +1,5 @@
-// Box against box. The axis along which they overlap least gives the normal. If it belongs to a face, the faces are
-// compared in collide_box_faces.cpp. If it belongs to two edges, they touch at one point.
+// Box against box. The axis of least overlap gives the normal. If it belongs to a face, collide_box_faces.cpp compares the
+// faces. If it belongs to two edges, the edges touch at one point.
 //
 //   S. Gottschalk, M. Lin, D. Manocha, OBBTree, SIGGRAPH 1996: the fifteen axes.
 #include "pushback/common/collision/collide_box_box.h"
@@ -16,7 +16,7 @@ struct EdgeAxis {
   Real depth = std::numeric_limits<Real>::max();
 };
 
-/// By how much the boxes overlap along the normals of their faces, m.
+/// The overlaps of the boxes along the normals of their faces, m.
 struct FaceDepths {
   Vec3 a, b;
   explicit FaceDepths(const BoxPair& pair) {
@@ -48,7 +48,7 @@ bool pass_each_other(const BoxPair& pair, const FaceDepths& depths, const Vec3& 
 
 /// False if one of the nine cross products a_i x b_j separates the boxes.
 bool least_overlap_of_edges(const BoxPair& pair, EdgeAxis& best) {
-  // Edges that are as good as parallel have no cross product worth the name; the faces next to them decide as well.
+  // The cross product of nearly parallel edges is too inexact, and the faces next to them decide as well.
   constexpr Real as_good_as_parallel = std::numeric_limits<Real>::digits > 24 ? Real(1e-10) : Real(1e-4);
   for (int i = 0; i < 3; ++i) {
     const int k = (i + 1) % 3, l = (i + 2) % 3;
@@ -57,7 +57,7 @@ bool least_overlap_of_edges(const BoxPair& pair, EdgeAxis& best) {
       const auto b_j = pair.turn.col(j);
       const Real squared = b_j[k] * b_j[k] + b_j[l] * b_j[l];
       if (squared < as_good_as_parallel) continue;
-      // a_i x b_j has, along A's axes, -b_j[l] at k and b_j[k] at l.
+      // Along A's axes, a_i x b_j is -b_j[l] at k and b_j[k] at l.
       const Real between = b_j[k] * pair.offset[l] - b_j[l] * pair.offset[k];
       const Real reach_a = pair.a[k] * std::abs(b_j[l]) + pair.a[l] * std::abs(b_j[k]);
       const Real reach_b = pair.b[m] * std::abs(pair.turn(i, n)) + pair.b[n] * std::abs(pair.turn(i, m));
@@ -77,7 +77,7 @@ bool least_overlap_of_edges(const BoxPair& pair, EdgeAxis& best) {
 }
 
 void touch_at_edges(const Placed<Box>& a, const BoxPair& pair, const EdgeAxis& axis, Manifold& found) {
-  // The edge of A that lies farthest along the normal, and that of B farthest against it.
+  // The edge of A that lies farthest along the normal, and the edge of B that lies farthest against it.
   const Vec3& normal = axis.direction;
   const Vec3 normal_b = pair.turn.transpose() * normal;
   Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
@@ -88,7 +88,7 @@ void touch_at_edges(const Placed<Box>& a, const BoxPair& pair, const EdgeAxis& a
     if (on_a[i] > 0) corner_a |= 1 << i;
     if (on_b[i] > 0) corner_b |= 1 << i;
   }
-  // Where the two lines come nearest: on_a + s a_i and pair.offset + B (on_b) + t b_j.
+  // The nearest points of the two lines: on_a + s a_i and pair.offset + B (on_b) + t b_j.
   const Vec3 start_b = pair.offset + pair.turn * on_b;
   const Vec3 along_b = pair.turn.col(axis.axis_b);
   const Vec3 apart = start_b - on_a;
@@ -120,8 +120,8 @@ void touch(const Placed<Box>& a, const Placed<Box>& b, Manifold& found) {
   EdgeAxis edge;
   if (!least_overlap_of_faces(pair, depths, face) || !least_overlap_of_edges(pair, edge)) return;
 
-  // Edges win only if they are clearly better and their normal is no near copy of the face's: a plate that lies on
-  // another and is tilted a little must not come to rest on the one point at which two of their edges cross.
+  // Edges win only if their overlap is clearly less and their normal is no near copy of the face's. Otherwise a slightly tilted
+  // plate on another plate would come to rest on the one point at which two of their edges cross.
   constexpr Real near_copy = 1 - parallel * parallel / 2;  // the cosine of the angle whose sine is `parallel`
   const Vec3 face_normal = face.of_b ? Vec3(pair.turn.col(face.axis)) : Vec3(Vec3::Unit(face.axis));
   const bool edges_win =

@@ -1,4 +1,4 @@
-/// What the two halves of box against box share: collide_box_box.cpp and collide_box_faces.cpp.
+/// Shared by the two halves of box against box: collide_box_box.cpp and collide_box_faces.cpp.
 #pragma once
 
 #include "pushback/common/collision/collide_outline.h"
@@ -16,26 +16,26 @@ constexpr int corner_between(int edge, int other) {
   return (edge | other) & 7;
 }
 
-/// Where the boxes are, relative to each other. `turn`: its columns are B's axes, its rows A's.
+/// The pose of two boxes relative to each other, m. `turn`: the columns are B's axes along A's, the rows A's axes along B's.
 struct BoxPair {
   const Vec3 &a, &b;  // half-extents
   Mat3 turn;
   Vec3 offset;    // from A's centre to B's, along A's axes
   Vec3 offset_b;  // the same, along B's axes
-  Real clearly;   // one overlap is less than another only by this much: rounding must not choose between them
-  Real rounding;  // a gap that may be rounding
-  Real margin;    // a gap that counts as touching
+  Real clearly;   // an overlap is less than another only by more than this, so that rounding does not choose
+  Real rounding;  // a gap up to this may be rounding
+  Real margin;    // a gap up to this counts as touching
 };
 
-/// The axis along which two boxes overlap least, of those that are normals of faces.
+/// The face normal along which two boxes overlap least.
 struct FaceAxis {
   bool of_b = false;
   int axis = 0;
   Real depth = std::numeric_limits<Real>::max();
 };
 
-/// Cuts the incident face to the reference face, that of `face`, and adds what lies below it. Returns false if nothing
-/// does.
+/// Clips the incident face to the reference face, which `face` gives, and adds the points below it to `found`. Returns false if there
+/// are none.
 bool touch_at_faces(const Placed<Box>& a, const Placed<Box>& b, const BoxPair& pair, const FaceAxis& face,
                     Manifold& found);
 

@@ -1,6 +1,6 @@
-// Face against face. The *reference face* is the one whose normal the contact has; the *incident face* is the face of
-// the other box that looks at it most squarely. The incident face is cut to the outline of the reference face, and what
-// is left below the reference face touches.
+// Face against face. The *reference face* gives the normal of the contact. The *incident face* is the face of the other box
+// that is most nearly opposite. The incident face is clipped to the outline of the reference face, and the points left below the
+// reference face touch.
 #include <array>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace pushback {
 
 bool touch_at_faces(const Placed<Box>& a, const Placed<Box>& b, const BoxPair& pair, const FaceAxis& face,
                     Manifold& found) {
-  const Placed<Box>& box = face.of_b ? b : a;  // the one with the reference face
+  const Placed<Box>& box = face.of_b ? b : a;  // the box with the reference face
   const Vec3& extents = box.shape.half_extents;
   const Vec3& incident_extents = face.of_b ? pair.a : pair.b;
   const Mat3 turn = face.of_b ? Mat3(pair.turn.transpose()) : pair.turn;  // columns: axes of the incident box
@@ -19,14 +19,14 @@ bool touch_at_faces(const Placed<Box>& a, const Placed<Box>& b, const BoxPair& p
   const int i = face.axis, iu = (i + 1) % 3, iv = (i + 2) % 3;
   const Real outward = offset[i] < -pair.clearly ? -1 : 1;
 
-  // The incident face: whose axis is most nearly that of the reference face. Ties go to the first.
+  // The axis of the incident face is the one most nearly parallel to the axis of the reference face. Ties go to the first.
   int j = 0;
   for (int axis = 1; axis < 3; ++axis) {
     if (std::abs(turn(i, axis)) > std::abs(turn(i, j)) + Real(1e-3)) j = axis;
   }
   const int ju = (j + 1) % 3, jv = (j + 2) % 3;
   const int incident_side = turn(i, j) * outward > 0 ? 0 : 1 << j;
-  Outline<16> outline;  // cut at four lines: at most 8 corners; the rest is room for rounding
+  Outline<16> outline;  // clipped at four lines: at most 8 corners; the rest is room for rounding
   for (const auto& [u, v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
     const int corner = incident_side | u << ju | v << jv;
     const Vec3 side((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1);

@@ -1,4 +1,4 @@
-// A box against a sphere or a capsule: how near does the core, a segment, come to the box?
+// A box against a sphere or a capsule: the distance between the core, a segment, and the box.
 #include <cmath>
 
 #include "pushback/common/collision/collide_shapes.h"
@@ -14,12 +14,12 @@ struct Core {
 
   Vec3 at(Real t) const { return middle + t * half; }
   Vec3 nearest_in_box(const Vec3& p) const { return p.cwiseMax(-extents).cwiseMin(extents); }
-  /// Half the derivative of the squared distance by t.
+  /// Half the derivative of the squared distance with respect to t.
   Real slope(Real t) const { return (at(t) - nearest_in_box(at(t))).dot(half); }
 };
 
-// The squared distance between p(t) and the box is convex and made of parabolas that join where p(t) passes the plane
-// of a face. Its derivative therefore only grows, along straight lines between those places: find where it passes 0.
+// The squared distance between p(t) and the box is convex and consists of parabolas that join where p(t) passes the plane of a
+// face. Its derivative therefore never falls and is linear between those places, so the code looks for its zero.
 Real nearest_on_core(const Core& core) {
   Real places[8] = {-1, 1};  // in ascending order
   int count = 2;
@@ -46,13 +46,13 @@ Real nearest_on_core(const Core& core) {
   return before;
 }
 
-/// How far the core has to move along `normal` until it is outside.
+/// How far the core must move along `normal` to leave the box, m.
 Real depth_towards(const Core& core, const Vec3& normal) {
   return core.extents.dot(normal.cwiseAbs()) + std::abs(core.half.dot(normal)) - core.middle.dot(normal);
 }
 
-/// The shortest way out of the box for a core that crosses it: along one of the box's axes, or across the core and one
-/// of them. Later axes have to be clearly better than earlier ones, so that rounding does not choose.
+/// The shortest way out of the box for a core that crosses it: along one of the box's axes, or perpendicular to the core and one of
+/// them. Later axes must be clearly better than earlier ones, so that rounding does not choose.
 Vec3 way_out(const Core& core) {
   const Real clearly = Real(1e-3) * core.extents.minCoeff();
   Vec3 best = Vec3::UnitY();
@@ -74,7 +74,7 @@ Vec3 way_out(const Core& core) {
   return best;
 }
 
-/// The part of the core next to a face or an edge of the box: within the slabs of the axes that are not in `normal`.
+/// The stretch of the core next to a face or an edge of the box: within the slabs of the axes along which `normal` is 0.
 struct Span {
   Real begin = -1, end = 1;
 };
@@ -96,14 +96,14 @@ Span beside(const Core& core, const Vec3& normal) {
   return stretch;
 }
 
-/// The point of a core inside the box that leaves it last on the way along `normal`.
+/// The point of the core, as t, that leaves the box last on the way along `normal`.
 Real deepest_on_core(const Core& core, const Vec3& normal) {
   const Real climb = core.half.dot(normal);
   if (std::abs(climb) > parallel * core.half.norm()) return climb > 0 ? -1 : 1;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     if (normal[i] == 0 && normal[j] != 0 && normal[k] != 0) {
-      // It has to get over the edge along axis i: where, seen along that axis, does it pass nearest to it?
+      // The core must pass over the edge along axis i. Take the point that is nearest to the edge as seen along that axis.
       const Real to_j = std::copysign(core.extents[j], normal[j]) - core.middle[j];
       const Real to_k = std::copysign(core.extents[k], normal[k]) - core.middle[k];
       const Real squared = core.half[j] * core.half[j] + core.half[k] * core.half[k];
@@ -114,7 +114,8 @@ Real deepest_on_core(const Core& core, const Vec3& normal) {
   return std::clamp((stretch.begin + stretch.end) / 2, Real(-1), Real(1));
 }
 
-/// The normal of the face, or the bisector at the edge, that the normal all but coincides with.
+/// The unit normal whose components below `parallel` are set to 0: one that is nearly normal to a face, or nearly perpendicular to an
+/// edge, becomes exactly so.
 Vec3 without_slant(const Vec3& normal) {
   return (normal.array().abs() < parallel).select(Vec3::Zero(), normal).normalized();
 }
@@ -145,7 +146,7 @@ void touch(const Placed<Box>& a, const Round& b, Manifold& found) {
   const Vec3 apart = core.at(t) - core.nearest_in_box(core.at(t));
   const Real distance = apart.norm();
   if (distance > b.radius + rounding + found.margin) return;
-  // So near, the direction between the two points is mostly rounding: then ask as if the core crossed the box.
+  // Within 100 times the rounding, the direction between the two points is mostly rounding, so the core counts as crossing the box.
   const bool outside = distance > 100 * rounding;
   Vec3 normal = outside ? Vec3(apart / distance) : way_out(core);
   Real depth = b.radius - distance;

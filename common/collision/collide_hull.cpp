@@ -1,5 +1,5 @@
-// Hulls against hulls, boxes and half-spaces. As for boxes, the direction in which two overlap least gives the normal:
-// that of a face, or the cross product of two edges.
+// Hulls against hulls, boxes and half-spaces. As for boxes, the direction of least overlap gives the normal: the normal of a
+// face, or the cross product of two edges.
 //
 //   D. Gregorius, The separating axis test between convex polyhedra, GDC 2013: which pairs of edges matter.
 #include "pushback/common/collision/collide_hull.h"
@@ -56,7 +56,7 @@ struct EdgeCrossing {
   Real depth = std::numeric_limits<Real>::max();
 };
 
-/// By how much the hulls overlap along the normal of each face, m.
+/// The overlap of the hulls along the normal of each face, m.
 using FaceDepths = std::array<Real, Standing::most_faces>;
 
 bool pass_each_other(const Standing& hull, const FaceDepths& depths, const Vec3& normal, Real clearly) {
@@ -79,11 +79,11 @@ bool try_faces(const HullPair& pair, bool of_b, FaceDepths& depths, HullFace& be
   return true;
 }
 
-/// False if the cross product of two edges separates the hulls. Seen as arcs on the sphere of directions, an edge of A
-/// from the normal of one of its faces to that of the other, and one of B from minus to minus, only two that cross have
-/// a cross product along which nothing else reaches farther than they do.
+/// False if the cross product of two edges separates the hulls. On the sphere of directions, an edge of A is the arc between the
+/// normals of its two faces, and an edge of B the arc between the opposites of its normals. Only if the arcs cross does nothing else
+/// reach farther than the two edges along their cross product, so other pairs are skipped.
 bool try_edges(const HullPair& pair, EdgeCrossing& best) {
-  // Edges that are as good as parallel have no cross product worth the name; the faces next to them decide as well.
+  // The cross product of nearly parallel edges is too inexact, and the faces next to them decide as well.
   constexpr Real as_good_as_parallel = std::numeric_limits<Real>::digits > 24 ? Real(1e-10) : Real(1e-4);
   const auto& edges_a = pair.a.solid.edges;
   const auto& edges_b = pair.b.solid.edges;
@@ -131,7 +131,7 @@ void touch(const Standing& a, const Standing& b, Manifold& found) {
   if (!try_faces(pair, false, depths_a, face) || !try_faces(pair, true, depths_b, face) || !try_edges(pair, edges))
     return;
 
-  // As for boxes: edges win only if they are clearly better and their normal is no near copy of the face's.
+  // As for boxes, edges win only if their overlap is clearly less and their normal is no near copy of the face's.
   constexpr Real near_copy = 1 - parallel * parallel / 2;
   const Vec3 face_normal = face.of_b ? Vec3(-b.normal(face.face)) : a.normal(face.face);
   const bool edges_win = edges.depth < face.depth - pair.clearly && edges.normal.dot(face_normal) < near_copy;
@@ -159,7 +159,7 @@ void touch(const Placed<Hull>& a, const Placed<Box>& b, Manifold& found) {
 
 namespace {
 
-/// Round their middle, so that four of them in this order are the corners of a quadrilateral.
+/// Sorts the candidates round their middle, so that any four in this order are the corners of a quadrilateral.
 void put_in_a_circle(Candidate* candidates, int count) {
   Real u = 0, v = 0;
   for (int i = 0; i < count; ++i) {
@@ -176,8 +176,8 @@ void put_in_a_circle(Candidate* candidates, int count) {
 
 }  // namespace
 
-// The feature is the number of the corner. All corners in the solid count, whichever faces they belong to: a stone may stand
-// on an edge of one and a corner of another.
+// The feature is the number of the corner. All corners in the half-space count, whichever faces they belong to, because a stone may
+// stand on an edge of one face and a corner of another.
 void touch(const Placed<HalfSpace>& a, const Placed<Hull>& b, Manifold& found) {
   found.normal = a.axes * a.shape.normal;
   const Standing hull(*b.shape.solid, b.centre, b.axes);

@@ -1,4 +1,4 @@
-/// What the functions for hulls share: collide_hull.cpp, collide_hull_faces.cpp and collide_hull_round.cpp.
+/// Shared by the functions for hulls: collide_hull.cpp, collide_hull_faces.cpp and collide_hull_round.cpp.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace pushback {
 
-/// A polyhedron where it is: along the world's axes, relative to the first body of the pair.
+/// A polyhedron in its pose: in world axes, m, relative to the first body of the pair.
 struct Standing {
   static constexpr int most_faces = 2 * most_corners - 4;
   const Polyhedron& solid;
@@ -27,12 +27,13 @@ struct Standing {
   Real highest(const Vec3& n) const;  ///< the largest
 };
 
-/// The face that touches what comes along -n from below: of those at the lowest corner the one that looks down most
-/// squarely, but before all others one that has an edge which lies flat there: a wedge rests on the whole of its blade.
-/// What is lower or looks down better by less than rounding can make up does not count; ties go to the first.
+/// The incident face against a reference face with the normal n. Of the faces that reach down to the lowest corner along n, it is the
+/// one whose normal is nearest to -n. A face with an edge that lies flat there comes before all others, because a wedge rests on its
+/// whole blade. Height differences up to `clearly` (m) and differences of n . normal up to 1e-3 do not count; ties go to the first.
 int face_below(const Standing& hull, const Vec3& n, Real clearly);
 
-/// `clearly`: one overlap is less than another only by this much, rounding must not choose between them.
+/// `clearly` (m): an overlap is less than another only by more than this, so that rounding does not choose. `rounding` and `margin`:
+/// as in BoxPair.
 struct HullPair {
   const Standing &a, &b;
   Real clearly, rounding, margin;
@@ -45,7 +46,7 @@ struct HullFace {
   Real depth = std::numeric_limits<Real>::max();
 };
 
-/// Cuts the incident face to the reference face and adds what lies below it. Returns false if nothing does.
+/// Clips the incident face to the reference face and adds the points below it to `found`. Returns false if there are none.
 bool touch_at_faces(const HullPair& pair, const HullFace& face, Manifold& found);
 
 }  // namespace pushback

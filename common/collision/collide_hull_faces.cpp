@@ -1,4 +1,4 @@
-// Face against face, as collide_box_faces.cpp does it for boxes, but with faces of any number of corners.
+// Face against face, as in collide_box_faces.cpp for boxes, but with faces of any number of corners.
 #include <cmath>
 
 #include "pushback/common/collision/collide_hull.h"
@@ -10,12 +10,12 @@ namespace {
 /// Two faces of most_corners - 1 corners each, as the bases of two pyramids, and room for rounding.
 constexpr std::size_t room = 2 * most_corners;
 
-/// The name of a point in which two edges of one hull meet.
+/// The feature id of a point in which two edges of one hull meet.
 std::uint32_t name_of_corner(const Polyhedron& solid, int edge, int other, bool of_b) {
   const Polyhedron::Edge &e = solid.edges[std::size_t(edge)], &o = solid.edges[std::size_t(other)];
   if (e.from == o.from || e.from == o.to) return of_b ? corner_of_b(e.from) : corner_of_a(e.from);
   if (e.to == o.from || e.to == o.to) return of_b ? corner_of_b(e.to) : corner_of_a(e.to);
-  // Only two sides with a very short one between them, which cut nothing off, meet without having a corner in common.
+  // Two edges meet without a common corner only if a very short edge between them has cut nothing off.
   return (of_b ? 0x50000u : 0x40000u) | std::uint32_t(std::min(edge, other)) << 8 |
          std::uint32_t(std::max(edge, other));
 }
@@ -23,7 +23,7 @@ std::uint32_t name_of_corner(const Polyhedron& solid, int edge, int other, bool 
 }  // namespace
 
 bool touch_at_faces(const HullPair& pair, const HullFace& face, Manifold& found) {
-  const Standing& hull = face.of_b ? pair.b : pair.a;  // the one with the reference face
+  const Standing& hull = face.of_b ? pair.b : pair.a;  // the hull with the reference face
   const Standing& incident = face.of_b ? pair.a : pair.b;
   const Polyhedron::Face& reference_face = hull.solid.faces[std::size_t(face.face)];
   const Vec3& normal = hull.normal(face.face);

@@ -1,4 +1,4 @@
-// A hull against a sphere or a capsule: how near does the core, a segment, come to the hull?
+// A hull against a sphere or a capsule: the distance between the core, a segment, and the hull.
 #include <cmath>
 #include <optional>
 
@@ -9,10 +9,10 @@ namespace pushback {
 
 namespace {
 
-/// Part of a core, p(t) = middle + t half.
+/// A stretch of a core, p(t) = centre + t half.
 struct Stretch {
   Real begin = -1, end = 1;
-  /// Leaves only where height + t climb <= 0.
+  /// Keeps only t with height + t climb <= 0.
   void keep_below(Real height, Real climb) {
     if (climb > 0) end = std::min(end, -height / climb);
     else if (climb < 0) begin = std::max(begin, -height / climb);
@@ -20,7 +20,7 @@ struct Stretch {
   }
 };
 
-/// The part of the core inside the hull.
+/// The stretch of the core inside the hull.
 Stretch inside(const Standing& hull, const Round& core) {
   Stretch stretch;
   for (int f = 0; f < int(hull.solid.faces.size()); ++f) {
@@ -29,7 +29,7 @@ Stretch inside(const Standing& hull, const Round& core) {
   return stretch;
 }
 
-/// The part of the core above or below a face.
+/// The stretch of the core above or below a face.
 Stretch beside_face(const Standing& hull, const Round& core, int face) {
   Stretch stretch;
   const Polyhedron::Face& sides = hull.solid.faces[std::size_t(face)];
@@ -42,7 +42,7 @@ Stretch beside_face(const Standing& hull, const Round& core, int face) {
   return stretch;
 }
 
-/// The part of the core between the planes across an edge's ends.
+/// The stretch of the core between the planes perpendicular to an edge at its ends.
 Stretch beside_edge(const Standing& hull, const Round& core, int edge) {
   Stretch stretch;
   const Vec3 along = hull.along(edge).normalized();
@@ -58,7 +58,7 @@ Nearest nearest_to_edge(const Standing& hull, const Round& core, int edge) {
   return nearest({half, core.half, core.centre - middle});
 }
 
-/// For a core outside of the hull: `t` on the core, and what leads there from the nearest point of the hull.
+/// For a core outside the hull: its nearest point, as `t`, and the vector to it from the nearest point of the hull.
 struct Gap {
   Real t = 0;
   Vec3 apart = Vec3::Zero();
@@ -85,12 +85,12 @@ Gap gap_between(const Standing& hull, const Round& core) {
   return gap;
 }
 
-/// The shortest way out of the hull for a core that crosses it: along the normal of a face, or across the core and an
-/// edge. Later ones have to be clearly better than earlier ones, so that rounding does not choose.
+/// The shortest way out of the hull for a core that crosses it: along the normal of a face, or perpendicular to the core and an
+/// edge. Later ways must be clearly better than earlier ones, so that rounding does not choose.
 struct WayOut {
   Vec3 normal = Vec3::UnitY();
   int face = -1, edge = -1;
-  Real depth = std::numeric_limits<Real>::max();  // of the core alone
+  Real depth = std::numeric_limits<Real>::max();  // m, of the core without its radius
 };
 WayOut way_out(const Standing& hull, const Round& core, Real clearly) {
   WayOut best;
@@ -113,7 +113,7 @@ WayOut way_out(const Standing& hull, const Round& core, Real clearly) {
   return best;
 }
 
-/// The point of a core inside the hull that leaves it last on its way out.
+/// The point of the core, as t, that leaves the hull last on its way out.
 Real last_to_leave(const Standing& hull, const Round& core, const WayOut& way) {
   if (way.edge >= 0) return nearest_to_edge(hull, core, way.edge).t;
   const Real climb = core.half.dot(way.normal);
@@ -122,9 +122,9 @@ Real last_to_leave(const Standing& hull, const Round& core, const WayOut& way) {
   return std::clamp((stretch.begin + stretch.end) / 2, Real(-1), Real(1));
 }
 
-/// What a core lies on that is all but parallel to it: a face, or an edge, where `normal` is all but square to it.
+/// The face or the edge on which a core lies: nearly parallel to the core, and nearly perpendicular to `normal`.
 struct Support {
-  Vec3 normal;  // square to it
+  Vec3 normal;  // perpendicular to it
   Vec3 on;      // a point of it
   Stretch stretch;
 };
@@ -162,7 +162,7 @@ void touch(const Placed<Hull>& a, const Round& b, Manifold& found) {
     t = gap.t;
     depth = b.radius - distance;
     found.normal = gap.apart / distance;
-  } else {  // so near, the direction between two points is mostly rounding
+  } else {  // the direction between two points so near is mostly rounding
     const WayOut way = way_out(hull, b, clearly);
     t = last_to_leave(hull, b, way);
     depth = way.depth + b.radius;

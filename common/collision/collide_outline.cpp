@@ -7,7 +7,7 @@ namespace pushback {
 void reduce_to_four(Candidate* candidates, int count, Real clearly_deeper) {
   const auto by_name = [](const Candidate& p, const Candidate& q) { return p.feature < q.feature; };
   std::rotate(candidates, std::min_element(candidates, candidates + count, by_name), candidates + count);
-  // What touches comes before what is merely within a margin: a stone that loses a corner on which it stands rocks for ever.
+  // Points that touch come before points within a margin, because a stone that loses a corner on which it stands rocks for ever.
   const auto touches = [&](const Candidate& c) { return c.depth >= -clearly_deeper; };
   const auto must_touch = std::min<std::ptrdiff_t>(4, std::count_if(candidates, candidates + count, touches));
   std::array<Candidate, 4> best{};
@@ -34,7 +34,7 @@ void reduce_to_four(Candidate* candidates, int count, Real clearly_deeper) {
   const auto by_depth = [](const Candidate& p, const Candidate& q) { return p.depth < q.depth; };
   const Real most = std::max_element(candidates, candidates + count, by_depth)->depth;
   if (most > std::max_element(best.begin(), best.end(), by_depth)->depth + clearly_deeper) {
-    // Of several that are as deep, the first: rounding must not choose.
+    // The first of several that are equally deep, so that rounding does not choose.
     const auto as_deep = [&](const Candidate& c) { return c.depth >= most - clearly_deeper; };
     try_all(int(std::find_if(candidates, candidates + count, as_deep) - candidates));
   }

@@ -1,4 +1,4 @@
-/// Cutting a face of one shape to a face of another, and choosing four points of what is left. For boxes and hulls.
+/// Clips a face of one shape to a face of another and chooses four of the points that are left. For boxes and hulls.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 
 namespace pushback {
 
-// A point of a manifold is named after a corner of A (on a face of B), a corner of B (on a face of A), or an edge of A
-// and one of B that cross: no name says which shape has the reference face, so the names outlive a change of mind about
-// it. Corners and edges are known by their numbers, each below 128.
+// The feature id of a manifold point names a corner of A (on a face of B), a corner of B (on a face of A), or an edge of A and
+// an edge of B that cross. No id says which shape has the reference face, so the ids stay the same when that changes. Corners and
+// edges have numbers below 128.
 constexpr std::uint32_t corner_of_a(int corner) {
   return 0x10000u | std::uint32_t(corner);
 }
@@ -22,15 +22,15 @@ constexpr std::uint32_t crossing(int edge_a, int edge_b) {
   return 0x30000u | std::uint32_t(edge_a) << 8 | std::uint32_t(edge_b);
 }
 
-/// A corner of the outline that is being cut. u, v: along the reference face; depth: below it. Two lines meet in it:
-/// edges of the incident face, by number, or, from `reference` on, edges of the reference face.
+/// A corner of the outline during clipping, m. u, v: along the reference face; depth: below it. Two lines, `arriving` and `leaving`,
+/// meet in it. They are edges of the incident face, by number, or from `reference` on, edges of the reference face.
 struct OutlinePoint {
   Real u, v, depth;
   int arriving, leaving;
 };
 constexpr int reference = 128;
 
-/// Cutting a convex outline at one line adds at most one corner.
+/// A convex outline. Clipping it at one line adds at most one corner.
 template <std::size_t room>
 struct Outline {
   std::array<OutlinePoint, room> points;
@@ -40,11 +40,11 @@ struct Outline {
   }
 };
 
-/// Leaves of `outline` what is on the near side of a line: where `beyond`, which is linear, is not above 0. What sticks
-/// out by less than `tolerance` is not cut off, so that two faces whose edges coincide have the same corners whatever
-/// the rounding; what is cut is cut exactly at the line, which is called `edge`.
+/// Clips `outline` to the near side of a line, where the linear function `beyond` (m) is not above 0. Corners that stick out by no more
+/// than `tolerance` (m) stay, so that two faces whose edges coincide have the same corners whatever the rounding. Other corners are cut
+/// off exactly at the line, which gets the number `edge`.
 ///
-///   I. Sutherland, G. Hodgman, Reentrant polygon clipping, CACM 17(1), 1974: cutting one side at a time.
+///   I. Sutherland, G. Hodgman, Reentrant polygon clipping, CACM 17(1), 1974: clipping at one side at a time.
 template <std::size_t room, class Beyond>
 void cut(Outline<room>& outline, const Beyond& beyond, Real tolerance, int edge) {
   const auto end = outline.points.begin() + outline.count;
@@ -57,7 +57,7 @@ void cut(Outline<room>& outline, const Beyond& beyond, Real tolerance, int edge)
     const bool p_stays = beyond_p <= tolerance, q_stays = beyond_q <= tolerance;
     if (p_stays) left.add(p);
     if (p_stays == q_stays) continue;
-    // From the point that stays towards the one that goes; not at all if the former is on the line already.
+    // From the point that stays towards the one that goes; 0 if the point that stays is on the line or beyond it.
     const OutlinePoint& stays = p_stays ? p : q;
     const OutlinePoint& goes = p_stays ? q : p;
     const Real from = p_stays ? beyond_p : beyond_q, to = p_stays ? beyond_q : beyond_p;
@@ -74,21 +74,21 @@ void cut(Outline<room>& outline, const Beyond& beyond, Real tolerance, int edge)
   std::copy_n(left.points.begin(), left.count, outline.points.begin());
 }
 
-/// A point of the manifold, still in the frame of the reference face.
+/// A point of the manifold, m, still in the frame of the reference face.
 struct Candidate {
   Real u, v, depth;
   std::uint32_t feature;
 };
 
-/// Keeps the four of the candidates, which go round a convex outline, that span the largest quadrilateral: it has at
-/// least 2/pi of the outline's area, and depends on the outline alone, not on depths, which change as a stack breathes.
-/// But the deepest point must not get lost: if it is clearly deeper than those four, it has to be one of them. And what is apart,
-/// by more than that, takes the place of nothing that touches.
-/// One choice is preferred to an earlier one only if it is clearly better. So that the order is the same in each step,
-/// the outline begins with the point of the lowest name. `count`: 4 at least.
+/// Keeps the four candidates that span the largest quadrilateral. The candidates go round a convex outline, and the quadrilateral has
+/// at least 2/pi of its area. The choice depends only on the outline and not on depths, which fluctuate in a stack, with two
+/// exceptions. If the deepest point is deeper than the four by more than `clearly_deeper` (m), it has to be one of them. And a point
+/// that is apart by more than that never replaces a point that touches.
+/// A later choice must be larger than an earlier one by 0.1 %. The outline begins at the point with the lowest feature id, so that the
+/// order is the same in each step. `count`: 4 at least.
 void reduce_to_four(Candidate* candidates, int count, Real clearly_deeper);
 
-/// Up to four points of the manifold, by ascending names.
+/// Up to four points of the manifold, by ascending feature ids.
 template <std::size_t room>
 struct Candidates {
   std::array<Candidate, room> points;
@@ -97,8 +97,8 @@ struct Candidates {
   const Candidate* end() const { return points.data() + count; }
 };
 
-/// What of the outline lies below the reference face, or above it by no more than `gap`. `of_b`: B has that face.
-/// `name_of_corner(of the shape with the reference face?, edge, edge)` names the corner in which two edges of one shape
+/// The outline's points below the reference face, or above it by no more than `gap` (m). `of_b`: whether B has that face.
+/// `name_of_corner(of the shape with the reference face?, edge, edge)`: the feature id of the corner in which two edges of one shape
 /// meet.
 template <std::size_t room, class NameOfCorner>
 Candidates<room> candidates_of(const Outline<room>& outline, bool of_b, Real gap, Real clearly_deeper,

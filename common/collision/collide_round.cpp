@@ -1,4 +1,4 @@
-// Spheres and capsules among themselves: how near do two segments come?
+// Spheres and capsules against each other: the distance between two segments.
 #include <cmath>
 
 #include "pushback/common/collision/collide_segments.h"
@@ -35,7 +35,7 @@ Nearest nearest(const Segments& segments) {
 
 namespace {
 
-/// A direction out of two cores that cross: perpendicular to both, as that is the shortest way.
+/// A direction that separates two cores that cross: perpendicular to both, because that is the shortest way.
 Vec3 way_out(const Round& a, const Round& b) {
   const Vec3 across = a.half.cross(b.half);
   const Real size = a.half.norm() * b.half.norm();
@@ -69,7 +69,7 @@ void touch(const Round& a, const Round& b, Manifold& found) {
   std::uint32_t feature = somewhere;
   const Real size = std::sqrt(segments.aa * segments.bb);
   if (size > 0 && a.half.cross(b.half).norm() < parallel * size) {
-    // Side by side: where the one has the other next to it, both ends of that stretch can touch.
+    // The cores lie side by side, so both ends of the stretch in which A lies next to B can touch.
     Real ends[2] = {segments.nearest_to_b(-1), segments.nearest_to_b(1)};
     if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
     const Real stretch = ends[1] - ends[0];

@@ -1,4 +1,4 @@
-/// How near two segments come: for round shapes, and for a round shape at an edge of a hull.
+/// The nearest points of two segments, for round shapes, and for a round shape at an edge of a hull.
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,10 @@ struct Nearest {
   Vec3 apart;
 };
 
-/// The products that every question about the two segments needs.
+/// Two segments, with the products that every query needs.
 struct Segments {
   const Vec3 &half_a, &half_b;
-  Vec3 between;  // of the centres
+  Vec3 between;  // from the centre of A to the centre of B
   Real aa = half_a.squaredNorm(), bb = half_b.squaredNorm(), ab = half_a.dot(half_b);
   Real a_between = half_a.dot(between), b_between = half_b.dot(between);
 
@@ -29,7 +29,7 @@ struct Segments {
   Nearest at(Real s, Real t) const { return {s, t, between + t * half_b - s * half_a}; }
 };
 
-/// Where they come nearest; one of such places where they are parallel.
+/// The nearest points; if the segments are parallel, one such pair.
 Nearest nearest(const Segments& segments);
 
 }  // namespace pushback

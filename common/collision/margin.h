@@ -1,19 +1,20 @@
-/// From how far apart two bodies count as touching.
+/// The gap up to which two bodies count as touching.
 #pragma once
 
 #include "pushback/common/bodies/body.h"
 
 namespace pushback {
 
-/// For who detects contacts less often than it solves them: what is apart now may touch before the next detection.
+/// For solvers that solve more often than they detect, because bodies that are apart now may touch before the next detection.
 struct Margin {
   Real least = 0;  ///< m
-  Real ahead = 0;  ///< s: and by as much as the pair may come nearer in this time, moving straight on
+  Real ahead = 0;  ///< s: adds the distance by which the pair may approach in this time, moving straight on
 
-  /// What is apart has the normal with which it would touch in that time. Or, for those who detect again as often as bodies have moved,
-  /// the one between what is nearest now.
+  /// If false, bodies that are apart get the normal with which they would touch in that time. If true, they get the normal between
+  /// their closest features now, for solvers that detect again whenever bodies have moved.
   bool where_nearest = false;
 
+  /// The gap, m, up to which the pair counts as touching.
   Real of(const Body& a, const Body& b) const { return least + ahead * (b.velocity - a.velocity).norm(); }
 };
 

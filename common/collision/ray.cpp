@@ -11,15 +11,15 @@ namespace {
 
 constexpr Real infinite = std::numeric_limits<Real>::infinity();
 
-/// From where to where along its line, m, a ray is inside a convex solid: nowhere, unless enter <= leave.
+/// The stretch of its line, m, in which a ray is inside a convex solid; empty unless enter <= leave.
 struct Within {
   Real enter = -infinite, leave = infinite;
-  Vec3 normal = Vec3::Zero();  // of the surface where it enters
+  Vec3 normal = Vec3::Zero();  // of the surface at `enter`
 
   bool empty() const { return !(enter <= leave); }
   static Within nowhere() { return {infinite, -infinite, Vec3::Zero()}; }
 
-  /// And inside the half-space normal . p <= offset.
+  /// Intersects the stretch with the half-space normal . p <= offset.
   void cut(const Vec3& from, const Vec3& along, const Vec3& its_normal, Real offset) {
     const Real above = its_normal.dot(from) - offset, climb = its_normal.dot(along);
     if (climb < 0 && above / -climb > enter) {
@@ -44,8 +44,8 @@ Within inside_ball(const Vec3& from, const Vec3& along, const Vec3& centre, Real
   return {enter, -b + half, (to_origin + enter * along).normalized()};
 }
 
-/// The same in the plane across the y axis, for the cylinder about it between y = -half_length and half_length. Its two ends
-/// are inside the balls of a capsule, so nothing is ever entered there.
+/// The same in the plane perpendicular to the y axis, for the cylinder about it between y = -half_length and half_length. Its two
+/// ends are inside the balls of the capsule, so a ray never enters the capsule there.
 Within inside_cylinder(const Vec3& from, const Vec3& along, const Capsule& c) {
   Within span;
   span.cut(from, along, Vec3::UnitY(), c.half_length);
@@ -66,7 +66,7 @@ Within inside_cylinder(const Vec3& from, const Vec3& along, const Capsule& c) {
   return span;
 }
 
-/// Of a line in body axes, about the centre of mass.
+/// The stretch of a line inside a shape, in body axes, relative to the centre of mass.
 struct Inside {
   const Vec3& from;
   const Vec3& along;  // unit
@@ -80,7 +80,7 @@ struct Inside {
     }
     return span;
   }
-  /// Convex, so the ray is inside from the first entry into one of the three parts to the last exit.
+  /// A capsule is convex, so the ray is inside from the first entry into one of the three parts to the last exit.
   Within operator()(const Capsule& c) const {
     Within all = Within::nowhere();
     for (const Within& part :

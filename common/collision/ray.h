@@ -1,4 +1,4 @@
-/// Where a ray enters a body.
+/// Finds where a ray enters a body.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace pushback {
 
-/// A straight line from a point on, in world axes.
+/// A straight line that starts at a point, in world axes.
 struct Ray {
   Vec3 origin = Vec3::Zero();                           ///< m
   Vec3 direction = Vec3::UnitY();                       ///< of any length above 0
   Real length = std::numeric_limits<Real>::infinity();  ///< m
-  std::uint32_t touches = every_group;                  ///< bits: the groups of which it hits bodies
+  std::uint32_t touches = every_group;                  ///< bits: the groups whose bodies it hits
 };
 
 struct RayHit {
@@ -30,11 +30,11 @@ struct RayHit {
 /// more, or infinite.
 void check(const Ray& ray);
 
-/// Where the ray enters the body, whose groups and skin are not asked; nothing where it does not enter within its length.
+/// Where the ray enters the body, regardless of groups and skin; nullopt if it does not enter within its length.
 /// A ray that begins on a surface and leads out of the body does not hit it. Throws as check(ray).
 ///
-/// In closed form: a solid is an intersection of half-spaces, a ball, or for a capsule a cylinder between two balls, and
-/// the ray is inside each from one distance to another.
+/// The solution has a closed form, because a solid is an intersection of half-spaces, a ball, or for a capsule a cylinder between
+/// two balls, and the ray is inside each from one distance to another.
 /// Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986 (slabs); Haines, "Fast Ray-Convex Polyhedron Intersection",
 /// Graphics Gems II, 1991.
 std::optional<RayHit> first_hit(const Ray& ray, const Body& body);

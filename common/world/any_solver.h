@@ -1,4 +1,4 @@
-/// Any solver, as one type.
+/// A single type for any solver.
 #pragma once
 
 #include <concepts>
@@ -9,8 +9,8 @@
 
 namespace pushback {
 
-/// For a program that chooses among solvers while it runs. A copy has the same settings, and its next step has the same bits
-/// as the original's.
+/// For programs that choose a solver at run time. A copy has the same settings, and its next step has the same bits as the
+/// original's.
 class AnySolver : public ForwardingSolver {
  public:
   template <std::derived_from<StepSolver> ContactSolver>
@@ -25,14 +25,14 @@ class AnySolver : public ForwardingSolver {
   ~AnySolver() override = default;
 
   void whole_step(World& world, Real dt, int sweeps) override { inner().whole_step(world, dt, sweeps); }
-  /// Whether its step has an order of its own: see StepSolver::whole_step.
+  /// Whether the held solver has its own order of a step, see StepSolver::whole_step.
   bool divides_worlds() const { return held_->divides_worlds(); }
-  /// The solver that is held, if it is one of these; else null.
+  /// The held solver if it is a ContactSolver, otherwise null.
   template <std::derived_from<StepSolver> ContactSolver>
   const ContactSolver* as() const {
     return dynamic_cast<const ContactSolver*>(&inner());
   }
-  /// Of the solver that is held.
+  /// The type of the held solver.
   const std::type_info& type() const {
     const StepSolver& held = inner();
     return typeid(held);

@@ -1,4 +1,6 @@
-/// Applied forces, to be put into World::forces: world.forces.push_back(spring(body, anchor, 40)).
+/// Applied forces for World::forces: world.forces.push_back(spring(body, anchor, 40)).
+///
+/// `body`: index in World::bodies. Each throws InvalidInput if a number is not finite, or a coefficient below 0.
 #pragma once
 
 #include "pushback/common/basics/input.h"
@@ -6,7 +8,7 @@
 
 namespace pushback {
 
-/// F = -k (x - anchor), on the centre of mass. `stiffness` k in N/m, 0 or more.
+/// F = -k (x - anchor), on the centre of mass. `anchor` in m, world axes; `stiffness` k in N/m, 0 or more.
 inline Force spring(int body, const Vec3& anchor, Real stiffness) {
   require_finite("anchor of a spring", anchor);
   require_not_negative("stiffness of a spring", stiffness);

@@ -1,11 +1,11 @@
-/// A solver around another one.
+/// A solver that wraps another one.
 #pragma once
 
 #include "pushback/common/world/step_solver.h"
 
 namespace pushback {
 
-/// Hands every call on to `inner`. What a derived type does otherwise, it overrides; what it does not override is not lost.
+/// Forwards every call except `whole_step` to `inner`. A derived type overrides only the calls that it changes.
 class ForwardingSolver : public StepSolver {
  public:
   Plan plan(Real dt) const override { return inner().plan(dt); }

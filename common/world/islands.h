@@ -1,5 +1,5 @@
-/// Who can feel whom: bodies that touch or are joined, and those that these touch, and so on; but not through what nothing
-/// moves.
+/// Islands: sets of movable bodies that contacts, joints and other calls of `join` connect, directly or through other movable bodies.
+/// Immovable bodies connect nothing.
 #pragma once
 
 #include <numeric>
@@ -9,11 +9,12 @@
 
 namespace pushback {
 
-/// Sets of bodies, each known by one of its members.
+/// Disjoint sets of bodies, each identified by its lowest index.
 /// Tarjan, "Efficiency of a Good But Not Linear Set Union Algorithm", J. ACM 22, 1975.
 class Islands {
  public:
-  /// From now on each of these is an island by itself. Work is done for them only, however many bodies there are.
+  /// Makes each of these bodies an island by itself. `all`: the number of bodies in the world, which does not affect the cost once
+  /// the memory is there.
   void separate(const std::vector<int>& bodies, std::size_t all) {
     parent_.resize(all);
     for (const int body : bodies) parent_[std::size_t(body)] = body;
@@ -22,14 +23,14 @@ class Islands {
     const int first = island_of(a), second = island_of(b);
     parent_[std::size_t(std::max(first, second))] = std::min(first, second);
   }
-  /// What touches, and is movable, is one.
+  /// Joins the two bodies of each contact if both are movable.
   void join(const Contacts& contacts, const World& world) {
     for (const Contact& contact : contacts) {
       const auto [a, b] = world.bodies_of(contact);
       if (a.movable() && b.movable()) join(a.index, b.index);
     }
   }
-  /// And so is what is joined.
+  /// Joins the two bodies of each joint if both are movable.
   void join(const std::vector<Joint>& joints, const World& world) {
     for (const Joint& joint : joints) {
       if (body_of(world, joint.a).movable() && body_of(world, joint.b).movable()) join(joint.a, joint.b);
@@ -39,7 +40,7 @@ class Islands {
   int island_of(int body) {
     int& parent = parent_[std::size_t(body)];
     while (parent != parent_[std::size_t(parent)])
-      parent = parent_[std::size_t(parent)];  // halves the way for the next
+      parent = parent_[std::size_t(parent)];  // a shortcut for later searches from this body
     return parent;
   }
 

@@ -8,7 +8,7 @@ namespace pushback {
 Vec3 spin_momentum(const Body& body) {
   if (!body.movable()) return Vec3::Zero();
   const Vec3 w = body.orientation.conjugate() * body.angular_velocity;
-  // A direction about which nothing turns the body (inverse inertia 0) carries no momentum that could change.
+  // The momentum about an axis with inverse inertia 0 could never change, so it does not count.
   const auto& inverse = body.principal_inverse_inertia.array();
   return body.orientation * Vec3((inverse > 0).select(w.array() / inverse, 0));
 }

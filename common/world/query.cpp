@@ -10,7 +10,7 @@ namespace pushback {
 
 namespace {
 
-/// Which bodies a ray may hit. Most are neither of its groups nor near it: their shapes need not be asked.
+/// The bodies that a ray may hit, by their groups and bounds. The shapes of all others need no test.
 class Candidates {
  public:
   explicit Candidates(const Ray& ray) : ray_(ray), direction_(ray.direction.normalized()) {}
@@ -73,7 +73,7 @@ std::vector<Overlap> overlaps(const World& world, const Body& ghost) {
   Body asked = ghost;
   check(asked);
   asked.index = static_cast<int>(world.bodies.size());
-  asked.inverse_mass = 1;  // of two immovable bodies collide() looks for no contacts
+  asked.inverse_mass = 1;  // because collide() finds no contacts of two immovable bodies
   const Bounds bounds = bounds_of(asked);
   std::vector<Overlap> found;
   Contacts contacts;

@@ -7,14 +7,14 @@
 
 namespace pushback {
 
-/// 1 and 2.
+/// Stages 1 and 2 of a step.
 template <class Simulated>
 void detect(World& world, Simulated& simulated, const Margin& margin) {
   remember_contacts(world);
   for (const Force& force : world.forces) force.apply(world);  // 1.  F, tau
   simulated.find_contacts(world, margin);                      // 2.  points, normals, depths, ids
 }
-/// 3.
+/// Stage 3.
 template <class Simulated>
 void integrate_velocities(World& world, Real h, Simulated& simulated) {
   simulated.each(world, [&](Body& body) {  // 3.  v += h (g + F/m),  w += h I^-1 tau
@@ -23,7 +23,7 @@ void integrate_velocities(World& world, Real h, Simulated& simulated) {
   });
 }
 
-/// The part of a step that follows one detection: its substeps, of h each. `first`: it is the step's first part.
+/// One part of a step: a detection and its substeps of h (s) each. `first`: whether this is the first part of the step.
 template <class Simulated>
 void step_part(World& world, StepSolver& solver, const Plan& plan, const ForcesOfSubsteps& forces, Real h, int sweeps,
                bool first, Simulated& simulated) {
@@ -43,7 +43,7 @@ void step_part(World& world, StepSolver& solver, const Plan& plan, const ForcesO
     if (solver_moves) solver.integrate_positions(world, h);
     else simulated.each(world, [h](Body& body) { move(body, h); });  // 7.  x += h v,  q += h/2 (0, w) q,  refresh I^-1
     world.time += h;
-    solver.moved(world, h);  // 8.  only where a solver has this
+    solver.moved(world, h);  // 8.  only if the solver defines it
     world.dt_before = h;
   }
   if (solver_moves) simulated.each(world, [](Body& body) { body.refresh_inertia(); });
@@ -53,7 +53,7 @@ void step_part(World& world, StepSolver& solver, const Plan& plan, const ForcesO
   world.last_impulses_known = true;
 }
 
-/// Moves the simulated bodies on by dt seconds, by this plan. Throws as World::step does.
+/// Advances the simulated bodies by dt (s), by this plan. Throws as World::step does.
 template <class Simulated>
 void step(World& world, StepSolver& solver, const Plan& plan, Real dt, int sweeps, Simulated& simulated) {
   check_step(dt, sweeps, world.gravity);

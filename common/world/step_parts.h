@@ -1,4 +1,4 @@
-/// What a step is made of, beside its order.
+/// The components of a step. Its order is in step.h.
 #pragma once
 
 #include <utility>
@@ -8,17 +8,17 @@
 
 namespace pushback {
 
-/// Who takes part in a step, and finds what touches. This one leaves nobody out.
+/// Selects the bodies that take part in a step and finds their contacts. This type selects all bodies.
 struct Everybody {
   Workers* workers = &alone();
 
   static void check(World& world) {
     check_places(world);
     for (const Body& body : world.bodies) check_state(body);
-    for (Body& body : world.bodies) body.refresh_inertia();  // of one whose orientation has been set by hand
+    for (Body& body : world.bodies) body.refresh_inertia();  // in case an orientation has been set by hand
   }
   void find_contacts(World& world, const Margin& margin = {}) const { world.find_contacts(margin, *workers); }
-  /// `act` changes its body and reads no other.
+  /// Calls `act` for each body. `act` may change its body but must not read others.
   template <class Act>
   void each(World& world, const Act& act) const {
     workers->each(world.bodies.size(), 64, [&](Part part) {
@@ -28,39 +28,40 @@ struct Everybody {
   static void end(World&, Real /*dt*/) {}
 };
 
-/// The forces of the substeps after the first: what was put on bodies by hand lasts for the step, and each Force acts on the
-/// bodies as they are now. A sleeping body feels neither.
+/// The forces of the substeps after the first. Forces that were set on bodies by hand last for the whole step, and each Force acts
+/// on the present state of the bodies. Neither acts on sleeping bodies.
 class ForcesOfSubsteps {
  public:
-  /// Before any Force has acted.
+  /// Call it before any Force has acted.
   ForcesOfSubsteps(const World& world, const Plan& plan);
-  /// What was put on bodies by hand, before contacts are detected again.
+  /// Restores the forces set by hand. Called before contacts are detected again.
   void apply_by_hand(World& world) const;
+  /// Restores the forces set by hand and applies each Force.
   void apply(World& world) const;
-  /// Whether one of them may turn a body.
+  /// Whether one of the forces may turn a body.
   bool turn_bodies(const World& world) const;
 
  private:
-  std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body; none where nobody has any
+  std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body; empty if not needed
 };
 
-/// Makes contacts_before of the contacts, with what the latest substep applied there.
+/// Makes the contacts World::contacts_before, with the impulses of the latest substep.
 void remember_contacts(World& world);
 
-/// The impulses of a step become those of its last substep, from which solvers start. What has parted is no contact any more, nor is
-/// what touched a body that is gone.
+/// Replaces the impulses of a step by the impulses of its last substep, from which solvers warm start. Removes contacts that have
+/// parted, and contacts of bodies that are no longer in World::bodies.
 void start_from_last_substep(World& world);
 
-/// What was applied at each contact in one step, summed over its detections.
+/// The impulses applied at each contact in one step, summed over its detections.
 class ImpulseSums {
  public:
-  /// Once the substeps since a detection are over.
+  /// Call it after the substeps of each detection.
   void add(const World& world);
-  /// After the last of them: World::contacts get the sums, and what acted and has parted is listed as well.
+  /// Call it after the last `add`. Writes the sums to World::contacts, which then also list the contacts that acted and have parted.
   void write_to(World& world);
 
  private:
-  Contacts sums_;  // so far, ascending
+  Contacts sums_;  // so far, ascending by id
 };
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// What a step asks of a solver.
+/// The interface between a step and a solver.
 #pragma once
 
 #include <concepts>
@@ -7,27 +7,26 @@
 
 namespace pushback {
 
-/// What a solver makes of a step: how often contacts are detected, how often velocities are solved, and by whom.
+/// A solver's plan of a step: how often to detect contacts, how often to solve velocities, and which workers to use.
 struct Plan {
-  int detections = 1;           ///< so many parts of the step begin by detecting contacts
-  int substeps = 1;             ///< of each part; contacts stay the same in all of them
-  int sweeps = 10;              ///< in each substep, for who does not say how many
-  Margin margin = {};           ///< how far ahead detection looks
-  bool moves_bodies = false;    ///< whether `integrate_positions` moves them, where nothing reads their I^-1 in between
-  Workers* workers = &alone();  ///< who does what falls into parts
+  int detections = 1;           ///< parts of the step; each begins by detecting contacts
+  int substeps = 1;             ///< of each part; all have the same contacts
+  int sweeps = 10;              ///< in each substep, unless the caller gives a number
+  Margin margin = {};           ///< margin of each detection
+  bool moves_bodies = false;    ///< whether `integrate_positions` moves them, if nothing reads their I^-1 in between
+  Workers* workers = &alone();  ///< run work that can be divided
 
   int all_substeps() const { return detections * substeps; }
 };
 
-/// How many rows of contacts and joints were solved in the latest substep, and how far the worst of them was from being
-/// solved, m/s.
+/// The number of rows of contacts and joints solved in the latest substep, and their largest residual, m/s.
 struct Solved {
   int rows = 0;
   Real residual = 0;
 };
 
-/// A solver, as World::step calls it: once in a part of the step `check` and `detected`, in each of the part's substeps
-/// `solve` and `moved`, and `done` at the part's end. The order is in step.h. Only `solve` has to be defined.
+/// A solver for World::step. Each part of a step calls `check` and `detected` once, `solve` and `moved` in each of its substeps,
+/// and `done` at its end. The order is in step.h. Only `solve` has to be defined.
 class StepSolver {
  public:
   StepSolver() = default;
@@ -37,41 +36,42 @@ class StepSolver {
   StepSolver& operator=(StepSolver&&) = default;
   virtual ~StepSolver() = default;
 
-  /// Of a step of dt, s.
+  /// For a step of dt, s.
   virtual Plan plan(Real /*dt*/) const { return {}; }
-  /// Whether it solves joints. If not, a world that has some is refused.
+  /// Whether the solver solves joints. If not, World::step refuses worlds with joints.
   virtual bool holds_joints() const { return false; }
-  /// Throws InvalidInput if a setting, or what is in this world, cannot be used. Substeps will take h, s; nothing of them
-  /// has been done yet.
+  /// Throws InvalidInput if the solver cannot use a setting or something in this world. Called before the detection of each part,
+  /// whose substeps take h, s.
   virtual void check(World&, Real /*h*/) {}
-  /// The contacts have been detected.
+  /// Called after the contacts have been detected.
   virtual void detected(World&, Real /*h*/) {}
-  /// Changes the velocities of bodies, and says in Contact::impulse and Contact::state what it did at each contact in this
-  /// substep. A solver with several substeps to a detection may leave that to `done`.
+  /// Changes the velocities of bodies, and writes Contact::impulse and Contact::state of this substep for each contact. A solver
+  /// with several substeps per detection may leave the writing to `done`.
   virtual void solve(World& world, Real h, int sweeps) = 0;
-  /// Moves all bodies on by h v and h w, but not their I^-1. Called where the plan says `moves_bodies`.
+  /// Moves all bodies by h v and h w, without refreshing their I^-1. Called only if the plan says `moves_bodies`, no
+  /// force may turn a body, and there are no joints.
   virtual void integrate_positions(World& world, Real h);
-  /// The bodies have moved.
+  /// Called after the bodies have moved.
   virtual void moved(World&, Real /*h*/) {}
-  /// The last substep since the contacts were detected is over. With several substeps to a detection, `done` writes what the last
-  /// one applied, Contact::last_impulse, and the sum over them all, Contact::impulse. With one, the step has made the former of the
-  /// latter before it calls this. The step sums over the detections.
+  /// Called after the last substep of a part. With several substeps per detection, `done` writes the impulse of the last substep to
+  /// Contact::last_impulse and the sum over all substeps to Contact::impulse. With one substep, the step has already copied `impulse`
+  /// to `last_impulse`. The step sums over the detections.
   virtual void done(World&) {}
-  /// A whole step of World::step, whose arguments have not been checked yet. For who divides a world, or a step, in a way of its own;
-  /// all others leave it to the order in step.h, which calls what stands above.
+  /// A whole step of World::step, whose arguments have not been checked yet. Solvers that divide a world or a step in their own way
+  /// override it. The default follows the order in step.h, which calls the functions above.
   virtual void whole_step(World& world, Real dt, int sweeps);
-  /// Of the latest substep. A solver without rows has none to count.
+  /// For the latest substep. A solver without rows need not override it.
   virtual Solved solved() const { return {}; }
 };
 
-/// Whether steps of this solver have an order of their own.
+/// Whether this solver overrides `whole_step`.
 template <class ContactSolver>
 constexpr bool has_whole_step = !std::same_as<decltype(&ContactSolver::whole_step), decltype(&StepSolver::whole_step)>;
 
 /// An effect that solves joints derives from this.
 struct HoldsJoints {};
 
-/// Throws InvalidInput if there are joints in the world, and the solver does not hold them.
+/// Throws InvalidInput if the world has joints and the solver does not solve joints.
 void check_solvable(const World& world, const StepSolver& solver);
 
 }  // namespace pushback

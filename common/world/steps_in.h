@@ -1,4 +1,4 @@
-/// Times in steps.
+/// Converts times to numbers of steps.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace pushback {
 
-/// How many steps of dt make up so many seconds: at least one.
+/// The number of steps of dt (s) in so many seconds, rounded, at least 1.
 inline int steps_in(Real seconds, Real dt) {
   return std::max(1, static_cast<int>(std::lround(seconds / dt)));
 }

@@ -19,7 +19,7 @@ int World::add(const Body& body) {
 }
 
 void check_step(Real dt, int sweeps, const Vec3& gravity) {
-  constexpr Real longest = 1;  // s: some solvers divide a step into substeps of 0.5 ms, however many that takes
+  constexpr Real longest = 1;  // s, because some solvers divide a step of any length into substeps of 0.5 ms
   if (!(dt > 0 && dt <= longest))
     throw InvalidInput(fmt::format("dt is {}: a number above 0 and up to {} s is needed", dt, longest));
   if (sweeps < 0) throw InvalidInput(fmt::format("sweeps is {}: a whole number, 0 or more, is needed", sweeps));
@@ -135,7 +135,7 @@ void World::find_contacts(const Margin& margin, Workers& workers) {
     }
   });
   for (const Contacts& found : of_others) contacts.insert(contacts.end(), found.begin(), found.end());
-  // Pairs arrive in ascending order, and so do the points of a pair: nothing is left to sort.
+  // Pairs arrive in ascending order, and so do the points of a pair, so nothing is left to sort.
   assert(
       std::is_sorted(contacts.begin(), contacts.end(), [](const Contact& p, const Contact& q) { return p.id < q.id; }));
 }
@@ -158,7 +158,7 @@ bool tumbles(const Body& body) {
 
 namespace {
 
-/// About w, which stays.
+/// Turns the body about w, which stays constant.
 void spin_exactly(Body& body, Real dt) {
   const Real spin = body.angular_velocity.norm();
   if (spin == 0) return;
@@ -182,13 +182,13 @@ void spin_evenly(Body& body, Real dt) {
 //
 //   p' - p = h (p_m x w_m),     p_m = (p + p') / 2,   w_m = I^-1 p_m
 //
-// keeps |p|^2 and the energy p . I^-1 p / 2 exactly, because both are quadratic. Turning the body by that same w_m,
-// q' = normalise(q + h/2 q (0, w_m)), is a Cayley transform, under which L = R p stays where it is in the world:
-// R' p' = R p. So the code keeps L, and takes the new w from it.
+// keeps |p|^2 and the energy p . I^-1 p / 2 exactly, because both are quadratic. Turning the body by the same w_m,
+// q' = normalise(q + h/2 q (0, w_m)), is a Cayley transform, which keeps L = R p constant in the world: R' p' = R p.
+// The code therefore keeps L and computes the new w from it.
 // Hairer, Lubich, Wanner, Geometric Numerical Integration, IV.1 and VII.5.
 //
-// A body that turns by several radians in a step is more than Newton's method can follow. It is turned about L instead, as
-// if it were symmetric: that leaves p as it is, and with it the energy.
+// Newton's method can fail if a body turns by several radians in a step. The body is then turned about L, as if it were
+// symmetric, which keeps p and therefore the energy.
 void spin_freely(Body& body, Real dt) {
   if (!body.movable()) return spin_exactly(body, dt);
   if (!tumbles(body)) return spin_evenly(body, dt);

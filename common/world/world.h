@@ -1,4 +1,4 @@
-/// The bodies, and what is known of them from step to step.
+/// The world: bodies, forces and joints, and the contacts kept from step to step.
 #pragma once
 
 #include <functional>
@@ -17,55 +17,54 @@ namespace pushback {
 class World;
 class StepSolver;
 
-/// Something that pushes or pulls: called as a step begins, it adds to the `force` and `torque` of bodies.
+/// An applied force. `apply` is called in each substep and adds to the `force` and `torque` of bodies.
 struct Force {
   std::function<void(World&)> apply;
   std::string name = "a force";
-  std::vector<int> bodies =
-      {};  ///< indices of those that it acts on, and that feel each other through it; empty: of all
+  std::vector<int> bodies = {};  ///< indices of the bodies that it acts on and couples to each other; empty: all bodies
 };
 
-/// A value: what a copy goes on to do is what the original would have done, to the last bit.
+/// A value type: a copy continues as the original would, to the last bit.
 class World {
  public:
-  static constexpr Real g = Real(9.81);  ///< m/s^2: what a world has, unless it is changed
+  static constexpr Real g = Real(9.81);  ///< m/s^2, the default gravity
 
   std::vector<Body> bodies;
   Vec3 gravity{0, -g, 0};     ///< m/s^2
   std::vector<Force> forces;  ///< see forces.h
-  std::vector<Joint> joints;  ///< each with what it bore in the latest step
+  std::vector<Joint> joints;  ///< each with its impulses of the latest step
   Real time = 0;              ///< s, simulated so far
-  /// What touched in the latest step, in ascending order of id, with what the solver did there. A contact that acted in the step is
-  /// here also if it has parted.
+  /// The contacts of the latest step, in ascending order of id, with the solver's impulses. They include contacts that acted in the
+  /// step and have parted.
   Contacts contacts;
-  /// Those of the detection before it, each with the impulse of the latest substep that had it, for solvers that start from
-  /// there. Contacts of bodies that have just been woken are among them.
+  /// The contacts of the detection before, each with the impulse of the latest substep that had it, for solvers that warm start.
+  /// They include contacts of bodies that have just been woken.
   Contacts contacts_before;
-  Real dt_before = 0;  ///< s, of the latest substep; 0: there was none
-  /// Whether `step` has written Contact::last_impulse. A program that composes its steps by itself writes `impulse` alone.
+  Real dt_before = 0;  ///< s, of the latest substep; 0 before the first
+  /// Whether `step` has written Contact::last_impulse. A program that composes its own steps writes only `impulse`.
   bool last_impulses_known = false;
-  /// By this an impulse of the latest substep is to be multiplied to be of one of dt, s.
+  /// The factor that scales an impulse of the latest substep to a substep of dt, s; 0 before the first substep.
   Real impulse_scale(Real dt) const { return dt_before > 0 ? dt / dt_before : 0; }
 
   /// Puts a body into the world and returns its index. Throws InvalidInput if a number in it cannot be simulated.
   int add(const Body& body);
 
-  /// Takes a body out of the world, with its joints, the forces that name it and all that is remembered of its contacts. Its place
-  /// stays, empty: the indices of all other bodies mean what they meant. Throws InvalidInput unless there is a body at this index.
+  /// Takes a body out of the world, with its joints, the forces that name it, and its contacts. Its place stays empty, so that the
+  /// indices of all other bodies stay valid. Throws InvalidInput unless there is a body at this index.
   void remove(int body);
 
-  /// Moves everything on by dt seconds; see step.h. `sweeps`: in each substep; by default what the solver's plan says. Throws
-  /// InvalidInput unless 0 < dt <= 1, sweeps >= 0, every body's state is finite, and the solver can solve what is here; then
-  /// nothing has changed. (Where a state becomes infinite between two detections of one step, the world stays as it was
-  /// before the later one.)
+  /// Advances the world by dt (s), see step.h. `sweeps`: in each substep; by default the number in the solver's plan. Throws
+  /// InvalidInput unless 0 < dt <= 1, sweeps >= 0, every body's state is finite, and the solver can solve this world. No body has
+  /// moved then. (If a state becomes infinite between two detections of one step, the world stays as it was before the later
+  /// detection.)
   void step(StepSolver& solver, Real dt, int sweeps);
   void step(StepSolver& solver, Real dt);
 
-  /// The first part of a step, for those who solve by themselves: all that goes before the solver.
+  /// The first part of a step, for programs that solve by themselves: everything before the solver.
   void begin_step(Real dt);
-  /// Finds what touches now, or is within the margin, in the place of what was found.
+  /// Replaces `contacts` by the contacts of bodies that touch now or are within the margin.
   void find_contacts(const Margin& margin = {}, Workers& workers = alone());
-  /// x += h v and the turn, of all bodies; and time goes on.
+  /// x += h v and the rotation of all bodies, and time += h.
   void move(Real dt);
 
   /// A and B of a contact.
@@ -73,7 +72,7 @@ class World {
   std::pair<const Body&, const Body&> bodies_of(const Contact& at) const {
     return {bodies[at.id.body_a], bodies[at.id.body_b]};
   }
-  /// The body with this index; for the_world one that never moves, with its centre in the origin.
+  /// The body with this index; for the_world, an immovable body with its centre at the origin.
   Body& body(int index) { return index == the_world ? immovable_ : bodies[static_cast<std::size_t>(index)]; }
   const Body& body(int index) const {
     return index == the_world ? immovable_ : bodies[static_cast<std::size_t>(index)];
@@ -83,36 +82,37 @@ class World {
   Body immovable_ = sphere(1, 1).fixed();
 };
 
-/// P_B - P_A along n grows at this speed, m/s: (v_B + w_B x r_B - v_A - w_A x r_A) . n.
+/// The speed (m/s) at which P_B - P_A grows along n: (v_B + w_B x r_B - v_A - w_A x r_A) . n.
 Real separating_speed(const World& world, const Contact& at);
 
-// ---- what a step does to one body by itself -------------------------------------------------------------------------
+// ---- the parts of a step, for one body -------------------------------------------------------------------------------
 
 /// Throws InvalidInput unless 0 < dt <= 1, sweeps >= 0 and the gravity is finite.
 void check_step(Real dt, int sweeps, const Vec3& gravity);
-/// Throws InvalidInput if a force acts on a body that is not there, or a joint holds one.
+/// Throws InvalidInput if the force acts on, or the joint holds, a body that is not in the world, or if the joint joins a body to
+/// itself.
 void check_bodies_of(const Force& force, const World& world);
 void check_bodies_of(const Joint& joint, const World& world);
-/// The same for all of them, and unless each body's index is its place in World::bodies.
+/// The same for all forces and joints. Also throws unless each body's index is its place in World::bodies.
 void check_places(const World& world);
-/// Throws InvalidInput unless every number of the body's state is finite, and its orientation of unit length.
+/// Throws InvalidInput unless every number of the body's state is finite and its orientation has unit length.
 void check_state(const Body& body);
-/// velocity_before and angular_velocity_before.
+/// Sets velocity_before and angular_velocity_before.
 void keep_velocity(Body& body);
 /// v += h (g + F/m),  w += h I^-1 tau,  and F = tau = 0.
 void integrate_velocity(Body& body, const Vec3& gravity, Real dt);
-/// x += h v, and the turn, unless the body conveys; I^-1 in world axes stays behind until it is refreshed.
+/// x += h v and the rotation, unless the body conveys. Does not refresh I^-1.
 void integrate_position(Body& body, Real dt);
-/// x += h v, the turn, and I^-1.
+/// x += h v and the rotation, unless the body conveys. Refreshes I^-1.
 void move(Body& body, Real dt);
 
 /// Whether a body's inertia differs from axis to axis, so that a free spin does not keep its axis.
 bool tumbles(const Body& body);
-/// Turns a body by dt seconds of its own spin, all but its I^-1. Nothing acts on it, so its angular momentum L stays as it is, and
-/// where it tumbles the angular velocity has to follow (the gyroscopic term, w x I w). One that nothing moves turns by w dt exactly, in
-/// however many substeps.
+/// Turns a body by dt seconds of its own spin, without refreshing I^-1. No torque acts, so its angular momentum L is constant. If the
+/// body tumbles, its angular velocity changes accordingly (the gyroscopic term, w x I w). An immovable body turns by exactly w dt,
+/// whatever the number of substeps.
 void spin_freely(Body& body, Real dt);
-/// The same for a movable one that does not tumble: its angular velocity stays.   q' = normalise(q + h/2 (0, w) q)
+/// The same for a movable body that does not tumble, at constant angular velocity:   q' = normalise(q + h/2 (0, w) q)
 void spin_evenly(Body& body, Real dt);
 
 }  // namespace pushback
