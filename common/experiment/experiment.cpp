@@ -194,7 +194,7 @@ int Experiment::sweeps_of(const Variant& variant) const {
 
 namespace {
 
-/// Detects contacts at least `detections` times per step, because a scene in half steps is so for an added solver, too.
+/// Detects contacts at least `detections` times per step, so that an added solver has half steps, too, if the scene has them.
 class DetectingAsOften : public ForwardingSolver {
  public:
   DetectingAsOften(AnySolver solver, int detections) : solver_(std::move(solver)), detections_(detections) {}

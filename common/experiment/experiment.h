@@ -96,7 +96,7 @@ struct Variant {
   Plan plan(Real dt) const;
   /// Throws InvalidInput if the solver or the motion cannot use the scene or a value.
   void check(World& world, Real dt) const;
-  /// Changes the scene before its first step: variants may differ in their joints, for example.
+  /// Changes the scene before its first step, so that variants may differ in their joints, for example.
   Variant& changing(std::function<void(World&)> how);
   /// Replaces the number of sweeps in the solver's plan. --sweeps overrides it.
   Variant& with_sweeps(int count);
@@ -108,7 +108,7 @@ struct Variant {
   Variant& expect(const std::string& number, Real value);
   /// Adds a curve over time (s) that the scene's first series should follow.
   Variant& reference(const std::string& label, std::function<Real(Real)> of_time);
-  /// Omits its curves, because they would coincide with those of another variant.
+  /// Omits its curves, because they would coincide with another variant's.
   Variant& without_curves();
 };
 

@@ -8,7 +8,7 @@
 namespace pushback {
 
 /// Whether both images look the same. They may differ as much as two OpenGL implementations do, but no square of four pixels may
-/// differ as clearly as where a digit has changed.
+/// differ as clearly as in a changed digit.
 bool shows_the_same(const Image& a, const Image& b);
 
 /// Keeps the file if it already shows the same. Otherwise writes it, whole or not at all: with a palette if pngquant makes one that

@@ -18,7 +18,7 @@ struct Curve {
   std::vector<Real> x, y;
   std::string colour;  ///< "#rrggbb"
   Style style = Style::line;
-  std::string marker = "";  ///< from marker.h; empty: that of the colour, none for a colour not in line_colours
+  std::string marker = "";  ///< from marker.h; empty: the colour's, or none for a colour not in line_colours
 };
 
 /// A value to compare with, drawn as a thin horizontal line: {1e-3, "1 mm"}.

@@ -67,7 +67,7 @@ void log_ticks(Axis& axis, int most) {
   linear_ticks(axis, most);
 }
 
-/// The range `given`, or that of all finite values with a margin at both ends; `room`: the margin as a fraction of the range.
+/// An axis for the range `given` or else for all finite values, with the fraction `room` of their range as a margin at both ends.
 Axis axis_of(const std::vector<Real>& values, const Range& given, bool log, Real room, int most_ticks) {
   Axis axis{.log = log};
   if (given.from != given.to) {
