@@ -76,7 +76,7 @@ function(included_libraries result own)  # included_libraries(RESULT OWN FILE...
   set(${result} ${libraries} PARENT_SCOPE)
 endfunction()
 
-function(included_sources result folder)  # included_sources(RESULT FOLDER FILE...): the sources below FOLDER that these files include, transitively
+function(included_sources result folder)  # included_sources(RESULT FOLDER FILE...): the sources below FOLDER that these files need
   set(queue ${ARGN})
   set(seen "")
   set(sources "")
