@@ -1,5 +1,5 @@
-# add_drawing(NAME): the target draw_NAME, which is built only where somebody asks for it, runs the program NAME, which fills
-# renders/NAME, where it has changed since it last did. The file drawn/NAME says when that was.
+# add_drawing(NAME): adds the target draw_NAME, which is not built by default. If the program NAME has changed since its last run, the
+# target runs it to fill renders/NAME. The time stamp of drawn/NAME records that run.
 function(add_drawing name)
   set(drawn ${PROJECT_BINARY_DIR}/drawn/${name})
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/drawn)

@@ -1,12 +1,12 @@
-# A program of tests, and what it needs.
+# Test programs and their dependencies.
 
-# add_pushback_test(NAME SOURCE...): the program test_NAME. Its cases that are tagged `long` are for ./course test --long; those
-# tagged `checked` for ./course check as well; those tagged `slow` for --long only where the sanitizers look, where they take minutes.
+# add_pushback_test(NAME SOURCE...): adds the program test_NAME. Only ./course test --long runs cases tagged `long`, and ./course check,
+# too, runs cases tagged `checked`. Cases tagged `slow` need --long only in the sanitizers' build, in which they take minutes.
 function(add_pushback_test name)
   add_executable(test_${name} ${ARGN})
   target_link_libraries(test_${name} PRIVATE pushback_settings Catch2::Catch2WithMain)
   list(LENGTH ARGN count)
-  if(count GREATER 1)  # as one: they instantiate the same templates
+  if(count GREATER 1)  # compiled as one, because they instantiate the same templates
     set_target_properties(test_${name} PROPERTIES UNITY_BUILD ${PUSHBACK_TOGETHER} UNITY_BUILD_BATCH_SIZE 0)
   endif()
   if(name IN_LIST checked_programs)
@@ -47,7 +47,7 @@ function(add_pushback_test name)
   endforeach()
 endfunction()
 
-# runs(TEST MACRO PROGRAM...): the test runs these programs, whose files it knows by MACRO_PROGRAM.
+# runs(TEST MACRO PROGRAM...): for a test that runs these programs. It gets the path of each as MACRO_PROGRAM.
 function(runs test)
   while(ARGN)
     list(POP_FRONT ARGN macro program)

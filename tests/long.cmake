@@ -1,6 +1,6 @@
-# What must hold in any scene, in random ones; and in the same bits, and for long. Labelled long: ./course test --long.
-# The names say how many. Sanitizers take 20 times as long, and 32 substeps 10 to 60 times as long as one: fewer there.
-# What follows the number: --known with the seeds that fail, see docs/soak_and_fuzz.md.
+# Properties that must hold in any scene, tested in random scenes and over long runs. ./course test --long runs the tests labelled long.
+# The names give the scenes. Sanitizers take 20 times as long, and 32 substeps 10 to 60 times as long as one, so those have fewer scenes.
+# The number of scenes is followed by --known and the seeds that fail: see docs/soak_and_fuzz.md.
 function(add_fuzz_test label stage first scenes)
   math(EXPR last "${first} + ${scenes} - 1")
   set(name "fuzz: random scenes ${first} to ${last}, ${stage}")
@@ -41,7 +41,7 @@ else()
   add_fuzz_test(long "all together" 5001 5000)
   set(soak_steps 100000)
 endif()
-# Solvers without books: whether what they report is what bodies have gained.
+# For solvers without an energy ledger: whether the impulses that they report equal the momentum that bodies gained.
 set(others "00 naive,01 velocity,02 clamping,03 Baumgarte,04 slop,05 restitution,06 friction,08 friction cone,09 from surface"
   "09 sequential,10 split impulse,10 non-linear Gauss-Seidel,14 joints 20 times,18 direct joint solve,21 detected once")
 list(JOIN others "," others)
@@ -50,7 +50,7 @@ add_test(NAME "fuzz: random scenes 41 to 1000, momentum under all other solvers"
 set_tests_properties("fuzz: random scenes 41 to 1000, momentum under all other solvers" PROPERTIES LABELS long)
 target_compile_definitions(test_soak PRIVATE SOAK_STEPS=${soak_steps})
 
-# What is parsed from text, by libFuzzer: only clang++ has that, and only where the sanitizers look.
+# Fuzzes the command line with libFuzzer, which only clang++ has, and only in the sanitizers' build.
 if(PUSHBACK_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   add_executable(fuzz_command_line fuzz/command_line.cpp)
   target_link_libraries(fuzz_command_line PRIVATE pushback)

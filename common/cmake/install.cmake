@@ -1,10 +1,10 @@
-# cmake --install, whole or by components, each of which is installed alone:
-#   simulation   headers, and what a world and the recommended solver need: pushback_simulation and engine
-#   chapters     the same, and the libraries of chapters
-#   experiment   the same as simulation, and pictures, sheets and plots: pushback
-#   exercises    a folder of a student's own: the program pushback-exercise, and what it compiles and links answers with; see
-#                tools/classroom/kit.cmake
-# The first three are for find_package(Pushback), which takes them as COMPONENTS.
+# cmake --install installs everything or single components:
+#   simulation   headers, and the libraries for a world and the recommended solver: pushback_simulation and engine
+#   chapters     the same and the libraries of chapters
+#   experiment   the same as simulation and the library for pictures, sheets and plots: pushback
+#   exercises    for a student's own folder: the program pushback-exercise, and the headers and libraries with which it compiles and
+#                links answers; see tools/classroom/kit.cmake
+# The first three are the COMPONENTS of find_package(Pushback).
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/pushback)
 set(simulation_targets pushback_settings pushback_simulation engine)
@@ -19,7 +19,7 @@ endif()
 foreach(component IN LISTS components)
   install(TARGETS ${${component}_targets} EXPORT pushback-${component} COMPONENT ${component})
   install(EXPORT pushback-${component} NAMESPACE pushback:: DESTINATION ${package} COMPONENT ${component})
-  if(NOT component STREQUAL "simulation")  # an export belongs to one component, so the others install that one first
+  if(NOT component STREQUAL "simulation")  # an export belongs to one component, so the others install simulation first
     install(CODE [[if(CMAKE_INSTALL_COMPONENT)
       execute_process(COMMAND ${CMAKE_COMMAND} --install "${CMAKE_CURRENT_LIST_DIR}" --prefix "${CMAKE_INSTALL_PREFIX}"
         --component simulation COMMAND_ERROR_IS_FATAL ANY)

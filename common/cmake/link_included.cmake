@@ -1,7 +1,7 @@
-# A header belongs to the library with the source of its name: who includes world/measure.h links the library that compiles
-# world/measure.cpp. A header without such a source leads on to what it includes.
+# A header belongs to the library with the source of the same name: a target that includes world/measure.h links the library that
+# compiles world/measure.cpp. If a header has no such source, the headers that it includes are followed.
 
-function(targets_below result folder)  # targets_below(RESULT FOLDER): those of its CMakeLists.txt and of the folders in it
+function(targets_below result folder)  # targets_below(RESULT FOLDER): the targets of its CMakeLists.txt and of its subfolders
   get_property(targets DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} PROPERTY BUILDSYSTEM_TARGETS)
   get_property(folders DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} PROPERTY SUBDIRECTORIES)
   foreach(below IN LISTS folders)
@@ -12,7 +12,7 @@ function(targets_below result folder)  # targets_below(RESULT FOLDER): those of 
   set(${result} ${targets} PARENT_SCOPE)
 endfunction()
 
-function(sources_of result target)  # as seen from the project
+function(sources_of result target)  # sources_of(RESULT TARGET): its .cpp files, relative to the project's folder
   get_target_property(sources ${target} SOURCES)
   get_target_property(folder ${target} SOURCE_DIR)
   list(FILTER sources INCLUDE REGEX "^[^$]*\\.cpp$")
@@ -25,7 +25,7 @@ function(sources_of result target)  # as seen from the project
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
-function(includes_of result file)  # of this project's own; read once
+function(includes_of result file)  # includes_of(RESULT FILE): the project's own headers that it includes; read once
   get_property(known GLOBAL PROPERTY includes_of:${file} SET)
   if(NOT known)
     file(STRINGS ${PROJECT_SOURCE_DIR}/${file} included REGEX "^#include \"(pushback|tests)/")
@@ -37,7 +37,7 @@ function(includes_of result file)  # of this project's own; read once
   set(${result} ${included} PARENT_SCOPE)
 endfunction()
 
-function(know_sources)  # know_sources(FOLDER...): which library each header of these folders belongs to
+function(know_sources)  # know_sources(FOLDER...): records to which library each header of these folders belongs
   foreach(folder IN LISTS ARGN)
     targets_below(targets ${folder})
     foreach(target IN LISTS targets)
@@ -54,7 +54,7 @@ function(know_sources)  # know_sources(FOLDER...): which library each header of 
   endforeach()
 endfunction()
 
-function(included_libraries result own)  # included_libraries(RESULT OWN FILE...): those that these files of the target OWN include
+function(included_libraries result own)  # included_libraries(RESULT OWN FILE...): the libraries that these files of the target OWN include
   set(queue ${ARGN})
   set(seen "")
   set(libraries "")
@@ -76,7 +76,7 @@ function(included_libraries result own)  # included_libraries(RESULT OWN FILE...
   set(${result} ${libraries} PARENT_SCOPE)
 endfunction()
 
-function(included_sources result folder)  # included_sources(RESULT FOLDER FILE...): those below it, by what these files include, and so on
+function(included_sources result folder)  # included_sources(RESULT FOLDER FILE...): the sources below FOLDER that these files need
   set(queue ${ARGN})
   set(seen "")
   set(sources "")
@@ -96,7 +96,7 @@ function(included_sources result folder)  # included_sources(RESULT FOLDER FILE.
   set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
-function(link_included)  # link_included(FOLDER...): the targets of these folders link the libraries that their sources include
+function(link_included)  # link_included(FOLDER...): links the targets of these folders with the libraries that their sources include
   know_sources(common ${ARGN})
   foreach(folder IN LISTS ARGN)
     targets_below(targets ${folder})

@@ -1,9 +1,9 @@
-# What this project is built with. PUSHBACK_GL_FOUND says what draws without a screen.
+# Finds the packages that this project needs. PUSHBACK_GL_FOUND: OSMesa or EGL, which draws without a screen.
 if(EMSCRIPTEN)
   include(${PROJECT_SOURCE_DIR}/common/live/packages.cmake)
   return()
 endif()
-find_package(Eigen3 REQUIRED NO_MODULE)  # no version here: 3.4 and 5.x each refuse a request for the other
+find_package(Eigen3 REQUIRED NO_MODULE)  # no version, because 3.4 and 5.x each refuse a request for the other
 if(Eigen3_VERSION VERSION_LESS 3.4)
   message(FATAL_ERROR "Eigen ${Eigen3_VERSION} is too old: 3.4 or later is needed")
 endif()

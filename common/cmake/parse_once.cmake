@@ -1,14 +1,14 @@
-# Headers of others, parsed once.
+# Precompiled headers of other projects.
 #
-# Eigen, fmt and the standard library are half of what a small file takes to compile. None of our headers is among them: a
-# change of ours parses nothing of this again. ccache has no hits with such headers unless it is told not to mind macros.
+# Eigen, fmt and the standard library take half of a small file's compile time. The list below contains none of our headers, so a
+# change in ours does not parse it again. ccache has no hits with such headers unless CCACHE_SLOPPINESS makes it ignore macros.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache$")
   set(with_headers ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CMAKE_CXX_COMPILER_LAUNCHER})
 else()
   set(with_headers ${CMAKE_CXX_COMPILER_LAUNCHER})
 endif()
-# g++ optimizes as the headers were, whatever -O stands beside them: what is compiled briefly has headers of its own.
-function(parse_once whose)  # parse_once(WHOSE HEADER...): object libraries, headers_of_WHOSE and headers_of_brief_WHOSE, to be reused
+# g++ optimizes like the precompiled headers, whatever -O is given, so targets of compile_briefly have their own headers.
+function(parse_once whose)  # parse_once(WHOSE HEADER...): makes the object libraries headers_of_WHOSE and headers_of_brief_WHOSE
   foreach(name headers_of_${whose} headers_of_brief_${whose})
     file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/${name}.cpp CONTENT "")
     add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/${name}.cpp)
@@ -19,7 +19,7 @@ function(parse_once whose)  # parse_once(WHOSE HEADER...): object libraries, hea
   endforeach()
   compile_briefly(headers_of_brief_${whose})
 endfunction()
-function(reuse_headers whose)  # reuse_headers(WHOSE TARGET...): for those that are compiled
+function(reuse_headers whose)  # reuse_headers(WHOSE TARGET...): for those targets that compile sources
   foreach(target IN LISTS ARGN)
     get_target_property(type ${target} TYPE)
     get_target_property(apart ${target} DISABLE_PRECOMPILE_HEADERS)
@@ -30,7 +30,7 @@ function(reuse_headers whose)  # reuse_headers(WHOSE TARGET...): for those that 
     endif()
     if(type MATCHES "EXECUTABLE|STATIC_LIBRARY" AND NOT apart)
       target_precompile_headers(${target} REUSE_FROM ${headers})
-      # g++ 12 takes strings of the standard library for ours here, and warns of what they do: the sanitizers watch arrays.
+      # g++ 12 takes strings of the standard library for our code here and warns about them. The sanitizers check arrays instead.
       target_compile_options(${target} PRIVATE
         "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overread;-Wno-stringop-overflow>")
       set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${with_headers}")

@@ -1,4 +1,4 @@
-/// Input: a word that is new each time, the seed, and how many checks there are. Output: lines that begin with that word.
+/// Input: a word that is new in each run, the seed, and the number of checks. Output: lines that begin with that word.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -14,7 +14,7 @@ int main() {
   std::size_t checks = 0;
   std::cin >> word >> seed >> checks;
   std::FILE* out = fdopen(dup(STDOUT_FILENO), "w");
-  dup2(STDERR_FILENO, STDOUT_FILENO);  // what the student's file prints is not an answer
+  dup2(STDERR_FILENO, STDOUT_FILENO);  // output of the student's file is not an answer
   const auto say = [&](const std::string& line) {
     fmt::print(out, "{} {}\n", word, line);
     std::fflush(out);

@@ -1,4 +1,4 @@
-/// An exercise that checks itself: scenes that are played with an answer, and the numbers that they measure.
+/// A self-checking exercise: scenes that are played with an answer, and the numbers that they measure.
 #pragma once
 
 #include <functional>
@@ -11,11 +11,11 @@ namespace pushback {
 
 using Numbers = std::vector<Real>;
 
-/// A number that a check looks at, as a sentence says it: "your box leaves with 0.31 m/s".
+/// A number that a check compares, with its words for a sentence: "your box leaves with 0.31 m/s".
 struct Quantity {
   std::string words;  ///< "your box leaves with"
   std::string unit;
-  double tolerance;  ///< how far it may be from the right one
+  double tolerance;  ///< allowed absolute difference from the right value, in `unit`
 };
 
 /// One measured value of a scene, with its quantity.
@@ -29,53 +29,53 @@ struct Reading : Quantity {
 /// `Answer`: the functions, or the effect, that the student writes. `checks_of`, declared after it, lists the checks of the exercise.
 template <class Answer>
 struct Check {
-  std::string says;  ///< of a right answer: "a column that lands flat stays on the ground"
+  std::string says;  ///< about a right answer: "a column that lands flat stays on the ground"
   int points;
   /// Plays a random scene and returns its readings. Their quantities and order are the same for every answer.
   std::function<std::vector<Reading>(Random&, const Answer&)> play;
-  /// What is physically wrong with any answer that fails: goes on from "your column leaves with 0.31 m/s where 0 is right: ".
+  /// The physical error of every answer that fails. It continues "your column leaves with 0.31 m/s where 0 is right: ".
   std::string hint = {};
 };
 
-/// The same for every kind of answer.
+/// An exercise, whatever the type of its answer.
 struct Exercise {
   struct Line {
     std::string says;
     int points;
     std::vector<Quantity> quantities;
     std::string hint;
-    int stage = 0;  ///< of a whole solver's: the chapter that asks for it
+    int stage = 0;  ///< for a whole solver: the chapter that introduces this check
   };
   /// Plays a known answer in a scene of this check, and returns the measured numbers.
   using Played = std::function<Numbers(std::size_t check, Random&)>;
 
   std::string title;               ///< "accumulate, clamp, apply the difference"
-  std::vector<std::string> hints;  ///< one more at each `--hint`
+  std::vector<std::string> hints;  ///< each `--hint` shows one more
   std::vector<Line> checks;
   Played right;
-  Played untouched = {};    ///< the file with the gap, as students get it
-  std::string name = {};    ///< of its file: 03_baumgarte, 15_limits_motors_springs_transfer; from its folder
+  Played untouched = {};    ///< the file with the gap, as students receive it
+  std::string name = {};    ///< 03_baumgarte, 15_limits_motors_springs_transfer; a teacher's own: its folder's
   std::string folder = {};  ///< chapters/03_baumgarte/exercise
-  std::string object = {};  ///< of a teacher's own, and of a whole solver: what a student's program is linked with
-  /// Of a whole solver alone, whose file is solver.h with headers beside it: what is compiled behind the student's text, which
-  /// keeps the numbers of its lines.
+  std::string object = {};  ///< only for a teacher's own and a whole solver: the file that a student's program links
+  /// Only for a whole solver, whose file is solver.h with headers next to it: code that is compiled after the student's text, whose
+  /// line numbers stay the same.
   std::string behind = {};
-  bool in_page = false;  ///< the chapter's page has the answer
+  bool in_page = false;  ///< whether the chapter's page shows the answer
 
-  /// The second exercise of a chapter, whose first one rebuilds what the page shows.
+  /// Whether it is the second exercise of a chapter. The first one rebuilds the code on the page.
   bool transfer() const { return !own() && name.ends_with("_transfer"); }
-  /// A solver of the student's own.
+  /// Whether the answer is a whole solver of the student's own.
   bool whole() const { return !behind.empty(); }
-  /// In no chapter's folder: of a teacher, or a whole solver.
+  /// Whether it is outside the chapters' folders: a teacher's own exercise, or a whole solver.
   bool own() const { return !object.empty(); }
-  /// What is in no page. A whole solver is graded where it is asked for.
+  /// Whether it is graded by default: its answer is on no page. A whole solver is graded on request.
   bool graded() const { return !in_page && !whole(); }
 };
 
 /// The number of scenes in which each check is played.
 inline constexpr std::size_t scenes_of_a_check = 3;
 
-/// The random numbers of one of them.
+/// The random numbers of one scene of a check.
 inline Random random_of(std::uint64_t seed, std::size_t check, std::size_t scene) {
   std::uint64_t mixed = seed;
   for (const std::uint64_t part : {check, scene}) mixed = (mixed ^ (part + 1)) * 0x9e3779b97f4a7c15u + (mixed >> 29);
@@ -103,7 +103,7 @@ Exercise exercise_of(std::string title, std::vector<std::string> hints, const An
   return made;
 }
 
-/// The same of a rebuild, in which students write what the chapter's page shows.
+/// The same for a rebuild, in which students write the code on the chapter's page.
 template <class Answer>
 Exercise rebuild_of(std::string title, std::vector<std::string> hints, const Answer& right) {
   Exercise made = exercise_of(std::move(title), std::move(hints), right);

@@ -1,4 +1,4 @@
-/// An answer that is a whole solver: a class of the reader's own, of which each scene gets a new one.
+/// An answer that is a whole solver: the reader's own class, of which each scene gets a new instance.
 #pragma once
 
 #include <memory>
@@ -12,13 +12,13 @@ struct WholeSolver {
   std::function<std::unique_ptr<StepSolver>()> make;
 };
 
-/// Its settings are those that it has from the start.
+/// Makes solvers with their default settings.
 template <class ContactSolver>
 WholeSolver whole_solver() {
   return {[] { return std::make_unique<ContactSolver>(); }};
 }
 
-/// What is measured in a scene of a check, counted from 0 through all chapters.
+/// The numbers that a scene of a check measures. `check` counts from 0 through all chapters.
 Numbers play(std::size_t check, Random& random, const WholeSolver& answer);
 
 }  // namespace pushback

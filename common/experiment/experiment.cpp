@@ -13,7 +13,7 @@
 
 namespace pushback {
 
-// ---- saying what there is --------------------------------------------------------------------------------------------
+// ---- definition ------------------------------------------------------------------------------------------------------
 
 Experiment::Experiment(std::string name, std::string question)
     : name_(std::move(name)), question_(std::move(question)) {}
@@ -167,7 +167,7 @@ void Experiment::remark(std::string sentence) {
   remarks_.push_back(std::move(sentence));
 }
 
-// ---- what it comes to ------------------------------------------------------------------------------------------------
+// ---- preparation -----------------------------------------------------------------------------------------------------
 
 void Experiment::describe(const std::function<void()>& define, const AnySolver* one_more) {
   acts_.clear();
@@ -194,7 +194,7 @@ int Experiment::sweeps_of(const Variant& variant) const {
 
 namespace {
 
-/// A scene may be one in half steps: it is so for whoever joins in.
+/// Detects contacts at least `detections` times per step, so that an added solver has half steps, too, if the scene has them.
 class DetectingAsOften : public ForwardingSolver {
  public:
   DetectingAsOften(AnySolver solver, int detections) : solver_(std::move(solver)), detections_(detections) {}
@@ -213,8 +213,7 @@ class DetectingAsOften : public ForwardingSolver {
 
 }  // namespace
 
-/// Behind the last variant of each scene, and as that one is played: with its sweeps and its steps, and what it changes in the
-/// scene.
+/// Adds the solver after the last variant of each open scene, with that variant's sweeps, detections per step and changes to the scene.
 void Experiment::add_to_all_scenes(const std::string& name, const AnySolver& solver) {
   std::deque<Variant> all;
   for (std::size_t act = 0; act < acts_.size(); ++act) {
@@ -235,7 +234,7 @@ void Experiment::add_to_all_scenes(const std::string& name, const AnySolver& sol
   variants_ = std::move(all);
 }
 
-/// Two of one name would share a folder; two scenes of one key, a sheet.
+/// Two variants with the same name would share a folder, and two scenes with the same key would share a sheet.
 void Experiment::refuse_twins() const {
   for (std::size_t a = 0; a < acts_.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
@@ -254,7 +253,7 @@ void Experiment::refuse_twins() const {
   }
 }
 
-/// One for each name, in the order of their coming, beside those that variants were given.
+/// One colour per name, in order of appearance, in addition to the colours that variants were given.
 void Experiment::choose_colours() {
   std::map<std::string, int> of_name;
   std::set<int> taken;
@@ -273,7 +272,7 @@ void Experiment::choose_colours() {
   }
 }
 
-/// A value that cannot be used is found before anything is written.
+/// Throws InvalidInput if a value cannot be used, before anything is written.
 void Experiment::check() const {
   for (const Variant& variant : variants_) {
     World world;

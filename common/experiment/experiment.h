@@ -1,4 +1,4 @@
-/// One experiment: these scenes, these variants of the solver, these things measured; side by side in one picture.
+/// An experiment: scenes, the solver variants that play them, and the measured quantities. A sheet shows the variants side by side.
 ///
 ///   int main(int argc, char** argv) {
 ///     Experiment e("my_experiment", "Does it stand?");
@@ -9,11 +9,11 @@
 ///     });
 ///   }
 ///
-/// leaves in OUT/my_experiment/: sheet.png (a row per variant, a column per instant; of each further scene
-/// sheet_KEY.png) and thumbnail.png, start.png (the first scene that has pictures, at t = 0), guess_1.png and on where
-/// it has a Guess, plot.png (plot_2.png and on, where there are more than four diagrams), metrics.csv (a row per variant
-/// and step) and numbers.md (the measured numbers beside what they should be); with --frames COUNT also
-/// SCENE_VARIANT/frame_0000.png and on.
+/// writes to OUT/my_experiment/: sheet.png (a row per variant, a column per instant; sheet_KEY.png for each further scene)
+/// and thumbnail.png; start.png (the first scene that has pictures, at t = 0) and, if that scene has a Guess, guess_1.png,
+/// guess_2.png, ...; plot.png (plot_2.png, ... for more than four diagrams); metrics.csv (a row per variant and step); and
+/// numbers.md (measured and expected numbers). With --frames COUNT it also writes SCENE_VARIANT/frame_0000.png, ..., or
+/// VARIANT/frame_0000.png, ... if there is only one scene.
 #pragma once
 
 #include <deque>
@@ -37,7 +37,7 @@ namespace pushback {
 struct IteratedProblem;
 struct Sheet;
 
-/// What is read off the world after every step.
+/// Quantities measured in the world after every step.
 struct Sample {
   Real time = 0;              ///< s
   Real kinetic_energy = 0;    ///< J
@@ -45,120 +45,120 @@ struct Sample {
   Vec3 momentum;              ///< N s
   Vec3 angular_momentum;      ///< N m s, about the origin
   Real overlap = 0;           ///< m, the deepest
-  int contacts = 0;           ///< points in this step
-  int found = 0;              ///< of them, those that the step before did not have
-  int lost = 0;               ///< points that the step before had and this one has not
+  int contacts = 0;           ///< contact points in this step
+  int found = 0;              ///< points that the previous step did not have
+  int lost = 0;               ///< points of the previous step that this step does not have
   int rows = 0;               ///< constraint rows in the solver
   Real residual = 0;          ///< m/s, the largest error() of a row after the last sweep
-  double solver_seconds = 0;  ///< wall time of the solver, for metrics.csv; it alone differs from run to run
+  double solver_seconds = 0;  ///< wall time of the solver, for metrics.csv; the only value that differs between runs
 };
 
-/// What one variant did, for the numbers.
+/// The record of one variant, from which numbers are computed.
 struct Run {
   const World& world;  ///< at the end
   Real dt;             ///< s
   std::vector<Sample> samples;
-  std::map<std::string, std::vector<Real>> series;  ///< by name, one value a step
+  std::map<std::string, std::vector<Real>> series;  ///< by name, one value per step
 
-  /// Samples of the last `seconds`: at least one.
+  /// The samples of the last `seconds`, at least one.
   std::vector<Sample> last(Real seconds) const;
-  /// The largest value of the series of this name.
+  /// The largest value of the series `name`. Throws std::out_of_range if there is no such series.
   Real largest(const std::string& name) const;
-  /// The mean of that series over all steps.
+  /// The mean of the series `name` over all steps. Throws as `largest` does.
   Real mean(const std::string& name) const;
 };
 
-/// A closed form, drawn dashed beside what was measured.
+/// A closed-form curve, drawn dashed with the measured ones.
 struct Reference {
   std::string label;
-  std::function<Real(Real)> of_time;
+  std::function<Real(Real)> of_time;  ///< takes s, returns the unit of the series
 };
 
-/// A step that an experiment makes in a way of its own, without a StepSolver. Returns how many rows that took.
+/// A step of `dt` s that an experiment implements itself, without a StepSolver. Returns the number of rows it solved.
 using CustomStep = std::function<std::size_t(World&, Real dt, int sweeps)>;
 
-/// One solver on one scene. What it returns can be said more of: e.variant("cold", solver).with_sweeps(50).
+/// One solver on one scene. Calls can be chained: e.variant("cold", solver).with_sweeps(50).
 struct Variant {
   std::string name;
   std::size_t scene = 0;
-  std::optional<AnySolver> solver;  ///< what moves the world on; none: `motion` does
-  CustomStep motion;                ///< instead of a solver
-  bool checked = true;  ///< whether the scene is refused, before anything is drawn, where the solver refuses it
-  std::function<void(World&)> change;    ///< what this variant does to the scene before it begins; empty: nothing
-  int sweeps = 0;                        ///< in each substep; 0: what the solver's plan says
-  bool exactly = false;                  ///< whether --sweeps has no say
-  int colour = -1;                       ///< index of line_colour and marker_of; -1: one for its name
+  std::optional<AnySolver> solver;       ///< advances the world; none: `motion` does
+  CustomStep motion;                     ///< replaces a solver
+  bool checked = true;                   ///< whether `check` lets the solver reject the scene before anything is drawn
+  std::function<void(World&)> change;    ///< changes the scene before its first step; may be empty
+  int sweeps = 0;                        ///< in each substep; 0: as in the solver's plan
+  bool exactly = false;                  ///< whether --sweeps is ignored
+  int colour = -1;                       ///< index for line_colour and marker_of; -1: chosen by name
   std::map<std::string, Real> expected;  ///< by the name of a number
   std::vector<Reference> references;
   bool curves = true;  ///< whether its series are drawn
 
-  /// How a step of dt is divided.
+  /// How the solver divides a step of `dt` s.
   Plan plan(Real dt) const;
-  /// Throws InvalidInput where a value cannot be used.
+  /// Throws InvalidInput if the solver or the motion cannot use the scene or a value.
   void check(World& world, Real dt) const;
-  /// What this variant does to the scene before it begins: variants may differ in their joints.
+  /// Changes the scene before its first step, so that variants may differ in their joints, for example.
   Variant& changing(std::function<void(World&)> how);
-  /// Instead of what the solver's plan says; --sweeps overrides it.
+  /// Replaces the number of sweeps in the solver's plan. --sweeps overrides it.
   Variant& with_sweeps(int count);
-  /// The number of sweeps is what this variant is about: --sweeps leaves it alone.
+  /// The same, but --sweeps does not override it: for variants that compare numbers of sweeps.
   Variant& with_exactly(int count);
-  /// Instead of the colour and the marker that its name would have in all scenes.
+  /// Sets the index of the colour and marker. By default, a name has the same ones in all scenes.
   Variant& coloured(int which);
-  /// What the number of that name should be, from a closed form; shown beside it.
+  /// Sets the closed-form value of the number `number`, which is shown with it.
   Variant& expect(const std::string& number, Real value);
-  /// The curve that the scene's first series should follow.
+  /// Adds a curve over time (s) that the scene's first series should follow.
   Variant& reference(const std::string& label, std::function<Real(Real)> of_time);
-  /// Its curves would lie on those of another.
+  /// Omits its curves, because they would coincide with another variant's.
   Variant& without_curves();
 };
 
-/// What is done with an experiment's scenes by words of its own; argv[0] is how it was called. Returns the exit status.
+/// A command of an experiment's own that uses its scenes. argv[0] is the program's name and the flag. Returns the exit status.
 using SceneCommand = std::function<int(const std::vector<Scene>& scenes, int argc, const char* const* argv)>;
 
 class Experiment {
  public:
-  /// `name` is the folder's and the program's, `question` stands above the sheet.
+  /// `name`: of the folder and the program. `question`: the heading of the sheet.
   Experiment(std::string name, std::string question);
 
-  /// A parameter of this experiment's own, beside those that every experiment has; see parameter.h.
+  /// Adds a parameter to those that every experiment has; see parameter.h.
   void parameter(const Parameter& parameter, ParameterVariable variable);
-  /// All of its own parameters, in the order in which they were added.
+  /// The added parameters, in the order in which they were added.
   const std::vector<ParameterWithDefault>& parameters() const;
 
-  /// Where the first word is `flag`, `act` is called with the words after it, instead of what `run` does else: `what` says so to
-  /// --help. Parameters have their defaults then.
+  /// Adds a command. If the first argument is `flag`, `run` only calls `act` with the arguments after it, and parameters keep their
+  /// defaults. --help prints `what`.
   void command(const std::string& flag, const std::string& what, SceneCommand act);
 
   // ---- to be called inside `run`'s `define` --------------------------------------------------------------------------
 
-  /// What follows, up to the next scene, belongs to this one.
+  /// Begins a scene, to which the calls up to the next scene apply.
   void scene(Scene scene);
-  /// A solver to watch on the latest scene: anything that World::step takes.
+  /// Adds a solver that plays the latest scene: any solver that World::step takes.
   Variant& variant(const std::string& name, AnySolver solver);
-  /// What moves the scene's bodies on in a way of its own. A copy of it plays the scene.
+  /// Adds a variant that moves the bodies of the latest scene without a solver. A copy of `step` plays the scene.
   Variant& motion(const std::string& name, CustomStep step);
-  /// A quantity to record after every step and to plot against time, for the latest scene. The first is the one that
-  /// references are drawn with. Without any, the deepest overlap is plotted. `log_y`: as Panel has it.
+  /// Adds a quantity of the latest scene that is recorded after every step and plotted against time. References are drawn with
+  /// the first quantity. For a scene without any, the deepest overlap is plotted. `log_y`: see Panel.
   void series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of,
               bool log_y = false);
-  /// The same, recorded for the numbers alone.
+  /// The same for a quantity that is recorded for the numbers and metrics.csv, but not plotted.
   void series_without_curves(const std::string& name, std::function<Real(const World&)> of);
-  /// A number to show beside each variant of the latest scene. None may come from a clock: what git tracks would change with
-  /// every run.
+  /// Adds a number that is shown with each variant of the latest scene. It must not come from a clock, because files that git
+  /// tracks would change with every run.
   void number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of);
-  /// What the experiment works out itself, once all variants have been watched: `work` calls `panel` and `remark`.
+  /// Adds computations of the experiment itself. `work` is called after all variants have been played, and calls `panel` and `remark`.
   void study(std::function<void()> work);
-  /// A further diagram that the experiment works out itself, after the scenes' own.
+  /// Adds a diagram after those of the scenes.
   void panel(Panel panel);
-  /// A step's problem that a page solves iteration by iteration (iterated_problem.h). `make` is called where one asks for it.
+  /// Adds the problem of a step, which an interactive page solves iteration by iteration (iterated_problem.h) and makes on demand.
   void iterations(const std::string& of, std::function<IteratedProblem()> make);
-  /// A finding that belongs to no single variant; it stands below the tables of numbers.
+  /// Adds a finding that concerns no single variant. It is printed below the tables of numbers.
   void remark(std::string sentence);
 
   // ---------------------------------------------------------------------------------------------------------------------
 
-  /// Reads the command line, lets `define` say what there is, and does it. Returns the program's exit status: 0; 2 after
-  /// a message where a value cannot be used (nothing is written then); 1 where something else went wrong.
+  /// Reads the command line, calls `define`, and plays the experiment. Returns the program's exit status: 0; 2 after a message if
+  /// a value cannot be used (values are checked before anything is written); 1 after a message about any other error.
   int run(int argc, const char* const* argv, const std::function<void()>& define);
 
   Real dt() const { return dt_; }
@@ -191,7 +191,7 @@ class Experiment {
   class Output;
   class Shots;
   class Played;
-  friend class Live;  // plays the same where somebody looks on: common/live/
+  friend class Live;  // plays the same experiment in a page: common/live/
 
   Variant& add_variant(const std::string& name);
   std::optional<int> run_command(int argc, const char* const* argv, const std::function<void()>& define);
@@ -225,7 +225,7 @@ class Experiment {
   std::vector<ParameterWithDefault> parameters_;
   std::vector<Command> commands_;
   std::vector<Act> acts_;
-  std::deque<Variant> variants_;  // `variant` hands out references
+  std::deque<Variant> variants_;  // not a vector, because `variant` returns references
   std::vector<Panel> own_panels_;
   std::vector<std::string> remarks_;
   std::vector<std::function<void()>> studies_;
@@ -236,9 +236,9 @@ class Experiment {
   Real seconds_ = 0, dt_ = Real(1) / 60;
   int frames_ = 0, sweeps_ = 10, passes_ = 16;
   std::set<std::string> told_;  ///< the flags that were given
-  std::string film_;            ///< ending of the films; empty: none
+  std::string film_;            ///< file extension of the films; empty: none
   std::vector<std::string> only_;
-  std::string mine_;  ///< shared object with one more solver; empty: none
+  std::string mine_;  ///< shared object with a further solver; empty: none
   bool no_images_ = false, no_study_ = false, first_scene_ = false, list_ = false, list_parameters_ = false;
 };
 

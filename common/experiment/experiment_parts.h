@@ -1,4 +1,4 @@
-/// What the parts of an experiment hand to each other. Only common/experiment*.cpp need it.
+/// Classes shared by the sources of Experiment. Only common/experiment/experiment_*.cpp need them.
 #pragma once
 
 #include <chrono>
@@ -20,15 +20,15 @@ struct Experiment::Result {
   std::vector<Sample> samples;
   std::map<std::string, std::vector<Real>> series;
   std::vector<Real> numbers;
-  std::optional<Image> start;  ///< of the scene, with its first variant
-  std::vector<Image> cells;    ///< or the one wide picture
+  std::optional<Image> start;  ///< the scene at t = 0; only with its first variant
+  std::vector<Image> cells;    ///< or the single wide picture
   std::vector<std::string> cell_notes;
   std::vector<std::vector<int>> raster;  ///< a column per step
   Legend legend;                         ///< of the pictures
-  std::string mishap;                    ///< why it was not watched to the end; empty where it was
+  std::string mishap;                    ///< why the run ended early; empty if it did not
 };
 
-/// Where pictures and progress go.
+/// The folder and the painters for pictures, and the display of progress.
 class Experiment::Output {
  public:
   using Size = std::pair<int, int>;  ///< pixels, width and height
@@ -38,10 +38,10 @@ class Experiment::Output {
   const std::filesystem::path& folder() const { return folder_; }
   bool images() const { return images_; }
   Size frame() const { return frame_; }
-  /// A cell of the sheet: as wide as the sheet has it or, for a quick look, as a smaller frame is. `height`: for one that is
+  /// The size of a sheet's cell: cell_width wide, or as wide as the frame if that is smaller. `height`: pixels for a cell that is
   /// cell_width wide; 0: in the frame's proportions.
   Size cell(int height = 0) const;
-  /// A picture as wide as the sheet's content, drawn as coarsely as the cells are.
+  /// The size of a picture as wide as the sheet's content, at the resolution of the cells. `height`: pixels for a width of strip_width.
   Size strip(int height) const;
   Painter& painter(Size size);
   void progress(const std::string& name, std::size_t index, const std::string& variant, std::size_t frame,
@@ -57,14 +57,14 @@ class Experiment::Output {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// Takes the pictures of one variant, step by step.
+/// Draws the pictures of one variant, step by step.
 class Experiment::Shots {
  public:
   Shots(const Experiment& of, std::size_t index, const World& start, Output& output, Result& result);
 
-  /// Once a step.
+  /// Call it once per step.
   void take(const World& world, std::size_t step);
-  /// After the last.
+  /// Call it after the last step.
   void end();
 
  private:
@@ -81,10 +81,10 @@ class Experiment::Shots {
   World start_;
   Output& output_;
   Result& result_;
-  std::optional<Real> arrow_;     ///< m for 1 N s, 0: points alone; none: no contacts
+  std::optional<Real> arrow_;     ///< m for 1 N s; 0: only points; none: no contacts
   std::filesystem::path folder_;  ///< of the frames
   std::set<std::size_t> cells_;
-  std::multiset<std::size_t> frames_;  ///< a step that lasts longer than a frame of a film has several
+  std::multiset<std::size_t> frames_;  ///< a step longer than a film's frame occurs several times
   std::size_t frames_drawn_ = 0;
   std::optional<Picture> strobe_;
   World marked_;  ///< of the strobe picture's last instant

@@ -54,10 +54,10 @@ Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& s
   if (first && scene_.start_shown && !scene_.strobe)
     result_.start = still(picture(start, 0), output.cell(scene_.cell_height));
   if (first && of.is_first_with_pictures(variant_.scene) && of.mine_.empty()) {
-    World filled;  // as the scene has it: a variant may change it
+    World filled;  // without the changes of a variant
     scene_.fill(filled);
     Output::Size size = scene_.strobe ? output.strip(scene_.strobe->height) : output.frame();
-    if (scene_.cell_height > 0 && !scene_.strobe) {  // or the sides of a wide scene are cut off
+    if (scene_.cell_height > 0 && !scene_.strobe) {  // else the sides of a wide scene would be cut off
       const auto [width, height] = output.cell(scene_.cell_height);
       size.second = std::min(size.second, size.first * height / width);
     }
@@ -77,7 +77,7 @@ std::string Experiment::frames_folder(const Variant& variant) const {
   return acts_.size() > 1 ? slug(acts_[variant.scene].scene.name) + "_" + own : own;
 }
 
-/// One a scene that has pictures, named as its sheet is; the frames go once they are in it.
+/// Makes one film per scene that has pictures, named like its sheet, and then removes its frames.
 void Experiment::make_films(const fs::path& folder) const {
   for (std::size_t a = 0; a < acts_.size(); ++a) {
     std::vector<fs::path> frames;

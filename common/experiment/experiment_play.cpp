@@ -1,4 +1,4 @@
-/// Watching one variant to its end.
+/// Plays one variant to its end.
 #include <fmt/format.h>
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-/// What an experiment leaves behind: the table of numbers, the metrics, the sheet, the plot.
+/// Writes the results of an experiment: the table of numbers, the metrics, the sheets, the plot.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Ink ink_of(const std::string& colour) {
 
 // ---- diagrams and tables -------------------------------------------------------------------------------------------
 
-/// Where a variant has a number of sweeps of its own, its name says so.
+/// The name, and the number of sweeps if with_sweeps gave the variant its own.
 std::string Experiment::shown_name(const Variant& variant) const {
   const bool said = sweeps_of(variant) == sweeps_ || variant.sweeps == 0 || variant.exactly;
   return said ? variant.name : fmt::format("{}, {} sweeps", variant.name, sweeps_of(variant));
@@ -36,7 +36,7 @@ std::string Experiment::shown_name(const Variant& variant) const {
 
 namespace {
 
-/// A motion that dies out ends at rounding noise: the axis ends before.
+/// A motion that dies out ends in rounding noise, so the axis ends above it.
 constexpr Real decades_of_a_series = 7;
 
 Real floor_of(const Panel& panel) {
@@ -49,7 +49,7 @@ Real floor_of(const Panel& panel) {
 
 }  // namespace
 
-/// One curve with nothing to compare it with is left out where the scene has a number: it says as much.
+/// Without --variants, omits a curve that has no other to compare it with if the scene has a number, which says as much.
 std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const {
   std::vector<Panel> all;
   for (std::size_t a = 0; a < acts_.size(); ++a) {
@@ -141,7 +141,7 @@ std::string sample_line(const Sample& s) {
 
 }  // namespace
 
-/// The series of a scene stand behind the columns that all scenes have.
+/// The columns that all scenes have, followed by the series of the scenes.
 std::string Experiment::metrics(const std::vector<Result>& results) const {
   std::set<std::string> series;
   for (const Act& act : acts_) {
@@ -206,7 +206,7 @@ void Experiment::draw_sheets(std::vector<Result>& results, const fs::path& folde
     fmt::print("\n{}", file.string());
   }
   if (!only_.empty()) return;
-  std::vector<fs::path> stale;  // of scenes that there were
+  std::vector<fs::path> stale;  // of scenes that no longer exist
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().filename().string().starts_with("sheet_") && !drawn.contains(entry.path()))
       stale.push_back(entry.path());
@@ -214,7 +214,7 @@ void Experiment::draw_sheets(std::vector<Result>& results, const fs::path& folde
   for (const fs::path& file : stale) fs::remove(file);
 }
 
-/// "steps of 0.01667 s, 10 sweeps": what all variants of the scene have in common, and what those have that say nothing.
+/// "steps of 0.01667 s, 10 sweeps": the values that all variants of the scene share, or the default for names that give none.
 std::string Experiment::how_solved(std::size_t act) const {
   std::set<int> substeps, sweeps;
   bool by_default = false;
@@ -232,7 +232,7 @@ std::string Experiment::how_solved(std::size_t act) const {
   return text;
 }
 
-/// None where the scene has no pictures.
+/// None if the scene has no pictures.
 std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& results) const {
   const Scene& scene = acts_[act].scene;
   Sheet sheet{.question = question_,

@@ -1,4 +1,4 @@
-/// An experiment as a program: what the command line asks for is done, and left in files.
+/// Runs an experiment as a program, according to its command line.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -22,7 +22,7 @@ struct Format {
 const std::vector<Format>& formats() {
   static const std::vector<Format> all{
       {"mp4",
-       "pad=ceil(iw/2)*2:ceil(ih/2)*2",  // what plays everywhere has colour for each 2x2 pixels
+       "pad=ceil(iw/2)*2:ceil(ih/2)*2",  // yuv420p, which plays everywhere, has one colour per 2x2 pixels
        {"-c:v", "libx264", "-crf", "20", "-pix_fmt", "yuv420p", "-movflags", "+faststart"}},
       {"webm",
        "pad=ceil(iw/2)*2:ceil(ih/2)*2",
@@ -32,7 +32,7 @@ const std::vector<Format>& formats() {
   return all;
 }
 
-/// Each input held at its last frame until the film ends, then all of them in rows of three.
+/// Holds each input at its last frame until the film ends, and puts the inputs in rows of three, or of two if there are four.
 std::string side_by_side(std::size_t count, double seconds, const std::string& last_filter) {
   std::string filter, inputs;
   std::vector<std::string> places;
@@ -78,7 +78,7 @@ void write_film(const fs::path& file, const std::vector<fs::path>& folders, doub
   for (const fs::path& folder : folders)
     command.insert(command.end(),
                    {"-framerate", std::to_string(frames_per_second), "-i", (folder / "frame_%04d.png").string()});
-  // Without the time of day and the name of the program, so that the same frames give the same bytes.
+  // Omits the time and the name of the program, so that the same frames give the same bytes.
   command.insert(command.end(), {"-filter_complex", side_by_side(folders.size(), seconds, format->last_filter), "-map",
                                  "[film]", "-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"});
   command.insert(command.end(), format->options.begin(), format->options.end());

@@ -1,4 +1,4 @@
-/// One step's problem, held still: its matrix, and what solves it iteration by iteration. A page draws both.
+/// The problem of one step: its matrix, and the methods that solve it iteration by iteration. An interactive page draws both.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -11,19 +11,19 @@ namespace pushback {
 struct IteratedProblem {
   struct Method {
     std::string name;
-    /// Takes the impulses on by one iteration; at first they are 0. False where it has nothing left to do: they are as before then.
+    /// Advances the impulses (N s, at first 0) by one iteration. Returns false, and leaves them unchanged, if the method has finished.
     std::function<bool(Eigen::VectorXd&)> iterate;
   };
 
   Eigen::SparseMatrix<double, Eigen::RowMajor> matrix =
-      {};                       ///< 1/kg: the speed of a row by an impulse of 1 N s on another
-  int block = 1;                ///< so many rows, one after the other, belong together
-  std::string block_name = "";  ///< as what: "contact"
-  std::string iteration = "";   ///< what one is: "a sweep over all contacts"
-  std::string measure = "";     ///< what `residual` is
+      {};                       ///< 1/kg: the change in a row's speed per impulse on another row
+  int block = 1;                ///< number of consecutive rows that belong together
+  std::string block_name = "";  ///< name of a block: "contact"
+  std::string iteration = "";   ///< name of an iteration: "a sweep over all contacts"
+  std::string measure = "";     ///< name of `residual`
   std::function<double(const Eigen::VectorXd&)> residual = {};
   std::vector<Method> methods = {};  ///< four at most
-  int most = 1000;                   ///< iterations
+  int most = 1000;                   ///< maximum number of iterations
 };
 
 }  // namespace pushback

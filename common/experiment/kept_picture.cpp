@@ -12,7 +12,7 @@ namespace {
 bool shows_already(const std::filesystem::path& file, const Image& image) {
   try {
     return shows_the_same(read_png(file), image);
-  } catch (const std::exception&) {  // there is none, or none that can be read
+  } catch (const std::exception&) {  // missing or unreadable
     return false;
   }
 }

@@ -1,4 +1,4 @@
-/// Pictures that git keeps: small files, replaced only where they show something else.
+/// Pictures that git tracks: small files, rewritten only if the picture looks different.
 #pragma once
 
 #include <filesystem>
@@ -7,12 +7,12 @@
 
 namespace pushback {
 
-/// Whether an eye sees the same in both. Within the tolerance from one OpenGL to the next, and no four pixels differ
-/// so clearly as those of a digit that has changed.
+/// Whether both images look the same. They may differ as much as two OpenGL implementations do, but no square of four pixels may
+/// differ as clearly as in a changed digit.
 bool shows_the_same(const Image& a, const Image& b);
 
-/// Leaves the file as it is where it shows the same already. Else writes it whole or not at all, with a palette where that
-/// shows the same and pngquant is there, in true colour otherwise. Throws InvalidInput, naming the file, where it cannot.
+/// Keeps the file if it already shows the same. Otherwise writes it, whole or not at all: with a palette if pngquant makes one that
+/// is smaller and looks the same, else in true colour. Throws InvalidInput, naming the file, if it cannot be written.
 void keep_picture(const std::filesystem::path& file, const Image& image);
 
 }  // namespace pushback

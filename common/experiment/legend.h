@@ -1,4 +1,4 @@
-/// What dots, arrows and colours mean: as far as pictures have them.
+/// Explains the dots, arrows and colours that occur in pictures.
 #pragma once
 
 #include <set>
@@ -23,7 +23,7 @@ class Legend {
  public:
   void see(const Picture& picture);
   void add(const Legend& other);
-  /// Of what was seen.
+  /// The entries for all marks seen.
   std::vector<LegendEntry> entries() const;
 
  private:

@@ -36,7 +36,7 @@ class LoadedSolver : public ForwardingSolver {
 }  // namespace
 
 AnySolver loaded_solver(const std::string& library) {
-  // By its whole path, as a name alone would be looked for among the system's. Never closed: its code is in use.
+  // By its absolute path, because a bare name is searched for in the system's folders. Never closed, because its code is in use.
   void* const loaded = dlopen(std::filesystem::absolute(library).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!loaded) throw InvalidInput(fmt::format("--mine is '{}', which cannot be loaded: {}", library, dlerror()));
   void* const make = dlsym(loaded, "make_solver");

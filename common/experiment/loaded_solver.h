@@ -1,4 +1,4 @@
-/// A solver from a shared object, which was compiled after the program that it plays in.
+/// Loads a solver from a shared object, which may be compiled after the program.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 namespace pushback {
 
 /// `library` exports   extern "C" pushback::StepSolver* make_solver(const pushback::StepSolver* like)
-/// which returns a new solver: a copy of `like`, or one as it is from the start where that is null. It must have been compiled
-/// with the headers and the settings of this program. Throws InvalidInput where there is no such library.
+/// which returns a new solver: a copy of `like`, or one in its initial state if `like` is null. The library must be compiled with
+/// the headers and the settings of this program. Throws InvalidInput if it cannot be loaded or lacks make_solver.
 AnySolver loaded_solver(const std::string& library);
 
 }  // namespace pushback

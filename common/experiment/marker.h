@@ -1,4 +1,4 @@
-/// A variant's colour and the shape that goes with it: on the sheet, at its curve and in the tables.
+/// The colour and the marker of a variant on the sheet, at its curve and in the tables.
 #pragma once
 
 #include <array>
@@ -7,16 +7,16 @@
 
 namespace pushback {
 
-/// Seven of Okabe and Ito, and a violet: the colour-blind can tell them apart.
+/// Six colours of Okabe and Ito, a dark grey and a violet, which the colour-blind can tell apart.
 inline constexpr std::array line_colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                          "#e69f00", "#56b4e9", "#444444", "#8a2be2"};
 
-/// "#rrggbb"; starts again after the last.
+/// "#rrggbb"; wraps around after eight colours.
 inline std::string line_colour(std::size_t index) {
   return line_colours[index % line_colours.size()];
 }
 
-/// By the index of line_colour; starts again after the last, at another index than the colours do.
+/// For the same index as line_colour; wraps around after seven markers.
 inline std::string marker_of(std::size_t index) {
   static constexpr std::array markers{"●", "■", "▲", "◆", "▼", "★", "✚"};
   return markers[index % markers.size()];

@@ -7,7 +7,7 @@ namespace pushback {
 
 namespace {
 
-/// `from` to `to` of a turn about `normal`, 0 and 2 pi for the whole ring.
+/// An arc about `normal`, from the direction `towards` through the angle `to` (rad); 2 pi gives the whole ring.
 std::vector<Vec3> arc(const Vec3& centre, const Vec3& normal, const Vec3& towards, Real radius, Real to) {
   constexpr int corners_of_ring = 48;
   const int count = std::max(2, static_cast<int>(std::lround(corners_of_ring * to / (2 * pi))));
@@ -67,7 +67,7 @@ void add_line(Picture& picture, const std::vector<Vec3>& corners, Colour colour,
   const Camera& camera = picture.camera;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const Vec3 &from = corners[i - 1], &to = corners[i];
-    // In pieces, each as thick as its own distance asks for; the distance grows by the same factor over each.
+    // In pieces, each with the thickness for its own distance. The distance changes by the same factor over each piece.
     const Real ratio = camera.height_at(to) / camera.height_at(from);
     const int pieces =
         static_cast<int>(std::clamp(std::ceil(std::abs(std::log(ratio)) / Real(0.1)), Real(1), Real(64)));

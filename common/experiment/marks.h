@@ -1,4 +1,5 @@
-/// Thin lines and arrows in a picture: what should be, beside what is. They are as thick on the picture wherever they are.
+/// Adds thin lines and arrows to a picture, for example to show an expected motion. Their thickness on the picture does not depend on
+/// their distance.
 #pragma once
 
 #include <vector>
@@ -9,18 +10,18 @@
 
 namespace pushback {
 
-inline constexpr Real line_pixels = Real(2.5);  ///< of a picture 281 pixels high, as the cells of a sheet are
+inline constexpr Real line_pixels = Real(2.5);  ///< in a picture 281 pixels high, like the cells of a sheet
 
-/// From corner to corner, m, world axes.
+/// Lines from corner to corner (m, world axes).
 void add_line(Picture& picture, const std::vector<Vec3>& corners, Colour colour = near_black_colour(),
               Real pixels = line_pixels);
 void add_ring(Picture& picture, const Vec3& centre, const Vec3& normal, Real radius,
               Colour colour = near_black_colour(), Real pixels = line_pixels);
-/// The edges of a box or hull, three rings of a ball, rings and lines of a capsule; of a half-space nothing.
+/// The edges of a box or hull, three rings of a sphere, rings and lines of a capsule, nothing of a half-space.
 void add_outline(Picture& picture, const Body& body, Colour colour = near_black_colour(), Real pixels = line_pixels);
 void add_arrow(Picture& picture, const Vec3& tail, const Vec3& tip, Colour colour = near_black_colour());
 
-/// m, of a shaft at that point: 1.2 % of the picture's height there.
+/// The thickness of a shaft at this point, m: 1.2 % of the height that the picture covers there.
 inline Real arrow_thickness(const Camera& camera, const Vec3& at) {
   return Real(0.012) * camera.height_at(at);
 }

@@ -17,7 +17,7 @@ struct Size {
   Real operator()(const Hull& h) const { return std::cbrt(h.solid->volume); }
 };
 
-/// A typical diameter of the bodies that move, m.
+/// The mean size of the movable bodies, m; 1 if there are none.
 Real typical_size(const World& world) {
   Real sum = 0;
   int count = 0;
@@ -108,7 +108,7 @@ Picture picture_of(const World& world, const Camera& camera, std::optional<Real>
 
 void add_moving(Picture& picture, const World& world, std::optional<Real> arrow, const Vec3& shift,
                 const std::function<void(Picture&, const World&)>& marks) {
-  // Seen by a camera that is shifted the other way, so that each dot has its size where it will be.
+  // The camera is shifted the other way, so that each dot gets the size for its final position.
   Picture added;
   added.camera = picture.camera;
   added.camera.eye -= shift;

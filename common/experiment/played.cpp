@@ -21,8 +21,8 @@ int count_missing(const std::vector<ContactId>& from, const std::vector<ContactI
   return static_cast<int>(missing.size());
 }
 
-/// Around the variant's solver, so that the clock runs for it alone; and its rows are those of the last substep's sweeps, before
-/// a relaxing pass changes them.
+/// Wraps the variant's solver. It times only the solver, and records its rows after the sweeps of the last substep, before a relaxing
+/// pass changes them.
 class Watched : public ForwardingSolver {
  public:
   Watched(AnySolver& solver, int substeps, Sample& sample)

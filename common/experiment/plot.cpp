@@ -18,7 +18,7 @@ namespace pushback {
 
 namespace {
 
-constexpr std::size_t most_own_markers = 40;  // of a curve with more points only a few have a shape
+constexpr std::size_t most_own_markers = 40;  // a curve with more points has markers at only a few
 
 std::string shape_of(const Curve& curve) {
   if (!curve.marker.empty()) return curve.marker;
@@ -26,7 +26,7 @@ std::string shape_of(const Curve& curve) {
   return found == line_colours.end() ? "" : marker_of(static_cast<std::size_t>(found - line_colours.begin()));
 }
 
-/// In gnuplot's words. Its own shapes stand more exactly where they should than a letter does.
+/// The marker as gnuplot options. Gnuplot places its own shapes more exactly than it does characters.
 std::string points_with(const std::string& marker, const std::string& colour) {
   static const std::map<std::string, int> own{{"●", 7}, {"■", 5}, {"▲", 9}, {"◆", 13}, {"▼", 11}};
   const auto found = own.find(marker);
@@ -34,7 +34,7 @@ std::string points_with(const std::string& marker, const std::string& colour) {
   return fmt::format("with points pt {} ps 1.9 lc rgb '{}'", found->second, colour);
 }
 
-/// Darker than the line: thin strokes of a bright colour are hard to read on white.
+/// Darker than the line, because thin strokes of a bright colour are hard to read on white.
 std::string text_colour(const std::string& colour) {
   const unsigned long rgb = std::stoul(colour.substr(1), nullptr, 16);
   const auto darker = [&](int shift) { return (rgb >> shift & 255) * 3 / 4; };
@@ -122,7 +122,7 @@ class PanelScript {
     }
   }
 
-  /// Lines first, so that no line crosses out the shape of another.
+  /// Lines first, so that no line covers a marker of another curve.
   std::vector<std::string> plot_elements() {
     std::vector<std::string> elements;
     for (const Curve& curve : panel_.curves) {
@@ -155,7 +155,7 @@ class PanelScript {
     return points;
   }
 
-  /// Where the curve's shape stands.
+  /// The points at which the curve has a marker.
   Points marked(const Curve& curve, std::size_t index) const {
     Points points = points_of(curve);
     std::erase_if(points, [&](const auto& point) {
@@ -178,7 +178,7 @@ class PanelScript {
     return points;
   }
 
-  /// Defines a block of data; returns its name, to be plotted.
+  /// Defines a data block and returns its name, for the plot command.
   std::string data(const Points& points) {
     const std::string name = fmt::format("$d{}", blocks_++);
     text_ += name + " << EOD\n";
@@ -195,7 +195,7 @@ class PanelScript {
 };
 
 void draw_figure(const std::filesystem::path& file, const std::vector<Panel>& panels) {
-  // Drawn beside its final place.
+  // Gnuplot draws to a temporary file next to `file`.
   std::filesystem::path unfinished = file;
   unfinished += ".part";
   const FigureLayout figure = lay_out(panels);

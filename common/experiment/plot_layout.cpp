@@ -24,7 +24,7 @@ Real length(const Axis& axis, Real value) {
   return axis.log ? std::log10(value) : value;
 }
 
-/// 1, 2 or 5 times a power of ten: the least that leaves at most so many of them within `span`.
+/// The least of 1, 2 or 5 times a power of ten that gives at most `most` ticks within `span`.
 Real nice_step(Real span, int most) {
   Real step = std::pow(Real(10), std::floor(std::log10(span)) - 2);
   for (int i = 0; std::floor(span / step) + 1 > static_cast<Real>(most); ++i) step *= i % 3 == 1 ? Real(2.5) : Real(2);
@@ -67,7 +67,7 @@ void log_ticks(Axis& axis, int most) {
   linear_ticks(axis, most);
 }
 
-/// Around all values that are numbers, with a little room at both ends if `room`.
+/// An axis for the range `given` or else for all finite values, with the fraction `room` of their range as a margin at both ends.
 Axis axis_of(const std::vector<Real>& values, const Range& given, bool log, Real room, int most_ticks) {
   Axis axis{.log = log};
   if (given.from != given.to) {
@@ -86,7 +86,7 @@ Axis axis_of(const std::vector<Real>& values, const Range& given, bool log, Real
       axis.from = low / factor;
       axis.to = high * factor;
     } else {
-      // Rounding noise is no span.
+      // A span of rounding noise is widened.
       const Real least = std::max(Real(1e-6) * std::max(std::abs(low), std::abs(high)), Real(1e-12));
       const Real more = high - low < least ? least : room * (high - low);
       axis.from = low - more;
@@ -104,7 +104,7 @@ void ticks_at(Axis& axis, const std::vector<Real>& values) {
     axis.ticks.emplace_back(value, fmt::format("{:g}", value));
 }
 
-/// The axis ends at the floor, and says that what is there may be below.
+/// Ends the axis at the floor, with a tick that says that values there may be lower.
 void end_at_floor(Axis& axis, Real floor, bool something_below) {
   if (!something_below) return;
   axis.from = floor;
@@ -126,7 +126,7 @@ int width_of_ticks(const Axis& axis) {
 
 // ---- one panel -------------------------------------------------------------------------------------------------------
 
-/// The last of the points furthest to the right; none: the curve has no point.
+/// The last of the rightmost points; none if the curve has no point.
 std::optional<std::size_t> right_end(const Panel& panel, const Curve& curve) {
   std::optional<std::size_t> end;
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
@@ -137,7 +137,7 @@ std::optional<std::size_t> right_end(const Panel& panel, const Curve& curve) {
   return end;
 }
 
-/// Sizes that do not depend on where the panel stands; `left` and `right` as if its corner were the figure's.
+/// The sizes that do not depend on the panel's position. `left` and `right` are relative to the panel's corner.
 PanelLayout widths(const Panel& panel, int width) {
   PanelLayout layout{.edge = least_margin};
   std::vector<Real> xs, ys;
@@ -165,7 +165,7 @@ PanelLayout widths(const Panel& panel, int width) {
     layout.names.push_back(std::move(name));
   }
   layout.right = width - (layout.names.empty() ? least_margin : beside_names + names + least_margin / 2);
-  if (!panel.log_x && !xs.empty()) {  // what begins with the first step begins at 0
+  if (!panel.log_x && !xs.empty()) {  // an axis of data that begin at the first step begins at 0
     const auto [first, last] = std::minmax_element(xs.begin(), xs.end());
     if (*first > 0 && *first < *last / 20) xs.push_back(0);
   }
@@ -183,7 +183,7 @@ int names_height(const PanelLayout& layout) {
                                           [](Real sum, const PlacedName& name) { return sum + name.height; }));
 }
 
-/// The rectangle shrinks until a unit is as long in both directions.
+/// Shrinks the rectangle until a unit has the same length in both directions.
 void equalise_units(PanelLayout& layout) {
   const Real across = static_cast<Real>(layout.right - layout.left) / std::abs(layout.x.to - layout.x.from);
   const Real down = static_cast<Real>(layout.bottom - layout.top) / std::abs(layout.y.to - layout.y.from);
@@ -192,7 +192,7 @@ void equalise_units(PanelLayout& layout) {
   layout.bottom = layout.top + static_cast<int>(std::lround(scale * std::abs(layout.y.to - layout.y.from)));
 }
 
-/// How many points along the curves lie in the rectangle, of which each side is a part of the axes.
+/// The number of sampled points of the curves that lie in the rectangle. Its sides are fractions of the axes.
 int in_the_way(const Panel& panel, const PanelLayout& layout, Real left, Real right, Real low, Real high) {
   int count = 0;
   for (const Curve& curve : panel.curves) {
@@ -269,7 +269,7 @@ Real drawn(const Panel& panel, Real y) {
 }
 
 std::vector<Real> spread(const std::vector<Real>& wanted, const std::vector<Real>& heights, Real low, Real high) {
-  // With what is above each taken off, the tops only have to ascend. Those that would not are moved to their common mean.
+  // If the heights above each item are subtracted, the tops only have to ascend. Items that do not are moved to their common mean.
   struct Block {
     Real sum;
     std::size_t count;

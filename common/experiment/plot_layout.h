@@ -1,4 +1,4 @@
-/// What stands where in a figure: axes and their ticks, and the names of the curves. In pixels from the top left corner.
+/// The layout of a figure: axes with their ticks, and the names of the curves, in pixels from the top left corner.
 #pragma once
 
 #include <limits>
@@ -15,34 +15,34 @@ struct Axis {
   bool log = false;
   std::vector<std::pair<Real, std::string>> ticks = {};
 
-  Real part(Real value) const;  ///< 0 at `from`, 1 at `to`, and on beyond them
+  Real part(Real value) const;  ///< fraction of the axis: 0 at `from`, 1 at `to`, less or more beyond them
   Real at(Real part) const;
 };
 
-/// The name of a curve, beside the diagram.
+/// The name of a curve, to the right of the diagram.
 struct PlacedName {
   std::size_t curve;
   std::vector<std::string> lines;
-  Real wanted;      ///< where the curve ends
-  Real end_x;       ///< and how far to the right; not_drawn: it has no points
-  Real middle = 0;  ///< where the name stands
+  Real wanted;      ///< y of the curve's end
+  Real end_x;       ///< x of the curve's end; not_drawn: it has no points
+  Real middle = 0;  ///< y of the name
   Real height = 0;
 };
 
-/// A line to compare with, that lies within the axes.
+/// A reference line within the axes.
 struct PlacedLine {
   std::string label;
   Real y;
-  bool at_left;  ///< the label stands at the end where fewer curves are in its way
+  bool at_left;  ///< whether the label is at the left end, where fewer curves are in its way
 };
 
 struct PanelLayout {
   Axis x = {}, y = {};
   int left = 0, top = 0, right = 0, bottom = 0;  ///< of the rectangle that the axes span
-  int edge = 0;                                  ///< of what is written: title and label of y begin here
+  int edge = 0;                                  ///< x at which the title and the label of y begin
   std::vector<std::string> title = {};
   std::vector<PlacedLine> lines = {};
-  std::vector<PlacedName> names = {};  ///< from the top down
+  std::vector<PlacedName> names = {};  ///< from top to bottom
 };
 
 struct FigureLayout {
@@ -50,26 +50,26 @@ struct FigureLayout {
   std::vector<PanelLayout> panels = {};
 };
 
-/// For at most four panels. What is floored or has no place on a logarithmic axis is still in the panels: see `drawn`.
+/// For at most four panels. The panels still contain values below the floor and values that a logarithmic axis cannot show: see `drawn`.
 FigureLayout lay_out(const std::vector<Panel>& panels);
 
-/// The value as it is drawn: at the floor if it is below; not_drawn where a logarithmic axis has no place for it.
+/// The value as it is drawn: the floor if the value is below it, not_drawn if a logarithmic axis cannot show it.
 Real drawn(const Panel& panel, Real y);
 
-/// The middles nearest to `wanted`, ascending, at which things so high do not overlap, between `low` and `high`; in sequence
-/// from `low` where there is no room for all. The sum of the squares of the ways is the least.
+/// The ascending middles nearest to `wanted` (ascending, too) at which items of these heights do not overlap, between `low` and `high`.
+/// They minimise the sum of squared displacements. If there is no room for all, the items follow each other from `low` on.
 std::vector<Real> spread(const std::vector<Real>& wanted, const std::vector<Real>& heights, Real low, Real high);
 
-/// At which points of the pixels' path (x, y) a shape stands: about ten, evenly along x where x ascends, else along the path;
-/// those of the `index`th of `count` curves lie between those of the others.
+/// The places of markers on a path (x, y) in pixels: about ten, evenly spaced along x if x ascends, else along the path. The markers
+/// of the `index`th of `count` curves lie between the markers of the others.
 std::vector<std::pair<Real, Real>> marker_places(const std::vector<std::pair<Real, Real>>& path, Real width,
                                                  std::size_t index, std::size_t count);
 
-/// A panel's place among others: at most four a figure, those of one title together.
+/// Divides panels among figures: at most four per figure, and consecutive ones with the same title together.
 std::vector<std::vector<Panel>> in_figures(const std::vector<Panel>& panels);
 
 inline constexpr Real not_drawn = std::numeric_limits<Real>::quiet_NaN();
-inline constexpr float plot_text = 24.8F;  ///< canvas.h's size of what gnuplot calls 16 points
+inline constexpr float plot_text = 24.8F;  ///< the size in canvas.h that equals 16 points in gnuplot
 inline constexpr int plot_line_height = 30;
 
 }  // namespace pushback

@@ -12,7 +12,7 @@ namespace pushback {
 
 namespace {
 
-// What CLI11 lets through and no program can use: "-1" as 2^64 - 1, "nan" within any range, an empty word.
+// CLI11 accepts values that no program can use: "-1" as 2^64 - 1, "nan" within any range, an empty word. These functions reject them.
 
 template <class Number>
 std::string range_text(Number least, Number most) {
@@ -22,7 +22,7 @@ std::string range_text(Number least, Number most) {
   return fmt::format("a {}number from {} to {} is needed", std::is_integral_v<Number> ? "whole " : "", least, most);
 }
 
-/// A finite number between the ends; both ends are allowed.
+/// A finite number from `least` to `most`, both allowed.
 template <class Number>
 CLI::Validator number_check(Number least, Number most) {
   const auto check = [least, most](std::string& word) -> std::string {
@@ -51,9 +51,9 @@ CLI::Validator number_check() {
   return number_check(std::numeric_limits<Number>::lowest(), std::numeric_limits<Number>::max());
 }
 
-/// Throws CLI::ValidationError at an empty word, and at an empty place in a list: CLI11 would skip both.
+/// Throws CLI::ValidationError for an empty word or an empty element of a list, because CLI11 would skip both.
 void refuse_empty_words(const CLI::App& app, int argc, const char* const* argv) {
-  const CLI::Option* option = nullptr;  // that takes the next word
+  const CLI::Option* option = nullptr;  // the option that takes the next word
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     std::string value = word;

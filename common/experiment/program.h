@@ -1,4 +1,4 @@
-/// What every small program does around its work: it reads its command line, and says what went wrong.
+/// Reads the command line of a program, and reports its errors.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,10 +19,10 @@ class Option;
 
 namespace pushback {
 
-/// CLI11, compiled once: it takes longer than most programs that use it.
+/// Wraps CLI11 so that it is compiled only once, because it takes longer to compile than most programs that use it.
 class CommandLine {
  public:
-  /// An option, or a word without a name. Each function returns the option itself.
+  /// An option or a positional argument. Each setter returns the option itself.
   class Option {
    public:
     explicit Option(CLI::Option* option) : option_(option) {}
@@ -49,7 +49,7 @@ class CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 
   Option flag(const std::string& name, bool& value, const std::string& help);
-  /// `Value` is a number, words, a path, or several of them: those that program.cpp lists.
+  /// `Value` is a number, a string, a path, or a container of them: one of the types that program.cpp instantiates.
   template <class Value>
   Option option(const std::string& name, Value& value, const std::string& help);
   void version(const std::string& text, const std::string& help);
@@ -59,8 +59,8 @@ class CommandLine {
   std::optional<int> read(int argc, const char* const* argv);
   /// The names of the options that were given.
   std::set<std::string> given() const;
-  /// Reads the command line and does the work. Returns the program's exit status: 0; 2 after a message where a value cannot be
-  /// used; 1 where something else went wrong.
+  /// Reads the command line and calls `work`. Returns the program's exit status: 0; 2 after a message if a value or a file cannot be
+  /// used; 1 after a message about any other error.
   int run(int argc, const char* const* argv, const std::function<void()>& work);
 
  private:

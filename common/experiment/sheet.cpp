@@ -21,13 +21,13 @@ int high(const Image& image, int wide) {
   return image.height * wide / image.width;
 }
 
-/// A row is a variant, and time goes to the right. Where each has a single picture, no row is needed.
+/// Whether the variants stand side by side instead of in rows, because each has a single picture.
 bool side_by_side(const Sheet& sheet) {
   return !sheet.wide && !sheet.raster && sheet.rows.size() > 1 &&
          std::all_of(sheet.rows.begin(), sheet.rows.end(), [](const SheetRow& row) { return row.cells.size() == 1; });
 }
 
-/// Draws from the top down. Whoever wants to know how high a sheet will be draws it on an image of one pixel.
+/// Draws from the top down. To measure the height of a sheet, draw it on an image of one pixel.
 class Drawing {
  public:
   explicit Drawing(Image& onto) : image_(onto) {}
@@ -56,7 +56,7 @@ class Drawing {
     }
   }
 
-  /// A reader's own variant may be one too many: below the others it has a column, too.
+  /// Three variants per line: a reader's own variant may be the fourth, and then stands below the others.
   void beside_each_other(const Sheet& sheet) {
     constexpr std::size_t most = 3;
     for (std::size_t first = 0; first < sheet.rows.size(); first += most)
@@ -65,7 +65,7 @@ class Drawing {
   void beside_each_other(const Sheet& sheet, std::span<const SheetRow> rows) {
     fill_rectangle(image_, margin, y_, strip_width, 2, pale);
     const int top = y_ + 14;
-    const std::size_t from = start_beside(sheet) ? 1 : 0;  // time goes to the right
+    const std::size_t from = start_beside(sheet) ? 1 : 0;  // the start is on the left
     int lowest = top;
     for (std::size_t c = 0; c < rows.size(); ++c) {
       y_ = top;
@@ -81,7 +81,7 @@ class Drawing {
 
   static int column(std::size_t index) { return margin + static_cast<int>(index) * (cell_width + gap); }
 
-  /// Lines of text from the height of their top on.
+  /// Writes wrapped text downwards from y_.
   void lines(const std::string& text, float size, Ink ink, int width, bool bold, int after) {
     const int line = static_cast<int>(std::lround(size * 1.22F));
     for (const std::string& one : wrapped(text, size, width, bold)) {
@@ -107,7 +107,7 @@ class Drawing {
     y_ += 20;
   }
 
-  /// Where two stand side by side, there is room beside them.
+  /// Whether the start is drawn next to the variants: two of them side by side leave room for it.
   static bool start_beside(const Sheet& sheet) { return sheet.start && side_by_side(sheet) && sheet.rows.size() < 3; }
 
   void start(const Sheet& sheet, int x, int y) {
@@ -131,7 +131,7 @@ class Drawing {
         fill_rectangle(image_, x, y_ + 5, 18, 18, sheet_dark);
         fill_rectangle(image_, x + 1, y_ + 6, 16, 16, entry.colour);
       } else {
-        fill_disc(image_, left + 9, middle, 9, sheet_dark);  // a rim, since one of the colours is white
+        fill_disc(image_, left + 9, middle, 9, sheet_dark);  // a rim, because one of the colours is white
         fill_disc(image_, left + 9, middle, 7.2F, entry.colour);
       }
       write_text(image_, entry.text, x + sign, y_ + 21, 20, sheet_dark);
@@ -140,7 +140,7 @@ class Drawing {
     y_ += line + 4;
   }
 
-  /// The name, and the numbers behind it or, `below` each other, under it, in as many lines as they take.
+  /// Writes the name, and the numbers after it in as many lines as they take or, if `below`, each on a line below it.
   void label(const SheetRow& row, int from, int width, bool below) {
     constexpr int line = 36;
     const int left = from + 34, right = from + width;
@@ -168,11 +168,11 @@ class Drawing {
     y_ += high(row.cells.front(), width);
     if (!wide) return;
     write_text(image_, row.cell_notes.front(), right_edge, y_ + 22, 18, sheet_grey,
-               Align::right);  // it has bodies all over
+               Align::right);  // below, because bodies cover the whole strip
     y_ += 26;
   }
 
-  /// Its note stands above, where the sky is.
+  /// Draws a picture with its note at the top, where the sky is.
   void cell(const Image& picture, int x, int y, int width, const std::string& note, Align side = Align::left) {
     const int height = high(picture, width), wide = text_width(note, 20) + 16;
     const int left = side == Align::left ? x + 8 : x + width - 8 - wide;

@@ -1,5 +1,5 @@
-/// The comparison sheet of one scene, 1600 pixels wide: the question and what to look for, then a row per variant, its
-/// measured numbers above its pictures.
+/// The comparison sheet of one scene, 1600 pixels wide: the question and the caption, then a row per variant, with its measured
+/// numbers above its pictures.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace pushback {
 
-inline constexpr int cell_width = 500;    ///< pixels; three stand in a row
-inline constexpr int strip_width = 1520;  ///< of what takes a whole row
+inline constexpr int cell_width = 500;    ///< pixels; a row has up to three cells
+inline constexpr int strip_width = 1520;  ///< pixels, of a picture that takes a whole row
 
 struct SheetNumber {
   std::string text;      ///< "rebound speed: 0.31 m/s"
@@ -24,31 +24,31 @@ struct SheetRow {
   std::string marker, name;
   Ink colour;  ///< of the variant, as in the plot
   std::vector<SheetNumber> numbers;
-  std::vector<Image> cells;              ///< all of one size; pasted cell_width wide
+  std::vector<Image> cells;              ///< all of one size; scaled to cell_width or strip_width
   std::vector<std::string> cell_notes;   ///< "t = 0.50 s"
-  std::vector<std::vector<int>> raster;  ///< a column per step, as Raster::of gives it
+  std::vector<std::vector<int>> raster;  ///< a column per step, as Raster::of returns it
 };
 
 struct Sheet {
-  std::string question, scene, caption, foot;  ///< each but the question may be empty
-  std::optional<Image> start;                  ///< a cell
+  std::string question, scene, caption, foot;  ///< all but the question may be empty
+  std::optional<Image> start;                  ///< the cell at t = 0
   std::vector<LegendEntry> legend;
-  std::optional<Raster> raster;  ///< what the rows' are
-  bool wide = false;             ///< the cells are strips
+  std::optional<Raster> raster;  ///< the label and meaning of the rows' rasters
+  bool wide = false;             ///< whether the cells are strips
   std::vector<SheetRow> rows;
   std::pair<std::size_t, std::size_t> in_brief = {0, 0};  ///< the rows that the thumbnail shows
 };
 
 Image make_sheet(const Sheet& sheet);
 
-/// The sheet in brief, for a table of contents: how two variants end, side by side; of a single variant its first and its last
-/// picture; of strips the second one's.
+/// The picture for a table of contents: the last pictures of the two variants of in_brief side by side, the first and the last picture
+/// of a single variant, or the strip of the second variant.
 Image make_thumbnail(const Sheet& sheet);
 
-/// Small, in the order of guess_order; of those that the sheet has.
+/// The pictures of `guess` that the sheet has, small, in the order of guess_order.
 std::vector<Image> make_guess(const Sheet& sheet, const Guess& guess);
 
-/// How `count` pictures are mixed: which of them stands at each place. Always the same for the same name.
+/// A shuffled order of `count` pictures: the index of the picture at each place. The same name gives the same order.
 std::vector<std::size_t> guess_order(const std::string& name, std::size_t count);
 
 }  // namespace pushback

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Ink empty{244, 246, 248};
 
-/// 1, 2 or 5 times a power of ten: about eight ticks on so many steps.
+/// The tick distance for about eight ticks: 1, 2 or 5 times a power of ten.
 int tick_of(int steps) {
   const double rough = std::max(1.0, steps / 8.0), power = std::pow(10, std::floor(std::log10(rough)));
   const double factor = rough / power;

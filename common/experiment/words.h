@@ -1,4 +1,4 @@
-/// How names and numbers are written.
+/// Formats names and numbers.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@ namespace pushback {
 
 struct Scene;
 
-/// Three significant digits; what is rounding noise, or no number, says so.
+/// Three significant digits, or all digits before the point; "< 1e-6" for rounding noise, "–" if the value is not finite.
 std::string in_words(Real value, const std::string& unit);
-/// A name as part of a file's name and as a word on the command line: letters and digits stay, symbols are spelt out, a run
-/// of anything else becomes one hyphen.
+/// A name for file names and the command line, in lower case. ASCII letters, digits and dots stay, symbols are spelt out, and a run of
+/// other characters becomes one hyphen.
 std::string slug(std::string name);
-/// Of a scene's sheet.
+/// The key of a scene's sheet: see Scene::key.
 std::string key_of(const Scene& scene);
 
 }  // namespace pushback

@@ -1,6 +1,6 @@
-/// An experiment in a page: Experiment::run hands itself to whoever calls these functions. tools/book/live/ does.
+/// An experiment in a page: Experiment::run makes it available to these functions, which tools/book/live/ calls.
 ///
-/// Text is UTF-8 and stays as it is until the next call. Where a text says what went wrong, an empty one says that nothing did.
+/// Returned text is UTF-8 and valid until the next call. If a function returns an error message, empty text means success.
 #include <emscripten.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -48,7 +48,7 @@ CameraNumbers looking;
 
 int Experiment::run(int, const char* const*, const std::function<void()>& define) {
   live = std::make_unique<Live>(*this, define);
-  emscripten_exit_with_live_runtime();  // the variables of main stay: the description refers to them
+  emscripten_exit_with_live_runtime();  // keeps the variables of main, to which the description refers
   return 0;
 }
 
@@ -66,7 +66,7 @@ EMSCRIPTEN_KEEPALIVE const char* live_values() {
 EMSCRIPTEN_KEEPALIVE const char* live_set(const char* assignments) {
   return problem_of([&] { live->set(assignments); });
 }
-/// `variants`: one bit each, the first the lowest.
+/// `variants`: one bit each, the lowest for the first.
 EMSCRIPTEN_KEEPALIVE const char* live_choose(int scene, unsigned variants) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < 32; ++i)
@@ -92,7 +92,7 @@ EMSCRIPTEN_KEEPALIVE int live_known() {
 EMSCRIPTEN_KEEPALIVE int live_now() {
   return static_cast<int>(live->now());
 }
-/// As far as it comes in so many milliseconds, but one step at least. Returns where it is then.
+/// Goes to a step, or towards it for about `milliseconds` and at least one step. Returns the step reached.
 EMSCRIPTEN_KEEPALIVE int live_go_to(int step, double milliseconds) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
@@ -107,7 +107,7 @@ EMSCRIPTEN_KEEPALIVE int live_go_to(int step, double milliseconds) {
   return live_now();
 }
 
-/// Seven numbers: eye, target, field of view. What draws and grabs looks through it.
+/// Seven numbers that the page sets: eye (m), target (m), field of view (rad). Drawing and grabbing use this camera.
 EMSCRIPTEN_KEEPALIVE double* live_camera() {
   return &looking.eye[0];
 }
@@ -120,27 +120,27 @@ EMSCRIPTEN_KEEPALIVE void live_pull(double aspect, double x, double y) {
 EMSCRIPTEN_KEEPALIVE void live_let_go() {
   live->let_go();
 }
-/// Four numbers, m: centre and radius of a ball around the bodies that move, as they begin.
+/// Four numbers, m: centre and radius of a ball around the movable bodies; see Live::reach.
 EMSCRIPTEN_KEEPALIVE const double* live_reach() {
   const auto [centre, radius] = live->reach();
   numbers_out.assign({centre.x(), centre.y(), centre.z(), radius});
   return numbers_out.data();
 }
-/// Three numbers, m: how far the moving bodies of a strobe scene are across the picture.
+/// Three numbers, m: the displacement of the moving bodies in the picture of a strobe scene.
 EMSCRIPTEN_KEEPALIVE const double* live_shift() {
   const Vec3 shift = live->shift();
   numbers_out.assign({shift.x(), shift.y(), shift.z()});
   return numbers_out.data();
 }
 
-/// Begins a problem of the description.
+/// Begins a problem of the description, by index.
 EMSCRIPTEN_KEEPALIVE const char* live_hold(int problem) {
   return problem_of([&] { live->hold(static_cast<std::size_t>(problem)); });
 }
 EMSCRIPTEN_KEEPALIVE const char* live_problem() {
   return answered(live->problem());
 }
-/// How many numbers of its matrix are stored; live_matrix: of each the row, the column, and itself, 1/kg.
+/// The number of entries stored in its matrix. live_matrix: the row, the column and the value (1/kg) of each.
 EMSCRIPTEN_KEEPALIVE int live_stored() {
   return static_cast<int>(live->iterated().problem().matrix.nonZeros());
 }
@@ -152,14 +152,14 @@ EMSCRIPTEN_KEEPALIVE const double* live_matrix() {
       numbers_out.insert(numbers_out.end(), {static_cast<Real>(row), static_cast<Real>(it.col()), it.value()});
   return numbers_out.data();
 }
-/// As far as it comes in so many milliseconds, but one iteration at least. Returns where it is then.
+/// Goes to an iteration, or towards it for about `milliseconds` and at least one iteration. Returns the iteration reached.
 EMSCRIPTEN_KEEPALIVE int live_iterate(int target, double milliseconds) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
   Iterated& iterated = live->iterated();
   for (int next = std::min(iterated.now() + 1, target); iterated.now() != target; ++next) {
     iterated.go_to(next);
-    if (iterated.now() != next) break;  // beyond its ends
+    if (iterated.now() != next) break;  // outside 0 to `most`
     if (std::chrono::duration<double, std::milli>(Clock::now() - begin).count() >= milliseconds) break;
   }
   return iterated.now();
@@ -167,14 +167,14 @@ EMSCRIPTEN_KEEPALIVE int live_iterate(int target, double milliseconds) {
 EMSCRIPTEN_KEEPALIVE int live_iteration() {
   return live->iterated().now();
 }
-/// How many residuals of a method are known; the first is that of no impulse.
+/// The number of residuals computed for a method. The first is for zero impulses.
 EMSCRIPTEN_KEEPALIVE int live_iterated(int method) {
   return static_cast<int>(live->iterated().residuals(static_cast<std::size_t>(method)).size());
 }
 EMSCRIPTEN_KEEPALIVE const double* live_residuals(int method) {
   return live->iterated().residuals(static_cast<std::size_t>(method)).data();
 }
-/// N s, a row each.
+/// N s, one per row.
 EMSCRIPTEN_KEEPALIVE const double* live_impulses(int method) {
   return live->iterated().impulses(static_cast<std::size_t>(method)).data();
 }
@@ -182,7 +182,7 @@ EMSCRIPTEN_KEEPALIVE const double* live_impulses(int method) {
 EMSCRIPTEN_KEEPALIVE const char* live_mishap(int lane) {
   return answered(live->mishap(static_cast<std::size_t>(lane)));
 }
-/// How many steps of a lane have samples.
+/// The number of steps of a lane that have samples.
 EMSCRIPTEN_KEEPALIVE int live_played(int lane) {
   return static_cast<int>(live->samples(static_cast<std::size_t>(lane)).size());
 }
@@ -193,12 +193,12 @@ EMSCRIPTEN_KEEPALIVE const double* live_reference(int lane, int which) {
   numbers_out = live->reference(static_cast<std::size_t>(lane), static_cast<std::size_t>(which));
   return numbers_out.data();
 }
-/// ["0.31 m/s", "0 m/s"]: what it is, what it should be.
+/// ["0.31 m/s", "0 m/s"]: the measured and the expected value.
 EMSCRIPTEN_KEEPALIVE const char* live_number(int lane, int which) {
   const auto [is, should] = live->number_in_words(static_cast<std::size_t>(lane), static_cast<std::size_t>(which));
   return answered(fmt::format("[{}, {}]", pushback::quoted(is), pushback::quoted(should)));
 }
-/// Of the column of a step: how many cells; their values from live_cells.
+/// The number of cells in the column of a step. live_cells: their values.
 EMSCRIPTEN_KEEPALIVE int live_column(int lane, int step) {
   cells_out = live->raster(static_cast<std::size_t>(lane)).at(static_cast<std::size_t>(step));
   return static_cast<int>(cells_out.size());
@@ -206,7 +206,7 @@ EMSCRIPTEN_KEEPALIVE int live_column(int lane, int step) {
 EMSCRIPTEN_KEEPALIVE const int* live_cells() {
   return cells_out.data();
 }
-/// What was read off after a step, the first is 0: thirteen numbers, from the time on to the residual.
+/// The sample after a step, counted from 0: thirteen numbers, from the time to the residual, without `found` and `lost`.
 EMSCRIPTEN_KEEPALIVE const double* live_sample(int lane, int step) {
   const Sample& s = live->samples(static_cast<std::size_t>(lane)).at(static_cast<std::size_t>(step));
   numbers_out.assign({s.time, s.kinetic_energy, s.potential_energy, s.momentum.x(), s.momentum.y(), s.momentum.z(),
@@ -214,11 +214,11 @@ EMSCRIPTEN_KEEPALIVE const double* live_sample(int lane, int step) {
                       static_cast<Real>(s.contacts), static_cast<Real>(s.rows), s.residual});
   return numbers_out.data();
 }
-/// Of all bodies, in sixteen digits.
+/// A hash of all bodies, as sixteen hexadecimal digits.
 EMSCRIPTEN_KEEPALIVE const char* live_hash(int lane) {
   return answered(fmt::format("{:016x}", hash_of(live->world(static_cast<std::size_t>(lane)))));
 }
-/// Position and velocity of a body, six numbers.
+/// Six numbers: position (m) and velocity (m/s) of a body.
 EMSCRIPTEN_KEEPALIVE const double* live_body(int lane, int index) {
   const Body& body = live->world(static_cast<std::size_t>(lane)).bodies.at(static_cast<std::size_t>(index));
   numbers_out.assign(body.position.data(), body.position.data() + 3);
@@ -229,7 +229,7 @@ EMSCRIPTEN_KEEPALIVE int live_bodies(int lane) {
   return static_cast<int>(live->world(static_cast<std::size_t>(lane)).bodies.size());
 }
 
-/// On a canvas, by "#id". Again after its context was lost.
+/// Opens a view on the canvas "#id". Call it again after the context was lost.
 EMSCRIPTEN_KEEPALIVE const char* live_open(const char* selector) {
   return problem_of([&] {
     on_canvas.reset();
@@ -240,7 +240,7 @@ EMSCRIPTEN_KEEPALIVE const char* live_open(const char* selector) {
 EMSCRIPTEN_KEEPALIVE void live_begin() {
   marks_seen = {};
 }
-/// `shown`: 1 points, 2 impulses, 4 marks; 8: coarsely.
+/// `shown`: 1 points, 2 impulses, 4 marks, 8 coarse drawing.
 EMSCRIPTEN_KEEPALIVE const char* live_draw(int lane, int shown, int x, int y, int width, int height) {
   return problem_of([&] {
     const Picture picture =

@@ -7,10 +7,10 @@
 
 namespace pushback {
 
-/// Its context is current from its making on. A browser may take the context away: then another view has to be made.
+/// The constructor makes its context current. If the browser takes the context away, make another view.
 class CanvasView {
  public:
-  /// `selector`: "#id". Throws std::runtime_error where there is no WebGL 2.
+  /// `selector`: "#id". Throws std::runtime_error if there is no WebGL 2.
   explicit CanvasView(const std::string& selector);
   ~CanvasView();
   CanvasView(const CanvasView&) = delete;

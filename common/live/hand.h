@@ -1,4 +1,4 @@
-/// A hand in the picture: which body is under it, and the spring by which it pulls.
+/// A hand in the picture: the body under it, and the spring with which it pulls.
 #pragma once
 
 #include <optional>
@@ -7,18 +7,18 @@
 
 namespace pushback {
 
-/// From a point of a body to where the hand is.
+/// The grabbed point of a body, and the position of the hand.
 struct Grab {
   std::size_t body = 0;
   Vec3 on_body;  ///< m, body axes from its centre of mass
   Vec3 hand;     ///< m, world axes
 };
 
-/// What the ray meets first, if that can move, and the point where it does so.
+/// The first body that the ray hits, and the point of the hit; none if there is no body, or it is not movable.
 std::optional<Grab> grab(const World& world, const Ray& ray);
 
-/// A damped spring that is as stiff for a heavy body as for a light one: alone, each follows the hand with the same
-/// motion. `dt`: s, of the steps in which it acts; with long ones it is softer, so that it stays stable.
+/// A damped spring whose stiffness is proportional to the body's mass, so that heavy and light bodies follow the hand with the same
+/// motion. `dt`: s, of the steps in which it acts. The spring is softer for long steps, so that it stays stable.
 Force pull_of(const Grab& grab, Real dt);
 
 }  // namespace pushback

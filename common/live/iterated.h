@@ -1,22 +1,22 @@
-/// A problem that is solved to and fro.
+/// A problem that is solved iteration by iteration, forwards and backwards.
 #pragma once
 
 #include "pushback/common/experiment/iterated_problem.h"
 
 namespace pushback {
 
-/// Impulses are kept after every iteration of every method, so that going back gives what was there, to the last bit.
+/// Keeps the impulses after every iteration of every method, so that going back restores them to the last bit.
 class Iterated {
  public:
   explicit Iterated(IteratedProblem problem);
 
   const IteratedProblem& problem() const { return problem_; }
   int now() const { return now_; }
-  /// To any iteration, from 0 to the problem's `most`. A method that has come to its end stays there.
+  /// Goes to any iteration from 0 to the problem's `most`. A method that has finished stays at its last iteration.
   void go_to(int iteration);
-  /// N s, a row each, as they are now.
+  /// The current impulses, N s, one per row.
   const Eigen::VectorXd& impulses(std::size_t method) const;
-  /// After 0, 1, 2 ... iterations, as far as they are known, or as the method goes.
+  /// The residuals after 0, 1, 2 ... iterations, up to the last iteration computed.
   const std::vector<double>& residuals(std::size_t method) const { return courses_[method].residuals; }
 
  private:

@@ -11,7 +11,7 @@ namespace pushback {
 
 namespace {
 
-/// About what a state takes.
+/// The approximate size of a kept state.
 std::size_t bytes_of(const World& world, const std::vector<Sample>& samples) {
   constexpr std::size_t of_a_row = 600, of_a_joint = 300;
   const std::size_t rows = samples.empty() ? 0 : static_cast<std::size_t>(samples.back().rows);
@@ -79,7 +79,7 @@ void Live::Lane::advance(const Hand& hand) {
   } catch (const InvalidInput& problem) {
     mishap_ = fmt::format("ended at {:.3g} s: {}", static_cast<double>(at_ + 1) * static_cast<double>(experiment_->dt_),
                           problem.what());
-    go_to(samples_.size(), hand);  // some of the substeps may have been done
+    go_to(samples_.size(), hand);  // some of the substeps may already be done
     return;
   }
   keep();

@@ -1,4 +1,4 @@
-/// One variant in time. Only common/live/*.cpp need it.
+/// The states of one variant over time. Only common/live/*.cpp need it.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ class Live::Lane {
 
   Lane(const Experiment& of, const Experiment::Act& act, const Variant& variant, std::size_t bytes);
 
-  /// With what the hand held in each step.
+  /// Goes to a step. `hand`: what the hand held in each step.
   void go_to(std::size_t step, const Hand& hand);
   void forget_after(std::size_t step);
 
@@ -27,7 +27,7 @@ class Live::Lane {
   const std::vector<std::vector<int>>& raster() const { return raster_; }
   const std::map<std::size_t, World>& instants() const { return instants_; }
   const std::string& mishap() const { return mishap_; }
-  /// What has been up to now.
+  /// The run up to the current step.
   Run run() const;
 
  private:
@@ -41,9 +41,10 @@ class Live::Lane {
   const Variant* variant_;
   std::size_t bytes_;
   Experiment::Played played_;
-  std::size_t forces_;  // of the scene's own
+  std::size_t forces_;  // number of the scene's own forces
   std::size_t at_ = 0;
-  // Every so many steps; twice as many whenever there are too many. What is between is played again from the one before.
+  // The states at every kept_every_-th step. The interval doubles whenever they take too much memory. Other states are played again
+  // from the kept state before them.
   std::map<std::size_t, Experiment::Played> kept_;
   std::size_t kept_every_ = 1;
   std::map<std::size_t, World> instants_;  // of a strobe scene

@@ -134,7 +134,7 @@ void Live::set(const std::string& assignments) {
   const auto take = [this](const std::vector<std::vector<double>>& values) {
     for (std::size_t i = 0; i < parameters_.size(); ++i) std::visit(Assign{values[i]}, parameters_[i].variable);
   };
-  lanes_.clear();  // they refer to what is described
+  lanes_.clear();  // they refer to the old description
   iterated_.reset();
   take(after);
   experiment_.told_.swap(told);
@@ -247,7 +247,7 @@ void Live::hold(std::size_t problem) {
   iterated_.emplace(experiment_.posed_[problem].make());
 }
 
-// ---- what is to be seen ------------------------------------------------------------------------------------------------
+// ---- results and pictures ----------------------------------------------------------------------------------------------
 
 const World& Live::world(std::size_t lane) const {
   return lanes_[lane].world();
@@ -281,7 +281,7 @@ Real Live::number(std::size_t lane, std::size_t which) const {
   if (lanes_[lane].at() == 0 || !mishap(lane).empty()) return std::numeric_limits<Real>::quiet_NaN();
   try {
     return experiment_.acts_[scene_].numbers.at(which).of(lanes_[lane].run());
-  } catch (const std::out_of_range&) {  // it asks for what has not been played yet
+  } catch (const std::out_of_range&) {  // it needs steps that have not been played yet
     return std::numeric_limits<Real>::quiet_NaN();
   }
 }
@@ -296,13 +296,13 @@ std::pair<std::string, std::string> Live::number_in_words(std::size_t lane, std:
 
 namespace {
 
-/// m to draw for 1 N s; 0: points alone; none: no contacts.
+/// The arrow length for 1 N s, m; 0: only points; none: no contacts.
 std::optional<Real> arrow_of(const Scene& scene, const World& start, Real dt, const Shown& shown) {
   if (shown.impulses) return scene.arrow > 0 ? scene.arrow : fitting_arrow(start, dt);
   return shown.points ? std::optional<Real>(0) : std::nullopt;
 }
 
-/// m, from the centre of mass to the farthest point.
+/// The distance from the centre of mass to the farthest point, m.
 struct Farthest {
   Real operator()(const Sphere& ball) const { return ball.radius; }
   Real operator()(const Box& box) const { return box.half_extents.norm(); }

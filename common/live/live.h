@@ -1,4 +1,4 @@
-/// An experiment that is played where somebody looks on: to and fro in time, with other parameters, by hand.
+/// Plays an experiment interactively: forwards and backwards in time, with other parameters, with a hand that pulls bodies.
 #pragma once
 
 #include <functional>
@@ -15,89 +15,89 @@
 
 namespace pushback {
 
-/// What a picture has besides bodies.
+/// The elements that a picture shows besides bodies.
 struct Shown {
   bool points = true, impulses = true, marks = true;
 };
 
-/// Plays the description that the experiment's own program plays. All variants that are shown move in step.
+/// Plays the scenes and variants that the experiment's own program plays. All variants shown are at the same step.
 class Live {
  public:
   static constexpr std::size_t most_lanes = 4;
   static constexpr std::size_t usual_bytes = std::size_t{96} << 20;
 
-  /// `define` is called again whenever a parameter changes. `bytes`: what the states that are kept may take, about.
+  /// `define` is called again whenever a parameter changes. `bytes`: the approximate memory for the states that are kept.
   Live(Experiment& experiment, std::function<void()> define, std::size_t bytes = usual_bytes);
   ~Live();
 
-  // ---- what there is -------------------------------------------------------------------------------------------------
+  // ---- description ---------------------------------------------------------------------------------------------------
 
   /// Scenes, their variants, series and numbers, as JSON.
   std::string description() const;
-  /// As in_json: the experiment's own parameters, and of those of every experiment the sweeps, dt and the time.
+  /// As in_json: the experiment's own parameters, and the sweeps, dt and time, which every experiment has.
   std::string parameters() const;
-  /// Their values, by flag; of those that follow the scene or the variant none.
+  /// Their values by flag, as JSON. The list is empty if the scene or the variant determines the value.
   std::string values() const;
 
-  /// "--beta=0,1.4;--depth=0.1": a flag that is not named has its default. Throws InvalidInput where a value cannot be used;
-  /// then nothing has changed. Otherwise the scene begins again, with the same variants as far as there are so many.
+  /// Sets parameters: "--beta=0,1.4;--depth=0.1". Flags that are not named get their defaults. The scene begins again, with the same
+  /// variants as far as they still exist. Throws InvalidInput if a value cannot be used, and keeps the old values.
   void set(const std::string& assignments);
-  /// By their places: of the scene, and of its variants in it. Begins the scene.
+  /// Begins a scene, by index, with some of its variants, by index in the scene. Throws InvalidInput if there is no such scene.
   void choose(std::size_t scene, std::vector<std::size_t> variants);
 
   std::size_t scene() const { return scene_; }
   std::size_t lanes() const;
-  /// The place of a lane's variant in its scene.
+  /// The index of a lane's variant in its scene.
   std::size_t variant(std::size_t lane) const { return chosen_[lane]; }
 
   // ---- time ----------------------------------------------------------------------------------------------------------
 
-  std::size_t steps() const;  ///< of the scene; longer where a hand takes hold towards its end
-  std::size_t known() const;  ///< so many have been played
+  std::size_t steps() const;  ///< of the scene; more if a hand grabs a body near its end
+  std::size_t known() const;  ///< number of steps that have been played
   std::size_t now() const { return now_; }
-  /// To any step, in both directions. A state that was there before comes again to the last bit.
+  /// Goes to any step, forwards or backwards. A state that was reached before is restored to the last bit.
   void go_to(std::size_t step);
 
   // ---- the hand ------------------------------------------------------------------------------------------------------
 
-  /// Whether there is something to hold under (x, y) of the picture, each from -1 to 1, right and up. It is held in all lanes. What
-  /// was played after this instant is forgotten.
+  /// Grabs the movable body under (x, y) of the picture, each from -1 to 1, right and up; false if there is none. The body is held in
+  /// all lanes, and the steps played after this instant are discarded.
   bool grab_at(std::size_t lane, const Camera& camera, Real aspect, Real x, Real y);
-  /// The hand moves across the picture that it grabbed in.
+  /// Moves the hand to (x, y), parallel to the image plane.
   void pull_to(const Camera& camera, Real aspect, Real x, Real y);
   void let_go();
   const std::optional<Grab>& held() const { return held_; }
 
   // ---- a problem ------------------------------------------------------------------------------------------------------
 
-  /// Begins a problem of the experiment, by its place. It goes with what a parameter changes.
+  /// Begins a problem of the experiment, by index. `set` discards it. Throws InvalidInput if there is no such problem.
   void hold(std::size_t problem);
-  /// The one that was begun last. Throws std::bad_optional_access where there is none.
+  /// The problem that was begun last. Throws std::bad_optional_access if there is none.
   Iterated& iterated() { return iterated_.value(); }
   const Iterated& iterated() const { return iterated_.value(); }
   /// Its rows, blocks, measure and methods, as JSON.
   std::string problem() const;
 
-  // ---- what is to be seen --------------------------------------------------------------------------------------------
+  // ---- results and pictures ------------------------------------------------------------------------------------------
 
   const World& world(std::size_t lane) const;
   const std::vector<Sample>& samples(std::size_t lane) const;
-  /// Why it was not played further; empty where it was.
+  /// Why the lane ended early; empty if it did not.
   const std::string& mishap(std::size_t lane) const;
-  /// One value a step, as far as it is known. By default, of a scene without any, the deepest overlap, mm.
+  /// One value per step played. A scene without series has one, the deepest overlap, mm.
   const std::vector<Real>& series(std::size_t lane, std::size_t which) const;
   const std::vector<std::vector<int>>& raster(std::size_t lane) const;
-  /// A value a step of the scene.
+  /// One value per step of the scene.
   std::vector<Real> reference(std::size_t lane, std::size_t which) const;
-  /// As it is now, of what has been played up to now. Not a number before the first step.
+  /// The number for the steps up to now. Not a number before the first step, after a mishap, or if it needs later steps.
   Real number(std::size_t lane, std::size_t which) const;
-  /// "0.31 m/s", and what it should be, or an empty text.
+  /// "0.31 m/s", and the expected value or an empty text.
   std::pair<std::string, std::string> number_in_words(std::size_t lane, std::size_t which) const;
 
-  /// A ball around the bodies that move, as they begin, and the ground below them, gone along over the ground with them: its centre
-  /// and its radius, m.
+  /// The centre and the radius, m, of a ball around the movable bodies at the start and the ground below them. The centre moves
+  /// horizontally by the mean displacement of the bodies since then.
   std::pair<Vec3, Real> reach() const;
-  /// How far bodies are moved in it, m: those of a strobe scene go across the picture, and leave an image at each instant.
+  /// The displacement of the bodies in the picture, m. In a strobe scene they cross the picture and leave an image at each instant.
   Vec3 shift() const;
   Picture picture(std::size_t lane, const Camera& camera, const Shown& shown) const;
 
@@ -113,10 +113,10 @@ class Live {
   std::size_t bytes_;
   std::vector<ParameterWithDefault> parameters_;
   std::size_t scene_ = 0, now_ = 0;
-  std::size_t until_ = 0;  ///< at least so many steps can be played
+  std::size_t until_ = 0;  ///< minimum number of steps that can be played
   std::vector<std::size_t> chosen_{0, 1, 2, 3};
   std::vector<Lane> lanes_;
-  std::vector<std::optional<Grab>> hand_;  ///< in each step that is known
+  std::vector<std::optional<Grab>> hand_;  ///< in each step that has been played
   std::optional<Grab> held_;
   std::optional<Iterated> iterated_;
 };

@@ -25,11 +25,11 @@ using Held = std::unique_ptr<T, Freeing<free>>;
 using Pen = Held<cairo_t, cairo_destroy>;
 using Surface = Held<cairo_surface_t, cairo_surface_destroy>;
 
-// Cairo's pixels are blue, green, red and a byte without meaning, ours begin with red. It treats colours alike, so it may
-// take one for the other as long as all of them, those of inks as well, are given to it in our order.
+// Cairo's pixels are blue, green, red and an unused byte; ours begin with red. Because Cairo treats all colours alike, it may confuse
+// the two as long as it gets all colours, including the inks', in our order.
 static_assert(std::endian::native == std::endian::little);
 
-/// On the image's own pixels; cairo has no surface that cannot be drawn on, and so takes none that is const.
+/// A surface on the image's own pixels. Cairo has no read-only surfaces, so it takes no const pixels.
 Surface surface_of(const Image& image) {
   return Surface(cairo_image_surface_create_for_data(const_cast<unsigned char*>(image.pixels.data()),
                                                      CAIRO_FORMAT_RGB24, image.width, image.height, 4 * image.width));
@@ -43,8 +43,8 @@ Pen pen_on(Image& image, Ink ink = {}, double opacity = 1) {
 
 // ---- text ------------------------------------------------------------------------------------------------------------
 
-/// DejaVu Sans in two weights from the files of its package: what else is installed or set up on a machine, and which
-/// language it speaks, changes no letter.
+/// DejaVu Sans in two weights, from the files of its package. Other fonts, settings and the language of a machine therefore do not
+/// change the text.
 PangoContext* typesetter() {
   static const Held<PangoContext> context = [] {
     const Held<FcConfig, FcConfigDestroy> fonts(FcConfigCreate());
@@ -96,7 +96,7 @@ void write_text(Image& image, std::string_view text, int x, int y, float size, I
   const double before = align == Align::left ? 0 : align == Align::centre ? width_of(layout) / 2 : width_of(layout);
   const Pen pen = pen_on(image, ink);
   cairo_move_to(pen.get(), x - before, y);
-  // As outlines: glyphs would be moved to whole pixels, and the gaps between them be uneven.
+  // As outlines, because glyphs would be moved to whole pixels, with uneven gaps between them.
   pango_cairo_layout_line_path(pen.get(), pango_layout_get_line_readonly(layout.get(), 0));
   cairo_fill(pen.get());
 }
@@ -154,7 +154,7 @@ void paste(const Image& from, Image& onto, int x, int y, int width, int height, 
   cairo_translate(pen.get(), x, y);
   cairo_scale(pen.get(), static_cast<double>(width) / from.width, static_cast<double>(height) / from.height);
   cairo_set_source_surface(pen.get(), surface_of(from).get(), 0, 0);
-  cairo_pattern_set_extend(cairo_get_source(pen.get()), CAIRO_EXTEND_PAD);  // or the edges would pale
+  cairo_pattern_set_extend(cairo_get_source(pen.get()), CAIRO_EXTEND_PAD);  // else the edges would fade
   cairo_paint_with_alpha(pen.get(), opacity);
 }
 

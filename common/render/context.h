@@ -5,16 +5,16 @@
 
 namespace pushback {
 
-/// Has no framebuffer worth drawing to: whoever uses it brings their own.
+/// The context has no usable framebuffer. Draw to a framebuffer of your own.
 class Context {
  public:
-  /// Throws std::runtime_error where no context can be had.
+  /// Makes the new context current. Throws std::runtime_error if no context can be created.
   Context();
   ~Context();
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  /// From here on, OpenGL calls of this thread mean this context. Throws std::runtime_error where that fails.
+  /// Directs this thread's OpenGL calls to this context. Throws std::runtime_error if that fails.
   void make_current();
 
  private:

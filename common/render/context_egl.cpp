@@ -1,4 +1,4 @@
-// A context from EGL on Mesa's platform without surfaces: no window system, no screen, no picture of its own.
+// A context from EGL on Mesa's surfaceless platform, which needs no window system or screen and has no default framebuffer.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
   throw std::runtime_error(fmt::format("EGL {} (error {:#x})", what, static_cast<unsigned>(eglGetError())));
 }
 
-/// One display for the whole process, never closed: closing it would take the other contexts' ground away.
+/// One display for the whole process. It is never closed, because that would destroy the other contexts.
 EGLDisplay display() {
   static const EGLDisplay opened = [] {
     const EGLDisplay found = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);

@@ -10,7 +10,7 @@ namespace pushback {
 
 struct Context::State {
   OSMesaContext handle = nullptr;
-  std::array<unsigned char, 4 * 4 * 4> unused{};  // OSMesa insists on a picture of its own: 4 x 4 pixels of 4 bytes
+  std::array<unsigned char, 4 * 4 * 4> unused{};  // OSMesa requires a colour buffer: 4 x 4 pixels of 4 bytes
 
   ~State() {
     if (handle) OSMesaDestroyContext(handle);

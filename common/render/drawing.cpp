@@ -14,7 +14,7 @@ using Eigen::Vector3f;
 
 constexpr int sky_count = 4;  // as in the shader
 
-/// Pixels, in a picture of this height.
+/// The radius in pixels, in a picture of this height.
 float radius_of(const Instance& one, const Frame& frame, int height) {
   return (one.radius + one.half_extents.x()) / one.position.norm() * static_cast<float>(height) / frame.field_of_view;
 }
@@ -64,11 +64,11 @@ Drawing::Drawing()
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-/// Each with as many corners as it needs, in runs of neighbours that need the same.
+/// Draws each ball with as many corners as it needs, in runs of balls that need the same mesh.
 void Drawing::draw_balls(const Frame& frame, int height, Geometry::Which finest) const {
   const auto mesh = [&](std::size_t i) {
     const float radius = radius_of(frame.balls[i], frame, height);
-    const auto enough = [&](float corners) {  // by what a chord stays inside its circle
+    const auto enough = [&](float corners) {  // limits the distance from a chord to its circle
       return radius * (1 - std::cos(static_cast<float>(pi) / corners)) <= out_of_round;
     };
     return std::min(finest, enough(4)    ? Geometry::sharp_box
@@ -91,7 +91,7 @@ void Drawing::draw_shadows(const Frame& frame, int height, const Lighting& light
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
-  Eigen::Matrix4f clip_from_map = Eigen::Matrix4f::Identity();  // from 0 to 1, to -1 to 1
+  Eigen::Matrix4f clip_from_map = Eigen::Matrix4f::Identity();  // maps 0 to 1 onto -1 to 1
   clip_from_map.diagonal().head<3>().setConstant(2);
   clip_from_map.topRightCorner<3, 1>().setConstant(-1);
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -155,7 +155,7 @@ void Drawing::draw_planes(const Frame& frame, const Program& plane) const {
 void Drawing::draw_marks(const Frame& frame, int height) const {
   const std::size_t shafts = frame.boxes.size() + frame.balls.size(), heads = shafts + frame.shafts.size(),
                     dots = heads + frame.heads.size();
-  // What is only a few pixels wide needs few corners.
+  // Marks that are only a few pixels wide need few corners.
   const auto widest = [&](const std::vector<Instance>& marks) {
     float radius = 0;
     for (const Instance& one : marks) radius = std::max(radius, radius_of(one, frame, height));
@@ -177,7 +177,7 @@ void Drawing::draw_marks(const Frame& frame, int height) const {
     mark_.set("outline", 1.0f);
     geometry_.draw(dot_mesh, dots, frame.dots.size());
   };
-  // First what is hidden, over the bodies that hide it, each pixel once.
+  // First the hidden parts, over the bodies that hide them, each pixel once.
   glDepthMask(GL_FALSE);
   glDepthFunc(GL_GREATER);
   glEnable(GL_BLEND);

@@ -9,33 +9,33 @@
 
 namespace pushback {
 
-/// How much is spent on the light in one pass: maps, and the programs that read them. Lives in the context that is
-/// current when it is made, and goes with it.
+/// The quality of the light in one pass: shadow maps, and the programs that read them. Belongs to the context that is current when
+/// it is made, and is destroyed with that context.
 struct Lighting {
   Lighting(int key_resolution, int sky_resolution, float key_radius, float sky_radius, const char* taps);
-  /// Of a single pass, which has to blur its few shadows.
+  /// For a single pass, which has to blur its few shadows.
   static Lighting of_single_pass() { return {1024, 256, 0.005f, 0.03f, "#define KEY_TAPS 9\n#define SKY_TAPS 3\n"}; }
-  /// Of one that has to be quick: shadows with hard edges.
+  /// For a fast pass, with hard-edged shadows.
   static Lighting of_coarse_pass() { return {512, 16, 0, 0, "#define KEY_TAPS 1\n#define SKY_TAPS 1\n"}; }
-  /// Of one of many passes, which blur shadows by moving the lights.
+  /// For one of many passes, which blur shadows by moving the lights.
   static Lighting of_many_passes() { return {1024, 512, 0.005f, 0, "#define KEY_TAPS 5\n#define SKY_TAPS 1\n"}; }
 
   ShadowMap key, sky;
-  float key_blur, sky_blur;  ///< radius of the filter over the distance to the target; at least a texel is taken
+  float key_blur, sky_blur;  ///< filter radius divided by the distance to the target; at least 1.3 texels are used
   Program solid, plane;
 };
 
-/// From where the light comes.
+/// The directions to the lights.
 struct Lights {
   Eigen::Vector3f key;
   std::vector<Eigen::Vector3f> sky;
 };
 
-/// The key light is a disc, seen at another of its points in each pass; the sky is a hemisphere, of which each pass
-/// takes a few directions.
+/// The lights for one pass. The key light is a disc, and each pass takes another of its points. The sky is a hemisphere, and each pass
+/// takes a few of its directions.
 Lights lights_for(const Frame& frame, int pass, int passes);
 
-/// The part after the point of a sum of steps: points that fill the line evenly, however many are taken.
+/// The fractional part of 0.5 + step * index. For a suitable step, these numbers fill [0, 1) evenly, however many are taken.
 float sequence(int index, double step);
 
 /// A rectangle of a framebuffer, pixels from its lower left corner.
@@ -43,20 +43,20 @@ struct Pane {
   int x, y, width, height;
 };
 
-/// Lives in the context that is current when it is made, and goes with it.
+/// Belongs to the context that is current when it is made, and is destroyed with that context.
 class Drawing {
  public:
   Drawing();
 
-  /// What `draw` draws.
+  /// Loads the frame that `draw` draws.
   void load(const Frame& frame) { geometry_.load(frame); }
-  /// The frame that is loaded, onto a framebuffer. `shift`: by so many pixels.
+  /// Draws the loaded frame onto a framebuffer. `shift`: displacement in pixels.
   void draw(const Frame& frame, GLuint framebuffer, const Pane& pane, const Lights& lights,
             const Eigen::Vector2f& shift, const Lighting& lighting);
 
-  // For who has to be quick:
+  // For fast drawing:
   bool coarse = false;     ///< the sky casts no shadows, and the shadows of balls have corners
-  float out_of_round = 0;  ///< pixels by which the outline of a ball may be off its circle
+  float out_of_round = 0;  ///< pixels by which the outline of a ball may deviate from its circle
 
  private:
   void draw_balls(const Frame& frame, int height, Geometry::Which finest) const;

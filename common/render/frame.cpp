@@ -15,7 +15,7 @@ using Eigen::Matrix4f;
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-constexpr float checker_period = 20;  // m: the whole pattern, of 0.1 m, 1 m and 10 m cells, repeats after this
+constexpr float checker_period = 20;  // m, after which the pattern of 0.1 m, 1 m and 10 m cells repeats
 
 Vector3f rgb(const Colour& colour) {
   return {colour.red, colour.green, colour.blue};
@@ -34,12 +34,12 @@ float reach_of(const Instance& instance) {
   return instance.half_extents.norm() + instance.radius;
 }
 
-/// Where a value in metres is on the checker.
+/// The position of a coordinate (m) on the checker pattern.
 float phase_of(Real metres) {
   return static_cast<float>(std::remainder(static_cast<double>(metres), static_cast<double>(checker_period)));
 }
 
-/// The turn of y onto a unit vector, by the half-way quaternion (1 + y . d, y x d).
+/// The rotation of y onto a unit vector, by the half-way quaternion (1 + y . d, y x d).
 std::array<float, 4> turn_onto(const Vector3f& direction) {
   Eigen::Quaternionf turn(1 + direction.y(), direction.z(), 0, -direction.x());
   turn = direction.y() < -0.9999f ? Eigen::Quaternionf(0, 1, 0, 0) : turn.normalized();
@@ -47,7 +47,7 @@ std::array<float, 4> turn_onto(const Vector3f& direction) {
 }
 
 bool drawable(const Solid& solid) {
-  // A simulation that blew up is still to be looked at: what has left for infinity is left out.
+  // A simulation that blew up is still drawn, without the bodies that went to infinity.
   constexpr Real limit = Real(1e9);
   return solid.position.cwiseAbs().maxCoeff() < limit && solid.orientation.coeffs().allFinite() &&
          solid.position.allFinite();
@@ -84,7 +84,7 @@ Frame::Frame(const Picture& picture) {
                     Vector3f::Zero(),
                     rgb(dot.colour)});
   }
-  // The hidden part of a mark is mixed in once per pixel, whoever comes first: so the nearest has to come first.
+  // Only the first of the hidden marks at a pixel is blended in, so the nearest has to come first.
   const auto nearer = [](const Instance& a, const Instance& b) {
     return a.position.squaredNorm() < b.position.squaredNorm();
   };
@@ -126,7 +126,7 @@ void Frame::add(const Line& line, const Vec3& eye) {
   const Vector3f middle = ((line.from + line.to) / 2 - eye).cast<float>(), way = (line.to - line.from).cast<float>();
   const float length = way.norm(), radius = static_cast<float>(line.thickness) / 2;
   if (!(length > 0) || !std::isfinite(length) || !middle.allFinite() || !(radius > 0)) return;
-  // A little longer at both ends, so that two that meet at a corner close it.
+  // A little longer at both ends, so that two lines that meet close their corner.
   shafts.push_back({middle, 0, turn_onto(way / length), {radius, length / 2 + radius / 2, radius}, rgb(line.colour)});
 }
 
@@ -135,8 +135,8 @@ void Frame::add(const Arrow& arrow, const Vec3& eye) {
   const float length = shaft.norm();
   if (!(length > 0) || !std::isfinite(length) || !tail.allFinite() || !(arrow.thickness > 0)) return;
   const Vector3f direction = shaft / length;
-  // Short arrows become smaller, not stubbier, so that there is always a shaft to see.
-  constexpr float base = 1.25f;  // radius of the head's base over the shaft's diameter
+  // Short arrows become smaller, not stubbier, so that a shaft is always visible.
+  constexpr float base = 1.25f;  // radius of the head's base divided by the shaft's diameter
   const float thickness = std::min(static_cast<float>(arrow.thickness), length / (1.5f * base * head_slimness));
   const float head = base * head_slimness * thickness;
   const std::array<float, 4> turned = turn_onto(direction);
@@ -150,8 +150,8 @@ void Frame::add(const Arrow& arrow, const Vec3& eye) {
 }
 
 void Frame::add_plane(const Vec3& normal, const Vec3& point) {
-  const Real height = -normal.dot(point);  // of the eye above the plane
-  if (!(height > 0)) return;               // seen from inside, a solid is not seen
+  const Real height = -normal.dot(point);  // height of the eye above the plane
+  if (!(height > 0)) return;               // a half-space is invisible from inside
   const bool level = normal.y() > Real(0.9999);
   const Vec3 across = level ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY().cross(normal).normalized());
   const Vec3 along = level ? Vec3(Vec3::UnitZ()) : Vec3(normal.cross(across));  // uphill or downhill
@@ -170,7 +170,7 @@ void Frame::add_plane(const Vec3& normal, const Vec3& point) {
     planes.push_back(plane);
     return;
   }
-  // A slanted plane is shown as a slab: long enough for what slides on it, and with edges that show how it stands.
+  // A slanted plane is drawn as a slab, long enough for bodies that slide on it, with edges that show its slope.
   plane.half_size = {0.3f * scale, 1.1f * scale};
   const float thickness = 0.02f * scale, lowered = 0.0005f * scale;
   Matrix3f axes;
@@ -222,12 +222,12 @@ Matrix4f Frame::clip_from_eye(int width, int height, const Vector2f& shift) cons
 }
 
 Vector3f Frame::key_direction() const {
-  const Vector3f level = right.cross(Vector3f::UnitY());  // backwards, but not up or down
+  const Vector3f level = right.cross(Vector3f::UnitY());  // backwards and horizontal
   return (-0.62f * right + 0.62f * level + 1.05f * Vector3f::UnitY()).normalized();
 }
 
 ShadowView::ShadowView(const Frame& frame, const Vector3f& direction, int resolution) {
-  Matrix3f axes;  // rows: the map's right, its up, and the way that the light goes
+  Matrix3f axes;  // rows: right and up on the map, and the direction in which the light travels
   const Vector3f aside =
       direction.cross(std::abs(direction.y()) < 0.99f ? Vector3f::UnitY() : Vector3f::UnitX()).normalized();
   axes << aside.transpose(), direction.cross(aside).transpose(), -direction.transpose();
@@ -256,7 +256,7 @@ ShadowView::ShadowView(const Frame& frame, const Vector3f& direction, int resolu
   for (int axis = 0; axis < 2; ++axis) {
     low[axis] = std::max(low[axis], centre[axis] - reach);
     high[axis] = std::min(high[axis], centre[axis] + reach);
-    // In steps, so that shadows keep still from one frame to the next while the bodies move.
+    // In steps, so that shadows do not flicker from one frame to the next while the bodies move.
     const float wide = std::exp2(std::ceil(4 * std::log2(1.05f * (high[axis] - low[axis]))) / 4);
     const float texel = wide / static_cast<float>(resolution);
     low[axis] = std::floor((low[axis] + high[axis] - wide) / 2 / texel) * texel;

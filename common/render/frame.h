@@ -1,5 +1,5 @@
-/// A picture made ready for the graphics pipeline: lists of instances, planes, and the matrices of camera and lights.
-/// Numbers only; nothing in here calls OpenGL.
+/// A picture prepared for the graphics pipeline: lists of instances, planes, and the matrices of camera and lights. Nothing in this
+/// file calls OpenGL.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace pushback {
 
-/// Every place in a Frame is relative to the eye, so that single precision does far from the origin, too.
+/// All positions in a Frame are relative to the eye (m), so that single precision suffices far from the origin, too.
 struct Instance {
   Eigen::Vector3f position;
   float radius;
@@ -18,38 +18,38 @@ struct Instance {
   Eigen::Vector3f colour;
 };
 
-/// One hull, and everywhere it is.
+/// One hull and its instances.
 struct HullInstances {
-  const Polyhedron* solid;  ///< belongs to the picture, which has to live as long
+  const Polyhedron* solid;  ///< owned by the picture, which must live as long
   float bevel;              ///< m
   std::vector<Instance> instances;
 };
 
-/// A rectangle with the checker on it.
+/// A rectangle with the checker pattern.
 struct Plane {
-  Eigen::Vector3f centre, across, along;  ///< two unit vectors; across x along points away from the viewer
+  Eigen::Vector3f centre, across, along;  ///< across, along: perpendicular unit vectors in the plane
   Eigen::Vector3f normal;
-  Eigen::Vector2f half_size;  ///< along the two
-  Eigen::Vector2f phase;      ///< where the centre is on the checker, m
-  float fade;                 ///< m, at which distance it is lost in the background; 0: never
+  Eigen::Vector2f half_size;  ///< m, along `across` and `along`
+  Eigen::Vector2f phase;      ///< m, position of the centre on the checker pattern
+  float fade;                 ///< m, distance at which it fades into the background; 0: never
 };
 
 struct Frame {
   explicit Frame(const Picture& picture);
 
-  std::vector<Instance> boxes, balls;         // what casts shadows
-  std::vector<HullInstances> hulls;           // likewise
-  std::vector<Instance> shafts, heads, dots;  // what doesn't
+  std::vector<Instance> boxes, balls;         // cast shadows
+  std::vector<HullInstances> hulls;           // also cast shadows
+  std::vector<Instance> shafts, heads, dots;  // cast no shadows
   std::vector<Plane> planes;
 
-  float scale;                                 ///< m, from the eye to what it looks at
+  float scale;                                 ///< m, from the eye to the target
   float field_of_view;                         ///< rad
   float near, far;                             ///< m
   Eigen::Vector3f target, right, up, forward;  ///< target relative to the eye; the camera's axes
 
-  /// `shift`: by how many pixels the picture is moved, for subpixel offsets.
+  /// `shift`: displacement of the picture in pixels, for subpixel offsets.
   Eigen::Matrix4f clip_from_eye(int width, int height, const Eigen::Vector2f& shift) const;
-  /// The direction to the key light: over the left shoulder of whoever looks.
+  /// The direction to the key light, over the viewer's left shoulder.
   Eigen::Vector3f key_direction() const;
 
  private:
@@ -60,10 +60,10 @@ struct Frame {
   void choose_depths();
 };
 
-/// Length of an arrow's head over the radius of its base.
+/// Length of an arrow's head divided by the radius of its base.
 inline constexpr float head_slimness = 2.6f;
 
-/// What a light that shines from one direction sees: a box around whatever casts shadows near the target.
+/// The view of a directional light: a box around the bodies that cast shadows near the target.
 struct ShadowView {
   Eigen::Matrix4f map_from_eye;  ///< to texture coordinates and depth, each from 0 to 1
   Eigen::Vector3f size;          ///< m, of that box: width, height, depth

@@ -1,5 +1,5 @@
-/// The OpenGL functions, linked by name, and the prologue of every shader: of OpenGL 3.3 core, whose offscreen libraries
-/// bring all functions, so that no loader is needed; or of WebGL 2, where the compiler is the browser's.
+/// The OpenGL functions, linked by name, and the prologue of every shader: for OpenGL 3.3 core, or for WebGL 2 in a browser. The
+/// offscreen libraries of OpenGL define all functions, so no loader is needed.
 #pragma once
 
 #ifdef __EMSCRIPTEN__
@@ -11,7 +11,7 @@
 
 namespace pushback::shaders {
 
-/// `shown`: linear light as the framebuffer wants it. That of a canvas does not encode as sRGB by itself.
+/// `shown` converts linear light to what the framebuffer stores. A canvas does not encode sRGB by itself, so its shaders do.
 #ifdef __EMSCRIPTEN__
 inline constexpr const char* prologue = R"(#version 300 es
 precision highp float;

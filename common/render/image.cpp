@@ -27,7 +27,7 @@ void require_size(int width, int height) {
   }
 }
 
-/// A file that goes away again unless it is given its final name.
+/// A temporary file, which is removed unless `keep` gives it its final name.
 class Draft {
  public:
   explicit Draft(const std::filesystem::path& file) : file_(file), draft_(file) { draft_ += ".part"; }

@@ -1,4 +1,4 @@
-/// Between the 8-bit sRGB of files and screens, and linear light, in which averages and shading are right.
+/// Converts between the 8-bit sRGB of files and screens and linear light, in which averages and shading are correct.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace pushback {
 
-/// From 0 to 1 for a level from 0 to 255.
+/// The linear light, from 0 to 1, of a level from 0 to 255.
 inline float linear_of(std::uint8_t level) {
   static const std::array<float, 256> table = [] {
     std::array<float, 256> made{};
@@ -21,7 +21,7 @@ inline float linear_of(std::uint8_t level) {
   return table[level];
 }
 
-/// The level nearest to a linear light; what lies outside 0 to 1 is clamped.
+/// The level nearest to a linear light, which is clamped to 0 to 1.
 inline std::uint8_t level_of(float light) {
   const float x = std::clamp(light, 0.0f, 1.0f);
   const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;

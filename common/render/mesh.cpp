@@ -11,8 +11,8 @@ void add_triangle(Mesh& mesh, std::size_t a, std::size_t b, std::size_t c) {
   for (const std::size_t index : {a, b, c}) mesh.indices.push_back(static_cast<std::uint16_t>(index));
 }
 
-/// A place on a grid line across one face of a box: which of the two corners it belongs to, and how far the normal
-/// leans towards that side.
+/// A place on a grid line across one face of a box: the corner to which it belongs, -1 or 1, and how far the normal leans towards that
+/// side.
 struct Lean {
   float corner, slope;
 };

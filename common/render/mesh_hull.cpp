@@ -1,4 +1,4 @@
-// A polyhedron with bevels: each face is drawn a little smaller, a strip along each edge and a patch at each corner
+// A polyhedron with bevels. Each face is drawn a little smaller, a strip along each edge and a patch at each corner
 // close the gaps, and the normals turn from face to face across them.
 #include <array>
 
@@ -32,7 +32,7 @@ Mesh bevelled(const Polyhedron& solid, float radius) {
       const Vec3& corner = solid.corners[std::size_t(here)];
       const Vec3 ahead = (solid.corners[std::size_t(next)] - corner).normalized();
       const Vec3 back = (solid.corners[std::size_t(face.corners[(k + count - 1) % count])] - corner).normalized();
-      // By `radius` from both sides.
+      // Inset by `radius` from both sides.
       const Vec3 inset = corner + Real(radius) / ahead.cross(back).norm() * (ahead + back);
       const Vec3 below = inset - Real(radius) * face.normal;
       loop.push_back(static_cast<std::uint16_t>(mesh.vertices.size()));
@@ -59,7 +59,7 @@ Mesh bevelled(const Polyhedron& solid, float radius) {
   for (int corner = 0; corner < int(solid.corners.size()); ++corner) {
     int first = 0;
     while (face_of[std::size_t(corner)][std::size_t(first)] == nobody) ++first;
-    // Around the corner: the side that leaves it ahead of one face comes back into it on the face to the right.
+    // Goes around the corner: the side that leaves the corner on one face comes back to it on the face to the right.
     std::vector<std::uint16_t> patch;
     for (int to = first; patch.empty() || to != first;) {
       const int left = face_of[std::size_t(corner)][std::size_t(to)];

@@ -33,13 +33,13 @@ struct Painter::State {
     plain.make(width, height, 0);
   }
 
-  /// One pass of the frame that is loaded onto `target`.
+  /// Draws one pass of the loaded frame onto `target`.
   void render(const Frame& frame, const Target& target, const Lights& lights, const Vector2f& shift,
               const Lighting& lighting) {
     drawing.draw(frame, target.handle, {0, 0, width, height}, lights, shift, lighting);
     glDisable(GL_SCISSOR_TEST);
   }
-  /// The pixels of `plain`.
+  /// Reads the pixels of `plain`.
   void read(std::vector<std::uint8_t>& rgba) const {
     rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, plain.handle);

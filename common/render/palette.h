@@ -1,8 +1,8 @@
-/// The colours of everything: as Ink for legends and text, as linear Colour for the painter.
+/// All colours, as Ink for legends and text and as linear Colour for the painter.
 ///
-/// Chosen by simulating colour blindness: any two contact states, and any state and any body, stay clearly apart (CIE76 distance
-/// of 19 or more for each), as do the two kinds of arrow. A test asserts it. The bodies are muted, so that what the solver did
-/// stands out against them.
+/// They were chosen by simulating colour blindness. Any two contact states, any state and any body, and the two kinds of arrow stay
+/// clearly distinguishable (CIE76 distance above 19). A test asserts this. The colours of bodies are muted, so that contacts and
+/// impulses stand out.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ inline Colour linear(Ink ink) {
   return {linear_of(ink.red), linear_of(ink.green), linear_of(ink.blue)};
 }
 
-/// Blue, teal, mustard, orange, brick, olive; any index will do, since they come round again.
+/// Blue, teal, mustard, orange, brick, olive. Any index is allowed, because the colours repeat.
 inline Ink body_ink(int index) {
   constexpr std::array<Ink, 6> inks = {
       {{31, 80, 137}, {18, 138, 120}, {214, 176, 74}, {207, 106, 38}, {156, 47, 42}, {127, 154, 85}}};
@@ -28,11 +28,11 @@ inline Ink body_ink(int index) {
 inline Ink near_black_ink() {
   return {28, 32, 42};
 }
-/// For bodies that sleep: their own colours are gone.
+/// For sleeping bodies, instead of their own colours.
 inline Ink asleep_ink() {
   return {84, 88, 100};
 }
-/// For bodies that nothing moves.
+/// For bodies that cannot move.
 inline Ink fixed_ink() {
   return {188, 192, 198};
 }

@@ -1,4 +1,4 @@
-/// What is to be drawn, said without a word of OpenGL.
+/// The contents of a picture, independent of OpenGL.
 #pragma once
 
 #include <algorithm>
@@ -18,11 +18,11 @@ struct Colour {
 
 struct Camera {
   Vec3 eye{6, 4, 8};               ///< m
-  Vec3 target{0, 1, 0};            ///< m, what it looks at
+  Vec3 target{0, 1, 0};            ///< m, the point that it looks at
   Real field_of_view = Real(0.6);  ///< rad, from the bottom of the picture to its top
 
-  /// m, from the bottom of the picture to its top at the depth of a point: what is to have one size on the picture is a
-  /// fraction of this. Of a point beside or behind the eye, that of one just before it.
+  /// The height that the picture covers at the depth of a point, m. The size of a mark is a fraction of this if it is to be the same on
+  /// the picture at any depth. A point next to or behind the eye counts as a point just in front of it.
   Real height_at(const Vec3& point) const {
     const Vec3 ahead = target - eye;
     const Real depth = std::max(Real(0.01) * ahead.norm(), ahead.normalized().dot(point - eye));
@@ -30,8 +30,8 @@ struct Camera {
   }
 };
 
-/// A solid at a place. The shape is that of the body; a half-space is drawn as the checker floor (cells of 1 m), or, where
-/// it is not level, as a slab with the checker on top, and not at all as seen from inside. Its colour is not used.
+/// A shape with a position and an orientation. A half-space is drawn as the checker floor (cells of 1 m), or as a slab with the checker
+/// on top if it is not level. It is not drawn from inside, and its colour is not used.
 struct Solid {
   Shape shape;
   Vec3 position;

@@ -30,7 +30,7 @@ Program::Program(const char* name, std::vector<const char*> vertex, std::vector<
     : handle_(glCreateProgram()) {
   for (const GLuint shader : {compile(name, GL_VERTEX_SHADER, vertex), compile(name, GL_FRAGMENT_SHADER, fragment)}) {
     glAttachShader(handle_, shader);
-    glDeleteShader(shader);  // it stays for as long as the program does
+    glDeleteShader(shader);  // it is kept as long as the program
   }
   glLinkProgram(handle_);
   GLint fine = GL_FALSE;

@@ -1,4 +1,4 @@
-/// A vertex and a fragment shader, linked, and the way to set what they read.
+/// A linked vertex and fragment shader, with setters for their uniforms.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace pushback {
 
-/// Lives in the context that is current when it is made, and goes with it.
+/// Belongs to the context that is current when it is made, and is destroyed with that context.
 class Program {
  public:
-  /// The parts of each shader are joined. Throws std::runtime_error with the compiler's words where they don't compile.
+  /// Joins the parts of each shader. Throws std::runtime_error with the compiler's log if they do not compile or link.
   Program(const char* name, std::vector<const char*> vertex, std::vector<const char*> fragment);
 
   void use() const { glUseProgram(handle_); }
-  // Each sets a value of the program in use; names that it does not read are ignored.
+  // Each sets a uniform of the program, which must be in use. Names that the shaders do not read are ignored.
   void set(const char* name, int value) const { glUniform1i(place(name), value); }
   void set(const char* name, float value) const { glUniform1f(place(name), value); }
   void set(const char* name, const Eigen::Vector2f& value) const { glUniform2fv(place(name), 1, value.data()); }

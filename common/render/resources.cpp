@@ -20,7 +20,7 @@ void attach(GLenum where, GLenum format, int width, int height, int samples) {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, buffer);
 }
 
-// Position and radius are read as one vector of four, and nothing lies between the numbers.
+// Position and radius are read as one vector of four, and there is no padding between the numbers.
 static_assert(sizeof(Instance) == 14 * sizeof(float) && offsetof(Instance, radius) == 3 * sizeof(float));
 
 template <class Record>

@@ -1,11 +1,11 @@
-/// The shaders, in parts that are joined where they are compiled, behind the prologue of gl.h. All places are relative to
-/// the eye, in metres; all light is linear until it is shown.
+/// The shaders, in parts that are joined after the prologue of gl.h and compiled. All positions are relative to the eye, in metres. All
+/// light is linear until `shown` converts it.
 #pragma once
 
 namespace pushback::shaders {
 
-/// An instance of a mesh (mesh.h) as position and normal. What a mark adds: `pull` lets it come towards the eye by so
-/// many radii, in depth only.
+/// Computes the position and the normal of a vertex of an instance (mesh.h). For marks, `pull` moves it towards the eye by that many
+/// radii, in depth only.
 inline constexpr const char* instance_vertex = R"(
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
@@ -54,7 +54,7 @@ void main() {  // one triangle over the whole picture
 
 inline constexpr const char* depth_fragment = "void main() {}\n";
 
-/// What every fragment shader has: the background, and the way from light to picture.
+/// The part that all fragment shaders with colour share: the background, and the tone map.
 inline constexpr const char* common_fragment = R"(
 uniform vec2 picture_corner, picture_size;  // pixels of the framebuffer
 layout(location = 0) out vec4 pixel;
@@ -77,7 +77,7 @@ vec3 tone(vec3 light) {
 }
 )";
 
-/// The key light with its shadow, and the sky, each of whose few directions has a shadow, too.
+/// The key light with its shadow, and the sky with a shadow for each of its few directions.
 inline constexpr const char* light_fragment = R"(
 const int sky_count = 4;
 uniform sampler2DShadow key_map;
@@ -180,7 +180,7 @@ void main() {
 }
 )";
 
-/// Arrows and dots: lit evenly and without shadows, since their colour means something; a dark rim sets them off.
+/// Arrows and dots. They are lit evenly and without shadows, because their colour has a meaning. A contrasting rim sets dots off.
 inline constexpr const char* mark_fragment = R"(
 uniform float opacity, outline;
 in vec3 at_place, at_normal, at_colour;

@@ -1,4 +1,4 @@
-// The one translation unit that holds the code of the stb libraries.
+// The only translation unit that contains the code of the stb libraries.
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
 #define STBI_NO_STDIO

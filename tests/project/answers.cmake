@@ -1,4 +1,4 @@
-# What is right and what is wrong in each exercise.
+# Tests of right and wrong answers to each exercise.
 add_executable(exercise_answers exercise_answers.cpp)
 target_link_libraries(exercise_answers PRIVATE exercise_commands edits)
 target_compile_definitions(exercise_answers PRIVATE SOURCE_DIR="${PROJECT_SOURCE_DIR}")

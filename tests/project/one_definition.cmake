@@ -1,5 +1,5 @@
-# Not built by default: ./course check links it with the preset odr. The objects themselves, as of an archive the linker takes
-# those only that somebody needs.
+# Not built by default; ./course check links it with the preset odr. It links the objects themselves, because the linker takes from an
+# archive only the objects that are needed.
 add_executable(one_definition EXCLUDE_FROM_ALL one_definition.cpp)
 foreach(folder common engine chapters tools)
   targets_below(targets ${folder})

@@ -1,5 +1,5 @@
-# What a student's file is compiled and linked with is prebuilt, in a folder of its own: headers parsed once, and libraries;
-# `exercise` reads the command lines there.
+# The headers and libraries with which a student's file is compiled and linked are prebuilt. The folder `kit` contains the precompiled
+# headers and the command lines, which `exercise` reads.
 set(kit ${PROJECT_BINARY_DIR}/exercise)
 get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 list(TRANSFORM eigen_folders PREPEND -isystem)
@@ -15,7 +15,7 @@ file(GENERATE OUTPUT ${kit}/headers.h CONTENT "#include \"pushback/chapters/01_v
 file(GENERATE OUTPUT ${kit}/answer.cpp CONTENT "#include \"pushback/common/exercise/answer_program.h\"
 pushback::Numbers pushback::students_numbers(std::size_t check, Random& random) { return play(check, random, student::answer); }
 ")
-function(write_kit folder flags)  # write_kit(FOLDER FLAGS LIBRARY...): the command lines, a word a line
+function(write_kit folder flags)  # write_kit(FOLDER FLAGS LIBRARY...): writes the command lines, one word per line
   list(JOIN ARGN "\n" libraries)
   file(GENERATE OUTPUT ${folder}/compile.txt CONTENT "${CMAKE_CXX_COMPILER}\n$<JOIN:$<FILTER:${flags},EXCLUDE,^$>,\n>\n")
   file(GENERATE OUTPUT ${folder}/link.txt CONTENT "${CMAKE_CXX_COMPILER}
@@ -24,8 +24,8 @@ ${libraries}
 $<TARGET_LINKER_FILE:fmt::fmt>
 ")
 endfunction()
-# What the checks include, and what that includes. The last chapter comes first and the engine after all, because a linker reads each
-# library once.
+# The libraries that the checks include, directly or indirectly. The last chapter comes first and the engine after all chapters, because
+# a linker reads each library once.
 know_sources(common engine chapters)
 list(TRANSFORM checks PREPEND tools/classroom/ OUTPUT_VARIABLE files)
 included_libraries(needed exercises ${files})
@@ -51,7 +51,7 @@ add_custom_command(OUTPUT ${kit}/headers.parsed
   DEPENDS ${kit}/headers.h DEPFILE ${kit}/headers.d VERBATIM COMMAND_EXPAND_LISTS)
 add_custom_target(exercise_headers DEPENDS ${kit}/headers.parsed)
 
-# The same where Pushback is installed, for a folder of a student's own: `exercise` reads the folder it finds itself in for @PREFIX@.
+# The same for an installed Pushback and a student's own folder. `exercise` replaces @PREFIX@ by the folder in which it is installed.
 string(REPLACE -I${headers} -I@PREFIX@/include flags "${answer_flags}")
 list(TRANSFORM answer_libraries REPLACE "(.+)" "@PREFIX@/${CMAKE_INSTALL_LIBDIR}/$<TARGET_FILE_NAME:\\1>" OUTPUT_VARIABLE installed)
 list(TRANSFORM installed REPLACE ".*TARGET_FILE_NAME:exercises.*" "@PREFIX@/${CMAKE_INSTALL_LIBDIR}/libscenes.a")
