@@ -1,4 +1,4 @@
-/// Two points stay on each other: three rows, and three ways to turn are left.
+/// A ball and socket: three rows, which leave three rotations.
 #pragma once
 
 #include "pushback/common/basics/input.h"
@@ -7,7 +7,7 @@
 
 namespace pushback {
 
-/// C = P_B - P_A, along the three axes of the world. P_A and P_B are the points of A and B that are at `anchor` now.
+/// C = P_B - P_A, along the three world axes. P_A is fixed in A and P_B in B; both are at `anchor` (m, world axes) now.
 struct Anchor {
   Vec3 on_a, on_b;  ///< m, body axes
 
@@ -23,7 +23,7 @@ struct Anchor {
   }
 };
 
-/// `anchor`: m, world axes, as the bodies stand now.
+/// `anchor`: m, world axes, for the current poses.
 inline Joint ball_and_socket(const World& world, int a, int b, const Vec3& anchor) {
   check_joined(world, "a ball and socket", a, b);
   require_finite("anchor of a ball and socket", anchor);

@@ -1,4 +1,4 @@
-/// A rod without mass: two points keep their distance.
+/// A massless rod, which keeps two points at a fixed distance.
 #pragma once
 
 #include "pushback/common/basics/input.h"
@@ -7,11 +7,11 @@
 
 namespace pushback {
 
-/// From P_A to P_B, given in world axes as the bodies stand now.
+/// A rod from P_A to P_B (m, world axes, for the current poses).
 ///
 ///   C = |P_B - P_A| - L,   C' = n . (v_B + w_B x r_B - v_A - w_A x r_A),   n = (P_B - P_A) / |P_B - P_A|
 ///
-/// The row of a contact, but that it also pulls. `length` L, m; 0: as far as they are apart now.
+/// The row of a contact, except that it also pulls. `length`: L, m; 0: the current distance.
 inline Joint distance(const World& world, int a, const Vec3& point_a, int b, const Vec3& point_b, Real length = 0) {
   check_joined(world, "a distance", a, b);
   require_finite("anchor of a distance", point_a);
@@ -23,7 +23,7 @@ inline Joint distance(const World& world, int a, const Vec3& point_a, int b, con
   const auto ask = [=](const Body& first, const Body& second, const TimeStep&, Equations& equations) {
     const Vec3 p_a = point_of(first, on_a), p_b = point_of(second, on_b);
     const Real apart = (p_b - p_a).norm();
-    const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // on each other: any way out will do
+    const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // coincident: any direction will do
     equations.push_back({.jacobian = Jacobian::along(n, first, p_a, second, p_b), .error = apart - length});
   };
   const auto line = [=](const Body& first, const Body& second) {

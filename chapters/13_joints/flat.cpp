@@ -15,7 +15,7 @@ void weigh(Row& row) {
   row.dvb = b.inverse_mass * row.n;
   row.dwb = b.inverse_inertia * row.rb_n;
   // K = 1/m_A + 1/m_B + (r_A x n) . I_A^-1 (r_A x n) + (r_B x n) . I_B^-1 (r_B x n)
-  const Real linear = row.n.isZero(0) ? 0 : a.inverse_mass + b.inverse_mass;  // 13: 0 between turns
+  const Real linear = row.n.isZero(0) ? 0 : a.inverse_mass + b.inverse_mass;  // 13: 0 for angular equations
   row.effective_mass = 1 / (linear + row.rb_n.dot(row.dwb) - row.ra_n.dot(row.dwa));
 }
 
@@ -183,7 +183,7 @@ void FlatSolver::moved(World& world, Real dt) {
   }
   for (Row& row : tangents_) carry(row);
   for (std::size_t t = 0; t < tangents_.size(); t += 2) step_sizes_[t / 2] = step_size(tangents_[t], tangents_[t + 1]);
-  // 13: joints likewise, but springs: the speed that they add is wanted
+  // 13: joints likewise, but not springs, because the speed that they add is intended
   equations_.clear();
   for (const Joint& joint : world.joints)
     joint.ask(world.body(joint.a), world.body(joint.b), {world.time, dt}, equations_);

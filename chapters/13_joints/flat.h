@@ -1,6 +1,6 @@
-/// The whole solver of chapters 01 to 13 as a plain loop, without 09 and 10. A test holds it to the bits of
-/// Substeps<RelaxingSolver<Joints, Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>>. It leaves out sleep,
-/// and what no impulse depends on: the count of rows solved, and the state of each contact, which the pictures show.
+/// The whole solver of chapters 01 to 13, except 09 and 10, as a plain loop. A test checks that it gives the same bits as
+/// Substeps<RelaxingSolver<Joints, Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>>. It omits sleep, and
+/// data on which no impulse depends: the count of rows solved, and the state of each contact, which the pictures show.
 #pragma once
 
 #include <limits>
@@ -17,7 +17,7 @@ inline constexpr Real inf = std::numeric_limits<Real>::infinity();
 struct Row {
   std::size_t contact = 0;    // index of its contact, and of that contact's normal row
   Body *a, *b;                // the contact's normal points from A to B
-  Vec3 n, ra_n, rb_n;         // J; n: the row's direction, unit, world axes; 0 between turns
+  Vec3 n, ra_n, rb_n;         // J; n: the row's direction, unit, world axes; 0 for angular equations
   Vec3 dva, dwa, dvb, dwb;    // M^-1 J^T: what an impulse of 1 N s adds to each velocity
   Real effective_mass;        // 1 / K, kg
   Real bias = 0;              // 03: b, m/s: minus the wanted separating speed
@@ -35,7 +35,7 @@ class FlatSolver : public StepSolver {
   Real hertz = 240;             ///< 12: of the spring that an overlap is
   Real damping_ratio = 5;       ///< 12: zeta of its damper; 1: critical
   Real fastest_push_out = 3;    ///< 12: m/s
-  Real joint_beta = Real(0.2);  ///< 13: how much of a joint's C one step takes away
+  Real joint_beta = Real(0.2);  ///< 13: the fraction of a joint's C that one step removes
 
   bool holds_joints() const override { return true; }  ///< 13
   /// 11: so many substeps of one sweep in each step, and contacts are detected anew in every one.
@@ -50,7 +50,7 @@ class FlatSolver : public StepSolver {
   std::vector<Row> tangents_;     // 06: two for each contact that can rub
   std::vector<Real> step_sizes_;  // 08: of each two of them, 1 / k, kg
   std::vector<Row> joints_;       // 13: one for each equation of each joint
-  Equations equations_;           // 13: the equations
+  Equations equations_;           // 13: of all joints
 };
 
 }  // namespace pushback::flat_13

@@ -1,12 +1,12 @@
-/// A point and an axis in common: five rows, and one way to turn is left.
+/// A hinge: five rows, which leave one rotation.
 #pragma once
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 
 namespace pushback {
 
-/// A direction s that A carries and a direction u that B carries stay perpendicular. The angle C by which they are not is
-/// measured about k, which is perpendicular to both:
+/// Keeps a direction s fixed in A perpendicular to a direction u fixed in B. The error C is their deviation from a right
+/// angle, measured about k, which is perpendicular to both:
 ///
 ///   tan C = s . u / |u x s|,   C' = (w_B - w_A) . k,   k = u x s / |u x s|
 ///
@@ -14,12 +14,12 @@ namespace pushback {
 inline Equation perpendicular(const Vec3& s, const Vec3& u) {
   const Vec3 across = u.cross(s);
   const Real sine = across.norm();
-  const Vec3 k = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // parallel: any way out will do
+  const Vec3 k = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // parallel: any perpendicular axis will do
   return {.jacobian = Jacobian::about(k), .error = std::atan2(s.dot(u), sine)};
 }
 
-/// A ball and socket whose ball turns about one axis only. `anchor`: m; `axis`: any length but 0; both in world axes, as the
-/// bodies stand now.
+/// A ball and socket that turns about one axis only. `anchor`: m; `axis`: any length but 0. Both are in world axes, for the
+/// current poses.
 inline Joint hinge(const World& world, int a, int b, const Vec3& anchor, const Vec3& axis) {
   check_joined(world, "a hinge", a, b);
   require_finite("anchor of a hinge", anchor);

@@ -1,14 +1,14 @@
-/// A row that may give way.
+/// A row that can be soft.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
 
 namespace pushback {
 
-/// It wants J V + b + gamma lambda = 0: with gamma > 0 it is a spring with a damper, and gamma joins K.
+/// Solves J V + b + gamma lambda = 0. With gamma > 0 the row is a spring with a damper, and gamma is added to K.
 struct JointRow : Row {
-  Real softness;      // gamma, 1/kg or 1/(kg m^2); 0: it holds
-  Real reported = 0;  // of `impulse`, what its joint has counted so far, N s
+  Real softness;      // gamma, 1/kg or 1/(kg m^2); 0: rigid
+  Real reported = 0;  // the amount of `impulse` that its joint has counted so far, N s
 
   JointRow(Body& first, Body& second, const Jacobian& jacobian, std::size_t joint, Real gamma)
       : Row(first, second, jacobian, joint), softness(gamma) {

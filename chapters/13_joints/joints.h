@@ -1,4 +1,4 @@
-/// Each equation of a joint becomes a row, and rows are all that a solver knows.
+/// Joints as an effect: each equation of a joint becomes a row.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/solver.h"
@@ -7,22 +7,22 @@
 
 namespace pushback {
 
-/// Rows of its own, made of World::joints: a row for each equation that a joint asks for, solved in every sweep.
+/// Builds a row for each equation of each joint in World::joints, and solves these rows in every sweep.
 ///
-///   J V + b + (beta / h) C = 0,   sum(lambda) in h [lo, hi]          the equation's limits are forces, the row's impulses
+///   J V + b + (beta / h) C = 0,   sum(lambda) in h [lo, hi]          lo, hi: the equation's limits, which are forces
 ///
-/// The feedback is that of an equality: it follows (1 - beta)^k (chapter 03). With beta = 0 joints drift apart.
-/// A joint has no rows where neither of its bodies can move, or both sleep.
+/// The rows are equalities, so C decays as (1 - beta)^k over k steps (chapter 03). With beta = 0 joints drift apart.
+/// A joint has no rows if each of its bodies is immovable or asleep.
 struct Joints : Effect, HoldsJoints, UpdatesGeometry {
-  Real beta = Real(0.2);  ///< of 0 ... 1: how much of C one step takes away
+  Real beta = Real(0.2);  ///< 0 ... 1: the fraction of C that one step removes
 
-  /// A joint may refuse to make its equations, so all of them are made before anything has changed.
+  /// Evaluates all equations before the step changes anything, because Joint::ask may throw.
   void check(StepContext& step) {
     require_not_negative("beta of the joints", beta);
     ask(step);
   }
   void build(StepContext& step) {
-    if (asked_.size() != acting(step.world)) ask(step);  // somebody woke; or nobody has called `check`
+    if (asked_.size() != acting(step.world)) ask(step);  // a body has woken, or `check` was not called
     joint_rows_.clear();
     auto equation = equations_.begin();
     for (const Asked& asked : asked_) {
@@ -36,13 +36,13 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
         row.hi = step.dt * equation->hi;
       }
     }
-    asked_.clear();  // those equations are used up
+    asked_.clear();  // each evaluation serves one build
   }
   void sweep(StepContext&) {
     for (JointRow& row : joint_rows_) row.solve();
     rows_solved += joint_rows_.size();
   }
-  /// What each joint bears: all that its rows have applied.
+  /// Adds the impulses that the rows have applied since the last report to Joint::impulses.
   void report(StepContext& step) {
     each_row([&](JointRow& row, std::size_t n) {
       std::vector<Real>& impulses = step.world.joints[row.owner].impulses;
@@ -50,9 +50,9 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
       impulses[n] += row.impulse - std::exchange(row.reported, row.impulse);
     });
   }
-  /// Only under a solver that relaxes (chapter 12): the same equations where the bodies are now, and C is not fed back.
-  /// Springs stay as they were: the speed that they add is wanted. The next substep begins where the bodies are now, and uses what was
-  /// asked here.
+  /// Called only by a solver that relaxes (chapter 12). Evaluates the equations for the current poses and does not feed back C.
+  /// The rows of springs stay as they are, because the speed that they add is intended. The next substep starts from these
+  /// poses, so `build` uses the same equations.
   void update_geometry(StepContext& step) {
     ask(step);
     for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
@@ -62,13 +62,13 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
       row.bias = equations_[i].bias;
     }
   }
-  /// From now on, some of the joints alone: true for each that is solved. Empty: all.
+  /// Restricts the rows to the joints whose element is true, by index in World::joints. Empty: all joints.
   void only(const std::vector<bool>& which) { only_ = which; }
-  /// Those of the latest step; Row::owner is the index of the joint.
+  /// The rows of the latest step. Row::owner is the index of the joint.
   const JointRows& joint_rows() const { return joint_rows_; }
 
  protected:
-  /// `use(row, n)`: the n-th of its joint, from 0.
+  /// Calls `use(row, n)` for each row. n: its number within its joint, from 0.
   template <class Use>
   void each_row(const Use& use) {
     for (std::size_t i = 0, n = 0; i < joint_rows_.size(); ++i) {
@@ -82,7 +82,7 @@ struct Joints : Effect, HoldsJoints, UpdatesGeometry {
  private:
   struct Asked {
     std::size_t joint;
-    std::ptrdiff_t end;  // of its equations
+    std::ptrdiff_t end;  // of its equations in equations_
   };
   bool acts(const World& world, const Joint& joint) const {
     const auto moves = [](const Body& body) { return body.movable() && !body.asleep; };

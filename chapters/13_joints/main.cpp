@@ -8,7 +8,7 @@ using namespace pushback::joints_scenes;
 
 namespace {
 
-using Rigid = Solver<Joints>;  // where nothing touches
+using Rigid = Solver<Joints>;  // for scenes without contacts
 using Jointed = Solver<Joints, Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart>;
 
 Real largest(const Run& run, const std::string& series) {
@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
     e.series(
         "joints off by", "mm, mrad",
         [joints = jointed.joints](World world) {
-          world.joints = joints;  // also where a variant has none
+          world.joints = joints;  // also for a variant without joints
           return 1000 * largest_joint_error(world);
         },
         true);

@@ -10,7 +10,7 @@ namespace pushback::joints_scenes {
 
 // ---- beads on wires ----------------------------------------------------------------------------------------------------
 
-/// An ellipse with the half axes a and b (m) about (x0, y0); a ring where they are alike.
+/// An ellipse with the half axes a and b (m) about (x0, y0), or a ring if a = b.
 ///
 ///   C = ((x - x0)^2 / a^2 + (y - y0)^2 / b^2 - 1) / 2,   grad C = ((x - x0) / a^2, (y - y0) / b^2)
 inline Wire ellipse(Real x0, Real y0, Real a, Real b) {
@@ -23,7 +23,7 @@ inline Wire ellipse(Real x0, Real y0, Real a, Real b) {
   }
   return wire;
 }
-/// Two valleys and a hill between them, from x0 - 1.5 w to x0 + 1.5 w.
+/// Two valleys and a hill of height `hill` (m) between them, drawn from x0 - 1.5 w to x0 + 1.5 w.
 ///
 ///   C = y - f(x),   f = y0 + hill ((x - x0)^2 / w^2 - 1)^2,   grad C = (-f', 1)
 inline Wire two_valleys(Real x0, Real y0, Real w, Real hill) {
@@ -39,7 +39,7 @@ inline Wire two_valleys(Real x0, Real y0, Real w, Real hill) {
   return wire;
 }
 
-/// A bead near the top of a ring, one of an ellipse, one at the end of a wire with two valleys.
+/// Three beads: near the top of a ring, near the top of an ellipse, and near the end of a wire with two valleys.
 inline void beads_on_wires(World& world) {
   const auto bead = [&world](const Wire& wire, const Vec3& at) {
     const int body = world.add(sphere(Real(0.17), 1).at(at));
@@ -56,12 +56,12 @@ inline void beads_on_wires(World& world) {
 
 inline constexpr Real rod_length = Real(1.5);      // m
 inline constexpr Real half_plank = Real(0.75);     // m
-inline constexpr Real plank_width = Real(0.08);    // m, half of it
-inline constexpr Real ball_at = -2, plank_at = 2;  // m, x of the points that they hang from
+inline constexpr Real plank_width = Real(0.08);    // m, half the width
+inline constexpr Real ball_at = -2, plank_at = 2;  // m, x of their pivots
 
-/// A ball on a rod, and a plank on a hinge at its end, let go.
+/// A ball on a rod and a plank on a hinge at its end, released at rest.
 struct Pendulums {
-  Real released_at = Real(1.5);  ///< rad from hanging down
+  Real released_at = Real(1.5);  ///< rad from straight down
 
   void operator()(World& world) const {
     const Vec3 hook(ball_at, 0, 0), pin(plank_at, 0, 0);
@@ -74,11 +74,12 @@ struct Pendulums {
     world.joints = {distance(world, the_world, hook, ball, hook + rod_length * way),
                     hinge(world, the_world, plank, pin, Vec3::UnitZ())};
   }
-  /// 4 sqrt(L / g) K(sin(theta_0 / 2)), s. Of a body on a hinge L is I / (m d), about the hinge, d to the centre of mass.
+  /// 4 sqrt(L / g) K(sin(theta_0 / 2)), s. For a body on a hinge L = I / (m d), with I about the hinge and d from the hinge to
+  /// the centre of mass.
   /// The elliptic integral is K(k) = pi / (2 M), with the arithmetic-geometric mean M of 1 and sqrt(1 - k^2).
   Real period(Real length) const {
     Real mean = 1, other = std::cos(released_at / 2);
-    for (int i = 0; i < 6; ++i) {  // the number of right digits doubles
+    for (int i = 0; i < 6; ++i) {  // each round doubles the number of correct digits
       const Real before = mean;
       mean = (mean + other) / 2;
       other = std::sqrt(before * other);
@@ -86,7 +87,7 @@ struct Pendulums {
     return 2 * pi * std::sqrt(length / World::g) / mean;
   }
 };
-/// How far it has turned from hanging straight down, rad.
+/// The angle from straight down, rad.
 inline Real angle_of_ball(const World& world) {
   const Vec3& p = world.bodies[0].position;
   return std::atan2(p.x() - ball_at, -p.y());
@@ -101,10 +102,10 @@ inline Real length_of_plank() {
 
 // ---- hinge and weld ----------------------------------------------------------------------------------------------------
 
-/// A door on a hinge, and a ball that is thrown at it; two boxes that are one, thrown as well.
+/// A door on a hinge with a ball thrown at it, and two boxes welded together, which are also thrown.
 inline void door_and_weld(World& world) {
   world.add(ground());
-  const Real height = 1, half = Real(0.5);  // m, halves
+  const Real height = 1, half = Real(0.5);  // m, half extents
   for (const Real side : {Real(-1), Real(1)})
     world.add(box({Real(0.06), height + Real(0.08), Real(0.06)}, 1)
                   .fixed()
@@ -125,7 +126,7 @@ inline void door_and_weld(World& world) {
 
 // ---- all of them -------------------------------------------------------------------------------------------------------
 
-/// The largest |C| of all equations, as the bodies stand now: m, and rad of those between turns. Limits are not looked at.
+/// The largest |C| of all equations for the current poses: m, or rad for angular equations. Ignores lo and hi.
 inline Real largest_joint_error(const World& world) {
   Real largest = 0;
   Equations equations;

@@ -1,4 +1,4 @@
-/// Against theory: the period of a pendulum, the drift off a wire.
+/// Measurements against theory: the period of a pendulum and the drift off a wire.
 #pragma once
 
 #include "pushback/chapters/13_joints/joints.h"
@@ -7,7 +7,7 @@
 
 namespace pushback::joints_scenes {
 
-/// The part of an error that joints feed back in one step is theirs, where contacts have one of the same name, too.
+/// A solver whose joints have this beta. The beta of contacts, which has the same name, keeps its default.
 template <class JointSolver>
 JointSolver with_joint_beta(Real beta) {
   JointSolver solver;
@@ -15,7 +15,7 @@ JointSolver with_joint_beta(Real beta) {
   return solver;
 }
 
-/// From one fall through 0 to the next, s; `angles` a step of dt apart. 0: it did not fall twice.
+/// The time between the first two falls through 0, s. `angles` (rad) are dt (s) apart. 0: fewer than two falls.
 inline Real period_of(const std::vector<Real>& angles, Real dt) {
   std::vector<Real> falls;
   for (std::size_t i = 1; i < angles.size() && falls.size() < 2; ++i) {
@@ -41,7 +41,7 @@ inline Periods measured_periods(Real dt, Real beta, const Pendulums& pendulums =
   return {period_of(ball, dt), period_of(plank, dt)};
 }
 
-/// The farthest that a bead of beads_on_wires comes off its wire in five seconds, m.
+/// The largest distance of a bead of beads_on_wires from its wire within five seconds, m.
 inline Real farthest_off_the_wires(Real dt, Real beta) {
   World world;
   beads_on_wires(world);

@@ -1,12 +1,12 @@
-/// Two bodies as one: six rows, and nothing is left.
+/// A weld: six rows, which leave no relative motion.
 #pragma once
 
 #include "pushback/chapters/13_joints/hinge.h"
 
 namespace pushback {
 
-/// A point in common, and no turn: of three perpendicular axes that both carry, each of A's stays perpendicular to B's next.
-/// `anchor`: m, world axes, as the bodies stand now.
+/// The bodies share a point and do not rotate relative to each other: of three perpendicular axes fixed in both, each axis of
+/// A stays perpendicular to the next axis of B. `anchor`: m, world axes, for the current poses.
 inline Joint weld(const World& world, int a, int b, const Vec3& anchor) {
   check_joined(world, "a weld", a, b);
   require_finite("anchor of a weld", anchor);

@@ -1,4 +1,4 @@
-/// A bead on a wire: the first constraint of all.
+/// A bead on a wire, the simplest constraint.
 #pragma once
 
 #include "pushback/common/basics/input.h"
@@ -7,18 +7,19 @@
 
 namespace pushback {
 
-/// A curve in the plane z = 0, said by the function that is 0 on it.
+/// A curve in the plane z = 0, given by a function that is 0 on the curve.
 struct Wire {
   std::function<Real(Real x, Real y)> c;         ///< C(x, y)
   std::function<Vec3(Real x, Real y)> gradient;  ///< (dC/dx, dC/dy, 0); not 0 on the wire
-  std::vector<Vec3> drawn;                       ///< m, its corners, to be seen only
+  std::vector<Vec3> drawn;                       ///< m, corners of the line that is drawn
 };
 
-/// The body's centre of mass stays on the wire, and in its plane.
+/// Keeps the body's centre of mass on the wire and in its plane.
 ///
-///   C(x, y) = 0,   C' = grad C . v:   J is the gradient, and what holds the bead acts along it, across the wire
+///   C(x, y) = 0,   C' = grad C . v:   J is the gradient, so the impulse acts along it, across the wire
 ///
-/// Both are divided by |grad C|: then n is a unit vector, and the error near enough the distance from the wire, in m.
+/// C and J are divided by |grad C|, so that n is a unit vector and the error approximates the distance from the wire, m.
+/// Joint::ask throws InvalidInput where the gradient is 0.
 /// Catto, "Modeling and Solving Constraints", GDC 2009.
 inline Joint bead_on(const World& world, const Wire& wire, int body) {
   check_joined(world, "a wire", the_world, body);

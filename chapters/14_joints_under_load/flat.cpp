@@ -15,7 +15,7 @@ void weigh(Row& row) {
   row.dvb = b.inverse_mass * row.n;
   row.dwb = b.inverse_inertia * row.rb_n;
   // K = 1/m_A + 1/m_B + (r_A x n) . I_A^-1 (r_A x n) + (r_B x n) . I_B^-1 (r_B x n)
-  const Real linear = row.n.isZero(0) ? 0 : a.inverse_mass + b.inverse_mass;  // 13: 0 between turns
+  const Real linear = row.n.isZero(0) ? 0 : a.inverse_mass + b.inverse_mass;  // 13: 0 for angular equations
   row.effective_mass = 1 / (linear + row.rb_n.dot(row.dwb) - row.ra_n.dot(row.dwa));
 }
 
@@ -153,7 +153,7 @@ void FlatSolver::solve(World& world, Real dt, int sweeps) {
       place(row, equation);
       row.bias += joint_beta / dt * equation.error;
       row.softness = equation.softness;
-      // 14: the part that closes gaps is kept apart from the part that carries. Springs have one part only.
+      // 14: the push-out, which closes gaps, is separate from the bias under which joints carry loads. Springs have none.
       row.push_out = row.softness == 0 ? joint_beta / dt * equation.error : 0;
       row.bias -= row.push_out;
       row.kept = &kept;
@@ -178,7 +178,7 @@ void FlatSolver::solve(World& world, Real dt, int sweeps) {
 
   sweep(contacts, sweeps);
 
-  // 14: what carries is remembered; what closes gaps comes on top, in as many passes.
+  // 14: stores the impulses that carry loads, then adds those that close gaps, in as many passes.
   for (Row& row : joints_) {
     *row.kept = row.impulse;
     row.bias += row.push_out;
@@ -197,8 +197,8 @@ void FlatSolver::moved(World& world, Real dt) {
   }
   for (Row& row : tangents_) carry(row);
   for (std::size_t t = 0; t < tangents_.size(); t += 2) step_sizes_[t / 2] = step_size(tangents_[t], tangents_[t + 1]);
-  for (Row& row : joints_) reach(row, *row.kept);  // 14: and what has closed gaps is taken back
-  // 13: joints likewise, but springs: the speed that they add is wanted
+  for (Row& row : joints_) reach(row, *row.kept);  // 14: takes back the impulses that closed gaps
+  // 13: joints likewise, but not springs, because the speed that they add is intended
   equations_.clear();
   for (const Joint& joint : world.joints)
     joint.ask(world.body(joint.a), world.body(joint.b), {world.time, dt}, equations_);

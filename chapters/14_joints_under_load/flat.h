@@ -1,6 +1,6 @@
-/// The whole solver of chapters 01 to 14 as a plain loop, without 09 and 10. A test holds it to the bits of
-/// Substeps<RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>>. It leaves out sleep,
-/// and what no impulse depends on: the count of rows solved, and the state of each contact, which the pictures show.
+/// The whole solver of chapters 01 to 14, except 09 and 10, as a plain loop. A test checks that it gives the same bits as
+/// Substeps<RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>>. It omits sleep, and
+/// data on which no impulse depends: the count of rows solved, and the state of each contact, which the pictures show.
 #pragma once
 
 #include <limits>
@@ -17,14 +17,14 @@ inline constexpr Real inf = std::numeric_limits<Real>::infinity();
 struct Row {
   std::size_t contact = 0;    // index of its contact, and of that contact's normal row
   Body *a, *b;                // the contact's normal points from A to B
-  Vec3 n, ra_n, rb_n;         // J; n: the row's direction, unit, world axes; 0 between turns
+  Vec3 n, ra_n, rb_n;         // J; n: the row's direction, unit, world axes; 0 for angular equations
   Vec3 dva, dwa, dvb, dwb;    // M^-1 J^T: what an impulse of 1 N s adds to each velocity
   Real effective_mass;        // 1 / K, kg
   Real bias = 0;              // 03: b, m/s: minus the wanted separating speed
   Real bounce = 0;            // 12: b without the push-out, m/s
   Real softness = 0;          // 12: gamma, 1/kg
-  Real push_out = 0;          // 14: (beta / h) C of a joint, m/s: kept apart from b
-  Real* kept = nullptr;       // 14: what its joint remembers of it, N s
+  Real push_out = 0;          // 14: (beta / h) C of a joint, m/s, separate from b
+  Real* kept = nullptr;       // 14: the impulse that its joint stores, N s
   Vec3 apart = Vec3::Zero();  // 12: x_B - x_A when the row was placed, m
   Real lo = -inf, hi = inf;   // 02: limits of the sum, N s
   Real impulse = 0;           // sum(lambda), N s: over all sweeps of this step
@@ -37,7 +37,7 @@ class FlatSolver : public StepSolver {
   Real hertz = 240;             ///< 12: of the spring that an overlap is
   Real damping_ratio = 5;       ///< 12: zeta of its damper; 1: critical
   Real fastest_push_out = 3;    ///< 12: m/s
-  Real joint_beta = Real(0.2);  ///< 13: how much of a joint's C one step takes away
+  Real joint_beta = Real(0.2);  ///< 13: the fraction of a joint's C that one step removes
   int passes = 20;              ///< 14: over the joints, in each sweep
 
   bool holds_joints() const override { return true; }  ///< 13
@@ -53,7 +53,7 @@ class FlatSolver : public StepSolver {
   std::vector<Row> tangents_;     // 06: two for each contact that can rub
   std::vector<Real> step_sizes_;  // 08: of each two of them, 1 / k, kg
   std::vector<Row> joints_;       // 13: one for each equation of each joint
-  Equations equations_;           // 13: the equations
+  Equations equations_;           // 13: of all joints
 };
 
 }  // namespace pushback::flat_14

@@ -1,4 +1,4 @@
-/// All seven chapters, and joints.
+/// The solver of chapters 01 to 07, with joints.
 #pragma once
 
 #include "pushback/chapters/07_warm_start/full_solver.h"

@@ -13,7 +13,7 @@ using namespace pushback::joints_under_load_scenes;
 namespace {
 
 using Warm = Solver<WarmJoints, Clamping, Baumgarte, Slop, Restitution, Friction,
-                    WarmStart>;  // remembers the position correction too
+                    WarmStart>;  // also stores the position correction
 using Cold = Solver<Joints, Clamping, Baumgarte, Slop, Restitution, Friction, WarmStart>;
 
 Real largest(const Run& run, const std::string& series) {
@@ -24,7 +24,7 @@ const HangingRope& closed_rope() {
   static const HangingRope closed;
   return closed;
 }
-/// How far the rope that hangs is from its closed form, m: the farthest of its particles.
+/// The largest distance of a particle of the hanging rope from its closed form, m.
 Real off_the_catenary(const World& world) {
   const HangingRope& closed = closed_rope();
   Real farthest = 0;

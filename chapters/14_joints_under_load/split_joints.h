@@ -1,23 +1,22 @@
-/// A split impulse for joints: the part that closes gaps is kept apart from the part that carries, and not remembered.
+/// A split impulse for joints: the impulse that closes gaps is separate from the impulse that carries loads, and is not stored.
 #pragma once
 
 #include "pushback/chapters/14_joints_under_load/warm_joints.h"
 
 namespace pushback {
 
-/// In the place of WarmJoints. With a warm start, lambda is a sum over the steps: each adds -(J V + b) / K. With (beta / h) C
-/// in b the sum integrates C as well, and such a feedback may oscillate ever more. If the sweeps of a step leave the part rho
-/// of an error, joints settle only while beta < (1 - rho) / rho.
+/// Replaces WarmJoints. With a warm start, lambda is a sum over the steps: each step adds -(J V + b) / K. With (beta / h) C in
+/// b the sum integrates C as well, and such feedback can oscillate with growing amplitude. If the sweeps of a step leave a
+/// fraction rho of an error, joints settle only if beta < (1 - rho) / rho.
 ///
-/// So the sweeps solve J V + b = 0, and that is remembered. Only then are the rows swept as often again, with (beta / h) C:
+/// Therefore the sweeps solve J V + b = 0, and only this impulse is stored. The same number of sweeps follows with (beta / h) C:
 ///
 ///   z (z - rho) (z - 1) - rho^2 (z - 1)^2 + (1 - rho) beta z (z - rho) = 0       stable for every beta up to 1 (Jury)
 ///
-/// Under an effect that relaxes (chapter 12) that push is taken back once the bodies have moved: it closes gaps, and adds no
+/// With an effect that relaxes (chapter 12), the push is taken back once the bodies have moved, so it closes gaps but adds no
 /// speed.
 struct SplitJoints : WarmJoints {
-  int passes =
-      1;  ///< over the rows, in each of the solver's sweeps: for long chains, where contacts need no more of them
+  int passes = 1;  ///< over the rows in each sweep: more for long chains, without more sweeps of the contacts
 
   void check(StepContext& step) {
     if (passes < 1) throw InvalidInput(fmt::format("passes is {}: a whole number, 1 or more, is needed", passes));
@@ -53,8 +52,8 @@ struct SplitJoints : WarmJoints {
 
  private:
   std::vector<Real> push_;  // (beta / h) C of each row, m/s
-  int rounds_ = 0;          // over the rows, in this step
-  bool pushed_ = false;     // since the last report
+  int rounds_ = 0;          // passes over the rows in this step
+  bool pushed_ = false;     // `finish` has run since the last report
 };
 
 }  // namespace pushback

@@ -6,7 +6,7 @@
 
 namespace pushback {
 
-/// For 32 substeps of one sweep in 1/60 s: a chain that carries a hundred times the mass of a link.
+/// For 32 substeps of one sweep in 1/60 s and a chain that carries a hundred times the mass of a link.
 struct SteadyJoints : SplitJoints {
   SteadyJoints() { passes = 20; }
 };

@@ -1,4 +1,4 @@
-/// What many joints make: ropes, a cloth, a bridge.
+/// Structures of many joints: ropes, a cloth, a bridge.
 #pragma once
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
@@ -8,13 +8,13 @@
 
 namespace pushback::joints_under_load_scenes {
 
-/// A ball that does not turn. Joined at their centres, balls would roll on what they touch, and no friction would hold them.
+/// A ball that does not rotate. Balls joined at their centres would otherwise roll, and friction could not hold them.
 inline Body particle(Real radius, Real mass) {
   Body ball = sphere(radius, mass);
   ball.principal_inverse_inertia.setZero();
   return ball;
 }
-/// From centre to centre, as far as they are apart now.
+/// A rod from centre to centre, as long as their current distance.
 inline Joint rod_between(const World& world, int a, int b) {
   return distance(world, a, body_of(world, a).position, b, body_of(world, b).position);
 }
@@ -23,10 +23,10 @@ inline Joint rod_between(const World& world, int a, int b) {
 
 inline constexpr int rope_links = 24;
 inline constexpr Real rope_link = Real(0.15);                          // m
-inline constexpr Real rope_span = Real(0.7) * rope_links * rope_link;  // m, between the ends of the one that hangs
-inline constexpr Real rope_x = -Real(1.5), rope_y = Real(2.6);         // m, between its ends
+inline constexpr Real rope_span = Real(0.7) * rope_links * rope_link;  // m, between the ends of the hanging rope
+inline constexpr Real rope_x = -Real(1.5), rope_y = Real(2.6);         // m, the middle between its ends
 
-/// A particle at each of `places`, joined to the one before. Returns the index of the first.
+/// Adds a particle of `mass` kg at each of `places` (m) and joins it to the one before. Returns the index of the first.
 inline int rope(World& world, const std::vector<Vec3>& places, Real mass, int colour) {
   const int first = static_cast<int>(world.bodies.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -36,7 +36,7 @@ inline int rope(World& world, const std::vector<Vec3>& places, Real mass, int co
   return first;
 }
 
-/// A rope hung at both ends, straight down to its middle. It swings until drag has brought it to rest.
+/// A rope hung at both ends, at first straight from each end to its middle. It swings until drag has brought it to rest.
 inline void hanging_rope(World& world) {
   world.add(ground());
   const Real half = rope_span / 2, down = std::sqrt(std::pow(rope_links * rope_link / 2, 2) - half * half);
@@ -54,7 +54,7 @@ inline void hanging_rope(World& world) {
         box({Real(0.05), rope_y / 2, Real(0.05)}, 1).fixed().at({rope_x + side * (half + Real(0.05)), rope_y / 2, 0}));
 }
 
-/// The same, and a rope that falls over a bar.
+/// The hanging rope, and a rope that falls over a bar.
 inline void ropes(World& world) {
   hanging_rope(world);
   world.add(capsule(Real(0.15), 1, 1).fixed().rough(1).turned(pi / 2, Vec3::UnitX()).at({2, Real(1.8), 0}));
@@ -63,8 +63,8 @@ inline void ropes(World& world) {
   rope(world, places, Real(0.1), 3);
 }
 
-/// The rope that hangs, at rest, in closed form: the horizontal pull H is the same all along, and each link is steeper than
-/// the one before by a particle's weight. H follows from the span, the sum of all links' L cos.
+/// The hanging rope at rest, in closed form. All links have the same horizontal tension H, and the vertical tension grows by a
+/// particle's weight from link to link. H follows from the span, the sum of L cos(slope angle) over all links.
 struct HangingRope {
   Real pull;  ///< H / (m g)
   std::vector<Vec3> places;
@@ -98,8 +98,8 @@ inline constexpr int cloth_side = 17;             // particles
 inline constexpr Real thread = Real(0.15);        // m, between them
 inline constexpr Real knot_radius = Real(0.045);  // m
 
-/// Small balls; threads along and across, drawn, and across the squares, not drawn, so that they do not collapse to lines.
-/// Particles that are not joined push each other away.
+/// A grid of small balls. The threads along and across are drawn. The threads along the diagonals, which keep the squares from
+/// collapsing to lines, are not. Particles that are not joined collide.
 inline void cloth_over_ball(World& world) {
   world.add(ground());
   world.add(sphere(Real(0.7), 1).fixed().rough(1).at({0, Real(0.7), 0}).coloured(2));
@@ -135,7 +135,7 @@ inline constexpr Real plank_length = Real(0.5);  // m, along the bridge
 inline constexpr Real deck_height = 2;           // m
 inline constexpr Real middle_of_deck = planks * plank_length / 2;
 
-/// Planks with a ball and socket at each of their corners, on hangers from two cables; three boxes fall on it.
+/// Planks with a ball and socket at each corner, on hangers from two cables. Three boxes fall on the bridge.
 inline void suspension_bridge(World& world) {
   world.add(ground());
   constexpr Real half_width = Real(0.6), tower = Real(1.7);
@@ -161,8 +161,7 @@ inline void suspension_bridge(World& world) {
       world.joints.push_back(ball_and_socket(world, before, here, {x_of(i) - plank_length / 2, deck, edge}));
     before = here;
   }
-  for (const Real edge :
-       {-half_width, half_width}) {  // a parabola: what a cable takes under a load that is even along x
+  for (const Real edge : {-half_width, half_width}) {  // a parabola: the shape of a cable under a load uniform along x
     const auto cable_at = [=](Real x) {
       return Vec3(x, deck_height + Real(0.3) + (tower - Real(0.3)) * x * x / (middle_of_deck * middle_of_deck), edge);
     };

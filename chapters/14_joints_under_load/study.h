@@ -1,4 +1,4 @@
-/// What a chain does with so many sweeps.
+/// The error of a chain for a given number of sweeps.
 #pragma once
 
 #include "pushback/chapters/14_joints_under_load/scenes.h"
@@ -6,7 +6,7 @@
 
 namespace pushback::joints_under_load_scenes {
 
-/// By how much the chain with the weight is longer or shorter than its links at the worst, from 1 s to 4 s; of 1.
+/// The largest elongation or shortening of the chain with the weight from 1 s to 4 s, relative to its length. `dt`: s.
 template <class JointSolver>
 Real worst_of_chain(const ChainWithWeight& chain, JointSolver solver, Real dt, int substeps, int sweeps) {
   World world;

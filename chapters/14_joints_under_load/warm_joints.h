@@ -1,11 +1,11 @@
-/// Joints that start from where the last step ended, as contacts do in chapter 07.
+/// A warm start for joints, like that for contacts in chapter 07.
 #pragma once
 
 #include "pushback/chapters/13_joints/joints.h"
 
 namespace pushback {
 
-/// In the place of Joints. A joint has as many equations in every step, so the n-th is the same one as in the step before.
+/// Replaces Joints. A joint has the same number of equations in every step, so row n starts from impulse n of the step before.
 struct WarmJoints : Joints {
   void start(StepContext& step) {
     const Real scale = step.world.impulse_scale(step.dt);
@@ -25,7 +25,7 @@ struct WarmJoints : Joints {
       impulses.push_back(row.impulse);
     });
   }
-  /// `use(row, impulses, n)`: the n-th of its joint, from 0; and what the joint keeps, N s.
+  /// Calls `use(row, impulses, n)` for each row. impulses: its joint's last_impulses, N s; n: its number within its joint, from 0.
   template <class Use>
   void each_row(StepContext& step, const Use& use) {
     Joints::each_row([&](JointRow& row, std::size_t n) { use(row, step.world.joints[row.owner].last_impulses, n); });

@@ -1,4 +1,4 @@
-/// How far B is turned against A: the angle of a hinge, a swing, a twist; and how each changes.
+/// The rotation of B relative to A: the angle of a hinge, a swing and a twist, and the rate of each.
 #pragma once
 
 #include <cmath>
@@ -9,13 +9,13 @@
 
 namespace pushback {
 
-/// theta' = gradient . (w_B - w_A), exactly, also where the bodies are off the joint.
+/// theta' = gradient . (w_B - w_A), exactly, even if the bodies violate the joint.
 struct Angle {
   Real value;     ///< theta, rad
   Vec3 gradient;  ///< world axes
 };
 
-/// The unit vector along an axis that came from outside.
+/// The unit vector along an axis that a caller passed. Throws InvalidInput if the axis is 0 or not finite.
 inline Vec3 unit_axis(const std::string& joint, const Vec3& axis) {
   require_finite("axis of " + joint, axis);
   require_positive("length of the axis of " + joint, axis.norm());
@@ -27,9 +27,9 @@ inline Equation turning(const Vec3& gradient) {
   return {.jacobian = Jacobian::about(gradient)};
 }
 
-/// The turn of B against A about an axis that A carries; 0 as the bodies stand when it is made, in (-pi, pi].
+/// The rotation of B relative to A about an axis fixed in A, in (-pi, pi]. It is 0 for the poses at construction.
 ///
-///   p = u . t1,  q = u . t2,  theta = atan2(q, p)          u: carried by B; t1, t2 across the axis: carried by A
+///   p = u . t1,  q = u . t2,  theta = atan2(q, p)          u: fixed in B; t1, t2: fixed in A, across the axis
 ///   theta' = (p q' - q p') / (p^2 + q^2) = (w_B - w_A) . (u x (p t2 - q t1)) / (p^2 + q^2)
 class HingeAngle {
  public:
@@ -44,7 +44,7 @@ class HingeAngle {
   Angle of(const Body& a, const Body& b) const {
     const Vec3 t1 = a.orientation * t1_, t2 = a.orientation * t2_, u = b.orientation * u_;
     const Real p = u.dot(t1), q = u.dot(t2), size = p * p + q * q;
-    if (!(size > 0)) return {0, t1.cross(t2)};  // u lies along the axis: the hinge is broken by 90 degrees
+    if (!(size > 0)) return {0, t1.cross(t2)};  // u is parallel to the axis: the hinge is off by 90 degrees
     return {std::atan2(q, p), u.cross(p * t2 - q * t1) / size};
   }
 
@@ -52,7 +52,7 @@ class HingeAngle {
   Vec3 t1_, t2_, u_;  // body axes
 };
 
-/// What of the turn of B against A is about an axis k that A carries, once the swing of the axis is taken off; in [-pi, pi].
+/// The rotation of B relative to A about an axis k fixed in A, without the swing of the axis; in [-pi, pi].
 ///
 ///   q_A* q_B = (w, v) in A's axes,   z = v . k,   theta = 2 atan2(z, w)
 ///   w' = -omega . v / 2,   z' = omega . (w k + v x k) / 2
@@ -66,31 +66,31 @@ class TwistAngle {
 
   Angle of(const Body& a, const Body& b) const {
     const Quat turn = a.orientation.conjugate() * b.orientation * b_to_a_;
-    const Real sign = turn.w() < 0 ? Real(-1) : Real(1);  // q and -q are the same turn: take the shorter way
+    const Real sign = turn.w() < 0 ? Real(-1) : Real(1);  // q and -q are the same rotation: take the shorter one
     const Real w = sign * turn.w();
     const Vec3 v = sign * turn.vec();
     const Real z = v.dot(k_), size = w * w + z * z;
-    if (!(size > 0)) return {0, a.orientation * k_};  // the axis points the other way: any twist would do
+    if (!(size > 0)) return {0, a.orientation * k_};  // the axis is reversed: any twist will do
     return {2 * std::atan2(z, w), a.orientation * ((w * (w * k_ + v.cross(k_)) + z * v) / size)};
   }
 
  private:
   Vec3 k_;       // in A's axes
-  Quat b_to_a_;  // how B stood against A in the beginning
+  Quat b_to_a_;  // A's orientation in B's axes at construction
 };
 
-/// The angle between two directions (unit), s that A carries and u that B carries; in [0, pi].
+/// The angle between two directions (unit, world axes), s fixed in A and u fixed in B; in [0, pi].
 ///
 ///   theta = atan2(|s x u|, s . u),   theta' = (w_B - w_A) . (s x u) / |s x u|
 inline Angle swing(const Vec3& s, const Vec3& u) {
   const Vec3 across = s.cross(u);
   const Real sine = across.norm();
-  const Vec3 about = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // at 0 and pi: any way is as good
+  const Vec3 about = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // at 0 and pi: any axis across s
   return {std::atan2(sine, s.dot(u)), about};
 }
 
-/// An angle counted on over whole turns, from one that is known up to them: the nearest to the last one. Right as long as it
-/// changes by less than pi from one asking to the next; asked twice about the same angle, it gives the same answer.
+/// Counts whole turns of an angle that is known only up to them: `count` returns the value nearest to the last one. The result is
+/// right if the angle changes by less than pi between two calls. A second call with the same angle returns the same value.
 class CountedAngle {
  public:
   explicit CountedAngle(Real first) : last_(first) {}

@@ -1,4 +1,4 @@
-/// A cart on three driven wheels, and the slope that it is to climb.
+/// A cart on three driven wheels, and the slope that it climbs.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace pushback::limits_motors_springs_scenes {
 
 struct Cart {
   int chassis;
-  std::array<int, 3> wheels;  // one in front
+  std::array<int, 3> wheels;  // index 0: in front
 };
 
 inline constexpr Real cart_wheel = Real(0.25);                 // m, radius
@@ -19,8 +19,8 @@ inline constexpr Real chassis_mass = 20, cart_wheel_mass = 2;  // kg
 inline constexpr Real cart_slope = 15;                         // degrees
 inline constexpr Real cart_speed = 8;                          // rad/s, of its wheels
 
-/// Wheels that are balls on hinges. Three of them: of four, nobody can say how much each carries. It stands on a plane through
-/// the origin that rises by `slope` rad along +x; the middle of its axles is `along` m up the slope.
+/// The wheels are balls on hinges. There are three, because the loads of four would be indeterminate. The cart stands on a plane
+/// through the origin that rises by `slope` rad along +x. The middle of its axles is `along` m up the slope.
 inline Cart add_cart(World& world, Real slope, Real along) {
   const Quat turn(Eigen::AngleAxis<Real>(slope, Vec3::UnitZ()));
   const Vec3 middle = turn * Vec3(along, cart_wheel, 0);
@@ -35,7 +35,7 @@ inline Cart add_cart(World& world, Real slope, Real along) {
     const Vec3& axle = axles[i];
     cart.wheels[i] = add(sphere(cart_wheel, cart_wheel_mass).rough(1), axle, 4);
     Joint axis = hinge(world, cart.chassis, cart.wheels[i], middle + turn * axle, Vec3::UnitZ());
-    axis.line = [](const Body&, const Body& wheel) {  // a diameter on its outside, to be seen turning
+    axis.line = [](const Body&, const Body& wheel) {  // a diameter on its outside, which shows the rotation
       const Real side = wheel.position.z() < Real(-0.1) ? -1 : 1;
       const Vec3 at = wheel.position + Vec3(0, 0, side * cart_wheel);
       const Vec3 out = wheel.orientation * Vec3(Real(0.8) * cart_wheel, 0, 0);
@@ -45,13 +45,13 @@ inline Cart add_cart(World& world, Real slope, Real along) {
   }
   return cart;
 }
-/// A motor of `torque` N m for each wheel. Forwards is +x: a turn about -z.
+/// Adds a motor of `speed` rad/s and `torque` N m for each wheel. Forwards is +x, a rotation about -z.
 inline void drive(World& world, const Cart& cart, Real speed, Real torque) {
   for (const int wheel : cart.wheels) {
     world.joints.push_back(motor_at_speed(world, cart.chassis, wheel, -Vec3::UnitZ(), speed, torque));
   }
 }
-/// m/s^2 up the slope, as long as the wheels roll and the motors do what they can:
+/// The acceleration up the slope, m/s^2, while the wheels roll and the motors apply their full torque:
 ///
 ///   a = (3 tau / R - m g sin) / (m + 3 I / R^2),   I = 2/5 m_w R^2
 inline Real acceleration_of_cart(Real slope, Real torque) {

@@ -1,14 +1,14 @@
-/// As far, and no farther: inequalities between turns.
+/// Joint limits: inequalities for angles.
 #pragma once
 
 #include "pushback/chapters/15_limits_motors_springs/angle.h"
 
 namespace pushback {
 
-/// C >= 0, by a force that is never negative: it pushes back, and does not suck. `row` holds J.
+/// C >= 0, by a force that is never negative: the limit pushes but does not pull. `row` contains J.
 ///
-///   C > 0:  b = C / h      in this step it may go as far as the limit
-///   C < 0:  fed back like every error
+///   C > 0:  b = C / h      in this step C may fall to 0
+///   C <= 0: fed back like every error
 inline Equation at_least_zero(Equation row, Real c, Real dt) {
   row.lo = 0;
   if (c > 0) row.bias = c / dt;
@@ -16,13 +16,14 @@ inline Equation at_least_zero(Equation row, Real c, Real dt) {
   return row;
 }
 
-/// low <= angle <= high. Both are asked for in every step, reached or not.
+/// low <= angle <= high, rad. Adds both equations in every step, whether a limit is reached or not.
 inline void between(const Angle& angle, Real low, Real high, Real dt, Equations& equations) {
   equations.push_back(at_least_zero(turning(angle.gradient), angle.value - low, dt));
   equations.push_back(at_least_zero(turning(-angle.gradient), high - angle.value, dt));
 }
 
-/// Limits of an angle that is known up to whole turns: finite, in order, and less than a turn apart.
+/// Throws InvalidInput unless the limits of an angle that is known up to whole turns are finite, in order and less than a turn
+/// apart.
 inline void check_limits(const std::string& joint, Real low, Real high) {
   require_finite("lower limit of " + joint, low);
   require_finite("upper limit of " + joint, high);
@@ -35,14 +36,14 @@ inline void check_limits(const std::string& joint, Real low, Real high) {
   }
 }
 
-/// The same angle up to whole turns, half a turn to either side of the middle of its limits.
+/// The same angle, shifted by whole turns to within half a turn of the middle of its limits.
 inline Angle about_the_middle(Angle angle, Real low, Real high) {
   const Real middle = (low + high) / 2;
   angle.value = middle + std::remainder(angle.value - middle, 2 * pi);
   return angle;
 }
 
-/// From where the bodies stand now. `AngleBetween`: HingeAngle or TwistAngle.
+/// Limits of an angle relative to the current poses, rad. `AngleBetween`: HingeAngle or TwistAngle.
 template <class AngleBetween>
 Joint limits_of(const std::string& name, const World& world, int a, int b, const Vec3& axis, Real low, Real high) {
   check_joined(world, name, a, b);
@@ -54,18 +55,18 @@ Joint limits_of(const std::string& name, const World& world, int a, int b, const
   return {name, a, b, ask};
 }
 
-/// For a hinge: how far B may turn against A about `axis` (world axes), from where they stand now. rad.
+/// For a hinge: limits of the rotation of B relative to A about `axis` (world axes), from the current poses, rad.
 inline Joint angle_limits(const World& world, int a, int b, const Vec3& axis, Real low, Real high) {
   return limits_of<HingeAngle>("angle limits", world, a, b, axis, low, high);
 }
 
-/// For a ball and socket: how far B may twist against A about `axis` (world axes), from where they stand now. rad.
+/// For a ball and socket: limits of the twist of B relative to A about `axis` (world axes), from the current poses, rad.
 inline Joint twist_limits(const World& world, int a, int b, const Vec3& axis, Real low, Real high) {
   return limits_of<TwistAngle>("twist limits", world, a, b, axis, low, high);
 }
 
-/// For a ball and socket: the direction `of_b` stays within `angle` of `of_a`, the axis of a cone. Each is carried by its
-/// body; both in world axes, as the bodies stand now. rad, above 0, up to pi.
+/// For a ball and socket: keeps the direction `of_b` within `angle` (rad, above 0, up to pi) of `of_a`, the axis of a cone.
+/// Each direction is fixed in its body. Both are in world axes, for the current poses.
 inline Joint cone_limit(const World& world, int a, int b, const Vec3& of_a, const Vec3& of_b, Real angle) {
   const std::string name = "a cone limit";
   check_joined(world, name, a, b);

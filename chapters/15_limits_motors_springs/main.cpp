@@ -10,7 +10,7 @@ using namespace pushback::limits_motors_springs_scenes;
 
 namespace {
 
-/// Adds a joint to what the scene has.
+/// A function that adds a joint to the scene.
 template <class MakeJoint>
 std::function<void(World&)> with(const MakeJoint& joint) {
   return [joint](World& world) { world.joints.push_back(joint(world)); };

@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// The torque of a motor, N m: a force, as all limits of equations are. The row gets h times it, an impulse:
+/// Limits an equation to +-torque, N m. The limits of its row are h times as large, because they are impulses:
 /// |sum(lambda)| <= h torque.
 inline Equation with_torque(Equation row, Real torque) {
   row.lo = -torque;
@@ -13,12 +13,13 @@ inline Equation with_torque(Equation row, Real torque) {
   return row;
 }
 
-/// For a hinge: turns B against A so that the angle is `angle_at(t)`, rad, counted from where they stand now.
+/// For a hinge: turns B relative to A to the angle `angle_at(t)`, rad, counted from the current poses.
 ///
 ///   C = theta - f(t),   C' = theta' + b,   b = -(f(t + h) - f(t)) / h
 ///
-/// b is the mean of -f' over the step, not its value at a time: a step that starts with C = 0 then ends with C = 0, whatever f
-/// is. The angle is known up to whole turns: C is the shorter way. Torque: N m. Catto, GDC 2009, with f = sin, torque = 10.
+/// b is the mean of -f' over the step, not its value at one time, so that a step that starts with C = 0 ends with C = 0 for any
+/// f. The angle is known only up to whole turns, so C takes the shorter way. Torque: N m. Catto, GDC 2009, with f = sin and
+/// torque = 10.
 inline Joint motor_to_angle(const World& world, int a, int b, const Vec3& axis, std::function<Real(Real)> angle_at,
                             Real torque) {
   const std::string name = "a motor";
@@ -40,11 +41,11 @@ inline Joint motor_to_angle(const World& world, int a, int b, const Vec3& axis, 
   return motor;
 }
 
-/// For a hinge: turns B against A at `speed`, rad/s, and does not care for the angle.
+/// For a hinge: turns B relative to A at `speed`, rad/s, at any angle.
 ///
 ///   C' = omega - speed:   b = -speed
 ///
-/// Torque: N m. Catto, GDC 2009, with speed = 2 and torque = 5. With speed = 0 it is a brake, and friction is the like.
+/// Torque: N m. Catto, GDC 2009, with speed = 2 and torque = 5. With speed = 0 the motor is a brake, which acts like friction.
 inline Joint motor_at_speed(const World& world, int a, int b, const Vec3& axis, Real speed, Real torque) {
   const std::string name = "a motor";
   check_joined(world, name, a, b);

@@ -1,4 +1,4 @@
-/// A rod whose length is a function of time: the bias that the clock brings.
+/// A rod whose length is a function of time, which adds a bias to its row.
 #pragma once
 
 #include "pushback/common/basics/input.h"
@@ -7,11 +7,12 @@
 
 namespace pushback {
 
-/// From P_A to P_B (m, world axes, as the bodies stand now), `length_at(t)` m long, which has to be above 0.
+/// A rod from P_A to P_B (m, world axes, for the current poses), `length_at(t)` m long. A length of 0 or less throws
+/// InvalidInput, also in Joint::ask.
 ///
 ///   C = |P_B - P_A| - L(t),   C' = J V + b,   b = -(L(t + h) - L(t)) / h
 ///
-/// J is that of a distance (chapter 13). `force`: the largest, N; Catto, GDC 2009, "Modeling Time Dependence".
+/// J is the same as for a distance (chapter 13). `force`: the largest, N. Catto, GDC 2009, "Modeling Time Dependence".
 inline Joint piston(const World& world, int a, const Vec3& point_a, int b, const Vec3& point_b,
                     std::function<Real(Real)> length_at, Real force = std::numeric_limits<Real>::infinity()) {
   const std::string name = "a piston";
@@ -26,7 +27,7 @@ inline Joint piston(const World& world, int a, const Vec3& point_a, int b, const
   const auto ask = [=](const Body& first, const Body& second, const TimeStep& now, Equations& equations) {
     const Vec3 p_a = point_of(first, on_a), p_b = point_of(second, on_b);
     const Real apart = (p_b - p_a).norm();
-    const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // on each other: any way out will do
+    const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // coincident: any direction will do
     const Real begin = length_at(now.time), end = length_at(now.time + now.dt);
     require_positive("length of a piston", end);
     equations.push_back({.jacobian = Jacobian::along(n, first, p_a, second, p_b),

@@ -1,4 +1,4 @@
-/// A man of capsules and boxes, a bench to lie on, and stairs to fall down.
+/// A ragdoll of capsules, boxes and a ball, a bench that it lies on, and stairs that it falls down.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace pushback::limits_motors_springs_scenes {
 
-/// Indices in World::bodies and World::joints. Of two, the first is the one at -z where he looks along +x.
+/// Indices in World::bodies and World::joints. In each pair, the first is at -z if the ragdoll faces +x.
 struct Ragdoll {
   int pelvis, chest, head;
   std::array<int, 2> upper_arms, forearms, thighs, shins;
@@ -19,9 +19,10 @@ struct Ragdoll {
 inline constexpr Real ragdoll_height = Real(1.76);     ///< m, from the soles to the top of the head
 inline constexpr Real ragdoll_hips_over = Real(0.96);  ///< m, from the soles to the middle of the pelvis
 
-/// Upright, looking along +x and then turned by `turn` about the middle of his pelvis, `hips` (m). 76 kg in 11 bodies.
+/// Adds a ragdoll that stands upright and faces +x, turned by `turn` about the middle of its pelvis, `hips` (m). 76 kg in 11
+/// bodies.
 ///
-/// Knees and elbows are hinges with limits; the rest are balls and sockets, each with a cone and with limits of the twist.
+/// Knees and elbows are hinges with limits. The other joints are balls and sockets, each with a cone limit and twist limits.
 inline Ragdoll add_ragdoll(World& world, const Vec3& hips, const Quat& turn = Quat::Identity()) {
   require_finite("hips of a ragdoll", hips);
   const auto degrees = [](Real angle) { return angle * pi / 180; };
@@ -55,7 +56,7 @@ inline Ragdoll add_ragdoll(World& world, const Vec3& hips, const Quat& turn = Qu
     man.forearms[i] = add(capsule(Real(0.045), Real(0.10), 2), 0, 0, arm, 4);
     man.thighs[i] = add(capsule(Real(0.07), Real(0.14), 8), 0, Real(-0.31), leg, 1);
     man.shins[i] = add(capsule(Real(0.055), Real(0.15), 4), 0, Real(-0.755), leg, 3);
-    // An arm swings forwards and outwards, hardly back; a leg forwards.
+    // An arm swings forwards and outwards but hardly backwards. A leg swings forwards.
     socket(man.chest, man.upper_arms[i], {0, Real(0.47), arm}, {Real(0.4), Real(-0.5), side * Real(0.75)}, down, 95,
            60);
     socket(man.pelvis, man.thighs[i], {0, Real(-0.10), leg}, {Real(0.5), Real(-0.85), side * Real(0.15)}, down, 60, 30);
@@ -66,7 +67,7 @@ inline Ragdoll add_ragdoll(World& world, const Vec3& hips, const Quat& turn = Qu
   return man;
 }
 
-/// The largest gap between two bodies of a ragdoll that should meet, as a part of his height.
+/// The largest gap at a joint of a ragdoll, as a fraction of its height.
 inline Real stretch(const World& world, const Ragdoll& man) {
   Real largest = 0;
   Equations equations;
@@ -81,9 +82,9 @@ inline Real stretch(const World& world, const Ragdoll& man) {
   return largest / ragdoll_height;
 }
 
-/// How far a knee or an elbow is bent the wrong way, rad: the farthest of the four.
+/// The largest angle by which a knee or an elbow is bent the wrong way, rad.
 inline Real bent_backwards(const World& world, const Ragdoll& man) {
-  const auto bend = [&world](int upper, int lower) {  // about z of both, where it started straight
+  const auto bend = [&world](int upper, int lower) {  // about z of both; 0: straight, as at the start
     const Quat turn = body_of(world, upper).orientation.conjugate() * body_of(world, lower).orientation;
     return std::remainder(2 * std::atan2(turn.z(), turn.w()), 2 * pi);
   };
@@ -94,8 +95,9 @@ inline Real bent_backwards(const World& world, const Ragdoll& man) {
   return farthest;
 }
 
-/// `count` fixed steps of `rise` and `run` m, `width` m wide, that go down along +x from a landing at x <= 0 to the plane
-/// y = 0 at x = count * run. The landing, `count + 1` rises up, is 2 m long.
+/// Adds `count` fixed steps of `rise` and `run` m, `width` m wide, which descend along +x from a landing at x <= 0 to the plane
+/// y = 0 at x = count * run. The landing is 2 m long and `count + 1` rises high. Throws InvalidInput if count < 1 or if a length
+/// is not above 0.
 inline void add_stairs(World& world, int count, Real rise = Real(0.18), Real run = Real(0.28), Real width = 2) {
   if (count < 1) throw InvalidInput(fmt::format("stairs have {} steps: 1 or more are needed", count));
   require_positive("rise of stairs", rise);
@@ -110,7 +112,7 @@ inline void add_stairs(World& world, int count, Real rise = Real(0.18), Real run
   }
 }
 
-/// A ragdoll that walks off the landing of five steps, above the ground. Returns the man.
+/// A ragdoll moves at 1.5 m/s off the landing of five steps, above the ground. Returns the ragdoll.
 inline Ragdoll down_the_stairs(World& world) {
   constexpr int steps = 5;
   world.add(ground());
@@ -122,7 +124,7 @@ inline Ragdoll down_the_stairs(World& world) {
   return man;
 }
 
-/// A ragdoll that lies face down, his head at +x, on a bench from his chest to his knees. Returns the man.
+/// A ragdoll lies face down, its head at +x, on a bench from its chest to its knees. Returns the ragdoll.
 inline Ragdoll face_down_on_a_bench(World& world) {
   const Real top = Real(0.7), chest_half = Real(0.11);  // m
   world.add(ground());

@@ -1,4 +1,4 @@
-/// A bar and its stop, a bar that is to follow sin t, two winches, three springs, two pulleys, a swing.
+/// A bar and its stop, a bar that follows sin t, two winches, three springs, two pulleys, a swing.
 #pragma once
 
 #include "pushback/chapters/13_joints/hinge.h"
@@ -12,7 +12,7 @@
 
 namespace pushback::limits_motors_springs_scenes {
 
-/// A fixed ball at the end of each axle, to be seen only: nothing gets there.
+/// Shows the end of an axle as a fixed ball, which no body reaches.
 inline void axle(World& world, const Vec3& at) {
   world.add(sphere(Real(0.05), 1).fixed().at(at + Vec3(0, 0, Real(0.14))));
 }
@@ -20,10 +20,10 @@ inline void axle(World& world, const Vec3& at) {
 // ---- a bar and its stop ------------------------------------------------------------------------------------------------
 
 inline constexpr Real bar_half = Real(0.75);        // m
-inline constexpr Real bar_lifted = -80 * pi / 180;  // rad from hanging down
+inline constexpr Real bar_lifted = -80 * pi / 180;  // rad from straight down
 inline constexpr Real bar_stop = 30;                // degrees
 
-/// Body 0 hangs from a hinge, let go on one side. Behind it, where the stop is, a fixed plate.
+/// Body 0 hangs from a hinge and is released on one side. A fixed plate behind it marks the stop, at `stop_at` degrees.
 inline void bar_and_stop(World& world, Real stop_at = bar_stop) {
   const auto along = [](Real angle) { return Vec3(std::sin(angle), -std::cos(angle), 0); };
   const int bar = world.add(box({Real(0.07), bar_half, Real(0.07)}, 5)
@@ -39,14 +39,14 @@ inline void bar_and_stop(World& world, Real stop_at = bar_stop) {
                 .at(Real(1.2) * along(stop) + Real(0.1) * across + Vec3(0, 0, Real(-0.3))));
   axle(world, Vec3::Zero());
 }
-inline Real angle_of_bar(const World& world) {  // degrees from hanging down
+inline Real angle_of_bar(const World& world) {  // degrees from straight down
   const Vec3& at = world.bodies[0].position;
   return std::atan2(at.x(), -at.y()) * 180 / pi;
 }
 inline Joint stop_of_bar(const World& world, Real stop_at = bar_stop) {
   return angle_limits(world, the_world, 0, Vec3::UnitZ(), -pi / 2, stop_at * pi / 180 - bar_lifted);
 }
-/// The mistake: within a degree of the stop, the limit without lambda >= 0.
+/// The mistake to avoid: within a degree of the stop, the limit lacks lambda >= 0.
 inline Joint stop_that_sucks(const World& world, Real stop_at = bar_stop) {
   Joint stop = stop_of_bar(world, stop_at);
   stop.ask = [ask = stop.ask](const Body& a, const Body& b, const TimeStep& now, Equations& equations) {
@@ -64,15 +64,15 @@ inline constexpr Real light_pointer = 20, heavy_pointer = 80;  // kg
 inline Real inertia_of_pointer(Real mass) {
   return mass * (bar_half * bar_half + Real(0.07) * Real(0.07)) / 3;
 }
-/// Body 0, a bar on a hinge through its middle, and behind it a thin one that is where it should be. The first is as heavy as a
-/// variant says.
+/// Body 0 is a bar on a hinge through its middle. Body 1 is a thin bar behind it, at the angle that body 0 should have. Each
+/// variant sets the mass of body 0. `torque`: N m.
 inline void pointers(World& world, Real torque) {
   const int pointer = world.add(box({bar_half, Real(0.07), Real(0.07)}, 1).coloured(3));
   const int wanted = world.add(box({1, Real(0.02), Real(0.02)}, 1).at({0, 0, Real(-0.2)}).coloured(0));
   for (const int body : {pointer, wanted}) {
     world.joints.push_back(hinge(world, the_world, body, world.bodies[std::size_t(body)].position, Vec3::UnitZ()));
   }
-  for (Body& body : world.bodies) body.spinning({0, 0, 1});  // the derivative of sin t in the beginning
+  for (Body& body : world.bodies) body.spinning({0, 0, 1});  // the derivative of sin t at t = 0
   const auto sine = [](Real t) { return std::sin(t); };
   world.joints.push_back(motor_to_angle(world, the_world, wanted, Vec3::UnitZ(), sine, 1000));
   world.joints.push_back(motor_to_angle(world, the_world, pointer, Vec3::UnitZ(), sine, torque));
@@ -81,7 +81,7 @@ inline void pointers(World& world, Real torque) {
 inline void weigh_pointer(World& world, Real mass) {
   Body& pointer = world.bodies[0];
   pointer.inverse_mass = 1 / mass;
-  pointer.principal_inverse_inertia /= mass;  // it was 1 kg
+  pointer.principal_inverse_inertia /= mass;  // until now for 1 kg
   pointer.refresh_inertia();
 }
 inline Real angle_of_pointer(const World& world) {  // rad
@@ -91,7 +91,7 @@ inline Real angle_of_pointer(const World& world) {  // rad
 
 // ---- wheels and ropes --------------------------------------------------------------------------------------------------
 
-/// A disc of 16 corners on either side, its axis along z.
+/// A disc with 16 corners on each side and its axis along z. Lengths in m, mass in kg.
 inline Body disc(Real radius, Real half_width, Real mass) {
   std::vector<Vec3> corners;
   for (int i = 0; i < 16; ++i) {
@@ -101,11 +101,11 @@ inline Body disc(Real radius, Real half_width, Real mass) {
   }
   return hull(corners, mass);
 }
-/// kg m^2 about z, as the body stands.
+/// The moment of inertia about the world z axis, kg m^2.
 inline Real inertia_of_disc(const Body& disc) {
   return 1 / (disc.inverse_inertia * Vec3::UnitZ()).z();
 }
-/// The same joint with a diameter of the wheel drawn on its front, to be seen turning. `b` is the wheel.
+/// The same joint with a diameter drawn on the front of the wheel, the joint's body b, to show its rotation.
 inline Joint with_spoke(Joint joint, Real radius, Real front) {
   joint.line = [=](const Body&, const Body& wheel) {
     const Vec3 at = wheel.position + Vec3(0, 0, front), out = wheel.orientation * (radius * Vec3::UnitX());
@@ -113,17 +113,17 @@ inline Joint with_spoke(Joint joint, Real radius, Real front) {
   };
   return joint;
 }
-/// A wheel on a hinge of the world, and its index.
+/// Adds a wheel on a hinge to the world. Returns its index.
 inline int wheel_at(World& world, const Vec3& at, Real radius, Real mass) {
   const int wheel = world.add(disc(radius, Real(0.08), mass).at(at).coloured(4));
   world.joints.push_back(with_spoke(hinge(world, the_world, wheel, at, Vec3::UnitZ()), radius, Real(0.1)));
   return wheel;
 }
-/// A cube that hangs from the wheel by a rope wound on it at `radius`, `below` m below the axle, at +x or at -x of it,
-/// `front` m before its middle.
+/// Adds a cube that hangs from the wheel by a rope wound on it at `radius` m: `below` m below the axle, on its side +x or -x
+/// (`side`), `front` m in front of the middle of the wheel. Returns its index.
 inline int hang(World& world, int wheel, Real radius, int side, Real mass, Real below, int colour, Real front = 0) {
   const Vec3 axle_at = world.bodies[std::size_t(wheel)].position;
-  // Volatile: of a mass that it knows, g++ would round the root otherwise than the library does, as its inlining decides.
+  // Volatile: for a compile-time constant, the rounding of the root by g++ would depend on inlining.
   const volatile Real volume = mass / 1000;
   const Real half = std::cbrt(volume) * Real(1.2);
   const Vec3 hook = axle_at + Vec3(static_cast<Real>(side) * radius, -below, front);
@@ -138,7 +138,7 @@ inline constexpr Real winch_speed = 2;            // rad/s
 inline constexpr Real winch_torque = 5;           // N m
 inline constexpr Real light_load = Real(1.5);     // kg
 
-/// A winch with its motor, body `first`, and its load, the next.
+/// Adds a winch with its motor at `x` m, and its load of `load` kg as the next body.
 inline void winch(World& world, Real x, Real load) {
   const int wheel = wheel_at(world, {x, 3, 0}, winch_radius, 10);
   hang(world, wheel, winch_radius, 1, load, Real(1.4), load < 2 ? 0 : 3);
@@ -151,7 +151,7 @@ struct TwoWinches {
     winch(world, -1, light_load);  // bodies 0 and 1
     winch(world, 1, heavy_load);   // bodies 2 and 3
   }
-  /// m/s^2, of the heavy load upwards, as long as the motor does what it can:   R (torque - m g R) / (I + m R^2)
+  /// The upward acceleration of the heavy load, m/s^2, while the motor applies its full torque:   R (torque - m g R) / (I + m R^2)
   Real acceleration() const {
     World world;
     (*this)(world);
@@ -162,7 +162,7 @@ struct TwoWinches {
 
 inline constexpr Real pulley_radius = Real(0.4), inner_radius = Real(0.2);  // m
 
-/// Atwood's machine, bodies 0 to 2; and a wheel with two radii, bodies 3 to 5, where the lighter load wins.
+/// Atwood's machine, bodies 0 to 2, and a wheel with two radii, bodies 3 to 5, on which the lighter load sinks.
 struct TwoPulleys {
   Real light = 2, heavy = 3;  ///< kg, on each wheel; on the stepped one the heavy load hangs from the inner radius
 
@@ -174,11 +174,11 @@ struct TwoPulleys {
     hang(world, stepped, inner_radius, -1, heavy, Real(1.3), 3, Real(0.12));
     hang(world, stepped, pulley_radius, 1, light, Real(1.3), 0);
   }
-  /// m/s^2, of the heavy load of Atwood's machine downwards:   (m1 - m2) g / (m1 + m2 + I / R^2)
+  /// The downward acceleration of the heavy load of Atwood's machine, m/s^2:   (m1 - m2) g / (m1 + m2 + I / R^2)
   Real acceleration_of_atwood() const {
     return (heavy - light) * World::g / (heavy + light + inertia_of_wheel(0) / (pulley_radius * pulley_radius));
   }
-  /// m/s^2, of the load on the outer radius downwards:   R (m_o R - m_i r) g / (I + m_o R^2 + m_i r^2)
+  /// The downward acceleration of the load on the outer radius, m/s^2:   R (m_o R - m_i r) g / (I + m_o R^2 + m_i r^2)
   Real acceleration_of_stepped() const {
     const Real R = pulley_radius, r = inner_radius;
     return R * (light * R - heavy * r) * World::g / (inertia_of_wheel(3) + light * R * R + heavy * r * r);
@@ -196,7 +196,7 @@ struct TwoPulleys {
 
 inline constexpr Real spring_length = Real(1.2), pulled_by = Real(0.6);  // m
 
-/// C(t) of a spring of angular frequency w that is let go at C = c0:   C'' + 2 zeta w C' + w^2 C = 0
+/// C(t) of a spring of angular frequency w (rad/s) that is released at rest at C = c0:   C'' + 2 zeta w C' + w^2 C = 0
 inline Real let_go(Real c0, Real w, Real zeta, Real t) {
   if (zeta == 1) return c0 * (1 + w * t) * std::exp(-w * t);
   if (zeta < 1) {
@@ -207,7 +207,7 @@ inline Real let_go(Real c0, Real w, Real zeta, Real t) {
   return c0 * (slow * std::exp(fast * t) - fast * std::exp(slow * t)) / (slow - fast);
 }
 
-/// Balls, the first bodies, each pulled down on its spring, without gravity. A thin fixed bar is where they come to rest.
+/// Balls, the first bodies, each pulled down on its spring, without gravity. A thin fixed bar marks where they come to rest.
 struct SpringsLetGo {
   Real hertz = 1;
   std::vector<Real> damping_ratios{Real(0.1), 1, 5};
@@ -225,7 +225,7 @@ struct SpringsLetGo {
     world.add(box({half, Real(0.05), Real(0.15)}, 1).fixed().at({0, Real(3.05), 0}));
     world.add(box({half, Real(0.01), Real(0.01)}, 1).fixed().at({0, 3 - spring_length, Real(-0.3)}));
   }
-  /// m, of the ball with the i-th damping ratio.
+  /// The distance of the ball with the i-th damping ratio below its rest position, m.
   Real below(const World& world, std::size_t i) const { return 3 - spring_length - world.bodies[i].position.y(); }
   Real closed_form(std::size_t i, Real t) const { return let_go(pulled_by, 2 * pi * hertz, damping_ratios[i], t); }
 };
@@ -236,9 +236,9 @@ inline constexpr Real swing_length = 2;                                  // m
 inline constexpr Real swing_start = Real(0.05);                          // rad
 inline const Real swing_frequency = std::sqrt(World::g / swing_length);  // rad/s
 
-/// Body 0, a ball on a rod that is shortened and lengthened by the part `pump` of it, twice in a swing:
+/// Body 0, a ball on a rod that shortens and lengthens by the fraction `pump` of its length, twice per swing:
 ///
-///   L(t) = L (1 + pump sin(2 w t)):  short where it passes below, long where it turns round
+///   L(t) = L (1 + pump sin(2 w t)):  short at the bottom, long at the turning points
 inline void pumped_swing(World& world, Real pump) {
   const Vec3 at(swing_length * std::sin(swing_start), -swing_length * std::cos(swing_start), 0);
   const int ball = world.add(sphere(Real(0.1), 1).at(at));
@@ -246,7 +246,7 @@ inline void pumped_swing(World& world, Real pump) {
     return swing_length * (1 + pump * std::sin(2 * swing_frequency * t));
   }));
 }
-inline Real angle_of_swing(const World& world) {  // rad from hanging down
+inline Real angle_of_swing(const World& world) {  // rad from straight down
   const Vec3& at = world.bodies[0].position;
   return std::atan2(at.x(), -at.y());
 }

@@ -1,4 +1,4 @@
-/// A spring with a damper: an equation that gives way.
+/// A spring with a damper, made of any equation.
 #pragma once
 
 #include "pushback/chapters/13_joints/distance.h"
@@ -6,7 +6,7 @@
 
 namespace pushback {
 
-/// As stiff as to let the mass that it feels swing at `hertz`; `damping_ratio` zeta: 0 for ever, 1 not at all (critical).
+/// A spring on which the effective mass oscillates at `hertz`. `damping_ratio` zeta: 0: without end; 1: critically damped.
 struct Spring {
   Real hertz, damping_ratio;
 };
@@ -22,9 +22,9 @@ inline Real k_of(const Body& a, const Body& b, const Equation& row) {
   return linear + J.ra_n.dot(a.inverse_inertia * J.ra_n) + J.rb_n.dot(b.inverse_inertia * J.rb_n);
 }
 
-/// The equation with a spring and a damper in the place of what held it rigidly; its error C is fed back by them alone.
+/// Replaces the rigid equation by a spring and a damper. Only they feed back its error C.
 ///
-///   m = 1/K,  w = 2 pi hertz,  k = m w^2,  c = 2 m zeta w         made for the mass that the row feels
+///   m = 1/K,  w = 2 pi hertz,  k = m w^2,  c = 2 m zeta w         m: the row's effective mass
 ///   J V + b + gamma lambda = 0,  gamma = 1 / (h (c + h k)),  b = h k gamma C         -k C - c C', at the end of the step
 ///
 /// Catto, "Soft Constraints", GDC 2011.
@@ -49,7 +49,7 @@ inline Joint soft(Joint rigid, const Spring& spring) {
   return rigid;
 }
 
-/// Turns B back to how it stands against A now, about `axis` (world axes).
+/// Turns B about `axis` (world axes) back to its current orientation relative to A.
 inline Joint torsion_spring(const World& world, int a, int b, const Vec3& axis, const Spring& spring) {
   const std::string name = "a torsion";
   check_joined(world, name, a, b);

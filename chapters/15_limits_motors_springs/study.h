@@ -1,4 +1,4 @@
-/// What is worked out beside the sheet: a motor's work, how it reaches its speed, springs and the pumped swing.
+/// Studies for the diagrams and remarks: a motor's work, how it reaches its speed, springs, the pumped swing, the ragdoll.
 #pragma once
 
 #include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
@@ -9,7 +9,7 @@
 
 namespace pushback::limits_motors_springs_scenes {
 
-/// Calls `see(t)` after each of the steps of a world under JointedSolver.
+/// Steps a world with JointedSolver for `seconds` s in steps of `h` s. Calls `see(t, solver)` after each step.
 template <class See>
 void watch(World& world, Real seconds, Real h, const See& see) {
   JointedSolver solver;
@@ -19,9 +19,9 @@ void watch(World& world, Real seconds, Real h, const See& see) {
   }
 }
 
-/// The work of the last joint, a motor that turns body 0 about z, and what the world has gained.
+/// The work of the last joint, a motor that turns body 0 about z, and the energy that the world has gained.
 ///
-/// Two speeds belong to an impulse, that before and that after it: its work is lambda times their mean.
+/// The work of an impulse is lambda times the mean of the speeds before and after it.
 struct WorkAndEnergy {
   Real work = 0, energy = 0;  ///< J
 };
@@ -40,7 +40,7 @@ inline WorkAndEnergy work_of_winch(Real h) {
   return found;
 }
 
-/// The source's wheel: 2 rad/s, 5 N m; and what becomes of omega.
+/// Catto's wheel with 2 rad/s and 5 N m: omega over time, for two moments of inertia.
 inline std::vector<Curve> reaching_a_speed(Real h) {
   std::vector<Curve> curves;
   for (const Real inertia : {Real(1), Real(5)}) {
@@ -63,7 +63,7 @@ inline std::vector<Curve> reaching_a_speed(Real h) {
   return curves;
 }
 
-/// The springs, and their closed forms: how far each ball is below its place.
+/// The distance of each ball below its rest position over time, and its closed form.
 inline std::vector<Curve> springs_in_time(const SpringsLetGo& springs, Real h) {
   World world;
   springs(world);
@@ -82,7 +82,7 @@ inline std::vector<Curve> springs_in_time(const SpringsLetGo& springs, Real h) {
   });
   return curves;
 }
-/// How far each of them is off its closed form after 1 s, by the step.
+/// The error of each spring against its closed form after 1 s, by the length of the step.
 inline std::vector<Curve> springs_by_step(const SpringsLetGo& springs) {
   const std::vector<Real>& ratios = springs.damping_ratios;
   std::vector<Curve> curves;
@@ -102,7 +102,7 @@ inline std::vector<Curve> springs_by_step(const SpringsLetGo& springs) {
   return curves;
 }
 
-/// The swing, and how its reach should grow:   theta_0 exp(3/4 pump w t)
+/// The swing with and without pumping, and the expected growth of its amplitude:   theta_0 exp(3/4 pump w t)
 inline std::vector<Curve> swings(Real h, Real pump) {
   std::vector<Curve> curves;
   for (const Real part : {pump, Real(0)}) {
@@ -122,7 +122,7 @@ inline std::vector<Curve> swings(Real h, Real pump) {
   return curves;
 }
 
-/// How far the joints of the ragdoll part in ten seconds from the top of the stairs: at worst, as a part of his height.
+/// The largest gap at a joint of the ragdoll in ten seconds from the top of the stairs, as a fraction of its height.
 inline Real stretch_on_stairs(Real h, int substeps, int sweeps) {
   World world;
   const Ragdoll man = down_the_stairs(world);

@@ -1,16 +1,16 @@
-/// A rope wound on a wheel: it pulls, and what one end gives the other gets.
+/// A rope wound on a wheel. It only pulls, and the wheel pays out the length that the free end gains.
 #pragma once
 
 #include "pushback/chapters/15_limits_motors_springs/limits.h"
 
 namespace pushback {
 
-/// Which turn of the wheel about its axis takes the rope in.
+/// The direction in which the wheel turns about its axis to wind the rope up.
 enum class Winding { forwards = 1, backwards = -1 };
 
-/// Where a rope that comes from a point P leaves a wheel, all in the wheel's own axes and from its centre.
+/// The point T where a rope from a point P leaves a wheel, in the wheel's axes and from its centre.
 ///
-///   T = R (cos alpha D^ + sigma sin alpha k x D^),   cos alpha = R / d         D = d D^: P without its part along the axis k
+///   T = R (cos alpha D^ + sigma sin alpha k x D^),   cos alpha = R / d         D = d D^: P without its component along the axis k
 ///   s = sqrt(d^2 - R^2) is the free length,  chi the angle of T on the wheel
 struct WoundRope {
   Vec3 axis, across1, across2;  ///< k, and a basis across it: unit, right-handed
@@ -27,7 +27,7 @@ struct WoundRope {
     const Vec3 flat = p - p.dot(axis) * axis;
     const Real d = flat.norm();
     const Vec3 out = d > 0 ? Vec3(flat / d) : across1;
-    const Real cosine = d > radius ? radius / d : 1;  // P wound up into the wheel: as if it stood on the rim
+    const Real cosine = d > radius ? radius / d : 1;  // P inside the wheel counts as on the rim
     const Real sine = std::sqrt(1 - cosine * cosine);
     const Vec3 aside = sigma * axis.cross(out);
     const Vec3 from_centre = cosine * out + sine * aside;
@@ -36,13 +36,14 @@ struct WoundRope {
   }
 };
 
-/// From the rim of a wheel, `radius` m from `centre`, to `point` of the load; taut as they stand now. The rope may be as long
-/// as one likes. `centre`, `axis`, `point`: world axes. It is measured in the wheel's plane.
+/// A rope of any length from the rim of a wheel, `radius` m from `centre`, to `point` of the load, taut for the current poses.
+/// `centre`, `axis`, `point`: world axes. Lengths are measured in the wheel's plane. Throws InvalidInput if `point` is inside the
+/// wheel.
 ///
-///   C = L + sigma R chi - s >= 0,   C' = -n . (velocity of the load's P - velocity that the wheel has there)
+///   C = L + sigma R chi - s >= 0,   C' = -n . (velocity of the load's P - velocity of the wheel there)
 ///
-/// L is set so that C is 0 now. chi takes both what the wheel has turned and how far the rope has swung aside: seen from the
-/// wheel, P moves, and only its motion along n makes a rope longer. The force acts along one line, and so at P on both.
+/// L is set so that C is 0 now. chi contains both the rotation of the wheel and the swing of the rope: in the wheel's axes only
+/// the motion of P along n lengthens the rope. The force acts along one line, so it acts at P on both bodies.
 inline Joint wound_rope(const World& world, int wheel, const Vec3& centre, const Vec3& axis, Real radius,
                         Winding winding, int load, const Vec3& point) {
   const std::string name = "a wound rope";
@@ -76,7 +77,7 @@ inline Joint wound_rope(const World& world, int wheel, const Vec3& centre, const
     const Vec3 p = point_of(b, on_load), to_p = point_on(a, p) - middle;
     const Vec3 beside = middle + to_p.dot(k) * k;  // drawn in the plane of the load
     std::vector<Vec3> corners{p};
-    for (int i = 0; i <= 12; ++i) {  // and a good part of a turn of what is wound on
+    for (int i = 0; i <= 12; ++i) {  // and two thirds of a turn of the wound part
       const Quat on(Eigen::AngleAxis<Real>(rope.sigma * static_cast<Real>(i) * pi / 9, k));
       corners.push_back(point_of(a, beside + on * rope.to(to_p).point));
     }

@@ -1,4 +1,4 @@
-/// The contacts of a scene's first step, as a page solves them iteration by iteration.
+/// The contacts of a scene's first step, for a page that solves them iteration by iteration.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace pushback {
 
-/// Of the methods each keeps it.
+/// Each method keeps a pointer to it.
 using SharedProblem = std::shared_ptr<const ContactProblem>;
 
 template <class Fill>
@@ -20,7 +20,7 @@ SharedProblem first_step(const Fill& fill, Real dt) {
   return std::make_shared<const ContactProblem>(problem_of(world));
 }
 
-/// Without methods.
+/// The problem without its methods.
 inline IteratedProblem iterated(const SharedProblem& problem) {
   return {.matrix = problem->w,
           .block = 3,

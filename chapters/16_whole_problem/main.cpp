@@ -13,7 +13,7 @@ namespace {
 using Cold = Solver<Clamping, Baumgarte, Slop, FrictionCone>;
 using Fill = std::function<void(World&)>;
 
-constexpr double small = 1e-2;  // of what a rule looks at: there it stops
+constexpr double small = 1e-2;  // a rule stops when its criterion falls below this
 
 }  // namespace
 
@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
     const std::string tall = "a stack of " + spelled(gate.boxes);
     const Fill stacked = [boxes = gate.boxes](World& world) { stack(world, boxes); };
     const Real top = static_cast<Real>(gate.boxes);
-    const Signs of_stack = signs(Snapshot(stacked, e.dt()), 3000);  // as many sweeps in every step as a rule takes here
+    const Signs of_stack = signs(Snapshot(stacked, e.dt()), 3000);  // each rule takes its number of sweeps from here
     const auto until = [&](const std::vector<double>& sign) { return first_below(sign, small); };
     e.scene(
         {.name = tall + ", every step from nothing",

@@ -19,14 +19,14 @@ using Eigen::Index;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 constexpr Index most_contacts = 1000000;
-constexpr double largest = 1e100;  // squares and sums of squares are to be numbers still
+constexpr double largest = 1e100;  // so that squares and their sums stay finite
 
-/// One word after the other.
+/// Reads a text word by word.
 class Reader {
  public:
   explicit Reader(const std::string& text) : next_(text.data()), end_(text.data() + text.size()) {}
 
-  /// `what`(i, j), or `what`(i).
+  /// Reads a number that messages call `what`(i, j), or `what`(i).
   double number(const char* what, Index i, Index j = -1) {
     const std::string_view word = next([&] { return place(what, i, j); });
     const char* begin = word.data() + (word.front() == '+' ? 1 : 0);
@@ -39,7 +39,7 @@ class Reader {
           fmt::format("{} is '{}': a number of at most {:g} is needed", place(what, i, j), shown(word), largest));
     return value;
   }
-  /// A whole number from `least` to `most`.
+  /// Reads a whole number from `least` to `most`.
   Index count(const std::string& what, Index least, Index most) {
     const std::string_view word = next([&] { return what; });
     Index value = 0;
@@ -50,13 +50,14 @@ class Reader {
           least == most ? fmt::to_string(least) : fmt::format("a whole number from {} to {}", least, most)));
     return value;
   }
-  /// Before anything of that size is allocated: every number takes a character, and one between it and the next.
+  /// Throws InvalidInput, before memory is allocated, if the rest of the text is too short for so many numbers: each takes at
+  /// least one character and a separator.
   void need(Index numbers, const std::string& what) const {
     if (numbers > (end_ - next_ + 1) / 2)
       throw InvalidInput(
           fmt::format("{}: {} numbers are needed, but only {} characters follow", what, numbers, end_ - next_));
   }
-  /// Whether nothing more stands there.
+  /// Whether the text has no further word.
   bool ended() {
     skip();
     return next_ == end_;
@@ -77,12 +78,12 @@ class Reader {
     while (next_ != end_ && std::isspace(static_cast<unsigned char>(*next_)) == 0) ++next_;
     return {begin, static_cast<std::size_t>(next_ - begin)};
   }
-  /// Too near to 0 for a double, as opposed to too large.
+  /// Whether a number out of range is too near to 0 for a double, not too large.
   static bool tiny(std::string_view word) {
     const std::size_t e = word.find_first_of("eE");
     return e != std::string_view::npos ? word.substr(e + 1).starts_with('-') : true;
   }
-  /// Of a file that is not text, no more than an eye can take.
+  /// At most 40 printable characters of a word, because the file may not be text.
   static std::string shown(std::string_view word) {
     std::string part(word.substr(0, 40));
     for (char& c : part)
@@ -159,7 +160,7 @@ ContactProblem read_problem(const std::string& text) {
   Triplets entries;
   if (storage == 0) read_dense(in, size, entries);
   else read_blocks(in, contacts, entries);
-  for (int i = 0; i < static_cast<int>(size); ++i)  // all nine of each diagonal block, were they given or not
+  for (int i = 0; i < static_cast<int>(size); ++i)  // all nine entries of each diagonal block, given or not
     for (int j = i - i % 3; j < i - i % 3 + 3; ++j) entries.emplace_back(i, j, 0);
   ContactProblem problem;
   problem.q = read_numbers(in, "q", size);
@@ -194,7 +195,7 @@ std::string problem_text(const ContactProblem& problem) {
   std::string begins = "0", columns, blocks;
   Index count = 0;
   for (Index row = 0; row < contacts; ++row) {
-    std::vector<std::pair<Index, Eigen::Matrix3d>> found;  // few, and in any order
+    std::vector<std::pair<Index, Eigen::Matrix3d>> found;  // few, in any order
     for (Index i = 0; i < 3; ++i) {
       for (SparseRows::InnerIterator it(problem.w, 3 * row + i); it; ++it) {
         const Index column = it.col() / 3;

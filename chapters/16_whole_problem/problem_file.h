@@ -3,9 +3,9 @@
 ///   3, number of contacts, storage; rows, columns; the matrix W; q; mu        (all separated by white space)
 ///
 /// Storage 0 is dense: rows, columns, the numbers column by column. Storage 1 is sparse blocks: number of blocks, of block
-/// rows, of block columns; where each block row ends, where each block column ends; how long the two lists are that follow;
-/// where the blocks of each block row begin in the list, and the block column of each; then for each block its number in
-/// the list and its nine numbers, column by column. After mu some files have a 0, or a 1 and a first guess, which is not read.
+/// rows, of block columns; the end of each block row and of each block column; the lengths of the two lists that follow; the
+/// index in the list of blocks at which each block row begins, and the block column of each block; then for each block its index
+/// and its nine numbers, column by column. Some files have a 0 after mu, or a 1 and an initial guess, which is not read.
 /// Siconos (Inria), numerics: frictionContact_printInFile, SBM_write_in_file.
 #pragma once
 
@@ -16,16 +16,18 @@
 
 namespace pushback {
 
-/// Throws InvalidInput, saying what of the text is wrong: cut short, not a number, sizes that do not agree, a mu below 0.
+/// Throws InvalidInput with the reason, such as a text that is cut short, a word that is not a number, sizes that do not agree,
+/// or a mu below 0.
 ContactProblem read_problem(const std::string& text);
-/// The same of a file; what it throws begins with the file's name.
+/// The same for a file. The message of an InvalidInput contains the file's name.
 ContactProblem read_problem_file(const std::filesystem::path& file);
 
-/// With storage 1, every number in as many digits as give the same bits when read.
+/// The problem with storage 1. Each number has enough digits to give the same bits when it is read.
 std::string problem_text(const ContactProblem& problem);
 
-/// What --write leaves, for another program to check: the number of contacts on a line; then a line for each contact, in the
-/// order of the problem, with r_n r_t1 r_t2 in N s and u_n u_t1 u_t2 = (W r + q) in m/s, each in 17 digits: the same bits.
+/// The text that --write writes, for another program to check: the number of contacts on a line, then a line for each contact,
+/// in the order of the problem, with r_n r_t1 r_t2 in N s and u_n u_t1 u_t2 = (W r + q) in m/s. Each number has 17 digits, which
+/// preserve its bits.
 std::string solution_text(const ContactProblem& problem, const Vector& r);
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// A stack of twenty, whose sweeps begin from nothing.
+/// A stack of twenty, solved without warm start.
 #pragma once
 
 #include "pushback/common/experiment/marks.h"
@@ -6,11 +6,11 @@
 
 namespace pushback::whole_problem_scenes {
 
-/// A gate around it shows where it should stand, and how high.
+/// A gate around the stack shows where it should stand, and its height.
 struct StackInGate {
   int boxes = 20;
 
-  static constexpr Real sunk_at_start = Real(0.001);  ///< m, each into the one below, so that all contacts are there
+  static constexpr Real sunk_at_start = Real(0.001);  ///< m, each into the one below, so that all contacts exist
 
   void operator()(World& world) const {
     const Real height = static_cast<Real>(boxes) + Real(0.16), thin = Real(0.05);
@@ -22,11 +22,11 @@ struct StackInGate {
     for (std::size_t i = first; i < world.bodies.size(); ++i)
       world.bodies[i].position.y() -= static_cast<Real>(i - first + 1) * sunk_at_start;
   }
-  /// m, from where it began.
+  /// The distance by which the top box has sunk since the start, m.
   Real height_lost_by_top(const World& world) const {
     return static_cast<Real>(boxes) * (1 - sunk_at_start) - Real(0.5) - world.bodies.back().position.y();
   }
-  /// The front faces of the upper boxes, where they should be.
+  /// Draws the front faces of the upper boxes where they should be.
   void mark(Picture& picture) const {
     constexpr Real half = Real(0.5);
     for (int i = std::max(0, boxes - 5); i < boxes; ++i) {

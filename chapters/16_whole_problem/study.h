@@ -1,4 +1,4 @@
-/// What sweeps leave undone, and what they say of it themselves.
+/// The error that sweeps leave, and the criteria by which sweeps stop.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace pushback::whole_problem_scenes {
 
-/// The contacts of a scene as a step begins, and their normals as rows.
+/// The contacts of a scene at the start of a step, and the rows of their normals.
 struct Snapshot {
   World world;
   Rows normals;
@@ -24,7 +24,7 @@ struct Snapshot {
   }
 };
 
-/// Where A is not 0.
+/// The entries of A that are not 0.
 inline Curve pattern(const SparseRows& a) {
   Curve curve{"", {}, {}, line_colour(0), Curve::Style::points};
   for (Eigen::Index row = 0; row < a.rows(); ++row) {
@@ -37,7 +37,7 @@ inline Curve pattern(const SparseRows& a) {
   return curve;
 }
 
-/// The rounded 1, 1.3, 1.7, 2.2 ... up to `most`.
+/// The powers of 1.3 up to `most`, rounded down, each number once.
 inline std::vector<int> sweep_counts(int most) {
   std::vector<int> counts;
   for (double count = 1; count <= most; count *= 1.3)
@@ -45,7 +45,7 @@ inline std::vector<int> sweep_counts(int most) {
   return counts;
 }
 
-/// Residual against sweeps, from nothing.
+/// The residual against the number of sweeps, from zero impulses.
 inline Curve convergence(const ContactProblem& problem, const std::string& method, const std::string& name,
                          std::size_t colour) {
   Curve curve{name, {}, {}, line_colour(colour), Curve::Style::line};
@@ -56,8 +56,8 @@ inline Curve convergence(const ContactProblem& problem, const std::string& metho
   return curve;
 }
 
-/// Curves with the same x that are nowhere apart by more than 5 % become one, with the names of all. That is about the
-/// width of a line.
+/// Merges curves with the same x that differ by at most 5 % everywhere, about the width of a line, into one with the names of
+/// all.
 inline std::vector<Curve> merged(const std::vector<Curve>& curves) {
   std::vector<Curve> apart;
   for (const Curve& curve : curves) {
@@ -71,14 +71,14 @@ inline std::vector<Curve> merged(const std::vector<Curve>& curves) {
   return apart;
 }
 
-/// What can be asked after each sweep, and what one would like to know; each as a part of its full size.
+/// Two criteria that can be evaluated after each sweep, and the true error, each relative to its full size.
 struct Signs {
-  std::vector<double> correction;  ///< largest corrective impulse of the sweep, of the largest impulse after the last
-  std::vector<double> speed;       ///< largest speed that a contact still closes with, of the largest at the start
-  std::vector<double> error;  ///< largest speed that a body still has up or down, of what gravity has given it, g h
+  std::vector<double> correction;  ///< largest corrective impulse of the sweep, relative to the largest at the end
+  std::vector<double> speed;       ///< largest closing speed of a contact, relative to the largest at the start
+  std::vector<double> error;       ///< largest vertical speed of a body, relative to g h, which gravity has added
 };
 
-/// Contacts without friction, of bodies that were at rest before this step, swept `sweeps` times.
+/// Sweeps the contacts `sweeps` times without friction. The bodies were at rest before this step.
 inline Signs signs(const Snapshot& snapshot, int sweeps) {
   const SparseRows a = matrix_of(snapshot.normals);
   const Vector b = speeds_of(snapshot.normals);
@@ -106,7 +106,7 @@ inline Signs signs(const Snapshot& snapshot, int sweeps) {
   return found;
 }
 
-/// The first sweep after which `values` is below `limit`; -1 where none is.
+/// The first sweep after which `values` is below `limit`; -1 if there is none.
 inline int first_below(const std::vector<double>& values, double limit) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (values[i] < limit) return static_cast<int>(i) + 1;

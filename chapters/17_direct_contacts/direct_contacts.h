@@ -1,4 +1,4 @@
-/// A step starts from its solution: sweeps that follow have nothing left to do.
+/// A direct solve of all contacts as the initial guess of a step, which leaves nothing for the sweeps to correct.
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
@@ -7,9 +7,9 @@
 
 namespace pushback {
 
-/// Beside Clamping and FrictionCone, last.   l = what solves u = W l + q with the law of each contact, all at once
+/// Listed last, after Clamping and FrictionCone.   Solves u = W l + q with the law of each contact, all at once
 ///
-/// What no method brings below `tolerance` is left to the sweeps, from the best point met.
+/// If no method reaches `tolerance`, the sweeps start from the best solution found.
 struct DirectContacts : Effect {
   double tolerance = 1e-10;  ///< of relative_residual
 

@@ -1,4 +1,4 @@
-/// How fast a cost grows with size.
+/// The growth of a cost with size.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,8 @@
 
 namespace pushback {
 
-/// a in cost = c size^a, by least squares between the logarithms. `of`: size and cost, both above 0; two sizes at least.
+/// The exponent a in cost = c size^a, by least squares on the logarithms. `of`: sizes and costs, all above 0, with at least two
+/// different sizes.
 inline double growth_exponent(const std::vector<std::pair<double, double>>& of) {
   double x = 0, y = 0, xx = 0, xy = 0;
   for (const auto& [size, cost] : of) {

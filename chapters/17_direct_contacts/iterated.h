@@ -1,4 +1,4 @@
-/// The direct methods, as a page follows them iteration by iteration.
+/// The direct methods, for a page that follows them iteration by iteration.
 #pragma once
 
 #include "pushback/chapters/16_whole_problem/iterated.h"
@@ -7,9 +7,9 @@
 
 namespace pushback {
 
-inline constexpr double iterated_to = 1e-12;  // relative_residual: where rounding of these problems is not far
+inline constexpr double iterated_to = 1e-12;  // relative_residual, near the rounding error of these problems
 
-/// An iteration is a linear system. Its way is the same each time, so it is gone again from the start, one system farther.
+/// An iteration is a linear system. The method is deterministic, so each iteration runs it again with one more system.
 inline IteratedProblem::Method smoothed(const SharedProblem& problem, const std::string& name) {
   return {name, [problem, systems = 0](Vector& r) mutable {
             const SmoothedSolution farther =
@@ -21,7 +21,7 @@ inline IteratedProblem::Method smoothed(const SharedProblem& problem, const std:
           }};
 }
 
-/// The way of `best`: first so many sweeps, then Newton's method, of which an iteration is a round of linear systems.
+/// The course of `best`: `sweeps` sweeps, then Newton's method, whose iterations are rounds of linear systems.
 inline IteratedProblem::Method swept_then_newton(const SharedProblem& problem, int sweeps, const std::string& name) {
   return {name, [problem, left = sweeps, sweep = sweep_of(*problem, "nscg"), from = Vector(), rounds = 0,
                  systems = 0](Vector& r) mutable {

@@ -10,7 +10,7 @@ using Eigen::Index;
 
 namespace {
 
-/// The equation w - A l - z = b, solved for the variables in the basis. Columns: w_0.., l_0.., z, and what they equal.
+/// The equation w - A l - z = b, solved for the variables in the basis. Columns: w_0.., l_0.., z, and the right-hand side.
 class Tableau {
  public:
   Tableau(const Eigen::MatrixXd& a, const Vector& b) : rows_(b.size()), t_(b.size(), 2 * b.size() + 2) {
@@ -28,7 +28,7 @@ class Tableau {
       if (i != row && t_(i, entering) != 0) t_.row(i) -= t_(i, entering) * t_.row(row).eval();
     basis_[static_cast<std::size_t>(row)] = entering;
   }
-  /// The row whose variable is the first to reach 0 as `entering` grows; -1 where none ever does.
+  /// The row whose variable is the first to reach 0 as `entering` grows; -1 if none does.
   Index leaving(Index entering) const {
     Index best = -1;
     for (Index i = 0; i < rows_; ++i)
@@ -54,7 +54,7 @@ class Tableau {
   std::vector<Index> basis_;
 };
 
-/// Each row loosened by another little, so that no two come to 0 together. Loosened, what had a solution has one still.
+/// Relaxes each row by a different small amount, so that no two reach 0 together. A problem that has a solution keeps one.
 Vector untied(const Vector& b) {
   constexpr double golden = 0.6180339887498949;
   Vector loosened = b;
@@ -65,7 +65,7 @@ Vector untied(const Vector& b) {
   return loosened;
 }
 
-/// The rows that press made to hold exactly, by the least change of their impulses.
+/// Makes the pressing rows hold exactly, by the least change of their impulses.
 void sharpen(const Eigen::MatrixXd& a, const Vector& b, Vector& impulses) {
   std::vector<Index> pressing;
   for (Index i = 0; i < b.size(); ++i)
@@ -73,7 +73,7 @@ void sharpen(const Eigen::MatrixXd& a, const Vector& b, Vector& impulses) {
   if (pressing.empty()) return;
   const Vector speeds = a * impulses + b;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(1e-10);  // of a face, three contacts say it all
+  decomposition.setThreshold(1e-10);  // three contacts determine a face
   decomposition.compute(a(pressing, pressing));
   impulses(pressing) -= decomposition.solve(speeds(pressing)).eval();
   impulses = impulses.cwiseMax(0);
@@ -84,7 +84,7 @@ void sharpen(const Eigen::MatrixXd& a, const Vector& b, Vector& impulses) {
 std::optional<Pivoted> solve_by_pivoting(const SparseRows& a, const Vector& b) {
   Pivoted result{Vector::Zero(b.size()), 0};
   if (b.size() == 0 || b.minCoeff() >= 0) return result;
-  double of_a = 0;  // units in which both are about 1, so that what counts as 0 is the same everywhere
+  double of_a = 0;  // A and b are scaled to about 1, so that the same values count as 0 in all problems
   for (Index i = 0; i < b.size(); ++i) of_a = std::max(of_a, a.coeff(i, i));
   const double of_b = b.cwiseAbs().maxCoeff();
   if (of_a <= 0) return {};
@@ -100,7 +100,7 @@ std::optional<Pivoted> solve_by_pivoting(const SparseRows& a, const Vector& b) {
     if (result.pivots > 100 * b.size()) return {};
     entering = Tableau::partner(left, b.size());
     row = tableau.leaving(entering);
-    if (row < 0) return {};  // a ray: for such an A, no l exists
+    if (row < 0) return {};  // a ray: no l exists, because A is semi-definite
   }
   for (Index i = 0; i < b.size(); ++i)
     if (const Index variable = tableau.basic(i); variable >= b.size() && variable < 2 * b.size())

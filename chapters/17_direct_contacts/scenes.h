@@ -1,4 +1,4 @@
-/// A heavy box on four light ones, whose sweeps begin from nothing.
+/// A heavy box on four light ones, solved without warm start.
 #pragma once
 
 #include "pushback/common/experiment/marks.h"
@@ -7,10 +7,10 @@
 namespace pushback::direct_contacts_scenes {
 
 struct HeavyOnFour {
-  Real ratio = 1000;  ///< of its mass to that of one of the others
+  Real ratio = 1000;  ///< mass of the heavy box, in masses of a light one
 
   static constexpr int light = 4;
-  static constexpr Real sunk_at_start = Real(0.001);  ///< m, each into the one below, so that all contacts are there
+  static constexpr Real sunk_at_start = Real(0.001);  ///< m, each into the one below, so that all contacts exist
 
   void operator()(World& world) const {
     stack(world, light);
@@ -18,11 +18,11 @@ struct HeavyOnFour {
     for (std::size_t i = 1; i < world.bodies.size(); ++i)
       world.bodies[i].position.y() -= static_cast<Real>(i) * sunk_at_start;
   }
-  /// m, by the heavy box, from where it began.
+  /// The distance by which the heavy box has sunk since the start, m.
   Real height_lost(const World& world) const {
     return light * (1 - sunk_at_start) + Real(0.5) - sunk_at_start - world.bodies.back().position.y();
   }
-  /// The boxes where they should be.
+  /// Draws the boxes where they should be.
   static void mark(Picture& picture) {
     for (int i = 0; i <= light; ++i)
       add_outline(picture,

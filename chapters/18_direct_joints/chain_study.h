@@ -1,4 +1,4 @@
-/// How many sweeps a chain takes, by its length, and what solving it at once leaves.
+/// The number of sweeps that a chain takes, by its length, and the error that the direct solve leaves.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace pushback::direct_joints_scenes {
 
-/// Links of 1 kg, 3 m in all, that hang from the origin at 45 degrees, and are let go.
+/// Links of 1 kg, 3 m in all, which hang from the origin at 45 degrees and are released.
 inline void slanting_chain(World& world, int count) {
   const Real length = 3 / static_cast<Real>(count), radius = std::min(Real(0.05), length / 4);
   const Vec3 way = Vec3(1, -1, 0).normalized();
@@ -25,14 +25,13 @@ inline void slanting_chain(World& world, int count) {
 }
 
 struct ChainSolved {
-  std::vector<double>
-      left;            ///< after each sweep: the largest speed that a link is wrong by, of the largest at the start
-  double at_once = 0;  ///< the largest |JV + b| that one solve leaves, of the largest before
+  std::vector<double> left;  ///< the largest error of a link's velocity after each sweep, relative to the start
+  double at_once = 0;        ///< the largest |JV + b| that one solve leaves, relative to the largest before
   std::size_t rows = 0;
-  std::size_t numbers = 0;  ///< in L, apart from 0 and the diagonal
+  std::size_t numbers = 0;  ///< in L, without zeros and without the diagonal
 };
 
-/// The first step of a chain, from nothing; swept until it is right to 1e-4, or `most` times.
+/// Solves the first step of a chain from zero impulses, with sweeps until its relative error is 1e-4 or less, or `most` times.
 inline ChainSolved solve_chain(int count, Real h, int most) {
   World swept;
   slanting_chain(swept, count);

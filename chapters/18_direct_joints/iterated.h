@@ -1,4 +1,4 @@
-/// The joints of a scene's first step, as a page solves them iteration by iteration.
+/// The joints of a scene's first step, for a page that solves them iteration by iteration.
 #pragma once
 
 #include <memory>
@@ -38,7 +38,7 @@ struct BegunStep {
   }
 };
 
-/// `most`: iterations, after which it has nothing left to do.
+/// `most`: the number of iterations after which the method has finished.
 template <class JointEffect, class Fill>
 IteratedProblem::Method iterated(const std::string& name, const Fill& fill, Real dt, int most) {
   return {name, [begun = std::make_shared<BegunStep<JointEffect>>(fill, dt), left = most](Vector& impulses) mutable {
@@ -49,7 +49,7 @@ IteratedProblem::Method iterated(const std::string& name, const Fill& fill, Real
           }};
 }
 
-/// A lambda + q, q = JV + b: sweeps, and the direct solve, which takes one iteration.
+/// A lambda + q = 0, q = JV + b, by sweeps and by the direct solve, which takes one iteration.
 template <class Fill>
 IteratedProblem iterated(const Fill& fill, Real dt) {
   const BegunStep<Joints> begun(fill, dt);

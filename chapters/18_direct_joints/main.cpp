@@ -12,7 +12,7 @@ using namespace pushback::whole_problem_scenes;
 
 namespace {
 
-using Swept = Solver<SplitJoints>;    // chapter 14's best, warm
+using Swept = Solver<SplitJoints>;    // chapter 14, with warm start
 using Direct = Solver<DirectJoints>;  // this chapter
 
 }  // namespace

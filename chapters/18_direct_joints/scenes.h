@@ -5,13 +5,13 @@
 
 namespace pushback::direct_joints_scenes {
 
-/// Links of 1 kg, ball and socket between them, that hang straight down from the origin; at the last one a box.
-/// Behind it two bars: from where, and down to where it should hang.
+/// Links of 1 kg, joined by balls and sockets, hang straight down from the origin. A box hangs from the last link.
+/// Two bars behind them mark the upper end and the correct lower end.
 struct LoadedChain {
   int links = 20;
   Real load = 1000;  ///< kg, or masses of a link
 
-  static constexpr Real length = 3;  ///< m, however many links
+  static constexpr Real length = 3;  ///< m, of all links together
   static constexpr Real load_half = Real(0.4);
 
   void operator()(World& world) const {
@@ -30,7 +30,7 @@ struct LoadedChain {
     for (const Real y : {Real(0), end.y() - 2 * load_half})
       world.add(box({Real(1.2), Real(0.04), Real(0.04)}, 1).fixed().at({0, y, -Real(0.6)}).coloured(6));
   }
-  /// By how much it is longer than its links, of 1.
+  /// The elongation of the chain, relative to the length of its links.
   Real stretch(const World& world) const {
     return point_of(world.bodies[static_cast<std::size_t>(links)], {0, load_half, 0}).norm() / length - 1;
   }

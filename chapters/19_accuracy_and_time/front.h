@@ -1,4 +1,4 @@
-/// What was measured, and what is worth choosing of it: nothing that is both slower and worse than another.
+/// Measurements, and the settings worth choosing: none that is both slower and less accurate than another.
 #pragma once
 
 #include <limits>
@@ -8,16 +8,16 @@
 
 namespace pushback::study {
 
-/// A motion played in one setting, as often as it was timed.
+/// One motion played in one setting, with all its timings.
 struct Measured {
-  std::string engine;                     ///< "motion", or "motion_bullet": the program that played
+  std::string engine;                     ///< "motion" or "motion_bullet": the program that played it
   std::string method;                     ///< "steady"
   int substeps = 1;                       ///< in a frame of 1/60 s
-  int sweeps = 0;                         ///< in a substep; 0: the method has no such knob
-  double error = 0;                       ///< m; infinite: lost, or given up
-  bool late = false;                      ///< given up
-  std::optional<double> row_solves = {};  ///< in the whole motion; nothing: no measure
-  std::vector<double> seconds = {};       ///< for the whole motion, one a round, ascending
+  int sweeps = 0;                         ///< in a substep; 0: the method has no such setting
+  double error = 0;                       ///< m; infinite: lost or given up
+  bool late = false;                      ///< given up before its end
+  std::optional<double> row_solves = {};  ///< in the whole motion; nothing: not measured
+  std::vector<double> seconds = {};       ///< for the whole motion, one per round, ascending
 
   double median() const;
   double quartile(int which) const;  ///< 1 or 3
@@ -25,30 +25,31 @@ struct Measured {
 };
 using Measurements = std::vector<Measured>;
 
-/// Whether it is the same method of the same engine, and no knob of it is coarser: as many substeps or more, and as many sweeps or
-/// more. Each is as fine as itself.
+/// Whether `one` is the same method of the same engine, with as many substeps or more, and as many sweeps or more. Each is as fine
+/// as itself.
 bool is_as_fine(const Measured& one, const Measured& than);
 
-/// The same in the same order, where each counts with the largest error of all that are as fine as it is. Where two errors cancel by
-/// chance, finer settings have the larger one, and so a front of these is chosen from what holds. What was lost counts; what was
-/// given up is nobody's error but its own.
+/// The same measurements in the same order, each with the largest error of all settings that are as fine. If two errors cancel by
+/// chance in one setting, finer settings show the larger error, so a front of these does not depend on such chances. The error of a
+/// lost motion counts for coarser settings, too. The error of one that was given up counts only for itself.
 Measurements robust(const Measurements& all);
 
-/// Those that no other is faster than with no more error: by time ascending, errors descending.
+/// The measurements for which no other is faster without more error, by ascending time and descending error.
 Measurements front(Measurements all);
 
-/// Whether one of `all` takes no longer than `slack` times what the fastest of them with no more error takes.
+/// Whether `one`, a member of `all`, takes at most `slack` times as long as the fastest without more error.
 bool is_near_front(const Measured& one, const Measurements& all, double slack);
 
-/// The fastest with at most this error (m).
+/// The fastest with at most this error (m); nothing if there is none.
 std::optional<Measured> cheapest(const Measurements& all, double error);
 
-/// The largest factor by which `ours` takes longer for what a point on the front of `theirs` reaches, over those with errors
-/// (m) between `least` and `most`; infinite where ours never gets there; 0 where they have no such point. At most 1: ours lies
-/// on or below their front.
+/// The largest factor by which `ours` takes longer than a point on the front of `theirs` for the same error, over the points with
+/// errors (m) between `least` and `most`. Infinite if `ours` never reaches such an error; 0 if `theirs` has no such point. At most
+/// 1: `ours` lies on or below the front of `theirs`.
 double times_slower(const Measurements& ours, const Measurements& theirs, double least, double most);
 
-/// The slope of the straight line through (log x, log y), by least squares. All above 0, two or more different x.
+/// The slope of the straight line through (log x, log y), by least squares. All values are above 0, with two or more
+/// different x.
 double slope(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace pushback::study

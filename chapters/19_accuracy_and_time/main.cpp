@@ -10,7 +10,7 @@ using namespace pushback::substeps_scenes;
 
 namespace {
 
-/// A ring where each ball belongs, a line along each link from pin to pin.
+/// Draws a ring at the true place of each ball and a line along each link from pin to pin.
 void mark(const TruePlaces& truth, Picture& picture, const World& world, Real time) {
   const Places* found = truth.at(time);
   if (found == nullptr) return;
@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     };
 
     const Motion& billiards = motion_named("break");
-    static const TruePlaces of_balls(billiards);  // takes its time, and no parameter changes it
+    static const TruePlaces of_balls(billiards);  // slow, and no parameter changes it
     e.scene({.name = billiards.title,
              .fill = billiards.fill,
              .camera = {{Real(0.55), Real(3.3), Real(1)}, {Real(0.55), 0, 0}},

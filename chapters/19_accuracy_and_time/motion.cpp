@@ -28,12 +28,12 @@ Places places_of(const std::function<void(World&)>& fill) {
   return found;
 }
 
-/// What lies still is where it was.
+/// All bodies stay where they start.
 auto at_rest(const std::function<void(World&)>& fill) {
   return [start = places_of(fill)](int frames) { return std::vector<Places>(static_cast<std::size_t>(frames), start); };
 }
 
-/// The last body has gone way(t) (m, s) along a direction; the others are where they were.
+/// The last body moves by way(t) (m, s) along a direction. The others stay where they start.
 template <class Way>
 auto along(const std::function<void(World&)>& fill, const Eigen::Vector3d& direction, const Way& way) {
   return [start = places_of(fill), direction, way](int frames) {
@@ -131,7 +131,7 @@ void heavy_on_light(World& world) {
   world.add(box(cube, 10000).at({0, Real(1.5), 0}));
 }
 
-/// Links with a ball on the last, pinned to each other and to the world, all in one line that leans by `angle` (rad).
+/// Links with a ball on the last, pinned to each other and to the world, all in one line at `angle` (rad) from the vertical.
 Motion hanging(const std::string& name, const std::string& title, int links, Real ball_mass, Real angle) {
   constexpr Real length = Real(0.5), half_width = Real(0.05), link_mass = 1, radius = Real(0.3);
   const Vec3 down(std::sin(angle), -std::cos(angle), 0);
@@ -165,7 +165,7 @@ Motion hanging(const std::string& name, const std::string& title, int links, Rea
           .most_passes = links == 0 ? 4096 : 1024};
 }
 
-/// Fifteen balls with gaps between them, and one that comes: no two impacts at the same time, so the truth can be worked out.
+/// Fifteen balls with gaps between them, and one that hits them. No two impacts coincide, so the truth can be computed.
 Motion billiard_break() {
   constexpr Real radius = Real(0.1), gap = Real(0.01), e = Real(0.95), speed = 5;
   const auto fill = [=](World& world) {

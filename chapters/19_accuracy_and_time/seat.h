@@ -1,18 +1,19 @@
-/// A depth to rest at, however small.
+/// A depth at which bodies rest, which can be very small.
 #pragma once
 
 #include "pushback/chapters/04_slop/slop.h"
 
 namespace pushback {
 
-/// In the place of Slop, after Baumgarte in the list.   C -> C + seat, and where that is above 0: b = (beta / h) C
+/// Replaces Slop, after Baumgarte in the list.   C -> C + seat, and if that is above 0: b = (beta / h) C
 ///
-/// What is solved exactly rests at a depth of 0, and rounding decides which of its contacts are there in the next step. So let
-/// it sink, at the rate at which Baumgarte would lift it: b allows an approach of C beta / h. Slop leaves alone what is less
-/// deep, and what is not, it stops there; both need a slop that outlasts a step's fall, g h^2. A seat does not.
+/// An exact solution lets a body rest at a depth of 0, where rounding decides which of its contacts exist in the next step.
+/// Therefore a seat lets the body sink, at the rate at which Baumgarte would lift it: b allows an approach speed of C beta / h.
+/// Slop does not change a smaller depth and stops a larger one at the slop, so it has to exceed the fall in one step, g h^2. A
+/// seat does not have to.
 struct Seat : Effect {
   Real seat = Real(1e-6);  ///< m
-  Real beta = Real(0.2);   ///< of 0 ... 1: how much of what is missing one step sinks
+  Real beta = Real(0.2);   ///< 0 ... 1: the fraction of the missing depth by which a body sinks in one step
 
   void check(StepContext&) {
     require_not_negative("seat", seat);

@@ -1,4 +1,4 @@
-/// A world beside the truth of its motion.
+/// The comparison of a world with the true places of its motion.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 
 namespace pushback {
 
-/// Where every body of a motion belongs, after each frame.
+/// The true places of all bodies of a motion after each frame.
 struct TruePlaces {
   std::vector<Places> places;
 
   explicit TruePlaces(std::vector<Places> after_each_frame) : places(std::move(after_each_frame)) {}
   explicit TruePlaces(const Motion& motion) : places(motion.truth(motion.frames())) {}
-  /// Those of the latest whole frame that is over; none before the first.
+  /// The places after the latest complete frame; nullptr before the first.
   const Places* at(Real time) const {
     const auto frames = static_cast<std::ptrdiff_t>(std::floor(time * frames_per_second + Real(1e-3)));
     return frames == 0 ? nullptr : &places[static_cast<std::size_t>(std::min(frames, std::ssize(places)) - 1)];
   }
-  /// mm, of the body that is farthest from where it belongs.
+  /// The largest distance of a body from its true place, mm.
   Real error(const World& world) const {
     double largest = 0;
     if (const Places* found = at(world.time))
@@ -30,7 +30,7 @@ struct TruePlaces {
   }
 };
 
-/// Those of a motion: worked out once, as that takes its time.
+/// The true places of a motion, computed once because that is slow.
 inline const TruePlaces& true_places_of(const Motion& motion) {
   static std::map<std::string, TruePlaces> known;
   return known.try_emplace(motion.name, motion).first->second;

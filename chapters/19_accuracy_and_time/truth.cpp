@@ -14,7 +14,7 @@ double height_of_bouncing(double height, double e, double t) {
   if (t < fall) return height - g * t * t / 2;
   double since = t - fall, speed = e * g * fall;
   while (since > 2 * speed / g) {
-    if (speed < lies_below) return 0;  // where e is not 1, there are infinitely many hits in a finite time
+    if (speed < lies_below) return 0;  // for e below 1 there are infinitely many hits in a finite time
     since -= 2 * speed / g;
     speed *= e;
   }
@@ -62,7 +62,7 @@ class Hangings {
         force[i] -= mass_(i, j) * std::sin(angle[i] - angle[j]) * speed[j] * speed[j];
     return mass(angle).llt().solve(force);
   }
-  /// Runge and Kutta's rule.
+  /// One step of the fourth-order Runge-Kutta method.
   void step(Angles& a, Angles& w, double h) const {
     const Angles k1 = acceleration(a, w), w2 = w + h / 2 * k1;
     const Angles k2 = acceleration(a + h / 2 * w, w2), w3 = w + h / 2 * k2;
@@ -71,7 +71,7 @@ class Hangings {
     a += h / 6 * (w + 2 * w2 + 2 * w3 + w4);
     w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
-  /// d, m; and by how much it grows with each angle, m/rad.
+  /// d, m; and its derivative with respect to each angle, m/rad.
   double to_wall(const Angles& angle, const Wall& wall) const {
     return wall.x - wall.radius - places(angle).back().x();
   }
@@ -80,7 +80,7 @@ class Hangings {
     for (Eigen::Index i = 0; i < size(); ++i) by[i] = -arm(size() - 1, i) * std::cos(angle[i]);
     return by;
   }
-  /// The same, with impacts.
+  /// The same, with an impact if the ball reaches the wall.
   void step_beside(const Wall& wall, Angles& a, Angles& w, double h) const {
     const Angles a_before = a, w_before = w;
     const auto go = [&](double t) {
@@ -113,7 +113,7 @@ class Hangings {
 
  private:
   const Hanging& at(Eigen::Index i) const { return bodies_[static_cast<std::size_t>(i)]; }
-  /// By how much body b moves where angle i turns, m/rad.
+  /// The lever arm of angle i for body b, m/rad.
   double arm(Eigen::Index b, Eigen::Index i) const { return i == b ? at(b).to_centre : at(i).to_next; }
 
   std::vector<Hanging> bodies_;
@@ -142,9 +142,9 @@ std::vector<Places> places_of_hanging(const std::vector<Hanging>& bodies, double
 
 namespace {
 
-constexpr double at_rest = 1e-12;  // m^2/s: what else e = 0 leaves to rounding would be a collision again and again
+constexpr double at_rest = 1e-12;  // m^2/s: with e = 0, rounding would otherwise cause collisions without end
 
-/// s from now until two balls touch; infinite where they never do, or part.
+/// The time until two balls touch, s; infinite if they never do, or if they separate.
 double time_to_touch(const Eigen::Vector3d& apart, const Eigen::Vector3d& closing, double distance) {
   const double approach = apart.dot(closing), gap = apart.squaredNorm() - distance * distance;
   const double root = approach * approach - closing.squaredNorm() * gap;
@@ -160,7 +160,7 @@ std::vector<Places> places_of_colliding(Places at, Places velocities, double rad
     double left = 1.0 / frames_per_second;
     while (left > 0) {
       double next = left;
-      std::size_t first = 0, second = 0;  // the same: nobody
+      std::size_t first = 0, second = 0;  // equal: no collision
       for (std::size_t i = 0; i < at.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
           const double touch = time_to_touch(at[i] - at[j], velocities[i] - velocities[j], 2 * radius);

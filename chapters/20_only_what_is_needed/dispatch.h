@@ -1,4 +1,4 @@
-/// For a scene that is not known when the program is compiled: the solver that fits, chosen once.
+/// Chooses once, at run time, the solver that fits a scene.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,14 @@
 
 namespace pushback {
 
-/// Whether a scene can answer yes to `Question` if it has answered yes to exactly those of `Called` so far.
+/// Whether the answer to `Question` can be yes, if the questions answered yes so far are exactly those of `Called`.
 template <class Question, class Called>
 constexpr bool possible = true;
 template <class Question, class Called>
   requires requires { typename Question::only_if; }
 constexpr bool possible<Question, Called> = Called::template has<typename Question::only_if>;
 
-/// Calls `use(CalledFor<...>{})` with those of the questions to which the scene answers yes. Every possible
-/// combination is compiled.
+/// Calls `use(CalledFor<...>{})` with the questions whose answer is yes for the scene. Every possible combination is compiled.
 template <class Use, class... Yes>
 void with_answers(const World&, const Use& use, CalledFor<>, CalledFor<Yes...> called) {
   use(called);
@@ -31,7 +30,7 @@ void with_answers(const World& world, const Use& use, CalledFor<Question, Rest..
   with_answers(world, use, CalledFor<Rest...>{}, CalledFor<Yes...>{});
 }
 
-/// Of a solver what a scene calls for. To call it is an indirect call a step; its sweeps are compiled as ever.
+/// A solver reduced to the effects that a scene needs. Each call is one indirect call; the sweeps are compiled as in any solver.
 class FittingSolver : public ForwardingSolver {
  public:
   template <class Full>
@@ -44,13 +43,13 @@ class FittingSolver : public ForwardingSolver {
   }
   ~FittingSolver() override = default;
 
-  /// The scene is another one now. Settings stay. Throws InvalidInput if it has joints and the solver holds none; then nothing
-  /// has changed.
+  /// Chooses again, for another scene, and keeps the settings. Throws InvalidInput, without any change, if the scene has joints
+  /// and the solver does not support joints.
   void fit(const World& world) { holder_ = holder_->fitting(world); }
   void whole_step(World& world, Real dt, int sweeps) override { inner().whole_step(world, dt, sweeps); }
-  /// Whether its step has an order of its own: see StepSolver::whole_step.
+  /// Whether its step has its own order: see StepSolver::whole_step.
   bool divides_worlds() const { return holder_->divides_worlds(); }
-  /// Of the latest substep; none where the solver has none to show.
+  /// The rows of the latest substep; none if the solver shows none.
   const Rows& rows() const { return holder_->rows(); }
   const JointRows& joint_rows() const { return holder_->joint_rows(); }
 
@@ -87,7 +86,7 @@ class FittingSolver : public ForwardingSolver {
       static const List nothing;
       return nothing;
     }
-    Full full;  // for the settings of what is left out
+    Full full;  // for the settings of the omitted effects
     Fitting held;
   };
   StepSolver& inner() override { return holder_->solver(); }
@@ -117,9 +116,8 @@ struct EverybodyFitting : Everybody {
   }
 };
 
-/// World::step with what the scene calls for; with a Sleep, for those awake. It reads the scene again when bodies, forces
-/// or joints have been added or taken away. Whoever makes a body that is there already rough, bouncy or uneven, or puts a
-/// force on it by hand, has to call `fit`.
+/// World::step with the effects that the scene needs, and with a Sleep only for bodies that are awake. It examines the scene again
+/// if the number of bodies, forces or joints has changed. If you make an existing body movable, rough or bouncy, call `fit`.
 class OnlyWhatIsNeeded {
  public:
   std::optional<Sleep> sleep;
@@ -130,7 +128,7 @@ class OnlyWhatIsNeeded {
     look(world);
   }
   void fit(const World& world);
-  /// `sweeps`: in each substep; by default what the solver's plan says.
+  /// `dt`: s. `sweeps`: in each substep; by default the number in the solver's plan.
   void step(World& world, Real dt, std::optional<int> sweeps = {});
   Solved solved() const { return solver_.solved(); }
   const Rows& rows() const { return solver_.rows(); }

@@ -1,11 +1,11 @@
-/// What a solver costs that does everything everywhere; to be compared.
+/// A solver with all effects at all contacts, for a comparison of costs.
 #pragma once
 
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 
 namespace pushback {
 
-/// Chapter 06's Friction makes no rows for a contact with mu = 0. This one does; their limits are 0 and 0.
+/// Chapter 06's Friction builds no rows for a contact with mu = 0. This effect does, with both limits 0.
 struct FrictionEverywhere : Friction {
   void build(StepContext& step) {
     first_ = step.rows.size();
@@ -23,7 +23,7 @@ struct FrictionEverywhere : Friction {
   void report(StepContext& step) {
     Friction::report(step);
     for (Contact& contact : step.contacts) {
-      if (contact.friction == 0) contact.state = ContactState::fresh;  // neither held nor sliding: nothing rubs
+      if (contact.friction == 0) contact.state = ContactState::fresh;  // neither sticking nor sliding: no friction
     }
   }
 };

@@ -10,7 +10,7 @@ using namespace pushback::only_what_is_needed_scenes;
 
 namespace {
 
-/// Reads the scene in its first step.
+/// Chooses the effects in the first step.
 struct Needed {
   std::optional<Sleep> sleep = {};
   std::optional<OnlyWhatIsNeeded> chosen = {};
@@ -22,7 +22,7 @@ struct Needed {
   }
 };
 
-/// mm: how far any body is from where the solver with everything has put it.
+/// The largest distance of a body from its place under the solver with everything, mm.
 std::function<Real(const Run&)> apart_from_everything(const std::function<void(World&)>& fill, int sweeps) {
   return [fill, sweeps](const Run& run) {
     World world;

@@ -1,4 +1,4 @@
-/// The solver with those effects that a scene calls for, and nothing else in the program.
+/// A solver with only the effects that a scene needs. The others are not compiled into it.
 #pragma once
 
 #include "pushback/chapters/06_friction/friction.h"
@@ -11,9 +11,9 @@
 
 namespace pushback {
 
-// ---- without a yes to its question, an effect would do nothing ---------------------------------------------------------
+// ---- an effect does nothing unless the answer to one of its questions is yes --------------------------------------------
 
-/// Yes to one of these is enough.
+/// The effect is needed if the answer to one of these questions is yes.
 template <class E>
 struct DependsOn {
   using questions = CalledFor<Touching>;
@@ -71,7 +71,7 @@ struct OnlyOf<Substeps<Full>, Called> {
 template <class Full, class Called>
 using Only = typename OnlyOf<Full, Called>::type;
 
-/// What is left of `full`, with the same settings.
+/// `full` without the effects that are not needed, with the same settings.
 template <class Called, class Full>
 Only<Full, Called> only(const Full& full);
 template <class Called, class Full>

@@ -23,8 +23,8 @@ std::string name_of(const Body& body) {
   return fmt::format("{} {}", std::visit(ShapeName{}, body.shape), body.index);
 }
 
-/// Yes, and the pair that can touch and of which `of` is largest, if that is above 0; or no, and `why_not`. `of` grows with
-/// both bodies' own values, so the pair is the movable body with the largest one, and whoever has the largest of the others.
+/// Yes, with the pair that can touch and has the largest `of`, if that is above 0; otherwise no, with `why_not`. `of` grows with
+/// the values of both bodies, so the pair is the movable body with the largest value and the other body with the largest value.
 template <class Of>
 Answer strongest_pair(const World& world, Real Body::* own, const char* symbol, const Of& of, const char* why_not) {
   const Body *a = nullptr, *b = nullptr;

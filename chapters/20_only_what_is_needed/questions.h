@@ -1,8 +1,8 @@
-/// What a scene calls for, read off what is in it.
+/// The effects that a scene needs, determined from its contents.
 ///
-/// Each question is a type, so that a program can be made of the answers. Whoever adds an effect adds its question here, or
-/// in a header of its own, and one word to EveryQuestion. `only_if`: another question, before it there, without a yes to which
-/// the answer is no.
+/// Each question is a type, so that code can be selected by the answers at compile time. To add an effect, add its question here
+/// or in its own header, and one word to EveryQuestion. `only_if`: another question, earlier in EveryQuestion; unless its answer is
+/// yes, the answer is no.
 #pragma once
 
 #include <string>
@@ -14,15 +14,15 @@ namespace pushback {
 
 struct Answer {
   bool yes = false;
-  std::string because;  ///< for people: who needs it, or why nobody does
+  std::string because;  ///< text for users: the body or joint that needs the effect, or why none does
 };
 
-/// Can two bodies come to touch? One of them has to be movable. Without that: no collision, no rows.
+/// Can two bodies touch? One of them has to be movable. If not, detection and contact rows are not needed.
 struct Touching {
   static constexpr const char* name = "contacts";
   static Answer in(const World& world);
 };
-/// Does a joint hold something? Throws as check_bodies_of.
+/// Does the scene have joints? Throws as check_bodies_of.
 struct Holding {
   static constexpr const char* name = "joints";
   static Answer in(const World& world);
@@ -44,13 +44,13 @@ struct Tumbling {
   static constexpr const char* name = "gyroscopic term";
   static Answer in(const World& world);
 };
-/// Does anything but gravity pull: a spring, drag, a force that somebody has put on a body? Throws as check_bodies_of.
+/// Does a force other than gravity act: a spring, drag, or a force set on a body? Throws as check_bodies_of.
 struct Pulling {
   static constexpr const char* name = "applied forces";
   static Answer in(const World& world);
 };
 
-/// Those to which the answer is yes.
+/// The questions whose answer is yes.
 template <class... Questions>
 struct CalledFor {
   template <class Question>

@@ -1,4 +1,4 @@
-/// Five piles, of which one is hit; cubes that slide on ice.
+/// Five piles, one of which is hit, and cubes that slide on ice.
 #pragma once
 
 #include "pushback/common/world/world.h"
@@ -8,12 +8,12 @@ namespace pushback::only_what_is_needed_scenes {
 /// Five piles of six boxes, well apart. A ball rolls in from the front and hits the one in the middle, after about 1.4 s.
 struct FivePiles {
   Real speed = 8;       ///< m/s, of the ball
-  Real mass_ratio = 5;  ///< of the ball, in masses of a box
+  Real mass_ratio = 5;  ///< mass of the ball, in masses of a box
 
   void operator()(World& world) const {
     world.add(ground());
     for (int pile = 0; pile < 5; ++pile) {
-      int colour = pile;  // no two piles begin with the same
+      int colour = pile;  // each pile begins with a different one
       for (int row = 0; row < 3; ++row) {
         for (int i = 0; i < 3 - row; ++i, ++colour) {
           const Real x =
@@ -33,7 +33,7 @@ struct FivePiles {
   }
 };
 
-/// Cubes that slide on ice, in a tray: nothing is rough, nothing bounces, and no inertia differs from axis to axis.
+/// Cubes that slide on ice in a tray, without friction or restitution. Each cube's inertia is the same about all axes.
 inline void cubes_on_ice(World& world) {
   constexpr Real half = Real(0.5), side = 6;
   world.add(ground().rough(0));

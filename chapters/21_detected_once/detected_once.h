@@ -1,4 +1,4 @@
-/// Contacts detected once in a step, and solved in many substeps.
+/// Detects contacts once per step and solves them in many substeps.
 ///
 ///   world.step(solver, 1.0 / 60);
 #pragma once
@@ -12,10 +12,10 @@ namespace pushback {
 
 /// Soft contacts, a friction cone, restitution, warm start and relaxing as in chapters 05 to 12; joints as in chapter 14.
 ///
-/// Between steps it remembers nothing: what it starts from stands in the world's contacts and joints.
+/// Between steps it stores no impulses: its initial guess comes from the world's contacts and joints.
 class DetectedOnce : public SubsteppingSolver {
  public:
-  Real carried_from = Real(1e-3);  ///< m/s; bodies that pass each other slower keep their rows as they were detected
+  Real carried_from = Real(1e-3);  ///< m/s; bodies with a lower relative velocity keep their rows as detected
   SteadyJoints joints;
 
   void check(World& world, Real h) override {
@@ -24,7 +24,7 @@ class DetectedOnce : public SubsteppingSolver {
     StepContext step = joints_step(world, h);
     joints.check(step);
   }
-  /// Once in a step: the rows, and the impulses that they start from.
+  /// Once per step: builds the rows and sets their initial impulses.
   void detected(World& world, Real h) override {
     measured_.reset();
     bodies_.clear();
@@ -40,7 +40,7 @@ class DetectedOnce : public SubsteppingSolver {
       contacts_[i].give(bodies_, 1);
     });
   }
-  /// In each substep: what each normal is to do, the initial guess, and the sweeps.
+  /// In each substep: sets the target velocity of each normal, applies the initial guess and sweeps.
   void solve(World& world, Real h, int sweeps) override {
     StepContext step = joints_step(world, h);
     joints.build(step);
@@ -52,7 +52,7 @@ class DetectedOnce : public SubsteppingSolver {
     if (fastest_ > 0)
       for (KeptContact& contact : contacts_) contact.save_impulses();
     joints.start(step);
-    for (KeptBody& each : bodies_) {  // the same rows with the same impulses: one addition a body
+    for (KeptBody& each : bodies_) {  // the same rows with the same impulses: one addition per body
       each.body->velocity += each.given;
       each.body->angular_velocity += each.given_turning;
     }
@@ -60,7 +60,7 @@ class DetectedOnce : public SubsteppingSolver {
     joints.finish(step);
     joints.report(step);
   }
-  /// In each substep, once the bodies have moved: where they are now, and the relaxing pass.
+  /// In each substep, once the bodies have moved: updates displacements and rows, and makes the relaxing pass.
   void moved(World& world, Real h) override {
     for (KeptBody& each : bodies_) {
       if (each.body->conveys) continue;
@@ -76,9 +76,9 @@ class DetectedOnce : public SubsteppingSolver {
     sweep(step, true);
     joints.report(step);
   }
-  /// Once in a step: contacts know their impulses, and what did not touch is no contact.
+  /// Once per step: stores the impulses in the contacts and removes the contacts that did not touch.
   void done(World& world) override {
-    if (fastest_ > 0) measured_ = measure();  // an impact's impulses are about to be forgotten
+    if (fastest_ > 0) measured_ = measure();  // before the impulses of an impact are discarded
     forget_impacts();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const KeptContact& kept = contacts_[i];
@@ -103,7 +103,7 @@ class DetectedOnce : public SubsteppingSolver {
     }
     return places_[body];
   }
-  /// `last`: of a substep.
+  /// `last`: it is the last sweep of a substep.
   void sweep(StepContext& step, bool last = false) {
     joints.sweep(step);
     for (KeptBody& each : bodies_) {
@@ -134,17 +134,17 @@ class DetectedOnce : public SubsteppingSolver {
     return all;
   }
 
-  /// An impact is over in one substep: the next one starts from the impulses that it started from.
+  /// An impact is over in one substep, so the next one starts from the initial impulses of this one.
   void forget_impacts() {
     if (fastest_ > 0)
       for (KeptContact& contact : contacts_) contact.restore(bodies_);
     fastest_ = 0;
   }
 
-  std::optional<Solved> measured_;  // before the impulses of an impact were forgotten
+  std::optional<Solved> measured_;  // before the impulses of an impact were discarded
   std::vector<KeptContact> contacts_;
-  std::vector<KeptBody> bodies_;     // those that touch
-  std::vector<std::size_t> places_;  // of each body of the world, in bodies_
+  std::vector<KeptBody> bodies_;     // bodies with contacts
+  std::vector<std::size_t> places_;  // index in bodies_ of each body of the world
 };
 
 }  // namespace pushback

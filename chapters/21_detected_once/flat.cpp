@@ -15,7 +15,7 @@ void weigh(Row& row) {
   row.dvb = b.inverse_mass * row.n;
   row.dwb = b.inverse_inertia * row.rb_n;
   // K = 1/m_A + 1/m_B + (r_A x n) . I_A^-1 (r_A x n) + (r_B x n) . I_B^-1 (r_B x n)
-  const Real linear = row.n.isZero(0) ? 0 : a.inverse_mass + b.inverse_mass;  // 13: 0 between turns
+  const Real linear = row.n.isZero(0) ? 0 : a.inverse_mass + b.inverse_mass;  // 13: 0 for angular equations
   row.effective_mass = row.rigid_mass = 1 / (linear + row.rb_n.dot(row.dwb) - row.ra_n.dot(row.dwa));
 }
 
@@ -49,7 +49,7 @@ Real speed(const Row& row) {
   return row.n.dot(row.b->velocity - row.a->velocity) +
          (row.rb_n.dot(row.b->angular_velocity) - row.ra_n.dot(row.a->angular_velocity));
 }
-/// 05: as the substep began: before its gravity, and its impulses.
+/// 05: J V at the start of the substep, before its gravity and its impulses, m/s.
 Real speed_before(const Row& row) {
   return row.n.dot(row.b->velocity_before - row.a->velocity_before) +
          (row.rb_n.dot(row.b->angular_velocity_before) - row.ra_n.dot(row.a->angular_velocity_before));
@@ -73,7 +73,7 @@ void reach(Row& row, Real total) {
   apply(row, lambda);
 }
 
-/// 12: J V + b + gamma sum(lambda) = 0 is what the row wants from now on.
+/// 12: sets the equation of a row: J V + b + gamma sum(lambda) = 0.
 void ask(Row& row, Real bias, Real gamma_by_K) {
   row.bias = bias;
   row.softness = gamma_by_K / row.rigid_mass;
@@ -111,7 +111,7 @@ void carry(Row& row) {
 
 }  // namespace
 
-/// Once in a step: the rows, and the impulses from which they start.
+/// Once per step: builds the rows and sets their initial impulses.
 void FlatSolver::detected(World& world, Real h) {
   make_contact_rows(world);
   guess_impulses(world, h);
@@ -148,7 +148,7 @@ void FlatSolver::guess_impulses(World& world, Real h) {
     while (old != world.contacts_before.end() && old->id < c.id) ++old;
     c.impulse.setZero();
     if (old != world.contacts_before.end() && old->id == c.id) c.impulse = world.impulse_scale(h) * old->impulse;
-    // 21: within the friction cone, although the normal may have turned: a bounce goes back to the guess.
+    // 21: projected into the friction cone, because the normal may have turned and a bounce restores this guess.
     const Real pushed = c.impulse.dot(c.normal), bound = c.friction * std::max(Real(0), pushed);
     const Vec3 rubbed = c.impulse - pushed * c.normal;
     const Real size = rubbed.norm();
@@ -164,7 +164,7 @@ void FlatSolver::solve(World& world, Real h, int sweeps) {
   prepare_normals(world.contacts, h);
   prepare_joints(world, h);
 
-  // 07: what the substep before has found is the initial guess.
+  // 07: the impulses of the substep before are the initial guess.
   for (Row& row : joints_) reach(row, world.impulse_scale(h) * *row.kept);  // 14: of the same equation
   for (std::vector<Row>* rows : {&normals_, &tangents_}) {
     for (Row& row : *rows) {
@@ -175,7 +175,7 @@ void FlatSolver::solve(World& world, Real h, int sweeps) {
 
   sweep(world.contacts, sweeps);
 
-  // 14: what carries is remembered; what closes gaps comes on top, in as many passes.
+  // 14: stores the impulses that carry loads, then adds those that close gaps, in as many passes.
   for (Row& row : joints_) {
     *row.kept = row.impulse;
     row.bias += row.push_out;
@@ -184,7 +184,7 @@ void FlatSolver::solve(World& world, Real h, int sweeps) {
     for (Row& row : joints_) solve_alone(row);
 }
 
-/// What each normal wants in this substep.
+/// Sets the target velocity of each normal for this substep.
 void FlatSolver::prepare_normals(const Contacts& contacts, Real h) {
   // 12: an overlap is a spring with a damper.   w = 2 pi hertz,  k = w^2 / K,  c = 2 zeta w / K,  where 1/K cancels:
   const Real w = 2 * pi * std::min(hertz, 1 / (8 * h));               // no stiffer than eight steps to an oscillation
@@ -195,9 +195,9 @@ void FlatSolver::prepare_normals(const Contacts& contacts, Real h) {
     const Real approach = e > 0 ? speed_before(row) : 0, arrives = C + h * approach;
     row.bounce = 0;
     if (approach < -threshold && arrives < 0) {
-      // 05, 09: the bounce, as if from the surface, where half the square of its speed is S. C' = C + way: where it is
-      // once it has gone the rest of the substep back, at e times that speed.
-      //   S = u^2 / 2 + a C + h a u / 2,   v^2 / 2 + a C' - h a v / 2 = e^2 S      u = -approach, a: how forces press
+      // 05, 09: the bounce, computed at the surface, where half the square of the speed is S. C' = C + way is the separation
+      // after the rest of the substep, back at e times that speed.
+      //   S = u^2 / 2 + a C + h a u / 2,   v^2 / 2 + a C' - h a v / 2 = e^2 S      u = -approach, a: by forces, towards the surface
       const Real ha = std::max(Real(0), approach - speed(row)), a = ha / h;
       const Real S = std::max(Real(0), approach * approach / 2 + a * C - ha * approach / 2);
       const Real back = e * (h * std::sqrt(2 * S) - std::max(Real(0), C));
@@ -207,10 +207,10 @@ void FlatSolver::prepare_normals(const Contacts& contacts, Real h) {
       fastest_ = std::max(fastest_, -row.bounce);
       ask(row, -way / h, 0);
     } else if (C > 0) {
-      // 21: a contact that is apart may close its gap, J V + C / h >= 0. One that bounces is left alone until it arrives.
+      // 21: a contact that is apart may close its gap, J V + C / h >= 0. One that bounces has no effect until it arrives.
       ask(row, e > 0 && C > h * threshold ? inf : C / h, 0);
     } else {
-      // 12: b = k / (c + h k) C; rigid where that is too fast: a spring that may not push harder would sink for ever.
+      // 12: b = k / (c + h k) C; rigid if that is too fast, because a spring with a limited push would sink for ever.
       const Real push_out = push_out_rate * C;
       if (push_out < -fastest_push_out) ask(row, -fastest_push_out, 0);
       else ask(row, push_out, gamma_by_K);
@@ -233,7 +233,7 @@ void FlatSolver::prepare_joints(World& world, Real h) {
       place(row, equation);
       row.bias += joint_beta / h * equation.error;
       row.softness = equation.softness;
-      // 14: the part that closes gaps is kept apart from the part that carries. Springs have one part only.
+      // 14: the push-out, which closes gaps, is separate from the bias under which joints carry loads. Springs have none.
       row.push_out = row.softness == 0 ? joint_beta / h * equation.error : 0;
       row.bias -= row.push_out;
       row.kept = &kept;
@@ -245,14 +245,14 @@ void FlatSolver::prepare_joints(World& world, Real h) {
   }
 }
 
-/// 12: in each substep, once the bodies have moved. The push-out's speed, if it stayed, would be energy fed in: so one
-/// more sweep with rows that are rigid, and do not push out.
+/// 12: in each substep, once the bodies have moved. The push-out's speed would add energy if it stayed, so one more sweep
+/// solves rigid rows without push-out.
 void FlatSolver::moved(World& world, Real h) {
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     moved_[i].way += h * world.bodies[i].velocity;
     moved_[i].turn += h * world.bodies[i].angular_velocity;
   }
-  // 21: bodies that have hardly passed each other keep their rows; the others' are carried, as far apart as they were.
+  // 21: bodies with a low relative velocity keep their rows. The other rows are carried, and their separation stays.
   const auto passes_by = [this](const Row& row) {
     return (row.b->velocity - row.a->velocity).squaredNorm() >= carried_from * carried_from;
   };
@@ -262,7 +262,7 @@ void FlatSolver::moved(World& world, Real h) {
       carry(row);
       row.found += C - separation(row);
     }
-    // 21: a contact that was apart keeps C / h: with the C of now it would be stopped before it arrives.
+    // 21: a contact that was apart keeps C / h, because the current C would stop it before it arrives.
     ask(row, row.bounce < 0 ? row.bounce : std::max(row.bias, Real(0)), 0);
   }
   for (std::size_t t = 0; t < tangents_.size(); t += 2) {
@@ -271,8 +271,8 @@ void FlatSolver::moved(World& world, Real h) {
     carry(tangents_[t + 1]);
     step_sizes_[t / 2] = step_size(tangents_[t], tangents_[t + 1]);
   }
-  for (Row& row : joints_) reach(row, *row.kept);  // 14: and what has closed gaps is taken back
-  // 13: joints likewise, but springs: the speed that they add is wanted
+  for (Row& row : joints_) reach(row, *row.kept);  // 14: takes back the impulses that closed gaps
+  // 13: joints likewise, but not springs, because the speed that they add is intended
   equations_.clear();
   for (const Joint& joint : world.joints)
     joint.ask(world.body(joint.a), world.body(joint.b), {world.time, h}, equations_);
@@ -286,7 +286,7 @@ void FlatSolver::moved(World& world, Real h) {
   for (const Row& row : tangents_) sums_[row.contact] += row.impulse * row.n;
 }
 
-/// 21: an impact is over in one substep: the next one starts from the impulses from which this one started.
+/// 21: an impact is over in one substep, so the next one starts from the initial impulses of this one.
 void FlatSolver::forget_impacts() {
   if (fastest_ > 0) {
     for (Row& row : normals_) row.impulse = row.start;
@@ -295,7 +295,7 @@ void FlatSolver::forget_impacts() {
   fastest_ = 0;
 }
 
-/// 21: C = C_0 + J dX, m.   dX: what both bodies have moved since C_0 was known
+/// 21: C = C_0 + J dX, m.   dX: displacement of both bodies since detection
 Real FlatSolver::separation(const Row& normal) const {
   const Moved &a = moved_[normal.a->index], &b = moved_[normal.b->index];
   return normal.found + normal.n.dot(b.way - a.way) + (normal.rb_n.dot(b.turn) - normal.ra_n.dot(a.turn));
@@ -306,7 +306,7 @@ void FlatSolver::sweep(const Contacts& contacts, int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (int pass = 0; pass < passes; ++pass)
       for (Row& row : joints_) solve_alone(row);
-    // 09: once; while something bounces, until an impact is solved: no later step corrects what is left of it.
+    // 09: one round; while a contact bounces, until the impact is solved, because no later step corrects its error.
     Real change = inf;
     for (int round = 0; round < (fastest_ > 0 ? most_rounds : 1) && change > precision * fastest_; ++round) {
       change = 0;
@@ -335,7 +335,7 @@ void FlatSolver::sweep(const Contacts& contacts, int sweeps) {
   }
 }
 
-/// Once in a step: each contact keeps its impulse, and what did not touch is no contact.
+/// Once per step: stores the impulses in the contacts and removes the contacts that did not touch.
 void FlatSolver::done(World& world) {
   forget_impacts();
   for (Row& row : normals_) {

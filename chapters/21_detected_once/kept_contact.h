@@ -1,9 +1,9 @@
-/// A contact whose three rows are made once, and solved in many substeps.
+/// A contact whose three rows are built once and solved in many substeps.
 ///
-///   C = C_0 + J dX,   dX = (dx_A, dtheta_A, dx_B, dtheta_B)        what each body has moved since C_0 was known
+///   C = C_0 + J dX,   dX = (dx_A, dtheta_A, dx_B, dtheta_B)        displacement of each body since C_0 was measured
 ///
-/// J stays, and with it K and M^-1 J^T, until the bodies have moved past each other: then the rows are made anew where they touch by
-/// now. What that neglects is said in the page of this chapter.
+/// J stays, and with it K and M^-1 J^T, until the bodies have moved past each other. Then the rows are rebuilt for the current point
+/// of contact. The page of this chapter describes the resulting error.
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
@@ -13,11 +13,11 @@
 
 namespace pushback {
 
-/// A body that touches something, while contacts are kept.
+/// A body with contacts, while contacts are kept.
 struct KeptBody {
   Body* body;
   Vec3 way = Vec3::Zero(), turn = Vec3::Zero();             ///< since detection: sum of h v, m, and of h w, rad
-  Vec3 given = Vec3::Zero(), given_turning = Vec3::Zero();  ///< by its contacts' impulses: to v, m/s; to w, rad/s
+  Vec3 given = Vec3::Zero(), given_turning = Vec3::Zero();  ///< changes by its contacts: of v, m/s; of w, rad/s
 
   void gets(const Vec3& dv, const Vec3& dw) {
     given += dv;
@@ -30,12 +30,12 @@ struct KeptContact {
   Real found;                  // C_0, m
   Real friction, restitution;  // mu, e
   Real step_size;              // 1 / k of both tangents (chapter 08), kg
-  std::size_t a = 0, b = 0;    // its bodies, in the solver's list
+  std::size_t a = 0, b = 0;    // indices of its bodies in the solver's list
   Real softness = 0;           // gamma, 1/kg
   Real mass = 0;               // 1 / (K + gamma), kg
-  Real bounce = 0;             // minus its speed once it has bounced in this substep, m/s; 0: it does not bounce
+  Real bounce = 0;             // minus the speed after its bounce in this substep, m/s; 0: it does not bounce
 
-  /// Of the contact with this index.
+  /// The contact with this index in the world. `body_a`, `body_b`: indices in the solver's list.
   KeptContact(World& world, std::size_t index, std::size_t body_a, std::size_t body_b)
       : KeptContact(world, world.contacts[index], tangents_of(world.contacts[index].normal), index) {
     a = body_a;
@@ -48,8 +48,8 @@ struct KeptContact {
     return found +
            (normal.n.dot(moved_b.way - moved_a.way) + (normal.rb_n.dot(moved_b.turn) - normal.ra_n.dot(moved_a.turn)));
   }
-  /// One point for both bodies again (chapter 12), or their impulses would turn the pair. Where they pass each other
-  /// slower than this, m/s, the rows stay.
+  /// Gives both bodies one common point again (chapter 12), because otherwise their impulses would rotate the pair. If their
+  /// relative velocity is below `carried_from`, m/s, the rows stay.
   void carry(std::vector<KeptBody>& bodies, Real carried_from) {
     if ((normal.b->velocity - normal.a->velocity).squaredNorm() < carried_from * carried_from) return;
     const Vec3 apart = bodies[b].way - bodies[a].way;
@@ -59,10 +59,10 @@ struct KeptContact {
     step_size = 1 / TangentBlock(tangent1, tangent2).larger_eigenvalue();
     give(bodies, 1);
     carried_ = apart;
-    found += C - separation(bodies);  // as near as they were
+    found += C - separation(bodies);  // the separation stays
   }
-  /// Before the bodies move: what the normal row asks for in this substep. A contact that is apart may close its gap,
-  /// JV + C/h >= 0; one that would arrive in this substep, and bounces, bounces now; one that overlaps is a spring.
+  /// Before the bodies move: sets the target velocity of the normal row for this substep. A contact that is apart may close its
+  /// gap, JV + C/h >= 0. A bouncing contact that would arrive in this substep bounces now. A contact that overlaps is a spring.
   void prepare_substep(const std::vector<KeptBody>& bodies, const PushOut& push_out, Real h) {
     const Real C = separation(bodies), approach = restitution > 0 ? speed_before() : 0;
     const Real wanted = push_out.rate * C;
@@ -75,10 +75,10 @@ struct KeptContact {
     else if (wanted < -push_out.fastest) ask(-push_out.fastest, 0);
     else ask(wanted, push_out.gamma_by_K);
   }
-  /// After the bodies have moved: no push-out any more (chapter 12). A contact that was apart keeps its bias C/h: with the C of
-  /// now it would be stopped before it arrives, and would not bounce.
+  /// After the bodies have moved: removes the push-out (chapter 12). A contact that was apart keeps its bias C/h, because the
+  /// current C would stop it before it arrives, and it would not bounce.
   void relax() { ask(bounce < 0 ? bounce : std::max(normal.bias, Real(0)), 0); }
-  /// Returns by how much it changed the speed along the normal, m/s.
+  /// Returns the change of the speed along the normal, m/s.
   Real solve_normal() {
     const Real before = normal.impulse;
     normal.reach(before - mass * (normal.speed() + (normal.bias + softness * before)));
@@ -92,13 +92,13 @@ struct KeptContact {
   }
   /// After the last sweep of a substep.
   void add_up() { sum_ += Vec3(normal.impulse, tangent1.impulse, tangent2.impulse); }
-  /// N s, on B: over the substeps so far.
+  /// The impulse on B over the substeps so far, N s.
   Vec3 sum() const { return sum_.x() * normal.n + sum_.y() * tangent1.n + sum_.z() * tangent2.n; }
-  /// N s, on B.
+  /// The impulse on B in this substep, N s.
   Vec3 impulse() const {
     return normal.impulse * normal.n + tangent1.impulse * tangent1.n + tangent2.impulse * tangent2.n;
   }
-  /// How far it is from being solved, m/s: by how much another sweep would change the speed along one of its rows.
+  /// The residual, m/s: the change that another sweep would make to the speed along one of its rows.
   Real error() const {
     const Real wanted = normal.impulse - mass * (normal.speed() + (normal.bias + softness * normal.impulse));
     const Real pushed = std::abs(std::max(wanted, normal.lo) - normal.impulse) / normal.effective_mass;
@@ -106,7 +106,7 @@ struct KeptContact {
     const auto [total1, total2] = in_disc();
     return std::max(pushed, std::hypot(total1 - tangent1.impulse, total2 - tangent2.impulse) / step_size);
   }
-  /// The impulses that it starts from (chapter 07). What they give its bodies, those get as each substep begins.
+  /// Sets the initial impulses (chapter 07). The solver applies them to the bodies at the start of each substep.
   void guess(const Vec3& impulse_before) {
     const Vec3 within = within_cone(impulse_before, normal.n, friction);
     normal.impulse = within.dot(normal.n);
@@ -114,7 +114,7 @@ struct KeptContact {
     tangent1.impulse = within.dot(tangent1.n);
     tangent2.impulse = within.dot(tangent2.n);
   }
-  /// Adds to both bodies' `given` what this contact's impulses give them, `times` over.
+  /// Adds the velocity changes by this contact's impulses, multiplied by `times`, to `given` of both bodies.
   void give(std::vector<KeptBody>& bodies, Real times) const {
     for (const Row* row : {&normal, &tangent1, &tangent2}) {
       const Real impulse = times * row->impulse;
@@ -122,9 +122,9 @@ struct KeptContact {
       bodies[b].gets(impulse * row->dvb, impulse * row->dwb);
     }
   }
-  /// Before the sweeps of a substep: the impulses from which it starts.
+  /// Before the sweeps of a substep: saves its initial impulses.
   void save_impulses() { start_ = {normal.impulse, tangent1.impulse, tangent2.impulse}; }
-  /// The next substep starts from the same impulses.
+  /// Restores the saved impulses, from which the next substep starts.
   void restore(std::vector<KeptBody>& bodies) {
     give(bodies, -1);
     normal.impulse = start_.x(), tangent1.impulse = start_.y(), tangent2.impulse = start_.z();
@@ -132,13 +132,13 @@ struct KeptContact {
   }
 
  private:
-  /// m/s: with such a bias a row does nothing. A bouncy body that is thrown at another within this substep bounces in the next one;
-  /// with the bias C/h it would be stopped instead.
+  /// m/s: with this bias a row has no effect. A bouncy body that is thrown at another within this substep bounces in the next one.
+  /// The bias C/h would stop it instead.
   static constexpr Real free = Real(1e9);
 
-  Vec3 carried_ = Vec3::Zero();  // what B had moved past A, m, when the rows were placed
+  Vec3 carried_ = Vec3::Zero();  // displacement of B relative to A, m, when the rows were placed
   Vec3 sum_ = Vec3::Zero();      // impulses along the normal and both tangents, N s, over the substeps so far
-  Vec3 start_;                   // impulses along the normal and both tangents, N s
+  Vec3 start_;                   // the same at the start of the substep, N s
 
   KeptContact(World& world, const Contact& at, const Tangents& tangents, std::size_t index)
       : normal(world, at, at.normal, index),
@@ -150,13 +150,13 @@ struct KeptContact {
         step_size(1 / TangentBlock(tangent1, tangent2).larger_eigenvalue()) {
     normal.lo = 0;
   }
-  /// J V + b + gamma lambda = 0.
+  /// Sets the equation of the normal row: J V + b + gamma lambda = 0.
   void ask(Real bias, Real gamma_by_K) {
     normal.bias = bias;
     softness = gamma_by_K / normal.effective_mass;
     mass = normal.effective_mass / (1 + gamma_by_K);
   }
-  /// What both tangents' sums are to be, N s.
+  /// The new accumulated impulses of both tangents, N s.
   std::pair<Real, Real> in_disc() const {
     Real total1 = tangent1.impulse - step_size * tangent1.speed(),
          total2 = tangent2.impulse - step_size * tangent2.speed();
@@ -168,7 +168,7 @@ struct KeptContact {
     }
     return {total1, total2};
   }
-  /// J V as the substep began, m/s: before its gravity.
+  /// J V at the start of the substep, before its gravity, m/s.
   Real speed_before() const {
     const Body &first = *normal.a, &second = *normal.b;
     return normal.n.dot(second.velocity_before - first.velocity_before) +

@@ -9,7 +9,7 @@ using namespace pushback::substeps_scenes;
 
 namespace {
 
-/// The cube as the solver `in_each` has it, at each instant of a strobe.
+/// Adds the outline of the cube under the solver `in_each` at each instant of a strobe.
 void add_first_row(Picture& picture, const RollingCube& cube, DetectedInEach in_each, const Strobe& strobe, Real until,
                    int substeps, Real dt) {
   World world;

@@ -1,11 +1,11 @@
-/// What turns while its contacts are kept, beside the stacks of earlier chapters.
+/// A body that turns and one that arrives while contacts are kept, in addition to the stacks of earlier chapters.
 #pragma once
 
 #include "pushback/common/world/world.h"
 
 namespace pushback::detected_once_scenes {
 
-/// A cube of 1 m that rolls over its edges on rough ground, standing on an edge as it begins.
+/// A cube of 1 m that starts on an edge and rolls over its edges on rough ground.
 struct RollingCube {
   Real spin = 10;  ///< rad/s
 
@@ -21,7 +21,7 @@ struct RollingCube {
   }
 };
 
-/// A ball that comes down at such a speed.
+/// A ball that falls and arrives at a given speed.
 struct FallingBall {
   Real speed = 10;               ///< m/s, as it arrives
   Real restitution = Real(0.8);  ///< e

@@ -1,4 +1,4 @@
-/// What chapter 21's solver is compared with, and what its rows neglect.
+/// Solvers to compare with chapter 21's, and the error that its rows neglect.
 #pragma once
 
 #include "pushback/chapters/11_substeps/substeps.h"
@@ -6,15 +6,15 @@
 
 namespace pushback::detected_once_scenes {
 
-/// The same, with contacts detected in each substep.
+/// The same solver with contacts detected in each substep.
 using DetectedInEach = RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>;
 
-/// The mistake to avoid: only what touches as the step begins has rows.
+/// The mistake to avoid: only bodies that touch at the start of the step have rows.
 struct WithoutMargin : DetectedOnce {
   Plan plan(Real /*dt*/) const override { return {.substeps = substeps, .sweeps = 1}; }
 };
 
-/// m: by how much C_0 + J dX is off after t seconds, at a corner `arm` (m) above the centre of a box that turns.
+/// The error of C_0 + J dX after t s, m, at a corner `arm` (m) above the centre of a box that turns at `spin` (rad/s).
 ///
 ///   C = C_0 + arm (cos w t - 1),  J dX = 0
 inline Real neglected(Real arm, Real spin, Real t) {

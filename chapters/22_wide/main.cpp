@@ -21,7 +21,7 @@ Ink ink_of_set(std::size_t set) {
   return inks[set % inks.size()];
 }
 
-/// In front of boxes of 1 m: from the middle of each body of a pair to where they touch.
+/// Draws lines, in front of boxes of 1 m, from the middle of each body of a pair to their contact.
 void draw_sets(Picture& picture, const World& world, Real /*time*/) {
   const Sets sets = sets_in(world);
   for (std::size_t set = 0; set < sets.size(); ++set) {

@@ -1,11 +1,11 @@
-/// What bundles of eight find hard, beside the piles of earlier chapters.
+/// A scene that is hard for bundles of eight, in addition to the piles of earlier chapters.
 #pragma once
 
 #include "pushback/common/world/world.h"
 
 namespace pushback::wide_scenes {
 
-/// A slab on the ground that carries a square of boxes: it is in a pair with each of them.
+/// A slab on the ground that carries a square of boxes and forms a pair with each of them.
 struct LoadedSlab {
   int boxes = 10;  ///< along each side
 

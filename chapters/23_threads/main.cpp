@@ -14,7 +14,7 @@ Sets sets_in(const World& world) {
   return coloured(touching_pairs(world.contacts), world);
 }
 
-/// From dark to light: other colours than chapter 22's, which are sets.
+/// From dark to light, unlike chapter 22's colours, which stand for sets.
 Ink ink_of_thread(std::size_t thread) {
   constexpr std::array<Ink, 4> inks{{{21, 24, 43}, {190, 70, 10}, {255, 184, 77}, {255, 255, 255}}};
   return inks[thread % inks.size()];
@@ -27,7 +27,7 @@ std::vector<std::pair<Ink, std::string>> colours_of(int threads) {
   return colours;
 }
 
-/// Of the set with this number: from the middle of each box of a pair to where they touch, in front of boxes of 1 m.
+/// Draws the set with this number: lines, in front of boxes of 1 m, from the middle of each box of a pair to their contact.
 void draw_set(Picture& picture, const World& world, std::size_t set, std::size_t threads, const Vec3& shift) {
   const Sets sets = sets_in(world);
   if (set >= sets.size()) return;
@@ -47,7 +47,7 @@ void draw_set(Picture& picture, const World& world, std::size_t set, std::size_t
   }
 }
 
-/// Threads; or in a page, where there is but one, that one does the parts of all, the last first: no bit differs.
+/// A crew of threads. In a page, which has only one thread, that one does the parts of all, the last first, with the same bits.
 std::shared_ptr<Workers> crew_of(int threads, [[maybe_unused]] bool however_little = false) {
 #ifdef __EMSCRIPTEN__
   return std::make_shared<OneAfterTheOther>(4 * static_cast<std::size_t>(threads), true);
@@ -56,7 +56,7 @@ std::shared_ptr<Workers> crew_of(int threads, [[maybe_unused]] bool however_litt
 #endif
 }
 
-/// What others are compared with. It goes on from where it was asked for last.
+/// A world to compare others with. It continues from the time of the last call.
 class Beside {
  public:
   Beside(std::function<void(World&)> fill, Wide<float> solver) : fill_(std::move(fill)), solver_(std::move(solver)) {}
@@ -79,7 +79,7 @@ class Beside {
   int done_ = 0;
 };
 
-/// How many times as fast a pass over a pyramid could be, against its boxes.
+/// The largest possible speedup of a pass over a pyramid, against its number of boxes.
 Panel at_best_by_boxes(const std::vector<int>& threads) {
   Panel panel{.title = "a pass over a pyramid, counted in bundles",
               .x_label = "boxes",
@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
       return solver;
     };
     const Real wide = static_cast<Real>(base), apart = wide + 2;
-    constexpr Real every = Real(0.25);  // s, a set
+    constexpr Real every = Real(0.25);  // s per set
 
     e.scene({.name = "four sets of a pyramid",
              .fill = fill_pyramid,
@@ -140,7 +140,7 @@ int main(int argc, char** argv) {
              .start_shown = false,
              .marks =
                  [threads, apart](Picture& picture, const World& world, Real time) {
-                   // In a page they come one after the other; the first stands there from the start.
+                   // In a page the sets appear one after the other, the first from the start.
                    const auto here = std::clamp<std::size_t>(static_cast<std::size_t>(time / every + Real(0.01)), 1, 4);
                    for (std::size_t set = 0; set < here; ++set)
                      draw_set(picture, world, set, static_cast<std::size_t>(threads),

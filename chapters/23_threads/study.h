@@ -1,4 +1,4 @@
-/// Who takes which bundle, counted; and parts in another order.
+/// The distribution of bundles over threads, and workers that do the parts in another order.
 #pragma once
 
 #include "pushback/common/world/measure.h"
@@ -6,15 +6,15 @@
 
 namespace pushback::threads_scenes {
 
-/// Of a set.
+/// The number of bundles of a set.
 inline std::size_t bundles_of(const std::vector<PairOfBodies>& set) {
   return (set.size() + lanes_of_bundle - 1) / lanes_of_bundle;
 }
-/// Which of the threads has the bundle among its own: as Workers cuts them.
+/// The index of the thread that solves the bundle, as Workers divides them.
 inline std::size_t thread_of(std::size_t bundle, std::size_t bundles, std::size_t threads) {
   return ((bundle + 1) * threads - 1) / bundles;
 }
-/// How many times as fast a pass could be: all of its bundles, by those of the busiest thread of each set.
+/// The largest possible speedup of a pass: all bundles, divided by the sum over the sets of the bundles of the busiest thread.
 inline Real at_best(const Sets& sets, std::size_t threads) {
   std::size_t all = 0, busiest = 0;
   for (const auto& set : sets) {
@@ -24,12 +24,12 @@ inline Real at_best(const Sets& sets, std::size_t threads) {
   return busiest == 0 ? 1 : static_cast<Real>(all) / static_cast<Real>(busiest);
 }
 
-/// The mistake to avoid: as if any two pairs could be solved side by side.
+/// The mistake to avoid: one set, as if any two pairs could be solved side by side.
 inline Sets all_in_one(const std::vector<PairOfBodies>& pairs, const World& /*world*/) {
   return {pairs};
 }
 
-/// Parts one after the other, on one thread; the first or the last of them first. What is independent does not notice.
+/// Does the parts one after the other on one thread, from the first or from the last. Independent parts give the same result.
 class OneAfterTheOther : public Workers {
  public:
   OneAfterTheOther(std::size_t parts, bool from_the_last) : Workers(parts, true), from_the_last_(from_the_last) {}
@@ -41,7 +41,7 @@ class OneAfterTheOther : public Workers {
   bool from_the_last_;
 };
 
-/// How many bodies are not where, or not as fast as, they are in the other world, to the last bit.
+/// The number of bodies whose place or velocity differs from the other world in any bit.
 inline Real elsewhere(const World& world, const World& other) {
   Real count = 0;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {

@@ -21,7 +21,7 @@ Real energy(const World& world) {
   return kinetic_energy(world) + potential_energy(world);
 }
 
-/// A pendulum as it truly swings: far finer than what is compared with it.
+/// The true motion of a pendulum, in far finer steps than those of the solvers compared with it.
 class Fine {
  public:
   explicit Fine(const Motion& motion) {
@@ -180,7 +180,7 @@ int main(int argc, char** argv) {
           to.y.push_back(1000 * largest_error(chain, of_chain.places, solver));
         };
         HalfStep fourth = in_substeps(count, composed());
-        fourth.tolerance = least_tolerance;  // or the rods' own error would be seen
+        fourth.tolerance = least_tolerance;  // otherwise the error of the rods' lengths would be seen
         add(links[0], Substeps(Whole{}, count));
         add(links[1], in_substeps(count));
         add(links[2], fourth);

@@ -1,4 +1,4 @@
-/// A joint and a contact whose motion is known.
+/// A scene with a joint and a contact whose motion is known.
 #pragma once
 
 #include "pushback/chapters/13_joints/distance.h"
@@ -6,8 +6,8 @@
 
 namespace pushback::half_step_scenes {
 
-/// A bob on a rod from a point above a floor goes round on it in a circle of radius rho. The rod pulls it up, by m v^2 / rho along
-/// the floor, so the floor bears m (g - v^2 d / rho^2), and friction brakes it less while it is fast:
+/// A bob on a rod from a point above a floor slides on the floor in a circle of radius rho. The rod pulls it by m v^2 / rho along
+/// the floor and by m v^2 d / rho^2 upwards. So the floor bears m (g - v^2 d / rho^2), and friction brakes a fast bob less:
 ///
 ///   v' = -mu (g - v^2 d / rho^2),    v = V tanh(atanh(v_0 / V) - mu g t / V),    V^2 = g rho^2 / d
 struct OnFloor {
@@ -16,7 +16,7 @@ struct OnFloor {
   static constexpr Real height = Real(0.8), around = Real(1.2), speed = 2;  ///< d, rho, m; v_0, m/s
   static constexpr Real radius = Real(0.1);                                 ///< m, of the bob
 
-  /// Where it is after t s, as long as it slides.
+  /// The place of the bob after t s, m, while it slides.
   Vec3 place(Real t) const {
     const Real top = std::sqrt(World::g / height) * around, from = std::atanh(speed / top);
     const Real way =
@@ -27,7 +27,7 @@ struct OnFloor {
   void operator()(World& world) const {
     world.add(ground().rough(mu));
     Body bob = sphere(radius, 2).at(place(0)).moving({0, 0, speed}).rough(mu);
-    bob.principal_inverse_inertia.setZero();  // or it would begin to roll
+    bob.principal_inverse_inertia.setZero();  // otherwise it would begin to roll
     const int index = world.add(bob);
     world.joints.push_back(distance(world, the_world, {0, radius + height, 0}, index, place(0)));
   }

@@ -1,11 +1,11 @@
-/// The step as a plain loop, for one ball on a rod; and the two wrong ways.
+/// The step as plain functions for one ball on a rod, chapter 11's step, and two wrong variants.
 #pragma once
 
 #include "pushback/common/basics/types.h"
 
 namespace pushback::plain_24 {
 
-/// 1 kg on a rod without mass, from the origin: |x| = length.
+/// 1 kg on a massless rod from the origin: |x| = length.
 struct Bob {
   Vec3 x, v;    // m, m/s
   Real length;  // m
@@ -15,7 +15,7 @@ struct Bob {
   void project() { v -= v.dot(rod()) * rod(); }                  // J v = 0
 };
 
-/// Newton's method, by impulses along `j`, until the rod is as long as it should be after h v.
+/// Newton's method with impulses along `j`, so that the rod has its length after the move by h v.
 inline void hold(Bob& bob, const Vec3& j, Real h) {
   for (int round = 0; round < 20; ++round) bob.v -= bob.off(bob.x + h * bob.v) / h * j;
 }
@@ -29,7 +29,7 @@ inline void half_step(Bob& bob, const Vec3& g, Real h) {
   bob.project();
 }
 
-/// Chapter 11's order: the whole kick first, then v, then x += h v. Wrong by h/2.
+/// Chapter 11's order: the whole kick first, then the solve for v, then x += h v. Wrong by h/2.
 inline void whole_step(Bob& bob, const Vec3& g, Real h) {
   bob.v += h * g;
   bob.project();
@@ -37,8 +37,8 @@ inline void whole_step(Bob& bob, const Vec3& g, Real h) {
   bob.x *= bob.length / bob.x.norm();
 }
 
-/// The first wrong way: the average of the velocities before and after moves the ball, but what holds it is solved for one of
-/// them.
+/// The first wrong variant: the average of the velocities before and after moves the ball, but the constraint is solved for only
+/// one of them.
 inline void average_step(Bob& bob, const Vec3& g, Real h) {
   const Vec3 before = bob.v;
   bob.v += h * g;
@@ -48,7 +48,7 @@ inline void average_step(Bob& bob, const Vec3& g, Real h) {
   bob.project();
 }
 
-/// The second: kick, drift, kick, but the impulse that holds the length acts along the rod as it lies after the drift.
+/// The second wrong variant: kick, drift, kick, but the impulse that keeps the length acts along the rod after a free drift.
 inline void new_rod_step(Bob& bob, const Vec3& g, Real h) {
   bob.v += h / 2 * g;
   const Vec3 free = bob.x + h * bob.v;

@@ -1,4 +1,4 @@
-/// How far off the truth a motion is, by the number of substeps: the slope is the order.
+/// The error of a motion, by the number of substeps. The slope is the order.
 #pragma once
 
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
@@ -8,17 +8,17 @@
 
 namespace pushback::half_step_scenes {
 
-/// Let go at 60 degrees.
+/// A bob released at 60 degrees.
 inline plain_24::Bob bob_let_go() {
   return {{std::sin(pi / 3), -std::cos(pi / 3), 0}, Vec3::Zero(), 1};
 }
 
-/// The plain loop, of fourth order.
+/// The fourth-order composition of plain half steps.
 inline void composed_step(plain_24::Bob& bob, const Vec3& g, Real h) {
   for (const Real part : suzuki) half_step(bob, g, part * h);
 }
 
-/// Where a bob is after each 1/60 s of 2 s.
+/// The places of a bob after each 1/60 s of 2 s, m.
 template <class Step>
 std::vector<Vec3> places_of_bob(const Step& step, int substeps) {
   plain_24::Bob bob = bob_let_go();
@@ -37,7 +37,7 @@ inline Real largest_distance(const std::vector<Vec3>& places, const std::vector<
   return largest;
 }
 
-/// Where each body of a motion is against where it belongs, after whole frames: the largest distance, m.
+/// The largest distance of a body of a motion from its true place after whole frames, m.
 inline Real largest_error(const Motion& motion, const std::vector<Places>& truth, AnySolver solver) {
   World world;
   motion.begin(world);
@@ -52,7 +52,7 @@ inline Real largest_error(const Motion& motion, const std::vector<Places>& truth
 
 inline HalfStep in_substeps(int count, HalfStep step = {}) {
   step.substeps = count;
-  step.threshold = 0;  // bounces are compared at every speed
+  step.threshold = 0;  // so that bounces at every speed are compared
   return step;
 }
 

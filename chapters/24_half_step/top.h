@@ -6,11 +6,11 @@
 
 namespace pushback::half_step_scenes {
 
-/// A disc on a stem, spinning on a pin at the origin, its axis at `tilt` from the vertical. It precesses steadily:
+/// A disc on a stem that spins on a pin at the origin, its axis at `tilt` (rad) from the vertical. It precesses steadily:
 ///
 ///   I_p cos(tilt) W^2 - I_3 s W + m g l = 0        I_p: across the axis, about the pin;  s: the spin, about the axis
 ///
-/// so for a precession W the spin is known. The axis goes round in a cone, and the disc never nods.
+/// so the precession W determines the spin. The axis moves on a cone, and the disc does not nutate.
 struct Top {
   Real tilt = pi / 4;
   Real precession = 2;  ///< W, rad/s
@@ -19,20 +19,20 @@ struct Top {
   static constexpr Real half_width = Real(0.4), half_height = Real(0.05);
 
   static Body disc() { return box({half_width, half_height, half_width}, mass); }
-  /// s, rad/s.
+  /// The spin s, rad/s.
   Real spin() const {
     const Vec3 inertia = disc().principal_inverse_inertia.cwiseInverse();
     const Real about_pin = inertia.x() + mass * stem * stem;
     return (about_pin * std::cos(tilt) * precession * precession + mass * World::g * stem) / (inertia.y() * precession);
   }
-  /// Unit: where its axis points after t s.
+  /// The direction of its axis after t s, unit.
   Vec3 axis(Real t) const {
     const Real angle = precession * t;
     return {std::sin(tilt) * std::cos(angle), std::cos(tilt), -std::sin(tilt) * std::sin(angle)};
   }
   void operator()(World& world) const {
     const Vec3 up = Vec3::UnitY(), along = axis(0);
-    // The whole turning: s about the axis, and W about the vertical without its part along the axis, which is in s.
+    // The angular velocity: s about the axis, and W about the vertical without its component along the axis, which s contains.
     const Vec3 turning = spin() * along + precession * (up - up.dot(along) * along);
     const int top = world.add(disc()
                                   .turned(-tilt, Vec3::UnitZ())

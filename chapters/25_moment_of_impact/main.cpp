@@ -24,7 +24,7 @@ HalfStep cut(Impacts impacts) {
   return step;
 }
 
-/// s: when something last moved faster than 1 mm/s.
+/// The last time at which the speed was above 1 mm/s, s.
 Real last_moving(const Run& run) {
   const auto& speeds = run.series.at("speed");
   for (std::size_t i = speeds.size(); i-- > 0;)

@@ -1,4 +1,4 @@
-/// The cut step as a plain loop, for one ball above the ground.
+/// The step that is cut at impacts, as plain functions for one ball above the ground.
 #pragma once
 
 #include <cmath>
@@ -9,10 +9,10 @@ namespace pushback::plain_25 {
 
 struct Ball {
   Real y, v;  // m above the ground, m/s upwards
-  Real e;     // of its bounces, below 1
+  Real e;     // coefficient of restitution, below 1
 };
 
-/// The time at which y + v t - g t^2 / 2 = 0.
+/// The time at which y + v t - g t^2 / 2 = 0, s.
 inline Real time_to_ground(const Ball& ball, Real g) {
   return (ball.v + std::sqrt(ball.v * ball.v + 2 * g * ball.y)) / g;
 }
@@ -21,7 +21,7 @@ inline void fly(Ball& ball, Real g, Real t) {
   ball.v -= g * t;
 }
 
-/// Flies until it meets the ground, bounces, and flies on.
+/// The ball flies until it meets the ground, bounces and flies on.
 inline void cut_step(Ball& ball, Real g, Real h) {
   Real left = h;
   for (Real t; (t = time_to_ground(ball, g)) <= left; left -= t) {
@@ -36,7 +36,7 @@ inline void cut_step(Ball& ball, Real g, Real h) {
   fly(ball, g, left);
 }
 
-/// Chapter 24's: what comes below the ground is at it when the step ends, and bounces then.
+/// Chapter 24's step: a ball that ends below the ground is placed on it and bounces at the end of the step.
 inline void late_step(Ball& ball, Real g, Real h) {
   fly(ball, g, h);
   if (ball.y >= 0) return;

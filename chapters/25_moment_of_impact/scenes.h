@@ -1,4 +1,4 @@
-/// A bullet and a sheet, a rod and a wall, balls in a row, each with its closed form; and a pendulum and a wall.
+/// A bullet and a sheet, a rod and a wall, balls in a row, and a pendulum and a wall, all with known motions.
 #pragma once
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
@@ -7,26 +7,26 @@
 
 namespace pushback::moment_of_impact_scenes {
 
-/// A ball of 10 mm that flies at a sheet of 1 mm, which does not move. No gravity.
+/// A ball of 10 mm that flies at a fixed sheet of 1 mm. No gravity.
 struct Bullet {
-  Real speed = 500, e = Real(0.008);  // m/s; of the pair
+  Real speed = 500, e = Real(0.008);  // m/s; restitution of the pair
 
   static constexpr Real radius = Real(0.005), thickness = Real(0.001), from = Real(-0.06), height = Real(0.06);
 
-  static constexpr Real stops_at = -thickness / 2 - radius;  // m: the centre, as it meets the sheet
+  static constexpr Real stops_at = -thickness / 2 - radius;  // m: x of the centre when the ball meets the sheet
   void operator()(World& world) const {
     world.gravity.setZero();
     world.add(box({thickness / 2, height / 2, height / 2}, 1).fixed().coloured(3));
     world.add(sphere(radius, Real(0.01)).at({from, 0, 0}).moving({speed, 0, 0}).bouncy(e).coloured(0));
   }
-  /// Where its centre is, m.
+  /// x of its centre after t s, m.
   Real place(Real t) const {
     const Real meets = (stops_at - from) / speed;
     return t < meets ? from + speed * t : stops_at - e * speed * (t - meets);
   }
 };
 
-/// A rod that spins about its middle, beside a wall of 1 mm that its end meets. No gravity, no friction, e = 1.
+/// A rod that spins about its middle next to a wall of 1 mm, which its end meets. No gravity, no friction, e = 1.
 struct SpinningRod {
   Real spin = 12;  // rad/s
 
@@ -38,10 +38,10 @@ struct SpinningRod {
     world.add(box({thickness / 2, Real(0.7), Real(0.25)}, 1).fixed().at({wall + thickness / 2, 0, 0}).coloured(3));
     world.add(rod().spinning({0, 0, -spin}));
   }
-  /// rad, from upright, when it meets the wall; and s.
+  /// The angle from upright when it meets the wall, rad; and the time, s.
   Real angle() const { return std::asin((wall - radius) / half); }
   Real meets() const { return angle() / spin; }
-  /// Where it is, and how it moves. The wall pushes with J along -x, at r = half cos(angle) above its middle:
+  /// Its pose after t s. The wall's impulse J acts along -x, at r = half cos(angle) above the middle:
   ///   J (1/m + r^2 / I) = (1 + e) r spin
   Body truth(Real t) const {
     const Real since = t - meets();
@@ -53,14 +53,14 @@ struct SpinningRod {
         .turned(-angle() + since * (push * r * per_inertia - spin), Vec3::UnitZ())
         .at({-since * push * body.inverse_mass, 0, 0});
   }
-  /// m: how far its upper end is beyond the wall.
+  /// The distance by which an end is beyond the wall, m.
   static Real beyond(const World& world) {
     const Body& body = world.bodies[1];
     return body.position.x() + half * std::abs((body.orientation * Vec3::UnitY()).x()) + radius - wall;
   }
 };
 
-/// A ball on a link, or on a pin alone, that swings to a smooth wall. Let go at rest, all in one line.
+/// A ball on links, or directly on a pin, that swings to a smooth wall. Released at rest, all in one line.
 struct PendulumAtWall {
   int links = 1;
   Real e = Real(0.8), wall = Real(0.3);  // m
@@ -72,7 +72,7 @@ struct PendulumAtWall {
   static Body ball() { return sphere(radius, mass).rough(0); }
   static Body rod() { return box({half_width, link / 2, half_width}, link_mass).rough(0); }
   static Vec3 down() { return {std::sin(angle), -std::cos(angle), 0}; }
-  /// The bodies: the links, the ball, the wall.
+  /// Adds the bodies: the links, the ball, the wall.
   void fill(World& world) const {
     for (int i = 0; i < links; ++i)
       world.add(rod().turned(angle, Vec3::UnitZ()).at((static_cast<Real>(i) + Real(0.5)) * link * down()).bouncy(e));
@@ -105,7 +105,7 @@ struct PendulumAtWall {
   }
 };
 
-/// Five balls that touch, and the first is hit: no gravity, e = 1.
+/// Five balls in a row. The last four touch, and the first arrives at 5 m/s. No gravity, e = 1.
 inline void cradle(World& world) {
   world.gravity.setZero();
   for (int i = 0; i < 5; ++i)

@@ -16,7 +16,7 @@ Real all_of(const World& world) {
   return kinetic_energy(world) + potential_energy(world);
 }
 
-/// Bounces are compared at every speed.
+/// Without a restitution threshold, so that bounces at every speed are compared.
 template <class Each>
 Each at_every_speed() {
   Each solver;
@@ -26,7 +26,7 @@ Each at_every_speed() {
   return solver;
 }
 
-/// A chain for ten seconds: how far its energy is off, in % of what it can fall, and in how many half steps it was moved.
+/// A chain for ten seconds: the error of its energy, in % of Chain::fall, and the number of its half steps.
 struct Played {
   Curve energy, substeps;
 };
@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
              .fill =
                  [yard](World& world) {
                    yard(world);
-                   for (Body& body : world.bodies)  // until somebody has moved them
+                   for (Body& body : world.bodies)  // until the first step
                      if (body.movable()) body.coloured(5);
                  },
              .camera = {{Real(-0.4), Real(6.5), 17}, {Real(-0.4), Real(2.1), 0}},
@@ -117,8 +117,8 @@ int main(int argc, char** argv) {
       e.panel({.title = "a yard", .x_label = "s", .y_label = "bodies", .curves = moved});
 
       IslandSolver careless;
-      careless.energy = Real(1e6);               // no step is taken again
-      careless.joint_half_step.most_work = 1e7;  // and few are left to substeps
+      careless.energy = Real(1e6);               // no step is repeated
+      careless.joint_half_step.most_work = 1e7;  // and few fall back to substeps
       const Chain chain;
       const Played four = play(chain, careless, "four, always", 0), more = play(chain, {}, "as energy says", 2);
       const std::string title = "a chain that whips";

@@ -1,4 +1,4 @@
-/// What an island calls for, and the substeps that its energy calls for, as plain functions.
+/// The choice of a step for an island, and of its substeps by its energy, as plain functions.
 #pragma once
 
 #include "pushback/common/basics/types.h"
@@ -7,17 +7,17 @@ namespace pushback::plain_26 {
 
 enum class Call { flight, half_steps, substeps };
 
-/// What is known of an island.
+/// The properties of an island that determine its step.
 struct Seen {
   int contacts = 0;  // that may act in this step
   int joints = 0;
-  bool refused = false;         // half steps do not do what is in it: a limit, a loop, a Force
+  bool refused = false;         // half steps do not support its contents: a limit, a loop, a Force
   bool had_half_steps = false;  // in the step before
 };
 
 struct Bounds {
-  int most = 8, most_kept = 12;                 // contacts of an island of few; of one that was one in the step before
-  int least_substeps = 4, most_substeps = 128;  // of joints
+  int most = 8, most_kept = 12;                 // contacts for half steps; if it had them in the step before
+  int least_substeps = 4, most_substeps = 128;  // of an island with joints
 };
 
 inline Call call_of(const Seen& island, const Bounds& bounds) {
@@ -27,14 +27,14 @@ inline Call call_of(const Seen& island, const Bounds& bounds) {
   return island.contacts <= most ? Call::half_steps : Call::substeps;
 }
 
-/// What a step that has been tried is worth.
+/// The assessment of a step that was tried.
 struct Verdict {
-  bool stands;   // else it is taken again from where it began
-  int substeps;  // of the next try: of the same step, or of the next one; 0: half steps do not get there
+  bool stands;   // else the step is repeated from its start
+  int substeps;  // of the next try, for the same step or the next one; 0: half steps are not enough
 };
 
-/// `off`: |dE| of a step in so many substeps, in parts of what is allowed. The error of half steps falls with their square, so
-/// what is below an eighth is below a half in half as many.
+/// `off`: |dE| of a step in `substeps` substeps, relative to the allowed error. The error of half steps falls with the square of their
+/// number, so an error below an eighth stays below a half with half as many.
 inline Verdict judge_step(int substeps, Real off, const Bounds& bounds) {
   if (off <= 1) {
     const bool fewer = off < Real(0.125) && substeps > bounds.least_substeps;

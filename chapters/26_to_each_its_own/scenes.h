@@ -1,4 +1,4 @@
-/// A yard with something of everything, a chain that whips, and a solver that shows how it has moved each body.
+/// A yard with bodies of all kinds, a chain that whips, and a solver that colours each body by how it was moved.
 #pragma once
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
@@ -6,18 +6,18 @@
 
 namespace pushback::to_each_its_own_scenes {
 
-/// Of the palette: mustard, blue and brick, which differ in lightness as well.
+/// An index of the palette: mustard, blue or brick, which also differ in lightness.
 inline int colour_of(StepType how) {
   return how == StepType::flight ? 2 : how == StepType::half_steps ? 0 : 4;
 }
 
-/// After each step every body that moves has the colour of how it was moved.
+/// After each step, colours every movable body by how it was moved.
 class Painted : public ForwardingSolver {
  public:
   IslandSolver by_island;
 
   Solved solved() const override { return by_island.solved(); }
-  Plan plan(Real /*dt*/) const override { return {}; }  // each island has its own
+  Plan plan(Real /*dt*/) const override { return {}; }  // each island has its own plan
   void whole_step(World& world, Real dt, int sweeps) override {
     by_island.whole_step(world, dt, sweeps);
     for (Body& body : world.bodies)
@@ -28,14 +28,14 @@ class Painted : public ForwardingSolver {
   StepSolver& inner() override { return by_island; }
   const StepSolver& inner() const override { return by_island; }
 };
-/// How many bodies have been painted so.
+/// The number of movable bodies with the colour of `how`.
 inline int moved_so(const World& world, StepType how) {
   return static_cast<int>(std::count_if(world.bodies.begin(), world.bodies.end(), [how](const Body& body) {
     return body.movable() && body.colour == colour_of(how);
   }));
 }
 
-/// Links of 1 kg and 0.5 m and a ball, in one line that leans by `angle`, pinned to each other and to the world.
+/// Links of 1 kg and a ball of `ball` kg, in one line at `angle` from the vertical, pinned to each other and to the world.
 struct Chain {
   Real ball = 1000, angle = Real(1.5);  // kg, rad
   int links = 10;
@@ -54,17 +54,17 @@ struct Chain {
       before = body;
     }
   }
-  /// J: what gravity can give it until it hangs.
+  /// The energy that gravity can add until the chain hangs, J.
   Real fall() const {
     const Real all = static_cast<Real>(links) * length;
     return World::g * (1 - std::cos(angle)) * (ball * (all + radius) + all * static_cast<Real>(links) / 2);
   }
 };
 
-/// From left to right: a box that slides up to a stack of ten, a chain, a heavy box on a light one, a ball that bounces, ten balls
-/// and one that comes; and a box that flies over them.
+/// From left to right: a box that slides up to a stack of ten, a chain, a heavy box on a light one, a ball that bounces, and a ball
+/// that hits ten others. A further box flies over them.
 struct Yard {
-  Real speed = 6;  // m/s, of the ball that comes
+  Real speed = 6;  // m/s, of the ball that hits the others
 
   void operator()(World& world) const {
     constexpr Real half = Real(0.25), ball = Real(0.25), gap = Real(0.01);

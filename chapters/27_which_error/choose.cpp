@@ -23,10 +23,10 @@ using namespace which_error_scenes;
 namespace {
 
 constexpr Real dt = Real(1) / 60;
-constexpr Real diverged = 100;  // times the error that was asked for: then places say nothing any more
+constexpr Real diverged = 100;  // times the requested error: beyond it, places are meaningless
 constexpr int at_once = 15;     // steps
 
-/// "1mm", "0.5 cm", "2 ms": in the unit `base`, of which each unit is so many.
+/// Reads "1mm", "0.5 cm" or "2 ms". `units`: the size of each unit in m or s, the unit of the result. Throws InvalidInput.
 Real quantity(const std::string& option, const std::string& text, const std::map<std::string, Real>& units) {
   std::size_t read = 0;
   double number = 0;
@@ -52,23 +52,23 @@ Real quantity(const std::string& option, const std::string& text, const std::map
 }
 
 struct Step {
-  double seconds;  // that it took
+  double seconds;  // computing time
   Real known;      // m
   int bodies_kept, bodies;
   std::size_t contacts;
-  BodyError most;  // of the body whose step was worst
+  BodyError most;  // of the body with the largest error in this step
   std::map<std::string, int> ways;
 };
 struct Played {
   std::vector<Step> steps;
-  std::vector<World> worlds;  // after each
+  std::vector<World> worlds;  // after each step
 
   double seconds() const {
     double all = 0;
     for (const Step& step : steps) all += step.seconds;
     return all;
   }
-  /// Of a step, without the first ones, which find no memory and no caches.
+  /// The mean time of a step, s, without the first ones, which still allocate memory and fill caches.
   double seconds_of_step() const {
     const std::size_t first = std::min<std::size_t>(5, steps.size() / 2);
     double all = 0;
@@ -125,7 +125,7 @@ Played play(World world, Real error, int steps) {
   return played;
 }
 
-/// m, after each 1/60 s: how far places are from those of the same scene in steps `finer` times shorter, within `finer` times less.
+/// The distance from the same scene in steps `finer` times shorter, within an error `finer` times smaller, after each 1/60 s, m.
 std::vector<Real> measure(World world, const Played& played, Real error, int finer) {
   IslandSolver truth;
   truth.error = error / static_cast<Real>(finer);
@@ -137,7 +137,8 @@ std::vector<Real> measure(World world, const Played& played, Real error, int fin
   return off;
 }
 
-/// 1/s: by which a difference grows, from where it is `error` to where it is `diverged` times that; nothing if it is not, or all at once.
+/// The rate at which a difference grows from `error` to `diverged` times that, 1/s. Nothing if it does not grow that far, or does so
+/// in fewer than `at_once` steps.
 std::optional<Real> growth(const std::vector<Real>& off, Real error) {
   const auto first = std::find_if(off.begin(), off.end(), [&](Real x) { return x > error; });
   const auto last = std::find_if(off.begin(), off.end(), [&](Real x) { return x > diverged * error; });
@@ -145,7 +146,7 @@ std::optional<Real> growth(const std::vector<Real>& off, Real error) {
   return std::log(*last / *first) / (dt * static_cast<Real>(last - first));
 }
 
-/// Of a second of play at most, and of a fifth of it.
+/// The number of steps to rehearse: a fifth of them, but at most a second, and at least one.
 int rehearsed(int steps) {
   return std::clamp(steps / 5, 1, 60);
 }
@@ -154,7 +155,7 @@ std::string length_said(Real metres) {
   return metres < Real(1e-9) ? "less than 1e-6 mm" : fmt::format("{:.2g} mm", 1000 * metres);
 }
 
-/// Above and before what moves, as far off as it takes to see all of it.
+/// A camera above and in front of the movable bodies, far enough away to show all of them.
 Camera camera_for(const std::vector<World>& worlds) {
   Vec3 low = Vec3::Constant(std::numeric_limits<Real>::infinity()), high = -low;
   for (const World* world : {&worlds.front(), &worlds[worlds.size() / 2], &worlds.back()})
@@ -227,7 +228,7 @@ void draw(const std::filesystem::path& folder, const std::string& name, const st
                                     .curves = {{"", times, substeps, line_colour(3)}}}});
 }
 
-/// Says so if what was predicted is of another scene: bodies meet after the rehearsal that had not met in it.
+/// Warns that the prediction does not hold if a later step has more than twice the contacts of the rehearsal.
 void warn_of_later_contacts(const Played& rehearsal, const Played& played) {
   const auto more = [](const Step& p, const Step& q) { return p.contacts < q.contacts; };
   const auto most = std::max_element(rehearsal.steps.begin(), rehearsal.steps.end(), more)->contacts;

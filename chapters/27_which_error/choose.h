@@ -1,4 +1,4 @@
-/// ./course choose, for scenes of anybody's: with `e.command("--choose", choose)` a program of one's own has it, too.
+/// ./course choose for any scenes. With `e.command("--choose", choose)` your own program has the command, too.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 
 namespace pushback {
 
-/// A scene within an error, or the least error for a time: what it takes and what it will be off by, then what it took and was,
-/// measured against finer steps, and pictures in OUT/choose/SCENE/. Reads its own words, argv[0] being how it was called; a scene
-/// need not be named where there is one. Returns the program's exit status, as Experiment::run does.
+/// Plays a scene within an error, or with the least error for a time. Prints the predicted time and error, then the measured ones,
+/// compared with finer steps, and writes pictures to OUT/choose/SCENE/. Reads its own arguments; argv[0] is the name of the command.
+/// The name of the scene is optional if there is only one. Returns the program's exit status, as Experiment::run does.
 int choose(const std::vector<Scene>& scenes, int argc, const char* const* argv);
 
-/// The same, where a scene may be a file: a word that ends in .json is handed to `read`.
+/// The same, but a scene can also be a file: a name that ends in .json is passed to `read`.
 int choose_or_read(const std::vector<Scene>& scenes, const std::function<World(const std::filesystem::path&)>& read,
                    int argc, const char* const* argv);
 

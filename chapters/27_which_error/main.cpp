@@ -13,7 +13,7 @@ using namespace pushback::which_error_scenes;
 
 namespace {
 
-/// Bounces are compared at every speed.
+/// Without a restitution threshold, so that bounces at every speed are compared.
 IslandSolver at_every_speed(Real error) {
   IslandSolver solver;
   solver.error = error;
@@ -21,7 +21,7 @@ IslandSolver at_every_speed(Real error) {
   return solver;
 }
 
-/// mm, of a motion within `error`: the largest one, and by how much it was known at each step.
+/// The errors of a motion within `error`, mm: the largest measured one, and the known and the measured one after each step.
 struct Played {
   Real largest = 0;
   std::vector<Real> times, known, measured;
@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
              .fill =
                  [yard](World& world) {
                    yard(world);
-                   for (Body& body : world.bodies)  // until somebody has moved them
+                   for (Body& body : world.bodies)  // until the first step
                      if (body.movable()) body.coloured(3);
                  },
              .camera = {{Real(-0.4), Real(6.5), 17}, {Real(-0.4), Real(2.1), 0}},

@@ -1,29 +1,29 @@
-/// By how much a step is off, and in how many substeps the next one is taken, as plain functions.
+/// The error of a step, and the number of substeps of the next one, as plain functions.
 #pragma once
 
 #include "pushback/engine/islands/estimate.h"
 
 namespace pushback::plain_27 {
 
-/// m: by how much a place is off, from the same step in n substeps, `fine`, and in n / 2, `coarse`.
+/// The error of a place, m, from the same step in n substeps, `fine`, and in n / 2, `coarse`.
 inline Real off_by(Real coarse, Real fine, int order) {
   return std::abs(coarse - fine) / parts_of_difference(order);
 }
 
-/// A step has been tried.
+/// A step that was tried.
 struct Tried {
-  int substeps;  // this time
-  Real off;      // in parts of what is allowed
-  Real before;   // the same of the try before, in half as many; infinite: there was none
+  int substeps;  // of this try
+  Real off;      // relative to the allowed error
+  Real before;   // the same for the try before, with half as many substeps; infinite: none
   int order;
 };
 struct Bounds {
   int least = 2, most = 16;  // substeps
 };
 struct Verdict {
-  bool stands;   // else it is taken again from where it began
-  bool kept;     // its error is within what is allowed
-  int substeps;  // of the next try: of the same step, or of the next one
+  bool stands;   // else the step is repeated from its start
+  bool kept;     // its error is within the allowed error
+  int substeps;  // of the next try, for the same step or the next one
 };
 
 inline Verdict judge_try(const Tried& tried, const Bounds& bounds) {

@@ -1,4 +1,4 @@
-/// Chapter 26's yard, coloured by what keeps each body's error, and how far a world is from another that has gone on beside it.
+/// A solver that colours chapter 26's yard by how each body was moved, and the distance between two worlds.
 #pragma once
 
 #include "pushback/chapters/26_to_each_its_own/scenes.h"
@@ -6,25 +6,24 @@
 
 namespace pushback::which_error_scenes {
 
-/// Of the palette: mustard, teal, blue, olive and brick.
+/// Indices of the palette: mustard, teal, blue, olive and brick.
 enum class Paint { flight = 2, two = 1, more = 0, fourth = 5, substeps = 4 };
 
 inline Paint paint_of(const BodyError& known) {
   if (known.how == StepType::flight) return Paint::flight;
   if (known.how == StepType::substeps) return Paint::substeps;
   if (known.order == 4) return Paint::fourth;
-  return known.substeps > 2 ? Paint::more
-                            : Paint::two;  // a step that is looked at has two, and the next ones may have one
+  return known.substeps > 2 ? Paint::more : Paint::two;  // a checked step has two, the next ones may have one
 }
 
-/// After each step every body that moves has the colour of how it was moved.
+/// After each step, colours every movable body by how it was moved.
 class Painted : public ForwardingSolver {
  public:
   IslandSolver within;
 
   explicit Painted(Real error) { within.error = error; }
   Solved solved() const override { return within.solved(); }
-  Plan plan(Real /*dt*/) const override { return {}; }  // each island has its own
+  Plan plan(Real /*dt*/) const override { return {}; }  // each island has its own plan
   void whole_step(World& world, Real dt, int sweeps) override {
     within.whole_step(world, dt, sweeps);
     for (Body& body : world.bodies)
@@ -36,7 +35,7 @@ class Painted : public ForwardingSolver {
   const StepSolver& inner() const override { return within; }
 };
 
-/// m: the farthest that a body of two worlds is from its double.
+/// The largest distance between the same body in two worlds, m.
 inline Real apart(const World& a, const World& b) {
   Real largest = 0;
   for (std::size_t i = 0; i < a.bodies.size(); ++i)
